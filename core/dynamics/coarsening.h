@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/foam/foam.h"
+
+namespace foam {
+
+/// Gas diffusion (E6; paper eq. 4 and 14).
+struct CoarseningOptions {
+    double kappa = 0.01;  // diffusion constant, foam units
+};
+
+/// von Neumann's law: dA/dt = (2 pi / 3) gamma kappa (n - 6).
+double growth_rate(const Foam& foam, BubbleId bubble, const CoarseningOptions& options);
+
+/// Lets gas diffuse for a time: every target area grows at its rate. The total stays; the target of
+/// a bubble that should vanish may come out negative.
+void diffuse(Foam& foam, double time, const CoarseningOptions& options);
+
+}  // namespace foam

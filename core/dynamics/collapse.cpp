@@ -1,0 +1,113 @@
+#include "core/dynamics/collapse.h"
+
+#include "core/equilibrium/t1_rule.h"
+#include "core/network/t1.h"
+#include "core/network/t2.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace foam {
+
+namespace {
+
+constexpr double kSlowFraction = 0.1;   // of the T2 area, for bubbles of four and five sides
+constexpr double kLeastFraction = 0.1;  // of the T2 area: the target of a bubble that cannot vanish
+
+// Puts the vertex that remains of a three-sided bubble at the mean of its junctions (paper eq. 3).
+void move_to_mean(Foam& foam, BubbleId bubble) {
+    const HalfEdgeId first = foam.network.first(bubble);
+    Vec2 at = Vec2::Zero();
+    Vec2 sum = Vec2::Zero();
+    for (const HalfEdgeId h : foam.network.around(bubble)) {
+        sum += at;
+        at += chord(foam, h);
+    }
+    const JunctionId junction = foam.network.tail(first);
+    place_junction(foam, junction, foam.positions[junction] + sum / 3.0);
+}
+
+void share_out(Foam& foam, double gas, const std::vector<BubbleId>& neighbours) {
+    for (const BubbleId neighbour : neighbours) {
+        foam.target_areas[neighbour] += gas / static_cast<double>(neighbours.size());
+    }
+}
+
+void apply_t2(Foam& foam, BubbleId bubble) {
+    if (foam.network.sides(bubble) == 3) {
+        move_to_mean(foam, bubble);
+    }
+    const double gas = foam.target_areas[bubble];
+    const Vanished vanished = vanish(foam.network, bubble);
+    share_out(foam, gas, vanished.neighbours);
+    if (vanished.film != kNone<FilmId>) {
+        foam.t1_armed[vanished.film] = 1;
+    }
+}
+
+// Flips the shortest film of the bubble that can; false where none can.
+bool flip_shortest(Foam& foam, BubbleId bubble) {
+    std::vector<HalfEdgeId> loop = foam.network.around(bubble);
+    std::stable_sort(loop.begin(), loop.end(), [&](HalfEdgeId a, HalfEdgeId b) {
+        return chord(foam, a).squaredNorm() < chord(foam, b).squaredNorm();
+    });
+    for (const HalfEdgeId h : loop) {
+        if (can_flip(foam.network, film_of(h))) {
+            flip_film(foam, film_of(h));
+            return true;
+        }
+    }
+    return false;
+}
+
+// A bubble that stays takes what it lacks of the least target from its neighbours.
+void keep_alive(Foam& foam, BubbleId bubble, double least) {
+    const double lacking = least - foam.target_areas[bubble];
+    if (lacking > 0.0) {
+        std::vector<BubbleId> neighbours;
+        for (const HalfEdgeId h : foam.network.around(bubble)) {
+            neighbours.push_back(foam.network.right(h));
+        }
+        foam.target_areas[bubble] = least;
+        share_out(foam, -lacking, neighbours);
+    }
+}
+
+}  // namespace
+
+bool is_due_to_vanish(const Foam& foam, BubbleId bubble, const TopologyThresholds& thresholds) {
+    const double area = foam.target_areas[bubble];
+    const int sides = foam.network.sides(bubble);
+    if (sides <= 3) {
+        return area <= thresholds.t2_area;
+    }
+    return area <= kSlowFraction * thresholds.t2_area;
+}
+
+bool collapse(Foam& foam, BubbleId bubble, TopologyCounts& counts) {
+    const int most_flips = 2 * foam.network.sides(bubble);
+    for (int flips = 0; flips < most_flips; ++flips) {
+        if (can_vanish(foam.network, bubble)) {
+            apply_t2(foam, bubble);
+            ++counts.t2;
+            return true;
+        }
+        if (!flip_shortest(foam, bubble)) {
+            return false;
+        }
+        ++counts.t1;
+    }
+    return false;
+}
+
+TopologyCounts collapse_due(Foam& foam, const TopologyThresholds& thresholds) {
+    TopologyCounts counts;
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        if (is_due_to_vanish(foam, bubble, thresholds) && !collapse(foam, bubble, counts)) {
+            keep_alive(foam, bubble, kLeastFraction * thresholds.t2_area);
+        }
+    }
+    return counts;
+}
+
+}  // namespace foam

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "core/equilibrium/topology_thresholds.h"
+#include "core/foam/foam.h"
+
+namespace foam {
+
+/// How many T1 and T2 something took.
+struct TopologyCounts {
+    int t1 = 0;
+    int t2 = 0;
+};
+
+/// Whether the bubble is small enough to vanish (E8; paper eq. 3): three-sided at the T2 area; with
+/// four or five sides, which the paper leaves open, at a tenth of it. Others grow or keep their
+/// area.
+bool is_due_to_vanish(const Foam& foam, BubbleId bubble, const TopologyThresholds& thresholds);
+
+/// Makes a bubble vanish: its shortest films flip until three sides are left, these become one
+/// junction at the mean of the three (T2), and its gas goes to its last neighbours in equal shares.
+/// False where no order of flips allows it, as between the last bubbles of a torus; the bubble then
+/// keeps what it has.
+bool collapse(Foam& foam, BubbleId bubble, TopologyCounts& counts);
+
+/// Collapses every bubble that is due. A bubble that cannot vanish is left with a small target area
+/// at the cost of its neighbours.
+TopologyCounts collapse_due(Foam& foam, const TopologyThresholds& thresholds);
+
+}  // namespace foam

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "core/equilibrium/newton.h"
+#include "core/equilibrium/topology_thresholds.h"
+#include "core/foam/foam.h"
+
+namespace foam {
+
+struct EquilibriumOptions {
+    TopologyThresholds thresholds;
+    double tolerance = 1e-9;     // succeeds when the largest area and angle errors are below this
+    bool relaxes_first = true;   // for a foam that is far from equilibrium (E4)
+    int relaxation_sweeps = 60;  // at first, and where Newton's method stalls
+    int max_rounds = 100;        // of Newton's method, each ended by T1s or by relaxation
+};
+
+enum class EquilibriumStatus {
+    Converged,
+    RoundLimit,       // T1s and relaxation led to no equilibrium in max_rounds
+    ToleranceMissed,  // Newton's method stands still, but an error is above the tolerance
+};
+
+/// How a foam came to equilibrium, and how near.
+struct EquilibriumSummary {
+    EquilibriumStatus status = EquilibriumStatus::RoundLimit;
+    int sweeps = 0;      // of relaxation
+    int iterations = 0;  // of Newton's method
+    int t1 = 0;
+    int t2 = 0;
+    double area_error = 0.0;   // largest, relative
+    double angle_error = 0.0;  // largest, radians
+    double energy = 0.0;
+
+    bool converged() const { return status == EquilibriumStatus::Converged; }
+};
+
+/// Brings the foam to mechanical equilibrium (E2) at its target areas, with T1 (E7) where a film
+/// collapses and where one rests below the T1 distance. Pressures come out with an area-weighted
+/// mean of 0. Preconditions: a valid network, positive targets that add up to the area of the
+/// torus.
+EquilibriumSummary equilibrate(Foam& foam, const EquilibriumOptions& options);
+
+}  // namespace foam

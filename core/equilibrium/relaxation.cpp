@@ -1,0 +1,183 @@
+#include "core/equilibrium/relaxation.h"
+
+#include "core/equilibrium/moves.h"
+#include "core/equilibrium/t1_rule.h"
+#include "core/foam/measure.h"
+#include "core/network/t1.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace foam {
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr int kFewestSides = 3;  // a bubble of two straight films has no area
+
+// Straight films misjudge bubbles of few sides: in equilibrium a regular bubble of n sides has arcs
+// of half angle pi/n - pi/6. This is the share of its area within the chords ...
+double chord_share(int sides) {
+    const double n = std::max(sides, kFewestSides);
+    return 1.0 / (1.0 + std::tan(kPi / n) * segment_shape(std::sin(kPi / n - kPi / 6.0)));
+}
+
+// ... and this the pressure of its arcs over the pressure at which its straight films balance.
+double arc_pressure_ratio(int sides) {
+    const double n = std::max(sides, kFewestSides);
+    if (sides == 6) {
+        return 1.0;
+    }
+    return 2.0 * std::sin(kPi / n - kPi / 6.0) * std::cos(kPi / n) /
+           (2.0 * std::sin(kPi / n) - 1.0);
+}
+
+// Per bubble, of the energy of E4: its pressure is stiffness (1 - A / A_target) / sqrt(A_target),
+// for the areas within the chords.
+struct SoftBubbles {
+    Indexed<BubbleId, double> areas;  // kept up to date
+    double stiffness;
+
+    static double target(const Foam& foam, BubbleId bubble) {
+        return foam.target_areas[bubble] * chord_share(foam.network.sides(bubble));
+    }
+    double pressure(const Foam& foam, BubbleId bubble) const {
+        const double full = target(foam, bubble);
+        return stiffness * (1.0 - areas[bubble] / full) / std::sqrt(full);
+    }
+    double pressure_slope(const Foam& foam, BubbleId bubble) const {
+        const double full = target(foam, bubble);
+        return stiffness / (full * std::sqrt(full));
+    }
+};
+
+// What moves a junction: its films, and how each of its bubbles' areas grows with its position.
+struct Surroundings {
+    std::array<HalfEdgeId, 3> leaving;
+    std::array<Vec2, 3> chords;
+    std::array<Vec2, 3> area_gradients;  // of the bubble on the left of each
+};
+
+Surroundings surroundings(const Foam& foam, JunctionId junction) {
+    Surroundings s{foam.network.leaving(junction), {}, {}};
+    for (std::size_t k = 0; k < 3; ++k) {
+        s.chords[k] = chord(foam, s.leaving[k]);
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+        s.area_gradients[k] = -0.5 * turned_left(s.chords[k] - s.chords[(k + 2) % 3]);
+    }
+    return s;
+}
+
+Vec2 newton_step(const Foam& foam, const SoftBubbles& bubbles, const Surroundings& s) {
+    Vec2 force = Vec2::Zero();
+    Mat2 stiffness = Mat2::Zero();
+    for (std::size_t k = 0; k < 3; ++k) {
+        const BubbleId bubble = foam.network.left(s.leaving[k]);
+        const Vec2& growth = s.area_gradients[k];
+        force += bubbles.pressure(foam, bubble) * growth;
+        stiffness += bubbles.pressure_slope(foam, bubble) * growth * growth.transpose();
+        const double c = s.chords[k].norm();
+        if (c > 0.0) {
+            const Vec2 u = s.chords[k] / c;
+            const Vec2 n = turned_left(u);
+            force += foam.film_tension * u;
+            stiffness += foam.film_tension / c * n * n.transpose();
+        }
+    }
+    const double determinant = stiffness.determinant();
+    return determinant > 0.0 ? Vec2(stiffness.inverse() * force) : force;
+}
+
+void move_junction(Foam& foam, SoftBubbles& bubbles, JunctionId junction, double largest_move) {
+    const Surroundings s = surroundings(foam, junction);
+    Vec2 step = newton_step(foam, bubbles, s);
+    double share = 1.0;
+    for (const Vec2& d : s.chords) {
+        share = std::min(share, allowed_share(d, -step, largest_move));
+    }
+    step *= share;
+    for (std::size_t k = 0; k < 3; ++k) {
+        bubbles.areas[foam.network.left(s.leaving[k])] += s.area_gradients[k].dot(step);
+    }
+    foam.positions[junction] += step;
+}
+
+void refresh_areas(const Foam& foam, SoftBubbles& bubbles, BubbleId bubble) {
+    bubbles.areas[bubble] = polygon_area(foam, bubble);
+}
+
+void refresh_areas_around(const Foam& foam, SoftBubbles& bubbles, FilmId film) {
+    const T1Site site = t1_site(foam.network, film);
+    refresh_areas(foam, bubbles, foam.network.left(site.film));
+    refresh_areas(foam, bubbles, foam.network.right(site.film));
+    refresh_areas(foam, bubbles, site.end_tail);
+    refresh_areas(foam, bubbles, site.end_head);
+}
+
+int settle_short_films(Foam& foam, SoftBubbles& bubbles, const TopologyThresholds& thresholds) {
+    int flips = 0;
+    for (const FilmId film : foam.network.films()) {
+        if (chord(foam, forward_side(film)).norm() < thresholds.t1_distance) {
+            flips += settle_film(foam, film, thresholds, Tangents::OfChords) ? 1 : 0;
+            refresh_areas_around(foam, bubbles, film);
+        }
+    }
+    return flips;
+}
+
+void wrap_all(Foam& foam) {
+    for (const JunctionId junction : foam.network.junctions()) {
+        place_junction(foam, junction, foam.positions[junction]);
+    }
+}
+
+double mean_pressure_around(const Foam& foam, BubbleId bubble) {
+    double sum = 0.0;
+    for (const HalfEdgeId h : foam.network.around(bubble)) {
+        sum += foam.pressures[foam.network.right(h)];
+    }
+    return sum / foam.network.sides(bubble);
+}
+
+// The pressures of the straight films, their excess over the neighbours turned into that of arcs.
+void set_pressures(Foam& foam, SoftBubbles& bubbles) {
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        refresh_areas(foam, bubbles, bubble);
+        foam.pressures[bubble] = bubbles.pressure(foam, bubble);
+    }
+    Indexed<BubbleId, double> curved = foam.pressures;
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        const double around = mean_pressure_around(foam, bubble);
+        curved[bubble] = around + arc_pressure_ratio(foam.network.sides(bubble)) *
+                                      (foam.pressures[bubble] - around);
+    }
+    foam.pressures = std::move(curved);
+}
+
+}  // namespace
+
+RelaxationSummary relax(Foam& foam, const RelaxationOptions& options) {
+    RelaxationSummary summary;
+    SoftBubbles bubbles{Indexed<BubbleId, double>(foam.network.bubble_slots(), 0.0),
+                        options.stiffness * foam.film_tension};
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        refresh_areas(foam, bubbles, bubble);
+    }
+    for (; summary.sweeps < options.sweeps; ++summary.sweeps) {
+        for (const JunctionId junction : foam.network.junctions()) {
+            move_junction(foam, bubbles, junction, options.largest_move);
+        }
+        summary.t1 += settle_short_films(foam, bubbles, options.thresholds);
+        rearm_grown_films(foam, options.thresholds);
+    }
+    set_pressures(foam, bubbles);
+    wrap_all(foam);
+    return summary;
+}
+
+}  // namespace foam

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "core/equilibrium/topology_thresholds.h"
+#include "core/foam/foam.h"
+
+namespace foam {
+
+/// Relaxation with straight films (E4): the way in from a foam that is far from equilibrium.
+struct RelaxationOptions {
+    int sweeps = 60;
+    double stiffness = 10.0;     // of a bubble against a change of its area, in film tensions
+    double largest_move = 0.33;  // of a junction in a sweep, in its shortest films
+    TopologyThresholds thresholds;
+};
+
+struct RelaxationSummary {
+    int sweeps = 0;
+    int t1 = 0;
+};
+
+/// Sweeps over the junctions, each moved by its own Newton step; T1 between sweeps. Leaves each
+/// bubble with the pressure that its remaining area error stands for.
+RelaxationSummary relax(Foam& foam, const RelaxationOptions& options);
+
+}  // namespace foam

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "core/equilibrium/unknowns.h"
+
+#include <Eigen/Core>
+
+namespace foam {
+
+/// The function L of E3 for the whole foam.
+double lagrangian(const Foam& foam);
+
+/// Gradient of the function L of E3 by the unknowns: minus the force of the films and pressures on
+/// each junction, then target area less area of each bubble. Zero in equilibrium (E2).
+Eigen::VectorXd residual(const Foam& foam, const Unknowns& unknowns);
+
+/// Residuals without units: forces in film tensions, areas in target areas.
+struct ResidualNorms {
+    double force = 0.0;    // largest
+    double area = 0.0;     // largest
+    double squares = 0.0;  // sum of all squares; the merit function of the line search
+};
+
+ResidualNorms norms(const Foam& foam, const Unknowns& unknowns, const Eigen::VectorXd& residual);
+
+}  // namespace foam

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "core/equilibrium/topology_thresholds.h"
+#include "core/foam/foam.h"
+
+#include <vector>
+
+namespace foam {
+
+/// The T1 distance at a film: the threshold, scaled down to the smallest of the four bubbles around
+/// it where that is smaller than 1, and tenfold shorter for a film that has flipped and not grown
+/// since (E7).
+double t1_length(const Foam& foam, FilmId film, const TopologyThresholds& thresholds);
+
+/// Below this length a film is as good as a point where four films meet.
+double collapsed_length(const Foam& foam, FilmId film, const TopologyThresholds& thresholds);
+
+/// How the tangents of a film's outer films are taken.
+enum class Tangents {
+    OfArcs,
+    OfChords,  // while films are straight (E4)
+};
+
+/// Whether the outer films would pull the flipped film apart: their mean pull along it exceeds the
+/// pull of the film itself.
+bool flipped_pulls_apart(const Foam& foam, FilmId film, Tangents tangents);
+
+/// Flips the film (t1.h), sets its junctions perpendicular to the old film around its middle at the
+/// same distance (paper 3), and disarms it. Precondition: can_flip.
+void flip_film(Foam& foam, FilmId film);
+
+/// Opens a film that has collapsed to a point of four films: lays it, with the given length, in the
+/// direction in which its outer films pull the hardest, flipped or not. Returns whether it was
+/// flipped.
+bool reopen_film(Foam& foam, FilmId film, double length, Tangents tangents);
+
+/// The T1 that is due at a short film, if any: a collapsed film is opened anew, another one flipped
+/// where its flipped state stays open. Returns whether it was flipped.
+bool settle_film(Foam& foam, FilmId film, const TopologyThresholds& thresholds, Tangents tangents);
+
+/// Films below their T1 distance that would stay open when flipped, in increasing order.
+std::vector<FilmId> short_films(const Foam& foam, const TopologyThresholds& thresholds);
+
+/// Arms every film that has grown to twice its T1 distance.
+void rearm_grown_films(Foam& foam, const TopologyThresholds& thresholds);
+
+}  // namespace foam

@@ -1,0 +1,143 @@
+#include "core/foam/cell_diagram.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace foam {
+
+namespace {
+
+// The half-edge of each corner: [cell][corner].
+using HalfEdgeTable = std::vector<std::vector<HalfEdgeId>>;
+
+std::size_t matching_corner(const CellDiagram& cells, std::size_t cell, const CellCorner& corner) {
+    const std::vector<CellCorner>& other = cells[corner.across];
+    for (std::size_t k = 0; k < other.size(); ++k) {
+        if (other[k].across == cell && other[k].offset == -corner.offset) {
+            return k;
+        }
+    }
+    throw std::runtime_error("cell diagram: a side has no counterpart in the cell across it");
+}
+
+HalfEdgeTable add_films(const CellDiagram& cells, Network& network) {
+    HalfEdgeTable table(cells.size());
+    for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+        table[cell].assign(cells[cell].size(), kNone<HalfEdgeId>);
+    }
+    for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+        for (std::size_t k = 0; k < cells[cell].size(); ++k) {
+            if (table[cell][k] != kNone<HalfEdgeId>) {
+                continue;
+            }
+            const HalfEdgeId h = forward_side(network.add_film());
+            table[cell][k] = h;
+            table[cells[cell][k].across][matching_corner(cells, cell, cells[cell][k])] = twin(h);
+        }
+    }
+    return table;
+}
+
+void add_bubbles(const HalfEdgeTable& table, Network& network) {
+    for (const std::vector<HalfEdgeId>& loop : table) {
+        const BubbleId bubble = network.add_bubble();
+        network.set_first(bubble, loop.front());
+        network.set_sides(bubble, static_cast<int>(loop.size()));
+        for (std::size_t k = 0; k < loop.size(); ++k) {
+            network.set_left(loop[k], bubble);
+            network.set_next(loop[k], loop[(k + 1) % loop.size()]);
+        }
+    }
+}
+
+// The junction at the tail of h, shared by the three half-edges that leave it.
+void add_junction_at(HalfEdgeId h, const Vec2& point, Foam& foam) {
+    const JunctionId junction = foam.network.add_junction();
+    foam.positions.push_back(point - foam.torus.translation(foam.torus.cell_of(point)));
+    HalfEdgeId leaving = h;
+    for (int k = 0; k < 3; ++k) {
+        foam.network.set_tail(leaving, junction);
+        leaving = foam.network.next(twin(leaving));
+    }
+    if (leaving != h) {
+        throw std::runtime_error("cell diagram: a corner does not join exactly three cells");
+    }
+}
+
+// Which copy of its junction a corner is.
+LatticeOffset copy_of(const Torus& torus, const Vec2& point, const Vec2& junction) {
+    const Vec2 apart = point - junction;
+    return {static_cast<std::int32_t>(std::lround(apart.x() / torus.width)),
+            static_cast<std::int32_t>(std::lround(apart.y() / torus.height))};
+}
+
+void add_junctions(const CellDiagram& cells, const HalfEdgeTable& table, Foam& foam) {
+    std::vector<bool> has_tail(2 * foam.network.film_slots(), false);
+    for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+        for (std::size_t k = 0; k < cells[cell].size(); ++k) {
+            if (has_tail[index_of(table[cell][k])]) {
+                continue;
+            }
+            add_junction_at(table[cell][k], cells[cell][k].point, foam);
+            const JunctionId junction = foam.network.tail(table[cell][k]);
+            for (const HalfEdgeId h : foam.network.leaving(junction)) {
+                has_tail[index_of(h)] = true;
+            }
+        }
+    }
+}
+
+void set_offsets(const CellDiagram& cells, const HalfEdgeTable& table, Foam& foam) {
+    for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+        const std::vector<CellCorner>& corners = cells[cell];
+        for (std::size_t k = 0; k < corners.size(); ++k) {
+            const HalfEdgeId h = table[cell][k];
+            const Vec2& head = corners[(k + 1) % corners.size()].point;
+            const Vec2& tail = corners[k].point;
+            foam.network.set_offset(
+                h,
+                copy_of(foam.torus, head, foam.positions[foam.network.head(h)]) -
+                    copy_of(foam.torus, tail, foam.positions[foam.network.tail(h)]));
+        }
+    }
+}
+
+}  // namespace
+
+double cell_area(const std::vector<CellCorner>& cell) {
+    double twice = 0.0;
+    for (std::size_t k = 0; k + 1 < cell.size(); ++k) {
+        twice += cross(cell[k].point - cell[0].point, cell[k + 1].point - cell[0].point);
+    }
+    return 0.5 * twice;
+}
+
+Vec2 cell_centroid(const std::vector<CellCorner>& cell) {
+    Vec2 weighted = Vec2::Zero();
+    double twice = 0.0;
+    for (std::size_t k = 0; k + 1 < cell.size(); ++k) {
+        const Vec2 a = cell[k].point - cell[0].point;
+        const Vec2 b = cell[k + 1].point - cell[0].point;
+        weighted += cross(a, b) * (a + b) / 3.0;
+        twice += cross(a, b);
+    }
+    return cell[0].point + weighted / twice;
+}
+
+Foam foam_from_cells(const Torus& torus, const CellDiagram& cells) {
+    Foam foam;
+    foam.torus = torus;
+    const HalfEdgeTable table = add_films(cells, foam.network);
+    add_bubbles(table, foam.network);
+    add_junctions(cells, table, foam);
+    set_offsets(cells, table, foam);
+    foam.pressures.resize(cells.size(), 0.0);
+    foam.t1_armed.resize(foam.network.film_slots(), 1);
+    for (const std::vector<CellCorner>& cell : cells) {
+        foam.target_areas.push_back(cell_area(cell));
+        foam.identities.push_back(foam.next_identity++);
+    }
+    return foam;
+}
+
+}  // namespace foam

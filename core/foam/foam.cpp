@@ -1,0 +1,52 @@
+#include "core/foam/foam.h"
+
+#include "core/geometry/film_energy.h"
+
+namespace foam {
+
+namespace {
+
+template <class Id, class T>
+void keep(Indexed<Id, T>& values, const std::vector<Id>& kept) {
+    Indexed<Id, T> dense;
+    for (const Id id : kept) {
+        dense.push_back(values[id]);
+    }
+    values = std::move(dense);
+}
+
+}  // namespace
+
+Vec2 chord(const Foam& foam, HalfEdgeId h) {
+    const Network& network = foam.network;
+    return foam.positions[network.head(h)] + foam.torus.translation(network.offset(h)) -
+           foam.positions[network.tail(h)];
+}
+
+double pressure_difference(const Foam& foam, HalfEdgeId h) {
+    return foam.pressures[foam.network.left(h)] - foam.pressures[foam.network.right(h)];
+}
+
+FilmArc film_arc(const Foam& foam, HalfEdgeId h) {
+    const Vec2 d = chord(foam, h);
+    return {d, laplace_young_half_angle(d.norm(), pressure_difference(foam, h), foam.film_tension)};
+}
+
+void place_junction(Foam& foam, JunctionId junction, const Vec2& point) {
+    const LatticeOffset cell = foam.torus.cell_of(point);
+    foam.positions[junction] = point - foam.torus.translation(cell);
+    if (cell != LatticeOffset{}) {
+        foam.network.rebase(junction, cell);
+    }
+}
+
+void compact(Foam& foam) {
+    const Network::Kept kept = foam.network.compact();
+    keep(foam.positions, kept.junctions);
+    keep(foam.pressures, kept.bubbles);
+    keep(foam.target_areas, kept.bubbles);
+    keep(foam.identities, kept.bubbles);
+    keep(foam.t1_armed, kept.films);
+}
+
+}  // namespace foam

@@ -1,0 +1,104 @@
+#include "core/foam/measure.h"
+
+#include "core/geometry/film_energy.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace foam {
+
+namespace {
+
+double largest_angle_error(const Foam& foam, JunctionId junction) {
+    const std::array<HalfEdgeId, 3> leaving = foam.network.leaving(junction);
+    std::array<Vec2, 3> tangents;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const FilmArc arc = film_arc(foam, leaving[k]);
+        if (arc.chord == Vec2::Zero()) {
+            return std::numbers::pi;
+        }
+        tangents[k] = tangent_at_tail(arc);
+    }
+    double largest = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        // Clockwise from a to b, in (-pi, pi]; a tangle turns the wrong way round.
+        const Vec2& a = tangents[k];
+        const Vec2& b = tangents[(k + 1) % 3];
+        const double angle = std::atan2(cross(b, a), a.dot(b));
+        largest = std::max(largest, std::abs(angle - 2.0 * std::numbers::pi / 3.0));
+    }
+    return largest;
+}
+
+bool is_at_limit(const Foam& foam, HalfEdgeId h) {
+    const double s = 0.5 * pressure_difference(foam, h) * chord(foam, h).norm() / foam.film_tension;
+    return std::abs(s) > kLargestSine;
+}
+
+}  // namespace
+
+double polygon_area(const Foam& foam, BubbleId bubble) {
+    double twice = 0.0;
+    Vec2 at = Vec2::Zero();
+    for (const HalfEdgeId h : foam.network.around(bubble)) {
+        const Vec2 d = chord(foam, h);
+        twice += cross(at, d);
+        at += d;
+    }
+    return 0.5 * twice;
+}
+
+double bubble_area(const Foam& foam, BubbleId bubble) {
+    double area = polygon_area(foam, bubble);
+    for (const HalfEdgeId h : foam.network.around(bubble)) {
+        area += segment_area(film_arc(foam, h));
+    }
+    return area;
+}
+
+Indexed<BubbleId, double> bubble_areas(const Foam& foam) {
+    Indexed<BubbleId, double> areas(foam.network.bubble_slots(), 0.0);
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        areas[bubble] = bubble_area(foam, bubble);
+    }
+    return areas;
+}
+
+void center_pressures(Foam& foam) {
+    double weighted = 0.0;
+    double total = 0.0;
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        weighted += foam.target_areas[bubble] * foam.pressures[bubble];
+        total += foam.target_areas[bubble];
+    }
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        foam.pressures[bubble] -= weighted / total;
+    }
+}
+
+double energy(const Foam& foam) {
+    double length = 0.0;
+    for (const FilmId film : foam.network.films()) {
+        length += arc_length(film_arc(foam, forward_side(film)));
+    }
+    return foam.film_tension * length;
+}
+
+EquilibriumErrors equilibrium_errors(const Foam& foam) {
+    EquilibriumErrors errors;
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        const double relative = bubble_area(foam, bubble) / foam.target_areas[bubble] - 1.0;
+        errors.area = std::max(errors.area, std::abs(relative));
+    }
+    for (const JunctionId junction : foam.network.junctions()) {
+        errors.angle = std::max(errors.angle, largest_angle_error(foam, junction));
+    }
+    for (const FilmId film : foam.network.films()) {
+        errors.films_at_limit += is_at_limit(foam, forward_side(film)) ? 1 : 0;
+    }
+    return errors;
+}
+
+}  // namespace foam

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/foam/foam.h"
+
+namespace foam {
+
+/// Area of a bubble within its arcs (E1). A bubble that is turned inside out has a negative one.
+double bubble_area(const Foam& foam, BubbleId bubble);
+
+/// Area of a bubble within the chords of its films.
+double polygon_area(const Foam& foam, BubbleId bubble);
+
+/// bubble_area of every live bubble; 0 in dead slots.
+Indexed<BubbleId, double> bubble_areas(const Foam& foam);
+
+/// Shifts the pressures, which are known up to a constant, so that their area-weighted mean is 0.
+void center_pressures(Foam& foam);
+
+/// Film tension times the length of all films.
+double energy(const Foam& foam);
+
+/// Distance from equilibrium (E2).
+struct EquilibriumErrors {
+    double area = 0.0;   // largest |A / A_target - 1|
+    double angle = 0.0;  // largest |angle - 120 degrees| between two films, radians
+    int films_at_limit =
+        0;  // films whose half angle is held at the limit: no equilibrium while > 0
+};
+
+EquilibriumErrors equilibrium_errors(const Foam& foam);
+
+}  // namespace foam

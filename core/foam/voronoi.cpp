@@ -1,0 +1,145 @@
+#include "core/foam/voronoi.h"
+
+#include <boost/polygon/voronoi.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+
+namespace foam {
+
+namespace {
+
+using Diagram = boost::polygon::voronoi_diagram<double>;
+using GridPoint = boost::polygon::point_data<std::int32_t>;
+
+// Grid points along the longer period. Boost's builder takes 32-bit coordinates: 16 periods fit on
+// each side of the torus' own cell.
+constexpr double kGridPoints = 0x1.0p26;
+constexpr int kMostRings = 15;
+
+struct Grid {
+    double spacing;
+    std::int32_t width;  // periods, in grid points
+    std::int32_t height;
+};
+
+Grid grid_of(const Torus& torus) {
+    const double spacing = std::max(torus.width, torus.height) / kGridPoints;
+    return {spacing,
+            static_cast<std::int32_t>(std::lround(torus.width / spacing)),
+            static_cast<std::int32_t>(std::lround(torus.height / spacing))};
+}
+
+// A copy of a site; the sites' own cells come first, in their order.
+struct SiteCopy {
+    std::size_t site;
+    LatticeOffset offset;
+};
+
+struct Copies {
+    std::vector<SiteCopy> copies;
+    std::vector<GridPoint> points;
+};
+
+void add_copy(
+    Copies& all, std::size_t site, const GridPoint& p, LatticeOffset offset, const Grid& g) {
+    all.copies.push_back({site, offset});
+    all.points.emplace_back(p.x() + offset.i * g.width, p.y() + offset.j * g.height);
+}
+
+// The sites and all their copies within a margin around the torus' own cell.
+Copies copies_within(const std::vector<GridPoint>& sites, const Grid& grid, double margin) {
+    Copies all;
+    for (std::size_t k = 0; k < sites.size(); ++k) {
+        add_copy(all, k, sites[k], {}, grid);
+    }
+    const int rings_x = std::min(kMostRings, static_cast<int>(std::ceil(margin / grid.width)));
+    const int rings_y = std::min(kMostRings, static_cast<int>(std::ceil(margin / grid.height)));
+    const auto outside = [&](double x, double period) {
+        return x < -margin || x > period + margin;
+    };
+    for (int j = -rings_y; j <= rings_y; ++j) {
+        for (int i = -rings_x; i <= rings_x; ++i) {
+            for (std::size_t k = 0; k < sites.size() && (i != 0 || j != 0); ++k) {
+                const double x = sites[k].x() + static_cast<double>(i) * grid.width;
+                const double y = sites[k].y() + static_cast<double>(j) * grid.height;
+                if (!outside(x, grid.width) && !outside(y, grid.height)) {
+                    add_copy(all, k, sites[k], {i, j}, grid);
+                }
+            }
+        }
+    }
+    return all;
+}
+
+// The corners of one cell, or nothing where a circle around a corner through its sites may reach
+// beyond the margin, so that copies farther away might matter.
+std::optional<std::vector<CellCorner>> corners_of(const Diagram::cell_type& cell,
+                                                  const Copies& all,
+                                                  const Grid& grid,
+                                                  double margin) {
+    const GridPoint& site = all.points[cell.source_index()];
+    std::vector<CellCorner> corners;
+    const Diagram::edge_type* edge = cell.incident_edge();
+    do {
+        if (edge == nullptr || !edge->is_finite()) {
+            return std::nullopt;
+        }
+        const Vec2 corner(edge->vertex0()->x(), edge->vertex0()->y());
+        if (2.0 * (corner - Vec2(site.x(), site.y())).norm() > margin) {
+            return std::nullopt;
+        }
+        const SiteCopy& across = all.copies[edge->twin()->cell()->source_index()];
+        corners.push_back({corner * grid.spacing, across.site, across.offset});
+        edge = edge->next();
+    } while (edge != cell.incident_edge());
+    return corners;
+}
+
+std::optional<CellDiagram> cells_within(const std::vector<GridPoint>& sites,
+                                        const Grid& grid,
+                                        double margin) {
+    const Copies all = copies_within(sites, grid, margin);
+    Diagram diagram;
+    boost::polygon::construct_voronoi(all.points.begin(), all.points.end(), &diagram);
+    CellDiagram cells(sites.size());
+    for (const Diagram::cell_type& cell : diagram.cells()) {
+        if (cell.source_index() >= sites.size()) {
+            continue;
+        }
+        std::optional<std::vector<CellCorner>> corners = corners_of(cell, all, grid, margin);
+        if (!corners) {
+            return std::nullopt;
+        }
+        cells[cell.source_index()] = std::move(*corners);
+    }
+    return cells;
+}
+
+}  // namespace
+
+CellDiagram voronoi_cells(const Torus& torus, const std::vector<Vec2>& sites) {
+    const Grid grid = grid_of(torus);
+    std::vector<GridPoint> points;
+    points.reserve(sites.size());
+    for (const Vec2& site : sites) {
+        points.emplace_back(static_cast<std::int32_t>(std::lround(site.x() / grid.spacing)),
+                            static_cast<std::int32_t>(std::lround(site.y() / grid.spacing)));
+    }
+    const double mean_spacing = std::sqrt(static_cast<double>(grid.width) * grid.height /
+                                          static_cast<double>(sites.size()));
+    const double most = static_cast<double>(kMostRings) * std::min(grid.width, grid.height);
+    for (double margin = 8.0 * mean_spacing;; margin *= 2.0) {
+        if (std::optional<CellDiagram> cells = cells_within(points, grid, std::min(margin, most))) {
+            return std::move(*cells);
+        }
+        if (margin >= most) {
+            throw std::runtime_error("Voronoi diagram: the sites leave a hole around the torus");
+        }
+    }
+}
+
+}  // namespace foam

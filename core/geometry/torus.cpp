@@ -1,0 +1,26 @@
+#include "core/geometry/torus.h"
+
+#include <cmath>
+
+namespace foam {
+
+namespace {
+
+// floor(x / period), corrected so that x minus that many periods, as computed, lies in [0, period).
+std::int32_t periods_below(double x, double period) {
+    double k = std::floor(x / period);
+    if (x - k * period < 0.0) {
+        k -= 1.0;
+    } else if (x - k * period >= period) {
+        k += 1.0;
+    }
+    return static_cast<std::int32_t>(k);
+}
+
+}  // namespace
+
+LatticeOffset Torus::cell_of(const Vec2& point) const {
+    return {periods_below(point.x(), width), periods_below(point.y(), height)};
+}
+
+}  // namespace foam

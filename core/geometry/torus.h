@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/geometry/vec2.h"
+
+#include <cstdint>
+
+namespace foam {
+
+/// A translation by whole periods of a torus.
+struct LatticeOffset {
+    std::int32_t i = 0;
+    std::int32_t j = 0;
+
+    friend LatticeOffset operator+(LatticeOffset a, LatticeOffset b) {
+        return {a.i + b.i, a.j + b.j};
+    }
+    friend LatticeOffset operator-(LatticeOffset a, LatticeOffset b) {
+        return {a.i - b.i, a.j - b.j};
+    }
+    friend LatticeOffset operator-(LatticeOffset a) { return {-a.i, -a.j}; }
+    friend bool operator==(LatticeOffset a, LatticeOffset b) = default;
+};
+
+/// A rectangular torus: the plane modulo its two periods.
+struct Torus {
+    double width = 1.0;
+    double height = 1.0;
+
+    double area() const { return width * height; }
+    Vec2 translation(LatticeOffset offset) const { return {offset.i * width, offset.j * height}; }
+
+    /// The offset whose translation, subtracted from the point, brings it into [0, width) x [0,
+    /// height).
+    LatticeOffset cell_of(const Vec2& point) const;
+};
+
+}  // namespace foam

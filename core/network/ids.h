@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+namespace foam {
+
+/// Indices of the network's elements, as types of their own so that they cannot be confused.
+enum class JunctionId : std::uint32_t {};
+enum class FilmId : std::uint32_t {};
+enum class BubbleId : std::uint32_t {};
+/// The two sides of film k are the half-edges 2k (from tail to head) and 2k + 1.
+enum class HalfEdgeId : std::uint32_t {};
+
+inline constexpr std::uint32_t kNoIndex = std::numeric_limits<std::uint32_t>::max();
+
+template <class Id>
+inline constexpr Id kNone = static_cast<Id>(kNoIndex);
+
+template <class Id>
+constexpr std::size_t index_of(Id id) {
+    return static_cast<std::size_t>(id);
+}
+
+template <class Id>
+constexpr Id id_at(std::size_t index) {
+    return static_cast<Id>(static_cast<std::uint32_t>(index));
+}
+
+constexpr HalfEdgeId twin(HalfEdgeId h) {
+    return id_at<HalfEdgeId>(index_of(h) ^ 1U);
+}
+constexpr FilmId film_of(HalfEdgeId h) {
+    return id_at<FilmId>(index_of(h) >> 1U);
+}
+constexpr HalfEdgeId forward_side(FilmId film) {
+    return id_at<HalfEdgeId>(index_of(film) << 1U);
+}
+constexpr bool is_forward(HalfEdgeId h) {
+    return (index_of(h) & 1U) == 0U;
+}
+
+}  // namespace foam

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "core/network/ids.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace foam {
+
+/// The ids whose flag is set, in increasing order, for a range-based for. The flags must outlive
+/// it.
+template <class Id>
+class LiveRange {
+  public:
+    class Iterator {
+      public:
+        Iterator(const std::vector<bool>& live, std::size_t index) : live_(&live), index_(index) {
+            skip_dead();
+        }
+        Id operator*() const { return id_at<Id>(index_); }
+        Iterator& operator++() {
+            ++index_;
+            skip_dead();
+            return *this;
+        }
+        friend bool operator==(const Iterator& a, const Iterator& b) {
+            return a.index_ == b.index_;
+        }
+
+      private:
+        void skip_dead() {
+            while (index_ < live_->size() && !(*live_)[index_]) {
+                ++index_;
+            }
+        }
+        const std::vector<bool>* live_;
+        std::size_t index_;
+    };
+
+    explicit LiveRange(const std::vector<bool>& live) : live_(&live) {}
+    Iterator begin() const { return {*live_, 0}; }
+    Iterator end() const { return {*live_, live_->size()}; }
+
+  private:
+    const std::vector<bool>* live_;
+};
+
+}  // namespace foam

@@ -1,0 +1,128 @@
+#include "core/network/network.h"
+
+namespace foam {
+
+namespace {
+
+template <class Id>
+std::vector<Id> live_ids(const LiveRange<Id>& range) {
+    std::vector<Id> ids;
+    for (const Id id : range) {
+        ids.push_back(id);
+    }
+    return ids;
+}
+
+// New id of each old one; the dead map to none.
+template <class Id>
+Indexed<Id, Id> new_ids(const std::vector<Id>& kept, std::size_t slots) {
+    Indexed<Id, Id> ids(slots, kNone<Id>);
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        ids[kept[i]] = id_at<Id>(i);
+    }
+    return ids;
+}
+
+}  // namespace
+
+std::array<HalfEdgeId, 3> Network::leaving(JunctionId junction) const {
+    const HalfEdgeId a = outgoing(junction);
+    const HalfEdgeId b = next(twin(a));
+    return {a, b, next(twin(b))};
+}
+
+std::vector<HalfEdgeId> Network::around(BubbleId bubble) const {
+    std::vector<HalfEdgeId> loop;
+    loop.reserve(static_cast<std::size_t>(sides(bubble)));
+    HalfEdgeId h = first(bubble);
+    do {
+        loop.push_back(h);
+        h = next(h);
+    } while (h != first(bubble));
+    return loop;
+}
+
+JunctionId Network::add_junction() {
+    junction_live_.push_back(true);
+    ++junction_count_;
+    return outgoing_.push_back(kNone<HalfEdgeId>);
+}
+
+FilmId Network::add_film() {
+    half_edges_.resize(half_edges_.size() + 2);
+    film_live_.push_back(true);
+    ++film_count_;
+    return offsets_.push_back({});
+}
+
+BubbleId Network::add_bubble() {
+    bubble_live_.push_back(true);
+    ++bubble_count_;
+    sides_.push_back(0);
+    return first_.push_back(kNone<HalfEdgeId>);
+}
+
+void Network::set_tail(HalfEdgeId h, JunctionId junction) {
+    half_edges_[index_of(h)].tail = junction;
+    outgoing_[junction] = h;
+}
+
+void Network::set_offset(HalfEdgeId h, LatticeOffset offset) {
+    offsets_[film_of(h)] = is_forward(h) ? offset : -offset;
+}
+
+void Network::remove(JunctionId junction) {
+    junction_live_[index_of(junction)] = false;
+    --junction_count_;
+}
+
+void Network::remove(FilmId film) {
+    film_live_[index_of(film)] = false;
+    --film_count_;
+}
+
+void Network::remove(BubbleId bubble) {
+    bubble_live_[index_of(bubble)] = false;
+    --bubble_count_;
+}
+
+void Network::rebase(JunctionId junction, LatticeOffset by) {
+    for (const HalfEdgeId h : leaving(junction)) {
+        set_offset(h, offset(h) - by);
+    }
+}
+
+Network::Kept Network::compact() {
+    Kept kept{live_ids(junctions()), live_ids(films()), live_ids(bubbles())};
+    const auto junction = new_ids(kept.junctions, junction_slots());
+    const auto film = new_ids(kept.films, film_slots());
+    const auto bubble = new_ids(kept.bubbles, bubble_slots());
+    const auto half_edge = [&](HalfEdgeId h) {
+        const HalfEdgeId forward = forward_side(film[film_of(h)]);
+        return is_forward(h) ? forward : twin(forward);
+    };
+    Network dense;
+    for (std::size_t i = 0; i < kept.junctions.size(); ++i) {
+        dense.add_junction();
+    }
+    for (const BubbleId old : kept.bubbles) {
+        const BubbleId id = dense.add_bubble();
+        dense.set_first(id, half_edge(first(old)));
+        dense.set_sides(id, sides(old));
+    }
+    for (const FilmId old : kept.films) {
+        const FilmId id = dense.add_film();
+        dense.offsets_[id] = offsets_[old];
+        for (const HalfEdgeId h : {forward_side(old), twin(forward_side(old))}) {
+            HalfEdge& target = dense.half_edges_[index_of(half_edge(h))];
+            target = {junction[tail(h)], bubble[left(h)], half_edge(next(h))};
+        }
+    }
+    for (const JunctionId old : kept.junctions) {
+        dense.outgoing_[junction[old]] = half_edge(outgoing(old));
+    }
+    *this = std::move(dense);
+    return kept;
+}
+
+}  // namespace foam

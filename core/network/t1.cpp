@@ -1,0 +1,93 @@
+#include "core/network/t1.h"
+
+#include <cassert>
+
+namespace foam {
+
+namespace {
+
+// Whether the corner of C at v and the corner of D at w belong to one copy of one bubble.
+bool ends_meet(const Network& network, const T1Site& site) {
+    if (site.end_tail != site.end_head) {
+        return false;
+    }
+    const HalfEdgeId start = twin(site.before_left);    // leaves v along C
+    const HalfEdgeId target = twin(site.before_right);  // leaves w along D
+    const LatticeOffset apart = network.offset(site.film);
+    LatticeOffset at;
+    HalfEdgeId h = start;
+    do {
+        if (h == target && at == apart) {
+            return true;
+        }
+        at = at + network.offset(h);
+        h = network.next(h);
+    } while (h != start);
+    return false;
+}
+
+void move_outer_films(Network& network, const T1Site& site) {
+    const JunctionId v = network.tail(site.film);
+    const JunctionId w = network.head(site.film);
+    const LatticeOffset apart = network.offset(site.film);
+    network.set_offset(site.after_left, apart + network.offset(site.after_left));
+    network.set_offset(site.after_right, network.offset(site.after_right) - apart);
+    network.set_tail(site.after_left, v);
+    network.set_tail(site.after_right, w);
+    network.set_tail(site.film, v);
+    network.set_tail(twin(site.film), w);
+}
+
+}  // namespace
+
+T1Site t1_site(const Network& network, FilmId film) {
+    const HalfEdgeId h = forward_side(film);
+    const HalfEdgeId t = twin(h);
+    T1Site site{h,
+                network.previous(h),
+                network.next(h),
+                network.previous(t),
+                network.next(t),
+                kNone<BubbleId>,
+                kNone<BubbleId>};
+    site.end_tail = network.left(twin(site.before_left));
+    site.end_head = network.left(twin(site.before_right));
+    return site;
+}
+
+bool can_flip(const Network& network, FilmId film) {
+    const T1Site site = t1_site(network, film);
+    const BubbleId a = network.left(site.film);
+    const BubbleId b = network.right(site.film);
+    const int lost_by_a = a == b ? 2 : 1;
+    return network.tail(site.film) != network.head(site.film) &&
+           network.sides(a) - lost_by_a >= 2 && network.sides(b) - lost_by_a >= 2 &&
+           !ends_meet(network, site);
+}
+
+void flip(Network& network, FilmId film) {
+    assert(can_flip(network, film));
+    const T1Site site = t1_site(network, film);
+    const HalfEdgeId h = site.film;
+    const HalfEdgeId t = twin(h);
+    const BubbleId a = network.left(h);
+    const BubbleId b = network.left(t);
+
+    move_outer_films(network, site);
+    network.set_next(site.before_left, site.after_left);
+    network.set_next(site.before_right, site.after_right);
+    network.set_next(twin(site.after_left), h);
+    network.set_next(h, twin(site.before_right));
+    network.set_next(twin(site.after_right), t);
+    network.set_next(t, twin(site.before_left));
+    network.set_left(h, site.end_head);
+    network.set_left(t, site.end_tail);
+    network.set_first(a, site.after_left);
+    network.set_first(b, site.after_right);
+    network.set_sides(a, network.sides(a) - 1);
+    network.set_sides(b, network.sides(b) - 1);
+    network.set_sides(site.end_tail, network.sides(site.end_tail) + 1);
+    network.set_sides(site.end_head, network.sides(site.end_head) + 1);
+}
+
+}  // namespace foam

@@ -1,0 +1,109 @@
+#include "core/network/t2.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+
+namespace foam {
+
+namespace {
+
+// The film that leaves the tail of a bubble's half-edge away from the bubble.
+HalfEdgeId outer_film(const Network& network, HalfEdgeId h) {
+    return network.next(twin(h));
+}
+
+std::vector<BubbleId> neighbours_of(const Network& network, const std::vector<HalfEdgeId>& loop) {
+    std::vector<BubbleId> neighbours;
+    for (const HalfEdgeId h : loop) {
+        neighbours.push_back(network.right(h));
+    }
+    return neighbours;
+}
+
+void lose_side(Network& network, BubbleId bubble, int count) {
+    network.set_sides(bubble, network.sides(bubble) - count);
+}
+
+Vanished vanish_three_sided(Network& network, BubbleId bubble) {
+    const std::vector<HalfEdgeId> loop = network.around(bubble);
+    Vanished vanished{network.tail(loop[0]), kNone<FilmId>, neighbours_of(network, loop)};
+    const std::array<HalfEdgeId, 3> outer{
+        outer_film(network, loop[0]), outer_film(network, loop[1]), outer_film(network, loop[2])};
+    const std::array<JunctionId, 2> gone{network.tail(loop[1]), network.tail(loop[2])};
+    LatticeOffset at;
+    for (std::size_t i = 0; i < 3; ++i) {
+        network.set_offset(outer[i], at + network.offset(outer[i]));
+        at = at + network.offset(loop[i]);
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+        const BubbleId neighbour = vanished.neighbours[i];
+        network.set_next(twin(outer[(i + 1) % 3]), outer[i]);
+        network.set_tail(outer[i], vanished.junction);
+        network.set_first(neighbour, outer[i]);
+        lose_side(network, neighbour, 1);
+    }
+    for (const HalfEdgeId h : loop) {
+        network.remove(film_of(h));
+    }
+    for (const JunctionId junction : gone) {
+        network.remove(junction);
+    }
+    network.remove(bubble);
+    return vanished;
+}
+
+Vanished vanish_two_sided(Network& network, BubbleId bubble) {
+    const std::vector<HalfEdgeId> loop = network.around(bubble);
+    const HalfEdgeId kept = outer_film(network, loop[0]);
+    const HalfEdgeId dropped = outer_film(network, loop[1]);
+    Vanished vanished{kNone<JunctionId>, film_of(kept), neighbours_of(network, loop)};
+    const JunctionId gone_0 = network.tail(loop[0]);
+    const JunctionId gone_1 = network.tail(loop[1]);
+
+    network.set_offset(kept,
+                       network.offset(kept) - network.offset(loop[0]) - network.offset(dropped));
+    network.set_next(network.previous(twin(dropped)), kept);
+    network.set_next(twin(kept), network.next(dropped));
+    network.set_tail(kept, network.head(dropped));
+    for (const HalfEdgeId side : {kept, twin(kept)}) {
+        network.set_first(network.left(side), side);
+        lose_side(network, network.left(side), 2);
+    }
+    for (const HalfEdgeId h : {loop[0], loop[1], dropped}) {
+        network.remove(film_of(h));
+    }
+    network.remove(gone_0);
+    network.remove(gone_1);
+    network.remove(bubble);
+    return vanished;
+}
+
+}  // namespace
+
+bool can_vanish(const Network& network, BubbleId bubble) {
+    const int sides = network.sides(bubble);
+    if (sides != 2 && sides != 3) {
+        return false;
+    }
+    const std::vector<HalfEdgeId> loop = network.around(bubble);
+    const std::vector<BubbleId> neighbours = neighbours_of(network, loop);
+    if (sides == 2 &&
+        film_of(outer_film(network, loop[0])) == film_of(outer_film(network, loop[1]))) {
+        return false;
+    }
+    const int lost_per_side = sides == 2 ? 2 : 1;
+    return std::all_of(neighbours.begin(), neighbours.end(), [&](BubbleId neighbour) {
+        const auto shared = std::count(neighbours.begin(), neighbours.end(), neighbour);
+        return neighbour != bubble &&
+               network.sides(neighbour) - lost_per_side * static_cast<int>(shared) >= 2;
+    });
+}
+
+Vanished vanish(Network& network, BubbleId bubble) {
+    assert(can_vanish(network, bubble));
+    return network.sides(bubble) == 3 ? vanish_three_sided(network, bubble)
+                                      : vanish_two_sided(network, bubble);
+}
+
+}  // namespace foam

@@ -1,0 +1,129 @@
+#include "core/network/validate.h"
+
+#include <array>
+#include <set>
+#include <sstream>
+
+namespace foam {
+
+namespace {
+
+using Fault = std::optional<std::string>;
+
+template <class Id>
+Fault fault(const char* kind, Id id, const char* what) {
+    std::ostringstream text;
+    text << kind << ' ' << index_of(id) << ' ' << what;
+    return text.str();
+}
+
+Fault half_edge_fault(const Network& network, HalfEdgeId h) {
+    const HalfEdgeId next = network.next(h);
+    if (index_of(next) >= 2 * network.film_slots() || !network.is_live(film_of(next))) {
+        return fault("half-edge", h, "is followed by a film that is not there");
+    }
+    if (!network.is_live(network.tail(h)) || !network.is_live(network.left(h))) {
+        return fault("half-edge", h, "leaves a junction or borders a bubble that is not there");
+    }
+    if (network.tail(next) != network.head(h)) {
+        return fault("half-edge", h, "ends where its successor does not begin");
+    }
+    if (network.left(next) != network.left(h)) {
+        return fault("half-edge", h, "has another bubble on its left than its successor");
+    }
+    return std::nullopt;
+}
+
+Fault junction_fault(const Network& network, JunctionId junction) {
+    const HalfEdgeId out = network.outgoing(junction);
+    if (index_of(out) >= 2 * network.film_slots() || !network.is_live(film_of(out)) ||
+        network.tail(out) != junction) {
+        return fault("junction", junction, "has a representative that does not leave it");
+    }
+    const std::array<HalfEdgeId, 3> leaving = network.leaving(junction);
+    if (network.next(twin(leaving[2])) != leaving[0] || leaving[0] == leaving[1]) {
+        return fault("junction", junction, "does not join three films");
+    }
+    return std::nullopt;
+}
+
+// A film between one copy of a bubble and itself stands twice in the loop, at the same lattice
+// offset.
+Fault loop_fault(const Network& network, BubbleId bubble) {
+    std::set<std::array<std::size_t, 3>> seen;
+    LatticeOffset at;
+    HalfEdgeId h = network.first(bubble);
+    for (int side = 0; side < network.sides(bubble); ++side) {
+        const LatticeOffset to = at + network.offset(h);
+        const LatticeOffset tail = is_forward(h) ? at : to;
+        if (!seen.insert({index_of(film_of(h)),
+                          static_cast<std::size_t>(tail.i),
+                          static_cast<std::size_t>(tail.j)})
+                 .second) {
+            return fault("bubble", bubble, "touches itself across a film");
+        }
+        at = to;
+        h = network.next(h);
+        if (h == network.first(bubble) && side + 1 < network.sides(bubble)) {
+            return fault("bubble", bubble, "has fewer sides than it counts");
+        }
+    }
+    if (h != network.first(bubble)) {
+        return fault("bubble", bubble, "has more sides than it counts");
+    }
+    return at == LatticeOffset{} ? std::nullopt : fault("bubble", bubble, "winds around the torus");
+}
+
+Fault bubble_fault(const Network& network, BubbleId bubble) {
+    const HalfEdgeId first = network.first(bubble);
+    if (index_of(first) >= 2 * network.film_slots() || !network.is_live(film_of(first)) ||
+        network.left(first) != bubble) {
+        return fault("bubble", bubble, "has a representative that does not border it");
+    }
+    if (network.sides(bubble) < 2) {
+        return fault("bubble", bubble, "has fewer than two sides");
+    }
+    return loop_fault(network, bubble);
+}
+
+Fault count_fault(const Network& network) {
+    std::size_t sides = 0;
+    for (const BubbleId bubble : network.bubbles()) {
+        sides += static_cast<std::size_t>(network.sides(bubble));
+    }
+    if (sides != 2 * network.film_count()) {
+        return "the sides of the bubbles are not twice the films";
+    }
+    if (3 * network.junction_count() != 2 * network.film_count()) {
+        return "the junctions are not two thirds of the films";
+    }
+    if (network.junction_count() + network.bubble_count() != network.film_count()) {
+        return "Euler's relation of the torus is broken";
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> find_fault(const Network& network) {
+    for (const FilmId film : network.films()) {
+        for (const HalfEdgeId h : {forward_side(film), twin(forward_side(film))}) {
+            if (Fault found = half_edge_fault(network, h)) {
+                return found;
+            }
+        }
+    }
+    for (const JunctionId junction : network.junctions()) {
+        if (Fault found = junction_fault(network, junction)) {
+            return found;
+        }
+    }
+    for (const BubbleId bubble : network.bubbles()) {
+        if (Fault found = bubble_fault(network, bubble)) {
+            return found;
+        }
+    }
+    return count_fault(network);
+}
+
+}  // namespace foam
