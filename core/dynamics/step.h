@@ -7,8 +7,8 @@
 namespace foam {
 
 struct StepOptions {
-    CoarseningOptions coarsening;
-    EquilibriumOptions equilibrium;
+    CoarseningOptions coarsening{};
+    EquilibriumOptions equilibrium{};
     double largest_loss = 0.75;  // of its area, of a bubble in a substep; then the step is cut
     int max_halvings = 12;       // of a substep that leads to no equilibrium
 };

@@ -14,6 +14,7 @@ class Equilibration {
   public:
     Equilibration(Foam& foam, const EquilibriumOptions& options) : foam_(foam), options_(options) {
         newton_options_.thresholds = options.thresholds;
+        newton_options_.threads = options.threads;
     }
 
     EquilibriumSummary run() {

@@ -27,8 +27,9 @@ void set_state(Foam& foam,
 /// Brings the free junctions back into the torus' own cell.
 void wrap(Foam& foam, const Unknowns& unknowns);
 
-/// The largest share, up to 1, of a change of a film's chord that neither shortens it by more than
-/// `largest` of its length nor turns it by more than the angle of that tangent. It may grow freely.
+/// The largest share, up to 1, of a change of a film's chord that does not shorten it by more than
+/// `largest` of its length, nor move its ends across it by more than `largest` of the length it has
+/// or, where the whole change lengthens it, would have. It may grow freely.
 double allowed_share(const Vec2& chord, const Vec2& change, double largest);
 
 /// Cuts the relative motion of the two ends of each film to its allowed share. Their common motion

@@ -24,6 +24,7 @@ class Iteration {
           unknowns_(unknowns),
           options_(options),
           hessian_(foam.network, unknowns),
+          solver_(foam, unknowns, options.threads),
           residual_(residual(foam, unknowns)),
           norms_(norms(foam, unknowns, residual_)) {}
 
@@ -42,10 +43,9 @@ class Iteration {
             diagonal += row < rows ? kRegularization * foam_.film_tension
                                    : -kRegularization * (std::abs(diagonal) + 1e-12);
         }
-        if (!solver_.factor(matrix, !analyzed_)) {
+        if (!solver_.factor(matrix)) {
             return Eigen::VectorXd::Zero(residual_.size());
         }
-        analyzed_ = true;
         return -solver_.solve(residual_);
     }
 
@@ -72,7 +72,6 @@ class Iteration {
     const NewtonOptions& options_;
     Hessian hessian_;
     LinearSolver solver_;
-    bool analyzed_ = false;
     Eigen::VectorXd residual_;
     ResidualNorms norms_;
 };

@@ -12,7 +12,8 @@ struct NewtonOptions {
     double force_tolerance = 1e-11;  // stops when every force is below this, in film tensions ...
     double area_tolerance = 1e-11;   // ... and every area error is, relative to the target
     double largest_move = 0.4;       // of a junction in an iteration, in its shortest films
-    TopologyThresholds thresholds;
+    TopologyThresholds thresholds{};
+    int threads = 0;  // of the linear solver, same bits for any number; 0: as many as run at once
 };
 
 enum class NewtonStatus {

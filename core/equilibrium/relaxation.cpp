@@ -93,7 +93,38 @@ Vec2 newton_step(const Foam& foam, const SoftBubbles& bubbles, const Surrounding
     return determinant > 0.0 ? Vec2(stiffness.inverse() * force) : force;
 }
 
+bool is_lens(const Foam& foam, BubbleId bubble) {
+    return foam.network.sides(bubble) == 2;
+}
+
+bool touches_lens(const Foam& foam, JunctionId junction) {
+    const std::array<HalfEdgeId, 3> leaving = foam.network.leaving(junction);
+    return std::any_of(leaving.begin(), leaving.end(), [&](HalfEdgeId h) {
+        return is_lens(foam, foam.network.left(h));
+    });
+}
+
+// Straight films leave a two-sided bubble no area. Its junctions are set apart as on a straight
+// film, where its arcs have half angles of 60 degrees, and held.
+void fit_lens(Foam& foam, BubbleId bubble) {
+    const HalfEdgeId h = foam.network.first(bubble);
+    const Vec2 d = chord(foam, h);
+    const double length =
+        std::sqrt(2.0 * foam.target_areas[bubble] / segment_shape(std::sin(kPi / 3.0)));
+    const Vec2 change = d == Vec2::Zero() ? Vec2(0.0, 0.0) : Vec2((length / d.norm() - 1.0) * d);
+    foam.positions[foam.network.tail(h)] -= 0.5 * change;
+    foam.positions[foam.network.head(h)] += 0.5 * change;
+}
+
+double lens_excess_pressure(const Foam& foam, BubbleId bubble) {
+    const double length = chord(foam, foam.network.first(bubble)).norm();
+    return length > 0.0 ? 2.0 * foam.film_tension * std::sin(kPi / 3.0) / length : 0.0;
+}
+
 void move_junction(Foam& foam, SoftBubbles& bubbles, JunctionId junction, double largest_move) {
+    if (touches_lens(foam, junction)) {
+        return;
+    }
     const Surroundings s = surroundings(foam, junction);
     Vec2 step = newton_step(foam, bubbles, s);
     double share = 1.0;
@@ -153,8 +184,10 @@ void set_pressures(Foam& foam, SoftBubbles& bubbles) {
     Indexed<BubbleId, double> curved = foam.pressures;
     for (const BubbleId bubble : foam.network.bubbles()) {
         const double around = mean_pressure_around(foam, bubble);
-        curved[bubble] = around + arc_pressure_ratio(foam.network.sides(bubble)) *
-                                      (foam.pressures[bubble] - around);
+        const double excess =
+            arc_pressure_ratio(foam.network.sides(bubble)) * (foam.pressures[bubble] - around);
+        curved[bubble] =
+            around + (is_lens(foam, bubble) ? lens_excess_pressure(foam, bubble) : excess);
     }
     foam.pressures = std::move(curved);
 }
@@ -165,6 +198,11 @@ RelaxationSummary relax(Foam& foam, const RelaxationOptions& options) {
     RelaxationSummary summary;
     SoftBubbles bubbles{Indexed<BubbleId, double>(foam.network.bubble_slots(), 0.0),
                         options.stiffness * foam.film_tension};
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        if (is_lens(foam, bubble)) {
+            fit_lens(foam, bubble);
+        }
+    }
     for (const BubbleId bubble : foam.network.bubbles()) {
         refresh_areas(foam, bubbles, bubble);
     }

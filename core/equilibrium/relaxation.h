@@ -10,7 +10,7 @@ struct RelaxationOptions {
     int sweeps = 60;
     double stiffness = 10.0;     // of a bubble against a change of its area, in film tensions
     double largest_move = 0.33;  // of a junction in a sweep, in its shortest films
-    TopologyThresholds thresholds;
+    TopologyThresholds thresholds{};
 };
 
 struct RelaxationSummary {

@@ -107,7 +107,8 @@ bool reopen_film(Foam& foam, FilmId film, double length, Tangents tangents) {
         foam.t1_armed[film] = 0;
     }
     const Vec2 along = flips ? Vec2(-pull.flipped) : pull.present;
-    lay_film(foam, film, middle, length * along.normalized());
+    const Vec2 direction = along == Vec2::Zero() ? Vec2(1.0, 0.0) : Vec2(along.normalized());
+    lay_film(foam, film, middle, length * direction);
     return flips;
 }
 

@@ -119,6 +119,15 @@ std::optional<CellDiagram> cells_within(const std::vector<GridPoint>& sites,
     return cells;
 }
 
+// Of sites on one grid point only one has a cell.
+void check_every_site_has_a_cell(const CellDiagram& cells) {
+    for (const std::vector<CellCorner>& cell : cells) {
+        if (cell.empty()) {
+            throw std::runtime_error("Voronoi diagram: two sites fall together");
+        }
+    }
+}
+
 }  // namespace
 
 CellDiagram voronoi_cells(const Torus& torus, const std::vector<Vec2>& sites) {
@@ -134,6 +143,7 @@ CellDiagram voronoi_cells(const Torus& torus, const std::vector<Vec2>& sites) {
     const double most = static_cast<double>(kMostRings) * std::min(grid.width, grid.height);
     for (double margin = 8.0 * mean_spacing;; margin *= 2.0) {
         if (std::optional<CellDiagram> cells = cells_within(points, grid, std::min(margin, most))) {
+            check_every_site_has_a_cell(*cells);
             return std::move(*cells);
         }
         if (margin >= most) {

@@ -46,10 +46,11 @@ double angle_over_sine(double angle) {
 // (alpha - sin alpha cos alpha) / sin² alpha on the whole range of half angles.
 double segment_shape_of_angle(double half_angle) {
     const double s = std::sin(half_angle);
-    if (std::cos(half_angle) > 0.0) {
+    const double c = std::cos(half_angle);
+    if (c > 0.0 && std::abs(s) < kSeriesLimit) {
         return segment_shape(s);
     }
-    return (half_angle - s * std::cos(half_angle)) / (s * s);
+    return (half_angle - s * c) / (s * s);  // not from s alone, whose asin is ill-conditioned at 90
 }
 
 }  // namespace

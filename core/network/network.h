@@ -74,8 +74,8 @@ class Network {
     void remove(FilmId film);
     void remove(BubbleId bubble);
 
-    /// Moves the junction's own cell by an offset: what was its copy at `by` becomes the junction
-    /// itself.
+    /// Moves the junction by whole periods: what was its copy at -by becomes the junction itself.
+    /// Chords stand if its position moves by -by too.
     void rebase(JunctionId junction, LatticeOffset by);
 
     /// Old ids of what remains, in the new order, which is the old one without the dead.

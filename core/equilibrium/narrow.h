@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+namespace foam {
+
+/// An index as it is stored in large tables. Precondition: it fits.
+inline std::uint32_t narrow(std::size_t index) {
+    assert(index <= std::numeric_limits<std::uint32_t>::max());
+    return static_cast<std::uint32_t>(index);
+}
+
+}  // namespace foam

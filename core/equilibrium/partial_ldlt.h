@@ -1,0 +1,31 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace foam {
+
+/// A column-major matrix in borrowed memory, its columns without gaps.
+using DenseView = Eigen::Map<Eigen::MatrixXd>;
+
+/// The sums over the pivots are cut in pieces of this size, here and not by the cache sizes that
+/// Eigen finds: results are the same on every machine.
+inline constexpr Eigen::Index kLargestDepth = 128;
+
+/// Numbers of scratch memory that the functions below need.
+constexpr std::size_t ldlt_scratch(std::size_t pivots, std::size_t border) {
+    return kLargestDepth * std::max(pivots, border);
+}
+
+/// Factors the first columns of a symmetric matrix as L D Lᵀ, without pivoting. The panel holds
+/// these columns, lower part, all rows; afterwards D on the diagonal and L, whose diagonal is 1,
+/// below. What is above the diagonal is without meaning and may be overwritten.
+/// False where a pivot is zero or not finite: the panel is then spoilt.
+bool factor_panel(DenseView panel, double* scratch);
+
+/// Takes the share of the factored columns out of the rest of the matrix, lower triangle.
+void update_remainder(const DenseView& panel, DenseView remainder, double* scratch);
+
+}  // namespace foam

@@ -1,0 +1,177 @@
+#include "core/dynamics/collapse.h"
+
+#include "core/equilibrium/equilibrate.h"
+#include "core/foam/honeycomb.h"
+#include "tests/core/foams.h"
+#include "tests/support/raster_frames.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace foam {
+namespace {
+
+using test::honeycomb_around;
+using test::is_valid;
+using test::total_target;
+
+constexpr BubbleId kDying{5};
+
+TEST(Collapse, IsDueAtTheT2AreaOrATenthOfIt) {
+    const TopologyThresholds thresholds{.t2_area = 0.01};
+    struct Case {
+        int sides;
+        double largest;  // area at which it is due
+    };
+    for (const Case& c : {Case{2, 0.01}, Case{3, 0.01}, Case{4, 0.001}, Case{5, 0.001}}) {
+        Foam foam = honeycomb_around(c.sides);
+        ASSERT_EQ(foam.network.sides(kDying), c.sides);
+        foam.target_areas[kDying] = 0.999 * c.largest;
+        EXPECT_TRUE(is_due_to_vanish(foam, kDying, thresholds)) << c.sides;
+        foam.target_areas[kDying] = 1.001 * c.largest;
+        EXPECT_FALSE(is_due_to_vanish(foam, kDying, thresholds)) << c.sides;
+        foam.target_areas[kDying] = -0.5;  // as diffusion may leave it
+        EXPECT_TRUE(is_due_to_vanish(foam, kDying, thresholds)) << c.sides;
+    }
+}
+
+// n - 3 flips lead from n sides to three; two are few enough.
+TEST(Collapse, TakesAllButThreeSidesByT1) {
+    for (int sides = 2; sides <= 6; ++sides) {
+        Foam foam = honeycomb_around(sides);
+        TopologyCounts counts;
+        ASSERT_TRUE(collapse(foam, kDying, counts)) << sides;
+        EXPECT_TRUE(is_valid(foam.network)) << sides;
+        EXPECT_FALSE(foam.network.is_live(kDying));
+        EXPECT_EQ(foam.network.bubble_count(), 15U);
+        EXPECT_EQ(counts.t1, std::max(sides - 3, 0)) << sides;
+        EXPECT_EQ(counts.t2, 1);
+    }
+}
+
+// Every third of the gas, or half of it, goes to one neighbour.
+TEST(Collapse, SharesTheGasAmongTheLastNeighbours) {
+    for (int sides = 2; sides <= 6; ++sides) {
+        Foam foam = honeycomb_around(sides);
+        foam.target_areas[kDying] = 0.3;
+        const Foam before = foam;
+        TopologyCounts counts;
+        collapse(foam, kDying, counts);
+        const int last_neighbours = std::min(sides, 3);
+        int receivers = 0;
+        for (const BubbleId bubble : foam.network.bubbles()) {
+            const double gain = foam.target_areas[bubble] - before.target_areas[bubble];
+            EXPECT_TRUE(gain == 0.0 || std::abs(gain - 0.3 / last_neighbours) < 1e-14);
+            receivers += gain == 0.0 ? 0 : 1;
+        }
+        EXPECT_EQ(receivers, last_neighbours);
+        EXPECT_NEAR(total_target(foam), total_target(before), 1e-13);
+    }
+}
+
+// A negative target is a debt that the neighbours take over.
+TEST(Collapse, KeepsTheTotalOfANegativeTargetToo) {
+    Foam foam = honeycomb_around(3);
+    foam.target_areas[kDying] = -0.3;
+    const double total = total_target(foam);
+    TopologyCounts counts;
+    collapse(foam, kDying, counts);
+    EXPECT_NEAR(total_target(foam), total, 1e-13);
+}
+
+TEST(Collapse, LeavesTheJunctionAtTheMeanOfTheThree) {
+    Foam foam = honeycomb_around(3);
+    Vec2 sum = Vec2::Zero();
+    Vec2 at = foam.positions[foam.network.tail(foam.network.first(kDying))];
+    const JunctionId remaining = foam.network.tail(foam.network.first(kDying));
+    for (const HalfEdgeId h : foam.network.around(kDying)) {
+        sum += at;
+        at += chord(foam, h);
+    }
+    TopologyCounts counts;
+    collapse(foam, kDying, counts);
+    ASSERT_TRUE(foam.network.is_live(remaining));
+    EXPECT_LT((foam.positions[remaining] - sum / 3.0).norm(), 1e-14);
+}
+
+// A film that has flipped is disarmed; the one that a lens leaves behind is a new one.
+TEST(Collapse, ArmsTheFilmThatALensLeaves) {
+    Foam foam = honeycomb_around(2);
+    std::fill(foam.t1_armed.begin(), foam.t1_armed.end(), std::uint8_t{0});
+    TopologyCounts counts;
+    collapse(foam, kDying, counts);
+    EXPECT_EQ(std::count(foam.t1_armed.begin(), foam.t1_armed.end(), std::uint8_t{1}), 1);
+}
+
+TEST(Collapse, FromAnyBubbleOfASettledFoamLeadsToAnEquilibrium) {
+    const Foam settled = test::settled_foam(40, 3);
+    for (const BubbleId bubble : settled.network.bubbles()) {
+        Foam foam = settled;
+        TopologyCounts counts;
+        ASSERT_TRUE(collapse(foam, bubble, counts));
+        ASSERT_TRUE(is_valid(foam.network));
+        compact(foam);
+        EXPECT_NEAR(total_target(foam), foam.torus.area(), 1e-12);
+        EXPECT_TRUE(equilibrate(foam, {}).converged());
+    }
+}
+
+TEST(Collapse, LeavesTheOnlyOtherBubbleAlone) {
+    Foam foam = honeycomb(1, 2);
+    TopologyCounts counts;
+    ASSERT_TRUE(collapse(foam, BubbleId{0}, counts));
+    EXPECT_TRUE(is_valid(foam.network));
+    EXPECT_EQ(foam.network.bubble_count(), 1U);
+    EXPECT_EQ(foam.network.sides(BubbleId{1}), 6);
+    EXPECT_NEAR(foam.target_areas[BubbleId{1}], 2.0, 1e-14);
+}
+
+// Its films flip for ever, and it never has fewer than six sides.
+TEST(Collapse, DoesNotTakeTheLastBubble) {
+    Foam foam = test::single_bubble();
+    TopologyCounts counts;
+    EXPECT_FALSE(collapse(foam, BubbleId{0}, counts));
+    EXPECT_EQ(counts.t2, 0);
+    EXPECT_TRUE(is_valid(foam.network));
+    EXPECT_EQ(foam.target_areas[BubbleId{0}], 1.0);
+}
+
+TEST(CollapseDue, TakesTheDueAndNoOthers) {
+    Foam foam = honeycomb_around(3);
+    foam.target_areas[kDying] = 0.005;
+    foam.target_areas[BubbleId{10}] = 0.005;  // five-sided: not yet
+    const double total = total_target(foam);
+    const TopologyCounts counts = collapse_due(foam, {.t2_area = 0.01});
+    EXPECT_EQ(counts.t1, 0);
+    EXPECT_EQ(counts.t2, 1);
+    EXPECT_FALSE(foam.network.is_live(kDying));
+    EXPECT_EQ(foam.network.bubble_count(), 15U);
+    EXPECT_NEAR(total_target(foam), total, 1e-13);
+}
+
+TEST(CollapseDue, TakesNeighboursInOneGo) {
+    Foam foam = honeycomb_around(3);
+    for (const BubbleId bubble : {kDying, BubbleId{10}, BubbleId{4}}) {
+        foam.target_areas[bubble] = 0.0005;
+    }
+    const double total = total_target(foam);
+    const TopologyCounts counts = collapse_due(foam, {.t2_area = 0.01});
+    EXPECT_EQ(counts.t2, 3);
+    EXPECT_TRUE(is_valid(foam.network));
+    EXPECT_EQ(foam.network.bubble_count(), 13U);
+    EXPECT_NEAR(total_target(foam), total, 1e-13);
+}
+
+TEST(CollapseDue, LeavesAFoamWithoutDueBubblesAlone) {
+    Foam foam = honeycomb(4, 4);
+    const Foam before = foam;
+    const TopologyCounts counts = collapse_due(foam, {});
+    EXPECT_EQ(counts.t1 + counts.t2, 0);
+    EXPECT_TRUE(test::are_same(foam, before));
+}
+
+}  // namespace
+}  // namespace foam

@@ -1,0 +1,67 @@
+#include "tests/core/equilibrium/derivative_foams.h"
+
+#include "core/foam/honeycomb.h"
+#include "core/foam/random.h"
+#include "tests/support/raster_frames.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+
+namespace foam::test {
+
+namespace {
+
+// Every junction moved at random by up to `largest` in x and in y.
+Foam shaken(Foam foam, double largest) {
+    Random random(17);
+    for (const JunctionId junction : foam.network.junctions()) {
+        const double x = largest * (2.0 * random.uniform() - 1.0);
+        const double y = largest * (2.0 * random.uniform() - 1.0);
+        place_junction(foam, junction, foam.positions[junction] + Vec2(x, y));
+    }
+    return foam;
+}
+
+double shortest_film(const Foam& foam) {
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const FilmId film : foam.network.films()) {
+        shortest = std::min(shortest, chord(foam, forward_side(film)).norm());
+    }
+    return shortest;
+}
+
+// The first of the foams of seeds 1, 2, ... whose films are long enough.
+Foam bent_foam_of_long_films(int bubbles, double pressure) {
+    for (std::uint64_t seed = 1;; ++seed) {
+        Foam foam = bent_foam(bubbles, pressure, seed);
+        if (shortest_film(foam) > 0.05) {
+            return foam;
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<Foam> derivative_foams() {
+    std::vector<Foam> foams{shaken(single_bubble(), 0.05), shaken(honeycomb(1, 2), 0.1)};
+    for (const int bubbles : {2, 3, 4, 12}) {
+        for (const double pressure : {0.5, 10.0}) {
+            foams.push_back(bent_foam_of_long_films(bubbles, pressure));
+            foams.back().film_tension = 1.6;
+        }
+    }
+    return foams;
+}
+
+Foam shifted(Foam foam, const Unknowns& unknowns, int row, double by) {
+    const auto positions = static_cast<int>(2 * unknowns.junctions.size());
+    if (row < positions) {
+        foam.positions[unknowns.junctions[static_cast<std::size_t>(row / 2)]][row % 2] += by;
+    } else {
+        foam.pressures[unknowns.bubbles[static_cast<std::size_t>(row - positions)]] += by;
+    }
+    return foam;
+}
+
+}  // namespace foam::test

@@ -1,0 +1,310 @@
+#include "core/equilibrium/equilibrate.h"
+
+#include "core/foam/honeycomb.h"
+#include "core/foam/measure.h"
+#include "core/foam/random.h"
+#include "core/foam/seeding.h"
+#include "tests/core/foams.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <string>
+#include <vector>
+
+namespace foam {
+namespace {
+
+using test::are_same;
+using test::is_valid;
+using test::settled_foam;
+
+constexpr double kPi = std::numbers::pi;
+
+std::string case_name(const SeedingOptions& s) {
+    return std::to_string(s.bubbles) + " bubbles, seed " + std::to_string(s.seed) + ", ratio " +
+           std::to_string(s.area_ratio) + ", aspect " + std::to_string(s.aspect);
+}
+
+void expect_equilibrium(const SeedingOptions& seeding, const TopologyThresholds& thresholds = {}) {
+    SCOPED_TRACE(case_name(seeding) + ", T1 distance " + std::to_string(thresholds.t1_distance));
+    Foam foam = seed_foam(seeding);
+    const EquilibriumSummary summary = equilibrate(foam, {.thresholds = thresholds});
+    EXPECT_TRUE(summary.converged());
+    EXPECT_TRUE(is_valid(foam.network));
+    const EquilibriumErrors errors = equilibrium_errors(foam);
+    EXPECT_LT(errors.area, 1e-9);
+    EXPECT_LT(errors.angle, 1e-9);
+    EXPECT_EQ(errors.films_at_limit, 0);
+}
+
+TEST(Equilibrate, SettlesRawDiagrams) {
+    SeedingOptions seeding;
+    seeding.bubbles = 100;
+    for (seeding.seed = 1; seeding.seed <= 20; ++seeding.seed) {
+        expect_equilibrium(seeding);
+    }
+}
+
+TEST(LongEquilibrate, SettlesRawDiagramsOfAThousandBubbles) {
+    SeedingOptions seeding;
+    seeding.bubbles = 1000;
+    for (seeding.seed = 1; seeding.seed <= 20; ++seeding.seed) {
+        expect_equilibrium(seeding);
+    }
+}
+
+TEST(Equilibrate, SettlesAreasSpreadByAHundred) {
+    SeedingOptions seeding;
+    seeding.area_ratio = 100.0;
+    for (const int bubbles : {20, 100, 300}) {
+        seeding.bubbles = bubbles;
+        for (seeding.seed = 1; seeding.seed <= 10; ++seeding.seed) {
+            expect_equilibrium(seeding);
+        }
+    }
+}
+
+TEST(Equilibrate, SettlesEqualAreas) {
+    SeedingOptions seeding;
+    seeding.area_ratio = 1.0;
+    seeding.bubbles = 100;
+    for (seeding.seed = 1; seeding.seed <= 10; ++seeding.seed) {
+        expect_equilibrium(seeding);
+    }
+}
+
+TEST(Equilibrate, SettlesSlenderTori) {
+    SeedingOptions seeding;
+    seeding.bubbles = 100;
+    for (const double aspect : {4.0, 0.25}) {
+        seeding.aspect = aspect;
+        for (seeding.seed = 1; seeding.seed <= 10; ++seeding.seed) {
+            expect_equilibrium(seeding);
+        }
+    }
+}
+
+TEST(Equilibrate, SettlesAtAnyT1Distance) {
+    SeedingOptions seeding;
+    seeding.bubbles = 100;
+    for (const double distance : {0.01, 0.25}) {
+        for (seeding.seed = 1; seeding.seed <= 10; ++seeding.seed) {
+            expect_equilibrium(seeding, {.t1_distance = distance});
+        }
+    }
+}
+
+// Where bubbles meet themselves around the torus.
+TEST(Equilibrate, SettlesTinyTori) {
+    SeedingOptions seeding;
+    for (seeding.bubbles = 2; seeding.bubbles <= 12; ++seeding.bubbles) {
+        for (seeding.seed = 1; seeding.seed <= 20; ++seeding.seed) {
+            expect_equilibrium(seeding);
+        }
+    }
+}
+
+TEST(Equilibrate, LeavesTheHoneycombAlone) {
+    Foam foam = honeycomb(4, 4);
+    const EquilibriumSummary summary = equilibrate(foam, {.relaxes_first = false});
+    EXPECT_TRUE(summary.converged());
+    EXPECT_EQ(summary.sweeps, 0);
+    EXPECT_EQ(summary.iterations, 0);
+    EXPECT_EQ(summary.t1, 0);
+    EXPECT_TRUE(are_same(foam, honeycomb(4, 4)));
+}
+
+TEST(Equilibrate, SummaryTellsWhatMeasuringDoes) {
+    Foam foam = test::raw_foam(80, 4);
+    const EquilibriumSummary summary = equilibrate(foam, {.relaxation_sweeps = 40});
+    const EquilibriumErrors errors = equilibrium_errors(foam);
+    EXPECT_EQ(summary.status, EquilibriumStatus::Converged);
+    EXPECT_EQ(summary.area_error, errors.area);
+    EXPECT_EQ(summary.angle_error, errors.angle);
+    EXPECT_EQ(summary.energy, energy(foam));
+    EXPECT_GE(summary.sweeps, 40);
+    EXPECT_EQ(summary.sweeps % 40, 0);
+    EXPECT_GT(summary.iterations, 0);
+    EXPECT_GT(summary.t1, 0);
+    EXPECT_EQ(summary.t2, 0);
+}
+
+TEST(Equilibrate, SaysWhenItsRoundsAreUsedUp) {
+    Foam foam = test::raw_foam(80, 4);
+    const EquilibriumSummary summary = equilibrate(foam, {.max_rounds = 0});
+    EXPECT_EQ(summary.status, EquilibriumStatus::RoundLimit);
+    EXPECT_FALSE(summary.converged());
+    EXPECT_GT(summary.angle_error, 1e-3);
+    EXPECT_TRUE(is_valid(foam.network));
+}
+
+TEST(Equilibrate, SaysWhenItsToleranceIsMissed) {
+    Foam foam = test::raw_foam(80, 4);
+    const EquilibriumSummary summary = equilibrate(foam, {.tolerance = 1e-30});
+    EXPECT_EQ(summary.status, EquilibriumStatus::ToleranceMissed);
+    EXPECT_LT(summary.angle_error, 1e-9);
+}
+
+TEST(Equilibrate, CentersThePressures) {
+    const Foam foam = settled_foam(50, 1);
+    double weighted = 0.0;
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        weighted += foam.target_areas[bubble] * foam.pressures[bubble];
+    }
+    EXPECT_NEAR(weighted, 0.0, 1e-12);
+}
+
+TEST(Equilibrate, OfAnEquilibriumChangesNothingToSpeakOf) {
+    Foam foam = settled_foam(50, 1);
+    const Foam before = foam;
+    const EquilibriumSummary summary = equilibrate(foam, {.relaxes_first = false});
+    EXPECT_TRUE(summary.converged());
+    EXPECT_EQ(summary.t1, 0);
+    for (const JunctionId junction : foam.network.junctions()) {
+        EXPECT_LT((foam.positions[junction] - before.positions[junction]).norm(), 1e-9);
+    }
+}
+
+TEST(Equilibrate, GivesTheSameBitsTwice) {
+    EXPECT_TRUE(are_same(settled_foam(200, 5), settled_foam(200, 5)));
+}
+
+// Every length follows from the areas, every pressure is a tension over a length.
+TEST(Equilibrate, PressuresScaleWithTheTensionAndPositionsDoNot) {
+    SeedingOptions seeding;
+    seeding.bubbles = 60;
+    for (seeding.seed = 1; seeding.seed <= 5; ++seeding.seed) {
+        seeding.surface_tension = 0.5;
+        Foam soft = seed_foam(seeding);
+        seeding.surface_tension = 1.0;
+        Foam stiff = seed_foam(seeding);
+        const double soft_energy = equilibrate(soft, {}).energy;
+        const double stiff_energy = equilibrate(stiff, {}).energy;
+        EXPECT_NEAR(stiff_energy, 2.0 * soft_energy, 1e-9);
+        for (const BubbleId bubble : soft.network.bubbles()) {
+            EXPECT_NEAR(stiff.pressures[bubble], 2.0 * soft.pressures[bubble], 1e-9);
+        }
+        for (const JunctionId junction : soft.network.junctions()) {
+            EXPECT_LT((stiff.positions[junction] - soft.positions[junction]).norm(), 1e-9);
+        }
+    }
+}
+
+// Films of a honeycomb's neighbourhoods that are straight and meet at 120 degrees have the same
+// total length for all areas (E2 with all pressures equal): 6 films of a/2 a bubble, 3a = sqrt(2
+// sqrt(3)). So areas that differ by up to a fifth leave the energy as it is, T1s none.
+TEST(Equilibrate, AHoneycombOfUnequalAreasHasStraightFilmsAndTheSameEnergy) {
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        Foam foam = honeycomb(6, 6);
+        Random random(seed);
+        for (double& area : foam.target_areas) {
+            area = 0.9 + 0.2 * random.uniform();
+        }
+        const double total = test::total_target(foam);
+        for (double& area : foam.target_areas) {
+            area *= 36.0 / total;
+        }
+        const EquilibriumSummary summary = equilibrate(foam, {});
+        EXPECT_TRUE(summary.converged());
+        EXPECT_EQ(summary.t1, 0);
+        EXPECT_NEAR(summary.energy, 36.0 * std::sqrt(2.0 * std::sqrt(3.0)), 1e-10);
+        for (const double pressure : foam.pressures) {
+            EXPECT_NEAR(pressure, 0.0, 1e-10);
+        }
+    }
+}
+
+// Curvature of the circle through three points, positive where they turn left.
+double curvature_through(const Vec2& a, const Vec2& b, const Vec2& c) {
+    return 2.0 * cross(b - a, c - a) / ((b - a).norm() * (c - b).norm() * (a - c).norm());
+}
+
+// Laplace and Young (E1), told from points of the films alone.
+TEST(Equilibrate, FilmsAreCurvedByThePressureDifference) {
+    Foam foam = settled_foam(100, 6);
+    foam.film_tension = 1.0;
+    for (const FilmId film : foam.network.films()) {
+        const HalfEdgeId h = forward_side(film);
+        const FilmArc arc = film_arc(foam, h);
+        const double seen =
+            curvature_through(point_at(arc, 0.1), point_at(arc, 0.4), point_at(arc, 0.9));
+        const double c = arc.chord.norm();
+        // Three points of a film of length c, each rounded to 1e-16, give a curvature to 1e-16/c².
+        EXPECT_NEAR(seen, pressure_difference(foam, h) / foam.film_tension, 1e-14 / (c * c));
+    }
+}
+
+// Integral of x dy along the arc by Simpson's rule over 64 intervals: its error, h⁴ times the
+// fourth derivative, is below 1e-10 for arcs within 80 degrees.
+double area_under(const FilmArc& arc, const Vec2& tail) {
+    constexpr int kIntervals = 64;
+    double sum = 0.0;
+    for (int k = 0; k < kIntervals; ++k) {
+        const Vec2 a = tail + point_at(arc, static_cast<double>(k) / kIntervals);
+        const Vec2 middle = tail + point_at(arc, (k + 0.5) / kIntervals);
+        const Vec2 b = tail + point_at(arc, (k + 1.0) / kIntervals);
+        // The parabola through the three points.
+        const Vec2 slope_a = 4.0 * middle - 3.0 * a - b;
+        const Vec2 slope_middle = b - a;
+        const Vec2 slope_b = 3.0 * b + a - 4.0 * middle;
+        sum +=
+            (a.x() * slope_a.y() + 4.0 * middle.x() * slope_middle.y() + b.x() * slope_b.y()) / 6.0;
+    }
+    return sum;
+}
+
+// Green's theorem on points of the films: shares no formula with the segments of E1.
+TEST(Equilibrate, AreasAreTheirTargetsByQuadrature) {
+    const Foam foam = settled_foam(60, 6);
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        Vec2 at = Vec2::Zero();
+        double area = 0.0;
+        for (const HalfEdgeId h : foam.network.around(bubble)) {
+            area += area_under(film_arc(foam, h), at);
+            at += chord(foam, h);
+        }
+        EXPECT_NEAR(area, foam.target_areas[bubble], 1e-8);
+    }
+}
+
+// Around a bubble the tangent turns by 360 degrees: by 60 at each of its n corners and by the rest
+// along its films. This is what makes von Neumann's law (E6) of the diffusion through each film.
+TEST(Equilibrate, FilmsOfABubbleTurnBySixtyDegreesASideFewerThanSix) {
+    const Foam foam = settled_foam(200, 7);
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        double turn = 0.0;
+        for (const HalfEdgeId h : foam.network.around(bubble)) {
+            const FilmArc arc = film_arc(foam, h);
+            turn += curvature(arc) * arc_length(arc);
+        }
+        EXPECT_NEAR(turn, kPi / 3.0 * (6 - foam.network.sides(bubble)), 1e-8);
+    }
+}
+
+// Pressures are the multipliers of the areas (E3), so that the energies of neighbouring equilibria
+// differ by the sum of p dA: work done on the gas.
+TEST(Equilibrate, EnergyGrowsByThePressureTimesTheArea) {
+    const Foam foam = settled_foam(30, 2);
+    const double step = 1e-4;
+    const BubbleId a{3};
+    const BubbleId b{17};
+    const auto energy_at = [&](double shift) {
+        Foam other = foam;
+        other.target_areas[a] += shift;
+        other.target_areas[b] -= shift;
+        const EquilibriumSummary summary = equilibrate(other, {.relaxes_first = false});
+        EXPECT_TRUE(summary.converged());
+        EXPECT_EQ(summary.t1, 0);
+        return summary.energy;
+    };
+    const double slope = (energy_at(step) - energy_at(-step)) / (2.0 * step);
+    // The cubic term is h² = 1e-8 times a third derivative of the order of 10.
+    EXPECT_NEAR(slope, foam.pressures[a] - foam.pressures[b], 1e-6);
+}
+
+}  // namespace
+}  // namespace foam

@@ -1,0 +1,105 @@
+#include "core/equilibrium/hessian.h"
+
+#include "core/equilibrium/residual.h"
+#include "core/foam/honeycomb.h"
+#include "core/foam/measure.h"
+#include "core/network/t2.h"
+#include "tests/core/equilibrium/derivative_foams.h"
+#include "tests/core/foams.h"
+#include "tests/support/raster_frames.h"
+
+#include <gtest/gtest.h>
+
+namespace foam {
+namespace {
+
+using test::derivative_foams;
+using test::shifted;
+
+Eigen::MatrixXd full_hessian(const Foam& foam, const Unknowns& unknowns) {
+    Hessian hessian(foam.network, unknowns);
+    const Eigen::MatrixXd lower = hessian.evaluate(foam);
+    const Eigen::MatrixXd full = lower.selfadjointView<Eigen::Lower>();
+    return full;
+}
+
+// Steps of 1e-6: rounding leaves 1e-15 / 1e-6, the cubic term 1e-12 / 6 times third derivatives of
+// the forces of T / c³, up to 1e4 and, close to the limit, hundreds of times that.
+TEST(Hessian, IsTheCentralDifferenceOfTheResidualByEachUnknown) {
+    constexpr double kStep = 1e-6;
+    for (const Foam& foam : derivative_foams()) {
+        const Unknowns unknowns = all_unknowns(foam.network);
+        const Eigen::MatrixXd h = full_hessian(foam, unknowns);
+        ASSERT_EQ(h.rows(), unknowns.size());
+        for (int column = 0; column < unknowns.size(); ++column) {
+            const Eigen::VectorXd difference =
+                (residual(shifted(foam, unknowns, column, kStep), unknowns) -
+                 residual(shifted(foam, unknowns, column, -kStep), unknowns)) /
+                (2.0 * kStep);
+            EXPECT_LT((h.col(column) - difference).norm(), 1e-6 * (1.0 + difference.norm()))
+                << "column " << column << " of " << foam.network.bubble_count() << " bubbles";
+        }
+    }
+}
+
+TEST(Hessian, ReachesFilmsAtTheLimit) {
+    int at_limit = 0;
+    for (const Foam& foam : derivative_foams()) {
+        at_limit += equilibrium_errors(foam).films_at_limit;
+    }
+    EXPECT_GT(at_limit, 10);
+}
+
+TEST(Hessian, HoldsTheLowerTriangleOnly) {
+    const Foam foam = test::bent_foam(12, 0.5, 1);
+    const Unknowns unknowns = all_unknowns(foam.network);
+    const Hessian hessian(foam.network, unknowns);
+    for (int column = 0; column < hessian.matrix().outerSize(); ++column) {
+        for (Eigen::SparseMatrix<double>::InnerIterator entry(hessian.matrix(), column); entry;
+             ++entry) {
+            EXPECT_GE(entry.row(), column);
+        }
+    }
+}
+
+TEST(Hessian, EvaluatesAfreshEachTime) {
+    const Foam foam = test::bent_foam(12, 0.5, 1);
+    const Foam other = shifted(foam, all_unknowns(foam.network), 3, 0.01);
+    const Unknowns unknowns = all_unknowns(foam.network);
+    Hessian hessian(foam.network, unknowns);
+    const Eigen::MatrixXd first = hessian.evaluate(foam);
+    const Eigen::MatrixXd second = hessian.evaluate(other);
+    const Eigen::MatrixXd third = hessian.evaluate(foam);
+    EXPECT_NE(first, second);
+    EXPECT_EQ(first, third);
+    EXPECT_EQ(Eigen::MatrixXd(hessian.matrix()), third);
+}
+
+// On the torus a translation and a common pressure change nothing.
+TEST(Hessian, HasTheNullModesOfTheTorus) {
+    for (const Foam& foam : derivative_foams()) {
+        const Unknowns unknowns = all_unknowns(foam.network);
+        const Eigen::MatrixXd h = full_hessian(foam, unknowns);
+        Eigen::VectorXd along_x = Eigen::VectorXd::Zero(h.rows());
+        Eigen::VectorXd common = Eigen::VectorXd::Zero(h.rows());
+        for (const JunctionId junction : unknowns.junctions) {
+            along_x[unknowns.position_row(junction)] = 1.0;
+        }
+        common.tail(static_cast<Eigen::Index>(unknowns.bubbles.size())).setOnes();
+        const double size = h.cwiseAbs().maxCoeff();
+        EXPECT_LT((h * along_x).norm(), 1e-13 * size);
+        EXPECT_LT((h * common).norm(), 1e-13 * size);
+    }
+}
+
+TEST(Hessian, LeavesTheDeadOut) {
+    Foam sparse = test::honeycomb_around(3);
+    vanish(sparse.network, BubbleId{5});
+    Foam dense = sparse;
+    compact(dense);
+    EXPECT_EQ(full_hessian(sparse, all_unknowns(sparse.network)),
+              full_hessian(dense, all_unknowns(dense.network)));
+}
+
+}  // namespace
+}  // namespace foam

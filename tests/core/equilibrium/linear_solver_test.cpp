@@ -1,0 +1,89 @@
+#include "core/equilibrium/linear_solver.h"
+
+#include "core/equilibrium/hessian.h"
+#include "core/foam/honeycomb.h"
+#include "tests/core/foams.h"
+#include "tests/support/raster_frames.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace foam {
+namespace {
+
+// The Hessian with its null modes taken care of, as Newton's method does.
+Eigen::SparseMatrix<double> regular_hessian(const Foam& foam, const Unknowns& unknowns) {
+    Hessian hessian(foam.network, unknowns);
+    Eigen::SparseMatrix<double> matrix = hessian.evaluate(foam);
+    const auto positions = static_cast<Eigen::Index>(2 * unknowns.junctions.size());
+    for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
+        matrix.coeffRef(row, row) += row < positions ? 1e-3 : -1e-3;
+    }
+    return matrix;
+}
+
+TEST(LinearSolver, SolvesWithTheHessian) {
+    for (const int bubbles : {2, 5, 40, 400}) {
+        const Foam foam = test::bent_foam(bubbles, 0.2, 6);
+        const Unknowns unknowns = all_unknowns(foam.network);
+        const Eigen::SparseMatrix<double> matrix = regular_hessian(foam, unknowns);
+        LinearSolver solver(foam, unknowns);
+        ASSERT_TRUE(solver.factor(matrix));
+        const Eigen::VectorXd expected = Eigen::VectorXd::LinSpaced(matrix.rows(), -1.0, 2.0);
+        const Eigen::VectorXd right = matrix.selfadjointView<Eigen::Lower>() * expected;
+        const Eigen::VectorXd back = matrix.selfadjointView<Eigen::Lower>() * solver.solve(right);
+        EXPECT_LT((back - right).norm(), 1e-9 * right.norm());
+    }
+}
+
+TEST(LinearSolver, StaysGoodWhileTheFoamMoves) {
+    const Foam foam = test::bent_foam(100, 0.2, 6);
+    Foam moved = foam;
+    for (double& pressure : moved.pressures) {
+        pressure *= 0.5;
+    }
+    const Unknowns unknowns = all_unknowns(foam.network);
+    LinearSolver used(foam, unknowns);
+    ASSERT_TRUE(used.factor(regular_hessian(foam, unknowns)));
+    ASSERT_TRUE(used.factor(regular_hessian(moved, unknowns)));
+    LinearSolver fresh(foam, unknowns);
+    ASSERT_TRUE(fresh.factor(regular_hessian(moved, unknowns)));
+    const Eigen::VectorXd right = Eigen::VectorXd::Ones(unknowns.size());
+    EXPECT_EQ(used.solve(right), fresh.solve(right));
+}
+
+TEST(LinearSolver, GivesTheSameBitsOnAnyNumberOfThreads) {
+    const Foam foam = test::bent_foam(1000, 0.2, 6);
+    const Unknowns unknowns = all_unknowns(foam.network);
+    const Eigen::SparseMatrix<double> matrix = regular_hessian(foam, unknowns);
+    const Eigen::VectorXd right = Eigen::VectorXd::Ones(unknowns.size());
+    LinearSolver one(foam, unknowns, 1);
+    ASSERT_TRUE(one.factor(matrix));
+    const Eigen::VectorXd expected = one.solve(right);
+    for (const int threads : {2, 3, 8}) {
+        LinearSolver several(foam, unknowns, threads);
+        ASSERT_TRUE(several.factor(matrix));
+        EXPECT_EQ(several.solve(right), expected) << threads;
+    }
+}
+
+// Two unknowns for each junction, where it stands, then one for each bubble, in its middle: in the
+// cell of the torus too.
+TEST(LinearSolver, NodesStandWhereTheUnknownsDo) {
+    const Foam foam = honeycomb(4, 4);
+    const Unknowns unknowns = all_unknowns(foam.network);
+    const std::vector<SolverNode> nodes = solver_nodes(foam, unknowns);
+    ASSERT_EQ(nodes.size(), 32U + 16U);
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+        EXPECT_EQ(nodes[k].rows, k < 32 ? 2 : 1);
+        EXPECT_TRUE(foam.torus.cell_of(nodes[k].position) == (LatticeOffset{0, 0}));
+    }
+    EXPECT_EQ(nodes[7].position, foam.positions[JunctionId{7}]);
+    // Bubble 5 is second in its row and second from below: at (2 w, 2.5 a), w = sqrt(3) a wide.
+    const Vec2 middle(foam.torus.width * 2.0 / 4.0, foam.torus.height * 2.5 / 6.0);
+    EXPECT_LT((nodes[32 + 5].position - middle).norm(), 1e-14);
+}
+
+}  // namespace
+}  // namespace foam

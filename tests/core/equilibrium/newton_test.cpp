@@ -1,0 +1,147 @@
+#include "core/equilibrium/newton.h"
+
+#include "core/equilibrium/relaxation.h"
+#include "core/equilibrium/residual.h"
+#include "core/foam/honeycomb.h"
+#include "core/foam/measure.h"
+#include "core/foam/random.h"
+#include "tests/core/equilibrium/crossing.h"
+#include "tests/core/foams.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace foam {
+namespace {
+
+using test::are_same;
+using test::is_valid;
+
+// A honeycomb whose junctions are moved by up to `largest` in x and y.
+Foam shaken_honeycomb(double largest) {
+    Foam foam = honeycomb(6, 6);
+    Random random(3);
+    for (Vec2& position : foam.positions) {
+        const double x = largest * (2.0 * random.uniform() - 1.0);
+        const double y = largest * (2.0 * random.uniform() - 1.0);
+        position += Vec2(x, y);
+    }
+    return foam;
+}
+
+NewtonSummary run(Foam& foam, const NewtonOptions& options) {
+    return newton(foam, all_unknowns(foam.network), options);
+}
+
+double residual_of(const Foam& foam) {
+    const Unknowns unknowns = all_unknowns(foam.network);
+    const ResidualNorms n = norms(foam, unknowns, residual(foam, unknowns));
+    return std::max(n.force, n.area);
+}
+
+TEST(Newton, HasNothingToDoInTheHoneycomb) {
+    Foam foam = honeycomb(4, 4);
+    const Foam before = foam;
+    const NewtonSummary summary = run(foam, {});
+    EXPECT_EQ(summary.status, NewtonStatus::Converged);
+    EXPECT_EQ(summary.iterations, 0);
+    EXPECT_TRUE(are_same(foam, before));
+}
+
+// Each residual is at most the square of the one before, down to rounding; the regularization, 1e-9
+// of the residual, does not show.
+TEST(Newton, ConvergesQuadratically) {
+    constexpr double kRoundingFloor =
+        1e-13;  // some hundred units of the last place of a film's length
+    Foam foam = shaken_honeycomb(0.025);
+    double before = residual_of(foam);
+    ASSERT_GT(before, 0.02);
+    for (int k = 0; k < 4; ++k) {
+        const NewtonSummary summary =
+            run(foam, {.max_iterations = 1, .force_tolerance = 0.0, .area_tolerance = 0.0});
+        EXPECT_EQ(summary.status, NewtonStatus::IterationLimit);
+        EXPECT_LT(summary.residual, before * before + kRoundingFloor);
+        before = summary.residual;
+    }
+    EXPECT_LT(before, kRoundingFloor);
+}
+
+TEST(Newton, FindsTheHoneycombAgain) {
+    Foam foam = shaken_honeycomb(0.1);
+    EXPECT_EQ(run(foam, {}).status, NewtonStatus::Converged);
+    const EquilibriumErrors errors = equilibrium_errors(foam);
+    EXPECT_LT(errors.area, 1e-10);
+    EXPECT_LT(errors.angle, 1e-10);
+    EXPECT_NEAR(energy(foam) / 36.0, std::sqrt(2.0 * std::sqrt(3.0)), 1e-12);
+}
+
+TEST(Newton, ReportsItsResidual) {
+    Foam foam = shaken_honeycomb(0.1);
+    const NewtonSummary cut = run(foam, {.max_iterations = 2});
+    EXPECT_EQ(cut.status, NewtonStatus::IterationLimit);
+    EXPECT_EQ(cut.iterations, 2);
+    EXPECT_NEAR(cut.residual, residual_of(foam), 1e-13);  // of junctions that are wrapped since
+}
+
+TEST(Newton, StopsWhenBothTolerancesAreMet) {
+    for (const double tolerance : {1e-3, 1e-6}) {
+        Foam foam = shaken_honeycomb(0.05);
+        const NewtonSummary summary =
+            run(foam, {.force_tolerance = tolerance, .area_tolerance = tolerance});
+        EXPECT_EQ(summary.status, NewtonStatus::Converged);
+        EXPECT_LT(residual_of(foam), tolerance);
+        EXPECT_GE(summary.iterations, 1);
+    }
+}
+
+TEST(Newton, DoesNothingInNoIterations) {
+    Foam foam = shaken_honeycomb(0.05);
+    const NewtonSummary summary = run(foam, {.max_iterations = 0});
+    EXPECT_EQ(summary.status, NewtonStatus::IterationLimit);
+    EXPECT_EQ(summary.iterations, 0);
+    EXPECT_DOUBLE_EQ(summary.residual, residual_of(foam));
+}
+
+TEST(Newton, LeavesAFilmThatHasCollapsedToTheT1) {
+    test::Crossing c = test::crossing(25.0, 0.0024);
+    const Foam before = c.foam;
+    const NewtonSummary summary = run(c.foam, {});
+    EXPECT_EQ(summary.status, NewtonStatus::FilmsCollapse);
+    EXPECT_EQ(summary.iterations, 0);
+    EXPECT_EQ(summary.collapsing, (std::vector<FilmId>{c.film}));
+    EXPECT_TRUE(are_same(c.foam, before));
+}
+
+// A raw diagram is far outside the reach of undamped steps. Whatever comes of it, every iteration
+// has made the sum of squares smaller.
+TEST(Newton, NeverRaisesTheSumOfSquares) {
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+        Foam foam = test::raw_foam(60, seed);
+        relax(foam, {.sweeps = 3});
+        const Unknowns unknowns = all_unknowns(foam.network);
+        double before = norms(foam, unknowns, residual(foam, unknowns)).squares;
+        for (int k = 0; k < 10; ++k) {
+            const NewtonSummary summary = newton(foam, unknowns, {.max_iterations = 1});
+            const double now = norms(foam, unknowns, residual(foam, unknowns)).squares;
+            EXPECT_TRUE(std::isfinite(now));
+            EXPECT_LT(now, summary.iterations == 1 ? before : before * (1.0 + 1e-12));
+            before = now;
+        }
+        EXPECT_TRUE(is_valid(foam.network));
+    }
+}
+
+TEST(Newton, LeavesJunctionsInTheTorusOwnCell) {
+    Foam foam = shaken_honeycomb(0.2);
+    run(foam, {});
+    EXPECT_TRUE(is_valid(foam.network));
+    for (const Vec2& position : foam.positions) {
+        EXPECT_TRUE(foam.torus.cell_of(position) == (LatticeOffset{0, 0}));
+    }
+}
+
+}  // namespace
+}  // namespace foam

@@ -1,0 +1,190 @@
+#include "core/foam/seeding.h"
+
+#include "core/foam/measure.h"
+#include "tests/core/foams.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <vector>
+
+namespace foam {
+namespace {
+
+using test::are_same;
+using test::is_valid;
+
+SeedingOptions options_for(int bubbles, std::uint64_t seed) {
+    SeedingOptions options;
+    options.bubbles = bubbles;
+    options.seed = seed;
+    return options;
+}
+
+std::vector<double> targets_of(const Foam& foam) {
+    return {foam.target_areas.begin(), foam.target_areas.end()};
+}
+
+double variance(const std::vector<double>& values) {
+    const double count = static_cast<double>(values.size());
+    const double mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
+    double sum = 0.0;
+    for (const double value : values) {
+        sum += (value - mean) * (value - mean);
+    }
+    return sum / count;
+}
+
+TEST(Seeding, MakesAValidFoamOfStraightFilms) {
+    for (const int bubbles : {2, 3, 4, 7, 50, 300}) {
+        for (std::uint64_t seed = 0; seed < 10; ++seed) {
+            const Foam foam = seed_foam(options_for(bubbles, seed));
+            EXPECT_TRUE(is_valid(foam.network));
+            EXPECT_EQ(foam.network.bubble_count(), static_cast<std::size_t>(bubbles));
+            EXPECT_TRUE(std::all_of(
+                foam.pressures.begin(), foam.pressures.end(), [](double p) { return p == 0.0; }));
+        }
+    }
+}
+
+TEST(Seeding, TheMeanAreaIsOne) {
+    for (const double ratio : {0.0, 1.0, 100.0}) {
+        SeedingOptions options = options_for(200, 4);
+        options.area_ratio = ratio;
+        const Foam foam = seed_foam(options);
+        EXPECT_NEAR(foam.torus.area(), 200.0, 1e-11);
+        EXPECT_NEAR(test::total_target(foam), foam.torus.area(), 1e-11);
+    }
+}
+
+// The targets of the diagram itself are its areas, but for the rounding of the torus to the grid.
+TEST(Seeding, TargetsAreTheAreasOfTheDiagram) {
+    const Foam foam = seed_foam(options_for(200, 4));
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        EXPECT_NEAR(foam.target_areas[bubble], bubble_area(foam, bubble), 1e-6);
+    }
+}
+
+TEST(Seeding, BubblesAreNumberedFromZero) {
+    const Foam foam = seed_foam(options_for(20, 1));
+    EXPECT_EQ(foam.next_identity, 20U);
+    EXPECT_EQ(foam.time, 0.0);
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        EXPECT_EQ(foam.identities[bubble], index_of(bubble));
+    }
+}
+
+TEST(Seeding, TheSameSeedGivesTheSameBits) {
+    SeedingOptions options = options_for(150, 12);
+    options.lloyd_iterations = 2;
+    options.area_ratio = 10.0;
+    EXPECT_TRUE(are_same(seed_foam(options), seed_foam(options)));
+}
+
+TEST(Seeding, AnotherSeedGivesAnotherFoam) {
+    EXPECT_FALSE(are_same(seed_foam(options_for(150, 12)), seed_foam(options_for(150, 13))));
+}
+
+TEST(Seeding, AFilmHasTwoSurfaces) {
+    SeedingOptions options = options_for(10, 1);
+    options.surface_tension = 0.7;
+    EXPECT_DOUBLE_EQ(seed_foam(options).film_tension, 1.4);
+}
+
+// Of area 12 and four times as wide as high: sqrt(3) high.
+TEST(Seeding, TheTorusHasItsAspect) {
+    SeedingOptions options = options_for(12, 1);
+    options.aspect = 4.0;
+    const Torus torus = seed_foam(options).torus;
+    EXPECT_NEAR(torus.height, std::sqrt(3.0), 1e-14);
+    EXPECT_NEAR(torus.width, 4.0 * std::sqrt(3.0), 1e-14);
+}
+
+// Areas a bubble apart in rank differ by one factor, here 100^(1/99), and all of them by 100.
+TEST(Seeding, AreasAreSpreadEvenlyInTheLogarithm) {
+    SeedingOptions options = options_for(100, 9);
+    options.area_ratio = 100.0;
+    std::vector<double> areas = targets_of(seed_foam(options));
+    std::sort(areas.begin(), areas.end());
+    EXPECT_NEAR(areas.back() / areas.front(), 100.0, 1e-11);
+    for (std::size_t k = 0; k + 1 < areas.size(); ++k) {
+        EXPECT_NEAR(areas[k + 1] / areas[k], std::pow(100.0, 1.0 / 99.0), 1e-13);
+    }
+}
+
+TEST(Seeding, SpreadAreasKeepTheRankOfTheCells) {
+    SeedingOptions options = options_for(100, 9);
+    const std::vector<double> own = targets_of(seed_foam(options));
+    options.area_ratio = 100.0;
+    const std::vector<double> spread = targets_of(seed_foam(options));
+    for (std::size_t a = 0; a < own.size(); ++a) {
+        for (std::size_t b = 0; b < own.size(); ++b) {
+            EXPECT_EQ(own[a] < own[b], spread[a] < spread[b]);
+        }
+    }
+}
+
+TEST(Seeding, ARatioOfOneMakesAllTargetsEqual) {
+    SeedingOptions options = options_for(50, 2);
+    options.area_ratio = 1.0;
+    for (const double area : targets_of(seed_foam(options))) {
+        EXPECT_NEAR(area, 1.0, 1e-14);
+    }
+}
+
+// Raw random diagrams have a variance of 0.28; each Lloyd iteration evens the cells out.
+TEST(Seeding, LloydIterationsEvenTheAreasOut) {
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        SeedingOptions options = options_for(300, seed);
+        double before = std::numeric_limits<double>::infinity();
+        for (const int iterations : {0, 1, 3, 10}) {
+            options.lloyd_iterations = iterations;
+            const double now = variance(targets_of(seed_foam(options)));
+            EXPECT_LT(now, 0.8 * before);
+            before = now;
+        }
+        EXPECT_LT(before, 0.05);
+    }
+}
+
+// The variance of the areas of a Poisson-Voronoi diagram in the plane is 0.2802 (Gilbert 1962). Its
+// mean over 20 diagrams of 500 cells has a standard deviation of about 0.005.
+TEST(Seeding, RawDiagramsArePoissonVoronoi) {
+    double sum = 0.0;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        sum += variance(targets_of(seed_foam(options_for(500, seed))));
+    }
+    EXPECT_NEAR(sum / 20.0, 0.2802, 0.02);
+}
+
+TEST(Seeding, RefusesOptionsOutOfRange) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const auto refuses = [](auto change) {
+        SeedingOptions options;
+        options.bubbles = 10;
+        change(options);
+        EXPECT_THROW(seed_foam(options), std::invalid_argument);
+    };
+    for (const int bubbles : {0, -5}) {
+        refuses([&](SeedingOptions& o) { o.bubbles = bubbles; });
+    }
+    for (const double value : {0.0, -1.0, nan}) {
+        refuses([&](SeedingOptions& o) { o.aspect = value; });
+        refuses([&](SeedingOptions& o) { o.surface_tension = value; });
+    }
+    for (const double ratio : {0.5, -2.0, nan}) {
+        refuses([&](SeedingOptions& o) { o.area_ratio = ratio; });
+    }
+}
+
+// One site on a rectangular torus and its copies make rectangles, whose corners join four.
+TEST(Seeding, OneBubbleMakesNoFoam) {
+    EXPECT_THROW(seed_foam(options_for(1, 1)), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace foam

@@ -1,0 +1,164 @@
+#include "core/foam/voronoi.h"
+
+#include "core/foam/random.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <vector>
+
+namespace foam {
+namespace {
+
+// Sites are rounded to a grid of 2^-26 = 1.5e-8 of the longer side; a corner between sites that lie
+// nearly on a line moves by some hundred times that.
+constexpr double kGrid = 0x1.0p-26;
+constexpr double kTolerance = 1000.0 * kGrid;
+
+std::vector<Vec2> random_sites(const Torus& torus, int count, std::uint64_t seed) {
+    Random random(seed);
+    std::vector<Vec2> sites;
+    for (int k = 0; k < count; ++k) {
+        const double x = torus.width * random.uniform();
+        const double y = torus.height * random.uniform();
+        sites.emplace_back(x, y);
+    }
+    return sites;
+}
+
+// Least distance of a point from any copy of a site.
+double distance_to_site(const Torus& torus, const Vec2& site, const Vec2& point) {
+    const Vec2 apart = site - point;
+    const Vec2 nearest = apart - Vec2(std::round(apart.x() / torus.width) * torus.width,
+                                      std::round(apart.y() / torus.height) * torus.height);
+    return nearest.norm();
+}
+
+double distance_to_nearest(const Torus& torus, const std::vector<Vec2>& sites, const Vec2& point) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Vec2& site : sites) {
+        least = std::min(least, distance_to_site(torus, site, point));
+    }
+    return least;
+}
+
+// How far a point lies inside a convex cell: its least distance from the lines of the sides.
+double depth_in(const std::vector<CellCorner>& cell, const Vec2& point) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < cell.size(); ++k) {
+        const Vec2& a = cell[k].point;
+        const Vec2 along = (cell[(k + 1) % cell.size()].point - a).normalized();
+        least = std::min(least, cross(along, point - a));
+    }
+    return least;
+}
+
+// The copy of a point that lies the nearest to a site.
+Vec2 copy_near(const Torus& torus, const Vec2& point, const Vec2& site) {
+    const Vec2 apart = point - site;
+    return point - Vec2(std::round(apart.x() / torus.width) * torus.width,
+                        std::round(apart.y() / torus.height) * torus.height);
+}
+
+struct Case {
+    Torus torus;
+    int sites;
+    std::uint64_t seed;
+};
+
+std::vector<Case> cases() {
+    std::vector<Case> all;
+    for (const int sites : {2, 3, 5, 20, 100}) {
+        for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+            all.push_back({{1.0, 1.0}, sites, seed});
+            all.push_back({{6.0, 1.5}, sites, seed});
+        }
+    }
+    return all;
+}
+
+// Each corner of each cell is as far from the cell's site as from the one across the side that
+// leaves it and the one across the side that arrives, and no site at all is nearer: this is what
+// makes it a corner of a Voronoi diagram.
+TEST(Voronoi, CornersAreEmptyCircumcentres) {
+    for (const Case& c : cases()) {
+        const std::vector<Vec2> sites = random_sites(c.torus, c.sites, c.seed);
+        const CellDiagram cells = voronoi_cells(c.torus, sites);
+        const double tolerance = kTolerance * std::max(c.torus.width, c.torus.height);
+        for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+            for (std::size_t k = 0; k < cells[cell].size(); ++k) {
+                const CellCorner& corner = cells[cell][k];
+                const CellCorner& before =
+                    cells[cell][(k + cells[cell].size() - 1) % cells[cell].size()];
+                const double radius = (corner.point - sites[cell]).norm();
+                for (const CellCorner& side : {corner, before}) {
+                    const Vec2 across = sites[side.across] + c.torus.translation(side.offset);
+                    EXPECT_NEAR((corner.point - across).norm(), radius, tolerance);
+                }
+                EXPECT_NEAR(distance_to_nearest(c.torus, sites, corner.point), radius, tolerance);
+            }
+        }
+    }
+}
+
+// A sample of points, each in the cell of its nearest site and in no other, to within rounding.
+TEST(Voronoi, PointsLieInTheCellOfTheirNearestSite) {
+    for (const Case& c : cases()) {
+        const std::vector<Vec2> sites = random_sites(c.torus, c.sites, c.seed);
+        const CellDiagram cells = voronoi_cells(c.torus, sites);
+        const double tolerance = kTolerance * std::max(c.torus.width, c.torus.height);
+        for (const Vec2& point : random_sites(c.torus, 100, 1000 + c.seed)) {
+            const auto nearer = [&](const Vec2& a, const Vec2& b) {
+                return distance_to_site(c.torus, a, point) < distance_to_site(c.torus, b, point);
+            };
+            const auto nearest = static_cast<std::size_t>(
+                std::min_element(sites.begin(), sites.end(), nearer) - sites.begin());
+            const Vec2 copy = copy_near(c.torus, point, sites[nearest]);
+            EXPECT_GT(depth_in(cells[nearest], copy), -tolerance);
+        }
+    }
+}
+
+TEST(Voronoi, CellsAreConvexAndFillTheTorus) {
+    for (const Case& c : cases()) {
+        const CellDiagram cells = voronoi_cells(c.torus, random_sites(c.torus, c.sites, c.seed));
+        double total = 0.0;
+        for (const std::vector<CellCorner>& cell : cells) {
+            EXPECT_GT(depth_in(cell, cell_centroid(cell)), 0.0);
+            total += cell_area(cell);
+        }
+        // Only the torus' sides are rounded to the grid.
+        EXPECT_NEAR(total / c.torus.area(), 1.0, 8.0 * kGrid);
+    }
+}
+
+TEST(Voronoi, RefusesSitesThatFallTogether) {
+    const Torus torus{3.0, 3.0};
+    EXPECT_THROW(voronoi_cells(torus, {{0.1, 0.2}, {1.5, 1.1}, {1.5, 1.1}, {2.2, 0.7}, {0.9, 2.5}}),
+                 std::runtime_error);
+    // Nearer than half a grid spacing, 2.2e-8.
+    EXPECT_THROW(voronoi_cells(torus, {{0.1, 0.2}, {1.5, 1.1}, {1.5, 1.1 + 1e-9}, {2.2, 0.7}}),
+                 std::runtime_error);
+}
+
+// The cells of a square grid are squares, whose corners join four.
+TEST(Voronoi, FourSitesOnACircleMakeNoFoam) {
+    const Torus torus{2.0, 2.0};
+    const CellDiagram cells =
+        voronoi_cells(torus, {{0.5, 0.5}, {1.5, 0.5}, {0.5, 1.5}, {1.5, 1.5}});
+    EXPECT_THROW(foam_from_cells(torus, cells), std::runtime_error);
+}
+
+// Copies of the sites are looked for 15 periods around; those of one site on a torus a hundred
+// times as wide as high leave its neighbours farther away.
+TEST(Voronoi, RefusesATorusThatIsTooSlender) {
+    const Torus torus{100.0, 1.0};
+    EXPECT_THROW(voronoi_cells(torus, {{20.0, 0.5}, {70.0, 0.3}}), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace foam

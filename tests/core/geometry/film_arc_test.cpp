@@ -1,0 +1,252 @@
+#include "core/geometry/film_arc.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace foam {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kRoot3 = std::numbers::sqrt3;
+constexpr double kEps = std::numeric_limits<double>::epsilon();
+// A handful of roundings on numbers of the order of 1.
+constexpr double kRounding = 8.0 * kEps;
+
+void expect_vec(const Vec2& actual, const Vec2& expected, double tolerance = kRounding) {
+    EXPECT_NEAR(actual.x(), expected.x(), tolerance);
+    EXPECT_NEAR(actual.y(), expected.y(), tolerance);
+}
+
+// A multiple of 1e-6 in [-largest, largest].
+double any_real(double largest) {
+    return *rc::gen::inRange(-1000000, 1000001) * 1e-6 * largest;
+}
+
+// Chords of every direction, 1e-6 ... 3 long, and half angles up to nearly a full circle.
+FilmArc any_arc() {
+    FilmArc arc{Vec2(any_real(2.0), any_real(2.0)), any_real(3.1)};
+    if (arc.chord.norm() < 1e-6) {
+        arc.chord = {1.0, 0.0};
+    }
+    return arc;
+}
+
+TEST(FilmArc, AStraightFilmIsItsChord) {
+    const FilmArc arc{{3.0, 4.0}, 0.0};
+    EXPECT_DOUBLE_EQ(arc_length(arc), 5.0);
+    EXPECT_EQ(segment_area(arc), 0.0);
+    EXPECT_EQ(curvature(arc), 0.0);
+    expect_vec(tangent_at_tail(arc), {0.6, 0.8});
+    expect_vec(tangent_at_head(arc), {0.6, 0.8});
+    expect_vec(point_at(arc, 0.25), {0.75, 1.0});
+}
+
+TEST(FilmArc, AZeroChordIsAnArcOfNoLength) {
+    const FilmArc arc{{0.0, 0.0}, 1.0};
+    EXPECT_EQ(arc_length(arc), 0.0);
+    EXPECT_EQ(segment_area(arc), 0.0);
+    EXPECT_EQ(curvature(arc), 0.0);
+    expect_vec(point_at(arc, 0.5), {0.0, 0.0});
+}
+
+// The lower half of the unit circle from (-1, 0) to (1, 0), relative to its tail: it hangs below
+// the chord, on the right, and the half disc adds to the area on the left.
+TEST(FilmArc, APositiveHalfAngleBulgesToTheRight) {
+    const FilmArc arc{{2.0, 0.0}, kPi / 2.0};
+    EXPECT_NEAR(arc_length(arc), kPi, kRounding);
+    EXPECT_NEAR(segment_area(arc), kPi / 2.0, kRounding);
+    EXPECT_NEAR(curvature(arc), 1.0, kRounding);
+    expect_vec(tangent_at_tail(arc), {0.0, -1.0});
+    expect_vec(tangent_at_head(arc), {0.0, 1.0});
+    expect_vec(point_at(arc, 0.0), {0.0, 0.0});
+    expect_vec(point_at(arc, 0.5), {1.0, -1.0});
+    expect_vec(point_at(arc, 1.0), {2.0, 0.0});
+}
+
+// On the unit circle an arc of turn t = 2 alpha has the chord 2 sin(t/2), the length t and the
+// segment (t - sin t) / 2: the sector less the triangle of the centre.
+TEST(FilmArc, LengthAndAreaOfArcsOfTheUnitCircle) {
+    struct Case {
+        double turn;
+        double chord;
+        double area;
+    };
+    for (const Case& c : {Case{kPi / 3.0, 1.0, kPi / 6.0 - kRoot3 / 4.0},
+                          Case{kPi / 2.0, std::sqrt(2.0), kPi / 4.0 - 0.5},
+                          Case{2.0 * kPi / 3.0, kRoot3, kPi / 3.0 - kRoot3 / 4.0},
+                          Case{4.0 * kPi / 3.0, kRoot3, 2.0 * kPi / 3.0 + kRoot3 / 4.0},
+                          Case{3.0 * kPi / 2.0, std::sqrt(2.0), 3.0 * kPi / 4.0 + 0.5}}) {
+        const FilmArc arc{{0.0, c.chord}, 0.5 * c.turn};
+        EXPECT_NEAR(arc_length(arc), c.turn, kRounding) << c.turn;
+        EXPECT_NEAR(segment_area(arc), c.area, kRounding) << c.turn;
+        EXPECT_NEAR(curvature(arc), 1.0, kRounding) << c.turn;
+    }
+}
+
+TEST(FilmArc, BothSidesOfARightAngleAgree) {
+    // The area grows by c²/2 a radian there. Were it taken from sin(alpha), which both share to the
+    // last bit, it would not grow.
+    const FilmArc below{{1.0, 0.0}, kPi / 2.0 - 1e-9};
+    const FilmArc above{{1.0, 0.0}, kPi / 2.0 + 1e-9};
+    EXPECT_NEAR(segment_area(above) - segment_area(below), 0.5 * 2e-9, kRounding);
+}
+
+RC_GTEST_PROP(FilmArc, PointsLieOnOneCircle, ()) {
+    const FilmArc arc = any_arc();
+    RC_PRE(std::abs(arc.half_angle) > 1e-3);
+    const double fraction = *rc::gen::inRange(0, 1001) * 1e-3;
+    // The centre lies on the chord's bisector, to the left of an arc that turns left.
+    const Vec2 centre = 0.5 * arc.chord + 0.5 / std::tan(arc.half_angle) * turned_left(arc.chord);
+    const double radius = 0.5 * arc.chord.norm() / std::abs(std::sin(arc.half_angle));
+    RC_ASSERT(std::abs((point_at(arc, fraction) - centre).norm() - radius) <= kRounding * radius);
+    RC_ASSERT(std::abs(std::abs(curvature(arc)) * radius - 1.0) <= kRounding);
+}
+
+// A part of an arc is an arc of the same curvature, so that its own length follows from its chord.
+RC_GTEST_PROP(FilmArc, PointsDivideTheLength, ()) {
+    const FilmArc arc = any_arc();
+    const double fraction = *rc::gen::inRange(1, 1001) * 1e-3;
+    const FilmArc part{point_at(arc, fraction), fraction * arc.half_angle};
+    const double expected = fraction * arc_length(arc);
+    RC_ASSERT(std::abs(arc_length(part) - expected) <= kRounding * expected);
+}
+
+// The tangents turn by twice the half angle; each makes the half angle with the chord.
+RC_GTEST_PROP(FilmArc, TangentsMakeTheHalfAngleWithTheChord, ()) {
+    const FilmArc arc = any_arc();
+    const Vec2 u = arc.chord.normalized();
+    const Vec2 tail = tangent_at_tail(arc);
+    const Vec2 head = tangent_at_head(arc);
+    RC_ASSERT(std::abs(tail.norm() - 1.0) <= kRounding);
+    RC_ASSERT(std::abs(head.norm() - 1.0) <= kRounding);
+    RC_ASSERT(std::abs(cross(tail, u) - std::sin(arc.half_angle)) <= kRounding);
+    RC_ASSERT(std::abs(tail.dot(u) - std::cos(arc.half_angle)) <= kRounding);
+    RC_ASSERT(std::abs(cross(u, head) - std::sin(arc.half_angle)) <= kRounding);
+    RC_ASSERT(std::abs(head.dot(u) - std::cos(arc.half_angle)) <= kRounding);
+}
+
+RC_GTEST_PROP(FilmArc, ReversedWalksTheSamePointsBackwards, ()) {
+    const FilmArc arc = any_arc();
+    const FilmArc back = reversed(arc);
+    const double fraction = *rc::gen::inRange(0, 1001) * 1e-3;
+    const double length = arc_length(arc);
+    RC_ASSERT(arc_length(back) == length);
+    RC_ASSERT(segment_area(back) == -segment_area(arc));
+    RC_ASSERT(curvature(back) == -curvature(arc));
+    RC_ASSERT((tangent_at_tail(back) + tangent_at_head(arc)).norm() <= kRounding);
+    const Vec2 apart = arc.chord + point_at(back, fraction) - point_at(arc, 1.0 - fraction);
+    RC_ASSERT(apart.norm() <= kRounding * length);
+}
+
+// Expanding asin s and sqrt(1 - s²): (asin s - s sqrt(1 - s²)) / s² = 2s/3 + s³/5 + 3s⁵/28 + ...,
+// (E1), whose derivative is 2/3 + 3s²/5 + 15s⁴/28 + ... At s = 1e-3 the next terms are below 1e-18.
+TEST(SegmentShape, StartsAsItsSeries) {
+    const double s = 1e-3;
+    EXPECT_NEAR(
+        segment_shape(s), 2.0 * s / 3.0 + s * s * s / 5.0 + 3.0 * std::pow(s, 5) / 28.0, kEps * s);
+    EXPECT_NEAR(
+        segment_shape_slope(s), 2.0 / 3.0 + 3.0 * s * s / 5.0 + 15.0 * std::pow(s, 4) / 28.0, kEps);
+    EXPECT_EQ(segment_shape(0.0), 0.0);
+    EXPECT_DOUBLE_EQ(segment_shape_slope(0.0), 2.0 / 3.0);
+}
+
+// At s = sin(alpha): (alpha - sin(2 alpha)/2) / s², for 30, 45, 60 and 90 degrees.
+TEST(SegmentShape, HasItsClosedFormAtSimpleAngles) {
+    EXPECT_NEAR(segment_shape(0.5), 2.0 * kPi / 3.0 - kRoot3, kRounding);
+    EXPECT_NEAR(segment_shape(std::sqrt(0.5)), kPi / 2.0 - 1.0, kRounding);
+    EXPECT_NEAR(segment_shape(kRoot3 / 2.0), 4.0 * kPi / 9.0 - 1.0 / kRoot3, kRounding);
+    EXPECT_NEAR(segment_shape(1.0), kPi / 2.0, kRounding);
+}
+
+// The closed form in 40 digits, for the doubles nearest to these s: from the smallest, where it
+// loses all in double precision, across the switch from the series at 0.25.
+TEST(SegmentShape, KeepsNearlyAllDigitsEverywhere) {
+    struct Case {
+        double s;
+        double shape;
+        double slope;
+    };
+    for (const Case& c : {Case{0.001, 0.00066666686666677382347, 0.66666726666720238144},
+                          Case{0.1, 0.066867745089780090942, 0.67272072872282240751},
+                          Case{0.2499, 0.1698300992254490413, 0.70635158117565182513},
+                          Case{0.25, 0.16990073606584157059, 0.7063852294505564407},
+                          Case{0.2501, 0.16997137627189430195, 0.70641889438040878349},
+                          Case{0.5, 0.36234429482431819878, 0.86002389746123126291},
+                          Case{0.9, 0.89810939516046125137, 2.5925160214990997358}}) {
+        EXPECT_NEAR(segment_shape(c.s), c.shape, 16.0 * kEps * c.shape) << c.s;
+        EXPECT_NEAR(segment_shape_slope(c.s), c.slope, 64.0 * kEps * c.slope) << c.s;
+    }
+}
+
+RC_GTEST_PROP(SegmentShape, IsOddAndItsSlopeEven, ()) {
+    const double s = any_real(0.999);
+    RC_ASSERT(segment_shape(-s) == -segment_shape(s));
+    RC_ASSERT(segment_shape_slope(-s) == segment_shape_slope(s));
+}
+
+TEST(SegmentShape, SlopeIsItsDerivative) {
+    // Central differences with h = 1e-5: h² g'''/6 grows to 2e-9 at 0.9, rounding leaves 1e-11.
+    const double h = 1e-5;
+    for (double s = -0.9; s < 0.95; s += 0.05) {
+        const double difference = (segment_shape(s + h) - segment_shape(s - h)) / (2.0 * h);
+        EXPECT_NEAR(segment_shape_slope(s), difference, 1e-8) << s;
+    }
+}
+
+// Two equal bubbles of area 1, T = 1. The films meet at 120 degrees in both junctions, so that each
+// outer film makes 120 degrees with the straight one between them, which is its chord: the half
+// angle is 120 degrees. With sin² = 3/4 and sin cos = -sqrt(3)/4 the area of each bubble is
+//     c²/4 (2 pi/3 + sqrt(3)/4) / (3/4) = c²/3 (2 pi/3 + sqrt(3)/4) = 1,
+// and the energy c + 2 c (2 pi/3) / (sqrt(3)/2).
+TEST(FilmArc, TwoBubbleCluster) {
+    const double c = std::sqrt(3.0 / (2.0 * kPi / 3.0 + kRoot3 / 4.0));
+    const FilmArc wall{{0.0, c}, 0.0};
+    const FilmArc right{{0.0, c}, 2.0 * kPi / 3.0};
+    const FilmArc left{{0.0, c}, -2.0 * kPi / 3.0};
+    const double pressure = curvature(right);
+    const double energy = arc_length(wall) + arc_length(right) + arc_length(left);
+    expect_vec(tangent_at_tail(wall) + tangent_at_tail(right) + tangent_at_tail(left), {0.0, 0.0});
+    EXPECT_NEAR(segment_area(right), 1.0, kRounding);
+    EXPECT_NEAR(segment_area(left), -1.0, kRounding);
+    EXPECT_NEAR(energy, 6.359129253960, 1e-12);    // known to 13 digits
+    EXPECT_NEAR(pressure, 1.589782313490, 1e-12);  // likewise
+    EXPECT_NEAR(energy, 2.0 * pressure * 2.0, 4.0 * kRounding);
+}
+
+// Three equal bubbles of area 1, T = 1, around one junction O, where three straight films of length
+// L part them. An outer film stands on a chord between the outer ends V and V' of two of these; the
+// triangle O V V' has 120 degrees at O, hence 30 at V, and sides L, L and sqrt(3) L. The chord
+// makes 150 degrees with the outward direction at V and the film 60, so its half angle is 90
+// degrees: a half circle of radius R = sqrt(3) L / 2. So the area is
+//     sqrt(3)/4 L² + pi R²/2 = L² (sqrt(3)/4 + 3 pi/8) = 1,
+// the pressure p = T/R, and the energy 3 L + 3 pi R, which is 2 * 3 p.
+TEST(FilmArc, ThreeBubbleCluster) {
+    const double length = 1.0 / std::sqrt(kRoot3 / 4.0 + 3.0 * kPi / 8.0);
+    std::array<Vec2, 3> ends;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double angle = 2.0 * kPi / 3.0 * static_cast<double>(k);
+        ends[k] = length * Vec2(std::cos(angle), std::sin(angle));
+    }
+    double energy = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const FilmArc wall{ends[k], 0.0};
+        const FilmArc outer{ends[(k + 1) % 3] - ends[k], kPi / 2.0};
+        const FilmArc before{ends[k] - ends[(k + 2) % 3], kPi / 2.0};
+        expect_vec(tangent_at_tail(outer) - tangent_at_head(before) - tangent_at_head(wall),
+                   {0.0, 0.0});
+        const double triangle = 0.5 * cross(ends[k], ends[(k + 1) % 3]);
+        EXPECT_NEAR(triangle + segment_area(outer), 1.0, kRounding);
+        EXPECT_NEAR(curvature(outer), 2.0 / (kRoot3 * length), kRounding);
+        energy += arc_length(wall) + arc_length(outer);
+    }
+    const double pressure = 2.0 / (kRoot3 * length);
+    EXPECT_NEAR(energy, 2.0 * 3.0 * pressure, 8.0 * kRounding);
+}
+
+}  // namespace
+}  // namespace foam

@@ -1,0 +1,173 @@
+#include "core/network/network.h"
+
+#include "core/foam/foam.h"
+#include "core/foam/honeycomb.h"
+#include "core/network/t2.h"
+#include "tests/core/foams.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace foam {
+namespace {
+
+using test::are_same;
+using test::honeycomb_around;
+using test::is_valid;
+
+template <class Id>
+std::vector<Id> listed(const LiveRange<Id>& range) {
+    std::vector<Id> ids;
+    for (const Id id : range) {
+        ids.push_back(id);
+    }
+    return ids;
+}
+
+TEST(Ids, SidesOfAFilm) {
+    const FilmId film{3};
+    EXPECT_EQ(forward_side(film), HalfEdgeId{6});
+    EXPECT_EQ(twin(HalfEdgeId{6}), HalfEdgeId{7});
+    EXPECT_EQ(twin(HalfEdgeId{7}), HalfEdgeId{6});
+    EXPECT_EQ(film_of(HalfEdgeId{6}), film);
+    EXPECT_EQ(film_of(HalfEdgeId{7}), film);
+    EXPECT_TRUE(is_forward(HalfEdgeId{6}));
+    EXPECT_FALSE(is_forward(HalfEdgeId{7}));
+}
+
+TEST(LiveRange, SkipsTheDead) {
+    Network network;
+    for (int k = 0; k < 5; ++k) {
+        network.add_bubble();
+    }
+    for (const BubbleId bubble : {BubbleId{0}, BubbleId{2}, BubbleId{4}}) {
+        network.remove(bubble);
+    }
+    EXPECT_EQ(listed(network.bubbles()), (std::vector<BubbleId>{BubbleId{1}, BubbleId{3}}));
+    EXPECT_EQ(network.bubble_count(), 2U);
+    EXPECT_EQ(network.bubble_slots(), 5U);
+    EXPECT_FALSE(network.is_live(BubbleId{4}));
+}
+
+TEST(LiveRange, IsEmptyWhereNothingLives) {
+    Network network;
+    EXPECT_TRUE(listed(network.films()).empty());
+    network.remove(network.add_film());
+    EXPECT_TRUE(listed(network.films()).empty());
+}
+
+TEST(Network, OffsetsOfTheTwoSidesAreOpposite) {
+    Network network;
+    const HalfEdgeId h = forward_side(network.add_film());
+    network.set_offset(twin(h), {1, -2});
+    EXPECT_TRUE(network.offset(twin(h)) == (LatticeOffset{1, -2}));
+    EXPECT_TRUE(network.offset(h) == (LatticeOffset{-1, 2}));
+}
+
+// The numbers of bubbles around bubble 5 of a 4 x 4 honeycomb: rows count upward, and odd rows
+// stand half a hexagon to the right.
+TEST(Network, AroundGoesCounterClockwise) {
+    const Network network = honeycomb(4, 4).network;
+    std::vector<BubbleId> neighbours;
+    for (const HalfEdgeId h : network.around(BubbleId{5})) {
+        EXPECT_EQ(network.left(h), BubbleId{5});
+        neighbours.push_back(network.right(h));
+    }
+    EXPECT_EQ(neighbours,
+              (std::vector<BubbleId>{
+                  BubbleId{6}, BubbleId{10}, BubbleId{9}, BubbleId{4}, BubbleId{1}, BubbleId{2}}));
+}
+
+TEST(Network, LeavingGoesClockwise) {
+    const Foam foam = honeycomb(4, 4);
+    for (const JunctionId junction : foam.network.junctions()) {
+        const std::array<HalfEdgeId, 3> leaving = foam.network.leaving(junction);
+        EXPECT_EQ(leaving[0], foam.network.outgoing(junction));
+        for (std::size_t k = 0; k < 3; ++k) {
+            EXPECT_EQ(foam.network.tail(leaving[k]), junction);
+            const Vec2 here = chord(foam, leaving[k]);
+            const Vec2 following = chord(foam, leaving[(k + 1) % 3]);
+            EXPECT_LT(cross(here, following), 0.0);
+        }
+    }
+}
+
+TEST(Network, PreviousUndoesNext) {
+    const Network network = honeycomb(3, 2).network;
+    for (std::size_t k = 0; k < 2 * network.film_slots(); ++k) {
+        const auto h = id_at<HalfEdgeId>(k);
+        EXPECT_EQ(network.previous(network.next(h)), h);
+    }
+}
+
+// The junction that a rebase makes the junction itself is a copy of the old one; seen from copies
+// that stand in one place all chords are what they were.
+TEST(Network, RebaseKeepsChords) {
+    const Foam before = honeycomb(1, 2);  // where films cross the seam in both directions
+    for (const JunctionId junction : before.network.junctions()) {
+        Foam after = before;
+        const LatticeOffset by{2, -3};
+        after.network.rebase(junction, by);
+        after.positions[junction] -= after.torus.translation(by);
+        EXPECT_TRUE(is_valid(after.network));
+        for (std::size_t k = 0; k < 2 * before.network.film_slots(); ++k) {
+            const auto h = id_at<HalfEdgeId>(k);
+            EXPECT_LT((chord(after, h) - chord(before, h)).norm(), 1e-14);
+        }
+    }
+}
+
+TEST(Network, RebaseBackIsTheSameNetwork) {
+    const Network before = honeycomb(2, 2).network;
+    Network after = before;
+    after.rebase(JunctionId{3}, {1, 2});
+    EXPECT_FALSE(are_same(before, after));
+    after.rebase(JunctionId{3}, {-1, -2});
+    EXPECT_TRUE(are_same(before, after));
+}
+
+TEST(Network, CompactOfADenseNetworkChangesNothing) {
+    const Network before = honeycomb(3, 4).network;
+    Network after = before;
+    const Network::Kept kept = after.compact();
+    EXPECT_TRUE(are_same(before, after));
+    EXPECT_EQ(kept.junctions, listed(before.junctions()));
+    EXPECT_EQ(kept.films, listed(before.films()));
+    EXPECT_EQ(kept.bubbles, listed(before.bubbles()));
+}
+
+// After a T2 every relation among the survivors stands, under new numbers in the old order.
+TEST(Network, CompactKeepsEverything) {
+    Network sparse = honeycomb_around(3).network;
+    vanish(sparse, BubbleId{5});
+    Network dense = sparse;
+    const Network::Kept kept = dense.compact();
+    ASSERT_TRUE(is_valid(dense));
+    EXPECT_EQ(kept.bubbles, listed(sparse.bubbles()));
+    EXPECT_EQ(dense.bubble_slots(), 15U);
+    EXPECT_EQ(dense.film_slots(), 45U);
+    EXPECT_EQ(dense.junction_slots(), 30U);
+    const auto old_half_edge = [&](HalfEdgeId h) {
+        const HalfEdgeId forward = forward_side(kept.films[index_of(film_of(h))]);
+        return is_forward(h) ? forward : twin(forward);
+    };
+    for (std::size_t k = 0; k < 2 * dense.film_slots(); ++k) {
+        const auto h = id_at<HalfEdgeId>(k);
+        const HalfEdgeId old = old_half_edge(h);
+        EXPECT_EQ(old_half_edge(dense.next(h)), sparse.next(old));
+        EXPECT_EQ(kept.junctions[index_of(dense.tail(h))], sparse.tail(old));
+        EXPECT_EQ(kept.bubbles[index_of(dense.left(h))], sparse.left(old));
+        EXPECT_TRUE(dense.offset(h) == sparse.offset(old));
+    }
+    for (const BubbleId bubble : dense.bubbles()) {
+        const BubbleId old = kept.bubbles[index_of(bubble)];
+        EXPECT_EQ(dense.sides(bubble), sparse.sides(old));
+        EXPECT_EQ(old_half_edge(dense.first(bubble)), sparse.first(old));
+    }
+}
+
+}  // namespace
+}  // namespace foam

@@ -1,0 +1,123 @@
+#include "core/foam/random.h"
+#include "core/network/t1.h"
+#include "core/network/t2.h"
+#include "core/network/validate.h"
+#include "tests/core/foams.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace foam {
+namespace {
+
+using test::is_valid;
+
+constexpr int kMostOperations = 200000;  // far more than any of these foams takes
+
+template <class Id>
+Id any_of(const LiveRange<Id>& range, Random& random) {
+    std::vector<Id> ids;
+    for (const Id id : range) {
+        ids.push_back(id);
+    }
+    return ids[random.below(ids.size())];
+}
+
+struct Surgeries {
+    int t1 = 0;
+    int refused_t1 = 0;
+    int t2_of_two = 0;
+    int t2_of_three = 0;
+};
+
+void try_t1(Network& network, Random& random, Surgeries& done) {
+    const FilmId film = any_of(network.films(), random);
+    if (can_flip(network, film)) {
+        flip(network, film);
+        ++done.t1;
+    } else {
+        ++done.refused_t1;
+    }
+}
+
+void try_t2(Network& network, Random& random, Surgeries& done) {
+    const BubbleId bubble = any_of(network.bubbles(), random);
+    const int sides = network.sides(bubble);
+    // A bubble of two or three sides has room to vanish wherever it stands.
+    EXPECT_EQ(can_vanish(network, bubble), sides <= 3);
+    if (can_vanish(network, bubble)) {
+        vanish(network, bubble);
+        ++(sides == 2 ? done.t2_of_two : done.t2_of_three);
+    }
+}
+
+// T1 anywhere, and now and then a T2, until one bubble is left, which meets itself in all its six
+// sides. The network is validated after each one.
+Surgeries wear_down(Network& network, std::uint64_t seed) {
+    Random random(seed);
+    Surgeries done;
+    for (int k = 0; k < kMostOperations && network.bubble_count() > 1; ++k) {
+        if (random.below(4) == 0) {
+            try_t2(network, random, done);
+        } else {
+            try_t1(network, random, done);
+        }
+        if (!is_valid(network)) {
+            ADD_FAILURE() << *find_fault(network) << " after operation " << k;
+            break;
+        }
+    }
+    return done;
+}
+
+void expect_worn_down(int bubbles, std::uint64_t seed) {
+    SCOPED_TRACE(std::to_string(bubbles) + " bubbles, seed " + std::to_string(seed));
+    Network network = test::raw_foam(bubbles, seed).network;
+    const Surgeries done = wear_down(network, seed);
+    EXPECT_EQ(network.bubble_count(), 1U);
+    EXPECT_EQ(done.t2_of_two + done.t2_of_three, bubbles - 1);
+    EXPECT_EQ(network.sides(*network.bubbles().begin()), 6);
+}
+
+TEST(RandomSurgery, KeepsSmallFoamsValidDownToTheLastBubble) {
+    for (int bubbles = 2; bubbles <= 12; ++bubbles) {
+        for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+            expect_worn_down(bubbles, seed);
+        }
+    }
+}
+
+TEST(RandomSurgery, KeepsLargerFoamsValidDownToTheLastBubble) {
+    for (const int bubbles : {30, 80, 200}) {
+        expect_worn_down(bubbles, 1);
+    }
+}
+
+// The two T2 and the refusal, which the foams above are here to exercise, all occur.
+TEST(RandomSurgery, MeetsEveryCase) {
+    Network network = test::raw_foam(80, 2).network;
+    const Surgeries done = wear_down(network, 2);
+    EXPECT_GT(done.t1, 500);
+    EXPECT_GT(done.refused_t1, 10);
+    EXPECT_GT(done.t2_of_two, 5);
+    EXPECT_GT(done.t2_of_three, 5);
+}
+
+// RapidCheck shrinks a failing sequence of films to the few that matter.
+RC_GTEST_PROP(RandomSurgery, AnySequenceOfFlipsKeepsTheNetworkValid, ()) {
+    Network network = test::raw_foam(*rc::gen::inRange(2, 9), 3).network;
+    const auto films = *rc::gen::container<std::vector<std::uint32_t>>(
+        rc::gen::inRange<std::uint32_t>(0, static_cast<std::uint32_t>(network.film_slots())));
+    for (const std::uint32_t film : films) {
+        if (can_flip(network, FilmId{film})) {
+            flip(network, FilmId{film});
+            RC_ASSERT(!find_fault(network).has_value());
+        }
+    }
+}
+
+}  // namespace
+}  // namespace foam

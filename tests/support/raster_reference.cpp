@@ -1,0 +1,160 @@
+#include "tests/support/raster_reference.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+
+namespace foam::test {
+
+namespace {
+
+// A film in one of its copies around the torus, in pixels: a straight one as its chord, any other
+// by its centre and the range of directions from there.
+struct FilmCopy {
+    Vec2 tail;
+    Vec2 chord;
+    bool straight;
+    Vec2 center;
+    double radius;
+    double middle_direction;
+    double half_range;
+    bool turns_left;
+    BubbleId left;
+    BubbleId right;
+};
+
+struct Nearest {
+    double distance = std::numeric_limits<double>::infinity();
+    BubbleId bubble{};
+};
+
+FilmCopy film_copy(const Frame& frame, FilmId film, double scale, const Vec2& translation) {
+    const HalfEdgeId h = forward_side(film);
+    const FilmArc& arc = frame.arcs[film];
+    FilmCopy copy{};
+    copy.tail = scale * (frame.positions[frame.network.tail(h)] + translation);
+    copy.chord = scale * arc.chord;
+    copy.left = frame.network.left(h);
+    copy.right = frame.network.right(h);
+    copy.straight = std::abs(arc.half_angle) < 1e-7;
+    if (!copy.straight) {
+        const Vec2 to_center = turned_left(arc.chord).normalized() *
+                               (0.5 * copy.chord.norm() / std::tan(arc.half_angle));
+        copy.center = copy.tail + 0.5 * copy.chord + to_center;
+        copy.radius = 0.5 * copy.chord.norm() / std::sin(std::abs(arc.half_angle));
+        copy.turns_left = arc.half_angle > 0.0;
+        const Vec2 outwards = (copy.turns_left ? -1.0 : 1.0) * turned_left(arc.chord);
+        copy.middle_direction = std::atan2(outwards.y(), outwards.x());
+        copy.half_range = std::abs(arc.half_angle);
+    }
+    return copy;
+}
+
+Nearest to_ends(const FilmCopy& film, const Vec2& point) {
+    const double distance =
+        std::min((point - film.tail).norm(), (point - film.tail - film.chord).norm());
+    return {distance, film.left};
+}
+
+Nearest to_straight(const FilmCopy& film, const Vec2& point) {
+    const double along = (point - film.tail).dot(film.chord) / film.chord.squaredNorm();
+    if (along < 0.0 || along > 1.0) {
+        return to_ends(film, point);
+    }
+    const double left = cross(film.chord, point - film.tail) / film.chord.norm();
+    return {std::abs(left), left > 0.0 ? film.left : film.right};
+}
+
+Nearest to_film(const FilmCopy& film, const Vec2& point) {
+    if (film.straight) {
+        return to_straight(film, point);
+    }
+    const Vec2 out = point - film.center;
+    const double away = std::remainder(std::atan2(out.y(), out.x()) - film.middle_direction,
+                                       2.0 * std::numbers::pi);
+    if (std::abs(away) > film.half_range) {
+        return to_ends(film, point);
+    }
+    const bool inside = out.norm() < film.radius;
+    return {std::abs(out.norm() - film.radius), inside == film.turns_left ? film.left : film.right};
+}
+
+std::vector<FilmCopy> all_copies(const Frame& frame, double scale) {
+    std::vector<FilmCopy> copies;
+    for (const FilmId film : frame.network.films()) {
+        for (int i = -2; i <= 2; ++i) {
+            for (int j = -2; j <= 2; ++j) {
+                copies.push_back(film_copy(frame, film, scale, frame.torus.translation({i, j})));
+            }
+        }
+    }
+    return copies;
+}
+
+// Those that can be nearest to some point of the pixel.
+std::vector<FilmCopy> candidates(const std::vector<FilmCopy>& films, const Vec2& center) {
+    constexpr double kPixelDiameter = std::numbers::sqrt2;
+    double least = std::numeric_limits<double>::infinity();
+    for (const FilmCopy& film : films) {
+        least = std::min(least, to_film(film, center).distance);
+    }
+    std::vector<FilmCopy> near;
+    for (const FilmCopy& film : films) {
+        if (to_film(film, center).distance <= least + kPixelDiameter) {
+            near.push_back(film);
+        }
+    }
+    return near;
+}
+
+Nearest nearest(const std::vector<FilmCopy>& films, const Vec2& point) {
+    Nearest best;
+    for (const FilmCopy& film : films) {
+        const Nearest here = to_film(film, point);
+        best = here.distance < best.distance ? here : best;
+    }
+    return best;
+}
+
+Vec2 lattice_point(int k) {
+    const std::int64_t step = std::int64_t{k} * kSampleGenerator % kSamplesPerPixel;
+    return Vec2(k + 0.5, static_cast<double>(step) + 0.5) / kSamplesPerPixel;
+}
+
+void sample_pixel(const std::vector<FilmCopy>& films,
+                  const Vec2& corner,
+                  double least_distance,
+                  std::vector<double>& parts) {
+    constexpr double kPixelRadius = 0.5 * std::numbers::sqrt2;
+    const Vec2 center = corner + Vec2(0.5, 0.5);
+    const std::vector<FilmCopy> near = candidates(films, center);
+    const Nearest at_center = nearest(near, center);
+    const bool uniform = at_center.distance > kPixelRadius &&
+                         std::abs(at_center.distance - least_distance) > kPixelRadius;
+    const int samples = uniform ? 1 : kSamplesPerPixel;
+    for (int k = 0; k < samples; ++k) {
+        const Vec2 at = uniform ? center : Vec2(corner + lattice_point(k));
+        const Nearest found = nearest(near, at);
+        if (found.distance >= least_distance) {
+            parts[index_of(found.bubble)] += 1.0 / samples;
+        }
+    }
+}
+
+}  // namespace
+
+SampledCoverage sample_coverage(const Frame& frame, int width, int height, double film_width) {
+    const std::vector<FilmCopy> films = all_copies(frame, width / frame.torus.width);
+    SampledCoverage coverage{width, height, {}};
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            coverage.parts.push_back(std::vector<double>(frame.network.bubble_slots(), 0.0));
+            sample_pixel(films, Vec2(x, y), 0.5 * film_width, coverage.parts.back());
+        }
+    }
+    return coverage;
+}
+
+}  // namespace foam::test

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "core/foam/frame.h"
+
+#include <vector>
+
+namespace foam::test {
+
+/// What a brute-force rasterizer makes of a frame: for each pixel (rows upward) the part of it that
+/// each bubble shows, by point samples. Shares no code with the rasterizer.
+struct SampledCoverage {
+    int width = 0;
+    int height = 0;
+    std::vector<std::vector<double>> parts;  // per pixel, per bubble, in [0, 1]
+};
+
+/// A sample belongs to the bubble on its side of the film that is nearest to it, unless that is
+/// nearer than half of film_width (pixels). Precondition: square pixels; corners of less than 180
+/// degrees.
+SampledCoverage sample_coverage(const Frame& frame, int width, int height, double film_width);
+
+/// Samples per pixel that an edge crosses: a Fibonacci lattice, whose error along an edge is about
+/// 17711^-3/4 = 0.0007.
+inline constexpr int kSamplesPerPixel = 17711;
+inline constexpr int kSampleGenerator = 10946;
+
+}  // namespace foam::test
