@@ -1,0 +1,115 @@
+#include "texgen/bake/bake.h"
+
+#include "tests/texgen/temporary_folder.h"
+#include "texgen/image/file_io.h"
+#include "texgen/image/png.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <stdexcept>
+#include <vector>
+
+namespace foam::texgen {
+
+namespace {
+
+Preset small_preset(const std::filesystem::path& folder) {
+    Preset preset;
+    preset.name = "small";
+    preset.description = "a small foam";
+    preset.seeding.bubbles = 40;
+    preset.seeding.seed = 12;
+    preset.image.width = 64;
+    preset.image.height = 64;
+    preset.output.pattern = (folder / "deep" / "{preset}_{map}.####.png").string();
+    return preset;
+}
+
+std::vector<Bytes> baked_files(const Preset& preset, int threads) {
+    const BakeSummary summary = bake(preset, {.frames = {1, 2, 3, 4, 5}, .threads = threads}, {});
+    std::vector<Bytes> contents;
+    for (const std::filesystem::path& path : summary.files) {
+        contents.push_back(read_file(path));
+    }
+    return contents;
+}
+
+TEST(Bake, GivesTheSameBytesForAnyNumberOfThreads) {
+    const TemporaryFolder folder;
+    const Preset preset = small_preset(folder.path());
+    const std::vector<Bytes> one = baked_files(preset, 1);
+    ASSERT_EQ(one.size(), 5U);
+    EXPECT_NE(one.front(), one.back());
+    EXPECT_EQ(one, baked_files(preset, 2));
+    EXPECT_EQ(one, baked_files(preset, 3));
+}
+
+TEST(Bake, AFrameIsTheSameWhetherOthersAreBakedOrNot) {
+    const TemporaryFolder folder;
+    const Preset preset = small_preset(folder.path());
+    const std::vector<Bytes> all = baked_files(preset, 2);
+    const BakeSummary third = bake(preset, {.frames = {3}, .threads = 2}, {});
+    ASSERT_EQ(third.files.size(), 1U);
+    EXPECT_EQ(read_file(third.files.front()), all[2]);
+}
+
+TEST(Bake, ListsFilesInTheOrderAskedFor) {
+    const TemporaryFolder folder;
+    const BakeSummary summary =
+        bake(small_preset(folder.path()), {.frames = {3, 1}, .threads = 2}, {});
+    ASSERT_EQ(summary.files.size(), 2U);
+    EXPECT_EQ(summary.files[0].filename(), "small_albedo.0003.png");
+    EXPECT_EQ(summary.files[1].filename(), "small_albedo.0001.png");
+}
+
+TEST(Bake, FilesTellHowTheyWereMade) {
+    const TemporaryFolder folder;
+    const BakeSummary summary =
+        bake(small_preset(folder.path()), {.frames = {1}, .threads = 1}, {});
+    const PngImage image = read_png(summary.files.front());
+    EXPECT_TRUE(image.metadata.color);
+    const auto text = [&](const std::string& keyword) {
+        for (const auto& [key, value] : image.metadata.text) {
+            if (key == keyword) {
+                return value;
+            }
+        }
+        return std::string();
+    };
+    EXPECT_EQ(text("Seed"), "12");
+    EXPECT_EQ(text("Software"), "foamtex " FOAMTEX_VERSION);
+    EXPECT_NE(text("Preset").find("bubbles = 40"), std::string::npos);
+}
+
+TEST(Bake, TellsItsProgressOnceAFrame) {
+    const TemporaryFolder folder;
+    std::vector<int> done;
+    bake(small_preset(folder.path()),
+         {.frames = {1, 2, 3}, .threads = 2},
+         [&](const BakeProgress& p) {
+             done.push_back(p.done);
+             EXPECT_EQ(p.total, 3);
+             EXPECT_LT(p.angle_error, 1e-9);
+         });
+    EXPECT_EQ(done, (std::vector<int>{1, 2, 3}));
+}
+
+TEST(Bake, RefusesFramesThatAreNone) {
+    const TemporaryFolder folder;
+    const Preset preset = small_preset(folder.path());
+    EXPECT_THROW(bake(preset, {.frames = {}, .threads = 1}, {}), std::invalid_argument);
+    EXPECT_THROW(bake(preset, {.frames = {0}, .threads = 1}, {}), std::invalid_argument);
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "deep"));
+}
+
+TEST(Bake, SaysWhichFolderCannotBeMade) {
+    const TemporaryFolder folder;
+    write_file(folder.path() / "deep", {});  // a file stands where the folder should be
+    const auto run = [&] { bake(small_preset(folder.path()), {.frames = {1}, .threads = 2}, {}); };
+    EXPECT_THROW(run(), OutputError);
+}
+
+}  // namespace
+
+}  // namespace foam::texgen

@@ -1,0 +1,76 @@
+#include "texgen/bake/file_pattern.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <string>
+
+namespace foam::texgen {
+namespace {
+
+std::string filled(const std::string& pattern, int frame) {
+    return FilePattern(pattern).path("sea", "albedo", frame).string();
+}
+
+std::string failure(const std::string& pattern, std::size_t frames = 1, std::size_t maps = 1) {
+    try {
+        FilePattern(pattern).check_distinct(frames, maps);
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+    return "no failure";
+}
+
+TEST(FilePattern, FillsInNamesAndNumbers) {
+    EXPECT_EQ(filled("out/{preset}_{map}.####.png", 7), "out/sea_albedo.0007.png");
+    EXPECT_EQ(filled("{map}{map}.png", 7), "albedoalbedo.png");
+}
+
+TEST(FilePattern, DigitsFollowThePlaceholder) {
+    EXPECT_EQ(filled("#.png", 12), "0012.png");  // one # alone is four digits
+    EXPECT_EQ(filled("##.png", 7), "07.png");
+    EXPECT_EQ(filled("######.png", 7), "000007.png");
+    EXPECT_EQ(filled("@.png", 7), "7.png");
+    EXPECT_EQ(filled("@@@.png", 7), "007.png");
+    EXPECT_EQ(filled("%04d.png", 7), "0007.png");
+    EXPECT_EQ(filled("%d.png", 7), "7.png");
+    EXPECT_EQ(filled("##/a.####.png", 7), "07/a.0007.png");
+}
+
+TEST(FilePattern, WiderNumbersAreWrittenInFull) {
+    EXPECT_EQ(filled("##.png", 12345), "12345.png");
+    EXPECT_EQ(filled("@.png", 10), "10.png");
+    EXPECT_EQ(filled("%02d.png", 100), "100.png");
+}
+
+TEST(FilePattern, ASequenceKeepsThePlaceholder) {
+    EXPECT_EQ(FilePattern("{preset}/%04d_{map}.@@.png").sequence("sea", "height"),
+              "sea/%04d_height.@@.png");
+}
+
+TEST(FilePattern, NamesWithPlaceholdersInThemAreTakenAsTheyAre) {
+    EXPECT_EQ(FilePattern("{preset}.#.png").path("a{map}#", "m", 1).string(), "a{map}#.0001.png");
+}
+
+TEST(FilePattern, RefusesUnknownPlaceholdersAndOtherFormats) {
+    EXPECT_EQ(failure("{mpa}.#.png"),
+              "output pattern '{mpa}.#.png': '{mpa}' must be {preset} or {map}");
+    EXPECT_NE(failure("{map.png"), "no failure");
+    for (const char* pattern : {"%s.png", "%4d.png", "%.png", "%012d.png", "a%.png", "%0xd.png"}) {
+        EXPECT_NE(failure(pattern), "no failure") << pattern;
+    }
+    EXPECT_EQ(failure("a.####.exr"), "output pattern 'a.####.exr': must end in .png");
+}
+
+TEST(FilePattern, TwoImagesMayNotShareAFile) {
+    EXPECT_EQ(failure("a.png"), "no failure");
+    EXPECT_EQ(
+        failure("{map}.png", 48),
+        "output pattern '{map}.png': must contain ####, @@@@ or %04d, to tell 48 frames apart");
+    EXPECT_EQ(failure("####.png", 48, 2),
+              "output pattern '####.png': must contain {map}, to tell 2 maps apart");
+    EXPECT_EQ(failure("{map}.@.png", 48, 2), "no failure");
+}
+
+}  // namespace
+}  // namespace foam::texgen

@@ -1,0 +1,80 @@
+#include "tests/texgen/temporary_folder.h"
+#include "texgen/bake/bake.h"
+#include "texgen/image/png.h"
+#include "texgen/preset/shipped_presets.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <ostream>
+#include <string>
+
+namespace foam::texgen {
+
+namespace {
+
+// A frame of each shipped preset, at a smaller size, against the picture under tests/data/golden.
+// With FOAMTEX_UPDATE_GOLDEN set, the pictures are made anew instead: look at them before a commit.
+struct GoldenCase {
+    const char* preset;
+    int frame;
+};
+
+std::ostream& operator<<(std::ostream& out, const GoldenCase& golden) {
+    return out << golden.preset;
+}
+
+class GoldenTest : public testing::TestWithParam<GoldenCase> {};
+
+std::filesystem::path golden_path(const std::string& preset) {
+    return std::filesystem::path(FOAMTEX_TEST_DATA) / "golden" / (preset + ".png");
+}
+
+std::filesystem::path baked_path(const GoldenCase& golden, const TemporaryFolder& folder) {
+    Preset preset = load_preset(golden.preset);
+    preset.image.width = 256;
+    preset.image.height = 256;
+    preset.output.pattern = (folder.path() / "{preset}.png").string();
+    return bake(preset, {.frames = {golden.frame}, .threads = 2}, {}).files.front();
+}
+
+TEST_P(GoldenTest, PresetGivesThePicture) {
+    const TemporaryFolder folder;
+    const std::filesystem::path baked = baked_path(GetParam(), folder);
+    const std::filesystem::path golden = golden_path(GetParam().preset);
+    if (std::getenv("FOAMTEX_UPDATE_GOLDEN") != nullptr) {
+        std::filesystem::copy_file(
+            baked, golden, std::filesystem::copy_options::overwrite_existing);
+        GTEST_SKIP() << "made " << golden << " anew";
+    }
+    const PngImage expected = read_png(golden);
+    const PngImage actual = read_png(baked);
+    ASSERT_EQ(actual.pixels.width(), expected.pixels.width());
+    ASSERT_EQ(actual.pixels.height(), expected.pixels.height());
+    const auto differing = [&] {
+        std::size_t count = 0;
+        for (std::size_t k = 0; k < expected.pixels.samples().size(); ++k) {
+            count += expected.pixels.samples()[k] != actual.pixels.samples()[k] ? 1U : 0U;
+        }
+        return count;
+    };
+    EXPECT_EQ(differing(), 0U) << "samples differ from " << golden;
+}
+
+INSTANTIATE_TEST_SUITE_P(Presets,
+                         GoldenTest,
+                         testing::Values(GoldenCase{"sea_foam", 3},
+                                         GoldenCase{"labyrinth", 1},
+                                         GoldenCase{"coarsening", 2}),
+                         [](const auto& tested) { return std::string(tested.param.preset); });
+
+TEST(Golden, EveryShippedPresetHasAPicture) {
+    for (const ShippedPreset& preset : shipped_presets()) {
+        EXPECT_TRUE(std::filesystem::exists(golden_path(std::string(preset.name)))) << preset.name;
+    }
+}
+
+}  // namespace
+
+}  // namespace foam::texgen

@@ -1,0 +1,71 @@
+#include "texgen/bake/simulation.h"
+
+#include <gtest/gtest.h>
+
+namespace foam::texgen {
+
+namespace {
+
+Preset small_preset() {
+    Preset preset;
+    preset.name = "small";
+    preset.seeding.bubbles = 60;
+    preset.image.width = 96;
+    preset.image.height = 48;
+    return preset;
+}
+
+TEST(Simulation, TorusHasTheAspectOfTheImageAndAreaOneABubble) {
+    Simulation simulation(small_preset());
+    ASSERT_TRUE(simulation.advance());
+    const Torus torus = simulation.frame().torus;
+    EXPECT_NEAR(torus.width / torus.height, 2.0, 1e-12);
+    EXPECT_NEAR(torus.area(), 60.0, 1e-12);
+}
+
+TEST(Simulation, CountsFramesFromOneAndTimeFromTheWarmUp) {
+    Preset preset = small_preset();
+    preset.frames.warm_up = 2.0;
+    preset.frames.time_step = 0.5;
+    Simulation simulation(preset);
+    EXPECT_EQ(simulation.number(), 0);
+    for (int number = 1; number <= 3; ++number) {
+        ASSERT_TRUE(simulation.advance());
+        EXPECT_EQ(simulation.frame().number, number);
+        EXPECT_NEAR(simulation.frame().time, 2.0 + 0.5 * (number - 1), 1e-12);
+    }
+}
+
+// Steps of 1, 2 and 4 after a warm-up of 0.
+TEST(Simulation, StepsGrowByTheirFactor) {
+    Preset preset = small_preset();
+    preset.frames.step_growth = 2.0;
+    Simulation simulation(preset);
+    for (const double time : {0.0, 1.0, 3.0, 7.0}) {
+        ASSERT_TRUE(simulation.advance());
+        EXPECT_NEAR(simulation.frame().time, time, 1e-12);
+    }
+}
+
+TEST(Simulation, EveryFrameIsInEquilibrium) {
+    Simulation simulation(small_preset());
+    for (int number = 1; number <= 20; ++number) {
+        ASSERT_TRUE(simulation.advance());
+        EXPECT_LT(simulation.equilibrium().area_error, 1e-9);
+        EXPECT_LT(simulation.equilibrium().angle_error, 1e-9);
+    }
+}
+
+TEST(Simulation, StandsStillWithoutTime) {
+    Preset preset = small_preset();
+    preset.frames.time_step = 0.0;
+    Simulation simulation(preset);
+    ASSERT_TRUE(simulation.advance());
+    const Frame first = simulation.frame();
+    ASSERT_TRUE(simulation.advance());
+    EXPECT_TRUE(simulation.frame().positions == first.positions);
+}
+
+}  // namespace
+
+}  // namespace foam::texgen

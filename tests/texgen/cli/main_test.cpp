@@ -1,0 +1,152 @@
+#include "tests/texgen/temporary_folder.h"
+#include "texgen/cli/exit_code.h"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+namespace foam::texgen {
+namespace {
+
+struct Outcome {
+    int code = -1;
+    std::string out;
+    std::string err;
+    std::vector<std::string> written;
+};
+
+std::string content(const std::filesystem::path& path) {
+    std::ifstream file(path);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// Runs `foamtex ARGUMENTS`, as a shell reads them, in an empty folder.
+Outcome run(const std::string& arguments) {
+    const TemporaryFolder work;
+    const TemporaryFolder streams;
+    const std::string out = (streams.path() / "out").string();
+    const std::string err = (streams.path() / "err").string();
+    const std::string command = "cd " + work.path().string() + " && '" FOAMTEX_EXECUTABLE "' " +
+                                arguments + " >" + out + " 2>" + err;
+    const int status = std::system(command.c_str());  // NOLINT(cert-env33-c)
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(out), content(err), work.files()};
+}
+
+/// One line on stderr, nothing on stdout, no file.
+void expect_refused(const std::string& arguments, const std::string& line) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, static_cast<int>(ExitCode::BadRequest)) << arguments;
+    EXPECT_EQ(outcome.err, "foamtex: " + line + "\n");
+    EXPECT_EQ(outcome.out, "") << arguments;
+    EXPECT_TRUE(outcome.written.empty()) << arguments;
+}
+
+TEST(Main, HelpFitsOneScreenAndNamesTheExitCodes) {
+    for (const char* arguments : {"--help", "bake --help"}) {
+        const Outcome help = run(arguments);
+        EXPECT_EQ(help.code, 0);
+        EXPECT_LE(std::count(help.out.begin(), help.out.end(), '\n'), 30) << arguments;
+        EXPECT_NE(help.out.find("Examples:"), std::string::npos) << arguments;
+    }
+    EXPECT_NE(run("--help").out.find("3  the foam could not be brought to equilibrium"),
+              std::string::npos);
+}
+
+TEST(Main, SaysItsVersion) {
+    EXPECT_EQ(run("--version").out, "foamtex " FOAMTEX_VERSION "\n");
+}
+
+TEST(Main, ABadCommandLineIsOneLineAndCode2) {
+    expect_refused("", "A subcommand is required (see foamtex --help)");
+    expect_refused("bake", "PRESET is required (see foamtex --help)");
+    expect_refused("bake sea_foam --bogus",
+                   "The following argument was not expected: --bogus (see foamtex --help)");
+    expect_refused("bake sea_foam --threads -1",
+                   "--threads: Value -1 not in range 0 to 1024 (see foamtex --help)");
+    expect_refused("bake sea_foam -q -v", "--quiet excludes --verbose (see foamtex --help)");
+}
+
+TEST(Main, ABadPresetIsOneLineAndCode2) {
+    expect_refused("bake none.toml", "cannot read 'none.toml': No such file or directory");
+    expect_refused("bake beer",
+                   "preset 'beer': must be a .toml file or one of sea_foam, labyrinth, coarsening");
+    expect_refused("bake sea_foam --set foam.bubbles=-3",
+                   "--set foam.bubbles=-3: key 'foam.bubbles' = -3: "
+                   "must be an integer from 4 to 1000000");
+    expect_refused("bake sea_foam --set foam.bubbles",
+                   "--set foam.bubbles: must be KEY=VALUE, as in --set foam.bubbles=500");
+}
+
+TEST(Main, ABadOptionIsOneLineAndCode2) {
+    expect_refused("bake sea_foam --size 0x4",
+                   "--size 0x4: key 'image.size' = [0, 4]: "
+                   "must be [width, height], each an integer from 1 to 16384");
+    expect_refused("bake sea_foam --seed -1",
+                   "--seed -1: key 'foam.seed' = -1: "
+                   "must be an integer from 0 to 9223372036854775807");
+    expect_refused("bake sea_foam --maps albedo,beer",
+                   "--maps albedo,beer: key 'image.maps' = [\"albedo\", \"beer\"]: "
+                   "must be a list, each word once, of \"albedo\"");
+    expect_refused("bake sea_foam --frames 3-",
+                   "frame range '3-': must be written as 5, 1-10, 1-10x2 or 1-10y3, "
+                   "with commas between");
+    expect_refused("bake sea_foam --out a.png",
+                   "output pattern 'a.png': must contain ####, @@@@ or %04d, "
+                   "to tell 48 frames apart");
+}
+
+TEST(Main, BakesTheFramesAskedFor) {
+    const Outcome outcome =
+        run("bake sea_foam --set foam.bubbles=16 --frames 3-1x2 --size 16x8 --threads 1");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");  // no bar: stderr is no terminal
+    EXPECT_EQ(outcome.out, "out/sea_foam_albedo.####.png 3,1\n");
+    EXPECT_EQ(
+        outcome.written,
+        (std::vector<std::string>{"out/sea_foam_albedo.0001.png", "out/sea_foam_albedo.0003.png"}));
+}
+
+TEST(Main, QuietSaysNothingAndVerboseALinePerFrame) {
+    const std::string small = "bake sea_foam --set foam.bubbles=16 --frames 1 --size 8 --out a.png";
+    const Outcome quiet = run(small + " -q");
+    EXPECT_EQ(quiet.code, 0);
+    EXPECT_EQ(quiet.out + quiet.err, "");
+    const Outcome verbose = run(small + " -v");
+    EXPECT_EQ(verbose.out, "a.png\n");
+    EXPECT_EQ(verbose.err.find("frame 1: "), 0U);
+    EXPECT_EQ(std::count(verbose.err.begin(), verbose.err.end(), '\n'), 1);
+}
+
+TEST(Main, AnOutputThatCannotBeWrittenIsCode5) {
+    const Outcome outcome =
+        run("bake sea_foam --set foam.bubbles=16 --frames 1 --size 8 --out /proc/self/none.png");
+    EXPECT_EQ(outcome.code, static_cast<int>(ExitCode::OutputFailed));
+    EXPECT_EQ(outcome.err,
+              "foamtex: cannot write '/proc/self/none.png': No such file or directory\n");
+    EXPECT_EQ(run("presets list >/dev/full 2>/dev/null #").code,
+              static_cast<int>(ExitCode::OutputFailed));
+}
+
+TEST(Main, APresetThatIsShownCanBeBaked) {
+    const Outcome outcome =
+        run("presets show labyrinth > mine.toml && '" FOAMTEX_EXECUTABLE
+            "' bake mine.toml --set foam.bubbles=16 --frames 1 --size 8 --out a.png");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.written, (std::vector<std::string>{"a.png", "mine.toml"}));
+}
+
+TEST(Main, ListsPresetsAndKeys) {
+    const std::string list = run("presets").out;
+    EXPECT_EQ(list.find("sea_foam    "), 0U);
+    EXPECT_EQ(run("presets list").out, list);
+    EXPECT_NE(run("presets keys").out.find("[foam]\nbubbles = 1000\n"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace foam::texgen

@@ -1,0 +1,80 @@
+#include "texgen/preset/assignment.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace foam::texgen {
+namespace {
+
+/// "place key = value" a line.
+std::string flat(const std::vector<Assignment>& assignments) {
+    std::string lines;
+    for (const Assignment& a : assignments) {
+        lines += a.place + " " + a.key + " = " + to_toml(a.value) + "\n";
+    }
+    return lines;
+}
+
+std::string failure(const std::string& toml) {
+    try {
+        read_assignments(toml, "a.toml");
+    } catch (const PresetError& error) {
+        return error.what();
+    }
+    return "no failure";
+}
+
+TEST(Assignment, TablesAreFlattenedInTheOrderOfTheFile) {
+    EXPECT_EQ(flat(read_assignments("[b]\nz = 1\na = [2, 3.5]\n\n[a]\nx = \"t\"\n", "f")),
+              "f:1 b = {...}\n"
+              "f:2 b.z = 1\n"
+              "f:3 b.a = [2, 3.5]\n"
+              "f:5 a = {...}\n"
+              "f:6 a.x = \"t\"\n");
+}
+
+TEST(Assignment, KeysThatTomlWouldQuoteStayQuoted) {
+    EXPECT_EQ(flat(read_assignments("\"foam.seed\" = 1\n", "f")), "f:1 \"foam.seed\" = 1\n");
+}
+
+TEST(Assignment, DatesAreCarriedAsTheyAre) {
+    EXPECT_EQ(flat(read_assignments("d = 2020-01-02\n", "f")), "f:1 d = 2020-01-02\n");
+}
+
+TEST(Assignment, MalformedTomlIsOneLineWithItsPlace) {
+    for (const char* toml : {"[foam]\nbubbles = \n", "[foam]\nx = 1\nx = 2\n", "a b", "\xff"}) {
+        const std::string message = failure(toml);
+        EXPECT_EQ(message.find("a.toml:"), 0U) << message;
+        EXPECT_NE(message.find(": malformed TOML: "), std::string::npos) << message;
+        EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+    }
+    EXPECT_EQ(failure("[foam]\nbubbles = \n").substr(0, 9), "a.toml:2:");
+}
+
+TEST(Assignment, SetTakesTomlOrBareText) {
+    const auto set = [](const std::string& argument) {
+        return flat({read_set_argument(argument)});
+    };
+    EXPECT_EQ(set("foam.seed=3"), "--set foam.seed=3 foam.seed = 3\n");
+    EXPECT_EQ(set("a.b=[5,6]"), "--set a.b=[5,6] a.b = [5, 6]\n");
+    EXPECT_EQ(set("a.b=magma"), "--set a.b=magma a.b = \"magma\"\n");
+    EXPECT_EQ(set("a.b=\"magma\""), "--set a.b=\"magma\" a.b = \"magma\"\n");
+    EXPECT_EQ(set("a.b=#ffffff"), "--set a.b=#ffffff a.b = \"#ffffff\"\n");
+    EXPECT_EQ(set("a.b=x=y"), "--set a.b=x=y a.b = \"x=y\"\n");
+    EXPECT_EQ(set("a.b="), "--set a.b= a.b = \"\"\n");
+}
+
+TEST(Assignment, AValueCannotSmuggleInASecondKey) {
+    const Value value = read_value("1\nother = 2");
+    EXPECT_EQ(std::get<std::string>(value.data), "1\nother = 2");
+}
+
+TEST(Assignment, SetWithoutKeyOrEqualsIsRefused) {
+    EXPECT_THROW(read_set_argument("foam.seed"), PresetError);
+    EXPECT_THROW(read_set_argument("=3"), PresetError);
+}
+
+}  // namespace
+}  // namespace foam::texgen

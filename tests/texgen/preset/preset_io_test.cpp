@@ -1,0 +1,157 @@
+#include "texgen/preset/preset_io.h"
+
+#include "texgen/preset/schema.h"
+
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace foam::texgen {
+namespace {
+
+std::string failure(const std::string& toml) {
+    try {
+        parse_preset(toml, "a", "a.toml");
+    } catch (const PresetError& error) {
+        return error.what();
+    }
+    return "no failure";
+}
+
+std::string set_failure(const std::vector<std::string>& arguments) {
+    Preset preset;
+    std::vector<Assignment> assignments;
+    assignments.reserve(arguments.size());
+    for (const std::string& argument : arguments) {
+        assignments.push_back(read_set_argument(argument));
+    }
+    try {
+        assign(preset, assignments);
+    } catch (const PresetError& error) {
+        return error.what();
+    }
+    return "no failure";
+}
+
+TEST(PresetIo, ReadsEveryKind) {
+    const Preset preset = parse_preset(
+        "[preset]\ndescription = \"d\"\n[foam]\nbubbles = 50\nseed = 9\n"
+        "[dynamics]\nkappa = 2\n[image]\nsize = [64, 32]\n"
+        "[albedo]\npressure_unit = \"seed\"\n",
+        "mine",
+        "mine.toml");
+    EXPECT_EQ(preset.name, "mine");
+    EXPECT_EQ(preset.description, "d");
+    EXPECT_EQ(preset.seeding.bubbles, 50);
+    EXPECT_EQ(preset.seeding.seed, 9U);
+    EXPECT_DOUBLE_EQ(preset.coarsening.kappa, 2.0);
+    EXPECT_EQ(preset.image.width, 64);
+    EXPECT_EQ(preset.image.height, 32);
+    EXPECT_EQ(preset.albedo.pressure_unit, PressureUnit::Seed);
+    EXPECT_EQ(preset.frames.count, FramesOptions{}.count);
+}
+
+TEST(PresetIo, AValueOutOfRangeNamesPlaceKeyValueAndLimits) {
+    EXPECT_EQ(failure("[foam]\n\nbubbles = -3\n"),
+              "a.toml:3: key 'foam.bubbles' = -3: must be an integer from 4 to 1000000");
+    EXPECT_EQ(set_failure({"foam.bubbles=-3"}),
+              "--set foam.bubbles=-3: key 'foam.bubbles' = -3: "
+              "must be an integer from 4 to 1000000");
+    EXPECT_EQ(failure("[albedo]\nfilm_unit = \"mm\"\n"),
+              "a.toml:2: key 'albedo.film_unit' = \"mm\": must be one of \"px\", \"diameter\"");
+}
+
+TEST(PresetIo, AnUnknownKeySuggestsTheNearest) {
+    EXPECT_EQ(failure("[foam]\nbubles = 3\n"),
+              "a.toml:2: key 'foam.bubles' = 3: unknown key; did you mean 'foam.bubbles'?");
+    EXPECT_EQ(failure("kappa = 3\n"),
+              "a.toml:1: key 'kappa' = 3: unknown key; did you mean 'dynamics.kappa'?");
+    EXPECT_EQ(failure("[foam]\nzzzzzz = 3\n"),
+              "a.toml:2: key 'foam.zzzzzz' = 3: unknown key; "
+              "'foamtex presets keys' lists all there are");
+}
+
+TEST(PresetIo, AnUnknownTableIsRefusedEvenEmpty) {
+    EXPECT_EQ(failure("[foam]\n[beer]\n"),
+              "a.toml:2: key 'beer' = {...}: unknown table; "
+              "'foamtex presets keys' lists all there are");
+    EXPECT_EQ(failure("[foam]\n"), "no failure");
+}
+
+TEST(PresetIo, ATableIsNoValueAndAValueNoTable) {
+    EXPECT_EQ(failure("[foam.bubbles]\n"),
+              "a.toml:1: key 'foam.bubbles' = {...}: must be an integer from 4 to 1000000");
+    EXPECT_NE(failure("foam = 3\n"), "no failure");
+}
+
+TEST(PresetIo, ALongValueIsCutToOneReadableLine) {
+    const std::string message = failure("[albedo]\ncolormap = \"" + std::string(500, 'x') + "\"\n");
+    EXPECT_LT(message.size(), 250U);
+    EXPECT_NE(message.find("xxx...: must be one of"), std::string::npos);
+}
+
+TEST(PresetIo, RefusesAnImageMuchLongerThanWide) {
+    EXPECT_EQ(set_failure({"image.size=[1024,64]"}), "no failure");
+    EXPECT_EQ(set_failure({"image.size=[64,1025]"}),
+              "--set image.size=[64,1025]: key 'image.size' = [64, 1025]: "
+              "one side must be at most 16 times the other");
+}
+
+TEST(PresetIo, ThePressureRangeIsCheckedOnceAllValuesAreIn) {
+    EXPECT_EQ(set_failure({"albedo.pressure_low=2", "albedo.pressure_high=3"}), "no failure");
+    EXPECT_EQ(
+        failure("[albedo]\npressure_low = 0.5\npressure_high = 0.25\n"),
+        "a.toml:3: key 'albedo.pressure_high' = 0.25: must be above albedo.pressure_low = 0.5");
+    EXPECT_EQ(set_failure({"albedo.pressure_low=0.5"}),  // the default's upper end
+              "--set albedo.pressure_low=0.5: key 'albedo.pressure_low' = 0.5: "
+              "must be below albedo.pressure_high = 0.5");
+}
+
+TEST(PresetIo, TheLaterAssignmentWins) {
+    Preset preset;
+    assign(preset, std::vector{read_set_argument("foam.seed=3"), read_set_argument("foam.seed=4")});
+    EXPECT_EQ(preset.seeding.seed, 4U);
+}
+
+TEST(PresetIo, EveryMemberIsWritten) {
+    const std::string toml = to_toml(Preset{});
+    for (const Key& key : preset_keys()) {
+        EXPECT_NE(toml.find(fmt::format("\n{} = ", key.name())), std::string::npos) << key.path;
+    }
+}
+
+RC_GTEST_PROP(PresetIo, WhatIsWrittenReadsBackToTheSame, ()) {
+    Preset preset;
+    preset.description = *rc::gen::container<std::string>(rc::gen::inRange<char>(1, 127));
+    preset.seeding.bubbles = *rc::gen::inRange(4, 1'000'001);
+    preset.seeding.seed = *rc::gen::inRange<std::uint64_t>(0, std::uint64_t{1} << 63);
+    preset.coarsening.kappa = *rc::gen::inRange(0, 1'000'000) / 1007.0;
+    preset.image.width = *rc::gen::inRange(64, 16385);
+    preset.albedo.pressure_low = -*rc::gen::inRange(1, 1'000'000) / 3.0;
+    preset.albedo.film_unit = *rc::gen::element(WidthUnit::Pixels, WidthUnit::Diameters);
+
+    const Preset back = parse_preset(to_toml(preset), preset.name, "back");
+    RC_ASSERT(back.description == preset.description);
+    RC_ASSERT(back.seeding.bubbles == preset.seeding.bubbles);
+    RC_ASSERT(back.seeding.seed == preset.seeding.seed);
+    RC_ASSERT(back.coarsening.kappa == preset.coarsening.kappa);
+    RC_ASSERT(back.image.width == preset.image.width);
+    RC_ASSERT(back.albedo.pressure_low == preset.albedo.pressure_low);
+    RC_ASSERT(back.albedo.film_unit == preset.albedo.film_unit);
+    RC_ASSERT(to_toml(back) == to_toml(preset));
+}
+
+TEST(PresetIo, TheReferenceHasDefaultMeaningAndLimitsOfEveryKey) {
+    const std::string reference = describe_keys();
+    for (const Key& key : preset_keys()) {
+        EXPECT_NE(reference.find(key.meaning), std::string::npos) << key.path;
+        EXPECT_NE(reference.find(key.allowed), std::string::npos) << key.path;
+    }
+    EXPECT_NE(reference.find("[foam]\nbubbles = 1000\n"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace foam::texgen

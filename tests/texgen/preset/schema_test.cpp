@@ -1,0 +1,122 @@
+#include "texgen/preset/schema.h"
+
+#include "texgen/preset/assignment.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <set>
+#include <string>
+
+namespace foam::texgen {
+namespace {
+
+bool accepts(const std::string& path, const std::string& value) {
+    Preset preset;
+    return find_key(path)->read(read_value(value), preset);
+}
+
+TEST(Schema, EveryKeyIsThereOnceWithAllItSays) {
+    std::set<std::string_view> paths;
+    for (const Key& key : preset_keys()) {
+        EXPECT_TRUE(paths.insert(key.path).second) << key.path;
+        EXPECT_FALSE(key.allowed.empty()) << key.path;
+        EXPECT_FALSE(key.meaning.empty()) << key.path;
+        EXPECT_TRUE(is_table(key.table())) << key.path;
+        EXPECT_EQ(find_key(key.path), &key);
+    }
+    EXPECT_EQ(paths.size(), 23U);
+}
+
+TEST(Schema, EveryDefaultIsAllowed) {
+    const Preset defaults;
+    for (const Key& key : preset_keys()) {
+        Preset preset;
+        EXPECT_TRUE(key.read(key.write(defaults), preset)) << key.path;
+    }
+}
+
+TEST(Schema, NoKeyTakesADateOrATable) {
+    for (const Key& key : preset_keys()) {
+        Preset preset;
+        EXPECT_FALSE(key.read({Value::Opaque{"2020-01-02"}}, preset)) << key.path;
+        EXPECT_FALSE(key.read({Value::Table{}}, preset)) << key.path;
+        EXPECT_FALSE(key.read({true}, preset)) << key.path;
+    }
+}
+
+struct Bounds {
+    std::string key;
+    std::string below;
+    std::string low;
+    std::string high;
+    std::string above;
+};
+
+class Limits : public testing::TestWithParam<Bounds> {};
+
+TEST_P(Limits, HoldOnBothSides) {
+    const Bounds& bounds = GetParam();
+    EXPECT_FALSE(accepts(bounds.key, bounds.below));
+    EXPECT_TRUE(accepts(bounds.key, bounds.low));
+    EXPECT_TRUE(accepts(bounds.key, bounds.high));
+    EXPECT_FALSE(accepts(bounds.key, bounds.above));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Schema,
+    Limits,
+    testing::Values(Bounds{"foam.bubbles", "3", "4", "1000000", "1000001"},
+                    Bounds{"foam.seed", "-1", "0", "9223372036854775807", "9223372036854775808"},
+                    Bounds{"foam.lloyd", "-1", "0", "1000", "1001"},
+                    Bounds{"foam.area_ratio", "0.99", "1", "100", "100.1"},
+                    Bounds{"foam.surface_tension", "0", "1e-6", "1e3", "1001"},
+                    Bounds{"dynamics.kappa", "-0.1", "0", "1000", "1001"},
+                    Bounds{"dynamics.t1_distance", "0.0009", "0.001", "0.25", "0.26"},
+                    Bounds{"dynamics.t2_area", "0.00009", "0.0001", "0.25", "0.26"},
+                    Bounds{"frames.count", "0", "1", "100000", "100001"},
+                    Bounds{"frames.time_step", "-1", "0", "1e6", "1000001"},
+                    Bounds{"frames.warm_up", "-1", "0", "1e6", "1000001"},
+                    Bounds{"image.size", "[0, 4]", "[1, 1]", "[16384, 16384]", "[4, 16385]"},
+                    Bounds{"albedo.pressure_low", "-1e7", "-1e6", "1e6", "1e7"},
+                    Bounds{"albedo.film_width", "-1", "0", "1000", "1001"}));
+
+TEST(Schema, RealsAreFiniteAndTakeIntegersButNotTheOtherWayRound) {
+    EXPECT_TRUE(accepts("dynamics.kappa", "1"));
+    EXPECT_FALSE(accepts("foam.bubbles", "100.0"));
+    EXPECT_FALSE(accepts("dynamics.kappa", "nan"));
+    EXPECT_FALSE(accepts("albedo.pressure_high", "inf"));
+    EXPECT_FALSE(accepts("dynamics.kappa", "\"1\""));
+    EXPECT_TRUE(accepts("foam.area_ratio", "0"));  // the value that stands for none
+}
+
+TEST(Schema, WordsAreTheOnesListed) {
+    EXPECT_TRUE(accepts("albedo.colormap", "labyrinth_blue"));
+    EXPECT_FALSE(accepts("albedo.colormap", "jet"));
+    EXPECT_TRUE(accepts("albedo.film_color", "#00ff7F"));
+    EXPECT_FALSE(accepts("albedo.film_color", "white"));
+    EXPECT_TRUE(accepts("image.maps", "albedo"));
+    EXPECT_TRUE(accepts("image.maps", "[\"albedo\"]"));
+    EXPECT_FALSE(accepts("image.maps", "[\"albedo\", \"albedo\"]"));
+    EXPECT_FALSE(accepts("image.maps", "[]"));
+    EXPECT_FALSE(accepts("output.pattern", "\"\""));
+    EXPECT_TRUE(accepts("preset.description", "\"\""));
+}
+
+TEST(Schema, ChoicesReachTheirMembers) {
+    Preset preset;
+    EXPECT_TRUE(find_key("albedo.pressure_unit")->read(read_value("seed"), preset));
+    EXPECT_TRUE(find_key("albedo.film_unit")->read(read_value("diameter"), preset));
+    EXPECT_EQ(preset.albedo.pressure_unit, PressureUnit::Seed);
+    EXPECT_EQ(preset.albedo.film_unit, WidthUnit::Diameters);
+    EXPECT_FALSE(find_key("albedo.film_unit")->read(read_value("mm"), preset));
+}
+
+TEST(Schema, ARefusedValueChangesNothing) {
+    Preset preset;
+    EXPECT_FALSE(find_key("image.size")->read(read_value("[7, 0]"), preset));
+    EXPECT_EQ(preset.image.width, ImageOptions{}.width);
+}
+
+}  // namespace
+}  // namespace foam::texgen

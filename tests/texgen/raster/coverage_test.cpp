@@ -1,0 +1,123 @@
+#include "texgen/raster/coverage.h"
+
+#include <gtest/gtest.h>
+
+namespace foam::texgen {
+namespace {
+
+constexpr std::int64_t kFull = std::int64_t{1} << kCoverageBits;
+
+// A row's sums, spelled out.
+class Row {
+  public:
+    explicit Row(int width) : values_(static_cast<std::size_t>(width), -1) {}
+
+    void add(const Coverage<1>::Sum& difference) { sum_ += difference[0]; }
+    void write(std::size_t from, std::size_t to) {
+        for (std::size_t x = from; x < to; ++x) {
+            EXPECT_EQ(values_.at(x), -1) << "written twice: " << x;
+            values_.at(x) = sum_;
+        }
+    }
+    std::vector<std::int64_t> values() const { return values_; }
+
+  private:
+    std::int64_t sum_ = 0;
+    std::vector<std::int64_t> values_;
+};
+
+std::vector<std::int64_t> take(Coverage<1>& coverage, int row, int width) {
+    Row sums(width);
+    coverage.take_row(row, sums);
+    return sums.values();
+}
+
+std::vector<SubpixelPoint> box(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1) {
+    return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
+}
+
+TEST(Coverage, OfABoxAcrossPixels) {
+    // From x = 0.5 to 2.25 pixels, in the lower half of row 0.
+    Coverage<1> coverage(4, 1);
+    coverage.add(box(512, 0, 2304, 512), {}, {4});
+    const std::vector<std::int64_t> expected{kFull, 2 * kFull, kFull / 2, 0};
+    EXPECT_EQ(take(coverage, 0, 4), expected);
+}
+
+TEST(Coverage, TakingARowClearsIt) {
+    Coverage<1> coverage(4, 1);
+    coverage.add(box(512, 0, 2304, 512), {}, {4});
+    take(coverage, 0, 4);
+    EXPECT_EQ(take(coverage, 0, 4), std::vector<std::int64_t>(4, 0));
+}
+
+TEST(Coverage, WrapsAroundInX) {
+    // From x = 3.5 to 5.5 of a torus 4 pixels wide: half of pixels 3 and 1, all of pixel 0.
+    const std::vector<std::int64_t> expected{kFull, kFull / 2, 0, kFull / 2};
+    for (const int periods : {-3, -1, 0, 1, 2}) {
+        Coverage<1> coverage(4, 1);
+        coverage.add(box(3584, 0, 5632, 1024), {periods * 4 * kSubpixel, 0}, {1});
+        EXPECT_EQ(take(coverage, 0, 4), expected) << periods;
+    }
+}
+
+TEST(Coverage, OfABoxWiderThanTheTorus) {
+    // 2.5 times around: the half round falls on pixels 0 and 1.
+    Coverage<1> coverage(4, 1);
+    coverage.add(box(0, 0, 10 * kSubpixel, kSubpixel), {}, {1});
+    const std::vector<std::int64_t> expected{3 * kFull, 3 * kFull, 2 * kFull, 2 * kFull};
+    EXPECT_EQ(take(coverage, 0, 4), expected);
+}
+
+TEST(Coverage, LastColumnSpillsNothing) {
+    Coverage<1> coverage(64, 1);
+    coverage.add(box(63 * kSubpixel + 100, 0, 64 * kSubpixel, kSubpixel), {}, {1});
+    std::vector<std::int64_t> expected(64, 0);
+    expected[63] = kFull - std::int64_t{2} * kSubpixel * 100;
+    EXPECT_EQ(take(coverage, 0, 64), expected);
+    EXPECT_EQ(take(coverage, 0, 64), std::vector<std::int64_t>(64, 0));
+}
+
+TEST(Coverage, ClockwiseSubtracts) {
+    Coverage<1> coverage(4, 1);
+    coverage.add(box(0, 0, 4096, 1024), {}, {3});
+    const std::vector<SubpixelPoint> hole{{1024, 0}, {1024, 1024}, {2048, 1024}, {2048, 0}};
+    coverage.add(hole, {}, {3});
+    const std::vector<std::int64_t> expected{3 * kFull, 0, 3 * kFull, 3 * kFull};
+    EXPECT_EQ(take(coverage, 0, 4), expected);
+}
+
+TEST(Coverage, OrderDoesNotMatter) {
+    Coverage<3> there(40, 2);
+    Coverage<3> back(40, 2);
+    std::vector<std::vector<SubpixelPoint>> chains(20);
+    for (int k = 0; k < 20; ++k) {
+        chains[static_cast<std::size_t>(k)] = {
+            {977 * k, 31 * k}, {1011 * k + 700, 40}, {900 * k + 100, 1900 - 13 * k}};
+    }
+    for (std::size_t k = 0; k < chains.size(); ++k) {
+        const auto value = [](std::size_t i) {
+            return Coverage<3>::Value{static_cast<std::int32_t>(i), 7, -65535};
+        };
+        there.add(chains[k], {}, value(k));
+        const std::size_t last = chains.size() - 1 - k;
+        back.add(chains[last], {}, value(last));
+    }
+    struct Sums {
+        void add(const Coverage<3>::Sum& difference) { differences.push_back(difference); }
+        void write(std::size_t from, std::size_t to) {
+            differences.push_back({0, 0, std::int64_t(to - from)});
+        }
+        std::vector<Coverage<3>::Sum> differences;
+    };
+    for (int row = 0; row < 2; ++row) {
+        Sums a;
+        Sums b;
+        there.take_row(row, a);
+        back.take_row(row, b);
+        EXPECT_EQ(a.differences, b.differences);
+    }
+}
+
+}  // namespace
+}  // namespace foam::texgen

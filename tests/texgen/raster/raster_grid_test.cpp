@@ -1,0 +1,35 @@
+#include "texgen/raster/raster_grid.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+namespace foam::texgen {
+namespace {
+
+TEST(RasterGrid, CountsPixelsPerFoamUnit) {
+    EXPECT_DOUBLE_EQ(pixels_per_unit({256, 128, 0, 0}, {8.0, 4.0}), 32.0);
+}
+
+TEST(RasterGrid, RefusesPixelsThatAreNotSquare) {
+    EXPECT_NO_THROW(pixels_per_unit({100, 100, 0, 0}, {1.0, 1.0 + 0.9e-6}));
+    EXPECT_THROW(pixels_per_unit({100, 100, 0, 0}, {1.0, 1.0 + 1.2e-6}), std::invalid_argument);
+}
+
+TEST(RasterGrid, RefusesSidesOutOfRange) {
+    EXPECT_THROW(pixels_per_unit({0, 0, 0, 0}, {1.0, 1.0}), std::invalid_argument);
+    EXPECT_THROW(pixels_per_unit({kLargestSide + 1, kLargestSide + 1, 0, 0}, {1.0, 1.0}),
+                 std::invalid_argument);
+    EXPECT_NO_THROW(pixels_per_unit({kLargestSide, kLargestSide, 0, 0}, {1.0, 1.0}));
+}
+
+TEST(RasterGrid, SnapsIntoTheGrid) {
+    const RasterGrid grid{10, 20, 3, 4};
+    const Torus torus{1.0, 2.0};
+    EXPECT_EQ(snap(grid, torus, {0.25, 1.5}), (SubpixelPoint{2560, 15360}));
+    // The nearest subpixel to a position just below the upper border is the border, which is row 0.
+    EXPECT_EQ(snap(grid, torus, {0.0, 2.0 - 1e-9}), (SubpixelPoint{0, 0}));
+}
+
+}  // namespace
+}  // namespace foam::texgen

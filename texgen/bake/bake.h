@@ -1,0 +1,49 @@
+#pragma once
+
+#include "texgen/preset/preset.h"
+
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+namespace foam::texgen {
+
+/// Which frames of a preset are baked, and how. None of it changes a pixel.
+struct BakeOptions {
+    std::vector<int> frames;  // numbers from 1, in any order, each once
+    int threads = 0;          // 0: one per hardware thread
+};
+
+/// The state of a bake after a frame has been written.
+struct BakeProgress {
+    int frame = 0;             // its number
+    int done = 0;              // frames written so far ...
+    int total = 0;             // ... of as many as will be
+    int bubbles = 0;           // in this frame
+    double area_error = 0.0;   // largest |A / A_target - 1| (E2)
+    double angle_error = 0.0;  // largest deviation from 120 degrees (E2), radians
+    double seconds = 0.0;      // wall time since the bake began
+};
+
+/// Called from one thread at a time.
+using ProgressCallback = std::function<void(const BakeProgress&)>;
+
+enum class BakeStatus {
+    Complete,
+    NoEquilibrium,  // the frames before failed_frame were written
+};
+
+struct BakeSummary {
+    BakeStatus status = BakeStatus::Complete;
+    int failed_frame = 0;                      // whose foam found no equilibrium
+    std::vector<std::filesystem::path> files;  // written, in the order of the frames asked for
+};
+
+/// Simulates the foam, draws the frames and writes every map of each; folders are made as needed.
+/// Throws std::invalid_argument for options out of range and a pattern under which two images would
+/// share a file, OutputError where a file cannot be written.
+BakeSummary bake(const Preset& preset,
+                 const BakeOptions& options,
+                 const ProgressCallback& on_progress);
+
+}  // namespace foam::texgen

@@ -1,0 +1,76 @@
+#include "texgen/bake/bounded_workers.h"
+
+#include <utility>
+
+namespace foam::texgen {
+
+BoundedWorkers::BoundedWorkers(int threads) {
+    for (int k = 0; k < threads; ++k) {
+        threads_.emplace_back([this] { work(); });
+    }
+}
+
+BoundedWorkers::~BoundedWorkers() {
+    {
+        const std::scoped_lock lock(mutex_);
+        closed_ = true;
+        waiting_ = {};
+    }
+    changed_.notify_all();
+}
+
+void BoundedWorkers::submit(std::function<void()> job) {
+    if (threads_.empty()) {
+        job();
+        return;
+    }
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return failure_ || waiting_.size() < threads_.size(); });
+    rethrow_failure();
+    waiting_.push(std::move(job));
+    changed_.notify_all();
+}
+
+void BoundedWorkers::finish() {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return waiting_.empty() && running_ == 0; });
+    rethrow_failure();
+}
+
+void BoundedWorkers::rethrow_failure() {
+    if (failure_) {
+        std::rethrow_exception(failure_);
+    }
+}
+
+void BoundedWorkers::work() {
+    std::unique_lock lock(mutex_);
+    while (true) {
+        changed_.wait(lock, [this] { return closed_ || !waiting_.empty(); });
+        if (waiting_.empty()) {
+            return;
+        }
+        const std::function<void()> job = std::move(waiting_.front());
+        waiting_.pop();
+        ++running_;
+        lock.unlock();
+        run(job);
+        lock.lock();
+        --running_;
+        changed_.notify_all();
+    }
+}
+
+void BoundedWorkers::run(const std::function<void()>& job) {
+    try {
+        job();
+    } catch (...) {
+        const std::scoped_lock lock(mutex_);
+        if (!failure_) {
+            failure_ = std::current_exception();
+        }
+        waiting_ = {};
+    }
+}
+
+}  // namespace foam::texgen

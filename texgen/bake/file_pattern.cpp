@@ -1,0 +1,132 @@
+#include "texgen/bake/file_pattern.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cctype>
+#include <stdexcept>
+#include <utility>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr std::string_view kSpecial = "{#@%";
+
+std::string_view take(std::string_view& rest, std::size_t count) {
+    const std::string_view taken = rest.substr(0, count);
+    rest.remove_prefix(taken.size());
+    return taken;
+}
+
+std::string_view take_run(std::string_view& rest) {
+    return take(rest, rest.find_first_not_of(rest.front()));
+}
+
+std::string padded(int number, int digits) {
+    return fmt::format("{:0{}}", number, digits);
+}
+
+}  // namespace
+
+FilePattern::FilePattern(std::string_view pattern) : pattern_(pattern) {
+    if (!pattern.ends_with(".png")) {
+        refuse("must end in .png");
+    }
+    for (std::string_view rest = pattern; !rest.empty();) {
+        pieces_.push_back(take_piece(rest));
+    }
+}
+
+FilePattern::Piece FilePattern::take_piece(std::string_view& rest) const {
+    switch (rest.front()) {
+        case '{':
+            return take_word(rest);
+        case '%':
+            return take_format(rest);
+        case '#': {
+            const std::string_view run = take_run(rest);
+            return FrameNumber{run.size() == 1 ? 4 : static_cast<int>(run.size()),
+                               std::string(run)};
+        }
+        case '@': {
+            const std::string_view run = take_run(rest);
+            return FrameNumber{static_cast<int>(run.size()), std::string(run)};
+        }
+        default:
+            return std::string(take(rest, rest.find_first_of(kSpecial)));
+    }
+}
+
+FilePattern::Piece FilePattern::take_word(std::string_view& rest) const {
+    const std::size_t brace = rest.find('}');
+    const std::string_view word = take(rest, brace == std::string_view::npos ? brace : brace + 1);
+    if (word == "{preset}") {
+        return PresetName{};
+    }
+    if (word == "{map}") {
+        return MapName{};
+    }
+    refuse(fmt::format("'{}' must be {{preset}} or {{map}}", word));
+}
+
+FilePattern::Piece FilePattern::take_format(std::string_view& rest) const {
+    const std::string_view format = take(rest, rest.find('d') + 1);
+    if (format == "%d") {
+        return FrameNumber{1, "%d"};
+    }
+    const bool padded = format.size() == 4 && format[1] == '0' &&
+                        std::isdigit(static_cast<unsigned char>(format[2])) != 0;
+    if (!padded) {
+        refuse("after '%' must stand d or a width as in %04d");
+    }
+    return FrameNumber{format[2] - '0', std::string(format)};
+}
+
+void FilePattern::refuse(std::string_view reason) const {
+    throw std::invalid_argument(fmt::format("output pattern '{}': {}", pattern_, reason));
+}
+
+template <class Wanted>
+bool FilePattern::has() const {
+    return std::any_of(pieces_.begin(), pieces_.end(), [](const Piece& piece) {
+        return std::holds_alternative<Wanted>(piece);
+    });
+}
+
+void FilePattern::check_distinct(std::size_t frames, std::size_t maps) const {
+    if (frames > 1 && !has<FrameNumber>()) {
+        refuse(fmt::format("must contain ####, @@@@ or %04d, to tell {} frames apart", frames));
+    }
+    if (maps > 1 && !has<MapName>()) {
+        refuse(fmt::format("must contain {{map}}, to tell {} maps apart", maps));
+    }
+}
+
+std::filesystem::path FilePattern::path(std::string_view preset,
+                                        std::string_view map,
+                                        int frame) const {
+    return fill(preset, map, frame);
+}
+
+std::string FilePattern::sequence(std::string_view preset, std::string_view map) const {
+    return fill(preset, map, std::nullopt);
+}
+
+std::string FilePattern::fill(std::string_view preset,
+                              std::string_view map,
+                              std::optional<int> frame) const {
+    std::string filled;
+    for (const Piece& piece : pieces_) {
+        if (const auto* text = std::get_if<std::string>(&piece)) {
+            filled += *text;
+        } else if (const auto* number = std::get_if<FrameNumber>(&piece)) {
+            filled += frame ? padded(*frame, number->digits) : number->written;
+        } else {
+            filled += std::holds_alternative<PresetName>(piece) ? preset : map;
+        }
+    }
+    return filled;
+}
+
+}  // namespace foam::texgen

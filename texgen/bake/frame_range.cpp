@@ -1,0 +1,129 @@
+#include "texgen/bake/frame_range.h"
+
+#include <fmt/core.h>
+
+#include <charconv>
+#include <cstddef>
+#include <cstdlib>
+#include <stdexcept>
+#include <unordered_set>
+
+namespace foam::texgen {
+
+namespace {
+
+/// first-last, then xSTEP or ySTEP.
+struct Range {
+    int first = 0;
+    int last = 0;
+    int step = 1;
+    bool inverted = false;  // y: the frames that x leaves out
+};
+
+[[noreturn]] void refuse(std::string_view text, std::string_view reason) {
+    throw std::invalid_argument(fmt::format("frame range '{}': {}", text, reason));
+}
+
+/// Takes one range off the front of a text, piece by piece.
+class Scanner {
+  public:
+    explicit Scanner(std::string_view text) : text_(text), rest_(text) {}
+
+    bool at_end() const { return rest_.empty(); }
+
+    bool take(char c) {
+        const bool found = !rest_.empty() && rest_.front() == c;
+        rest_.remove_prefix(found ? 1 : 0);
+        return found;
+    }
+
+    int number() {
+        int value = 0;
+        const auto [end, error] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), value);
+        if (end == rest_.data() || rest_.front() == '-') {
+            refuse(text_, "must be written as 5, 1-10, 1-10x2 or 1-10y3, with commas between");
+        }
+        if (error != std::errc{} || value < 1 || value > kLastFrame) {
+            refuse(text_, fmt::format("frames and steps go from 1 to {}", kLastFrame));
+        }
+        rest_.remove_prefix(static_cast<std::size_t>(end - rest_.data()));
+        return value;
+    }
+
+    Range range() {
+        Range range;
+        range.first = range.last = number();
+        if (take('-')) {
+            range.last = number();
+            range.inverted = take('y');
+            if (range.inverted || take('x')) {
+                range.step = number();
+            }
+        }
+        return range;
+    }
+
+  private:
+    std::string_view text_;
+    std::string_view rest_;
+};
+
+void expand(const Range& range, std::unordered_set<int>& seen, std::vector<int>& frames) {
+    const int count = std::abs(range.last - range.first) + 1;
+    const int direction = range.last < range.first ? -1 : 1;
+    for (int i = 0; i < count; ++i) {
+        const bool on_step = i % range.step == 0;
+        const int frame = range.first + direction * i;
+        if (on_step != range.inverted && seen.insert(frame).second) {
+            frames.push_back(frame);
+        }
+    }
+}
+
+/// How many frames from the front lie at equal steps, upward or downward.
+std::size_t run_length(std::span<const int> frames) {
+    std::size_t length = frames.size() < 2 ? frames.size() : 2;
+    while (length < frames.size() && frames[length] - frames[length - 1] == frames[1] - frames[0]) {
+        ++length;
+    }
+    return length;
+}
+
+std::string format_run(int first, int last, int step) {
+    return step == 1 ? fmt::format("{}-{}", first, last)
+                     : fmt::format("{}-{}x{}", first, last, step);
+}
+
+}  // namespace
+
+std::vector<int> parse_frame_range(std::string_view text) {
+    std::unordered_set<int> seen;
+    std::vector<int> frames;
+    Scanner scanner(text);
+    do {
+        expand(scanner.range(), seen, frames);
+    } while (scanner.take(','));
+    if (!scanner.at_end()) {
+        refuse(text, "must be written as 5, 1-10, 1-10x2 or 1-10y3, with commas between");
+    }
+    if (frames.empty()) {
+        refuse(text, "leaves no frame");
+    }
+    return frames;
+}
+
+std::string format_frame_range(std::span<const int> frames) {
+    std::string text;
+    while (!frames.empty()) {
+        const std::size_t length = run_length(frames);
+        const int step = length > 1 ? std::abs(frames[1] - frames[0]) : 1;
+        const bool range = length > 2 || (length == 2 && step == 1);
+        text += text.empty() ? "" : ",";
+        text += range ? format_run(frames.front(), frames[length - 1], step)
+                      : fmt::format("{}", frames.front());
+        frames = frames.subspan(range ? length : 1);
+    }
+    return text;
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,48 @@
+#include "texgen/bake/simulation.h"
+
+namespace foam::texgen {
+
+namespace {
+
+SeedingOptions seeding_of(const Preset& preset) {
+    SeedingOptions seeding = preset.seeding;
+    seeding.aspect = static_cast<double>(preset.image.width) / preset.image.height;
+    return seeding;
+}
+
+StepOptions step_options_of(const Preset& preset, int threads) {
+    StepOptions options;
+    options.coarsening = preset.coarsening;
+    options.equilibrium.thresholds = preset.thresholds;
+    options.equilibrium.threads = threads;
+    return options;
+}
+
+}  // namespace
+
+Simulation::Simulation(const Preset& preset, int threads)
+    : frames_(preset.frames),
+      next_step_(preset.frames.time_step),
+      options_(step_options_of(preset, threads)),
+      foam_(seed_foam(seeding_of(preset))) {}
+
+bool Simulation::advance() {
+    ++number_;
+    if (number_ > 1) {
+        const double time = next_step_;
+        next_step_ *= frames_.step_growth;
+        return step_by(time);
+    }
+    equilibrium_ = equilibrate(foam_, options_.equilibrium);
+    return equilibrium_.converged() && step_by(frames_.warm_up);
+}
+
+bool Simulation::step_by(double time) {
+    if (time == 0.0) {
+        return true;
+    }
+    equilibrium_ = step(foam_, time, options_).equilibrium;
+    return equilibrium_.converged();
+}
+
+}  // namespace foam::texgen

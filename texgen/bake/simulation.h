@@ -1,0 +1,40 @@
+#pragma once
+
+#include "core/dynamics/step.h"
+#include "core/foam/frame.h"
+#include "texgen/preset/preset.h"
+
+namespace foam::texgen {
+
+/// The foam of a preset, from its seed through its frames in order.
+class Simulation {
+  public:
+    /// The foam is seeded here, with the aspect of the preset's image. The bits are the same for
+    /// any number of threads; 0 are as many as the machine runs at once.
+    explicit Simulation(const Preset& preset, int threads = 0);
+
+    /// Goes on to the next frame: to frame 1 by equilibrium and the warm-up, from frame to frame by
+    /// a time step. False where no equilibrium is found; the foam is then of no more use.
+    bool advance();
+
+    /// The frame that was reached.
+    Frame frame() const { return snapshot(foam_, number_); }
+
+    /// Number of the frame that was reached; 0 before the first.
+    int number() const { return number_; }
+
+    /// What the last advance took and how exact it came out.
+    const EquilibriumSummary& equilibrium() const { return equilibrium_; }
+
+  private:
+    bool step_by(double time);
+
+    FramesOptions frames_;
+    double next_step_;  // foam time to the next frame
+    StepOptions options_;
+    Foam foam_;
+    int number_ = 0;
+    EquilibriumSummary equilibrium_;
+};
+
+}  // namespace foam::texgen

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "texgen/cli/exit_code.h"
+
+#include <functional>
+
+namespace CLI {  // NOLINT(readability-identifier-naming): the library spells it so
+class App;
+}
+
+namespace foam::texgen {
+
+/// What the command line asked for, ready to run. Failures leave as exceptions.
+using Action = std::function<ExitCode()>;
+
+/// Each adds one command to the program; parsing a command line that names it sets `action`.
+void add_bake_command(CLI::App& app, Action& action);
+void add_presets_command(CLI::App& app, Action& action);
+
+}  // namespace foam::texgen

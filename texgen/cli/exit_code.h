@@ -1,0 +1,15 @@
+#pragma once
+
+namespace foam::texgen {
+
+/// What the program returns to the shell; the help of the program lists the same.
+enum class ExitCode : int {
+    Success = 0,
+    InternalFailure = 1,  // a bug, or out of memory
+    BadRequest = 2,       // the command line or a preset, a missing preset file too
+    NoEquilibrium = 3,    // the foam could not be brought to equilibrium
+    BadInput = 4,         // an input file is unreadable or malformed
+    OutputFailed = 5,     // an output could not be written
+};
+
+}  // namespace foam::texgen

@@ -1,0 +1,92 @@
+#include "texgen/cli/command.h"
+#include "texgen/image/file_io.h"
+#include "texgen/preset/assignment.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <stdexcept>
+#include <string>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr const char* kFooter = R"(Examples:
+  foamtex bake sea_foam                        48 frames of a tile into out/
+  foamtex presets show sea_foam > my.toml      a preset to start your own from
+  foamtex bake my.toml --frames 1-120
+
+Exit codes:
+  0  success
+  1  unexpected internal failure
+  2  bad command line or preset
+  3  the foam could not be brought to equilibrium
+  4  an input file is unreadable or malformed
+  5  an output could not be written)";
+
+/// One line on stderr, whatever the message.
+ExitCode report(std::string message, ExitCode code) {
+    std::replace_if(
+        message.begin(), message.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+    fmt::print(stderr, "foamtex: {}\n", message);
+    return code;
+}
+
+/// Help and version come as exceptions of code 0.
+ExitCode report_parse(const CLI::App& app, const CLI::ParseError& error) {
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
+        app.exit(error);
+        return ExitCode::Success;
+    }
+    return report(std::string(error.what()) + " (see foamtex --help)", ExitCode::BadRequest);
+}
+
+/// Output that never arrived, on a full disk say, is a failure like any other.
+ExitCode flushed(ExitCode code) {
+    const bool arrived = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+    return arrived ? code : report("cannot write to standard output", ExitCode::OutputFailed);
+}
+
+ExitCode parse_and_run(int argc, char** argv) {
+    CLI::App app("Animated, tileable foam textures from real foam physics", "foamtex");
+    Action action;
+    app.set_version_flag("--version", "foamtex " FOAMTEX_VERSION);
+    app.require_subcommand(1);
+    app.footer(kFooter);
+    add_bake_command(app, action);
+    add_presets_command(app, action);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return report_parse(app, error);
+    }
+    return action();
+}
+
+ExitCode run(int argc, char** argv) {
+    try {
+        return flushed(parse_and_run(argc, argv));
+    } catch (const PresetError& error) {
+        return report(error.what(), ExitCode::BadRequest);
+    } catch (const std::invalid_argument& error) {
+        return report(error.what(), ExitCode::BadRequest);
+    } catch (const InputError& error) {
+        return report(error.what(), ExitCode::BadInput);
+    } catch (const OutputError& error) {
+        return report(error.what(), ExitCode::OutputFailed);
+    } catch (const std::exception& error) {
+        return report(std::string("internal failure: ") + error.what(), ExitCode::InternalFailure);
+    }
+}
+
+}  // namespace
+
+}  // namespace foam::texgen
+
+int main(int argc, char** argv) {
+    return static_cast<int>(foam::texgen::run(argc, argv));
+}

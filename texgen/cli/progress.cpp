@@ -1,0 +1,73 @@
+#include "texgen/cli/progress.h"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr int kBarWidth = 24;  // characters between the brackets
+
+/// Minutes and seconds to go if the rest takes as long a frame as what is done.
+std::string time_left(const BakeProgress& progress) {
+    const double share = static_cast<double>(progress.total - progress.done) / progress.done;
+    const auto seconds = static_cast<long>(std::ceil(progress.seconds * share));
+    return fmt::format("{}:{:02} left", seconds / 60, seconds % 60);
+}
+
+bool wants_color() {
+    const char* no_color = std::getenv("NO_COLOR");
+    return no_color == nullptr || *no_color == '\0';
+}
+
+/// Draws over the bar before it; the last one stays.
+void draw_bar(const BakeProgress& progress, bool color) {
+    const std::string bar = progress_bar(progress);
+    const char* end = progress.done == progress.total ? "\n" : "";
+    fmt::print(
+        stderr, "\r\033[K{}{}{}{}", color ? "\033[36m" : "", bar, color ? "\033[0m" : "", end);
+    std::fflush(stderr);
+}
+
+}  // namespace
+
+std::string progress_bar(const BakeProgress& progress) {
+    const int filled = progress.total > 0 ? kBarWidth * progress.done / progress.total : 0;
+    const auto hashes = static_cast<std::size_t>(std::clamp(filled, 0, kBarWidth));
+    const std::string bar = std::string(hashes, '#') + std::string(kBarWidth - hashes, '-');
+    const std::string left = progress.done > 0 ? "  " + time_left(progress) : "";
+    return fmt::format("[{}] {:>{}}/{}  {} bubbles{}",
+                       bar,
+                       progress.done,
+                       std::to_string(progress.total).size(),
+                       progress.total,
+                       progress.bubbles,
+                       left);
+}
+
+std::string progress_line(const BakeProgress& progress) {
+    return fmt::format("frame {}: {} bubbles, area error {:.1e}, angle error {:.1e}, {:.2f} s",
+                       progress.frame,
+                       progress.bubbles,
+                       progress.area_error,
+                       progress.angle_error,
+                       progress.seconds);
+}
+
+ProgressCallback progress_reporter(Verbosity verbosity) {
+    if (verbosity == Verbosity::Verbose) {
+        return [](const BakeProgress& p) { fmt::print(stderr, "{}\n", progress_line(p)); };
+    }
+    if (verbosity == Verbosity::Normal && isatty(STDERR_FILENO) != 0) {
+        return [color = wants_color()](const BakeProgress& p) { draw_bar(p, color); };
+    }
+    return [](const BakeProgress&) {};
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,61 @@
+#include "texgen/image/color.h"
+
+#include <fmt/core.h>
+
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+
+namespace foam::texgen {
+
+namespace {
+
+// The linear toe of IEC 61966-2-1 ends here, in encoded values and in light.
+constexpr double kToeEncoded = 0.04045;
+constexpr double kToeLinear = 0.0031308;
+
+std::uint8_t to_code(double linear) {
+    if (!(linear > 0.0)) {
+        return 0;
+    }
+    return static_cast<std::uint8_t>(std::lround(255.0 * linear_to_srgb(std::fmin(linear, 1.0))));
+}
+
+bool parse_hex(std::string_view digits, std::uint32_t& value) {
+    const auto [end, error] =
+        std::from_chars(digits.data(), digits.data() + digits.size(), value, 16);
+    return error == std::errc{} && end == digits.data() + digits.size();
+}
+
+}  // namespace
+
+double srgb_to_linear(double encoded) {
+    return encoded <= kToeEncoded ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+
+double linear_to_srgb(double linear) {
+    return linear <= kToeLinear ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
+}
+
+LinearRgb to_linear(Srgb8 color) {
+    return {srgb_to_linear(color.r / 255.0),
+            srgb_to_linear(color.g / 255.0),
+            srgb_to_linear(color.b / 255.0)};
+}
+
+Srgb8 to_srgb8(const LinearRgb& color) {
+    return {to_code(color.r), to_code(color.g), to_code(color.b)};
+}
+
+Srgb8 parse_color(std::string_view text) {
+    std::uint32_t packed = 0;
+    if (text.size() != 7 || text.front() != '#' || !parse_hex(text.substr(1), packed)) {
+        throw std::invalid_argument(
+            fmt::format("color '{}': must be '#rrggbb', six hexadecimal digits", text));
+    }
+    return {static_cast<std::uint8_t>(packed >> 16),
+            static_cast<std::uint8_t>((packed >> 8) & 0xff),
+            static_cast<std::uint8_t>(packed & 0xff)};
+}
+
+}  // namespace foam::texgen

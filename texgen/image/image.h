@@ -1,0 +1,97 @@
+#pragma once
+
+#include <algorithm>
+#include <cassert>
+#include <cstddef>
+#include <span>
+#include <stdexcept>
+#include <type_traits>
+#include <vector>
+
+namespace foam::texgen {
+
+/// Borrows the samples of an Image; `ImageView<const Sample>` only reads them. Rows run upward,
+/// like the y axis of the foam: row 0 is the bottom row of the picture. A row holds `width` pixels
+/// of `channels` interleaved samples. A view is two words and two numbers: pass it by value.
+template <class Sample>
+class ImageView {
+  public:
+    ImageView() = default;
+    ImageView(Sample* samples, int width, int height, int channels)
+        : samples_(samples), width_(width), height_(height), channels_(channels) {}
+
+    /// A view that writes serves wherever one that reads is asked for.
+    template <class Other>
+    requires std::is_same_v<Sample, const Other> ImageView(ImageView<Other> other)
+        : ImageView(other.data(), other.width(), other.height(), other.channels()) {}
+
+    int width() const { return width_; }
+    int height() const { return height_; }
+    int channels() const { return channels_; }
+    Sample* data() const { return samples_; }
+    std::size_t row_samples() const {
+        return static_cast<std::size_t>(width_) * static_cast<std::size_t>(channels_);
+    }
+
+    std::span<Sample> row(int y) const {
+        assert(y >= 0 && y < height_);
+        return {samples_ + static_cast<std::size_t>(y) * row_samples(), row_samples()};
+    }
+    std::span<Sample> pixel(int x, int y) const {
+        assert(x >= 0 && x < width_);
+        const auto channels = static_cast<std::size_t>(channels_);
+        return row(y).subspan(static_cast<std::size_t>(x) * channels, channels);
+    }
+
+  private:
+    Sample* samples_ = nullptr;
+    int width_ = 0;
+    int height_ = 0;
+    int channels_ = 0;
+};
+
+/// Owns the samples of a picture; laid out as ImageView says.
+template <class Sample>
+class Image {
+  public:
+    Image() = default;
+
+    /// All samples start at zero. Throws std::invalid_argument unless every extent is positive.
+    Image(int width, int height, int channels)
+        : width_(width),
+          height_(height),
+          channels_(channels),
+          samples_(sample_count(width, height, channels)) {}
+
+    int width() const { return width_; }
+    int height() const { return height_; }
+    int channels() const { return channels_; }
+
+    std::span<Sample> samples() { return samples_; }
+    std::span<const Sample> samples() const { return samples_; }
+    std::span<Sample> row(int y) { return view().row(y); }
+    std::span<const Sample> row(int y) const { return view().row(y); }
+    std::span<Sample> pixel(int x, int y) { return view().pixel(x, y); }
+    std::span<const Sample> pixel(int x, int y) const { return view().pixel(x, y); }
+
+    ImageView<Sample> view() { return {samples_.data(), width_, height_, channels_}; }
+    ImageView<const Sample> view() const { return {samples_.data(), width_, height_, channels_}; }
+
+    friend bool operator==(const Image&, const Image&) = default;
+
+  private:
+    static std::size_t sample_count(int width, int height, int channels) {
+        if (std::min({width, height, channels}) < 1) {
+            throw std::invalid_argument("an image needs at least one pixel and one channel");
+        }
+        return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
+               static_cast<std::size_t>(channels);
+    }
+
+    int width_ = 0;
+    int height_ = 0;
+    int channels_ = 0;
+    std::vector<Sample> samples_;
+};
+
+}  // namespace foam::texgen

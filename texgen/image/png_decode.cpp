@@ -1,0 +1,123 @@
+#include "texgen/image/png.h"
+#include "texgen/image/png_session.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <new>
+
+namespace foam::texgen {
+
+namespace {
+
+/// What is left to read.
+using Source = std::span<const std::byte>;
+
+// Deflate shrinks nothing further than this, so a header cannot make us allocate what never comes.
+constexpr std::size_t kLargestRatio = 1032;
+
+void take(png_structp png, png_bytep data, std::size_t count) {
+    auto& source = *static_cast<Source*>(png_get_io_ptr(png));
+    if (count > source.size()) {
+        png_error(png, "the stream ends too early");
+    }
+    std::memcpy(data, source.data(), count);
+    source = source.subspan(count);
+}
+
+/// Reads up to the pixels and asks for 8-bit samples of 1 to 4 channels.
+void read_header(const PngSession& session, Source& source) {
+    png_structp png = session.png();
+    png_set_read_fn(png, &source, take);
+    png_read_info(png, session.info());
+    if (png_get_bit_depth(png, session.info()) > 8) {
+        png_error(png, "16 bits per sample are not supported");
+    }
+    const std::size_t promised =
+        png_get_rowbytes(png, session.info()) * png_get_image_height(png, session.info());
+    if (promised / kLargestRatio > source.size()) {
+        png_error(png, "the stream is too short for its pixels");
+    }
+    png_set_expand(png);
+    png_set_interlace_handling(png);
+    png_read_update_info(png, session.info());
+}
+
+Image<std::uint8_t> blank_image(const PngSession& session) {
+    return {static_cast<int>(png_get_image_width(session.png(), session.info())),
+            static_cast<int>(png_get_image_height(session.png(), session.info())),
+            png_get_channels(session.png(), session.info())};
+}
+
+/// The rows of a view as libpng wants them, the top one first.
+std::vector<png_bytep> rows_from_top(ImageView<std::uint8_t> view) {
+    std::vector<png_bytep> rows;
+    for (int y = view.height() - 1; y >= 0; --y) {
+        rows.push_back(view.row(y).data());
+    }
+    return rows;
+}
+
+std::string latin1_to_utf8(std::string_view text) {
+    std::string utf8;
+    for (const char c : text) {
+        const auto code = static_cast<unsigned char>(c);
+        if (code < 0x80) {
+            utf8 += c;
+        } else {
+            utf8 += static_cast<char>(0xc0 | (code >> 6));
+            utf8 += static_cast<char>(0x80 | (code & 0x3f));
+        }
+    }
+    return utf8;
+}
+
+std::string utf8_text(const png_text& chunk) {
+    const bool international = chunk.compression >= PNG_ITXT_COMPRESSION_NONE;
+    return international ? std::string(chunk.text, chunk.itxt_length)
+                         : latin1_to_utf8({chunk.text, chunk.text_length});
+}
+
+PngMetadata metadata_of(const PngSession& session) {
+    PngMetadata metadata;
+    metadata.color = png_get_valid(session.png(), session.info(), PNG_INFO_sRGB) != 0;
+    png_textp chunks = nullptr;
+    int count = 0;
+    png_get_text(session.png(), session.info(), &chunks, &count);
+    for (const png_text& chunk : std::span(chunks, static_cast<std::size_t>(count))) {
+        metadata.text.emplace_back(chunk.key, utf8_text(chunk));
+    }
+    return metadata;
+}
+
+void check(const PngSession& session, bool survived) {
+    if (!survived) {
+        throw InputError(fmt::format("malformed PNG: {}", session.error()));
+    }
+}
+
+}  // namespace
+
+PngImage decode_png(std::span<const std::byte> content) {
+    Source source = content;
+    PngSession session(PngDirection::Read);
+    check(session, session.run([&] { read_header(session, source); }));
+    Image<std::uint8_t> pixels = blank_image(session);
+    std::vector<png_bytep> rows = rows_from_top(pixels.view());
+    check(session, session.run([&] {
+        png_read_image(session.png(), rows.data());
+        png_read_end(session.png(), session.info());
+    }));
+    return {std::move(pixels), metadata_of(session)};
+}
+
+PngImage read_png(const std::filesystem::path& path) {
+    const Bytes content = read_file(path);
+    try {
+        return decode_png(content);
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("cannot read '{}': {}", path.string(), error.what()));
+    }
+}
+
+}  // namespace foam::texgen

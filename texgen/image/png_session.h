@@ -1,0 +1,78 @@
+#pragma once
+
+// Shared by png_encode.cpp and png_decode.cpp; nobody else sees libpng.
+
+#include <png.h>
+
+#include <array>
+#include <csetjmp>
+#include <cstring>
+#include <new>
+#include <type_traits>
+
+namespace foam::texgen {
+
+enum class PngDirection { Write, Read };
+
+/// Owns libpng's side of one stream.
+///
+/// libpng reports an error by longjmp, which must cross no frame with a destructor. So every call
+/// that can fail stands in a step of `run`, the one function that is jumped back to; the objects
+/// that own something live in the frames above it.
+class PngSession {
+  public:
+    explicit PngSession(PngDirection direction) : direction_(direction) {
+        png_ = direction == PngDirection::Write
+                   ? png_create_write_struct(PNG_LIBPNG_VER_STRING, this, on_error, on_warning)
+                   : png_create_read_struct(PNG_LIBPNG_VER_STRING, this, on_error, on_warning);
+        info_ = png_ != nullptr ? png_create_info_struct(png_) : nullptr;
+        if (info_ == nullptr) {
+            destroy();
+            throw std::bad_alloc();
+        }
+    }
+    ~PngSession() { destroy(); }
+    PngSession(const PngSession&) = delete;
+    PngSession& operator=(const PngSession&) = delete;
+
+    png_structp png() const { return png_; }
+    png_infop info() const { return info_; }
+
+    /// Why the last step failed, in libpng's words.
+    const char* error() const { return error_.data(); }
+
+    /// False if libpng gave up on the way; then nothing but the destructor may follow.
+    template <class Step>
+    bool run(const Step& step) {
+        static_assert(std::is_trivially_destructible_v<Step>);
+        if (setjmp(png_jmpbuf(png_)) != 0) {
+            return false;
+        }
+        step();
+        return true;
+    }
+
+  private:
+    [[noreturn]] static void on_error(png_structp png, png_const_charp message) {
+        auto& text = static_cast<PngSession*>(png_get_error_ptr(png))->error_;
+        std::strncpy(text.data(), message, text.size() - 1);
+        png_longjmp(png, 1);
+    }
+
+    static void on_warning(png_structp /*png*/, png_const_charp /*message*/) {}
+
+    void destroy() {
+        if (direction_ == PngDirection::Write) {
+            png_destroy_write_struct(&png_, &info_);
+        } else {
+            png_destroy_read_struct(&png_, &info_, nullptr);
+        }
+    }
+
+    PngDirection direction_;
+    std::array<char, 128> error_{};
+    png_structp png_ = nullptr;
+    png_infop info_ = nullptr;
+};
+
+}  // namespace foam::texgen

@@ -1,0 +1,121 @@
+#include "texgen/preset/assignment.h"
+
+#include <fmt/core.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <sstream>
+#include <type_traits>
+#include <utility>
+
+namespace foam::texgen {
+
+namespace {
+
+Value value_of(const toml::node& node);
+
+Value::List list_of(const toml::array& array) {
+    Value::List list;
+    for (const toml::node& item : array) {
+        list.push_back(value_of(item));
+    }
+    return list;
+}
+
+template <class Date>
+Value::Opaque opaque(const Date& date) {
+    std::ostringstream text;
+    text << date;
+    return {text.str()};
+}
+
+Value value_of(const toml::node& node) {
+    return node.visit([](const auto& typed) -> Value {
+        using Node = std::remove_cvref_t<decltype(typed)>;
+        if constexpr (toml::is_table<Node>) {
+            return {Value::Table{}};
+        } else if constexpr (toml::is_array<Node>) {
+            return {list_of(typed)};
+        } else if constexpr (toml::is_chronological<Node>) {
+            return {opaque(typed.get())};
+        } else {
+            return {typed.get()};
+        }
+    });
+}
+
+bool is_bare(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '-';
+}
+
+std::string key_part(std::string_view key) {
+    const bool bare = !key.empty() && std::all_of(key.begin(), key.end(), is_bare);
+    return bare ? std::string(key) : to_toml({std::string(key)});
+}
+
+struct Located {
+    toml::source_position position;
+    Assignment assignment;
+};
+
+/// Flattens a table into `found`, depth first.
+void collect(const toml::table& table,
+             const std::string& prefix,
+             const std::string& source,
+             std::vector<Located>& found) {
+    for (const auto& [key, node] : table) {
+        const std::string path = prefix + key_part(key.str());
+        const toml::source_position position = key.source().begin;
+        found.push_back(
+            {position, {fmt::format("{}:{}", source, position.line), path, value_of(node)}});
+        if (const toml::table* inner = node.as_table()) {
+            collect(*inner, path + '.', source, found);
+        }
+    }
+}
+
+toml::table parse(std::string_view toml, const std::string& source) {
+    try {
+        return toml::parse(toml, source);
+    } catch (const toml::parse_error& error) {
+        throw PresetError(fmt::format(
+            "{}:{}: malformed TOML: {}", source, error.source().begin.line, error.description()));
+    }
+}
+
+}  // namespace
+
+std::vector<Assignment> read_assignments(std::string_view toml, const std::string& source) {
+    std::vector<Located> found;
+    collect(parse(toml, source), "", source, found);
+    std::stable_sort(found.begin(), found.end(), [](const Located& a, const Located& b) {
+        return a.position < b.position;
+    });
+    std::vector<Assignment> assignments;
+    assignments.reserve(found.size());
+    for (Located& located : found) {
+        assignments.push_back(std::move(located.assignment));
+    }
+    return assignments;
+}
+
+Value read_value(const std::string& text) {
+    try {
+        const toml::table table = toml::parse("value = " + text);
+        return table.size() == 1 ? value_of(*table.get("value")) : Value{text};
+    } catch (const toml::parse_error&) {
+        return {text};
+    }
+}
+
+Assignment read_set_argument(const std::string& argument) {
+    const std::string place = "--set " + argument;
+    const std::size_t equals = argument.find('=');
+    if (equals == std::string::npos || equals == 0) {
+        throw PresetError(place + ": must be KEY=VALUE, as in --set foam.bubbles=500");
+    }
+    return {place, argument.substr(0, equals), read_value(argument.substr(equals + 1))};
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,118 @@
+#pragma once
+
+#include "texgen/preset/preset.h"
+#include "texgen/preset/value.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace foam::texgen {
+
+// The kinds of value a key may take. Each says in words what it allows, reads a value into a member
+// of the preset, false if it is not allowed, and turns the member into a value again.
+
+/// Integers from low to high, kept in whatever integer type the member has.
+struct Integers {
+    std::int64_t low = 0;
+    std::int64_t high = 0;
+
+    std::string allowed() const;
+    std::optional<std::int64_t> accepted(const Value& value) const;
+
+    template <class Integer>
+    bool read(const Value& value, Integer& member) const {
+        const std::optional<std::int64_t> integer = accepted(value);
+        member = integer ? static_cast<Integer>(*integer) : member;
+        return integer.has_value();
+    }
+    template <class Integer>
+    Value write(Integer member) const {
+        return {static_cast<std::int64_t>(member)};
+    }
+};
+
+/// Finite numbers from low to high and, if it stands for "none", zero; written with or without a
+/// point.
+struct Reals {
+    double low = 0.0;
+    double high = 0.0;
+    bool or_zero = false;
+
+    std::string allowed() const;
+    bool read(const Value& value, double& member) const;
+    Value write(double member) const { return {member}; }
+};
+
+/// Any string but the empty one, unless that is allowed too.
+struct Text {
+    bool or_empty = false;
+
+    std::string allowed() const;
+    bool read(const Value& value, std::string& member) const;
+    Value write(const std::string& member) const { return {member}; }
+};
+
+/// "#rrggbb".
+struct Colors {
+    std::string allowed() const;
+    bool read(const Value& value, std::string& member) const;
+    Value write(const std::string& member) const { return {member}; }
+};
+
+/// One of some words.
+struct Words {
+    std::span<const std::string_view> words;
+
+    std::string allowed() const;
+    bool read(const Value& value, std::string& member) const;
+    Value write(const std::string& member) const { return {member}; }
+};
+
+/// At least one of some words, none of them twice; a lone word need not stand in a list.
+struct WordLists {
+    std::span<const std::string_view> words;
+
+    std::string allowed() const;
+    bool read(const Value& value, std::vector<std::string>& member) const;
+    Value write(const std::vector<std::string>& member) const;
+};
+
+/// [width, height] in pixels, each from 1 to largest.
+struct Sizes {
+    int largest = 1;
+
+    std::string allowed() const;
+    bool read(const Value& value, ImageOptions& member) const;
+    Value write(const ImageOptions& member) const;
+};
+
+/// Words that stand for the two values of an enumeration.
+template <class Enum>
+struct Choices {
+    std::array<std::pair<std::string_view, Enum>, 2> choices;
+
+    std::string allowed() const {
+        const std::array words = {choices[0].first, choices[1].first};
+        return Words{words}.allowed();
+    }
+    bool read(const Value& value, Enum& member) const {
+        const auto* word = std::get_if<std::string>(&value.data);
+        for (const auto& [name, choice] : choices) {
+            if (word != nullptr && *word == name) {
+                member = choice;
+                return true;
+            }
+        }
+        return false;
+    }
+    Value write(Enum member) const {
+        return {std::string(choices[choices[0].second == member ? 0 : 1].first)};
+    }
+};
+
+}  // namespace foam::texgen

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "core/dynamics/coarsening.h"
+#include "core/equilibrium/topology_thresholds.h"
+#include "core/foam/seeding.h"
+#include "texgen/maps/albedo.h"
+
+#include <string>
+#include <vector>
+
+namespace foam::texgen {
+
+/// Which instants of the foam become pictures: frame 1 shows the foam at time warm_up, frame i + 1
+/// at time_step step_growth^(i - 1) after frame i.
+struct FramesOptions {
+    int count = 48;
+    double time_step = 1.0;    // foam time from frame 1 to frame 2
+    double step_growth = 1.0;  // of the time from frame to frame
+    double warm_up = 0.0;      // foam time simulated before frame 1
+};
+
+/// What is drawn of a frame.
+struct ImageOptions {
+    int width = 1024;  // pixels
+    int height = 1024;
+    std::vector<std::string> maps = {"albedo"};
+};
+
+/// Where the images go.
+struct OutputOptions {
+    std::string pattern = "out/{preset}_{map}.####.png";  // as FilePattern reads it
+};
+
+/// Everything that decides the pixels of a bake. Each value the user may set is one key of the
+/// schema, see schema.h; the aspect of the torus is none: it follows from the image.
+struct Preset {
+    std::string name;  // of the shipped preset or the stem of the file; fills {preset}
+    std::string description;
+    SeedingOptions seeding;
+    CoarseningOptions coarsening;
+    TopologyThresholds thresholds;
+    FramesOptions frames;
+    ImageOptions image;
+    AlbedoOptions albedo;
+    OutputOptions output;
+};
+
+}  // namespace foam::texgen

@@ -1,0 +1,158 @@
+#include "texgen/preset/preset_io.h"
+
+#include "texgen/preset/nearest.h"
+#include "texgen/preset/schema.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <variant>
+#include <vector>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr int kLargestAspect = 16;
+constexpr std::size_t kLongestShown = 60;  // characters of a value in an error
+
+/// Cut off at a whole UTF-8 character.
+std::string shortened(std::string text) {
+    if (text.size() > kLongestShown) {
+        std::size_t end = kLongestShown;
+        while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) {
+            --end;
+        }
+        text.replace(end, std::string::npos, "...");
+    }
+    return text;
+}
+
+[[noreturn]] void refuse(const Assignment& assignment, std::string_view reason) {
+    throw PresetError(fmt::format("{}: key '{}' = {}: {}",
+                                  assignment.place,
+                                  assignment.key,
+                                  shortened(to_toml(assignment.value)),
+                                  reason));
+}
+
+/// The known key or table that comes nearest, also where only its table was forgotten.
+std::string_view suggestion(const std::string& path) {
+    std::vector<std::string_view> paths;
+    std::vector<std::string_view> names;
+    for (const Key& key : preset_keys()) {
+        paths.push_back(key.path);
+        names.push_back(key.name());
+    }
+    const std::string_view name = std::string_view(path).substr(path.rfind('.') + 1);
+    const auto same_name = std::find(names.begin(), names.end(), name);
+    if (same_name != names.end()) {
+        return paths[static_cast<std::size_t>(same_name - names.begin())];
+    }
+    return nearest(path, paths);
+}
+
+[[noreturn]] void refuse_unknown(const Assignment& assignment) {
+    const bool table = std::holds_alternative<Value::Table>(assignment.value.data);
+    const std::string_view meant = suggestion(assignment.key);
+    refuse(assignment,
+           fmt::format("unknown {}; {}",
+                       table ? "table" : "key",
+                       meant.empty() ? "'foamtex presets keys' lists all there are"
+                                     : fmt::format("did you mean '{}'?", meant)));
+}
+
+void assign_one(Preset& preset, const Assignment& assignment) {
+    const Key* key = find_key(assignment.key);
+    const bool table = std::holds_alternative<Value::Table>(assignment.value.data);
+    if (key == nullptr && table && is_table(assignment.key)) {
+        return;
+    }
+    if (key == nullptr) {
+        refuse_unknown(assignment);
+    }
+    if (!key->read(assignment.value, preset)) {
+        refuse(assignment, "must be " + key->allowed);
+    }
+}
+
+/// The assignments were good before this batch, so one of the batch is to blame: the last.
+void check_pressures(const Preset& preset, std::span<const Assignment> assignments) {
+    const AlbedoOptions& albedo = preset.albedo;
+    if (albedo.pressure_high > albedo.pressure_low) {
+        return;
+    }
+    for (auto last = assignments.rbegin(); last != assignments.rend(); ++last) {
+        if (last->key == "albedo.pressure_high") {
+            refuse(*last,
+                   fmt::format("must be above albedo.pressure_low = {}", albedo.pressure_low));
+        }
+        if (last->key == "albedo.pressure_low") {
+            refuse(*last,
+                   fmt::format("must be below albedo.pressure_high = {}", albedo.pressure_high));
+        }
+    }
+}
+
+/// A foam of few bubbles does not fit a torus that is much longer than wide.
+void check_aspect(const Preset& preset, std::span<const Assignment> assignments) {
+    const int shorter = std::min(preset.image.width, preset.image.height);
+    const int longer = std::max(preset.image.width, preset.image.height);
+    if (longer <= kLargestAspect * shorter) {
+        return;
+    }
+    for (auto last = assignments.rbegin(); last != assignments.rend(); ++last) {
+        if (last->key == "image.size") {
+            refuse(*last,
+                   fmt::format("one side must be at most {} times the other", kLargestAspect));
+        }
+    }
+}
+
+}  // namespace
+
+void assign(Preset& preset, std::span<const Assignment> assignments) {
+    for (const Assignment& assignment : assignments) {
+        assign_one(preset, assignment);
+    }
+    check_pressures(preset, assignments);
+    check_aspect(preset, assignments);
+}
+
+Preset parse_preset(std::string_view toml, const std::string& name, const std::string& source) {
+    Preset preset;
+    preset.name = name;
+    assign(preset, read_assignments(toml, source));
+    return preset;
+}
+
+std::string to_toml(const Preset& preset) {
+    std::string toml;
+    std::string_view table;
+    for (const Key& key : preset_keys()) {
+        if (key.table() != table) {
+            table = key.table();
+            toml += fmt::format("{}[{}]\n", toml.empty() ? "" : "\n", table);
+        }
+        toml += fmt::format("{} = {}\n", key.name(), to_toml(key.write(preset)));
+    }
+    return toml;
+}
+
+std::string describe_keys() {
+    std::string text;
+    std::string_view table;
+    const Preset defaults;
+    for (const Key& key : preset_keys()) {
+        if (key.table() != table) {
+            table = key.table();
+            text += fmt::format("{}[{}]\n", text.empty() ? "" : "\n", table);
+        }
+        text += fmt::format("{} = {}\n", key.name(), to_toml(key.write(defaults)));
+        text += fmt::format("    {}\n    {}\n", key.meaning, key.allowed);
+    }
+    return text;
+}
+
+}  // namespace foam::texgen

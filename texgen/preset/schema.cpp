@@ -1,0 +1,219 @@
+#include "texgen/preset/schema.h"
+
+#include "texgen/image/colormap.h"
+#include "texgen/preset/domain.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr std::int64_t kLargestSeed = std::numeric_limits<std::int64_t>::max();  // of TOML
+constexpr int kLargestExtent = 16384;                                            // 1 GB of RGBA
+constexpr bool kOrZero = true;
+constexpr double kLargestTime = 1e6;
+constexpr double kLargestPressure = 1e6;
+constexpr std::array<std::string_view, 1> kMapNames = {"albedo"};
+constexpr Choices<PressureUnit> kPressureUnits = {
+    {{{"seed", PressureUnit::Seed}, {"current", PressureUnit::Current}}}};
+constexpr Choices<WidthUnit> kWidthUnits = {
+    {{{"px", WidthUnit::Pixels}, {"diameter", WidthUnit::Diameters}}}};
+
+using P = Preset;
+
+/// object.*members[0].*members[1] and so on.
+template <class Object, class... Members>
+auto& at(Object& object, Members... members) {
+    return (object.*....*members);
+}
+
+/// The key whose value is kept at the end of the path of members.
+template <class Domain, class... Members>
+Key key(std::string_view path, Domain domain, std::string_view meaning, Members... members) {
+    return {path,
+            domain.allowed(),
+            meaning,
+            [=](const Value& value, Preset& preset) {
+                return domain.read(value, at(preset, members...));
+            },
+            [=](const Preset& preset) { return domain.write(at(preset, members...)); }};
+}
+
+std::vector<Key> description_keys() {
+    return {key("preset.description",
+                Text{.or_empty = true},
+                "what the preset shows, in one line",
+                &P::description)};
+}
+
+std::vector<Key> foam_keys() {
+    using Options = SeedingOptions;
+    return {key("foam.bubbles",
+                Integers{4, 1'000'000},
+                "bubbles of the seeded foam, whose mean area is 1",
+                &P::seeding,
+                &Options::bubbles),
+            key("foam.seed",
+                Integers{0, kLargestSeed},
+                "another seed, another foam of the same kind",
+                &P::seeding,
+                &Options::seed),
+            key("foam.lloyd",
+                Integers{0, 1000},
+                "rounds of Lloyd relaxation: 0 is wild, 10 and more nearly regular",
+                &P::seeding,
+                &Options::lloyd_iterations),
+            key("foam.area_ratio",
+                Reals{1.0, 100.0, kOrZero},
+                "largest over smallest bubble area; 0 leaves the areas as they fall",
+                &P::seeding,
+                &Options::area_ratio),
+            key("foam.surface_tension",
+                Reals{1e-6, 1e3},
+                "gamma; a film pulls with twice this",
+                &P::seeding,
+                &Options::surface_tension)};
+}
+
+std::vector<Key> dynamics_keys() {
+    return {key("dynamics.kappa",
+                Reals{0.0, 1000.0},
+                "diffusion: dA/dt = (2 pi / 3) surface_tension kappa (sides - 6)",
+                &P::coarsening,
+                &CoarseningOptions::kappa),
+            key("dynamics.t1_distance",
+                Reals{0.001, 0.25},
+                "a film shorter than this may swap neighbours, in foam units",
+                &P::thresholds,
+                &TopologyThresholds::t1_distance),
+            key("dynamics.t2_area",
+                Reals{0.0001, 0.25},
+                "a three-sided bubble no larger than this vanishes, in foam units",
+                &P::thresholds,
+                &TopologyThresholds::t2_area)};
+}
+
+std::vector<Key> frames_keys() {
+    using Options = FramesOptions;
+    return {key("frames.count",
+                Integers{1, 100'000},
+                "frames of the animation",
+                &P::frames,
+                &Options::count),
+            key("frames.time_step",
+                Reals{0.0, kLargestTime},
+                "foam time from one frame to the next",
+                &P::frames,
+                &Options::time_step),
+            key("frames.step_growth",
+                Reals{0.1, 10.0},
+                "factor from each time step to the next: above 1 keeps up with a slowing foam",
+                &P::frames,
+                &Options::step_growth),
+            key("frames.warm_up",
+                Reals{0.0, kLargestTime},
+                "foam time that passes before frame 1",
+                &P::frames,
+                &Options::warm_up)};
+}
+
+std::vector<Key> image_keys() {
+    return {key("image.size", Sizes{kLargestExtent}, "pixels", &P::image),
+            key("image.maps",
+                WordLists{map_names()},
+                "the images drawn of every frame",
+                &P::image,
+                &ImageOptions::maps)};
+}
+
+std::vector<Key> albedo_keys() {
+    using Options = AlbedoOptions;
+    return {key("albedo.colormap",
+                Words{colormap_names()},
+                "colours of the bubbles by their pressure",
+                &P::albedo,
+                &Options::colormap),
+            key("albedo.pressure_low",
+                Reals{-kLargestPressure, kLargestPressure},
+                "pressure at the start of the colour map",
+                &P::albedo,
+                &Options::pressure_low),
+            key("albedo.pressure_high",
+                Reals{-kLargestPressure, kLargestPressure},
+                "pressure at its end; above pressure_low",
+                &P::albedo,
+                &Options::pressure_high),
+            key("albedo.pressure_unit",
+                kPressureUnits,
+                "film tension over the root of the mean area: of the seeded foam or of this frame",
+                &P::albedo,
+                &Options::pressure_unit),
+            key("albedo.film_color",
+                Colors{},
+                "sRGB colour of the films",
+                &P::albedo,
+                &Options::film_color),
+            key("albedo.film_width",
+                Reals{0.0, 1000.0},
+                "whole width of a film; 0 draws none",
+                &P::albedo,
+                &Options::film_width),
+            key("albedo.film_unit",
+                kWidthUnits,
+                "pixels, or diameters of a mean bubble of the seeded foam",
+                &P::albedo,
+                &Options::film_unit)};
+}
+
+std::vector<Key> output_keys() {
+    return {key("output.pattern",
+                Text{},
+                "file names: {preset} and {map} are filled in, #### is the frame",
+                &P::output,
+                &OutputOptions::pattern)};
+}
+
+std::vector<Key> all_keys() {
+    std::vector<Key> all;
+    for (const auto& keys : {description_keys(),
+                             foam_keys(),
+                             dynamics_keys(),
+                             frames_keys(),
+                             image_keys(),
+                             albedo_keys(),
+                             output_keys()}) {
+        all.insert(all.end(), keys.begin(), keys.end());
+    }
+    return all;
+}
+
+}  // namespace
+
+std::span<const Key> preset_keys() {
+    static const std::vector<Key> keys = all_keys();
+    return keys;
+}
+
+const Key* find_key(std::string_view path) {
+    const auto keys = preset_keys();
+    const auto found =
+        std::find_if(keys.begin(), keys.end(), [&](const Key& key) { return key.path == path; });
+    return found != keys.end() ? &*found : nullptr;
+}
+
+bool is_table(std::string_view name) {
+    const auto keys = preset_keys();
+    return std::any_of(
+        keys.begin(), keys.end(), [&](const Key& key) { return key.table() == name; });
+}
+
+std::span<const std::string_view> map_names() {
+    return kMapNames;
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "texgen/preset/preset.h"
+#include "texgen/preset/value.h"
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace foam::texgen {
+
+/// One key of the preset: all that reading, checking, writing and documenting it needs.
+struct Key {
+    std::string_view path;  // "foam.bubbles": table and name
+    std::string allowed;    // "an integer from 4 to 1000000"
+    std::string_view meaning;
+    std::function<bool(const Value&, Preset&)> read;  // false: not allowed, nothing changed
+    std::function<Value(const Preset&)> write;
+
+    std::string_view table() const { return path.substr(0, path.find('.')); }
+    std::string_view name() const { return path.substr(path.find('.') + 1); }
+};
+
+/// Every key there is, table by table.
+std::span<const Key> preset_keys();
+
+/// nullptr where there is none of this path.
+const Key* find_key(std::string_view path);
+
+/// Whether some key stands in a table of this name.
+bool is_table(std::string_view name);
+
+/// The maps `image.maps` may name.
+std::span<const std::string_view> map_names();
+
+}  // namespace foam::texgen

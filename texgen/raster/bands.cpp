@@ -1,0 +1,61 @@
+#include "texgen/raster/bands.h"
+
+#include <algorithm>
+
+namespace foam::texgen {
+
+namespace {
+
+// Shifts an outline, and moves it so that its first point lies within the grid's columns.
+SubpixelPoint placement(const RasterGrid& grid, SubpixelPoint first) {
+    const SubpixelPoint shift{-wrap(grid.shift_x, grid.width) * kSubpixel,
+                              -wrap(grid.shift_y, grid.height) * kSubpixel};
+    const std::int32_t period = grid.width * kSubpixel;
+    return {shift.x - floor_div(first.x + shift.x, period) * period, shift.y};
+}
+
+}  // namespace
+
+Bands::Bands(const CellOutlines& cells, int rows_per_band)
+    : rows_(rows_per_band),
+      grid_(cells.grid),
+      ends_(static_cast<std::size_t>((grid_.height + rows_ - 1) / rows_) + 1) {
+    for_each_entry(cells, [&](std::size_t band, const Entry&) { ++ends_[band + 1]; });
+    for (std::size_t band = 1; band < ends_.size(); ++band) {
+        ends_[band] += ends_[band - 1];
+    }
+    entries_.resize(ends_.back());
+    std::vector<std::size_t> next(ends_.begin(), ends_.end() - 1);
+    for_each_entry(cells,
+                   [&](std::size_t band, const Entry& entry) { entries_[next[band]++] = entry; });
+}
+
+int Bands::row_count(int band) const {
+    return std::min(rows_, grid_.height - first_row(band));
+}
+
+std::span<const Bands::Entry> Bands::entries(int band) const {
+    const auto k = static_cast<std::size_t>(band);
+    return std::span(entries_).subspan(ends_[k], ends_[k + 1] - ends_[k]);
+}
+
+template <class Visit>
+void Bands::for_each_entry(const CellOutlines& cells, Visit visit) const {
+    for (std::size_t k = 0; k < cells.outlines.size(); ++k) {
+        const Outline& outline = cells.outlines[k];
+        const SubpixelPoint translation = placement(grid_, cells.chain(outline).front());
+        const int low = pixel_of(outline.lowest + translation.y);
+        const int high = pixel_of(outline.highest + translation.y);
+        for (int period = floor_div(low, grid_.height); period * grid_.height <= high; ++period) {
+            const int base = period * grid_.height;
+            const int first = std::max(low - base, 0) / rows_;
+            const int last = std::min(high - base, grid_.height - 1) / rows_;
+            const SubpixelPoint wrapped{translation.x, translation.y - base * kSubpixel};
+            for (int band = first; band <= last; ++band) {
+                visit(static_cast<std::size_t>(band), Entry{k, wrapped});
+            }
+        }
+    }
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "texgen/image/image.h"
+#include "texgen/raster/outlines.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace foam::texgen {
+
+inline constexpr std::size_t kMaxChannels = 4;
+
+/// One value per bubble and one for films: 1 to kMaxChannels channels of 16 bits, in a scale in
+/// which an average makes sense (light, not sRGB).
+struct CellValues {
+    std::size_t channels = 1;
+    std::vector<std::uint16_t> cells;  // the channels of bubble 0, of bubble 1, ...
+    std::array<std::uint16_t, kMaxChannels> film{};
+};
+
+/// What a 16-bit value is written as.
+template <class Sample>
+using Encoding = std::array<Sample, 65536>;
+
+/// Fills an image with cells and films. Each pixel is the mean of the values in it, weighted by
+/// exact area (to the precision of the outlines) and rounded to the nearest. With films of no width
+/// the cells meet without gap or overlap, so that no film's value shows.
+///
+/// The same bits for any number of threads; a shift of the grid is an exact cyclic shift of the
+/// image. Throws std::invalid_argument if the image does not have the size of the grid and the
+/// channels of the values, or a bubble has no value.
+void fill_cells(const CellOutlines& cells,
+                const CellValues& values,
+                int threads,
+                ImageView<std::uint16_t> image);
+
+/// The same, each mean then encoded.
+void fill_cells(const CellOutlines& cells,
+                const CellValues& values,
+                const Encoding<std::uint8_t>& encoding,
+                int threads,
+                ImageView<std::uint8_t> image);
+
+}  // namespace foam::texgen

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "core/geometry/vec2.h"
+
+#include <cstdint>
+
+namespace foam::texgen {
+
+/// The rasterizer's coordinates are integers, so that sums do not depend on their order and a shift
+/// by whole pixels moves every point exactly. Subpixels per pixel, a power of two:
+inline constexpr int kSubpixelBits = 10;
+inline constexpr std::int32_t kSubpixel = 1 << kSubpixelBits;
+
+/// A point or a vector in subpixels; x to the right, y up.
+struct SubpixelPoint {
+    std::int32_t x = 0;
+    std::int32_t y = 0;
+
+    friend SubpixelPoint operator+(SubpixelPoint a, SubpixelPoint b) {
+        return {a.x + b.x, a.y + b.y};
+    }
+    friend SubpixelPoint operator-(SubpixelPoint a, SubpixelPoint b) {
+        return {a.x - b.x, a.y - b.y};
+    }
+    friend bool operator==(SubpixelPoint a, SubpixelPoint b) = default;
+};
+
+/// Pixels to the nearest subpixel; |pixels| < 2^16.
+inline std::int32_t to_subpixel(double pixels) {
+    constexpr std::int32_t kBias = 1 << 26;  // makes the sum positive, where truncation is floor
+    return static_cast<std::int32_t>(pixels * kSubpixel + (kBias + 0.5)) - kBias;
+}
+
+inline SubpixelPoint to_subpixel(const Vec2& pixels) {
+    return {to_subpixel(pixels.x()), to_subpixel(pixels.y())};
+}
+
+/// The pixel that a subpixel lies in, and its place within.
+inline std::int32_t pixel_of(std::int32_t subpixel) {
+    return subpixel >> kSubpixelBits;
+}
+inline std::int32_t within_pixel(std::int32_t subpixel) {
+    return subpixel & (kSubpixel - 1);
+}
+
+/// n / d rounded down, for d > 0.
+inline std::int32_t floor_div(std::int32_t n, std::int32_t d) {
+    return n / d - (n % d < 0 ? 1 : 0);
+}
+
+/// Remainder of floor_div, in [0, d).
+inline std::int32_t wrap(std::int32_t n, std::int32_t d) {
+    return n - floor_div(n, d) * d;
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "core/foam/frame.h"
+#include "texgen/raster/raster_grid.h"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace foam::texgen {
+
+/// A closed chain of straight edges, counter-clockwise around a part of a bubble, in subpixels of
+/// the unshifted grid. It is unwrapped: it may leave the grid by several periods.
+struct Outline {
+    BubbleId bubble{};
+    std::size_t batch = 0;  // its points are point_count points of a batch, from first_point on
+    std::size_t first_point = 0;
+    std::size_t point_count = 0;
+    std::int32_t lowest = 0;  // range of y over its points
+    std::int32_t highest = 0;
+};
+
+/// What shows of every bubble when each film covers all points within half its width.
+///
+/// With films of no width, neighbours share the same chain of integer points, so that the outlines
+/// tile the torus exactly. With a width, a bubble has one outline per part that its films leave
+/// free: mostly one, none if it is all film.
+struct CellOutlines {
+    RasterGrid grid;
+    std::vector<Outline> outlines;                    // in the order of bubbles
+    std::vector<std::vector<SubpixelPoint>> batches;  // as the workers left them
+    int unresolved = 0;  // parts left out because their boundary did not close; 0 for a valid foam
+
+    std::span<const SubpixelPoint> chain(const Outline& outline) const {
+        return std::span(batches[outline.batch]).subspan(outline.first_point, outline.point_count);
+    }
+};
+
+/// film_width is the whole width in pixels. The result is the same for any number of threads, and
+/// apart from `grid` itself for any shift. Throws std::invalid_argument as pixels_per_unit does, or
+/// for a width that is negative or not finite.
+CellOutlines outline_cells(const Frame& frame,
+                           const RasterGrid& grid,
+                           double film_width,
+                           int threads);
+
+}  // namespace foam::texgen

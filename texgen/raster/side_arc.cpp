@@ -1,0 +1,131 @@
+#include "texgen/raster/side_arc.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace foam::texgen {
+
+namespace {
+
+// A radius that shrinks to less than this part of itself counts as gone.
+constexpr double kSmallestShrinkage = 1e-9;
+
+// Signed distance to the left of the arc's whole circle; 1 - 2 curvature f is the squared distance
+// from the centre over the squared radius.
+double distance_left(const SideArc& arc, const Vec2& point) {
+    const Vec2 y = point - arc.middle;
+    const double f = turned_left(arc.direction).dot(y) - 0.5 * arc.curvature * y.squaredNorm();
+    return 2.0 * f / (1.0 + std::sqrt(std::max(0.0, 1.0 - 2.0 * arc.curvature * f)));
+}
+
+// Whether the nearest point of the whole circle lies on the arc: within the wedge of its end
+// normals.
+bool faces(const SideArc& arc, const Vec2& point) {
+    const bool past_tail = arc.tail_tangent.dot(point - arc.tail) >= 0.0;
+    const bool before_head = arc.head_tangent.dot(point - arc.head) <= 0.0;
+    const bool convex_wedge = std::abs(arc.half_angle) <= 0.5 * std::numbers::pi;
+    return convex_wedge ? past_tail && before_head : past_tail || before_head;
+}
+
+}  // namespace
+
+SideArc place(const FilmArc& arc, const Vec2& tail) {
+    const double length = arc.chord.norm();
+    const double c = std::cos(arc.half_angle);
+    const double s = std::sin(arc.half_angle);
+    SideArc side;
+    side.direction = arc.chord / length;
+    const Vec2 left = turned_left(side.direction);
+    side.tail = tail;
+    side.head = tail + arc.chord;
+    side.tail_tangent = c * side.direction - s * left;
+    side.head_tangent = c * side.direction + s * left;
+    side.curvature = 2.0 * s / length;
+    side.half_angle = arc.half_angle;
+    side.reach = length / (1.0 + c);
+    side.middle = tail + 0.5 * (arc.chord - side.reach * s * left);
+    side.extent = (side.head - side.middle).norm();
+    return side;
+}
+
+std::optional<SideArc> offset_left(const SideArc& arc, double distance) {
+    const double shrinkage = 1.0 - arc.curvature * distance;
+    if (shrinkage < kSmallestShrinkage) {
+        return std::nullopt;
+    }
+    SideArc offset = arc;
+    offset.tail += distance * turned_left(arc.tail_tangent);
+    offset.head += distance * turned_left(arc.head_tangent);
+    offset.middle += distance * turned_left(arc.direction);
+    offset.curvature = arc.curvature / shrinkage;
+    offset.reach = arc.reach * shrinkage;
+    offset.extent = arc.extent * shrinkage;
+    return offset;
+}
+
+SideArc corner_arc(const SideArc& before, const SideArc& after, double distance) {
+    const Vec2& from = before.head_tangent;
+    const Vec2& to = after.tail_tangent;
+    const Vec2 bisector = from + to;
+    SideArc cap;
+    cap.tail = before.head + distance * turned_left(from);
+    cap.head = before.head + distance * turned_left(to);
+    cap.tail_tangent = from;
+    cap.head_tangent = to;
+    cap.direction = bisector.norm() > 0.0 ? Vec2(bisector.normalized()) : Vec2(-turned_left(from));
+    cap.middle = before.head + distance * turned_left(cap.direction);
+    cap.curvature = -1.0 / distance;
+    cap.half_angle = -0.5 * std::abs(std::atan2(cross(from, to), from.dot(to)));
+    cap.reach = 2.0 * distance * std::tan(-0.5 * cap.half_angle);
+    cap.extent = (cap.head - cap.middle).norm();
+    return cap;
+}
+
+// With y(s) = s / (1 + (k s / 2)²) (t + (k s / 2) n) the points of the one circle, relative to its
+// middle, the equation of the other, n' (y - q) - k' / 2 |y - q|² = 0, becomes a s² + b s - e = 0.
+Crossings crossings(const SideArc& arc, const SideArc& other) {
+    const Vec2 q = other.middle - arc.middle;
+    const Vec2 normal = turned_left(other.direction);
+    const Vec2 m = normal + other.curvature * q;
+    const double e = normal.dot(q) + 0.5 * other.curvature * q.squaredNorm();
+    const double b = m.dot(arc.direction);
+    const double a = 0.5 * (arc.curvature * m.dot(turned_left(arc.direction)) - other.curvature) -
+                     0.25 * e * arc.curvature * arc.curvature;
+    const double discriminant = b * b + 4.0 * a * e;
+    if (discriminant < 0.0) {
+        constexpr double kNever = std::numeric_limits<double>::infinity();
+        return {kNever, kNever};
+    }
+    // The slope at the two roots is minus and plus this; each root in the form that does not
+    // cancel.
+    const double slope = std::sqrt(discriminant);
+    return {b <= 0.0 ? -2.0 * e / (slope - b) : -(b + slope) / (2.0 * a),
+            b >= 0.0 ? 2.0 * e / (b + slope) : (slope - b) / (2.0 * a)};
+}
+
+Vec2 point_at(const SideArc& arc, double parameter) {
+    const double tangent = 0.5 * arc.curvature * parameter;
+    const double scale = parameter / (1.0 + tangent * tangent);
+    return arc.middle + scale * (arc.direction + tangent * turned_left(arc.direction));
+}
+
+FilmArc piece(const SideArc& arc, double from, double to) {
+    const double half = 0.5 * arc.curvature;
+    return {point_at(arc, to) - point_at(arc, from),
+            std::atan2(half * (to - from), 1.0 + half * half * from * to)};
+}
+
+double distance(const SideArc& arc, const Vec2& point) {
+    if (faces(arc, point)) {
+        return std::abs(distance_left(arc, point));
+    }
+    return std::sqrt(std::min((point - arc.tail).squaredNorm(), (point - arc.head).squaredNorm()));
+}
+
+double extent(const SideArc& arc) {
+    return (arc.head - arc.middle).norm();
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "core/geometry/film_arc.h"
+
+#include <optional>
+
+namespace foam::texgen {
+
+/// One side of a bubble, or of the inset of one, placed in the plane (pixels), the bubble on its
+/// left.
+///
+/// A point of it has the parameter s = 2 r tan(phi / 2), phi being the angle turned since the
+/// middle and r the radius: finite on every arc, the arc length itself on a straight one, and
+/// rational in the coordinates, so that nothing here divides by a curvature.
+struct SideArc {
+    Vec2 tail{0.0, 0.0};
+    Vec2 head{0.0, 0.0};
+    Vec2 tail_tangent{0.0, 0.0};  // unit vectors
+    Vec2 head_tangent{0.0, 0.0};
+    Vec2 middle{0.0, 0.0};
+    Vec2 direction{0.0, 0.0};  // tangent in the middle
+    double curvature = 0.0;    // 1 / pixels, positive where the arc turns left
+    double half_angle = 0.0;   // |half_angle| < pi
+    double reach = 0.0;        // parameter of the head; that of the tail is -reach
+    double extent = 0.0;       // radius of the disc around the middle that just holds the arc
+};
+
+/// Precondition: the chord is not zero.
+SideArc place(const FilmArc& arc, const Vec2& tail);
+
+/// The arc at a distance to the left; nothing if the arc's centre is nearer than that.
+std::optional<SideArc> offset_left(const SideArc& arc, double distance);
+
+/// The offset of the corner between two sides that turns right: the circle around the corner, from
+/// the offset of the one to that of the other.
+SideArc corner_arc(const SideArc& before, const SideArc& after, double distance);
+
+/// Parameters at which an arc, extended to its whole circle, crosses that of another: to its right
+/// side and to its left. Infinite or NaN where there is no such crossing.
+struct Crossings {
+    double leaving;
+    double entering;
+};
+Crossings crossings(const SideArc& arc, const SideArc& other);
+
+Vec2 point_at(const SideArc& arc, double parameter);
+
+/// The piece between two parameters, from < to.
+FilmArc piece(const SideArc& arc, double from, double to);
+
+/// From a point to the nearest point of the arc.
+double distance(const SideArc& arc, const Vec2& point);
+
+}  // namespace foam::texgen
