@@ -1,0 +1,58 @@
+# shellcheck shell=bash
+# shellcheck disable=SC2034  # the lists are used where this file is sourced
+# The Debian 12 packages foamtex needs, and how the scripts install them. To be sourced.
+
+foam_build_packages=(
+    g++ cmake ninja-build
+    libeigen3-dev libboost-dev libpng-dev libcli11-dev libtomlplusplus-dev libfmt-dev
+)
+foam_test_packages=(libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev)
+foam_check_packages=(clang clang-format clang-tidy)
+
+say() {
+    printf '==> %s\n' "$*" >&2
+}
+
+die() {
+    printf '%s: error: %s\n' "$(basename "$0")" "$*" >&2
+    exit 1
+}
+
+is_installed() {
+    [[ $(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null) == installed ]]
+}
+
+print_missing() {
+    local package
+    for package in "$@"; do
+        is_installed "$package" || printf '%s\n' "$package"
+    done
+}
+
+apt_get() {
+    local -a command=(env DEBIAN_FRONTEND=noninteractive apt-get -q -o DPkg::Lock::Timeout=120)
+    ((EUID == 0)) || command=(sudo "${command[@]}")
+    "${command[@]}" "$@"
+}
+
+# ensure_packages PACKAGE...: installs those that are missing, and says which.
+ensure_packages() {
+    if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+        die "this is not a Debian system; the packages needed are, by their Debian names: $*"
+    fi
+
+    local -a missing
+    mapfile -t missing < <(print_missing "$@")
+    if ((${#missing[@]} == 0)); then
+        say "no package is missing"
+        return
+    fi
+
+    if ((EUID != 0)) && ! command -v sudo >/dev/null; then
+        die "installing packages takes root or sudo; missing are: ${missing[*]}"
+    fi
+    say "installing: ${missing[*]}"
+    apt_get update || say "apt-get update failed; trying with the package lists at hand"
+    apt_get install -y --no-install-recommends "${missing[@]}" ||
+        die "these packages could not be installed: ${missing[*]}"
+}

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/dynamics/step.h"
+#include "core/equilibrium/equilibrate.h"
+#include "core/foam/seeding.h"
+
+#include <map>
+#include <numbers>
+
+namespace foam::bench {
+
+/// A raw random diagram: no Lloyd iteration, not in equilibrium.
+inline Foam raw_foam(int bubbles) {
+    return seed_foam({.bubbles = bubbles, .seed = 1});
+}
+
+/// The same foam in equilibrium, made once for each number of bubbles.
+inline const Foam& settled_foam(int bubbles) {
+    static std::map<int, Foam> foams;
+    const auto [entry, is_new] = foams.try_emplace(bubbles);
+    if (is_new) {
+        entry->second = raw_foam(bubbles);
+        equilibrate(entry->second, {});
+    }
+    return entry->second;
+}
+
+/// The time in which a bubble of five or of seven sides, so nearly the mean bubble, changes by 1 %
+/// of the mean area: an ordinary frame.
+inline double ordinary_frame_time(const Foam& foam, const CoarseningOptions& coarsening) {
+    const double mean_area = foam.torus.area() / static_cast<double>(foam.network.bubble_count());
+    const double gamma = 0.5 * foam.film_tension;
+    return 0.01 * mean_area / (2.0 * std::numbers::pi / 3.0 * gamma * coarsening.kappa);
+}
+
+}  // namespace foam::bench

@@ -1,0 +1,53 @@
+#!/usr/bin/env bash
+# Fails on any clang-tidy finding in the sources that CMake builds, tests included.
+#
+#     tests/check_tidy.sh                    all of them
+#     tests/check_tidy.sh core/network       those whose path contains one of the words given
+#     FOAM_PRESET=dev tests/check_tidy.sh    as another CMake preset than release compiles them
+set -euo pipefail
+
+root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." >/dev/null && pwd)
+cd -- "$root"
+# shellcheck source=samples/setup/packages.sh
+source samples/setup/packages.sh
+
+preset=${FOAM_PRESET:-release}
+export build_dir=build/$preset
+
+# compiled_sources [WORD]...
+compiled_sources() {
+    sed -nE 's/^ *"file": "(.*)",?$/\1/p' "$build_dir/compile_commands.json" |
+        sort -u | filter_by_words "$@"
+}
+
+filter_by_words() {
+    local -a patterns=()
+    local word
+    for word in "$@"; do
+        patterns+=(-e "$word")
+    done
+    if (($# == 0)); then cat; else grep -F "${patterns[@]}" || true; fi
+}
+
+# Prints nothing but findings; on its own line the file in work, so that a long run shows progress.
+tidy_one() {
+    local output
+    printf '%s\n' "${1#"$PWD/"}"
+    output=$(clang-tidy --quiet --warnings-as-errors='*' -p "$build_dir" "$1" 2>&1) || {
+        printf '%s\n' "$output"
+        return 1
+    }
+}
+export -f tidy_one
+
+ensure_packages "${foam_build_packages[@]}" "${foam_test_packages[@]}" clang-tidy
+cmake --preset "$preset" >/dev/null
+mapfile -t sources < <(compiled_sources "$@")
+((${#sources[@]} > 0)) || die "no source to check"
+
+say "clang-tidy over ${#sources[@]} files"
+# shellcheck disable=SC2016  # the inner bash expands it
+printf '%s\0' "${sources[@]}" |
+    xargs -0 -n 1 -P "$(nproc)" bash -c 'tidy_one "$1"' tidy_one ||
+    die "clang-tidy has findings, above"
+say "clang-tidy finds nothing"

@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+# Builds foamtex with all its tests and benchmarks, and runs every test.
+#
+#     tests/run.sh [OPTION OF ctest]...
+#     tests/run.sh -R t1                   only the tests whose name contains t1
+#     FOAM_PRESET=asan tests/run.sh        another CMake preset than release
+set -euo pipefail
+
+root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." >/dev/null && pwd)
+cd -- "$root"
+# shellcheck source=samples/setup/packages.sh
+source samples/setup/packages.sh
+
+preset=${FOAM_PRESET:-release}
+
+ensure_packages "${foam_build_packages[@]}" "${foam_test_packages[@]}"
+say "building in build/$preset"
+cmake --preset "$preset"
+cmake --build --preset "$preset"
+say "running the tests"
+ctest --preset "$preset" -j "$(nproc)" "$@"
