@@ -31,6 +31,17 @@ FilmMatrix film_matrix(const Vec2& d, double delta, double tension) {
     return m;
 }
 
+void add_lower_entries(const std::array<int, 6>& rows,
+                       std::vector<Eigen::Triplet<double>>& entries) {
+    for (const int column : rows) {
+        for (const int row : rows) {
+            if (row >= column) {
+                entries.emplace_back(row, column, 0.0);
+            }
+        }
+    }
+}
+
 }  // namespace
 
 Hessian::FilmRows Hessian::rows_of(const Network& network, FilmId film) const {
@@ -50,14 +61,7 @@ Hessian::Hessian(const Network& network, const Unknowns& unknowns)
     std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(36 * unknowns.films.size());
     for (const FilmId film : unknowns.films) {
-        const FilmRows rows = rows_of(network, film);
-        for (const int column : rows) {
-            for (const int row : rows) {
-                if (row >= column) {
-                    entries.emplace_back(row, column, 0.0);
-                }
-            }
-        }
+        add_lower_entries(rows_of(network, film), entries);
     }
     matrix_.setFromTriplets(entries.begin(), entries.end());
     slots_.reserve(unknowns.films.size());

@@ -40,7 +40,7 @@ double arc_pressure_ratio(int sides) {
 // for the areas within the chords.
 struct SoftBubbles {
     Indexed<BubbleId, double> areas;  // kept up to date
-    double stiffness;
+    double stiffness = 0.0;
 
     static double target(const Foam& foam, BubbleId bubble) {
         return foam.target_areas[bubble] * chord_share(foam.network.sides(bubble));

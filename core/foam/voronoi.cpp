@@ -50,7 +50,25 @@ void add_copy(
     all.points.emplace_back(p.x() + offset.i * g.width, p.y() + offset.j * g.height);
 }
 
-// The sites and all their copies within a margin around the torus' own cell.
+// The copies of the sites at one offset that lie within a margin around the torus' own cell.
+void add_copies_at(Copies& all,
+                   const std::vector<GridPoint>& sites,
+                   LatticeOffset offset,
+                   const Grid& grid,
+                   double margin) {
+    const auto outside = [&](double x, double period) {
+        return x < -margin || x > period + margin;
+    };
+    for (std::size_t k = 0; k < sites.size(); ++k) {
+        const double x = sites[k].x() + static_cast<double>(offset.i) * grid.width;
+        const double y = sites[k].y() + static_cast<double>(offset.j) * grid.height;
+        if (!outside(x, grid.width) && !outside(y, grid.height)) {
+            add_copy(all, k, sites[k], offset, grid);
+        }
+    }
+}
+
+// The sites, then all their copies within a margin around the torus' own cell.
 Copies copies_within(const std::vector<GridPoint>& sites, const Grid& grid, double margin) {
     Copies all;
     for (std::size_t k = 0; k < sites.size(); ++k) {
@@ -58,17 +76,10 @@ Copies copies_within(const std::vector<GridPoint>& sites, const Grid& grid, doub
     }
     const int rings_x = std::min(kMostRings, static_cast<int>(std::ceil(margin / grid.width)));
     const int rings_y = std::min(kMostRings, static_cast<int>(std::ceil(margin / grid.height)));
-    const auto outside = [&](double x, double period) {
-        return x < -margin || x > period + margin;
-    };
     for (int j = -rings_y; j <= rings_y; ++j) {
         for (int i = -rings_x; i <= rings_x; ++i) {
-            for (std::size_t k = 0; k < sites.size() && (i != 0 || j != 0); ++k) {
-                const double x = sites[k].x() + static_cast<double>(i) * grid.width;
-                const double y = sites[k].y() + static_cast<double>(j) * grid.height;
-                if (!outside(x, grid.width) && !outside(y, grid.height)) {
-                    add_copy(all, k, sites[k], {i, j}, grid);
-                }
+            if (i != 0 || j != 0) {
+                add_copies_at(all, sites, {i, j}, grid, margin);
             }
         }
     }

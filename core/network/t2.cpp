@@ -15,6 +15,7 @@ HalfEdgeId outer_film(const Network& network, HalfEdgeId h) {
 
 std::vector<BubbleId> neighbours_of(const Network& network, const std::vector<HalfEdgeId>& loop) {
     std::vector<BubbleId> neighbours;
+    neighbours.reserve(loop.size());
     for (const HalfEdgeId h : loop) {
         neighbours.push_back(network.right(h));
     }

@@ -70,7 +70,9 @@ TEST(Step, MeasuredAreasFollowVonNeumann) {
 
 TEST(Step, LeavesTheHoneycombAlone) {
     Foam foam = honeycomb(4, 4);
-    step(foam, 10.0, {});
+    const StepSummary summary = step(foam, 10.0, {});
+    EXPECT_TRUE(summary.equilibrium.converged());
+    EXPECT_EQ(summary.equilibrium.iterations, 0);
     EXPECT_EQ(foam.time, 10.0);
     const Foam before = honeycomb(4, 4);
     for (const JunctionId junction : foam.network.junctions()) {

@@ -19,7 +19,7 @@ using test::shifted;
 Eigen::MatrixXd full_hessian(const Foam& foam, const Unknowns& unknowns) {
     Hessian hessian(foam.network, unknowns);
     const Eigen::MatrixXd lower = hessian.evaluate(foam);
-    const Eigen::MatrixXd full = lower.selfadjointView<Eigen::Lower>();
+    Eigen::MatrixXd full = lower.selfadjointView<Eigen::Lower>();
     return full;
 }
 

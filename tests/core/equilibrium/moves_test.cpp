@@ -33,6 +33,11 @@ TEST(AllowedShare, OfAFilmThatTurns) {
     EXPECT_DOUBLE_EQ(allowed_share({0.0, 1.0}, {-0.8, 0.0}, 0.4), 0.5);
 }
 
+// One that grows as it turns has room in proportion to its new length: 0.4 (1 + 1) of 1.
+TEST(AllowedShare, OfAFilmThatTurnsAndGrows) {
+    EXPECT_DOUBLE_EQ(allowed_share({1.0, 0.0}, {1.0, 1.0}, 0.4), 0.8);
+}
+
 TEST(AllowedShare, OfAFilmWithoutLengthIsAll) {
     EXPECT_EQ(allowed_share({0.0, 0.0}, {5.0, 1.0}, 0.4), 1.0);
 }
@@ -54,6 +59,21 @@ RC_GTEST_PROP(AllowedShare, KeepsTheLengthAboveItsLimit, ()) {
     RC_ASSERT(share <= 1.0);
     const double along = (chord + share * change).dot(chord) / chord.squaredNorm();
     RC_ASSERT(along >= 0.6 - 1e-12);
+}
+
+// Neither limit is passed and, where the share is not all, one of them is met.
+RC_GTEST_PROP(AllowedShare, GoesJustAsFarAsTheLimits, ()) {
+    const Vec2 chord = any_chord();
+    const Vec2 change(4.0 * any_real(), 4.0 * any_real());
+    const double share = allowed_share(chord, change, 0.4);
+    const double c = chord.norm();
+    const double along = change.dot(chord) / c;
+    const double across = std::abs(cross(chord, change)) / c;
+    const double room_along = 0.4 * c + share * along;
+    const double room_across = 0.4 * (c + std::max(along, 0.0)) - share * across;
+    RC_ASSERT(room_along >= -1e-12);
+    RC_ASSERT(room_across >= -1e-12);
+    RC_ASSERT(share == 1.0 || std::min(room_along, room_across) <= 1e-12);
 }
 
 TEST(State, ComesBackAtFractionZeroAndMovesInProportion) {

@@ -87,6 +87,7 @@ TEST(CellDiagram, RefusesASideWithoutACounterpart) {
 
 std::vector<CellCorner> cell_with_corners(const std::vector<Vec2>& points) {
     std::vector<CellCorner> cell;
+    cell.reserve(points.size());
     for (const Vec2& point : points) {
         cell.push_back({point, 0, {}});
     }

@@ -19,7 +19,7 @@ using test::side_between;
 
 constexpr double kRounding = 1e-14;  // of coordinates up to about 10
 
-const double kSide = std::sqrt(2.0 / (3.0 * std::numbers::sqrt3));  // of a hexagon of area 1
+constexpr double kSide = 0.62040323940139973;  // of a hexagon of area 1: sqrt(2 / (3 sqrt(3)))
 
 // Every side of every hexagon has the same chord, whether it crosses a seam or not.
 TEST(Foam, ChordsCrossTheSeam) {

@@ -16,8 +16,8 @@ constexpr double kRoot3 = std::numbers::sqrt3;
 // Of coordinates up to about 10.
 constexpr double kRounding = 1e-14;
 
-// A hexagon of side a has the area 3 sqrt(3) a²/2 = 1.
-const double kSide = std::sqrt(2.0 / (3.0 * kRoot3));
+// A hexagon of side a has the area 3 sqrt(3) a²/2 = 1: a = sqrt(2 / (3 sqrt(3))).
+constexpr double kSide = 0.62040323940139973;
 
 TEST(Honeycomb, IsMadeOfHexagonsOfAreaOne) {
     const Foam foam = honeycomb(3, 4);

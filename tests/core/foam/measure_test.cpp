@@ -19,7 +19,7 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kRoot3 = std::numbers::sqrt3;
 constexpr double kRounding = 1e-14;  // of coordinates up to about 10
 
-const double kSide = std::sqrt(2.0 / (3.0 * kRoot3));  // of a hexagon of area 1
+constexpr double kSide = 0.62040323940139973;  // of a hexagon of area 1: sqrt(2 / (3 sqrt(3)))
 
 // The pressure at which one hexagon among others, T = 1, has films of s = delta c / 2.
 double pressure_for(double s) {

@@ -81,25 +81,32 @@ std::vector<Case> cases() {
     return all;
 }
 
-// Each corner of each cell is as far from the cell's site as from the one across the side that
-// leaves it and the one across the side that arrives, and no site at all is nearer: this is what
-// makes it a corner of a Voronoi diagram.
+// A corner is as far from its cell's site as from the one across the side that leaves it and the
+// one across the side that arrives, and no site at all is nearer: this is what makes it a corner of
+// a Voronoi diagram.
+void expect_empty_circumcentre(const Torus& torus,
+                               const std::vector<Vec2>& sites,
+                               const Vec2& own_site,
+                               const CellCorner& before,
+                               const CellCorner& corner) {
+    const double tolerance = kTolerance * std::max(torus.width, torus.height);
+    const double radius = (corner.point - own_site).norm();
+    for (const CellCorner& side : {before, corner}) {
+        const Vec2 across = sites[side.across] + torus.translation(side.offset);
+        EXPECT_NEAR((corner.point - across).norm(), radius, tolerance);
+    }
+    EXPECT_NEAR(distance_to_nearest(torus, sites, corner.point), radius, tolerance);
+}
+
 TEST(Voronoi, CornersAreEmptyCircumcentres) {
     for (const Case& c : cases()) {
         const std::vector<Vec2> sites = random_sites(c.torus, c.sites, c.seed);
         const CellDiagram cells = voronoi_cells(c.torus, sites);
-        const double tolerance = kTolerance * std::max(c.torus.width, c.torus.height);
-        for (std::size_t cell = 0; cell < cells.size(); ++cell) {
-            for (std::size_t k = 0; k < cells[cell].size(); ++k) {
-                const CellCorner& corner = cells[cell][k];
-                const CellCorner& before =
-                    cells[cell][(k + cells[cell].size() - 1) % cells[cell].size()];
-                const double radius = (corner.point - sites[cell]).norm();
-                for (const CellCorner& side : {corner, before}) {
-                    const Vec2 across = sites[side.across] + c.torus.translation(side.offset);
-                    EXPECT_NEAR((corner.point - across).norm(), radius, tolerance);
-                }
-                EXPECT_NEAR(distance_to_nearest(c.torus, sites, corner.point), radius, tolerance);
+        for (std::size_t k = 0; k < cells.size(); ++k) {
+            CellCorner before = cells[k].back();
+            for (const CellCorner& corner : cells[k]) {
+                expect_empty_circumcentre(c.torus, sites, sites[k], before, corner);
+                before = corner;
             }
         }
     }

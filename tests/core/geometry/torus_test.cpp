@@ -9,7 +9,7 @@
 namespace foam {
 namespace {
 
-const Torus kTorus{3.0, 0.7};
+constexpr Torus kTorus{3.0, 0.7};
 
 Vec2 wrapped(const Torus& torus, const Vec2& point) {
     return point - torus.translation(torus.cell_of(point));

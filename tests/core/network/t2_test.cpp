@@ -23,6 +23,7 @@ constexpr BubbleId kTriangle{5};
 
 std::vector<int> sides_of(const Network& network, const std::vector<std::size_t>& bubbles) {
     std::vector<int> sides;
+    sides.reserve(bubbles.size());
     for (const std::size_t bubble : bubbles) {
         sides.push_back(network.sides(id_at<BubbleId>(bubble)));
     }
