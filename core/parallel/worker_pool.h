@@ -1,0 +1,49 @@
+#pragma once
+
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace foam {
+
+/// Threads that sleep until there is work and stay for the next: starting one takes longer than
+/// most of what `parallel_for` hands out.
+class WorkerPool {
+  public:
+    /// The one pool of the program. Its threads are started when first asked for.
+    static WorkerPool& shared();
+
+    WorkerPool() = default;
+    WorkerPool(const WorkerPool&) = delete;
+    WorkerPool& operator=(const WorkerPool&) = delete;
+    ~WorkerPool();
+
+    /// Calls work() on the caller's thread and at the same time on up to `helpers` others; returns
+    /// when all these calls have. A helper that is still busy elsewhere when the caller's call
+    /// returns is not waited for: so work() may itself run work here, and any number of threads may
+    /// call at once. Precondition: work() does not throw, and may be called any number of times
+    /// from once on. Throws std::system_error where a thread cannot be started.
+    void run(int helpers, const std::function<void()>& work);
+
+  private:
+    struct Offer {
+        const std::function<void()>* work = nullptr;
+        int unclaimed = 0;  // helpers that may still join
+        int running = 0;    // helpers that have, and have not come back
+    };
+
+    void start_threads(int count);
+    void serve();
+    Offer* claim();
+
+    std::mutex mutex_;
+    std::condition_variable changed_;   // an offer, or the end
+    std::condition_variable finished_;  // a helper has come back
+    std::vector<Offer*> offers_;
+    bool closing_ = false;
+    std::vector<std::jthread> threads_;
+};
+
+}  // namespace foam
