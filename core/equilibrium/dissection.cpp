@@ -1,6 +1,7 @@
 #include "core/equilibrium/dissection.h"
 
 #include "core/equilibrium/vertex_cut.h"
+#include "core/parallel/parallel_for.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +11,8 @@
 namespace foam {
 
 namespace {
+
+constexpr int kFewRows = 2000;  // below, a second thread saves next to nothing
 
 // A rectangle around the nodes of a part, but for a few at its rim.
 struct Box {
@@ -21,33 +24,43 @@ using Nodes = std::span<std::uint32_t>;
 
 enum class Zone : std::uint8_t { Outside, Low, High };
 
+constexpr std::uint32_t kNoPlace = std::numeric_limits<std::uint32_t>::max();
+
+// One value per node. Parts of the graph that are dissected at the same time write different ones,
+// and read none of each other's: the cut lies between them.
+struct NodeMemory {
+    std::vector<std::uint32_t> order;
+    std::vector<Zone> zones;
+    std::vector<double> keys;           // coordinate by which a part is halved
+    std::vector<std::uint32_t> places;  // in the band
+
+    explicit NodeMemory(std::size_t nodes)
+        : order(nodes), zones(nodes, Zone::Outside), keys(nodes), places(nodes, kNoPlace) {
+        std::iota(order.begin(), order.end(), 0U);
+    }
+};
+
 class Dissector {
   public:
     Dissector(const NodeGraph& graph,
               std::span<const SolverNode> nodes,
-              const Torus& torus,
-              const DissectionOptions& options)
+              const Vec2& periods,
+              const DissectionOptions& options,
+              NodeMemory& memory)
         : graph_(graph),
           nodes_(nodes),
-          periods_(torus.width, torus.height),
+          periods_(periods),
           options_(options),
-          zones_(nodes.size(), Zone::Outside),
-          keys_(nodes.size()),
-          places_(nodes.size(), kNoPlace) {}
+          memory_(memory),
+          zones_(memory.zones),
+          keys_(memory.keys),
+          places_(memory.places) {}
 
-    Dissection run() && {
-        result_.order.resize(nodes_.size());
-        std::iota(result_.order.begin(), result_.order.end(), 0U);
-        dissect(0, nodes_.size(), {Vec2::Zero(), periods_});
-        return std::move(result_);
-    }
-
-  private:
-    static constexpr std::uint32_t kNoPlace = std::numeric_limits<std::uint32_t>::max();
-
-    std::size_t dissect(std::size_t begin, std::size_t end, const Box& box) {
-        const Nodes part = Nodes(result_.order).subspan(begin, end - begin);
-        if (rows_of(part) <= options_.leaf_rows) {
+    // Returns the number of the part among `parts`.
+    std::size_t dissect(std::size_t begin, std::size_t end, const Box& box, int threads) {
+        const Nodes part = Nodes(memory_.order).subspan(begin, end - begin);
+        const int rows = rows_of(part);
+        if (rows <= options_.leaf_rows) {
             return add_part({begin, end});
         }
         const Eigen::Index axis = box.high.x() - box.low.x() < box.high.y() - box.low.y() ? 1 : 0;
@@ -60,14 +73,58 @@ class Dissector {
         Box low_box = box;
         Box high_box = box;
         low_box.high[axis] = high_box.low[axis] = cut;
-        const std::size_t left = dissect(begin, begin + low, low_box);
-        const std::size_t right = dissect(begin + low, begin + low + high, high_box);
+        const Half low_half{begin, begin + low, low_box};
+        const Half high_half{begin + low, begin + low + high, high_box};
+        const auto [left, right] = threads > 1 && rows >= kFewRows
+                                       ? dissect_at_once(low_half, high_half, threads)
+                                       : dissect_in_turn(low_half, high_half);
         return add_part({begin + low + high, end, left, right});
     }
 
+    std::vector<DissectionPart> parts;
+
+  private:
+    struct Half {
+        std::size_t begin;
+        std::size_t end;
+        Box box;
+    };
+    using BothParts = std::pair<std::size_t, std::size_t>;
+
+    BothParts dissect_in_turn(const Half& low, const Half& high) {
+        const std::size_t left = dissect(low.begin, low.end, low.box, 1);
+        return {left, dissect(high.begin, high.end, high.box, 1)};
+    }
+
+    BothParts dissect_at_once(const Half& low, const Half& high, int threads) {
+        Dissector other(graph_, nodes_, periods_, options_, memory_);
+        const int half = threads / 2;
+        parallel_for(0, 2, 1, 2, [&](std::size_t which, std::size_t) {
+            if (which == 0) {
+                dissect(low.begin, low.end, low.box, half);
+            } else {
+                other.dissect(high.begin, high.end, high.box, threads - half);
+            }
+        });
+        const std::size_t left = parts.size() - 1;
+        append(other.parts);
+        return {left, parts.size() - 1};
+    }
+
+    void append(const std::vector<DissectionPart>& others) {
+        const std::size_t shift = parts.size();
+        for (DissectionPart part : others) {
+            if (!part.is_leaf()) {
+                part.left += shift;
+                part.right += shift;
+            }
+            parts.push_back(part);
+        }
+    }
+
     std::size_t add_part(const DissectionPart& part) {
-        result_.parts.push_back(part);
-        return result_.parts.size() - 1;
+        parts.push_back(part);
+        return parts.size() - 1;
     }
 
     int rows_of(Nodes part) const {
@@ -216,10 +273,10 @@ class Dissector {
     std::span<const SolverNode> nodes_;
     Vec2 periods_;
     const DissectionOptions& options_;
-    Dissection result_;
-    std::vector<Zone> zones_;
-    std::vector<double> keys_;           // coordinate by which a part is halved
-    std::vector<std::uint32_t> places_;  // in the band
+    NodeMemory& memory_;
+    std::vector<Zone>& zones_;
+    std::vector<double>& keys_;
+    std::vector<std::uint32_t>& places_;
     std::vector<std::uint32_t> band_;
     VertexCut cut_;
 };
@@ -229,8 +286,13 @@ class Dissector {
 Dissection dissect(const NodeGraph& graph,
                    std::span<const SolverNode> nodes,
                    const Torus& torus,
-                   const DissectionOptions& options) {
-    return Dissector(graph, nodes, torus, options).run();
+                   const DissectionOptions& options,
+                   int threads) {
+    const Vec2 periods(torus.width, torus.height);
+    NodeMemory memory(nodes.size());
+    Dissector dissector(graph, nodes, periods, options, memory);
+    dissector.dissect(0, nodes.size(), {Vec2::Zero(), periods}, threads);
+    return {std::move(memory.order), std::move(dissector.parts)};
 }
 
 }  // namespace foam

@@ -13,7 +13,7 @@ namespace foam {
 
 struct DissectionOptions {
     int leaf_rows = 16;       // a part of so many rows is not cut further
-    int band_layers = 2;      // the cut is sought among so many layers of nodes on either side
+    int band_layers = 1;      // the cut is sought among so many layers of nodes on either side
     double band_share = 0.4;  // ... that hold at most so much of the side
 };
 
@@ -38,10 +38,12 @@ struct Dissection {
 
 /// Geometric nested dissection: halves the nodes at the median of the coordinate in which they
 /// extend further, moves that cut to the lightest one near it, and goes on with either side.
-/// Positions only guide it: any graph will do. Needs one node at least.
+/// Positions only guide it: any graph will do. Needs one node at least. The same for any number of
+/// threads.
 Dissection dissect(const NodeGraph& graph,
                    std::span<const SolverNode> nodes,
                    const Torus& torus,
-                   const DissectionOptions& options);
+                   const DissectionOptions& options,
+                   int threads = 1);
 
 }  // namespace foam

@@ -1,6 +1,8 @@
 #include "core/equilibrium/equilibrate.h"
 
 #include "core/equilibrium/relaxation.h"
+#include "core/equilibrium/residual.h"
+#include "core/equilibrium/spots.h"
 #include "core/equilibrium/t1_rule.h"
 #include "core/foam/measure.h"
 
@@ -10,17 +12,43 @@ namespace foam {
 
 namespace {
 
+// A step of the whole foam that leaves more than this share of the residual is held up by spots.
+constexpr double kSlowRatio = 0.1;
+// Within a spot, whose surroundings are held, there is no need to be exact.
+constexpr double kSpotTolerance = 1e-3;
+constexpr int kSpotIterations = 12;
+constexpr int kSpotRounds = 5;  // each ended by T1s
+
+NewtonOptions whole_options(const EquilibriumOptions& options) {
+    NewtonOptions whole;
+    whole.thresholds = options.thresholds;
+    whole.threads = options.threads;
+    return whole;
+}
+
+NewtonOptions spot_options(const EquilibriumOptions& options) {
+    NewtonOptions spot;
+    spot.max_iterations = kSpotIterations;
+    spot.force_tolerance = kSpotTolerance;
+    spot.area_tolerance = kSpotTolerance;
+    spot.thresholds = options.thresholds;
+    spot.threads = 1;
+    return spot;
+}
+
 class Equilibration {
   public:
-    Equilibration(Foam& foam, const EquilibriumOptions& options) : foam_(foam), options_(options) {
-        newton_options_.thresholds = options.thresholds;
-        newton_options_.threads = options.threads;
-    }
+    Equilibration(Foam& foam, const EquilibriumOptions& options)
+        : foam_(foam),
+          options_(options),
+          whole_(whole_options(options)),
+          spot_(spot_options(options)) {}
 
     EquilibriumSummary run() {
         if (options_.relaxes_first) {
             relax_all();
         }
+        settle_spots();
         bool settled = false;
         for (int round = 0; round < options_.max_rounds && !settled; ++round) {
             settled = solve_once();
@@ -32,20 +60,61 @@ class Equilibration {
     }
 
   private:
-    // Newton's method, then what it asks for; true where it asks for nothing.
+    // Newton's method for the whole foam, then what it asks for; true where it asks for nothing.
     bool solve_once() {
-        const NewtonSummary newton_summary =
-            newton(foam_, all_unknowns(foam_.network), newton_options_);
-        summary_.iterations += newton_summary.iterations;
-        if (newton_summary.status == NewtonStatus::Converged) {
-            return settle(short_films(foam_, options_.thresholds)) == 0;
+        if (network_changed_) {
+            whole_.start(foam_, all_unknowns(foam_.network));
+            network_changed_ = false;
         }
-        if (newton_summary.status == NewtonStatus::FilmsCollapse) {
-            settle(newton_summary.collapsing);
-        } else {
-            relax_all();
+        const NewtonSummary newton_summary = whole_.run(foam_);
+        summary_.iterations += newton_summary.iterations;
+        whole_.options().slow_ratio = kSlowRatio;
+        switch (newton_summary.status) {
+            case NewtonStatus::Converged:
+                if (settle(short_films(foam_, options_.thresholds)) == 0) {
+                    return true;
+                }
+                settle_spots();
+                break;
+            case NewtonStatus::FilmsCollapse:
+                settle(newton_summary.collapsing);
+                settle_spots();
+                break;
+            case NewtonStatus::Slow:
+                if (settle_spots() == 0) {
+                    whole_.options().slow_ratio = 1.0;  // it is slow all over: to go on
+                }
+                break;
+            case NewtonStatus::Stalled:
+            case NewtonStatus::IterationLimit:
+                relax_all();
+                settle_spots();
+                break;
         }
         return false;
+    }
+
+    // Newton's method on what is far from equilibrium alone, if that is little. Returns the number
+    // of spots.
+    std::size_t settle_spots() {
+        const Unknowns all = all_unknowns(foam_.network);
+        const std::vector<Spot> spots =
+            find_spots(foam_, all, residual(foam_, all, options_.threads), {});
+        for (const Spot& spot : spots) {
+            settle_spot(spot);
+        }
+        return spots.size();
+    }
+
+    void settle_spot(const Spot& spot) {
+        for (int round = 0; round < kSpotRounds; ++round) {
+            spot_.start(foam_, unknowns_around(foam_.network, spot));
+            const NewtonSummary newton_summary = spot_.run(foam_);
+            if (newton_summary.status != NewtonStatus::FilmsCollapse) {
+                return;
+            }
+            settle(newton_summary.collapsing);
+        }
     }
 
     void relax_all() {
@@ -53,6 +122,7 @@ class Equilibration {
             relax(foam_, {.sweeps = options_.relaxation_sweeps, .thresholds = options_.thresholds});
         summary_.sweeps += relaxation.sweeps;
         summary_.t1 += relaxation.t1;
+        network_changed_ = true;
     }
 
     int settle(const std::vector<FilmId>& films) {
@@ -61,6 +131,7 @@ class Equilibration {
             flips += settle_film(foam_, film, options_.thresholds, Tangents::OfArcs) ? 1 : 0;
         }
         summary_.t1 += flips;
+        network_changed_ = network_changed_ || flips > 0;
         return flips;
     }
 
@@ -79,7 +150,9 @@ class Equilibration {
 
     Foam& foam_;
     const EquilibriumOptions& options_;
-    NewtonOptions newton_options_;
+    NewtonSolver whole_;
+    NewtonSolver spot_;
+    bool network_changed_ = true;  // since whole_ was started
     EquilibriumSummary summary_;
 };
 

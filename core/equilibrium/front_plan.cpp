@@ -159,9 +159,10 @@ void FrontPlan::write_places(const Front& front, std::span<std::uint32_t> place_
 FrontPlan plan_fronts(const Eigen::SparseMatrix<double>& lower_pattern,
                       std::span<const SolverNode> nodes,
                       const Torus& torus,
-                      const DissectionOptions& options) {
+                      const DissectionOptions& options,
+                      int threads) {
     const NodeGraph graph = coupling(lower_pattern, nodes);
-    const Dissection dissection = dissect(graph, nodes, torus, options);
+    const Dissection dissection = dissect(graph, nodes, torus, options, threads);
     FrontPlan plan = FrontBuilder(graph, dissection, nodes).run();
     assert(plan.elimination.size() == static_cast<std::size_t>(lower_pattern.cols()));
     link_borders(plan);

@@ -71,6 +71,7 @@ struct FrontPlan {
 FrontPlan plan_fronts(const Eigen::SparseMatrix<double>& lower_pattern,
                       std::span<const SolverNode> nodes,
                       const Torus& torus,
-                      const DissectionOptions& options);
+                      const DissectionOptions& options,
+                      int threads = 1);
 
 }  // namespace foam

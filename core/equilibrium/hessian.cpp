@@ -1,18 +1,25 @@
 #include "core/equilibrium/hessian.h"
 
 #include "core/geometry/film_energy.h"
+#include "core/parallel/parallel_for.h"
 
 #include <algorithm>
+#include <span>
 
 namespace foam {
 
 namespace {
 
+constexpr std::size_t kGrain = 1024;  // films that a thread takes at a time
+
 using FilmMatrix = Eigen::Matrix<double, 6, 6>;
 
+// Of tail, head, left, and right.
+constexpr std::array<int, 4> kFilmRows = {2, 2, 1, 1};
+constexpr std::array<int, 4> kFirstFilmRow = {0, 2, 4, 5};
+
 // Second derivatives of one film's part of L by (tail, head, left pressure, right pressure).
-FilmMatrix film_matrix(const Vec2& d, double delta, double tension) {
-    const FilmEnergyHessian hessian = film_energy_hessian(d, delta, tension);
+FilmMatrix film_matrix(const Vec2& d, double delta, const FilmEnergyHessian& hessian) {
     Mat2 turn_right;
     turn_right << 0.0, 1.0, -1.0, 0.0;
     const Mat2 polygon = -0.5 * delta * turn_right;
@@ -31,71 +38,177 @@ FilmMatrix film_matrix(const Vec2& d, double delta, double tension) {
     return m;
 }
 
-void add_lower_entries(const std::array<int, 6>& rows,
-                       std::vector<Eigen::Triplet<double>>& entries) {
-    for (const int column : rows) {
-        for (const int row : rows) {
-            if (row >= column) {
-                entries.emplace_back(row, column, 0.0);
+}  // namespace
+
+// Which nodes are coupled to each node, of those that come later, each once and in order.
+struct Hessian::NodePattern {
+    std::vector<int> begins;  // of each node's among `later`, and the end
+    std::vector<int> later;
+
+    NodePattern(std::size_t node_count, std::span<const FilmNodes> films) {
+        std::vector<int> bounds(node_count + 1, 0);
+        for_each_pair(films, [&](int node, int) { ++bounds[static_cast<std::size_t>(node) + 1]; });
+        for (std::size_t node = 0; node < node_count; ++node) {
+            bounds[node + 1] += bounds[node];
+        }
+        std::vector<int> all(static_cast<std::size_t>(bounds.back()));
+        std::vector<int> next = bounds;
+        for_each_pair(films, [&](int node, int other) {
+            all[static_cast<std::size_t>(next[static_cast<std::size_t>(node)]++)] = other;
+        });
+        keep_each_once(all, bounds);
+    }
+
+    std::span<const int> of(int node) const {
+        const auto k = static_cast<std::size_t>(node);
+        return std::span(later).subspan(static_cast<std::size_t>(begins[k]),
+                                        static_cast<std::size_t>(begins[k + 1] - begins[k]));
+    }
+
+  private:
+    template <class Visit>
+    static void for_each_pair(std::span<const FilmNodes> films, Visit visit) {
+        for (const FilmNodes& nodes : films) {
+            for (std::size_t a = 0; a < 4; ++a) {
+                for (std::size_t b = a + 1; b < 4; ++b) {
+                    const auto [earlier, later] = std::minmax(nodes[a], nodes[b]);
+                    if (earlier >= 0 && earlier != later) {
+                        visit(earlier, later);
+                    }
+                }
             }
         }
     }
-}
 
-}  // namespace
+    void keep_each_once(std::vector<int>& all, const std::vector<int>& bounds) {
+        later.reserve(all.size());
+        begins.reserve(bounds.size());
+        begins.push_back(0);
+        for (std::size_t node = 0; node + 1 < bounds.size(); ++node) {
+            const auto begin = all.begin() + bounds[node];
+            const auto end = all.begin() + bounds[node + 1];
+            std::sort(begin, end);
+            later.insert(later.end(), begin, std::unique(begin, end));
+            begins.push_back(static_cast<int>(later.size()));
+        }
+    }
+};
 
-Hessian::FilmRows Hessian::rows_of(const Network& network, FilmId film) const {
+Hessian::FilmNodes Hessian::nodes_of(const Network& network, FilmId film) const {
     const HalfEdgeId h = forward_side(film);
-    const int tail = unknowns_.position_row(network.tail(h));
-    const int head = unknowns_.position_row(network.head(h));
-    return {tail,
-            tail + 1,
-            head,
-            head + 1,
-            unknowns_.pressure_row(network.left(h)),
-            unknowns_.pressure_row(network.right(h))};
+    const auto bubble_node = [&](BubbleId bubble) {
+        const int rank = unknowns_.bubble_rank[bubble];
+        return rank < 0 ? -1 : junctions_ + rank;
+    };
+    return {unknowns_.junction_rank[network.tail(h)],
+            unknowns_.junction_rank[network.head(h)],
+            bubble_node(network.left(h)),
+            bubble_node(network.right(h))};
 }
 
 Hessian::Hessian(const Network& network, const Unknowns& unknowns)
-    : unknowns_(unknowns), matrix_(unknowns.size(), unknowns.size()) {
-    std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(36 * unknowns.films.size());
+    : unknowns_(unknowns),
+      junctions_(static_cast<int>(unknowns.junctions.size())),
+      matrix_(unknowns.size(), unknowns.size()) {
+    std::vector<FilmNodes> films;
+    films.reserve(unknowns.films.size());
     for (const FilmId film : unknowns.films) {
-        add_lower_entries(rows_of(network, film), entries);
+        films.push_back(nodes_of(network, film));
     }
-    matrix_.setFromTriplets(entries.begin(), entries.end());
-    slots_.reserve(unknowns.films.size());
-    for (const FilmId film : unknowns.films) {
-        slots_.push_back(slots_of(rows_of(network, film)));
+    const NodePattern pattern(unknowns.junctions.size() + unknowns.bubbles.size(), films);
+    fill_pattern(pattern);
+    places_.reserve(films.size());
+    for (const FilmNodes& nodes : films) {
+        places_.push_back(place_of(pattern, nodes));
     }
 }
 
-Hessian::FilmSlots Hessian::slots_of(const FilmRows& rows) const {
-    FilmSlots slots;
-    for (std::size_t b = 0; b < 6; ++b) {
-        const int* begin = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[rows[b]];
-        const int* end = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[rows[b] + 1];
-        for (std::size_t a = 0; a < 6; ++a) {
-            const int* found = std::lower_bound(begin, end, rows[a]);
-            slots[6 * b + a] =
-                rows[a] < rows[b] ? -1 : static_cast<int>(found - matrix_.innerIndexPtr());
+// Column by column: a node's own rows from the diagonal on, then those of the later nodes.
+void Hessian::fill_pattern(const NodePattern& pattern) {
+    const auto node_count = static_cast<int>(pattern.begins.size()) - 1;
+    std::vector<int> rows;
+    int* ends = matrix_.outerIndexPtr();
+    for (int node = 0; node < node_count; ++node) {
+        const int end = first_row_of(node) + rows_of(node);
+        for (int column = first_row_of(node); column < end; ++column) {
+            for (int row = column; row < end; ++row) {
+                rows.push_back(row);
+            }
+            for (const int later : pattern.of(node)) {
+                for (int row = 0; row < rows_of(later); ++row) {
+                    rows.push_back(first_row_of(later) + row);
+                }
+            }
+            *++ends = static_cast<int>(rows.size());
         }
     }
-    return slots;
+    matrix_.resizeNonZeros(static_cast<Eigen::Index>(rows.size()));
+    std::copy(rows.begin(), rows.end(), matrix_.innerIndexPtr());
 }
 
-const Eigen::SparseMatrix<double>& Hessian::evaluate(const Foam& foam) {
-    double* values = matrix_.valuePtr();
-    std::fill(values, values + matrix_.nonZeros(), 0.0);
-    for (std::size_t k = 0; k < unknowns_.films.size(); ++k) {
-        const HalfEdgeId h = forward_side(unknowns_.films[k]);
-        const FilmMatrix m =
-            film_matrix(chord(foam, h), pressure_difference(foam, h), foam.film_tension);
-        for (std::size_t entry = 0; entry < 36; ++entry) {
-            if (slots_[k][entry] >= 0) {
-                values[slots_[k][entry]] += m.data()[entry];
+Hessian::FilmPlace Hessian::place_of(const NodePattern& pattern, const FilmNodes& nodes) const {
+    FilmPlace place{};
+    place.blocks.fill(-1);
+    for (std::size_t b = 0; b < 4; ++b) {
+        if (nodes[b] < 0) {
+            continue;
+        }
+        const int* column = matrix_.outerIndexPtr() + first_row_of(nodes[b]);
+        place.strides[b] = column[1] - column[0] - 1;  // the second column lacks one row
+        for (std::size_t a = 0; a < 4; ++a) {
+            if (nodes[a] >= nodes[b]) {
+                place.blocks[4 * b + a] = column[0] + rows_before(pattern, nodes[b], nodes[a]);
             }
         }
+    }
+    return place;
+}
+
+// Of the node's first column, above those of a later node.
+int Hessian::rows_before(const NodePattern& pattern, int node, int later) const {
+    if (node == later) {
+        return 0;
+    }
+    int rows = rows_of(node);
+    for (const int* other = pattern.of(node).data(); *other != later; ++other) {
+        rows += rows_of(*other);
+    }
+    return rows;
+}
+
+void Hessian::add_film(const FilmPlace& place, const FilmMatrix& film) {
+    for (std::size_t b = 0; b < 4; ++b) {
+        for (std::size_t a = 0; a < 4; ++a) {
+            const int block = place.blocks[4 * b + a];
+            if (block < 0) {
+                continue;
+            }
+            const bool is_lower_triangle = block == place.blocks[5 * b];
+            double* values = matrix_.valuePtr() + block;
+            for (int column = 0; column < kFilmRows[b]; ++column) {
+                for (int row = is_lower_triangle ? column : 0; row < kFilmRows[a]; ++row) {
+                    values[row] += film(kFirstFilmRow[a] + row, kFirstFilmRow[b] + column);
+                }
+                values += place.strides[b];
+            }
+        }
+    }
+}
+
+const Eigen::SparseMatrix<double>& Hessian::evaluate(const Foam& foam, int threads) {
+    std::vector<FilmEnergyHessian> films(places_.size());
+    parallel_for(0, films.size(), kGrain, threads, [&](std::size_t first, std::size_t last) {
+        for (std::size_t k = first; k < last; ++k) {
+            const HalfEdgeId h = forward_side(unknowns_.films[k]);
+            films[k] = film_energy_hessian(
+                chord(foam, h), pressure_difference(foam, h), foam.film_tension);
+        }
+    });
+    double* values = matrix_.valuePtr();
+    std::fill(values, values + matrix_.nonZeros(), 0.0);
+    for (std::size_t k = 0; k < places_.size(); ++k) {
+        const HalfEdgeId h = forward_side(unknowns_.films[k]);
+        add_film(places_[k], film_matrix(chord(foam, h), pressure_difference(foam, h), films[k]));
     }
     return matrix_;
 }

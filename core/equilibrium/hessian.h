@@ -17,22 +17,38 @@ class Hessian {
     Hessian(const Network& network, const Unknowns& unknowns);
 
     /// The matrix at the foam's present state. The foam must have the network of the constructor.
-    const Eigen::SparseMatrix<double>& evaluate(const Foam& foam);
+    /// The same bits for any number of threads.
+    const Eigen::SparseMatrix<double>& evaluate(const Foam& foam, int threads = 1);
 
     const Eigen::SparseMatrix<double>& matrix() const { return matrix_; }
 
-  private:
-    // Of the six numbers that a film's energy depends on: x and y of its tail and head, and the
-    // pressures on its left and right.
-    using FilmRows = std::array<int, 6>;
-    using FilmSlots = std::array<int, 36>;  // place of each entry among the matrix' values, or -1
+    /// Every column begins with its diagonal entry.
+    double& diagonal(int row) { return matrix_.valuePtr()[matrix_.outerIndexPtr()[row]]; }
 
-    FilmRows rows_of(const Network& network, FilmId film) const;
-    FilmSlots slots_of(const FilmRows& rows) const;
+  private:
+    // The free junctions, and then the free bubbles, are the nodes of the pattern: two rows, or
+    // one. A film couples four: its tail, its head, and the bubbles on its left and on its right.
+    using FilmNodes = std::array<int, 4>;  // negative where held
+    struct FilmPlace {
+        // For each pair of the four: where the block of the first one's rows in the second one's
+        // first column begins among the matrix' values; negative where not in the lower triangle.
+        std::array<int, 16> blocks;
+        std::array<int, 4> strides;  // from there to the second column, where there is one
+    };
+    struct NodePattern;
+
+    FilmNodes nodes_of(const Network& network, FilmId film) const;
+    void fill_pattern(const NodePattern& pattern);
+    FilmPlace place_of(const NodePattern& pattern, const FilmNodes& nodes) const;
+    int rows_before(const NodePattern& pattern, int node, int later) const;
+    void add_film(const FilmPlace& place, const Eigen::Matrix<double, 6, 6>& film);
+    int rows_of(int node) const { return node < junctions_ ? 2 : 1; }
+    int first_row_of(int node) const { return node < junctions_ ? 2 * node : junctions_ + node; }
 
     const Unknowns& unknowns_;
+    int junctions_;
     Eigen::SparseMatrix<double> matrix_;
-    std::vector<FilmSlots> slots_;
+    std::vector<FilmPlace> places_;  // of the free films
 };
 
 }  // namespace foam

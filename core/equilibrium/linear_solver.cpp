@@ -1,6 +1,6 @@
 #include "core/equilibrium/linear_solver.h"
 
-#include <thread>
+#include "core/parallel/parallel_for.h"
 
 namespace foam {
 
@@ -32,17 +32,31 @@ std::vector<SolverNode> solver_nodes(const Foam& foam, const Unknowns& unknowns)
     return nodes;
 }
 
-LinearSolver::LinearSolver(const Foam& foam, const Unknowns& unknowns, int threads)
-    : nodes_(solver_nodes(foam, unknowns)),
-      torus_(foam.torus),
-      threads_(threads > 0 ? threads : static_cast<int>(std::thread::hardware_concurrency())) {}
+void LinearSolver::start(const Foam& foam,
+                         const Unknowns& unknowns,
+                         Precision precision,
+                         int threads) {
+    nodes_ = solver_nodes(foam, unknowns);
+    torus_ = foam.torus;
+    precision_ = precision;
+    threads_ = threads_meant(threads);
+    analyzed_ = false;
+}
 
 bool LinearSolver::factor(const Eigen::SparseMatrix<double>& matrix) {
-    if (!analyzed_) {
-        factors_.analyze(matrix, nodes_, torus_);
-        analyzed_ = true;
-    }
-    return factors_.factor(matrix, threads_);
+    const auto factor_with = [&](auto& factors) {
+        if (!analyzed_) {
+            factors.analyze(matrix, nodes_, torus_, {}, threads_);
+            analyzed_ = true;
+        }
+        return factors.factor(matrix, threads_);
+    };
+    return precision_ == Precision::Single ? factor_with(single_) : factor_with(double_);
+}
+
+Eigen::VectorXd LinearSolver::solve(const Eigen::VectorXd& right_hand_side) const {
+    return precision_ == Precision::Single ? single_.solve(right_hand_side, threads_)
+                                           : double_.solve(right_hand_side, threads_);
 }
 
 }  // namespace foam

@@ -10,22 +10,83 @@ namespace foam {
 
 namespace {
 
+constexpr int kLimitSweeps = 4;
+constexpr double kClosingReach = 2.0;  // of the T1 distance
+
 Vec2 move_of(const Unknowns& unknowns, const Eigen::VectorXd& step, JunctionId junction) {
-    return step.segment<2>(unknowns.position_row(junction));
+    const int row = unknowns.position_row(junction);
+    return row < 0 ? Vec2(0.0, 0.0) : Vec2(step.segment<2>(row));
 }
 
-// Whether the whole step would shorten the film by more than half, and its flipped state stays
-// open.
+// Whether the whole step leaves the film below a length, and its flipped state stays open.
 bool awaits_flip(const Foam& foam,
                  const Unknowns& unknowns,
                  const Eigen::VectorXd& step,
-                 FilmId film) {
+                 FilmId film,
+                 double length) {
     const HalfEdgeId h = forward_side(film);
-    const Vec2 d = chord(foam, h);
-    const Vec2 growth = move_of(unknowns, step, foam.network.head(h)) -
-                        move_of(unknowns, step, foam.network.tail(h));
-    return growth.dot(d) < -0.5 * d.squaredNorm() && can_flip(foam.network, film) &&
+    const Vec2 after = chord(foam, h) + move_of(unknowns, step, foam.network.head(h)) -
+                       move_of(unknowns, step, foam.network.tail(h));
+    return after.norm() < length && can_flip(foam.network, film) &&
            flipped_pulls_apart(foam, film, Tangents::OfArcs);
+}
+
+// The collapsed films, and those up to `reach` times their T1 distance that are due.
+template <class IsDue>
+std::vector<FilmId> films_for_t1(const Foam& foam,
+                                 const Unknowns& unknowns,
+                                 const TopologyThresholds& thresholds,
+                                 double reach,
+                                 const IsDue& is_due) {
+    const double longest = reach * thresholds.t1_distance;
+    std::vector<FilmId> films;
+    for (const FilmId film : unknowns.films) {
+        const double squared_length = chord(foam, forward_side(film)).squaredNorm();
+        if (squared_length >= longest * longest) {
+            continue;
+        }
+        const double length = std::sqrt(squared_length);
+        if (length < collapsed_length(foam, film, thresholds) ||
+            (length < reach * t1_length(foam, film, thresholds) && is_due(film, length))) {
+            films.push_back(film);
+        }
+    }
+    return films;
+}
+
+void add_move(const Unknowns& unknowns,
+              Eigen::VectorXd& step,
+              JunctionId junction,
+              const Vec2& move) {
+    const int row = unknowns.position_row(junction);
+    if (row >= 0) {
+        step.segment<2>(row) += move;
+    }
+}
+
+// Each of the two ends takes half of what is cut, or the only one that is free takes all.
+bool limit_film(const Foam& foam,
+                const Unknowns& unknowns,
+                FilmId film,
+                double largest,
+                Eigen::VectorXd& step) {
+    const HalfEdgeId h = forward_side(film);
+    const JunctionId tail = foam.network.tail(h);
+    const JunctionId head = foam.network.head(h);
+    const Vec2 growth = move_of(unknowns, step, head) - move_of(unknowns, step, tail);
+    const Vec2 d = chord(foam, h);
+    if (growth.squaredNorm() <= largest * largest * d.squaredNorm()) {
+        return false;
+    }
+    const double share = allowed_share(d, growth, largest);
+    if (share >= 1.0 || tail == head) {
+        return false;
+    }
+    const bool both_free = unknowns.position_row(tail) >= 0 && unknowns.position_row(head) >= 0;
+    const Vec2 cut = (both_free ? 0.5 : 1.0) * (1.0 - share) * growth;
+    add_move(unknowns, step, tail, cut);
+    add_move(unknowns, step, head, -cut);
+    return true;
 }
 
 }  // namespace
@@ -75,42 +136,40 @@ void wrap(Foam& foam, const Unknowns& unknowns) {
     }
 }
 
-void limit_moves(const Foam& foam,
+bool limit_moves(const Foam& foam,
                  const Unknowns& unknowns,
                  double largest,
                  Eigen::VectorXd& step) {
-    for (int sweep = 0; sweep < 4; ++sweep) {
+    bool cut = false;
+    for (int sweep = 0; sweep < kLimitSweeps; ++sweep) {
+        bool cut_now = false;
         for (const FilmId film : unknowns.films) {
-            const HalfEdgeId h = forward_side(film);
-            const Vec2 d = chord(foam, h);
-            const int tail = unknowns.position_row(foam.network.tail(h));
-            const int head = unknowns.position_row(foam.network.head(h));
-            const Vec2 growth = move_of(unknowns, step, foam.network.head(h)) -
-                                move_of(unknowns, step, foam.network.tail(h));
-            const double share = allowed_share(d, growth, largest);
-            if (share >= 1.0 || tail == head) {
-                continue;
-            }
-            step.segment<2>(tail) += 0.5 * (1.0 - share) * growth;
-            step.segment<2>(head) -= 0.5 * (1.0 - share) * growth;
+            cut_now = limit_film(foam, unknowns, film, largest, step) || cut_now;
         }
+        if (!cut_now) {
+            break;
+        }
+        cut = true;
     }
+    return cut;
 }
 
 std::vector<FilmId> collapsing_films(const Foam& foam,
                                      const Unknowns& unknowns,
                                      const Eigen::VectorXd& step,
                                      const TopologyThresholds& thresholds) {
-    std::vector<FilmId> films;
-    for (const FilmId film : unknowns.films) {
-        const double length = chord(foam, forward_side(film)).norm();
-        if (length < thresholds.t1_distance && (length < collapsed_length(foam, film, thresholds) ||
-                                                (length < t1_length(foam, film, thresholds) &&
-                                                 awaits_flip(foam, unknowns, step, film)))) {
-            films.push_back(film);
-        }
-    }
-    return films;
+    return films_for_t1(foam, unknowns, thresholds, 1.0, [&](FilmId film, double length) {
+        return awaits_flip(foam, unknowns, step, film, 0.5 * length);
+    });
+}
+
+std::vector<FilmId> closing_films(const Foam& foam,
+                                  const Unknowns& unknowns,
+                                  const Eigen::VectorXd& step,
+                                  const TopologyThresholds& thresholds) {
+    return films_for_t1(foam, unknowns, thresholds, kClosingReach, [&](FilmId film, double) {
+        return awaits_flip(foam, unknowns, step, film, t1_length(foam, film, thresholds));
+    });
 }
 
 }  // namespace foam

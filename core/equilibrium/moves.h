@@ -33,8 +33,8 @@ void wrap(Foam& foam, const Unknowns& unknowns);
 double allowed_share(const Vec2& chord, const Vec2& change, double largest);
 
 /// Cuts the relative motion of the two ends of each film to its allowed share. Their common motion
-/// is left: a short film can travel far.
-void limit_moves(const Foam& foam, const Unknowns& unknowns, double largest, Eigen::VectorXd& step);
+/// is left: a short film can travel far. Returns whether anything was cut.
+bool limit_moves(const Foam& foam, const Unknowns& unknowns, double largest, Eigen::VectorXd& step);
 
 /// The films that a step takes through a T1, in increasing order: the collapsed ones, and those
 /// below their T1 distance that the step would shorten by more than half and that stay open when
@@ -43,5 +43,12 @@ std::vector<FilmId> collapsing_films(const Foam& foam,
                                      const Unknowns& unknowns,
                                      const Eigen::VectorXd& step,
                                      const TopologyThresholds& thresholds);
+
+/// The same for a step that can be trusted, near equilibrium: the collapsed films, and those up to
+/// twice their T1 distance that the step would leave below it and that stay open when flipped.
+std::vector<FilmId> closing_films(const Foam& foam,
+                                  const Unknowns& unknowns,
+                                  const Eigen::VectorXd& step,
+                                  const TopologyThresholds& thresholds);
 
 }  // namespace foam

@@ -1,12 +1,11 @@
 #include "core/equilibrium/newton.h"
 
-#include "core/equilibrium/hessian.h"
-#include "core/equilibrium/linear_solver.h"
 #include "core/equilibrium/moves.h"
 #include "core/equilibrium/residual.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace foam {
 
@@ -14,39 +13,123 @@ namespace {
 
 constexpr double kSufficientDecrease = 1e-4;  // of the sum of squares, per unit of the step
 constexpr double kSmallestStep = 1.0 / 64.0;
-// Relative to the largest diagonal entry of its kind: takes care of the null modes (E3).
-constexpr double kRegularization = 1e-9;
+// Takes care of the null modes (E3): of the film tension for junctions, of the diagonal for
+// pressures. Small against the softest shear of the foam, and large against rounding in the factor.
+// A small foam may have a null mode of its junctions that only a later pressure holds: its pivot is
+// then this small and the next one as large as 1 over it. That takes double precision.
+constexpr double kSingleRegularization = 1e-6;
+constexpr double kDoubleRegularization = 1e-7;
+constexpr int kFewUnknowns = 500;  // too few for single precision to pay
+// A factor is kept while no more than so many further steps are expected. Renewing it takes about
+// as long as this many.
+constexpr double kStepsPerFactor = 6.0;
+constexpr double kNearEquilibrium = 0.05;  // largest force and area error at which T1 are foreseen
 
-class Iteration {
+}  // namespace
+
+// One call of NewtonSolver::run.
+class NewtonRun {
   public:
-    Iteration(Foam& foam, const Unknowns& unknowns, const NewtonOptions& options)
+    NewtonRun(Foam& foam, NewtonSolver& solver)
         : foam_(foam),
-          unknowns_(unknowns),
-          options_(options),
-          hessian_(foam.network, unknowns),
-          solver_(foam, unknowns, options.threads),
-          residual_(residual(foam, unknowns)),
-          norms_(norms(foam, unknowns, residual_)) {}
+          solver_(solver),
+          unknowns_(solver.unknowns_),
+          options_(solver.options_),
+          residual_(residual(foam, unknowns_, options_.threads)),
+          norms_(norms(foam, unknowns_, residual_)) {}
 
-    const ResidualNorms& present() const { return norms_; }
-
-    bool converged() const {
-        return std::isfinite(norms_.squares) && norms_.force < options_.force_tolerance &&
-               norms_.area < options_.area_tolerance;
+    NewtonSummary run() {
+        while (!is_over()) {
+            iterate();
+        }
+        wrap(foam_, unknowns_);
+        summary_.residual = std::max(norms_.force, norms_.area);
+        return summary_;
     }
 
+  private:
+    bool is_over() {
+        if (std::isfinite(norms_.squares) && norms_.force < options_.force_tolerance &&
+            norms_.area < options_.area_tolerance) {
+            stop(NewtonStatus::Converged);
+        } else if (summary_.iterations == options_.max_iterations) {
+            stop(NewtonStatus::IterationLimit);
+        }
+        return over_;
+    }
+
+    void stop(NewtonStatus status) {
+        summary_.status = status;
+        over_ = true;
+    }
+
+    void iterate() {
+        const bool is_chord_step = solver_.has_factor_;
+        const Eigen::VectorXd step = full_step();
+        summary_.collapsing = films_for_t1(step);
+        if (!summary_.collapsing.empty()) {
+            stop(NewtonStatus::FilmsCollapse);
+            return;
+        }
+        const double before = norms_.squares;
+        const bool advanced = advance_safely(step);
+        const double ratio = std::sqrt(norms_.squares / before);
+        solver_.has_factor_ = advanced && !cut_ && is_worth_keeping(ratio, is_chord_step);
+        summary_.iterations += advanced ? 1 : 0;
+        if (is_chord_step) {
+            return;
+        }
+        if (!advanced) {
+            give_up_or_refine();
+        } else if (ratio > options_.slow_ratio) {
+            stop(NewtonStatus::Slow);
+        }
+    }
+
+    // Where Newton's step leads nowhere, the factor may be to blame.
+    void give_up_or_refine() {
+        if (solver_.precision_ == Precision::Double) {
+            stop(NewtonStatus::Stalled);
+        } else {
+            solver_.start_linear_solver(foam_, Precision::Double);
+        }
+    }
+
+    // Newton's step or, with a factor from before, the chord method's; zero where there is none.
     Eigen::VectorXd full_step() {
-        Eigen::SparseMatrix<double> matrix = hessian_.evaluate(foam_);
-        const auto rows = static_cast<Eigen::Index>(2 * unknowns_.junctions.size());
-        for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
-            double& diagonal = matrix.coeffRef(row, row);
-            diagonal += row < rows ? kRegularization * foam_.film_tension
-                                   : -kRegularization * (std::abs(diagonal) + 1e-12);
+        if (!solver_.has_factor_) {
+            solver_.renew_factor(foam_);
         }
-        if (!solver_.factor(matrix)) {
-            return Eigen::VectorXd::Zero(residual_.size());
+        return solver_.has_factor_ ? Eigen::VectorXd(-solver_.solver_.solve(solvable_part()))
+                                   : Eigen::VectorXd::Zero(residual_.size());
+    }
+
+    // What no motion of the whole foam and no common pressure can change is taken out, evenly: the
+    // sums of forces and of areas, which are zero but for rounding.
+    Eigen::VectorXd solvable_part() const {
+        const auto junctions = static_cast<Eigen::Index>(unknowns_.junctions.size());
+        const auto bubbles = static_cast<Eigen::Index>(unknowns_.bubbles.size());
+        Eigen::VectorXd r = residual_;
+        if (solver_.is_whole_) {
+            auto forces = r.head(2 * junctions).reshaped(2, junctions);
+            forces.colwise() -= Vec2(forces.rowwise().mean());
+            r.tail(bubbles).array() -= r.tail(bubbles).mean();
         }
-        return -solver_.solve(residual_);
+        return r;
+    }
+
+    std::vector<FilmId> films_for_t1(const Eigen::VectorXd& step) const {
+        const bool is_near = norms_.force < kNearEquilibrium && norms_.area < kNearEquilibrium;
+        return is_near ? closing_films(foam_, unknowns_, step, options_.thresholds)
+                       : collapsing_films(foam_, unknowns_, step, options_.thresholds);
+    }
+
+    // Goes along the step, its moves limited, or else, since that may be no way down, along the
+    // step as it is.
+    bool advance_safely(const Eigen::VectorXd& step) {
+        Eigen::VectorXd limited = step;
+        cut_ = limit_moves(foam_, unknowns_, options_.largest_move, limited);
+        return advance(limited) || (cut_ && advance(step));
     }
 
     // Goes along the step as far as the residual shrinks; false, unmoved, where it does not.
@@ -54,7 +137,7 @@ class Iteration {
         const State start = state_of(foam_, unknowns_);
         for (double fraction = 1.0; fraction >= kSmallestStep; fraction *= 0.5) {
             set_state(foam_, unknowns_, start, step, fraction);
-            Eigen::VectorXd trial = residual(foam_, unknowns_);
+            Eigen::VectorXd trial = residual(foam_, unknowns_, options_.threads);
             const ResidualNorms trial_norms = norms(foam_, unknowns_, trial);
             if (trial_norms.squares < (1.0 - kSufficientDecrease * fraction) * norms_.squares) {
                 residual_ = std::move(trial);
@@ -66,46 +149,62 @@ class Iteration {
         return false;
     }
 
-  private:
+    // From the step that was taken last. One with a new factor tells little of those to come.
+    bool is_worth_keeping(double ratio, bool is_chord_step) const {
+        if (!is_chord_step) {
+            return ratio < 0.5;
+        }
+        const double digits = std::log(std::max(norms_.force / options_.force_tolerance,
+                                                norms_.area / options_.area_tolerance));
+        return digits < -kStepsPerFactor * std::log(ratio);
+    }
+
     Foam& foam_;
+    NewtonSolver& solver_;
     const Unknowns& unknowns_;
     const NewtonOptions& options_;
-    Hessian hessian_;
-    LinearSolver solver_;
     Eigen::VectorXd residual_;
     ResidualNorms norms_;
+    NewtonSummary summary_;
+    bool cut_ = false;  // the last step was limited
+    bool over_ = false;
 };
 
-}  // namespace
+void NewtonSolver::start(const Foam& foam, Unknowns unknowns) {
+    unknowns_ = std::move(unknowns);
+    is_whole_ = unknowns_.bubbles.size() == foam.network.bubble_count();
+    hessian_.emplace(foam.network, unknowns_);
+    start_linear_solver(foam,
+                        unknowns_.size() < kFewUnknowns ? Precision::Double : Precision::Single);
+}
+
+void NewtonSolver::start_linear_solver(const Foam& foam, Precision precision) {
+    precision_ = precision;
+    solver_.start(foam, unknowns_, precision, options_.threads);
+    has_factor_ = false;
+}
+
+NewtonSummary NewtonSolver::run(Foam& foam) {
+    return NewtonRun(foam, *this).run();
+}
+
+void NewtonSolver::renew_factor(const Foam& foam) {
+    hessian_->evaluate(foam, options_.threads);
+    const double regularization =
+        precision_ == Precision::Single ? kSingleRegularization : kDoubleRegularization;
+    const auto position_rows = static_cast<int>(2 * unknowns_.junctions.size());
+    for (int row = 0; row < unknowns_.size(); ++row) {
+        double& diagonal = hessian_->diagonal(row);
+        diagonal += row < position_rows ? regularization * foam.film_tension
+                                        : -regularization * (std::abs(diagonal) + 1e-12);
+    }
+    has_factor_ = solver_.factor(hessian_->matrix());
+}
 
 NewtonSummary newton(Foam& foam, const Unknowns& unknowns, const NewtonOptions& options) {
-    Iteration iteration(foam, unknowns, options);
-    NewtonSummary summary;
-    while (true) {
-        summary.residual = std::max(iteration.present().force, iteration.present().area);
-        if (iteration.converged()) {
-            summary.status = NewtonStatus::Converged;
-            break;
-        }
-        if (summary.iterations == options.max_iterations) {
-            summary.status = NewtonStatus::IterationLimit;
-            break;
-        }
-        Eigen::VectorXd step = iteration.full_step();
-        summary.collapsing = collapsing_films(foam, unknowns, step, options.thresholds);
-        if (!summary.collapsing.empty()) {
-            summary.status = NewtonStatus::FilmsCollapse;
-            break;
-        }
-        limit_moves(foam, unknowns, options.largest_move, step);
-        if (!iteration.advance(step)) {
-            summary.status = NewtonStatus::Stalled;
-            break;
-        }
-        ++summary.iterations;
-    }
-    wrap(foam, unknowns);
-    return summary;
+    NewtonSolver solver(options);
+    solver.start(foam, unknowns);
+    return solver.run(foam);
 }
 
 }  // namespace foam

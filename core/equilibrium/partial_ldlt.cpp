@@ -7,11 +7,15 @@ namespace foam {
 namespace {
 
 using Eigen::Index;
-using Window = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
+
+template <class Real>
+using Window =
+    Eigen::Map<Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>, 0, Eigen::OuterStride<>>;
 
 constexpr Index kNarrow = 16;  // so many columns are factored one after the other
 
-Window window(DenseView& matrix, Index row, Index begin, Index end) {
+template <class Real>
+Window<Real> window(DenseView<Real>& matrix, Index row, Index begin, Index end) {
     return {matrix.data() + begin * matrix.rows() + row,
             matrix.rows() - row,
             end - begin,
@@ -20,16 +24,17 @@ Window window(DenseView& matrix, Index row, Index begin, Index end) {
 
 // target -= L D Lᵀ over the factored columns begin to end, lower trapezoid. The target's rows are
 // those of the panel from first_row on, its columns are as many of these as it has.
+template <class Real>
 void subtract_share(
-    const DenseView& panel, Index begin, Index end, Window target, double* scratch) {
+    const DenseView<Real>& panel, Index begin, Index end, Window<Real> target, Real* scratch) {
     const Index cols = target.cols();
     const Index below = target.rows() - cols;
     for (Index k = begin; k < end; k += kLargestDepth) {
         const Index depth = std::min(kLargestDepth, end - k);
         const auto factor = panel.block(panel.rows() - target.rows(), k, target.rows(), depth);
-        DenseView scaled(scratch, cols, depth);
+        DenseView<Real> scaled(scratch, cols, depth);
         scaled = factor.topRows(cols) * panel.diagonal().segment(k, depth).asDiagonal();
-        target.topRows(cols).triangularView<Eigen::Lower>() -=
+        target.topRows(cols).template triangularView<Eigen::Lower>() -=
             factor.topRows(cols) * scaled.transpose();
         if (below > 0) {
             target.bottomRows(below).noalias() -= factor.bottomRows(below) * scaled.transpose();
@@ -38,13 +43,14 @@ void subtract_share(
 }
 
 // Columns begin to end, out of which all earlier columns' shares have been taken.
-bool factor_columns(DenseView& panel, Index begin, Index end) {
+template <class Real>
+bool factor_columns(DenseView<Real>& panel, Index begin, Index end) {
     for (Index j = begin; j < end; ++j) {
-        const double pivot = panel(j, j);
-        if (pivot == 0.0 || !std::isfinite(pivot)) {
+        const Real pivot = panel(j, j);
+        if (pivot == Real(0) || !std::isfinite(pivot)) {
             return false;
         }
-        const double inverse = 1.0 / pivot;
+        const Real inverse = Real(1) / pivot;
         for (Index k = j + 1; k < end; ++k) {
             const Index rows = panel.rows() - k;
             panel.col(k).tail(rows) -= panel(k, j) * inverse * panel.col(j).tail(rows);
@@ -55,7 +61,8 @@ bool factor_columns(DenseView& panel, Index begin, Index end) {
 }
 
 // As factor_columns; halves the range, so that most of the work is in large products.
-bool factor_range(DenseView& panel, Index begin, Index end, double* scratch) {
+template <class Real>
+bool factor_range(DenseView<Real>& panel, Index begin, Index end, Real* scratch) {
     if (end - begin <= kNarrow) {
         return factor_columns(panel, begin, end);
     }
@@ -69,14 +76,21 @@ bool factor_range(DenseView& panel, Index begin, Index end, double* scratch) {
 
 }  // namespace
 
-bool factor_panel(DenseView panel, double* scratch) {
+template <class Real>
+bool factor_panel(DenseView<Real> panel, Real* scratch) {
     return factor_range(panel, 0, panel.cols(), scratch);
 }
 
-void update_remainder(const DenseView& panel, DenseView remainder, double* scratch) {
+template <class Real>
+void update_remainder(const DenseView<Real>& panel, DenseView<Real> remainder, Real* scratch) {
     if (remainder.cols() > 0) {
         subtract_share(panel, 0, panel.cols(), window(remainder, 0, 0, remainder.cols()), scratch);
     }
 }
+
+template bool factor_panel(DenseView<float>, float*);
+template bool factor_panel(DenseView<double>, double*);
+template void update_remainder(const DenseView<float>&, DenseView<float>, float*);
+template void update_remainder(const DenseView<double>&, DenseView<double>, double*);
 
 }  // namespace foam

@@ -8,11 +8,14 @@
 namespace foam {
 
 /// A column-major matrix in borrowed memory, its columns without gaps.
-using DenseView = Eigen::Map<Eigen::MatrixXd>;
+template <class Real>
+using DenseView = Eigen::Map<Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>>;
 
 /// The sums over the pivots are cut in pieces of this size, here and not by the cache sizes that
 /// Eigen finds: results are the same on every machine.
 inline constexpr Eigen::Index kLargestDepth = 128;
+
+// All that follows is there for float and double.
 
 /// Numbers of scratch memory that the functions below need.
 constexpr std::size_t ldlt_scratch(std::size_t pivots, std::size_t border) {
@@ -23,9 +26,11 @@ constexpr std::size_t ldlt_scratch(std::size_t pivots, std::size_t border) {
 /// these columns, lower part, all rows; afterwards D on the diagonal and L, whose diagonal is 1,
 /// below. What is above the diagonal is without meaning and may be overwritten.
 /// False where a pivot is zero or not finite: the panel is then spoilt.
-bool factor_panel(DenseView panel, double* scratch);
+template <class Real>
+bool factor_panel(DenseView<Real> panel, Real* scratch);
 
 /// Takes the share of the factored columns out of the rest of the matrix, lower triangle.
-void update_remainder(const DenseView& panel, DenseView remainder, double* scratch);
+template <class Real>
+void update_remainder(const DenseView<Real>& panel, DenseView<Real> remainder, Real* scratch);
 
 }  // namespace foam

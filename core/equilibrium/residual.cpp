@@ -2,24 +2,66 @@
 
 #include "core/foam/measure.h"
 #include "core/geometry/film_energy.h"
+#include "core/parallel/parallel_for.h"
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace foam {
 
 namespace {
 
-void add_film(const Foam& foam, const Unknowns& unknowns, FilmId film, Eigen::VectorXd& r) {
+constexpr std::size_t kGrain = 1024;  // films or bubbles that a thread takes at a time
+
+template <class Body>
+void for_each_index(std::size_t count, int threads, const Body& body) {
+    parallel_for(0, count, kGrain, threads, [&](std::size_t first, std::size_t last) {
+        for (std::size_t k = first; k < last; ++k) {
+            body(k);
+        }
+    });
+}
+
+// What a film adds to the gradient of L by its tail, its head and the pressure on its right.
+struct FilmPart {
+    Vec2 tail;
+    Vec2 head;
+    double right;
+};
+
+FilmPart film_part(const Foam& foam, FilmId film) {
     const HalfEdgeId h = forward_side(film);
     const Vec2 d = chord(foam, h);
     const double delta = pressure_difference(foam, h);
     const FilmEnergy energy = film_energy(d, delta, foam.film_tension);
     const Vec2 push = 0.5 * delta * turned_left(d);  // -delta P(d) / 2, half at each end (E3)
-    r.segment<2>(unknowns.position_row(foam.network.tail(h))) += push - energy.gradient;
-    r.segment<2>(unknowns.position_row(foam.network.head(h))) += push + energy.gradient;
-    r[unknowns.pressure_row(foam.network.left(h))] -= energy.segment_area;
-    r[unknowns.pressure_row(foam.network.right(h))] += energy.segment_area;
+    return {push - energy.gradient, push + energy.gradient, energy.segment_area};
+}
+
+// Nothing where the row is that of something held.
+void add(Eigen::VectorXd& r, int row, const Vec2& force) {
+    if (row >= 0) {
+        r.segment<2>(row) += force;
+    }
+}
+
+void add(Eigen::VectorXd& r, int row, double area) {
+    if (row >= 0) {
+        r[row] += area;
+    }
+}
+
+void add_part(const Network& network,
+              const Unknowns& unknowns,
+              FilmId film,
+              const FilmPart& part,
+              Eigen::VectorXd& r) {
+    const HalfEdgeId h = forward_side(film);
+    add(r, unknowns.position_row(network.tail(h)), part.tail);
+    add(r, unknowns.position_row(network.head(h)), part.head);
+    add(r, unknowns.pressure_row(network.left(h)), -part.right);
+    add(r, unknowns.pressure_row(network.right(h)), part.right);
 }
 
 }  // namespace
@@ -36,13 +78,20 @@ double lagrangian(const Foam& foam) {
     return sum;
 }
 
-Eigen::VectorXd residual(const Foam& foam, const Unknowns& unknowns) {
+Eigen::VectorXd residual(const Foam& foam, const Unknowns& unknowns, int threads) {
     Eigen::VectorXd r = Eigen::VectorXd::Zero(unknowns.size());
-    for (const BubbleId bubble : unknowns.bubbles) {
-        r[unknowns.pressure_row(bubble)] = foam.target_areas[bubble] - polygon_area(foam, bubble);
-    }
-    for (const FilmId film : unknowns.films) {
-        add_film(foam, unknowns, film, r);
+    auto areas = r.tail(static_cast<Eigen::Index>(unknowns.bubbles.size()));
+    for_each_index(unknowns.bubbles.size(), threads, [&](std::size_t k) {
+        const BubbleId bubble = unknowns.bubbles[k];
+        areas[static_cast<Eigen::Index>(k)] =
+            foam.target_areas[bubble] - polygon_area(foam, bubble);
+    });
+    std::vector<FilmPart> parts(unknowns.films.size());
+    for_each_index(parts.size(), threads, [&](std::size_t k) {
+        parts[k] = film_part(foam, unknowns.films[k]);
+    });
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+        add_part(foam.network, unknowns, unknowns.films[k], parts[k], r);
     }
     return r;
 }

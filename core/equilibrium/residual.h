@@ -10,8 +10,9 @@ namespace foam {
 double lagrangian(const Foam& foam);
 
 /// Gradient of the function L of E3 by the unknowns: minus the force of the films and pressures on
-/// each junction, then target area less area of each bubble. Zero in equilibrium (E2).
-Eigen::VectorXd residual(const Foam& foam, const Unknowns& unknowns);
+/// each junction, then target area less area of each bubble. Zero in equilibrium (E2). The same
+/// bits for any number of threads.
+Eigen::VectorXd residual(const Foam& foam, const Unknowns& unknowns, int threads = 1);
 
 /// Residuals without units: forces in film tensions, areas in target areas.
 struct ResidualNorms {

@@ -2,11 +2,11 @@
 
 #include "core/equilibrium/front_workspace.h"
 #include "core/equilibrium/partial_ldlt.h"
+#include "core/parallel/parallel_for.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cassert>
-#include <thread>
 
 namespace foam {
 
@@ -21,17 +21,20 @@ Index signed_size(std::size_t size) {
 }
 
 // What one call of SparseLdlt::factor works on.
+template <class Real>
 struct Memory {
     std::span<const double> values;  // of the matrix
-    std::span<double> factor;
-    std::span<double> workspace;
-    std::span<double> scratch;
+    std::span<Real> factor;
+    std::span<Real> workspace;
+    std::span<Real> scratch;
     std::size_t scratch_per_thread = 0;
 };
 
+template <class Real>
 class Factorization {
   public:
-    Factorization(const FrontPlan& plan, const Memory& memory) : plan_(plan), memory_(memory) {}
+    Factorization(const FrontPlan& plan, const Memory<Real>& memory)
+        : plan_(plan), memory_(memory) {}
 
     bool run(std::size_t threads) {
         factor_subtree(plan_.fronts.size() - 1, 0, threads);
@@ -39,7 +42,7 @@ class Factorization {
     }
 
   private:
-    // On the given threads, of which the first is the present one.
+    // On the given threads, each with scratch memory of its own.
     void factor_subtree(std::size_t root, std::size_t first_thread, std::size_t threads) {
         const Front& front = plan_.fronts[root];
         if (threads == 1 || !front.may_fork) {
@@ -48,11 +51,14 @@ class Factorization {
             }
             return;
         }
-        {
-            const std::size_t half = threads / 2;
-            const std::jthread left([&] { factor_subtree(front.left, first_thread, half); });
-            factor_subtree(front.right, first_thread + half, threads - half);
-        }
+        const std::size_t half = threads / 2;
+        parallel_for(0, 2, 1, 2, [&](std::size_t which, std::size_t) {
+            if (which == 0) {
+                factor_subtree(front.left, first_thread, half);
+            } else {
+                factor_subtree(front.right, first_thread + half, threads - half);
+            }
+        });
         factor_front(front, first_thread);
     }
 
@@ -61,13 +67,13 @@ class Factorization {
             return;
         }
         assemble(front);
-        double* scratch = memory_.scratch.data() + thread * memory_.scratch_per_thread;
-        const DenseView panel(memory_.factor.data() + front.panel_begin,
-                              signed_size(front.rows()),
-                              signed_size(front.pivots));
-        const DenseView remainder(memory_.workspace.data() + front.remainder_begin,
-                                  signed_size(front.border),
-                                  signed_size(front.border));
+        Real* scratch = memory_.scratch.data() + thread * memory_.scratch_per_thread;
+        const DenseView<Real> panel(memory_.factor.data() + front.panel_begin,
+                                    signed_size(front.rows()),
+                                    signed_size(front.pivots));
+        const DenseView<Real> remainder(memory_.workspace.data() + front.remainder_begin,
+                                        signed_size(front.border),
+                                        signed_size(front.border));
         if (factor_panel(panel, scratch)) {
             update_remainder(panel, remainder, scratch);
         } else {
@@ -80,11 +86,11 @@ class Factorization {
         const auto panel = memory_.factor.subspan(front.panel_begin, front.pivots * front.rows());
         const auto remainder =
             memory_.workspace.subspan(front.remainder_begin, front.border * front.border);
-        std::fill(panel.begin(), panel.end(), 0.0);
-        std::fill(remainder.begin(), remainder.end(), 0.0);
+        std::fill(panel.begin(), panel.end(), Real(0));
+        std::fill(remainder.begin(), remainder.end(), Real(0));
         for (std::size_t k = front.entries_begin; k < front.entries_end; ++k) {
             const FrontPlan::Entry& entry = plan_.entries[k];
-            panel[entry.place] = memory_.values[entry.source];
+            panel[entry.place] = static_cast<Real>(memory_.values[entry.source]);
         }
         if (!front.is_leaf()) {
             take_up(plan_.fronts[front.left], front);
@@ -94,14 +100,14 @@ class Factorization {
 
     void take_up(const Front& child, const Front& front) {
         const std::span<const std::uint32_t> places = plan_.places_of_border(child);
-        const double* source = memory_.workspace.data() + child.remainder_begin;
+        const Real* source = memory_.workspace.data() + child.remainder_begin;
         for (std::size_t column = 0; column < child.border; ++column) {
             const std::size_t place = places[column];
             const bool in_panel = place < front.pivots;
-            double* target = in_panel
-                                 ? memory_.factor.data() + front.panel_begin + place * front.rows()
-                                 : memory_.workspace.data() + front.remainder_begin +
-                                       (place - front.pivots) * front.border;
+            Real* target = in_panel
+                               ? memory_.factor.data() + front.panel_begin + place * front.rows()
+                               : memory_.workspace.data() + front.remainder_begin +
+                                     (place - front.pivots) * front.border;
             const std::size_t first_place = in_panel ? 0 : front.pivots;
             for (std::size_t row = column; row < child.border; ++row) {
                 target[places[row] - first_place] += source[row];
@@ -111,21 +117,25 @@ class Factorization {
     }
 
     const FrontPlan& plan_;
-    Memory memory_;
+    Memory<Real> memory_;
     std::atomic<bool> failed_ = false;
 };
 
 // One front's part in the solution, in the order of elimination.
+template <class Real>
 class FrontSolve {
   public:
-    FrontSolve(const FrontPlan& plan, const Front& front, const double* factor)
+    using Vector = Eigen::Vector<Real, Eigen::Dynamic>;
+
+    FrontSolve(const FrontPlan& plan, const Front& front, const Real* factor)
         : pivots_(signed_size(front.pivots)),
           first_row_(signed_size(front.first_row)),
           border_(plan.rows_of_border(front)),
           top_(factor + front.panel_begin, pivots_, pivots_, stride(front)),
           below_(top_.data() + pivots_, signed_size(front.border), pivots_, stride(front)) {}
 
-    void forward(Eigen::VectorXd& x, Eigen::VectorXd& scratch) const {
+    // What the border's rows lose goes to x, from the row `limit` on to `beyond`.
+    void forward(Vector& x, Vector& beyond, std::size_t limit, Vector& scratch) const {
         auto own = x.segment(first_row_, pivots_);
         auto share = scratch.head(signed_size(border_.size()));
         for (Index column = 0; column < pivots_; ++column) {
@@ -134,12 +144,12 @@ class FrontSolve {
         }
         share.noalias() = below_ * own;
         for (std::size_t k = 0; k < border_.size(); ++k) {
-            x[border_[k]] -= share[signed_size(k)];
+            (border_[k] < limit ? x : beyond)[border_[k]] -= share[signed_size(k)];
         }
         own.array() /= top_.diagonal().array();
     }
 
-    void backward(Eigen::VectorXd& x, Eigen::VectorXd& scratch) const {
+    void backward(Vector& x, Vector& scratch) const {
         auto own = x.segment(first_row_, pivots_);
         auto known = scratch.head(signed_size(border_.size()));
         for (std::size_t k = 0; k < border_.size(); ++k) {
@@ -153,7 +163,8 @@ class FrontSolve {
     }
 
   private:
-    using Window = Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
+    using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+    using Window = Eigen::Map<const Matrix, 0, Eigen::OuterStride<>>;
 
     static Eigen::OuterStride<> stride(const Front& front) {
         return Eigen::OuterStride<>(signed_size(front.rows()));
@@ -166,52 +177,142 @@ class FrontSolve {
     Window below_;  // the border's part of L
 };
 
+// Solves in place: forwards through the fronts, and backwards. Subtrees that are gone through at
+// the same time subtract their shares of what lies above them from vectors of their own, which are
+// then added up in order: the bits do not depend on the number of threads.
+template <class Real>
+class Substitution {
+  public:
+    using Vector = Eigen::Vector<Real, Eigen::Dynamic>;
+
+    Substitution(const FrontPlan& plan, const Real* factor, Vector& x)
+        : plan_(plan), factor_(factor), x_(x) {}
+
+    void run(std::size_t threads) {
+        const std::size_t root = plan_.fronts.size() - 1;
+        forward(root, x_, plan_.elimination.size(), threads);
+        backward(root, threads);
+    }
+
+  private:
+    using Solve = FrontSolve<Real>;
+
+    // Shares of rows from `limit` on go to `beyond`, which may be x itself.
+    void forward(std::size_t root, Vector& beyond, std::size_t limit, std::size_t threads) {
+        const Front& front = plan_.fronts[root];
+        Vector scratch(signed_size(plan_.largest_border));
+        if (!forks(front)) {
+            for (std::size_t k = front.first_descendant; k <= root; ++k) {
+                Solve(plan_, plan_.fronts[k], factor_).forward(x_, beyond, limit, scratch);
+            }
+            return;
+        }
+        forward_both(front, beyond, limit, threads);
+        Solve(plan_, front, factor_).forward(x_, beyond, limit, scratch);
+    }
+
+    void forward_both(const Front& front, Vector& beyond, std::size_t limit, std::size_t threads) {
+        const std::span<const std::uint32_t> shared =
+            plan_.rows_of_border(plan_.fronts[front.right]);
+        Vector apart(x_.size());
+        for (const std::uint32_t row : shared) {
+            apart[row] = Real(0);
+        }
+        both(threads, [&](bool is_left, std::size_t part) {
+            if (is_left) {
+                forward(front.left, beyond, limit, part);
+            } else {
+                forward(front.right, apart, front.first_row, part);
+            }
+        });
+        for (const std::uint32_t row : shared) {
+            (row < limit ? x_ : beyond)[row] += apart[row];
+        }
+    }
+
+    void backward(std::size_t root, std::size_t threads) {
+        const Front& front = plan_.fronts[root];
+        Vector scratch(signed_size(plan_.largest_border));
+        if (!forks(front)) {
+            for (std::size_t k = root + 1; k-- > front.first_descendant;) {
+                Solve(plan_, plan_.fronts[k], factor_).backward(x_, scratch);
+            }
+            return;
+        }
+        Solve(plan_, front, factor_).backward(x_, scratch);
+        both(threads, [&](bool is_left, std::size_t part) {
+            backward(is_left ? front.left : front.right, part);
+        });
+    }
+
+    // However many threads there are, the same subtrees are forked.
+    bool forks(const Front& front) const {
+        const std::size_t first_row = plan_.fronts[front.first_descendant].first_row;
+        return front.may_fork && front.first_row + front.pivots - first_row >= kFewRows;
+    }
+
+    template <class Body>
+    static void both(std::size_t threads, const Body& body) {
+        const std::size_t half = threads / 2;
+        parallel_for(0, 2, 1, threads > 1 ? 2 : 1, [&](std::size_t which, std::size_t) {
+            body(which == 0, which == 0 ? half : threads - half);
+        });
+    }
+
+    const FrontPlan& plan_;
+    const Real* factor_;
+    Vector& x_;
+};
+
+std::size_t threads_for(const FrontPlan& plan, int threads) {
+    const bool is_small = plan.elimination.size() < kFewRows;
+    return static_cast<std::size_t>(is_small ? 1 : std::clamp(threads, 1, kMostThreads));
+}
+
 }  // namespace
 
-void SparseLdlt::analyze(const Eigen::SparseMatrix<double>& lower_pattern,
-                         std::span<const SolverNode> nodes,
-                         const Torus& torus,
-                         const DissectionOptions& options) {
-    plan_ = plan_fronts(lower_pattern, nodes, torus, options);
+template <class Real>
+void SparseLdlt<Real>::analyze(const Eigen::SparseMatrix<double>& lower_pattern,
+                               std::span<const SolverNode> nodes,
+                               const Torus& torus,
+                               const DissectionOptions& options,
+                               int threads) {
+    plan_ = plan_fronts(lower_pattern, nodes, torus, options, threads);
     factor_.resize(plan_.panels_size);
     workspace_.resize(plan_.workspace_size);
 }
 
-bool SparseLdlt::factor(const Eigen::SparseMatrix<double>& lower, int threads) {
+template <class Real>
+bool SparseLdlt<Real>::factor(const Eigen::SparseMatrix<double>& lower, int threads) {
     assert(lower.isCompressed());
     assert(static_cast<std::size_t>(lower.nonZeros()) == plan_.entries.size());
-    const bool is_small = plan_.elimination.size() < kFewRows;
-    const auto used = static_cast<std::size_t>(is_small ? 1 : std::clamp(threads, 1, kMostThreads));
+    const std::size_t used = threads_for(plan_, threads);
     scratch_.resize(std::max(scratch_.size(), used * plan_.scratch_size));
-    const Memory memory{{lower.valuePtr(), plan_.entries.size()},
-                        factor_,
-                        workspace_,
-                        scratch_,
-                        plan_.scratch_size};
-    return Factorization(plan_, memory).run(used);
+    const Memory<Real> memory{{lower.valuePtr(), plan_.entries.size()},
+                              factor_,
+                              workspace_,
+                              scratch_,
+                              plan_.scratch_size};
+    return Factorization<Real>(plan_, memory).run(used);
 }
 
-Eigen::VectorXd SparseLdlt::solve(const Eigen::VectorXd& right_hand_side) const {
+template <class Real>
+Eigen::VectorXd SparseLdlt<Real>::solve(const Eigen::VectorXd& right_hand_side, int threads) const {
     const auto& turns = plan_.elimination;
-    Eigen::VectorXd x(right_hand_side.size());
-    Eigen::VectorXd scratch(signed_size(plan_.largest_border));
+    Eigen::Vector<Real, Eigen::Dynamic> x(right_hand_side.size());
     for (std::size_t row = 0; row < turns.size(); ++row) {
-        x[turns[row]] = right_hand_side[signed_size(row)];
+        x[turns[row]] = static_cast<Real>(right_hand_side[signed_size(row)]);
     }
-    for (const Front& front : plan_.fronts) {
-        FrontSolve(plan_, front, factor_.data()).forward(x, scratch);
-    }
-    for (auto front = plan_.fronts.rbegin(); front != plan_.fronts.rend(); ++front) {
-        FrontSolve(plan_, *front, factor_.data()).backward(x, scratch);
-    }
+    Substitution<Real>(plan_, factor_.data(), x).run(threads_for(plan_, threads));
     Eigen::VectorXd solution(right_hand_side.size());
     for (std::size_t row = 0; row < turns.size(); ++row) {
-        solution[signed_size(row)] = x[turns[row]];
+        solution[signed_size(row)] = static_cast<double>(x[turns[row]]);
     }
     return solution;
 }
 
-std::size_t SparseLdlt::nonzeros() const {
+template <class Real>
+std::size_t SparseLdlt<Real>::nonzeros() const {
     std::size_t count = 0;
     for (const Front& front : plan_.fronts) {
         count += front.pivots * (front.pivots + 1) / 2 + front.pivots * front.border;
@@ -219,14 +320,18 @@ std::size_t SparseLdlt::nonzeros() const {
     return count;
 }
 
-std::size_t SparseLdlt::positive_pivots() const {
+template <class Real>
+std::size_t SparseLdlt<Real>::positive_pivots() const {
     std::size_t count = 0;
     for (const Front& front : plan_.fronts) {
         for (std::size_t pivot = 0; pivot < front.pivots; ++pivot) {
-            count += factor_[front.panel_begin + pivot * (front.rows() + 1)] > 0.0 ? 1U : 0U;
+            count += factor_[front.panel_begin + pivot * (front.rows() + 1)] > Real(0) ? 1U : 0U;
         }
     }
     return count;
 }
+
+template class SparseLdlt<float>;
+template class SparseLdlt<double>;
 
 }  // namespace foam

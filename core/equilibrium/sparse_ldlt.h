@@ -13,6 +13,7 @@ namespace foam {
 /// Direct solver for symmetric quasi-definite matrices over points of a torus: L D Lᵀ without
 /// pivoting, multifrontal, in the order of a geometric nested dissection. The bits of its results
 /// do not depend on the number of threads.
+template <class Real>
 class SparseLdlt {
   public:
     /// Plans for all matrices of this pattern, of which the lower triangle is given, compressed and
@@ -20,7 +21,8 @@ class SparseLdlt {
     void analyze(const Eigen::SparseMatrix<double>& lower_pattern,
                  std::span<const SolverNode> nodes,
                  const Torus& torus,
-                 const DissectionOptions& options = {});
+                 const DissectionOptions& options = {},
+                 int threads = 1);
 
     /// Factors a matrix of the pattern that was analyzed, on up to so many threads. Takes memory at
     /// the first call only. False where a pivot is zero or not finite: there is then nothing to
@@ -28,7 +30,7 @@ class SparseLdlt {
     bool factor(const Eigen::SparseMatrix<double>& lower, int threads);
 
     /// Needs a factor.
-    Eigen::VectorXd solve(const Eigen::VectorXd& right_hand_side) const;
+    Eigen::VectorXd solve(const Eigen::VectorXd& right_hand_side, int threads = 1) const;
 
     /// Numbers in L, the diagonal and the zeros in dense fronts included.
     std::size_t nonzeros() const;
@@ -38,9 +40,9 @@ class SparseLdlt {
 
   private:
     FrontPlan plan_;
-    std::vector<double> factor_;     // D and L, front after front
-    std::vector<double> workspace_;  // remainders of fronts until their parents take them up
-    std::vector<double> scratch_;
+    std::vector<Real> factor_;     // D and L, front after front
+    std::vector<Real> workspace_;  // remainders of fronts until their parents take them up
+    std::vector<Real> scratch_;
 };
 
 }  // namespace foam

@@ -1,22 +1,68 @@
 #include "core/equilibrium/unknowns.h"
 
+#include <algorithm>
+
 namespace foam {
+
+namespace {
+
+template <class Id>
+void sort_once(std::vector<Id>& ids) {
+    std::sort(ids.begin(), ids.end());
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+}
+
+template <class Id>
+void rank(const std::vector<Id>& ids, Indexed<Id, int>& ranks) {
+    for (std::size_t k = 0; k < ids.size(); ++k) {
+        ranks[ids[k]] = static_cast<int>(k);
+    }
+}
+
+void rank_all(const Network& network, Unknowns& unknowns) {
+    unknowns.junction_rank.resize(network.junction_slots(), -1);
+    unknowns.bubble_rank.resize(network.bubble_slots(), -1);
+    rank(unknowns.junctions, unknowns.junction_rank);
+    rank(unknowns.bubbles, unknowns.bubble_rank);
+}
+
+template <class Id>
+std::vector<Id> ids_of(const LiveRange<Id>& range, std::size_t count) {
+    std::vector<Id> ids;
+    ids.reserve(count);
+    for (const Id id : range) {
+        ids.push_back(id);
+    }
+    return ids;
+}
+
+}  // namespace
 
 Unknowns all_unknowns(const Network& network) {
     Unknowns unknowns;
-    unknowns.junction_rank.resize(network.junction_slots(), -1);
-    unknowns.bubble_rank.resize(network.bubble_slots(), -1);
-    for (const JunctionId junction : network.junctions()) {
-        unknowns.junction_rank[junction] = static_cast<int>(unknowns.junctions.size());
-        unknowns.junctions.push_back(junction);
+    unknowns.junctions = ids_of(network.junctions(), network.junction_count());
+    unknowns.bubbles = ids_of(network.bubbles(), network.bubble_count());
+    unknowns.films = ids_of(network.films(), network.film_count());
+    rank_all(network, unknowns);
+    return unknowns;
+}
+
+Unknowns unknowns_around(const Network& network, std::span<const BubbleId> bubbles) {
+    Unknowns unknowns;
+    unknowns.bubbles.assign(bubbles.begin(), bubbles.end());
+    for (const BubbleId bubble : bubbles) {
+        for (const HalfEdgeId h : network.around(bubble)) {
+            unknowns.junctions.push_back(network.tail(h));
+        }
     }
-    for (const BubbleId bubble : network.bubbles()) {
-        unknowns.bubble_rank[bubble] = static_cast<int>(unknowns.bubbles.size());
-        unknowns.bubbles.push_back(bubble);
+    sort_once(unknowns.junctions);
+    for (const JunctionId junction : unknowns.junctions) {
+        for (const HalfEdgeId h : network.leaving(junction)) {
+            unknowns.films.push_back(film_of(h));
+        }
     }
-    for (const FilmId film : network.films()) {
-        unknowns.films.push_back(film);
-    }
+    sort_once(unknowns.films);
+    rank_all(network, unknowns);
     return unknowns;
 }
 

@@ -39,8 +39,8 @@ Partial eliminate(const MatrixXd& matrix, Index pivots) {
     Partial result{lower.leftCols(pivots), lower.bottomRightCorner(border, border)};
     std::vector<double> scratch(
         ldlt_scratch(static_cast<std::size_t>(pivots), static_cast<std::size_t>(border)));
-    const DenseView panel(result.panel.data(), matrix.rows(), pivots);
-    const DenseView remainder(result.remainder.data(), border, border);
+    const DenseView<double> panel(result.panel.data(), matrix.rows(), pivots);
+    const DenseView<double> remainder(result.remainder.data(), border, border);
     result.succeeded = factor_panel(panel, scratch.data());
     update_remainder(panel, remainder, scratch.data());
     return result;

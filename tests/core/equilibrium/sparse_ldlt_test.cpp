@@ -49,8 +49,8 @@ Foam relaxed_foam(int bubbles, double aspect = 1.0, std::uint64_t seed = 1) {
     return foam;
 }
 
-SparseLdlt factored(const System& system, int threads = 1) {
-    SparseLdlt solver;
+SparseLdlt<double> factored(const System& system, int threads = 1) {
+    SparseLdlt<double> solver;
     solver.analyze(system.matrix, system.nodes, system.torus);
     EXPECT_TRUE(solver.factor(system.matrix, threads));
     return solver;
@@ -61,7 +61,7 @@ double largest_entry(const SparseMatrix& matrix) {
 }
 
 // |A x - b| <= 1e-14 n |A| |x|, with largest entries for norms.
-void expect_solves(const SparseLdlt& solver, const System& system) {
+void expect_solves(const SparseLdlt<double>& solver, const System& system) {
     const Eigen::VectorXd x = solver.solve(system.right_hand_side);
     const Eigen::VectorXd residual =
         system.matrix.selfadjointView<Eigen::Lower>() * x - system.right_hand_side;
@@ -119,7 +119,7 @@ TEST(SparseLdlt, CountsPivotsOfADiagonalMatrix) {
         nodes.push_back({Vec2(static_cast<double>(row), 0.0), 1});
     }
     matrix.makeCompressed();
-    SparseLdlt solver;
+    SparseLdlt<double> solver;
     solver.analyze(matrix, nodes, {40.0, 1.0});
     ASSERT_TRUE(solver.factor(matrix, 1));
     EXPECT_EQ(solver.positive_pivots(), 10U);
@@ -138,7 +138,7 @@ TEST(SparseLdlt, HasTheSameBitsOnAnyNumberOfThreads) {
 
 TEST(SparseLdlt, FactorsNewValuesOfThePattern) {
     Foam foam = relaxed_foam(200);
-    SparseLdlt solver = factored(system_of(foam, 0.1));
+    SparseLdlt<double> solver = factored(system_of(foam, 0.1));
     for (const JunctionId junction : foam.network.junctions()) {
         foam.positions[junction] *= 1.001;
     }
@@ -150,7 +150,7 @@ TEST(SparseLdlt, FactorsNewValuesOfThePattern) {
 }
 
 TEST(SparseLdlt, TakesUpANewPattern) {
-    SparseLdlt solver = factored(system_of(relaxed_foam(100), 0.1));
+    SparseLdlt<double> solver = factored(system_of(relaxed_foam(100), 0.1));
     for (const int bubbles : {30, 200}) {
         const System other = system_of(relaxed_foam(bubbles), 0.1);
         solver.analyze(other.matrix, other.nodes, other.torus);
@@ -161,7 +161,7 @@ TEST(SparseLdlt, TakesUpANewPattern) {
 
 TEST(SparseLdlt, ReportsASingularMatrix) {
     const System system = system_of(relaxed_foam(800), 0.1);
-    SparseLdlt solver = factored(system);
+    SparseLdlt<double> solver = factored(system);
     SparseMatrix singular = system.matrix;
     const Eigen::Index zero = system.matrix.rows() / 2;
     for (Eigen::Index column = 0; column < singular.cols(); ++column) {
@@ -179,7 +179,7 @@ TEST(SparseLdlt, ReportsASingularMatrix) {
 
 TEST(SparseLdlt, ReportsValuesThatAreNotFinite) {
     System system = system_of(relaxed_foam(50), 0.1);
-    SparseLdlt solver = factored(system);
+    SparseLdlt<double> solver = factored(system);
     system.matrix.coeffRef(0, 0) = std::numeric_limits<double>::quiet_NaN();
     EXPECT_FALSE(solver.factor(system.matrix, 1));
 }
