@@ -1,0 +1,180 @@
+#include "tests/stress/ill_defined.h"
+
+#include "core/foam/measure.h"
+#include "tests/stress/foam_case.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace foam::stress {
+
+namespace {
+
+constexpr double kThrownShare = 1.0 / 3.0;  // of the junctions
+constexpr double kDamagedShare = 0.1;       // of films or of bubbles
+
+double mean_film_length(const Foam& foam) {
+    return energy(foam) / foam.film_tension / static_cast<double>(foam.network.film_count());
+}
+
+bool happens(Random& random, double share) {
+    return random.uniform() < share;
+}
+
+void throw_junctions(Foam& foam, Random& random, double share, double farthest) {
+    const double length = farthest * mean_film_length(foam);
+    for (const JunctionId junction : foam.network.junctions()) {
+        const double distance = uniform(random, 0.0, length);
+        const double angle = uniform(random, 0.0, 2.0 * std::numbers::pi);
+        if (happens(random, share)) {
+            const Vec2 by = distance * Vec2(std::cos(angle), std::sin(angle));
+            place_junction(foam, junction, foam.positions[junction] + by);
+        }
+    }
+}
+
+// |s| = |difference| c / 2T of a film of mean length comes to 10 at the most.
+void change_pressures(Foam& foam, Random& random) {
+    const double most = 10.0 * foam.film_tension / mean_film_length(foam);
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        foam.pressures[bubble] += uniform(random, -most, most);
+    }
+}
+
+void pull_head_to_tail(Foam& foam, HalfEdgeId h) {
+    const Vec2 tail = foam.positions[foam.network.tail(h)];
+    place_junction(
+        foam, foam.network.head(h), tail - foam.torus.translation(foam.network.offset(h)));
+}
+
+void collapse_films(Foam& foam, Random& random) {
+    for (const FilmId film : foam.network.films()) {
+        if (happens(random, kDamagedShare)) {
+            pull_head_to_tail(foam, forward_side(film));
+        }
+    }
+}
+
+void collapse_bubbles(Foam& foam, Random& random) {
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        if (happens(random, kDamagedShare)) {
+            for (const HalfEdgeId h : foam.network.around(bubble)) {
+                pull_head_to_tail(foam, h);
+            }
+        }
+    }
+}
+
+// In the line through the mean of its junctions along x.
+void mirror(Foam& foam, BubbleId bubble) {
+    std::vector<double> heights;  // above the first junction
+    Vec2 at = Vec2::Zero();
+    double sum = 0.0;
+    for (const HalfEdgeId h : foam.network.around(bubble)) {
+        heights.push_back(at.y());
+        sum += at.y();
+        at += chord(foam, h);
+    }
+    const double middle = sum / static_cast<double>(heights.size());
+    std::size_t k = 0;
+    for (const HalfEdgeId h : foam.network.around(bubble)) {
+        const JunctionId junction = foam.network.tail(h);
+        const Vec2 up(0.0, 2.0 * (middle - heights[k++]));
+        place_junction(foam, junction, foam.positions[junction] + up);
+    }
+}
+
+void turn_bubbles_inside_out(Foam& foam, Random& random) {
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        if (happens(random, kDamagedShare)) {
+            mirror(foam, bubble);
+        }
+    }
+}
+
+// Going clockwise from film to film takes one turn around a junction, and two around a tangled one.
+bool is_tangled(const Foam& foam, JunctionId junction) {
+    const std::array<HalfEdgeId, 3> leaving = foam.network.leaving(junction);
+    double turn = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Vec2 a = chord(foam, leaving[k]);
+        const Vec2 b = chord(foam, leaving[(k + 1) % 3]);
+        const double angle = std::atan2(cross(b, a), a.dot(b));
+        turn += angle < 0.0 ? angle + 2.0 * std::numbers::pi : angle;
+    }
+    return turn > 3.0 * std::numbers::pi;
+}
+
+}  // namespace
+
+const char* name_of(Damage damage) {
+    switch (damage) {
+        case Damage::HalfThrown:
+            return "half thrown";
+        case Damage::Thrown:
+            return "thrown";
+        case Damage::Pressures:
+            return "pressures";
+        case Damage::ZeroFilms:
+            return "zero films";
+        case Damage::Coincident:
+            return "coincident";
+        case Damage::InsideOut:
+            return "inside out";
+        case Damage::All:
+            return "all";
+    }
+    return "unknown damage";
+}
+
+void apply(Damage damage, Foam& foam, Random& random) {
+    const bool all = damage == Damage::All;
+    if (damage == Damage::HalfThrown) {
+        throw_junctions(foam, random, kThrownShare, 0.5);
+    }
+    if (all || damage == Damage::Thrown) {
+        throw_junctions(foam, random, 1.0, 1.0);
+    }
+    if (all || damage == Damage::Pressures) {
+        change_pressures(foam, random);
+    }
+    if (all || damage == Damage::ZeroFilms) {
+        collapse_films(foam, random);
+    }
+    if (all || damage == Damage::Coincident) {
+        collapse_bubbles(foam, random);
+    }
+    if (all || damage == Damage::InsideOut) {
+        turn_bubbles_inside_out(foam, random);
+    }
+}
+
+IllDefined count_ill_defined(const Foam& foam) {
+    IllDefined counts;
+    counts.films_at_limit = equilibrium_errors(foam).films_at_limit;
+    for (const FilmId film : foam.network.films()) {
+        counts.zero_films += chord(foam, forward_side(film)).norm() < 1e-12 ? 1 : 0;
+    }
+    for (const JunctionId junction : foam.network.junctions()) {
+        counts.tangled_junctions += is_tangled(foam, junction) ? 1 : 0;
+    }
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        counts.bubbles_inside_out += polygon_area(foam, bubble) < 0.0 ? 1 : 0;
+    }
+    return counts;
+}
+
+std::string describe(const IllDefined& counts) {
+    return fmt::format(
+        "{} films at the limit, {} of no length, {} junctions tangled, {} bubbles inside out",
+        counts.films_at_limit,
+        counts.zero_films,
+        counts.tangled_junctions,
+        counts.bubbles_inside_out);
+}
+
+}  // namespace foam::stress

@@ -1,0 +1,83 @@
+#include "tests/stress/soundness.h"
+
+#include "core/network/validate.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace foam::stress {
+
+namespace {
+
+constexpr double kTotalTolerance = 1e-9;  // of the torus' area
+
+bool all_finite(const Foam& foam) {
+    const auto finite = [](double value) { return std::isfinite(value); };
+    return std::isfinite(foam.time) &&
+           std::all_of(foam.positions.begin(),
+                       foam.positions.end(),
+                       [](const Vec2& p) { return p.allFinite(); }) &&
+           std::all_of(foam.pressures.begin(), foam.pressures.end(), finite) &&
+           std::all_of(foam.target_areas.begin(), foam.target_areas.end(), finite);
+}
+
+std::optional<std::string> find_target_fault(const Foam& foam) {
+    double total = 0.0;
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        const double target = foam.target_areas[bubble];
+        if (target <= 0.0) {
+            return fmt::format("bubble {} has a target area of {:.3g}", index_of(bubble), target);
+        }
+        total += target;
+    }
+    const double error = std::abs(total / foam.torus.area() - 1.0);
+    if (error > kTotalTolerance) {
+        return fmt::format("the target areas miss the torus' area by {:.3g} of it", error);
+    }
+    return std::nullopt;
+}
+
+std::optional<std::string> find_error(const Foam& foam, double tolerance) {
+    const EquilibriumErrors errors = equilibrium_errors(foam);
+    if (errors.area > tolerance) {
+        return fmt::format("an area error of {:.3g}", errors.area);
+    }
+    if (errors.angle > tolerance) {
+        return fmt::format("an angle error of {:.3g}", errors.angle);
+    }
+    if (errors.films_at_limit > 0) {
+        return fmt::format("{} films at the largest half angle", errors.films_at_limit);
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> find_unsoundness(const Foam& foam, double tolerance) {
+    if (const auto fault = find_fault(foam.network)) {
+        return fmt::format("invalid network: {}", *fault);
+    }
+    if (!all_finite(foam)) {
+        return "a number that is not finite";
+    }
+    if (auto fault = find_target_fault(foam)) {
+        return fault;
+    }
+    return find_error(foam, tolerance);
+}
+
+const char* name_of(EquilibriumStatus status) {
+    switch (status) {
+        case EquilibriumStatus::Converged:
+            return "converged";
+        case EquilibriumStatus::RoundLimit:
+            return "round limit";
+        case EquilibriumStatus::ToleranceMissed:
+            return "tolerance missed";
+    }
+    return "unknown status";
+}
+
+}  // namespace foam::stress
