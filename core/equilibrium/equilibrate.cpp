@@ -4,6 +4,7 @@
 #include "core/equilibrium/residual.h"
 #include "core/equilibrium/spots.h"
 #include "core/equilibrium/t1_rule.h"
+#include "core/equilibrium/untangle.h"
 #include "core/foam/measure.h"
 
 #include <vector>
@@ -45,7 +46,8 @@ class Equilibration {
           spot_(spot_options(options)) {}
 
     EquilibriumSummary run() {
-        if (options_.relaxes_first) {
+        // A tangle is no state for Newton's method: its T1s would lead anywhere.
+        if (untangle(foam_) > 0 || options_.relaxes_first) {
             relax_all();
         }
         settle_spots();

@@ -1,11 +1,11 @@
 #include "tests/stress/ill_defined.h"
 
+#include "core/equilibrium/untangle.h"
 #include "core/foam/measure.h"
 #include "tests/stress/foam_case.h"
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -94,19 +94,6 @@ void turn_bubbles_inside_out(Foam& foam, Random& random) {
             mirror(foam, bubble);
         }
     }
-}
-
-// Going clockwise from film to film takes one turn around a junction, and two around a tangled one.
-bool is_tangled(const Foam& foam, JunctionId junction) {
-    const std::array<HalfEdgeId, 3> leaving = foam.network.leaving(junction);
-    double turn = 0.0;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const Vec2 a = chord(foam, leaving[k]);
-        const Vec2 b = chord(foam, leaving[(k + 1) % 3]);
-        const double angle = std::atan2(cross(b, a), a.dot(b));
-        turn += angle < 0.0 ? angle + 2.0 * std::numbers::pi : angle;
-    }
-    return turn > 3.0 * std::numbers::pi;
 }
 
 }  // namespace

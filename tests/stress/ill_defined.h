@@ -30,7 +30,7 @@ void apply(Damage damage, Foam& foam, Random& random);
 struct IllDefined {
     int films_at_limit = 0;      // |s| above kLargestSine: most of them have no arc (E1)
     int zero_films = 0;          // of no length
-    int tangled_junctions = 0;   // whose films leave in the wrong order
+    int tangled_junctions = 0;   // as is_tangled says (untangle.h)
     int bubbles_inside_out = 0;  // of negative area within the chords
 };
 
