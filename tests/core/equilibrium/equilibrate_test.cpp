@@ -117,6 +117,15 @@ TEST(Equilibrate, SettlesTinyTori) {
     }
 }
 
+// From the relaxed state the residual grows along the step with its moves limited; it shrinks along
+// the step as it is.
+TEST(Equilibrate, SettlesWhereLimitedMovesLeadNowhere) {
+    SeedingOptions seeding;
+    seeding.bubbles = 10;
+    seeding.seed = 153;
+    expect_equilibrium(seeding);
+}
+
 // Straight films leave a bubble of two sides no area: relaxation must not lose it.
 TEST(Equilibrate, SettlesBubblesOfTwoSides) {
     for (const double area : {0.02, 0.2, 0.8}) {
