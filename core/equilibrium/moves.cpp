@@ -11,7 +11,6 @@ namespace foam {
 namespace {
 
 constexpr int kLimitSweeps = 4;
-constexpr double kClosingReach = 2.0;  // of the T1 distance
 
 Vec2 move_of(const Unknowns& unknowns, const Eigen::VectorXd& step, JunctionId junction) {
     const int row = unknowns.position_row(junction);
@@ -31,14 +30,13 @@ bool awaits_flip(const Foam& foam,
            flipped_pulls_apart(foam, film, Tangents::OfArcs);
 }
 
-// The collapsed films, and those up to `reach` times their T1 distance that are due.
+// The collapsed films, and those below their T1 distance that are due.
 template <class IsDue>
 std::vector<FilmId> films_for_t1(const Foam& foam,
                                  const Unknowns& unknowns,
                                  const TopologyThresholds& thresholds,
-                                 double reach,
                                  const IsDue& is_due) {
-    const double longest = reach * thresholds.t1_distance;
+    const double longest = thresholds.t1_distance;
     std::vector<FilmId> films;
     for (const FilmId film : unknowns.films) {
         const double squared_length = chord(foam, forward_side(film)).squaredNorm();
@@ -47,7 +45,7 @@ std::vector<FilmId> films_for_t1(const Foam& foam,
         }
         const double length = std::sqrt(squared_length);
         if (length < collapsed_length(foam, film, thresholds) ||
-            (length < reach * t1_length(foam, film, thresholds) && is_due(film, length))) {
+            (length < t1_length(foam, film, thresholds) && is_due(film, length))) {
             films.push_back(film);
         }
     }
@@ -158,7 +156,7 @@ std::vector<FilmId> collapsing_films(const Foam& foam,
                                      const Unknowns& unknowns,
                                      const Eigen::VectorXd& step,
                                      const TopologyThresholds& thresholds) {
-    return films_for_t1(foam, unknowns, thresholds, 1.0, [&](FilmId film, double length) {
+    return films_for_t1(foam, unknowns, thresholds, [&](FilmId film, double length) {
         return awaits_flip(foam, unknowns, step, film, 0.5 * length);
     });
 }
@@ -167,7 +165,7 @@ std::vector<FilmId> closing_films(const Foam& foam,
                                   const Unknowns& unknowns,
                                   const Eigen::VectorXd& step,
                                   const TopologyThresholds& thresholds) {
-    return films_for_t1(foam, unknowns, thresholds, kClosingReach, [&](FilmId film, double) {
+    return films_for_t1(foam, unknowns, thresholds, [&](FilmId film, double) {
         return awaits_flip(foam, unknowns, step, film, t1_length(foam, film, thresholds));
     });
 }

@@ -44,8 +44,8 @@ std::vector<FilmId> collapsing_films(const Foam& foam,
                                      const Eigen::VectorXd& step,
                                      const TopologyThresholds& thresholds);
 
-/// The same for a step that can be trusted, near equilibrium: the collapsed films, and those up to
-/// twice their T1 distance that the step would leave below it and that stay open when flipped.
+/// The same for a step that can be trusted, near equilibrium: the collapsed films, and those below
+/// their T1 distance that the step would leave there and that stay open when flipped.
 std::vector<FilmId> closing_films(const Foam& foam,
                                   const Unknowns& unknowns,
                                   const Eigen::VectorXd& step,
