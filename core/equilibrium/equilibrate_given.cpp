@@ -1,0 +1,98 @@
+#include "core/equilibrium/equilibrate_given.h"
+
+#include "core/equilibrium/t1_rule.h"
+#include "core/foam/measure.h"
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace foam {
+
+namespace {
+
+constexpr TopologyThresholds kKeepTopology{.t1_distance = 0.0, .t2_area = 0.0};
+
+// A foam whose mean area is 1 but for rounding is taken as it is.
+constexpr double kRounding = 1e-9;
+
+// In which a foam has mean area 1 and film tension 1.
+struct Units {
+    double length = 1.0;
+    double tension = 1.0;
+
+    double pressure() const { return tension / length; }
+};
+
+Units units_of(const Foam& foam) {
+    const auto bubbles = static_cast<double>(foam.network.bubble_count());
+    const double length = std::sqrt(foam.torus.area() / bubbles);
+    return {std::abs(length - 1.0) < kRounding ? 1.0 : length, foam.film_tension};
+}
+
+Foam in_units(Foam foam, const Units& units) {
+    foam.torus = {foam.torus.width / units.length, foam.torus.height / units.length};
+    foam.film_tension = 1.0;
+    for (const JunctionId junction : foam.network.junctions()) {
+        place_junction(foam, junction, foam.positions[junction] / units.length);
+    }
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        foam.pressures[bubble] /= units.pressure();
+        foam.target_areas[bubble] /= units.length * units.length;
+    }
+    return foam;
+}
+
+// Torus, tension and target areas stay as they were given, to the last bit.
+void take_solution(Foam& foam, Foam solved, const Units& units) {
+    foam.network = std::move(solved.network);
+    foam.t1_armed = std::move(solved.t1_armed);
+    for (const JunctionId junction : foam.network.junctions()) {
+        place_junction(foam, junction, solved.positions[junction] * units.length);
+    }
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        foam.pressures[bubble] = solved.pressures[bubble] * units.pressure();
+    }
+}
+
+std::vector<EquilibriumOptions> attempts(int threads) {
+    EquilibriumOptions newton;
+    newton.thresholds = kKeepTopology;
+    newton.relaxes_first = false;
+    newton.threads = threads;
+    newton.max_rounds = 1;
+    EquilibriumOptions relaxed = newton;
+    relaxed.relaxes_first = true;
+    relaxed.max_rounds = 3;
+    EquilibriumOptions with_t1;
+    with_t1.threads = threads;
+    return {newton, relaxed, with_t1};
+}
+
+}  // namespace
+
+EquilibriumSummary equilibrate_given(Foam& foam, int threads) {
+    const Units units = units_of(foam);
+    const Foam given = in_units(foam, units);
+    EquilibriumSummary summary;
+    for (const EquilibriumOptions& options : attempts(threads)) {
+        Foam trial = given;
+        EquilibriumSummary attempt = equilibrate(trial, options);
+        attempt.iterations += summary.iterations;
+        attempt.sweeps += summary.sweeps;
+        summary = attempt;
+        if (summary.converged()) {
+            if (options.thresholds.t1_distance == 0.0) {
+                // At a distance of 0 every film counts as grown.
+                trial.t1_armed = given.t1_armed;
+                rearm_grown_films(trial, TopologyThresholds{});
+            }
+            take_solution(foam, std::move(trial), units);
+            summary.energy = energy(foam);
+            break;
+        }
+    }
+    return summary;
+}
+
+}  // namespace foam
