@@ -1,0 +1,231 @@
+#include "core/io/evolver_header.h"
+
+#include <fmt/core.h>
+
+#include <array>
+
+namespace foam::evolver {
+
+namespace {
+
+// Keywords that make it another model, and what the error says of each.
+const std::map<std::string, const char*>& refused_keywords() {
+    static constexpr const char* kEnergy = "adds an energy that a foam has not";
+    static constexpr const char* kModel = "is another model than the string model of a foam";
+    static const std::map<std::string, const char*> refused_words{
+        {"soapfilm", kModel},
+        {"simplex_representation", kModel},
+        {"lagrange", "is not supported; films are straight (LINEAR) or arcs (QUADRATIC)"},
+        {"lagrange_order", "is not supported; films are straight (LINEAR) or arcs (QUADRATIC)"},
+        {"metric", kModel},
+        {"conformal_metric", kModel},
+        {"klein_metric", kModel},
+        {"optimizing_parameter", "is not supported; the torus keeps its shape"},
+        {"pressure", "makes the gas compressible, which is not supported"},
+        {"phasefile", "is not supported; all films have one tension"},
+        {"wulff", "is not supported; all films have one tension"},
+        {"square_curvature", kEnergy},
+        {"mean_curvature_integral", kEnergy},
+        {"gauss_curvature", kEnergy},
+        {"square_gauss_curvature", kEnergy},
+        {"conducting_knot_energy", kEnergy},
+        {"insulating_knot_energy", kEnergy},
+    };
+    return refused_words;
+}
+
+struct Method {
+    std::string name;
+    bool global = false;
+};
+
+class HeaderReader {
+  public:
+    explicit HeaderReader(TokenReader& tokens) : tokens_(tokens) {}
+
+    Header read() {
+        while (!tokens_.at_word("vertices") && !tokens_.at_word("vertex")) {
+            if (tokens_.at_end()) {
+                tokens_.fail_expecting("a section 'vertices'");
+            }
+            read_statement();
+        }
+        check_model();
+        return std::move(header_);
+    }
+
+  private:
+    using Handler = void (HeaderReader::*)();
+
+    void read_statement() {
+        static const std::map<std::string, Handler> handlers{
+            {"string", &HeaderReader::read_string},
+            {"surface_dimension", &HeaderReader::read_surface_dimension},
+            {"space_dimension", &HeaderReader::read_space_dimension},
+            {"torus", &HeaderReader::read_torus},
+            {"torus_filled", &HeaderReader::read_torus},
+            {"symmetry_group", &HeaderReader::read_symmetry_group},
+            {"periods", &HeaderReader::read_periods},
+            {"torus_periods", &HeaderReader::read_periods},
+            {"quadratic", &HeaderReader::pass},
+            {"linear", &HeaderReader::pass},
+            {"parameter", &HeaderReader::read_parameter},
+            {"method_instance", &HeaderReader::read_method_instance},
+            {"quantity", &HeaderReader::read_quantity},
+        };
+        line_ = tokens_.peek().line;
+        if (tokens_.at_symbol('#')) {
+            tokens_.fail(line_, "lines such as #define and #include are not supported");
+        }
+        keyword_ = tokens_.take_word("a keyword of the top section");
+        const auto refused = refused_keywords().find(lower(keyword_));
+        if (refused != refused_keywords().end()) {
+            tokens_.fail(line_, fmt::format("{} {}", keyword_, refused->second));
+        }
+        const auto handler = handlers.find(lower(keyword_));
+        (this->*(handler == handlers.end() ? &HeaderReader::skip_statement : handler->second))();
+    }
+
+    void pass() {}
+
+    // A statement ends before a line that begins with a word.
+    bool at_statement_end() const {
+        return tokens_.at_end() ||
+               (tokens_.at_line_start() && tokens_.peek().kind == TokenKind::Word);
+    }
+
+    // Those of commands, {...}, may go on over many lines.
+    void skip_statement() {
+        int braces = 0;
+        while (!tokens_.at_end() && (braces > 0 || !at_statement_end())) {
+            const Token token = tokens_.take();
+            braces += token.is_symbol('{') ? 1 : 0;
+            braces -= token.is_symbol('}') ? 1 : 0;
+        }
+    }
+
+    void read_string() { is_string_ = true; }
+
+    void read_surface_dimension() {
+        is_string_ = tokens_.take_integer("the dimension of the films") == 1;
+    }
+
+    void read_space_dimension() { dimension_ = tokens_.take_integer("the dimension of space"); }
+
+    void read_torus() { is_torus_ = true; }
+
+    void read_symmetry_group() {
+        is_torus_ = lower(tokens_.take_text("the name of a symmetry group")) == "torus";
+        if (!is_torus_) {
+            tokens_.fail(line_, "the only symmetry group supported is \"torus\"");
+        }
+    }
+
+    void read_periods() {
+        std::array<double, 4> periods{};
+        for (double& period : periods) {
+            period = take_expression(tokens_, header_.parameters);
+        }
+        if (periods[1] != 0.0 || periods[2] != 0.0) {
+            tokens_.fail(line_, "the periods have to lie along x and y: a rectangular torus");
+        }
+        if (periods[0] <= 0.0 || periods[3] <= 0.0) {
+            tokens_.fail(line_, "the periods have to be positive");
+        }
+        header_.torus = {periods[0], periods[3]};
+    }
+
+    void read_parameter() {
+        const std::string name = lower(tokens_.take_word("the name of a parameter"));
+        while (tokens_.at_symbol(':') || tokens_.at_symbol('=')) {
+            tokens_.take();
+        }
+        header_.parameters[name] = take_expression(tokens_, header_.parameters);
+    }
+
+    // METHOD_INSTANCE name METHOD method [GLOBAL]
+    void read_method_instance() {
+        const std::string name = lower(tokens_.take_word("the name of a method instance"));
+        if (tokens_.at_word("method")) {
+            tokens_.take();
+            methods_[name] = {lower(tokens_.take_word("the name of a method")),
+                              tokens_.at_word("global")};
+        }
+        skip_statement();
+    }
+
+    // QUANTITY name; or QUANTITY name INFO_ONLY | ENERGY | FIXED | CONSERVED ...
+    void read_quantity() {
+        const std::string name(tokens_.take_word("the name of a quantity"));
+        if (tokens_.at_word("energy")) {
+            read_energy(name);
+        } else if (tokens_.at_word("fixed") || tokens_.at_word("conserved")) {
+            header_.notes.push_back(
+                fmt::format("line {}: quantity '{}' is not held fixed", line_, name));
+        }
+        skip_statement();
+    }
+
+    // An energy of every edge's length adds to the film tension.
+    void read_energy(const std::string& name) {
+        double modulus = 1.0;
+        Method method;
+        tokens_.take();
+        while (!at_statement_end() || at_quantity_word()) {
+            const std::string word = lower(tokens_.take().text);
+            if (word == "modulus") {
+                modulus = take_expression(tokens_, header_.parameters);
+            } else if (word == "method" || word == "global_method") {
+                const Method used = method_named(lower(tokens_.take_word("a method's name")));
+                method = {used.name, method.global || used.global || word == "global_method"};
+            } else if (word == "global") {
+                method.global = true;
+            }
+        }
+        const bool length = method.name == "circular_arc_length" || method.name == "edge_length";
+        if (modulus != 0.0 && !(length && method.global)) {
+            tokens_.fail(line_, fmt::format("quantity '{}' adds an energy a foam has not", name));
+        }
+        header_.added_tension += modulus;
+    }
+
+    bool at_quantity_word() const {
+        return tokens_.at_word("modulus") || tokens_.at_word("method") ||
+               tokens_.at_word("global_method") || tokens_.at_word("global");
+    }
+
+    Method method_named(const std::string& name) const {
+        const auto instance = methods_.find(name);
+        return instance == methods_.end() ? Method{name, false} : instance->second;
+    }
+
+    void check_model() const {
+        const int line = tokens_.peek().line;
+        if (!is_string_) {
+            tokens_.fail(line, "the top section does not say STRING: this is no string model");
+        }
+        if (dimension_ != 2) {
+            tokens_.fail(line, "the top section does not say SPACE_DIMENSION 2");
+        }
+        if (!is_torus_) {
+            tokens_.fail(line, "no torus: free clusters are not supported yet");
+        }
+    }
+
+    TokenReader& tokens_;
+    Header header_;
+    int line_ = 1;  // of the statement being read
+    std::string_view keyword_;
+    std::map<std::string, Method> methods_;
+    bool is_string_ = false;
+    bool is_torus_ = false;
+    int dimension_ = 3;  // Evolver's default
+};
+
+}  // namespace
+
+Header read_header(TokenReader& tokens) {
+    return HeaderReader(tokens).read();
+}
+
+}  // namespace foam::evolver

@@ -1,0 +1,225 @@
+#include "core/io/evolver_loops.h"
+
+#include "core/io/format_error.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace foam::evolver {
+
+namespace {
+
+constexpr double kFarthest = 1e6;         // of a vertex from the origin, in periods
+constexpr double kCoverTolerance = 1e-6;  // of the faces' areas in sum, relative
+
+using Loop = std::vector<EdgeSide>;
+
+class LoopBuilder {
+  public:
+    LoopBuilder(const Mesh& mesh, const Torus& torus, const std::string& file)
+        : mesh_(mesh), torus_(torus), file_(file) {}
+
+    std::vector<FilmLoop> build() {
+        check_points();
+        resolve_wraps();
+        take_loops();
+        for (std::size_t face = 0; face < loops_.size(); ++face) {
+            check_loop(mesh_.faces[face], loops_[face]);
+        }
+        check_sides();
+        orient();
+        count_edges();
+        return split_all();
+    }
+
+  private:
+    [[noreturn]] void fail(int line, const std::string& message) const {
+        throw FormatError(file_, line, message);
+    }
+
+    int id(EdgeSide side) const { return mesh_.edges[side.edge].id; }
+    std::size_t tail(EdgeSide side) const {
+        return side.forward ? mesh_.edges[side.edge].tail : mesh_.edges[side.edge].head;
+    }
+    std::size_t head(EdgeSide side) const { return tail({side.edge, !side.forward}); }
+    LatticeOffset wrap(EdgeSide side) const {
+        return side.forward ? wraps_[side.edge] : -wraps_[side.edge];
+    }
+    Vec2 chord(EdgeSide side) const {
+        return mesh_.vertices[head(side)].point + torus_.translation(wrap(side)) -
+               mesh_.vertices[tail(side)].point;
+    }
+
+    void check_points() const {
+        for (const Vertex& vertex : mesh_.vertices) {
+            if (std::abs(vertex.point.x()) > kFarthest * torus_.width ||
+                std::abs(vertex.point.y()) > kFarthest * torus_.height) {
+                fail(vertex.line, fmt::format("vertex {} lies too far away", vertex.id));
+            }
+        }
+    }
+
+    void resolve_wraps() {
+        const bool wrapped = std::any_of(mesh_.edges.begin(),
+                                         mesh_.edges.end(),
+                                         [](const Edge& edge) { return edge.wrap.has_value(); });
+        for (const Edge& edge : mesh_.edges) {
+            wraps_.push_back(wrapped ? edge.wrap.value_or(LatticeOffset{}) : nearest_copy(edge));
+        }
+    }
+
+    LatticeOffset nearest_copy(const Edge& edge) const {
+        const Vec2 back = mesh_.vertices[edge.tail].point - mesh_.vertices[edge.head].point;
+        return {static_cast<std::int32_t>(std::lround(back.x() / torus_.width)),
+                static_cast<std::int32_t>(std::lround(back.y() / torus_.height))};
+    }
+
+    // Each face as its body sees it.
+    void take_loops() {
+        for (const Face& face : mesh_.faces) {
+            loops_.push_back(face.sides);
+        }
+        for (const Body& body : mesh_.bodies) {
+            if (body.reversed) {
+                reverse(loops_[body.face]);
+            }
+        }
+    }
+
+    static void reverse(Loop& loop) {
+        std::reverse(loop.begin(), loop.end());
+        for (EdgeSide& side : loop) {
+            side.forward = !side.forward;
+        }
+    }
+
+    void check_loop(const Face& face, const Loop& loop) const {
+        LatticeOffset around;
+        for (std::size_t k = 0; k < loop.size(); ++k) {
+            const EdgeSide& next = loop[(k + 1) % loop.size()];
+            if (head(loop[k]) != tail(next)) {
+                fail(face.line,
+                     fmt::format("face {}: edge {} does not begin where edge {} ends",
+                                 face.id,
+                                 id(next),
+                                 id(loop[k])));
+            }
+            around = around + wrap(loop[k]);
+        }
+        if (around != LatticeOffset{}) {
+            fail(face.line, fmt::format("face {}: its wraps do not cancel out", face.id));
+        }
+    }
+
+    // Every edge has one face on either side.
+    void check_sides() const {
+        std::vector<int> faces(2 * mesh_.edges.size(), 0);
+        for (std::size_t face = 0; face < loops_.size(); ++face) {
+            for (const EdgeSide& side : loops_[face]) {
+                if (faces[2 * side.edge + (side.forward ? 0 : 1)]++ > 0) {
+                    fail(mesh_.faces[face].line,
+                         fmt::format("face {}: edge {} has a face on that side already",
+                                     mesh_.faces[face].id,
+                                     id(side)));
+                }
+            }
+        }
+        for (std::size_t edge = 0; edge < mesh_.edges.size(); ++edge) {
+            if (faces[2 * edge] + faces[2 * edge + 1] < 2) {
+                fail(mesh_.edges[edge].line,
+                     fmt::format("edge {} has no face on one side: free clusters are not "
+                                 "supported yet",
+                                 mesh_.edges[edge].id));
+            }
+        }
+    }
+
+    double polygon_area(const Loop& loop) const {
+        double twice = 0.0;
+        Vec2 at = Vec2::Zero();
+        for (const EdgeSide& side : loop) {
+            const Vec2 d = chord(side);
+            twice += cross(at, d);
+            at += d;
+        }
+        return 0.5 * twice;
+    }
+
+    // All faces are listed counter-clockwise, or all clockwise.
+    void orient() {
+        double total = 0.0;
+        for (const Loop& loop : loops_) {
+            total += polygon_area(loop);
+        }
+        if (!(std::abs(std::abs(total) / torus_.area() - 1.0) < kCoverTolerance)) {
+            fail(mesh_.end_line, "the faces do not cover the torus once");
+        }
+        if (total < 0.0) {
+            std::for_each(loops_.begin(), loops_.end(), reverse);
+        }
+    }
+
+    void count_edges() {
+        edge_counts_.assign(mesh_.vertices.size(), 0);
+        for (const Edge& edge : mesh_.edges) {
+            ++edge_counts_[edge.tail];
+            ++edge_counts_[edge.head];
+        }
+        for (std::size_t k = 0; k < edge_counts_.size(); ++k) {
+            const int count = edge_counts_[k];
+            if (count == 1 || count > 3) {
+                fail(mesh_.vertices[k].line,
+                     fmt::format("vertex {} joins {} edge{}; at a junction three films meet",
+                                 mesh_.vertices[k].id,
+                                 count,
+                                 count == 1 ? "" : "s"));
+            }
+        }
+    }
+
+    bool begins_at_junction(EdgeSide side) const { return edge_counts_[tail(side)] == 3; }
+
+    std::vector<FilmLoop> split_all() const {
+        std::vector<FilmLoop> all;
+        for (std::size_t face = 0; face < loops_.size(); ++face) {
+            all.push_back(split(mesh_.faces[face], loops_[face]));
+        }
+        return all;
+    }
+
+    FilmLoop split(const Face& face, Loop loop) const {
+        const auto first = std::find_if(
+            loop.begin(), loop.end(), [this](EdgeSide side) { return begins_at_junction(side); });
+        if (first == loop.end()) {
+            fail(face.line, fmt::format("face {} touches no junction of three films", face.id));
+        }
+        std::rotate(loop.begin(), first, loop.end());
+        FilmLoop films{{}, polygon_area(loop)};
+        for (const EdgeSide& side : loop) {
+            if (begins_at_junction(side)) {
+                films.films.push_back({side, side, tail(side), {}});
+            }
+            films.films.back().last = side;
+            films.films.back().offset = films.films.back().offset + wrap(side);
+        }
+        return films;
+    }
+
+    const Mesh& mesh_;
+    const Torus& torus_;
+    const std::string& file_;
+    std::vector<LatticeOffset> wraps_;
+    std::vector<Loop> loops_;
+    std::vector<int> edge_counts_;  // of each vertex
+};
+
+}  // namespace
+
+std::vector<FilmLoop> film_loops(const Mesh& mesh, const Torus& torus, const std::string& file) {
+    return LoopBuilder(mesh, torus, file).build();
+}
+
+}  // namespace foam::evolver

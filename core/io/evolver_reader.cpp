@@ -1,0 +1,237 @@
+#include "core/io/evolver_file.h"
+#include "core/io/evolver_loops.h"
+#include "core/io/format_error.h"
+#include "core/network/validate.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace foam {
+
+namespace evolver {
+
+namespace {
+
+// What the sum of the volumes may miss of the torus' area, relative: volumes of six digits pass.
+// A sum that is farther off than rounding is brought to the area.
+constexpr double kVolumeTolerance = 1e-5;
+constexpr double kVolumeRounding = 1e-12;
+
+class FoamBuilder {
+  public:
+    FoamBuilder(const Header& header, const Mesh& mesh, const std::string& file)
+        : header_(header), mesh_(mesh), file_(file) {}
+
+    Foam build() {
+        foam_.torus = header_.torus;
+        foam_.film_tension = film_tension();
+        loops_ = film_loops(mesh_, header_.torus, file_);
+        add_junctions();
+        add_films();
+        for (const FilmLoop& loop : loops_) {
+            add_bubble(loop);
+        }
+        if (const auto fault = find_fault(foam_.network)) {
+            fail(mesh_.end_line, fmt::format("the faces make no foam: {}", *fault));
+        }
+        place_junctions();
+        set_areas_and_pressures();
+        return std::move(foam_);
+    }
+
+  private:
+    [[noreturn]] void fail(int line, const std::string& message) const {
+        throw FormatError(file_, line, message);
+    }
+
+    double film_tension() const {
+        if (mesh_.edges.empty()) {
+            fail(mesh_.end_line, "there are no edges");
+        }
+        const Edge& first = mesh_.edges.front();
+        for (const Edge& edge : mesh_.edges) {
+            if (edge.tension != first.tension) {
+                fail(edge.line,
+                     fmt::format("edge {} has another tension than edge {}; a foam has one",
+                                 edge.id,
+                                 first.id));
+            }
+        }
+        const double tension = first.tension + header_.added_tension;
+        if (!(tension > 0.0)) {
+            fail(first.line, "the film tension has to be positive");
+        }
+        return tension;
+    }
+
+    void add_junctions() {
+        junctions_.assign(mesh_.vertices.size(), kNone<JunctionId>);
+        std::vector<bool> used(mesh_.vertices.size(), false);
+        for (const FilmLoop& loop : loops_) {
+            for (const FilmSide& film : loop.films) {
+                used[film.tail] = true;
+            }
+        }
+        for (std::size_t k = 0; k < used.size(); ++k) {
+            if (used[k]) {
+                junctions_[k] = foam_.network.add_junction();
+                foam_.positions.push_back(mesh_.vertices[k].point);
+            }
+        }
+    }
+
+    static std::size_t index(EdgeSide side) { return 2 * side.edge + (side.forward ? 0 : 1); }
+    static std::size_t twin_index(EdgeSide side) { return index(side) ^ 1U; }
+
+    // In the order of the films' first edges, and in the direction of these.
+    void add_films() {
+        std::vector<const FilmSide*> begins(2 * mesh_.edges.size(), nullptr);
+        for (const FilmLoop& loop : loops_) {
+            for (const FilmSide& film : loop.films) {
+                begins[index(film.first)] = &film;
+            }
+        }
+        half_edges_.assign(begins.size(), kNone<HalfEdgeId>);
+        for (std::size_t side = 0; side < begins.size(); ++side) {
+            if (begins[side] != nullptr && half_edges_[side] == kNone<HalfEdgeId>) {
+                const HalfEdgeId h = forward_side(foam_.network.add_film());
+                half_edges_[side] = h;
+                half_edges_[twin_index(begins[side]->last)] = twin(h);
+                foam_.network.set_offset(h, begins[side]->offset);
+                foam_.t1_armed.push_back(1);
+            }
+        }
+    }
+
+    void add_bubble(const FilmLoop& loop) {
+        const BubbleId bubble = foam_.network.add_bubble();
+        const std::size_t sides = loop.films.size();
+        for (std::size_t k = 0; k < sides; ++k) {
+            const HalfEdgeId h = half_edges_[index(loop.films[k].first)];
+            foam_.network.set_tail(h, junctions_[loop.films[k].tail]);
+            foam_.network.set_left(h, bubble);
+            foam_.network.set_next(h, half_edges_[index(loop.films[(k + 1) % sides].first)]);
+        }
+        foam_.network.set_first(bubble, half_edges_[index(loop.films.front().first)]);
+        foam_.network.set_sides(bubble, static_cast<int>(sides));
+        foam_.identities.push_back(foam_.next_identity++);
+    }
+
+    void place_junctions() {
+        for (const JunctionId junction : foam_.network.junctions()) {
+            place_junction(foam_, junction, foam_.positions[junction]);
+        }
+    }
+
+    void set_areas_and_pressures() {
+        foam_.pressures.resize(mesh_.faces.size(), 0.0);
+        foam_.target_areas.resize(mesh_.faces.size(), 0.0);
+        for (const Body& body : mesh_.bodies) {
+            const auto bubble = id_at<BubbleId>(body.face);
+            foam_.pressures[bubble] = body.pressure.value_or(0.0);
+            foam_.target_areas[bubble] = volume_of(body);
+        }
+        complete_areas();
+        check_sum_of_areas();
+    }
+
+    // 0 where none is given.
+    double volume_of(const Body& body) const {
+        if (!body.volume) {
+            return 0.0;
+        }
+        if (*body.volume <= 0.0) {
+            fail(body.line, fmt::format("body {}: its volume has to be positive", body.id));
+        }
+        return *body.volume;
+    }
+
+    // One bubble may be left without an area: the rest of the torus. If all have bodies, but none a
+    // volume, each keeps what it has.
+    void complete_areas() {
+        std::vector<std::size_t> missing;
+        double sum = 0.0;
+        for (std::size_t face = 0; face < mesh_.faces.size(); ++face) {
+            const double area = foam_.target_areas[id_at<BubbleId>(face)];
+            sum += area;
+            if (area == 0.0) {
+                missing.push_back(face);
+            }
+        }
+        if (missing.size() == mesh_.faces.size() && missing.size() == mesh_.bodies.size()) {
+            keep_areas();
+        } else if (missing.size() == 1) {
+            foam_.target_areas[id_at<BubbleId>(missing.front())] = foam_.torus.area() - sum;
+        } else if (!missing.empty()) {
+            const Face& face = mesh_.faces[missing[1]];
+            fail(face.line, fmt::format("face {} has no body with a volume", face.id));
+        }
+    }
+
+    void keep_areas() {
+        for (std::size_t face = 0; face < loops_.size(); ++face) {
+            foam_.target_areas[id_at<BubbleId>(face)] = loops_[face].polygon_area;
+        }
+    }
+
+    void check_sum_of_areas() {
+        double sum = 0.0;
+        for (const BubbleId bubble : foam_.network.bubbles()) {
+            if (!(foam_.target_areas[bubble] > 0.0)) {
+                const Face& face = mesh_.faces[index_of(bubble)];
+                fail(face.line, fmt::format("face {}: no area is left for it", face.id));
+            }
+            sum += foam_.target_areas[bubble];
+        }
+        const double excess = sum / foam_.torus.area() - 1.0;
+        if (!(std::abs(excess) < kVolumeTolerance)) {
+            fail(mesh_.end_line,
+                 fmt::format("the volumes add up to {}, but the torus has an area of {}",
+                             sum,
+                             foam_.torus.area()));
+        }
+        if (std::abs(excess) > kVolumeRounding) {
+            for (double& area : foam_.target_areas) {
+                area /= 1.0 + excess;
+            }
+        }
+    }
+
+    const Header& header_;
+    const Mesh& mesh_;
+    const std::string& file_;
+    std::vector<FilmLoop> loops_;
+    std::vector<JunctionId> junctions_;   // of each vertex
+    std::vector<HalfEdgeId> half_edges_;  // of each side of an edge that begins a film
+    Foam foam_;
+};
+
+std::vector<std::string> notes_of(const Header& header, const Mesh& mesh) {
+    std::vector<std::string> notes = header.notes;
+    if (mesh.held > 0) {
+        notes.push_back(
+            fmt::format("elements that are fixed or constrained ({}) move freely", mesh.held));
+    }
+    const bool measured = std::none_of(
+        mesh.bodies.begin(), mesh.bodies.end(), [](const Body& b) { return b.volume.has_value(); });
+    if (measured) {
+        notes.emplace_back("no body has a volume; each keeps the area within its straight edges");
+    }
+    return notes;
+}
+
+}  // namespace
+
+}  // namespace evolver
+
+EvolverFoam read_evolver(std::string_view text, const std::string& file) {
+    evolver::TokenReader tokens(text, file);
+    const evolver::Header header = evolver::read_header(tokens);
+    const evolver::Mesh mesh = evolver::read_mesh(tokens, header.parameters);
+    return {evolver::FoamBuilder(header, mesh, file).build(), evolver::notes_of(header, mesh)};
+}
+
+}  // namespace foam

@@ -1,0 +1,159 @@
+#include "core/io/evolver_file.h"
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <utility>
+
+namespace foam {
+
+namespace {
+
+constexpr unsigned kWrapBits = 6;  // per axis, in the numeric form of a wrap
+
+// Ids of the file: those that live, counted from 1.
+template <class Id>
+Indexed<Id, int> numbers(const LiveRange<Id>& live, std::size_t slots) {
+    Indexed<Id, int> result(slots, 0);
+    int number = 0;
+    for (const Id id : live) {
+        result[id] = ++number;
+    }
+    return result;
+}
+
+class Writer {
+  public:
+    Writer(const Foam& foam, EvolverEdges edges)
+        : foam_(foam),
+          arcs_(edges == EvolverEdges::Arcs),
+          junctions_(numbers(foam.network.junctions(), foam.network.junction_slots())),
+          films_(numbers(foam.network.films(), foam.network.film_slots())),
+          bubbles_(numbers(foam.network.bubbles(), foam.network.bubble_slots())) {}
+
+    std::string write() {
+        write_top();
+        write_vertices();
+        write_edges();
+        write_faces();
+        write_bodies();
+        put("\nread\n");
+        return std::move(text_);
+    }
+
+  private:
+    template <class... Values>
+    void put(fmt::format_string<Values...> format, Values&&... values) {
+        fmt::format_to(std::back_inserter(text_), format, std::forward<Values>(values)...);
+    }
+
+    void write_top() {
+        put("// A foam of {} bubbles on a torus\n\n", foam_.network.bubble_count());
+        put("STRING\nSPACE_DIMENSION 2\n");
+        put("LENGTH_METHOD_NAME \"circular_arc_length\"\n");
+        put("AREA_METHOD_NAME \"circular_arc_area\"\n");
+        put("{}\n", arcs_ ? "QUADRATIC" : "LINEAR");
+        put("TORUS_FILLED\nPERIODS\n{} 0\n0 {}\n", foam_.torus.width, foam_.torus.height);
+    }
+
+    // Midpoints follow the junctions, each in the frame of its film's tail.
+    void write_vertices() {
+        put("\nvertices\n");
+        for (const JunctionId junction : foam_.network.junctions()) {
+            write_vertex(junctions_[junction], foam_.positions[junction]);
+        }
+        for (const FilmId film : foam_.network.films()) {
+            const HalfEdgeId h = forward_side(film);
+            if (arcs_) {
+                write_vertex(
+                    midpoint(film),
+                    foam_.positions[foam_.network.tail(h)] + point_at(film_arc(foam_, h), 0.5));
+            }
+        }
+    }
+
+    void write_vertex(int number, const Vec2& point) {
+        put("{} {} {}\n", number, point.x(), point.y());
+    }
+
+    int midpoint(FilmId film) const {
+        return static_cast<int>(foam_.network.junction_count()) + films_[film];
+    }
+
+    void write_edges() {
+        put("\nedges\n");
+        for (const FilmId film : foam_.network.films()) {
+            const HalfEdgeId h = forward_side(film);
+            put("{} {} {}",
+                films_[film],
+                junctions_[foam_.network.tail(h)],
+                junctions_[foam_.network.head(h)]);
+            if (arcs_) {
+                put(" /*midpt*/ {}", midpoint(film));
+            }
+            write_wrap(foam_.network.offset(h));
+            if (foam_.film_tension != 1.0) {
+                put(" tension {}", foam_.film_tension);
+            }
+            put("\n");
+        }
+    }
+
+    // As symbols, or, beyond one period, as a number.
+    void write_wrap(LatticeOffset offset) {
+        const auto is_symbol = [](std::int32_t periods) { return -1 <= periods && periods <= 1; };
+        if (is_symbol(offset.i) && is_symbol(offset.j)) {
+            put(" {} {}", symbol(offset.i), symbol(offset.j));
+        } else {
+            put(" wrap {}", wrap_bits(offset.i) | (wrap_bits(offset.j) << kWrapBits));
+        }
+    }
+
+    static char symbol(std::int32_t periods) {
+        return periods == 0 ? '*' : (periods > 0 ? '+' : '-');
+    }
+
+    static unsigned wrap_bits(std::int32_t periods) {
+        return static_cast<unsigned>(periods) & 0x1fU;
+    }
+
+    void write_faces() {
+        put("\nfaces\n");
+        for (const BubbleId bubble : foam_.network.bubbles()) {
+            put("{}", bubbles_[bubble]);
+            for (const HalfEdgeId h : foam_.network.around(bubble)) {
+                put(" {}", is_forward(h) ? films_[film_of(h)] : -films_[film_of(h)]);
+            }
+            put("\n");
+        }
+    }
+
+    void write_bodies() {
+        put("\nbodies\n");
+        double reference = 0.0;
+        for (const BubbleId bubble : foam_.network.bubbles()) {
+            const int number = bubbles_[bubble];
+            reference = number == 1 ? foam_.pressures[bubble] : reference;
+            put("{} {} volume {} lagrange_multiplier {}\n",
+                number,
+                number,
+                foam_.target_areas[bubble],
+                foam_.pressures[bubble] - reference);
+        }
+    }
+
+    const Foam& foam_;
+    bool arcs_;
+    Indexed<JunctionId, int> junctions_;
+    Indexed<FilmId, int> films_;
+    Indexed<BubbleId, int> bubbles_;
+    std::string text_;
+};
+
+}  // namespace
+
+std::string write_evolver(const Foam& foam, EvolverEdges edges) {
+    return Writer(foam, edges).write();
+}
+
+}  // namespace foam

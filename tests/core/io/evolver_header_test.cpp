@@ -1,0 +1,141 @@
+#include "core/io/evolver_header.h"
+
+#include "tests/core/io/small_torus.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace foam::evolver {
+namespace {
+
+const std::string file_name = "a.fe";
+
+// What goes between the model and the vertices.
+Header header_with(const std::string& lines) {
+    const std::string text = "STRING\nSPACE_DIMENSION 2\nTORUS_FILLED\n" + lines + "\nVERTICES\n";
+    TokenReader reader(text, file_name);
+    Header header = read_header(reader);
+    EXPECT_TRUE(reader.at_word("vertices"));
+    return header;
+}
+
+void expect_refused(const std::string& text, const std::string& what) {
+    test::expect_format_error(
+        [&] {
+            TokenReader reader(text, file_name);
+            read_header(reader);
+        },
+        what);
+}
+
+TEST(EvolverHeader, ReadsTheTorus) {
+    const Header header = header_with("parameter lx = 2*sqrt(3)\nPERIODS\nlx 0\n0 lx/2");
+    EXPECT_EQ(header.torus.width, 2.0 * std::sqrt(3.0));
+    EXPECT_EQ(header.torus.height, header.torus.width / 2.0);
+    EXPECT_EQ(header_with("").torus.width, 1.0);  // as Evolver has it
+}
+
+TEST(EvolverHeader, KnowsEveryWayToSayTorus) {
+    for (const char* text :
+         {"surface_dimension 1 space_dimension 2 torus torus_periods 3 0 0 2 vertices",
+          "string Space_Dimension 2 Torus_Filled periods 3 0 0 2 Vertices",
+          "STRING SPACE_DIMENSION 2 SYMMETRY_GROUP \"torus\" PERIODS 3 0 0 2 VERTEX"}) {
+        TokenReader reader(text, file_name);
+        EXPECT_EQ(read_header(reader).torus.height, 2.0) << text;
+    }
+}
+
+TEST(EvolverHeader, PassesOverWhatDoesNotBearOnEquilibrium) {
+    const Header header = header_with(R"(
+vertices_predicted       321
+// Total energy: 120.765667254535
+SCALE: 0.110419606880075 fixed
+length_method_name "circular_arc_length"
+QUADRATIC
+CONSTRAINT 1
+formula: x^2 + y^2 = 3
+energy:
+e1: y^2
+e2: 0
+define vertex attribute foo real[2]
+define facet attribute center real [2] // seeds
+VIEW_MATRIX
+  0.25 0 -1
+  0 0.25 -1
+  0 0 1
+slice_coeff = { 1.00000, 0.00000, 0.00000}
+procedure settle ( real much )
+{ refine edges
+  vertices ...
+}
+INTEGRAL_ORDER_1D: 5
+quantity mylen;
+METHOD_INSTANCE leng METHOD circular_arc_length global
+QUANTITY mylen INFO_ONLY  method leng)");
+    EXPECT_EQ(header.added_tension, 0.0);
+    EXPECT_TRUE(header.notes.empty());
+}
+
+TEST(EvolverHeader, AnEnergyOfAllLengthsAddsToTheTension) {
+    EXPECT_EQ(header_with("quantity q energy modulus 0.5 method circular_arc_length global")
+                  .added_tension,
+              0.5);
+    EXPECT_EQ(header_with("method_instance m method edge_length global\n"
+                          "quantity q energy\n method m\n modulus 2*2\n")
+                  .added_tension,
+              4.0);
+    EXPECT_EQ(header_with("quantity q energy global_method edge_length").added_tension, 1.0);
+    EXPECT_EQ(header_with("quantity q energy modulus 0 method gravity_method").added_tension, 0.0);
+}
+
+TEST(EvolverHeader, RefusesOtherEnergies) {
+    const std::string start = "STRING SPACE_DIMENSION 2 TORUS\n";
+    const std::string what = "a.fe:2: quantity 'q' adds an energy a foam has not";
+    expect_refused(start + "quantity q energy method circular_arc_length\nvertices", what);
+    expect_refused(start + "quantity q energy method vertex_scalar_integral global\nvertices",
+                   what);
+    expect_refused(start + "square_curvature 0.1\nvertices",
+                   "a.fe:2: square_curvature adds an energy that a foam has not");
+}
+
+TEST(EvolverHeader, NotesWhatIsNotHeld) {
+    const Header header = header_with("quantity q fixed = 3 method edge_length global");
+    ASSERT_EQ(header.notes.size(), 1U);
+    EXPECT_EQ(header.notes[0], "line 4: quantity 'q' is not held fixed");
+}
+
+TEST(EvolverHeader, RefusesOtherModels) {
+    expect_refused("SPACE_DIMENSION 2\nTORUS\nvertices",
+                   "a.fe:3: the top section does not say STRING: this is no string model");
+    expect_refused("STRING\nTORUS\nvertices",
+                   "a.fe:3: the top section does not say SPACE_DIMENSION 2");
+    expect_refused("STRING\nSPACE_DIMENSION 2\nvertices",
+                   "a.fe:3: no torus: free clusters are not supported yet");
+    expect_refused("SOAPFILM\n",
+                   "a.fe:1: SOAPFILM is another model than the string model of a foam");
+    expect_refused("STRING\nLAGRANGE 4\n",
+                   "a.fe:2: LAGRANGE is not supported; films are straight (LINEAR) or arcs "
+                   "(QUADRATIC)");
+    expect_refused("symmetry_group \"rotate\"",
+                   "a.fe:1: the only symmetry group supported is \"torus\"");
+    expect_refused("PRESSURE 3",
+                   "a.fe:1: PRESSURE makes the gas compressible, which is not "
+                   "supported");
+}
+
+TEST(EvolverHeader, RefusesOtherTori) {
+    expect_refused("periods\n1 0\n0.5 1",
+                   "a.fe:1: the periods have to lie along x and y: a rectangular torus");
+    expect_refused("periods 1 0 0 -1", "a.fe:1: the periods have to be positive");
+}
+
+TEST(EvolverHeader, RefusesWhatItCannotRead) {
+    expect_refused("", "a.fe:1: expected a section 'vertices', found the end of the file");
+    expect_refused("STRING\n#define X 3\n",
+                   "a.fe:2: lines such as #define and #include are not supported");
+    expect_refused("STRING\n12\n", "a.fe:2: expected a keyword of the top section, found '12'");
+}
+
+}  // namespace
+}  // namespace foam::evolver

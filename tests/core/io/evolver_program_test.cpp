@@ -1,0 +1,179 @@
+// What we write, as Surface Evolver itself reads it. Skipped where it is not installed.
+#include "core/equilibrium/equilibrate_given.h"
+#include "core/foam/measure.h"
+#include "core/io/evolver_file.h"
+#include "tests/core/foams.h"
+#include "tests/core/io/data_file.h"
+#include "tests/core/io/small_torus.h"
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+#include <sys/wait.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
+#include <iterator>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace foam {
+namespace {
+
+constexpr double kTolerance = 1e-9;
+
+bool evolver_is_installed() {
+    return std::system("command -v evolver >/dev/null") == 0;  // NOLINT(cert-env33-c)
+}
+
+// What Evolver printed behind the word "value", all that it said, and what it dumped to a.dmp.
+struct Session {
+    int code = -1;
+    std::vector<double> values;
+    std::string log;
+    std::string dump;
+};
+
+std::string content(const std::string& path) {
+    std::ifstream file(path);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::vector<double> values_in(const std::string& log) {
+    std::vector<double> values;
+    std::istringstream words(log);
+    for (std::string word; words >> word;) {
+        if (word == "value" && words >> word) {
+            values.push_back(std::stod(word));
+        }
+    }
+    return values;
+}
+
+// Loads a data file in Evolver and gives it commands, for a minute at most.
+Session run_evolver(const std::string& data_file, const std::string& commands) {
+    std::string folder = (std::filesystem::temp_directory_path() / "evolver-XXXXXX").string();
+    if (mkdtemp(folder.data()) == nullptr) {
+        return {};
+    }
+    std::ofstream(folder + "/a.fe") << data_file;
+    std::ofstream(folder + "/commands") << commands << "q\nq\n";
+    const std::string line = "cd " + folder + " && timeout 60 evolver a.fe <commands >log 2>&1";
+    const int status = std::system(line.c_str());  // NOLINT(cert-env33-c)
+    const std::string log = content(folder + "/log");
+    const std::string dump = content(folder + "/a.dmp");
+    std::filesystem::remove_all(folder);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, values_in(log), log, dump};
+}
+
+// The energy and the areas and pressures of all bodies, before and after a Newton step. On a torus
+// the volumes depend on each other, which makes that step as singular as Evolver's rounding; not
+// every foam stands it.
+constexpr const char* kCommands = R"(recalc
+printf "value %.17g\n",total_energy
+foreach body bb do printf "value %.17g\n",bb.volume
+foreach body bb do printf "value %.17g\n",bb.pressure
+hessian
+printf "value %.17g\n",total_energy
+foreach body bb do printf "value %.17g\n",bb.volume
+foreach body bb do printf "value %.17g\n",bb.pressure
+)";
+
+void expect_same(const Foam& foam, const Session& session) {
+    const std::size_t bubbles = foam.network.bubble_count();
+    EXPECT_EQ(session.code, 0) << session.log;
+    const std::string loading = session.log.substr(0, session.log.find("hessian\n"));
+    EXPECT_EQ(loading.find("WARNING"), std::string::npos) << session.log;
+    EXPECT_EQ(loading.find("ERROR"), std::string::npos) << session.log;
+    ASSERT_EQ(session.values.size(), 2 * (1 + 2 * bubbles)) << session.log;
+    const double unit =
+        foam.film_tension / std::sqrt(foam.torus.area() / static_cast<double>(bubbles));
+    for (std::size_t start : {std::size_t{0}, 1 + 2 * bubbles}) {
+        const double* value = &session.values[start];
+        EXPECT_NEAR(*value / energy(foam), 1.0, kTolerance);
+        for (std::size_t k = 0; k < bubbles; ++k) {
+            const auto bubble = id_at<BubbleId>(k);
+            EXPECT_NEAR(value[1 + k] / bubble_area(foam, bubble), 1.0, kTolerance);
+            const double pressure = foam.pressures[bubble] - foam.pressures[BubbleId{0}];
+            EXPECT_NEAR((value[1 + bubbles + k] - pressure) / unit, 0.0, 1e-7);
+        }
+    }
+}
+
+class EvolverProgram : public testing::Test {
+  protected:
+    void SetUp() override {
+        if (!evolver_is_installed()) {
+            GTEST_SKIP() << "evolver is not installed";
+        }
+    }
+};
+
+TEST_F(EvolverProgram, FindsOurEquilibriumInWhatWeWrite) {
+    for (const char* name : {"evolver/torus64.fe", "evolver/torus1024.fe"}) {
+        Foam foam = read_evolver(test::data_file(name), name).foam;
+        ASSERT_TRUE(equilibrate_given(foam, 0).converged());
+        expect_same(foam, run_evolver(write_evolver(foam), kCommands));
+    }
+}
+
+TEST_F(EvolverProgram, TakesOtherUnitsAndAreas) {
+    Foam foam = test::settled_foam(100, 7);
+    foam.torus = {3.0 * foam.torus.width, 3.0 * foam.torus.height};
+    foam.film_tension = 0.25;
+    for (Vec2& position : foam.positions) {
+        position *= 3.0;
+    }
+    for (double& area : foam.target_areas) {
+        area *= 9.0;
+    }
+    ASSERT_TRUE(equilibrate_given(foam, 0).converged());
+    expect_same(foam, run_evolver(write_evolver(foam), kCommands));
+}
+
+// Bubbles that meet themselves around the torus.
+TEST_F(EvolverProgram, TakesTheSmallestFoams) {
+    Foam one = read_evolver(test::kSmallTorus, "a.fe").foam;
+    ASSERT_TRUE(equilibrate_given(one, 0).converged());
+    expect_same(one, run_evolver(write_evolver(one), kCommands));
+    const Foam few = test::settled_foam(3, 2);
+    expect_same(few, run_evolver(write_evolver(few), kCommands));
+}
+
+TEST_F(EvolverProgram, TakesStraightFilms) {
+    Foam foam = test::raw_foam(20, 4);
+    const Session session = run_evolver(write_evolver(foam, EvolverEdges::Straight),
+                                        "recalc\nprintf \"value %.17g\\n\",total_energy\n");
+    ASSERT_EQ(session.values.size(), 1U) << session.log;
+    EXPECT_NEAR(session.values[0] / energy(foam), 1.0, kTolerance);  // all pressures are 0
+}
+
+// With what users add: fixed vertices, constraints, colours, attributes and quantities of their
+// own.
+TEST_F(EvolverProgram, WhatItDumpsWeRead) {
+    const Foam foam = test::settled_foam(30, 6);
+    std::ostringstream formula;  // which vertex 4 fulfils
+    formula << std::setprecision(17) << "formula: x = " << foam.positions[JunctionId{3}].x();
+    std::string text = test::edited(write_evolver(foam),
+                                    "TORUS_FILLED",
+                                    "constraint 1\nFORMULA\n"
+                                    "quantity arcs info_only method circular_arc_length global\n"
+                                    "define edge attribute mine real[2]\nparameter knob = 3\n"
+                                    "TORUS_FILLED");
+    text = test::edited(text, "FORMULA", formula.str());
+    const Session session = run_evolver(text,
+                                        "set vertex[3] fixed\nset edge color red where id < 9\n"
+                                        "set edge[2] mine[1] 5\nset vertex[4] constraint 1\n"
+                                        "dump \"a.dmp\"\n");
+    ASSERT_EQ(session.code, 0) << session.log;
+    const EvolverFoam read = read_evolver(session.dump, "a.dmp");
+    EXPECT_EQ(read.notes.size(), 1U);
+    EXPECT_NEAR(energy(read.foam) / energy(foam), 1.0, 1e-12);
+    EXPECT_LT(equilibrium_errors(read.foam).area, 1e-9);
+}
+
+}  // namespace
+}  // namespace foam

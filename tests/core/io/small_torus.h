@@ -1,0 +1,51 @@
+#pragma once
+
+#include "core/io/format_error.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace foam::test {
+
+/// A data file of one bubble that meets itself around a torus of 3 x 2 in all its six sides: two
+/// junctions and straight films. The comments give the line.
+inline constexpr const char* kSmallTorus = R"(STRING
+SPACE_DIMENSION 2
+TORUS_FILLED
+PERIODS
+3 0
+0 2
+vertices  // 7
+1 0 0.5
+2 1 1
+edges     // 10
+1 1 2 * *
+2 2 1 + +
+3 2 1 + *
+faces     // 14
+1 1 2 -3 -1 -2 3
+bodies    // 16
+1 1 volume 6
+)";
+
+/// The text with the first place of `old` replaced; it has to hold it.
+inline std::string edited(std::string text, std::string_view old, std::string_view replacement) {
+    const std::size_t at = text.find(old);
+    EXPECT_NE(at, std::string::npos) << "no '" << old << "' to replace";
+    return at == std::string::npos ? text : text.replace(at, old.size(), replacement);
+}
+
+/// Expects the action to throw FormatError with "file:line: message".
+inline void expect_format_error(const std::function<void()>& action, const std::string& what) {
+    try {
+        action();
+        ADD_FAILURE() << "no error, but expected: " << what;
+    } catch (const FormatError& error) {
+        EXPECT_EQ(error.what(), what);
+    }
+}
+
+}  // namespace foam::test
