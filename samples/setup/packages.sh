@@ -5,6 +5,7 @@
 foam_build_packages=(
     g++ cmake ninja-build
     libeigen3-dev libboost-dev libpng-dev libcli11-dev libtomlplusplus-dev libfmt-dev
+    nlohmann-json3-dev
 )
 foam_test_packages=(libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev evolver)
 foam_check_packages=(clang clang-format clang-tidy)

@@ -1,0 +1,227 @@
+#include "core/io/foam_json.h"
+#include "core/io/format_error.h"
+#include "core/io/json_tree.h"
+#include "core/network/validate.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <limits>
+#include <unordered_set>
+#include <utility>
+
+namespace foam {
+
+namespace {
+
+// What the sum of the target areas may miss of the torus' area, relative; steps keep it exact.
+constexpr double kAreaTolerance = 1e-6;
+constexpr double kCellSlack = 1e-9;  // of a period: wrapping rounds
+
+class Reader {
+  public:
+    Reader(const JsonTree& root, const std::string& file) : root_(root), file_(file) {}
+
+    Foam read() {
+        check_format();
+        read_scalars();
+        for (const JsonTree& row : array(member("junctions"))) {
+            read_junction(row);
+        }
+        count_rows();
+        for (const JsonTree& row : array(member("films"))) {
+            read_film(row);
+        }
+        for (const JsonTree& row : array(member("bubbles"))) {
+            read_bubble(row);
+        }
+        set_outgoing();
+        check_foam();
+        return std::move(foam_);
+    }
+
+  private:
+    [[noreturn]] void fail(int line, const std::string& message) const {
+        throw FormatError(file_, line, message);
+    }
+
+    const JsonTree& member(const char* name) const {
+        const JsonTree* found = root_.find(name);
+        if (found == nullptr) {
+            fail(root_.line, fmt::format("'{}' is missing", name));
+        }
+        return *found;
+    }
+
+    const JsonTree::Array& array(const JsonTree& value) const {
+        const auto* items = std::get_if<JsonTree::Array>(&value.data);
+        if (items == nullptr) {
+            fail(value.line, "expected a list");
+        }
+        return *items;
+    }
+
+    // A list of so many items.
+    const JsonTree::Array& row(const JsonTree& value, std::size_t size) const {
+        const JsonTree::Array& items = array(value);
+        if (items.size() != size) {
+            fail(value.line, fmt::format("expected a list of {} numbers", size));
+        }
+        return items;
+    }
+
+    double number(const JsonTree& value) const {
+        const double* found = std::get_if<double>(&value.data);
+        if (found == nullptr || !std::isfinite(*found)) {
+            fail(value.line, "expected a finite number");
+        }
+        return *found;
+    }
+
+    double positive(const JsonTree& value) const {
+        const double found = number(value);
+        if (!(found > 0.0)) {
+            fail(value.line, "expected a positive number");
+        }
+        return found;
+    }
+
+    double integer(const JsonTree& value, double least, double most) const {
+        const double found = number(value);
+        if (found != std::floor(found) || found < least || found > most) {
+            fail(value.line, fmt::format("expected an integer from {} to {}", least, most));
+        }
+        return found;
+    }
+
+    std::uint32_t index(const JsonTree& value, std::size_t size) const {
+        return static_cast<std::uint32_t>(integer(value, 0.0, static_cast<double>(size) - 1.0));
+    }
+
+    HalfEdgeId half_edge(const JsonTree& value) const {
+        return id_at<HalfEdgeId>(index(value, 2 * films_));
+    }
+
+    void check_format() const {
+        const auto* format = std::get_if<std::string>(&member("format").data);
+        if (format == nullptr || *format != "foamtex-foam") {
+            fail(member("format").line, "this is no state of a foam (\"foamtex-foam\")");
+        }
+        const double version = integer(member("version"), 1.0, 1e9);
+        if (version > kFoamJsonVersion) {
+            fail(member("version").line,
+                 fmt::format("this state is of version {}; this program reads up to version {}",
+                             version,
+                             kFoamJsonVersion));
+        }
+    }
+
+    void read_scalars() {
+        const JsonTree::Array& torus = row(member("torus"), 2);
+        foam_.torus = {positive(torus[0]), positive(torus[1])};
+        foam_.film_tension = positive(member("film_tension"));
+        foam_.time = number(member("time"));
+        foam_.next_identity = index(member("next_identity"), kNoIndex);
+    }
+
+    void read_junction(const JsonTree& line) {
+        const JsonTree::Array& values = row(line, 3);
+        const Vec2 position(number(values[0]), number(values[1]));
+        if (!is_inside(position.x(), foam_.torus.width) ||
+            !is_inside(position.y(), foam_.torus.height)) {
+            fail(line.line, "this junction lies outside of the torus' own cell");
+        }
+        foam_.network.add_junction();
+        foam_.positions.push_back(position);
+    }
+
+    static bool is_inside(double coordinate, double period) {
+        return coordinate >= -kCellSlack * period && coordinate < (1.0 + kCellSlack) * period;
+    }
+
+    void count_rows() {
+        films_ = array(member("films")).size();
+        bubbles_ = array(member("bubbles")).size();
+        if (films_ > std::numeric_limits<std::int32_t>::max() / 2) {
+            fail(member("films").line, "too many films");
+        }
+    }
+
+    void read_film(const JsonTree& line) {
+        const JsonTree::Array& values = row(line, 9);
+        const std::size_t junctions = foam_.network.junction_slots();
+        const HalfEdgeId h = forward_side(foam_.network.add_film());
+        foam_.network.set_tail(h, id_at<JunctionId>(index(values[0], junctions)));
+        foam_.network.set_tail(twin(h), id_at<JunctionId>(index(values[1], junctions)));
+        foam_.network.set_left(h, id_at<BubbleId>(index(values[2], bubbles_)));
+        foam_.network.set_left(twin(h), id_at<BubbleId>(index(values[3], bubbles_)));
+        foam_.network.set_next(h, half_edge(values[4]));
+        foam_.network.set_next(twin(h), half_edge(values[5]));
+        foam_.network.set_offset(h, {periods(values[6]), periods(values[7])});
+        foam_.t1_armed.push_back(static_cast<std::uint8_t>(index(values[8], 2)));
+    }
+
+    std::int32_t periods(const JsonTree& value) const {
+        constexpr double kMostPeriods = 1e6;
+        return static_cast<std::int32_t>(integer(value, -kMostPeriods, kMostPeriods));
+    }
+
+    void read_bubble(const JsonTree& line) {
+        const JsonTree::Array& values = row(line, 5);
+        const BubbleId bubble = foam_.network.add_bubble();
+        const BubbleIdentity identity = index(values[0], foam_.next_identity);
+        if (!identities_.insert(identity).second) {
+            fail(line.line, fmt::format("bubble {} stands here a second time", identity));
+        }
+        foam_.identities.push_back(identity);
+        foam_.pressures.push_back(number(values[1]));
+        foam_.target_areas.push_back(positive(values[2]));
+        foam_.network.set_first(bubble, half_edge(values[3]));
+        foam_.network.set_sides(bubble, static_cast<int>(index(values[4], 2 * films_ + 1)));
+    }
+
+    // Setting tails has changed them.
+    void set_outgoing() {
+        const JsonTree::Array& rows = array(member("junctions"));
+        for (const JunctionId junction : foam_.network.junctions()) {
+            const JsonTree& line = rows[index_of(junction)];
+            const HalfEdgeId h = half_edge(row(line, 3)[2]);
+            if (foam_.network.tail(h) != junction) {
+                fail(line.line, "this junction is not where its half-edge begins");
+            }
+            foam_.network.set_tail(h, junction);
+        }
+    }
+
+    void check_foam() const {
+        if (films_ == 0) {
+            fail(member("films").line, "there are no films");
+        }
+        if (const auto fault = find_fault(foam_.network)) {
+            fail(member("films").line, fmt::format("this is no valid foam: {}", *fault));
+        }
+        double sum = 0.0;
+        for (const BubbleId bubble : foam_.network.bubbles()) {
+            sum += foam_.target_areas[bubble];
+        }
+        if (!(std::abs(sum / foam_.torus.area() - 1.0) < kAreaTolerance)) {
+            fail(member("bubbles").line, "the target areas do not add up to that of the torus");
+        }
+    }
+
+    const JsonTree& root_;
+    const std::string& file_;
+    Foam foam_;
+    std::size_t films_ = 0;
+    std::size_t bubbles_ = 0;
+    std::unordered_set<BubbleIdentity> identities_;
+};
+
+}  // namespace
+
+Foam read_foam_json(std::string_view text, const std::string& file) {
+    const JsonTree root = parse_json(text, file);
+    return Reader(root, file).read();
+}
+
+}  // namespace foam

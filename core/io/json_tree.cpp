@@ -1,0 +1,162 @@
+#include "core/io/json_tree.h"
+
+#include "core/io/format_error.h"
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+
+namespace foam {
+
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::size_t kDeepest = 16;  // a foam has three
+
+// How far the parser has read; it looks one character ahead behind a number.
+struct Progress {
+    int line = 1;
+    bool at_line_end = false;  // the last character read ended a line
+
+    int token_line() const { return line - (at_line_end ? 1 : 0); }
+};
+
+// The characters of a text, for the parser. All copies report to one progress.
+class Characters {
+  public:
+    using iterator_category = std::input_iterator_tag;
+    using value_type = char;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const char*;
+    using reference = const char&;
+
+    Characters(const char* at, Progress& progress) : at_(at), progress_(&progress) {}
+
+    const char& operator*() const { return *at_; }
+    Characters& operator++() {
+        progress_->at_line_end = *at_ == '\n';
+        progress_->line += progress_->at_line_end ? 1 : 0;
+        ++at_;
+        return *this;
+    }
+    friend bool operator==(const Characters& a, const Characters& b) { return a.at_ == b.at_; }
+
+  private:
+    const char* at_;
+    Progress* progress_;
+};
+
+// Without the parser's own name and place.
+std::string reason(const std::string& what) {
+    const std::size_t column = what.find(", column ");
+    const std::size_t end = column == std::string::npos ? what.find("] ") : what.find(": ", column);
+    return end == std::string::npos ? what : what.substr(end + 2);
+}
+
+class TreeBuilder : public Json::json_sax_t {
+  public:
+    TreeBuilder(const Progress& progress, const std::string& file)
+        : progress_(progress), file_(file) {}
+
+    JsonTree take() { return std::move(root_); }
+
+    bool null() override { return add(nullptr); }
+    bool boolean(bool value) override { return add(value); }
+    bool number_integer(std::int64_t value) override { return add(static_cast<double>(value)); }
+    bool number_unsigned(std::uint64_t value) override { return add(static_cast<double>(value)); }
+    bool number_float(double value, const std::string&) override { return add(value); }
+    bool string(std::string& value) override { return add(std::move(value)); }
+    bool binary(Json::binary_t&) override { return false; }  // never met in text
+
+    bool start_object(std::size_t) override { return open(JsonTree::Object()); }
+    bool end_object() override { return close(); }
+    bool start_array(std::size_t) override { return open(JsonTree::Array()); }
+    bool end_array() override { return close(); }
+
+    bool key(std::string& name) override {
+        auto& members = std::get<JsonTree::Object>(open_.back()->data);
+        if (open_.back()->find(name) != nullptr) {
+            fail(fmt::format("'{}' stands here a second time", name));
+        }
+        members.emplace_back(name, JsonTree());
+        return true;
+    }
+
+    bool parse_error(std::size_t, const std::string&, const Json::exception& error) override {
+        fail(reason(error.what()));
+    }
+
+  private:
+    [[noreturn]] void fail(const std::string& message) const {
+        throw FormatError(file_, progress_.token_line(), message);
+    }
+
+    // Where the next value goes. A node that is open stands still: its container waits for it.
+    JsonTree& next_place() {
+        if (open_.empty()) {
+            return root_;
+        }
+        if (auto* array = std::get_if<JsonTree::Array>(&open_.back()->data)) {
+            return array->emplace_back();
+        }
+        return std::get<JsonTree::Object>(open_.back()->data).back().second;
+    }
+
+    template <class Value>
+    bool add(Value value) {
+        JsonTree& place = next_place();
+        place.data = std::move(value);
+        place.line = progress_.token_line();
+        return true;
+    }
+
+    template <class Container>
+    bool open(Container container) {
+        if (open_.size() == kDeepest) {
+            fail("nested too deeply");
+        }
+        JsonTree& place = next_place();
+        place.data = std::move(container);
+        place.line = progress_.token_line();
+        open_.push_back(&place);
+        return true;
+    }
+
+    bool close() {
+        open_.pop_back();
+        return true;
+    }
+
+    const Progress& progress_;
+    const std::string& file_;
+    JsonTree root_;
+    std::vector<JsonTree*> open_;
+};
+
+}  // namespace
+
+const JsonTree* JsonTree::find(std::string_view key) const {
+    if (const auto* members = std::get_if<Object>(&data)) {
+        for (const auto& [name, value] : *members) {
+            if (name == key) {
+                return &value;
+            }
+        }
+    }
+    return nullptr;
+}
+
+JsonTree parse_json(std::string_view text, const std::string& file) {
+    Progress progress;
+    TreeBuilder builder(progress, file);
+    Json::sax_parse(Characters(text.data(), progress),
+                    Characters(text.data() + text.size(), progress),
+                    &builder);
+    return builder.take();
+}
+
+}  // namespace foam

@@ -1,0 +1,135 @@
+#include "core/io/foam_json.h"
+
+#include "core/dynamics/step.h"
+#include "core/io/evolver_file.h"
+#include "tests/core/foams.h"
+#include "tests/core/io/small_torus.h"
+
+#include <gtest/gtest.h>
+
+namespace foam {
+namespace {
+
+constexpr const char* kSmallState = R"({
+"format": "foamtex-foam",
+"version": 1,
+"torus": [3.0, 2.0],
+"film_tension": 1.0,
+"time": 0.0,
+"next_identity": 1,
+"junctions": [
+[0.0, 0.5, 3],
+[1.0, 1.0, 4]
+],
+"films": [
+[0, 1, 0, 0, 2, 3, 0, 0, 1],
+[1, 0, 0, 0, 5, 4, 1, 1, 1],
+[1, 0, 0, 0, 0, 1, 1, 0, 1]
+],
+"bubbles": [
+[0, 0.0, 6.0, 0, 6]
+]
+}
+)";
+
+Foam read(const std::string& text) {
+    return read_foam_json(text, "a.json");
+}
+
+void expect_refused(std::string_view old, std::string_view replacement, const std::string& what) {
+    test::expect_format_error([&] { read(test::edited(kSmallState, old, replacement)); }, what);
+}
+
+TEST(FoamJson, WritesOneElementALine) {
+    EXPECT_EQ(write_foam_json(read_evolver(test::kSmallTorus, "").foam), kSmallState);
+}
+
+TEST(FoamJson, ReadsBackToTheSameBits) {
+    Foam foam = test::settled_foam(50, 4);
+    foam.time = 0.1;
+    foam.pressures[BubbleId{3}] = -0.0;
+    foam.t1_armed[FilmId{7}] = 0;
+    const Foam again = read(write_foam_json(foam));
+    EXPECT_TRUE(test::are_same(again, foam));
+    EXPECT_EQ(write_foam_json(again), write_foam_json(foam));
+}
+
+// Through T1s and T2s, and wherever it is interrupted.
+TEST(FoamJson, AnInterruptedFoamStepsToTheSameBits) {
+    Foam foam = test::settled_foam(80, 9);
+    EquilibriumSummary events;
+    for (int k = 0; k < 8; ++k) {
+        Foam interrupted = read(write_foam_json(foam));
+        const StepSummary summary = step(foam, 1.0, {});
+        ASSERT_TRUE(summary.equilibrium.converged());
+        step(interrupted, 1.0, {});
+        ASSERT_TRUE(test::are_same(interrupted, foam)) << k;
+        events.t1 += summary.equilibrium.t1;
+        events.t2 += summary.equilibrium.t2;
+    }
+    EXPECT_GT(events.t1, 0);
+    EXPECT_GT(events.t2, 0);
+}
+
+TEST(FoamJson, ClosesDeadSlots) {
+    Foam foam = test::honeycomb_around(3);
+    TopologyCounts counts;
+    ASSERT_TRUE(collapse(foam, BubbleId{5}, counts));
+    const Foam again = read(write_foam_json(foam));
+    compact(foam);
+    EXPECT_TRUE(test::are_same(again, foam));
+}
+
+TEST(FoamJson, PassesOverUnknownMembers) {
+    const std::string text =
+        test::edited(kSmallState, "\"torus\"", "\"note\": {\"by\": [\"me\"]},\n\"torus\"");
+    EXPECT_TRUE(test::are_same(read(text), read(kSmallState)));
+}
+
+TEST(FoamJson, RefusesOtherFormats) {
+    expect_refused(
+        "foamtex-foam", "foam", "a.json:2: this is no state of a foam (\"foamtex-foam\")");
+    expect_refused("1,\n\"torus\"",
+                   "2,\n\"torus\"",
+                   "a.json:3: this state is of version 2; this program reads up to version 1");
+    expect_refused("\"time\": 0.0,\n", "", "a.json:1: 'time' is missing");
+    test::expect_format_error([] { read("[]"); }, "a.json:1: 'format' is missing");
+}
+
+TEST(FoamJson, RefusesBadValues) {
+    expect_refused("[3.0, 2.0]", "[3.0]", "a.json:4: expected a list of 2 numbers");
+    expect_refused("[3.0, 2.0]", "[3.0, -2.0]", "a.json:4: expected a positive number");
+    expect_refused("0.5, 3]", "\"x\", 3]", "a.json:9: expected a finite number");
+    expect_refused(
+        "0.5, 3]", "2.5, 3]", "a.json:9: this junction lies outside of the torus' own cell");
+    expect_refused("0.5, 3]", "0.5, 6]", "a.json:9: expected an integer from 0 to 5");
+    expect_refused(
+        "0.5, 3]", "0.5, 4]", "a.json:9: this junction is not where its half-edge begins");
+    expect_refused(
+        "[1, 0, 0, 0, 5", "[1, 2, 0, 0, 5", "a.json:14: expected an integer from 0 to 1");
+    expect_refused("1, 1, 1],",
+                   "1, 0.5, 1],",
+                   "a.json:14: expected an integer from -1000000 to "
+                   "1000000");
+    expect_refused("[0, 0.0, 6.0", "[1, 0.0, 6.0", "a.json:18: expected an integer from 0 to 0");
+    expect_refused("\"films\": [", "\"films\": 3, \"old\": [", "a.json:12: expected a list");
+}
+
+TEST(FoamJson, RefusesWhatIsNoFoam) {
+    expect_refused(
+        "5, 4, 1, 1, 1]",
+        "4, 4, 1, 1, 1]",
+        "a.json:12: this is no valid foam: half-edge 2 ends where its successor does not "
+        "begin");
+    expect_refused("6.0, 0, 6]",
+                   "6.0, 0, 5]",
+                   "a.json:12: this is no valid foam: bubble 0 has more sides than it counts");
+    expect_refused("6.0, 0, 6]",
+                   "6.1, 0, 6]",
+                   "a.json:17: the target areas do not add up to that of the torus");
+    const std::string twice = "[0, 0.0, 6.0, 0, 6],\n[0, 0.0, 6.0, 0, 6]";
+    expect_refused("[0, 0.0, 6.0, 0, 6]", twice, "a.json:19: bubble 0 stands here a second time");
+}
+
+}  // namespace
+}  // namespace foam
