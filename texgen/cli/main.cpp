@@ -1,3 +1,4 @@
+#include "core/io/format_error.h"
 #include "texgen/cli/command.h"
 #include "texgen/image/file_io.h"
 #include "texgen/preset/assignment.h"
@@ -19,6 +20,7 @@ constexpr const char* kFooter = R"(Examples:
   foamtex bake sea_foam                        48 frames of a tile into out/
   foamtex presets show sea_foam > my.toml      a preset to start your own from
   foamtex bake my.toml --frames 1-120
+  foamtex relax torus.fe -o relaxed.fe         a Surface Evolver foam, to equilibrium
 
 Exit codes:
   0  success
@@ -58,6 +60,7 @@ ExitCode parse_and_run(int argc, char** argv) {
     app.require_subcommand(1);
     app.footer(kFooter);
     add_bake_command(app, action);
+    add_relax_command(app, action);
     add_presets_command(app, action);
     try {
         app.parse(argc, argv);
@@ -74,6 +77,8 @@ ExitCode run(int argc, char** argv) {
         return report(error.what(), ExitCode::BadRequest);
     } catch (const std::invalid_argument& error) {
         return report(error.what(), ExitCode::BadRequest);
+    } catch (const FormatError& error) {
+        return report(error.what(), ExitCode::BadInput);
     } catch (const InputError& error) {
         return report(error.what(), ExitCode::BadInput);
     } catch (const OutputError& error) {

@@ -1,41 +1,17 @@
-#include "tests/texgen/temporary_folder.h"
-#include "texgen/cli/exit_code.h"
+#include "tests/texgen/cli/run_program.h"
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
 namespace foam::texgen {
 namespace {
 
-struct Outcome {
-    int code = -1;
-    std::string out;
-    std::string err;
-    std::vector<std::string> written;
-};
-
-std::string content(const std::filesystem::path& path) {
-    std::ifstream file(path);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
-/// Runs `foamtex ARGUMENTS`, as a shell reads them, in an empty folder.
+/// In an empty folder.
 Outcome run(const std::string& arguments) {
-    const TemporaryFolder work;
-    const TemporaryFolder streams;
-    const std::string out = (streams.path() / "out").string();
-    const std::string err = (streams.path() / "err").string();
-    const std::string command = "cd " + work.path().string() + " && '" FOAMTEX_EXECUTABLE "' " +
-                                arguments + " >" + out + " 2>" + err;
-    const int status = std::system(command.c_str());  // NOLINT(cert-env33-c)
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(out), content(err), work.files()};
+    return run_program(arguments);
 }
 
 /// One line on stderr, nothing on stdout, no file.

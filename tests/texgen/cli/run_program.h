@@ -1,0 +1,48 @@
+#pragma once
+
+#include "tests/texgen/temporary_folder.h"
+#include "texgen/cli/exit_code.h"
+
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+namespace foam::texgen {
+
+/// What a run of the program did.
+struct Outcome {
+    int code = -1;
+    std::string out;
+    std::string err;
+    std::vector<std::string> written;  // the files that its folder holds afterwards
+};
+
+inline std::string file_content(const std::filesystem::path& path) {
+    std::ifstream file(path);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// Runs `foamtex ARGUMENTS`, as a shell reads them, in a folder.
+inline Outcome run_program(const std::string& arguments, const TemporaryFolder& work) {
+    const TemporaryFolder streams;
+    const std::string out = (streams.path() / "out").string();
+    const std::string err = (streams.path() / "err").string();
+    const std::string command = "cd " + work.path().string() + " && '" FOAMTEX_EXECUTABLE "' " +
+                                arguments + " >" + out + " 2>" + err;
+    const int status = std::system(command.c_str());  // NOLINT(cert-env33-c)
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1,
+            file_content(out),
+            file_content(err),
+            work.files()};
+}
+
+/// In an empty folder, gone afterwards.
+inline Outcome run_program(const std::string& arguments) {
+    return run_program(arguments, TemporaryFolder());
+}
+
+}  // namespace foam::texgen

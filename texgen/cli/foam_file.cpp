@@ -1,0 +1,61 @@
+#include "texgen/cli/foam_file.h"
+
+#include "core/io/evolver_file.h"
+#include "core/io/foam_json.h"
+#include "texgen/image/file_io.h"
+
+#include <fmt/core.h>
+
+#include <span>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+namespace foam::texgen {
+
+namespace {
+
+enum class FoamFormat {
+    Json,
+    Evolver,
+};
+
+FoamFormat format_of(const std::filesystem::path& path) {
+    const std::string extension = path.extension().string();
+    if (extension == ".json") {
+        return FoamFormat::Json;
+    }
+    if (extension != ".fe" && extension != ".dmp") {
+        throw std::invalid_argument(fmt::format(
+            "'{}': the name of a foam has to end in .fe, .dmp or .json", path.string()));
+    }
+    return FoamFormat::Evolver;
+}
+
+std::string_view text_of(const Bytes& bytes) {
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+}  // namespace
+
+void check_foam_name(const std::filesystem::path& path) {
+    format_of(path);
+}
+
+LoadedFoam load_foam(const std::filesystem::path& path) {
+    const FoamFormat format = format_of(path);
+    const Bytes bytes = read_file(path);
+    if (format == FoamFormat::Json) {
+        return {read_foam_json(text_of(bytes), path.string()), {}};
+    }
+    EvolverFoam read = read_evolver(text_of(bytes), path.string());
+    return {std::move(read.foam), std::move(read.notes)};
+}
+
+void save_foam(const std::filesystem::path& path, const Foam& foam) {
+    const std::string text =
+        format_of(path) == FoamFormat::Json ? write_foam_json(foam) : write_evolver(foam);
+    write_file(path, std::as_bytes(std::span(text)));
+}
+
+}  // namespace foam::texgen

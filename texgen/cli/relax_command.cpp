@@ -1,0 +1,143 @@
+#include "core/equilibrium/equilibrate_given.h"
+#include "texgen/cli/command.h"
+#include "texgen/cli/foam_file.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <string>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr int kMostThreads = 1024;
+
+constexpr const char* kExamples = R"(Examples:
+  foamtex relax torus.fe -o relaxed.fe
+  foamtex relax torus.fe -o state.json --json
+Files: .fe and .dmp are Surface Evolver's, .json is foamtex's own state of a foam.)";
+
+struct RelaxArguments {
+    std::string in;
+    std::string out;
+    int threads = 0;
+    bool json = false;
+    bool quiet = false;
+};
+
+struct RelaxReport {
+    EquilibriumSummary summary;
+    std::size_t bubbles = 0;
+    double seconds = 0.0;  // of the equilibrium alone
+};
+
+const char* status_word(EquilibriumStatus status) {
+    switch (status) {
+        case EquilibriumStatus::Converged:
+            return "converged";
+        case EquilibriumStatus::RoundLimit:
+            return "round_limit";
+        default:
+            return "tolerance_missed";
+    }
+}
+
+RelaxReport relax_loaded(Foam& foam, int threads) {
+    const auto start = std::chrono::steady_clock::now();
+    const EquilibriumSummary summary = equilibrate_given(foam, threads);
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    return {summary, foam.network.bubble_count(), elapsed.count()};
+}
+
+/// JSON has no word for a number that is not finite.
+std::string json_number(double value) {
+    return std::isfinite(value) ? fmt::format("{}", value) : "null";
+}
+
+void print_json(const RelaxReport& report) {
+    fmt::print(R"({{"status": "{}", "bubbles": {}, "energy": {}, "area_error": {}, )"
+               R"("angle_error": {}, "iterations": {}, "t1": {}, "t2": {}, "seconds": {:.6f}}})"
+               "\n",
+               status_word(report.summary.status),
+               report.bubbles,
+               json_number(report.summary.energy),
+               json_number(report.summary.area_error),
+               json_number(report.summary.angle_error),
+               report.summary.iterations,
+               report.summary.t1,
+               report.summary.t2,
+               report.seconds);
+}
+
+void print_line(const RelaxReport& report, const std::string& out) {
+    fmt::print(
+        "{}: {} bubbles, energy {:.15g}, area error {:.1e}, angle error {:.1e}, "
+        "{} iterations, {} T1, {:.2f} s\n",
+        out,
+        report.bubbles,
+        report.summary.energy,
+        report.summary.area_error,
+        report.summary.angle_error,
+        report.summary.iterations,
+        report.summary.t1,
+        report.seconds);
+}
+
+void print_notes(const LoadedFoam& loaded, const std::string& in) {
+    for (const std::string& note : loaded.notes) {
+        fmt::print(stderr, "foamtex: {}: note: {}\n", in, note);
+    }
+}
+
+ExitCode run_relax(const RelaxArguments& arguments) {
+    check_foam_name(arguments.in);
+    check_foam_name(arguments.out);
+    LoadedFoam loaded = load_foam(arguments.in);
+    if (!arguments.quiet) {
+        print_notes(loaded, arguments.in);
+    }
+    const RelaxReport report = relax_loaded(loaded.foam, arguments.threads);
+    const bool converged = report.summary.converged();
+    if (converged) {
+        save_foam(arguments.out, loaded.foam);
+    } else {
+        fmt::print(stderr, "foamtex: {}: the foam found no equilibrium\n", arguments.in);
+    }
+    if (arguments.json) {
+        print_json(report);
+    } else if (converged && !arguments.quiet) {
+        print_line(report, arguments.out);
+    }
+    return converged ? ExitCode::Success : ExitCode::NoEquilibrium;
+}
+
+}  // namespace
+
+void add_relax_command(CLI::App& app, Action& action) {
+    CLI::App* command =
+        app.add_subcommand("relax", "Bring the foam of a file to mechanical equilibrium");
+    const auto arguments = std::make_shared<RelaxArguments>();
+    command->add_option("IN", arguments->in, "The foam: a .fe, .dmp or .json file")
+        ->required()
+        ->option_text(" ");
+    command->add_option("-o,--out", arguments->out, "Where its equilibrium goes, as such a file")
+        ->required()
+        ->option_text("OUT");
+    command->add_option("--threads", arguments->threads, "0: one per hardware thread (the default)")
+        ->check(CLI::Range(0, kMostThreads))
+        ->option_text("N");
+    command->add_flag("--json", arguments->json, "Print one JSON object of the results")
+        ->option_text(" ");
+    command->add_flag("-q,--quiet", arguments->quiet, "Say nothing but errors (and --json)")
+        ->option_text(" ");
+    command->footer(kExamples);
+    command->callback(
+        [&action, arguments] { action = [arguments] { return run_relax(*arguments); }; });
+}
+
+}  // namespace foam::texgen
