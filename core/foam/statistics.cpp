@@ -1,0 +1,118 @@
+#include "core/foam/statistics.h"
+
+#include <algorithm>
+#include <map>
+
+namespace foam {
+
+namespace {
+
+double inflow(const Frame& frame, BubbleId bubble) {
+    double sum = 0.0;
+    for (const HalfEdgeId h : frame.network.around(bubble)) {
+        const double outside = frame.bubbles[frame.network.right(h)].pressure;
+        sum += (outside - frame.bubbles[bubble].pressure) * arc_length(frame.arc(h));
+    }
+    return sum;
+}
+
+double energy(const Frame& frame) {
+    double length = 0.0;
+    for (const FilmArc& arc : frame.arcs) {
+        length += arc_length(arc);
+    }
+    return frame.film_tension * length;
+}
+
+std::vector<SidesStatistics> statistics_by_sides(const Frame& frame) {
+    std::map<int, SidesStatistics> sums;
+    for (const BubbleId bubble : frame.network.bubbles()) {
+        SidesStatistics& sum = sums[frame.network.sides(bubble)];
+        ++sum.bubbles;
+        sum.mean_area += frame.bubbles[bubble].area;
+        sum.mean_pressure += frame.bubbles[bubble].pressure;
+        sum.mean_inflow += inflow(frame, bubble);
+    }
+    std::vector<SidesStatistics> means;
+    means.reserve(sums.size());
+    for (const auto& [sides, sum] : sums) {
+        const double count = sum.bubbles;
+        means.push_back({sides,
+                         sum.bubbles,
+                         sum.mean_area / count,
+                         sum.mean_pressure / count,
+                         sum.mean_inflow / count});
+    }
+    return means;
+}
+
+// The mean over all bubbles of a value that the number of sides decides.
+template <class OfSides>
+double mean_of(const FoamStatistics& all, OfSides value) {
+    double sum = 0.0;
+    for (const SidesStatistics& part : all.by_sides) {
+        sum += part.bubbles * value(part.sides);
+    }
+    return sum / all.bubbles;
+}
+
+struct Neighbourhood {
+    double area = 0.0;
+    std::vector<BubbleIdentity> neighbours;  // in increasing order
+};
+
+Neighbourhood neighbourhood(const Frame& frame, BubbleId bubble) {
+    Neighbourhood found{frame.bubbles[bubble].area, {}};
+    for (const HalfEdgeId h : frame.network.around(bubble)) {
+        found.neighbours.push_back(frame.bubbles[frame.network.right(h)].identity);
+    }
+    std::sort(found.neighbours.begin(), found.neighbours.end());
+    return found;
+}
+
+std::map<BubbleIdentity, Neighbourhood> neighbourhoods(const Frame& frame) {
+    std::map<BubbleIdentity, Neighbourhood> all;
+    for (const BubbleId bubble : frame.network.bubbles()) {
+        all.emplace(frame.bubbles[bubble].identity, neighbourhood(frame, bubble));
+    }
+    return all;
+}
+
+}  // namespace
+
+FoamStatistics statistics(const Frame& frame) {
+    FoamStatistics all;
+    all.bubbles = static_cast<int>(frame.bubbles.size());
+    all.mean_area = frame.torus.area() / all.bubbles;
+    all.energy = energy(frame);
+    all.by_sides = statistics_by_sides(frame);
+    all.mean_sides = mean_of(all, [](int sides) { return sides; });
+    all.second_moment = mean_of(
+        all, [mean = all.mean_sides](int sides) { return (sides - mean) * (sides - mean); });
+    return all;
+}
+
+std::vector<SidesGrowth> growth_by_sides(const Frame& before, const Frame& after) {
+    const double time = after.time - before.time;
+    if (time == 0.0) {
+        return {};
+    }
+    const std::map<BubbleIdentity, Neighbourhood> earlier = neighbourhoods(before);
+    std::map<int, SidesGrowth> sums;
+    for (const auto& [identity, now] : neighbourhoods(after)) {
+        const auto then = earlier.find(identity);
+        if (then != earlier.end() && then->second.neighbours == now.neighbours) {
+            SidesGrowth& sum = sums[static_cast<int>(now.neighbours.size())];
+            ++sum.bubbles;
+            sum.mean_rate += (now.area - then->second.area) / time;
+        }
+    }
+    std::vector<SidesGrowth> means;
+    means.reserve(sums.size());
+    for (const auto& [sides, sum] : sums) {
+        means.push_back({sides, sum.bubbles, sum.mean_rate / sum.bubbles});
+    }
+    return means;
+}
+
+}  // namespace foam
