@@ -2,7 +2,7 @@
 
 #include "texgen/bake/bounded_workers.h"
 #include "texgen/bake/file_pattern.h"
-#include "texgen/bake/simulation.h"
+#include "texgen/bake/simulate_frames.h"
 #include "texgen/image/file_io.h"
 #include "texgen/image/png.h"
 #include "texgen/maps/albedo.h"
@@ -15,7 +15,6 @@
 #include <memory>
 #include <mutex>
 #include <stdexcept>
-#include <system_error>
 #include <thread>
 
 namespace foam::texgen {
@@ -29,15 +28,6 @@ int thread_count(const BakeOptions& options) {
         return options.threads;
     }
     return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-}
-
-void make_folder_of(const std::filesystem::path& path) {
-    const std::filesystem::path folder = path.parent_path();
-    std::error_code error;
-    if (!folder.empty() && !std::filesystem::create_directories(folder, error) && error) {
-        throw OutputError(
-            fmt::format("{}: cannot make the folder: {}", folder.string(), error.message()));
-    }
 }
 
 // What every file of a bake says about itself.
@@ -68,24 +58,24 @@ class FrameWriter {
         return all;
     }
 
-    void write(const Frame& frame, const EquilibriumSummary& equilibrium) {
+    void write(const Frame& frame, const FrameEffort& effort) {
         const RasterGrid grid{preset_.image.width, preset_.image.height};
         const Image<std::uint8_t> image = albedo(frame, grid, preset_.albedo, 1);
         for (const std::filesystem::path& path : paths(frame.number)) {
-            make_folder_of(path);
+            make_folders(path.parent_path());
             write_png(path, image.view(), metadata_);
         }
-        report(frame, equilibrium);
+        report(frame, effort);
     }
 
   private:
-    void report(const Frame& frame, const EquilibriumSummary& equilibrium) {
+    void report(const Frame& frame, const FrameEffort& effort) {
         const std::scoped_lock lock(mutex_);
         ++progress_.done;
         progress_.frame = frame.number;
         progress_.bubbles = static_cast<int>(frame.bubbles.size());
-        progress_.area_error = equilibrium.area_error;
-        progress_.angle_error = equilibrium.angle_error;
+        progress_.area_error = effort.area_error;
+        progress_.angle_error = effort.angle_error;
         progress_.seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
         if (on_progress_) {
             on_progress_(progress_);
@@ -101,26 +91,6 @@ class FrameWriter {
     Clock::time_point begin_ = Clock::now();
 };
 
-// Runs the foam to the last frame that is wanted, and hands out the wanted ones on the way.
-BakeStatus simulate_frames(Simulation& simulation,
-                           std::vector<int> wanted,
-                           FrameWriter& writer,
-                           BoundedWorkers& workers) {
-    std::sort(wanted.begin(), wanted.end());
-    for (const int number : wanted) {
-        while (simulation.number() < number) {
-            if (!simulation.advance()) {
-                return BakeStatus::NoEquilibrium;
-            }
-        }
-        const auto frame = std::make_shared<const Frame>(simulation.frame());
-        workers.submit([frame, &writer, equilibrium = simulation.equilibrium()] {
-            writer.write(*frame, equilibrium);
-        });
-    }
-    return BakeStatus::Complete;
-}
-
 void check(const Preset& preset, const BakeOptions& options) {
     if (options.frames.empty() ||
         *std::min_element(options.frames.begin(), options.frames.end()) < 1) {
@@ -134,15 +104,23 @@ void check(const Preset& preset, const BakeOptions& options) {
 
 BakeSummary bake(const Preset& preset,
                  const BakeOptions& options,
-                 const ProgressCallback& on_progress) {
+                 const ProgressCallback& on_progress,
+                 const FrameVisitor& on_frame) {
     check(preset, options);
     FrameWriter writer(preset, static_cast<int>(options.frames.size()), on_progress);
     BakeSummary summary;
     Simulation simulation(preset, options.threads);
     BoundedWorkers workers(thread_count(options) - 1);
-    summary.status = simulate_frames(simulation, options.frames, writer, workers);
+    const auto visit = [&](const std::shared_ptr<const Frame>& frame, const FrameEffort& effort) {
+        if (on_frame) {
+            on_frame(frame, effort);
+        }
+        workers.submit([frame, effort, &writer] { writer.write(*frame, effort); });
+    };
+    const bool complete = simulate_frames(simulation, options.frames, visit);
     workers.finish();
-    if (summary.status == BakeStatus::NoEquilibrium) {
+    if (!complete) {
+        summary.status = BakeStatus::NoEquilibrium;
         summary.failed_frame = simulation.number();
     }
     for (const int frame : options.frames) {

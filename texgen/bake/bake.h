@@ -1,5 +1,6 @@
 #pragma once
 
+#include "texgen/bake/simulate_frames.h"
 #include "texgen/preset/preset.h"
 
 #include <filesystem>
@@ -40,10 +41,12 @@ struct BakeSummary {
 };
 
 /// Simulates the foam, draws the frames and writes every map of each; folders are made as needed.
+/// Each frame is handed to `on_frame`, if there is one, before it is drawn, in increasing order.
 /// Throws std::invalid_argument for options out of range and a pattern under which two images would
 /// share a file, OutputError where a file cannot be written.
 BakeSummary bake(const Preset& preset,
                  const BakeOptions& options,
-                 const ProgressCallback& on_progress);
+                 const ProgressCallback& on_progress,
+                 const FrameVisitor& on_frame = {});
 
 }  // namespace foam::texgen

@@ -28,20 +28,26 @@ Simulation::Simulation(const Preset& preset, int threads)
 
 bool Simulation::advance() {
     ++number_;
-    if (number_ > 1) {
-        const double time = next_step_;
-        next_step_ *= frames_.step_growth;
-        return step_by(time);
+    if (number_ == 1) {
+        equilibrium_ = equilibrate(foam_, options_.equilibrium);
+        return equilibrium_.converged() && step_by(frames_.warm_up);
     }
-    equilibrium_ = equilibrate(foam_, options_.equilibrium);
-    return equilibrium_.converged() && step_by(frames_.warm_up);
+    equilibrium_.sweeps = equilibrium_.iterations = equilibrium_.t1 = equilibrium_.t2 = 0;
+    const double time = next_step_;
+    next_step_ *= frames_.step_growth;
+    return step_by(time);
 }
 
 bool Simulation::step_by(double time) {
     if (time == 0.0) {
         return true;
     }
+    const EquilibriumSummary before = equilibrium_;
     equilibrium_ = step(foam_, time, options_).equilibrium;
+    equilibrium_.sweeps += before.sweeps;
+    equilibrium_.iterations += before.iterations;
+    equilibrium_.t1 += before.t1;
+    equilibrium_.t2 += before.t2;
     return equilibrium_.converged();
 }
 

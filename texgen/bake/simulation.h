@@ -27,7 +27,7 @@ class Simulation {
     const EquilibriumSummary& equilibrium() const { return equilibrium_; }
 
   private:
-    bool step_by(double time);
+    bool step_by(double time);  // adds to what equilibrium_ counts
 
     FramesOptions frames_;
     double next_step_;  // foam time to the next frame

@@ -112,4 +112,12 @@ void write_file(const std::filesystem::path& path, std::span<const std::byte> co
     file.publish();
 }
 
+void make_folders(const std::filesystem::path& folder) {
+    std::error_code error;
+    if (!folder.empty() && !std::filesystem::create_directories(folder, error) && error) {
+        throw OutputError(
+            fmt::format("{}: cannot make the folder: {}", folder.string(), error.message()));
+    }
+}
+
 }  // namespace foam::texgen

@@ -28,4 +28,8 @@ Bytes read_file(const std::filesystem::path& path);
 /// the name is replaced. The folder has to exist. Throws OutputError, after removing the temporary.
 void write_file(const std::filesystem::path& path, std::span<const std::byte> content);
 
+/// Makes the folder and those it lies in, as far as they are missing; an empty path is where the
+/// program runs. Throws OutputError.
+void make_folders(const std::filesystem::path& folder);
+
 }  // namespace foam::texgen

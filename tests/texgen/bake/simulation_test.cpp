@@ -56,6 +56,24 @@ TEST(Simulation, EveryFrameIsInEquilibrium) {
     }
 }
 
+// A bubble is gone for every T2, those of the warm-up included; frames without time have no events.
+TEST(Simulation, CountsTheEventsOfEveryFrame) {
+    Preset preset = small_preset();
+    preset.frames.warm_up = 30.0;
+    Simulation simulation(preset);
+    ASSERT_TRUE(simulation.advance());
+    const int gone = 60 - static_cast<int>(simulation.frame().bubbles.size());
+    EXPECT_GT(gone, 0);
+    EXPECT_EQ(simulation.equilibrium().t2, gone);
+    preset.frames.time_step = 0.0;
+    Simulation still(preset);
+    ASSERT_TRUE(still.advance());
+    ASSERT_TRUE(still.advance());
+    EXPECT_EQ(still.equilibrium().t1, 0);
+    EXPECT_EQ(still.equilibrium().t2, 0);
+    EXPECT_LT(still.equilibrium().area_error, 1e-9);
+}
+
 TEST(Simulation, StandsStillWithoutTime) {
     Preset preset = small_preset();
     preset.frames.time_step = 0.0;

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/foam/frame.h"
+#include "texgen/bake/simulation.h"
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace foam::texgen {
+
+/// What it took to come to a frame from the frame handed out before it, or from the seed.
+struct FrameEffort {
+    int t1 = 0;
+    int t2 = 0;
+    double area_error = 0.0;   // of the frame: largest |A / A_target - 1| (E2)
+    double angle_error = 0.0;  // of the frame: largest deviation from 120 degrees (E2), radians
+    double seconds = 0.0;      // wall time of the steps
+};
+
+using FrameVisitor = std::function<void(const std::shared_ptr<const Frame>&, const FrameEffort&)>;
+
+/// Runs a simulation that has not begun to the last of the frames, and hands out each of them on
+/// the way, in increasing order. False where no equilibrium is found: simulation.number() is then
+/// the frame that failed.
+bool simulate_frames(Simulation& simulation,
+                     std::vector<int> numbers,
+                     const FrameVisitor& on_frame);
+
+}  // namespace foam::texgen
