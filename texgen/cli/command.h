@@ -17,5 +17,6 @@ using Action = std::function<ExitCode()>;
 void add_bake_command(CLI::App& app, Action& action);
 void add_presets_command(CLI::App& app, Action& action);
 void add_relax_command(CLI::App& app, Action& action);
+void add_stats_command(CLI::App& app, Action& action);
 
 }  // namespace foam::texgen

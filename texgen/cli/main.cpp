@@ -61,6 +61,7 @@ ExitCode parse_and_run(int argc, char** argv) {
     app.footer(kFooter);
     add_bake_command(app, action);
     add_relax_command(app, action);
+    add_stats_command(app, action);
     add_presets_command(app, action);
     try {
         app.parse(argc, argv);

@@ -24,7 +24,7 @@ void expect_refused(const std::string& arguments, const std::string& line) {
 }
 
 TEST(Main, HelpFitsOneScreenAndNamesTheExitCodes) {
-    for (const char* arguments : {"--help", "bake --help"}) {
+    for (const char* arguments : {"--help", "bake --help", "stats --help"}) {
         const Outcome help = run(arguments);
         EXPECT_EQ(help.code, 0);
         EXPECT_LE(std::count(help.out.begin(), help.out.end(), '\n'), 30) << arguments;
@@ -97,6 +97,54 @@ TEST(Main, QuietSaysNothingAndVerboseALinePerFrame) {
     EXPECT_EQ(verbose.out, "a.png\n");
     EXPECT_EQ(verbose.err.find("frame 1: "), 0U);
     EXPECT_EQ(std::count(verbose.err.begin(), verbose.err.end(), '\n'), 1);
+}
+
+TEST(Main, StatsWritesTablesAndCharts) {
+    const Outcome outcome = run("stats sea_foam --set foam.bubbles=16 --frames 1-3 --seed 5");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    const std::string folder = "out/sea_foam_stats/";
+    std::string listed;
+    for (const char* name : {"stats.csv",
+                             "sides.csv",
+                             "mean_area.svg",
+                             "second_moment.svg",
+                             "sides.svg",
+                             "pressures.svg",
+                             "growth_rates.svg",
+                             "seconds.svg"}) {
+        listed += folder;
+        listed += name;
+        listed += '\n';
+        EXPECT_EQ(std::count(outcome.written.begin(), outcome.written.end(), folder + name), 1)
+            << name;
+    }
+    EXPECT_EQ(outcome.out, listed);
+    EXPECT_EQ(outcome.written.size(), 8U);
+}
+
+TEST(Main, StatsTakesTheOptionsOfABakeAndAFolder) {
+    const std::string small = "stats labyrinth --set foam.bubbles=16 --size 32x16 --frames 2,1 ";
+    const Outcome verbose = run(small + "--threads 1 -v");
+    EXPECT_EQ(verbose.code, 0) << verbose.err;
+    EXPECT_EQ(verbose.err.find("frame 1: 16 bubbles, "), 0U);
+    EXPECT_EQ(std::count(verbose.err.begin(), verbose.err.end(), '\n'), 2);
+    const Outcome moved = run(small + "-q --out numbers && head -2 numbers/stats.csv");
+    EXPECT_EQ(moved.out.find("frame,time,bubbles,mean_area,"), 0U);
+    EXPECT_NE(moved.out.find(",seconds\n1,"), std::string::npos);
+    EXPECT_EQ(run(small + "-q").out, "");
+    expect_refused("stats sea_foam --maps albedo",
+                   "The following arguments were not expected: albedo --maps (see foamtex --help)");
+    EXPECT_EQ(run(small + "--out /proc/self/none").code, static_cast<int>(ExitCode::OutputFailed));
+}
+
+TEST(Main, ABakeWritesItsStatisticsBesideTheImages) {
+    const Outcome outcome =
+        run("bake sea_foam --set foam.bubbles=16 --frames 1-2 --size 8 --out a/####.png --stats");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out.find("a/####.png 1-2\na/sea_foam_stats/stats.csv\n"), 0U);
+    EXPECT_EQ(outcome.written.size(), 2U + 8U);
+    EXPECT_EQ(outcome.written.back(), "a/sea_foam_stats/stats.csv");
 }
 
 TEST(Main, AnOutputThatCannotBeWrittenIsCode5) {

@@ -1,0 +1,50 @@
+#include "texgen/stats/record.h"
+
+#include "core/foam/honeycomb.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace foam::texgen {
+namespace {
+
+// gamma = 1/4 and kappa = 0.3: (2 pi/3) (1/4) (0.3) (n - 6) = (pi/20) (n - 6).
+TEST(Record, TheLawIsVonNeumanns) {
+    Preset preset;
+    preset.name = "quarter";
+    preset.seeding.surface_tension = 0.25;
+    preset.coarsening.kappa = 0.3;
+    const Recorder recorder(preset);
+    EXPECT_EQ(recorder.run().preset, "quarter");
+    EXPECT_EQ(recorder.run().film_tension, 0.5);
+    EXPECT_NEAR(recorder.run().law_rate(3), -3.0 * std::numbers::pi / 20.0, 1e-15);
+    EXPECT_NEAR(recorder.run().law_rate(8), std::numbers::pi / 10.0, 1e-15);
+}
+
+TEST(Record, GrowthIsSinceTheRecordBefore) {
+    Frame frame = snapshot(honeycomb(4, 4), 2);
+    Recorder recorder({});
+    recorder.record(std::make_shared<const Frame>(frame), {.t1 = 7});
+    frame.number = 5;
+    frame.time = 2.0;
+    frame.bubbles[BubbleId{3}].area += 1.6;  // by 0.1 in the mean of all, in a time of 2
+    recorder.record(std::make_shared<const Frame>(frame), {.t1 = 1, .seconds = 0.5});
+
+    ASSERT_EQ(recorder.run().frames.size(), 2U);
+    const FrameRecord& first = recorder.run().frames[0];
+    EXPECT_EQ(first.frame, 2);
+    EXPECT_EQ(first.foam.bubbles, 16);
+    EXPECT_EQ(first.effort.t1, 7);
+    EXPECT_TRUE(first.growth.empty());
+    const FrameRecord& second = recorder.run().frames[1];
+    EXPECT_EQ(second.frame, 5);
+    EXPECT_EQ(second.time, 2.0);
+    EXPECT_EQ(second.effort.seconds, 0.5);
+    ASSERT_EQ(second.growth.size(), 1U);
+    EXPECT_EQ(second.growth[0].bubbles, 16);
+    EXPECT_NEAR(second.growth[0].mean_rate, 0.05, 1e-15);
+}
+
+}  // namespace
+}  // namespace foam::texgen

@@ -1,0 +1,93 @@
+#include "texgen/cli/run_arguments.h"
+
+#include "texgen/bake/frame_range.h"
+#include "texgen/preset/preset_io.h"
+#include "texgen/preset/shipped_presets.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstddef>
+#include <numeric>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr int kMostThreads = 1024;
+
+/// "W" or "WxH" as [W, H]; what is no number is left for the schema to refuse.
+Value size_value(const std::string& size) {
+    const std::size_t x = size.find('x');
+    const std::string width = size.substr(0, x);
+    const std::string height = x == std::string::npos ? width : size.substr(x + 1);
+    return {Value::List{read_value(width), read_value(height)}};
+}
+
+/// The options that stand for a key come after the `--set`s, and so win.
+std::vector<Assignment> assignments_of(const RunArguments& arguments) {
+    std::vector<Assignment> assignments;
+    for (const std::string& set : arguments.sets) {
+        assignments.push_back(read_set_argument(set));
+    }
+    if (arguments.size) {
+        assignments.push_back(
+            {"--size " + *arguments.size, "image.size", size_value(*arguments.size)});
+    }
+    if (arguments.seed) {
+        assignments.push_back(
+            {"--seed " + *arguments.seed, "foam.seed", read_value(*arguments.seed)});
+    }
+    return assignments;
+}
+
+}  // namespace
+
+void add_preset_options(CLI::App& command, RunArguments& arguments) {
+    command.add_option("PRESET", arguments.preset, "Name of a shipped preset, or a .toml file")
+        ->required()
+        ->option_text(" ");
+    command.add_option("--set", arguments.sets, "Change one key of the preset; may be repeated")
+        ->allow_extra_args(false)
+        ->option_text("KEY=VALUE");
+    command.add_option("--frames", arguments.frames, "As 5, 1-10, 1-10x2, 1-10y3 or 1-3,7")
+        ->option_text("RANGE");
+    command.add_option("--size", arguments.size, "Image size in pixels")->option_text("W[xH]");
+    command.add_option("--seed", arguments.seed, "Another foam of the same kind")->option_text("N");
+}
+
+void add_run_options(CLI::App& command, RunArguments& arguments) {
+    command.add_option("--threads", arguments.threads, "0: one per hardware thread (the default)")
+        ->check(CLI::Range(0, kMostThreads))
+        ->option_text("N");
+    CLI::Option* quiet =
+        command.add_flag("-q,--quiet", arguments.quiet, "Say nothing but errors")->option_text(" ");
+    command.add_flag("-v,--verbose", arguments.verbose, "Say a line per frame")
+        ->excludes(quiet)
+        ->option_text(" ");
+}
+
+Preset preset_of(const RunArguments& arguments, const std::vector<Assignment>& more) {
+    Preset preset = load_preset(arguments.preset);
+    std::vector<Assignment> assignments = assignments_of(arguments);
+    assignments.insert(assignments.end(), more.begin(), more.end());
+    assign(preset, assignments);
+    return preset;
+}
+
+std::vector<int> frames_of(const RunArguments& arguments, const Preset& preset) {
+    if (arguments.frames) {
+        return parse_frame_range(*arguments.frames);
+    }
+    std::vector<int> frames(static_cast<std::size_t>(preset.frames.count));
+    std::iota(frames.begin(), frames.end(), 1);
+    return frames;
+}
+
+Verbosity verbosity_of(const RunArguments& arguments) {
+    if (arguments.quiet) {
+        return Verbosity::Quiet;
+    }
+    return arguments.verbose ? Verbosity::Verbose : Verbosity::Normal;
+}
+
+}  // namespace foam::texgen

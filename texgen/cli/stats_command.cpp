@@ -1,0 +1,69 @@
+#include "texgen/cli/command.h"
+#include "texgen/cli/report.h"
+#include "texgen/cli/run_arguments.h"
+#include "texgen/stats/files.h"
+#include "texgen/stats/measure_run.h"
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr const char* kExamples = R"(Examples:
+  foamtex stats coarsening
+  foamtex stats sea_foam --frames 1-200 --seed 7 --out sea_stats
+  foamtex stats my.toml --set foam.bubbles=2000
+The foam's torus has the shape of the image; its size in pixels does not matter.)";
+
+struct StatsArguments {
+    RunArguments run;
+    std::optional<std::string> out;
+};
+
+std::filesystem::path folder_of(const StatsArguments& arguments, const Preset& preset) {
+    return arguments.out ? std::filesystem::path(*arguments.out)
+                         : std::filesystem::path("out") / (preset.name + "_stats");
+}
+
+ExitCode run_stats(const StatsArguments& arguments) {
+    const Preset preset = preset_of(arguments.run);
+    const BakeOptions options{.frames = frames_of(arguments.run, preset),
+                              .threads = arguments.run.threads};
+    const Verbosity verbosity = verbosity_of(arguments.run);
+    const MeasureSummary summary = measure_run(preset, options, progress_reporter(verbosity));
+    const std::vector<std::filesystem::path> files =
+        write_statistics(summary.run, folder_of(arguments, preset));
+    if (summary.status == BakeStatus::NoEquilibrium) {
+        return report_no_equilibrium(summary.failed_frame);
+    }
+    if (verbosity != Verbosity::Quiet) {
+        print_files(files);
+    }
+    return ExitCode::Success;
+}
+
+}  // namespace
+
+void add_stats_command(CLI::App& app, Action& action) {
+    CLI::App* command =
+        app.add_subcommand("stats", "Measure the frames of a preset: tables and charts");
+    const auto arguments = std::make_shared<StatsArguments>();
+    add_preset_options(*command, arguments->run);
+    command
+        ->add_option(
+            "--out", arguments->out, "Folder of the files; out/{preset}_stats if not given")
+        ->option_text("DIR");
+    add_run_options(*command, arguments->run);
+    command->footer(kExamples);
+    command->callback(
+        [&action, arguments] { action = [arguments] { return run_stats(*arguments); }; });
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,30 @@
+#include "texgen/stats/record.h"
+
+#include <numbers>
+#include <utility>
+
+namespace foam::texgen {
+
+double RunRecord::law_rate(int sides) const {
+    return std::numbers::pi / 3.0 * film_tension * kappa * (sides - 6);
+}
+
+Recorder::Recorder(const Preset& preset)
+    : run_{preset.name, 2.0 * preset.seeding.surface_tension, preset.coarsening.kappa, {}} {}
+
+void Recorder::record(const std::shared_ptr<const Frame>& frame, const FrameEffort& effort) {
+    FrameRecord record{frame->number, frame->time, statistics(*frame), {}, effort};
+    if (before_) {
+        record.growth = growth_by_sides(*before_, *frame);
+    }
+    run_.frames.push_back(std::move(record));
+    before_ = frame;
+}
+
+FrameVisitor Recorder::visitor() {
+    return [this](const std::shared_ptr<const Frame>& frame, const FrameEffort& effort) {
+        record(frame, effort);
+    };
+}
+
+}  // namespace foam::texgen
