@@ -97,6 +97,16 @@ TEST(FileIo, AFailureKeepsTheOlderFile) {
     EXPECT_EQ(read_file(path), Bytes(10));
 }
 
+TEST(FileIo, FoldersAreMadeAsFarAsTheyAreMissing) {
+    const TemporaryFolder folder;
+    make_folders(folder.path() / "a" / "b");
+    make_folders(folder.path() / "a" / "b");
+    make_folders("");
+    EXPECT_TRUE(std::filesystem::is_directory(folder.path() / "a" / "b"));
+    write_file(folder.path() / "file", Bytes(1));
+    EXPECT_THROW(make_folders(folder.path() / "file" / "b"), OutputError);
+}
+
 TEST(FileIo, ReadingNamesFileAndReason) {
     const TemporaryFolder folder;
     EXPECT_THROW(read_file(folder.path() / "none"), InputError);
