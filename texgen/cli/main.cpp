@@ -21,6 +21,7 @@ constexpr const char* kFooter = R"(Examples:
   foamtex presets show sea_foam > my.toml      a preset to start your own from
   foamtex bake my.toml --frames 1-120
   foamtex relax torus.fe -o relaxed.fe         a Surface Evolver foam, to equilibrium
+  foamtex stats coarsening                     tables and charts of how a foam coarsens
 
 Exit codes:
   0  success

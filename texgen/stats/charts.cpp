@@ -115,8 +115,8 @@ Chart second_moment_chart(const RunRecord& run) {
     return chart;
 }
 
-/// A line for each number of sides from 3 to 10, in the colours of a map from dark to bright, where
-/// they are no rarer than the least share of the bubbles.
+/// A line for each number of sides from 3 to 10 that occurs, in the colours of a map from dark to
+/// bright, where the bubbles are no rarer than the least share of all.
 template <class Value>
 std::vector<Series> series_by_sides(std::span<const FrameRecord> records,
                                     double least_share,
@@ -138,6 +138,7 @@ std::vector<Series> series_by_sides(std::span<const FrameRecord> records,
             }
         }
     }
+    std::erase_if(series, [](const Series& one) { return one.points.empty(); });
     return series;
 }
 
