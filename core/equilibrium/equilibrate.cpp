@@ -19,6 +19,8 @@ constexpr double kSlowRatio = 0.1;
 constexpr double kSpotTolerance = 1e-3;
 constexpr int kSpotIterations = 12;
 constexpr int kSpotRounds = 5;  // each ended by T1s
+// Where T1s in spots have led nowhere in so many rounds, the foam is relaxed and goes on without.
+constexpr int kRoundsWithSpots = 20;
 
 NewtonOptions whole_options(const EquilibriumOptions& options) {
     NewtonOptions whole;
@@ -53,6 +55,9 @@ class Equilibration {
         settle_spots();
         bool settled = false;
         for (int round = 0; round < options_.max_rounds && !settled; ++round) {
+            if (round == kRoundsWithSpots) {
+                start_over_without_spots();
+            }
             settled = solve_once();
         }
         center_pressures(foam_);
@@ -70,7 +75,7 @@ class Equilibration {
         }
         const NewtonSummary newton_summary = whole_.run(foam_);
         summary_.iterations += newton_summary.iterations;
-        whole_.options().slow_ratio = kSlowRatio;
+        whole_.options().slow_ratio = without_spots_ ? 1.0 : kSlowRatio;
         switch (newton_summary.status) {
             case NewtonStatus::Converged:
                 if (settle(short_films(foam_, options_.thresholds)) == 0) {
@@ -99,6 +104,9 @@ class Equilibration {
     // Newton's method on what is far from equilibrium alone, if that is little. Returns the number
     // of spots.
     std::size_t settle_spots() {
+        if (without_spots_) {
+            return 0;
+        }
         const Unknowns all = all_unknowns(foam_.network);
         const std::vector<Spot> spots =
             find_spots(foam_, all, residual(foam_, all, options_.threads), {});
@@ -117,6 +125,13 @@ class Equilibration {
             }
             settle(newton_summary.collapsing);
         }
+    }
+
+    void start_over_without_spots() {
+        without_spots_ = true;
+        whole_.options().slow_ratio = 1.0;
+        untangle(foam_);
+        relax_all();
     }
 
     void relax_all() {
@@ -154,6 +169,7 @@ class Equilibration {
     const EquilibriumOptions& options_;
     NewtonSolver whole_;
     NewtonSolver spot_;
+    bool without_spots_ = false;
     bool network_changed_ = true;  // since whole_ was started
     EquilibriumSummary summary_;
 };
