@@ -60,16 +60,29 @@ bool flip_shortest(Foam& foam, BubbleId bubble) {
     return false;
 }
 
-// A bubble that stays takes what it lacks of the least target from its neighbours.
+BubbleId largest_neighbour(const Foam& foam, BubbleId bubble) {
+    BubbleId largest = foam.network.right(foam.network.first(bubble));
+    for (const HalfEdgeId h : foam.network.around(bubble)) {
+        const BubbleId neighbour = foam.network.right(h);
+        if (foam.target_areas[neighbour] > foam.target_areas[largest]) {
+            largest = neighbour;
+        }
+    }
+    return largest;
+}
+
+// A bubble that stays takes what it lacks of the least target from its largest neighbour.
 void keep_alive(Foam& foam, BubbleId bubble, double least) {
     const double lacking = least - foam.target_areas[bubble];
     if (lacking > 0.0) {
-        std::vector<BubbleId> neighbours;
-        for (const HalfEdgeId h : foam.network.around(bubble)) {
-            neighbours.push_back(foam.network.right(h));
-        }
-        foam.target_areas[bubble] = least;
-        share_out(foam, -lacking, neighbours);
+        foam.target_areas[largest_neighbour(foam, bubble)] -= lacking;
+        foam.target_areas[bubble] += lacking;
+    }
+}
+
+void collapse_or_keep(Foam& foam, BubbleId bubble, double least, TopologyCounts& counts) {
+    if (!collapse(foam, bubble, counts)) {
+        keep_alive(foam, bubble, least);
     }
 }
 
@@ -102,9 +115,19 @@ bool collapse(Foam& foam, BubbleId bubble, TopologyCounts& counts) {
 
 TopologyCounts collapse_due(Foam& foam, const TopologyThresholds& thresholds) {
     TopologyCounts counts;
+    const double least = kLeastFraction * thresholds.t2_area;
     for (const BubbleId bubble : foam.network.bubbles()) {
-        if (is_due_to_vanish(foam, bubble, thresholds) && !collapse(foam, bubble, counts)) {
-            keep_alive(foam, bubble, kLeastFraction * thresholds.t2_area);
+        if (is_due_to_vanish(foam, bubble, thresholds)) {
+            collapse_or_keep(foam, bubble, least, counts);
+        }
+    }
+    // The debts of those that vanished with a negative target can starve the ones that had enough.
+    for (int before = -1; counts.t2 != before;) {
+        before = counts.t2;
+        for (const BubbleId bubble : foam.network.bubbles()) {
+            if (foam.target_areas[bubble] < least) {
+                collapse_or_keep(foam, bubble, least, counts);
+            }
         }
     }
     return counts;

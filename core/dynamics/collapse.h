@@ -22,8 +22,9 @@ bool is_due_to_vanish(const Foam& foam, BubbleId bubble, const TopologyThreshold
 /// keeps what it has.
 bool collapse(Foam& foam, BubbleId bubble, TopologyCounts& counts);
 
-/// Collapses every bubble that is due. A bubble that cannot vanish is left with a small target area
-/// at the cost of its neighbours.
+/// Collapses every bubble that is due, and those that the debts of others leave with next to
+/// nothing, so that every target is positive. A bubble that cannot vanish is left with a small
+/// target area at the cost of its largest neighbour.
 TopologyCounts collapse_due(Foam& foam, const TopologyThresholds& thresholds);
 
 }  // namespace foam

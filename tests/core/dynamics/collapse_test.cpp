@@ -165,6 +165,23 @@ TEST(CollapseDue, TakesNeighboursInOneGo) {
     EXPECT_NEAR(total_target(foam), total, 1e-13);
 }
 
+// A step in which the large bubbles change little can take a small one far below zero.
+TEST(CollapseDue, TakesWhomADebtStarves) {
+    for (const BubbleId neighbour : {BubbleId{1}, BubbleId{6}, BubbleId{9}}) {
+        Foam foam = honeycomb_around(3);
+        foam.target_areas[kDying] = -0.3;
+        foam.target_areas[neighbour] = 0.02;  // not due, below or above in the order of ids
+        const double total = total_target(foam);
+        EXPECT_EQ(collapse_due(foam, {.t2_area = 0.01}).t2, 2) << index_of(neighbour);
+        EXPECT_FALSE(foam.network.is_live(neighbour));
+        EXPECT_TRUE(is_valid(foam.network));
+        EXPECT_NEAR(total_target(foam), total, 1e-13);
+        for (const BubbleId bubble : foam.network.bubbles()) {
+            EXPECT_GT(foam.target_areas[bubble], 0.0) << index_of(bubble);
+        }
+    }
+}
+
 TEST(CollapseDue, LeavesAFoamWithoutDueBubblesAlone) {
     Foam foam = honeycomb(4, 4);
     const Foam before = foam;
