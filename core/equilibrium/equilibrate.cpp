@@ -78,7 +78,9 @@ class Equilibration {
         whole_.options().slow_ratio = without_spots_ ? 1.0 : kSlowRatio;
         switch (newton_summary.status) {
             case NewtonStatus::Converged:
-                if (settle(short_films(foam_, options_.thresholds)) == 0) {
+                if (films_at_limit(foam_) > 0) {  // no equilibrium
+                    relax_all();
+                } else if (settle(short_films(foam_, options_.thresholds)) == 0) {
                     return true;
                 }
                 settle_spots();
@@ -130,11 +132,11 @@ class Equilibration {
     void start_over_without_spots() {
         without_spots_ = true;
         whole_.options().slow_ratio = 1.0;
-        untangle(foam_);
         relax_all();
     }
 
     void relax_all() {
+        untangle(foam_);  // a whole step of Newton's method may leave a tangle
         const RelaxationSummary relaxation =
             relax(foam_, {.sweeps = options_.relaxation_sweeps, .thresholds = options_.thresholds});
         summary_.sweeps += relaxation.sweeps;

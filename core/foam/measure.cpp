@@ -89,6 +89,14 @@ double energy(const Foam& foam) {
     return foam.film_tension * length;
 }
 
+int films_at_limit(const Foam& foam) {
+    int count = 0;
+    for (const FilmId film : foam.network.films()) {
+        count += is_at_limit(foam, forward_side(film)) ? 1 : 0;
+    }
+    return count;
+}
+
 EquilibriumErrors equilibrium_errors(const Foam& foam) {
     EquilibriumErrors errors;
     for (const BubbleId bubble : foam.network.bubbles()) {
@@ -98,9 +106,7 @@ EquilibriumErrors equilibrium_errors(const Foam& foam) {
     for (const JunctionId junction : foam.network.junctions()) {
         errors.angle = std::max(errors.angle, largest_angle_error(foam, junction));
     }
-    for (const FilmId film : foam.network.films()) {
-        errors.films_at_limit += is_at_limit(foam, forward_side(film)) ? 1 : 0;
-    }
+    errors.films_at_limit = films_at_limit(foam);
     return errors;
 }
 

@@ -19,12 +19,14 @@ void center_pressures(Foam& foam);
 /// Film tension times the length of all films.
 double energy(const Foam& foam);
 
+/// Films whose half angle is held at the limit (kLargestSine): no equilibrium rests on one.
+int films_at_limit(const Foam& foam);
+
 /// Distance from equilibrium (E2).
 struct EquilibriumErrors {
     double area = 0.0;   // largest |A / A_target - 1|
     double angle = 0.0;  // largest |angle - 120 degrees| between two films, radians
-    int films_at_limit =
-        0;  // films whose half angle is held at the limit: no equilibrium while > 0
+    int films_at_limit = 0;
 };
 
 EquilibriumErrors equilibrium_errors(const Foam& foam);
