@@ -7,6 +7,7 @@
 #include "core/equilibrium/untangle.h"
 #include "core/foam/measure.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace foam {
@@ -132,13 +133,15 @@ class Equilibration {
     void start_over_without_spots() {
         without_spots_ = true;
         whole_.options().slow_ratio = 1.0;
+        whole_.options().foresees_t1 = false;
         relax_all();
     }
 
     void relax_all() {
         untangle(foam_);  // a whole step of Newton's method may leave a tangle
+        const int sweeps = std::max(1, options_.relaxation_sweeps >> (2 * (relaxations_++ % 4)));
         const RelaxationSummary relaxation =
-            relax(foam_, {.sweeps = options_.relaxation_sweeps, .thresholds = options_.thresholds});
+            relax(foam_, {.sweeps = sweeps, .thresholds = options_.thresholds});
         summary_.sweeps += relaxation.sweeps;
         summary_.t1 += relaxation.t1;
         network_changed_ = true;
@@ -172,6 +175,9 @@ class Equilibration {
     NewtonSolver whole_;
     NewtonSolver spot_;
     bool without_spots_ = false;
+    // Every further one has a quarter of the sweeps, down to one, then all again: Newton's method
+    // is to start from another state than the one that it stalled from before.
+    int relaxations_ = 0;
     bool network_changed_ = true;  // since whole_ was started
     EquilibriumSummary summary_;
 };

@@ -119,7 +119,8 @@ class NewtonRun {
     }
 
     std::vector<FilmId> films_for_t1(const Eigen::VectorXd& step) const {
-        const bool is_near = norms_.force < kNearEquilibrium && norms_.area < kNearEquilibrium;
+        const bool is_near = options_.foresees_t1 && norms_.force < kNearEquilibrium &&
+                             norms_.area < kNearEquilibrium;
         return is_near ? closing_films(foam_, unknowns_, step, options_.thresholds)
                        : collapsing_films(foam_, unknowns_, step, options_.thresholds);
     }

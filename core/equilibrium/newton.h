@@ -17,6 +17,7 @@ struct NewtonOptions {
     double largest_move = 0.4;       // of a junction in an iteration, in its shortest films
     // Stops where a step with a new factor leaves more than this share of the residual (Slow).
     double slow_ratio = 1.0;
+    bool foresees_t1 = true;  // near equilibrium, from the step (see closing_films)
     TopologyThresholds thresholds{};
     int threads = 0;  // same bits for any number; 0: as many as run at once
 };
