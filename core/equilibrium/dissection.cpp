@@ -85,8 +85,8 @@ class Dissector {
 
   private:
     struct Half {
-        std::size_t begin;
-        std::size_t end;
+        std::size_t begin = 0;
+        std::size_t end = 0;
         Box box;
     };
     using BothParts = std::pair<std::size_t, std::size_t>;

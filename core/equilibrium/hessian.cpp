@@ -38,6 +38,27 @@ FilmMatrix film_matrix(const Vec2& d, double delta, const FilmEnergyHessian& hes
     return m;
 }
 
+// The block of rows of the pair's first and columns of its second; of a node's own, the lower part.
+void add_block(double* values,
+               int stride,
+               const FilmMatrix& film,
+               std::array<std::size_t, 2> pair,
+               bool is_own) {
+    const auto [a, b] = pair;
+    for (int column = 0; column < kFilmRows[b]; ++column) {
+        for (int row = is_own ? column : 0; row < kFilmRows[a]; ++row) {
+            values[row] += film(kFirstFilmRow[a] + row, kFirstFilmRow[b] + column);
+        }
+        values += stride;
+    }
+}
+
+void append_rows(int begin, int end, std::vector<int>& rows) {
+    for (int row = begin; row < end; ++row) {
+        rows.push_back(row);
+    }
+}
+
 }  // namespace
 
 // Which nodes are coupled to each node, of those that come later, each once and in order.
@@ -66,15 +87,16 @@ struct Hessian::NodePattern {
     }
 
   private:
+    static constexpr std::array<std::array<std::size_t, 2>, 6> kPairs = {
+        {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
+
     template <class Visit>
     static void for_each_pair(std::span<const FilmNodes> films, Visit visit) {
         for (const FilmNodes& nodes : films) {
-            for (std::size_t a = 0; a < 4; ++a) {
-                for (std::size_t b = a + 1; b < 4; ++b) {
-                    const auto [earlier, later] = std::minmax(nodes[a], nodes[b]);
-                    if (earlier >= 0 && earlier != later) {
-                        visit(earlier, later);
-                    }
+            for (const auto& [a, b] : kPairs) {
+                const auto [earlier, later] = std::minmax(nodes[a], nodes[b]);
+                if (earlier >= 0 && earlier != later) {
+                    visit(earlier, later);
                 }
             }
         }
@@ -131,13 +153,9 @@ void Hessian::fill_pattern(const NodePattern& pattern) {
     for (int node = 0; node < node_count; ++node) {
         const int end = first_row_of(node) + rows_of(node);
         for (int column = first_row_of(node); column < end; ++column) {
-            for (int row = column; row < end; ++row) {
-                rows.push_back(row);
-            }
+            append_rows(column, end, rows);
             for (const int later : pattern.of(node)) {
-                for (int row = 0; row < rows_of(later); ++row) {
-                    rows.push_back(first_row_of(later) + row);
-                }
+                append_rows(first_row_of(later), first_row_of(later) + rows_of(later), rows);
             }
             *++ends = static_cast<int>(rows.size());
         }
@@ -183,14 +201,8 @@ void Hessian::add_film(const FilmPlace& place, const FilmMatrix& film) {
             if (block < 0) {
                 continue;
             }
-            const bool is_lower_triangle = block == place.blocks[5 * b];
-            double* values = matrix_.valuePtr() + block;
-            for (int column = 0; column < kFilmRows[b]; ++column) {
-                for (int row = is_lower_triangle ? column : 0; row < kFilmRows[a]; ++row) {
-                    values[row] += film(kFirstFilmRow[a] + row, kFirstFilmRow[b] + column);
-                }
-                values += place.strides[b];
-            }
+            const bool is_own = block == place.blocks[5 * b];
+            add_block(matrix_.valuePtr() + block, place.strides[b], film, {a, b}, is_own);
         }
     }
 }
