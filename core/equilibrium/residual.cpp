@@ -25,9 +25,9 @@ void for_each_index(std::size_t count, int threads, const Body& body) {
 
 // What a film adds to the gradient of L by its tail, its head and the pressure on its right.
 struct FilmPart {
-    Vec2 tail;
-    Vec2 head;
-    double right;
+    Vec2 tail = Vec2::Zero();
+    Vec2 head = Vec2::Zero();
+    double right = 0.0;
 };
 
 FilmPart film_part(const Foam& foam, FilmId film) {

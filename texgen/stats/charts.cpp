@@ -168,6 +168,7 @@ Chart pressures_chart(const RunRecord& run) {
 
 std::vector<ChartPoint> means(const std::map<int, WeightedMean>& by_sides) {
     std::vector<ChartPoint> points;
+    points.reserve(by_sides.size());
     for (const auto& [sides, mean] : by_sides) {
         points.push_back({static_cast<double>(sides), mean.value()});
     }
