@@ -1,5 +1,7 @@
 #include "core/equilibrium/partial_ldlt.h"
 
+#include "core/equilibrium/dense_kernels.h"
+
 #include <cmath>
 
 namespace foam {
@@ -12,8 +14,6 @@ template <class Real>
 using Window =
     Eigen::Map<Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>, 0, Eigen::OuterStride<>>;
 
-constexpr Index kNarrow = 16;  // so many columns are factored one after the other
-
 template <class Real>
 Window<Real> window(DenseView<Real>& matrix, Index row, Index begin, Index end) {
     return {matrix.data() + begin * matrix.rows() + row,
@@ -22,29 +22,50 @@ Window<Real> window(DenseView<Real>& matrix, Index row, Index begin, Index end) 
             Eigen::OuterStride<>(matrix.rows())};
 }
 
+// The rows of the right factor L D of a product, packed as DenseProduct wants them.
+template <class Real>
+void pack_scaled(const DenseView<Real>& panel,
+                 Index first_row,
+                 Index rows,
+                 Index begin,
+                 Index depth,
+                 Real* packed) {
+    for (Index group = 0; group < rows; group += kGroup) {
+        const Index width = std::min<Index>(kGroup, rows - group);
+        for (Index k = begin; k < begin + depth; ++k) {
+            const Real* column = &panel.coeffRef(first_row + group, k);
+            const Real pivot = panel.coeffRef(k, k);
+            for (Index row = 0; row < kGroup; ++row) {
+                *packed++ = row < width ? column[row] * pivot : Real(0);
+            }
+        }
+    }
+}
+
 // target -= L D Lᵀ over the factored columns begin to end, lower trapezoid. The target's rows are
 // those of the panel from first_row on, its columns are as many of these as it has.
 template <class Real>
 void subtract_share(
     const DenseView<Real>& panel, Index begin, Index end, Window<Real> target, Real* scratch) {
-    const Index cols = target.cols();
-    const Index below = target.rows() - cols;
+    static const DenseKernels<Real> kernels = best_kernels<Real>();
+    const Index first_row = panel.rows() - target.rows();
     for (Index k = begin; k < end; k += kLargestDepth) {
         const Index depth = std::min(kLargestDepth, end - k);
-        const auto factor = panel.block(panel.rows() - target.rows(), k, target.rows(), depth);
-        DenseView<Real> scaled(scratch, cols, depth);
-        scaled = factor.topRows(cols) * panel.diagonal().segment(k, depth).asDiagonal();
-        target.topRows(cols).template triangularView<Eigen::Lower>() -=
-            factor.topRows(cols) * scaled.transpose();
-        if (below > 0) {
-            target.bottomRows(below).noalias() -= factor.bottomRows(below) * scaled.transpose();
-        }
+        pack_scaled(panel, first_row, target.cols(), k, depth, scratch);
+        kernels.subtract_product({.rows = target.rows(),
+                                  .cols = target.cols(),
+                                  .depth = depth,
+                                  .left = panel.data() + k * panel.rows() + first_row,
+                                  .left_stride = panel.rows(),
+                                  .right = scratch,
+                                  .target = target.data(),
+                                  .target_stride = target.outerStride()});
     }
 }
 
-// Columns begin to end, out of which all earlier columns' shares have been taken.
+// The rows begin to end of these columns, out of which all earlier columns' shares have been taken.
 template <class Real>
-bool factor_columns(DenseView<Real>& panel, Index begin, Index end) {
+bool factor_triangle(DenseView<Real>& panel, Index begin, Index end) {
     for (Index j = begin; j < end; ++j) {
         const Real pivot = panel(j, j);
         if (pivot == Real(0) || !std::isfinite(pivot)) {
@@ -52,11 +73,31 @@ bool factor_columns(DenseView<Real>& panel, Index begin, Index end) {
         }
         const Real inverse = Real(1) / pivot;
         for (Index k = j + 1; k < end; ++k) {
-            const Index rows = panel.rows() - k;
-            panel.col(k).tail(rows) -= panel(k, j) * inverse * panel.col(j).tail(rows);
+            const Real share = panel(k, j) * inverse;
+            for (Index row = k; row < end; ++row) {
+                panel(row, k) -= share * panel(row, j);
+            }
         }
-        panel.col(j).tail(panel.rows() - j - 1) *= inverse;
+        for (Index row = j + 1; row < end; ++row) {
+            panel(row, j) *= inverse;
+        }
     }
+    return true;
+}
+
+// Columns begin to end, out of which all earlier columns' shares have been taken.
+template <class Real>
+bool factor_columns(DenseView<Real>& panel, Index begin, Index end) {
+    static const DenseKernels<Real> kernels = best_kernels<Real>();
+    if (!factor_triangle(panel, begin, end)) {
+        return false;
+    }
+    Real* const corner = panel.data() + begin * panel.rows() + begin;
+    kernels.eliminate({.rows = panel.rows() - end,
+                       .pivots = end - begin,
+                       .triangle = corner,
+                       .target = corner + (end - begin),
+                       .stride = panel.rows()});
     return true;
 }
 

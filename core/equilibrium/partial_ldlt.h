@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/equilibrium/dense_kernels.h"
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -11,15 +13,12 @@ namespace foam {
 template <class Real>
 using DenseView = Eigen::Map<Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>>;
 
-/// The sums over the pivots are cut in pieces of this size, here and not by the cache sizes that
-/// Eigen finds: results are the same on every machine.
-inline constexpr Eigen::Index kLargestDepth = 128;
-
 // All that follows is there for float and double.
 
 /// Numbers of scratch memory that the functions below need.
 constexpr std::size_t ldlt_scratch(std::size_t pivots, std::size_t border) {
-    return kLargestDepth * std::max(pivots, border);
+    const std::size_t group = kGroup;
+    return kLargestDepth * ((std::max(pivots, border) + group - 1) / group * group);
 }
 
 /// Factors the first columns of a symmetric matrix as L D Lᵀ, without pivoting. The panel holds
