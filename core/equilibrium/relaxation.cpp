@@ -36,22 +36,25 @@ double arc_pressure_ratio(int sides) {
            (2.0 * std::sin(kPi / n) - 1.0);
 }
 
-// Per bubble, of the energy of E4: its pressure is stiffness (1 - A / A_target) / sqrt(A_target),
-// for the areas within the chords.
-struct SoftBubbles {
-    Indexed<BubbleId, double> areas;  // kept up to date
-    double stiffness = 0.0;
+// A bubble in the energy of E4: its pressure is B (1 - A / A_target) / sqrt(A_target), for the
+// areas within the chords.
+struct SoftBubble {
+    double area = 0.0;              // kept up to date
+    double pressure_at_zero = 0.0;  // of the area
+    double pressure_slope = 0.0;    // taken down, per area
 
-    static double target(const Foam& foam, BubbleId bubble) {
-        return foam.target_areas[bubble] * chord_share(foam.network.sides(bubble));
-    }
-    double pressure(const Foam& foam, BubbleId bubble) const {
-        const double full = target(foam, bubble);
-        return stiffness * (1.0 - areas[bubble] / full) / std::sqrt(full);
-    }
-    double pressure_slope(const Foam& foam, BubbleId bubble) const {
-        const double full = target(foam, bubble);
-        return stiffness / (full * std::sqrt(full));
+    double pressure() const { return pressure_at_zero - pressure_slope * area; }
+};
+
+struct SoftBubbles {
+    Indexed<BubbleId, SoftBubble> each;
+    double stiffness = 0.0;  // B
+
+    // After a change of the bubble's sides, or to get rid of rounding.
+    void refresh(const Foam& foam, BubbleId bubble) {
+        const double target = foam.target_areas[bubble] * chord_share(foam.network.sides(bubble));
+        const double at_zero = stiffness / std::sqrt(target);
+        each[bubble] = {polygon_area(foam, bubble), at_zero, at_zero / target};
     }
 };
 
@@ -77,10 +80,10 @@ Vec2 newton_step(const Foam& foam, const SoftBubbles& bubbles, const Surrounding
     Vec2 force = Vec2::Zero();
     Mat2 stiffness = Mat2::Zero();
     for (std::size_t k = 0; k < 3; ++k) {
-        const BubbleId bubble = foam.network.left(s.leaving[k]);
+        const SoftBubble& bubble = bubbles.each[foam.network.left(s.leaving[k])];
         const Vec2& growth = s.area_gradients[k];
-        force += bubbles.pressure(foam, bubble) * growth;
-        stiffness += bubbles.pressure_slope(foam, bubble) * growth * growth.transpose();
+        force += bubble.pressure() * growth;
+        stiffness += bubble.pressure_slope * growth * growth.transpose();
         const double c = s.chords[k].norm();
         if (c > 0.0) {
             const Vec2 u = s.chords[k] / c;
@@ -133,21 +136,17 @@ void move_junction(Foam& foam, SoftBubbles& bubbles, JunctionId junction, double
     }
     step *= share;
     for (std::size_t k = 0; k < 3; ++k) {
-        bubbles.areas[foam.network.left(s.leaving[k])] += s.area_gradients[k].dot(step);
+        bubbles.each[foam.network.left(s.leaving[k])].area += s.area_gradients[k].dot(step);
     }
     foam.positions[junction] += step;
 }
 
-void refresh_areas(const Foam& foam, SoftBubbles& bubbles, BubbleId bubble) {
-    bubbles.areas[bubble] = polygon_area(foam, bubble);
-}
-
-void refresh_areas_around(const Foam& foam, SoftBubbles& bubbles, FilmId film) {
+void refresh_around(const Foam& foam, SoftBubbles& bubbles, FilmId film) {
     const T1Site site = t1_site(foam.network, film);
-    refresh_areas(foam, bubbles, foam.network.left(site.film));
-    refresh_areas(foam, bubbles, foam.network.right(site.film));
-    refresh_areas(foam, bubbles, site.end_tail);
-    refresh_areas(foam, bubbles, site.end_head);
+    bubbles.refresh(foam, foam.network.left(site.film));
+    bubbles.refresh(foam, foam.network.right(site.film));
+    bubbles.refresh(foam, site.end_tail);
+    bubbles.refresh(foam, site.end_head);
 }
 
 int settle_short_films(Foam& foam, SoftBubbles& bubbles, const TopologyThresholds& thresholds) {
@@ -155,7 +154,7 @@ int settle_short_films(Foam& foam, SoftBubbles& bubbles, const TopologyThreshold
     for (const FilmId film : foam.network.films()) {
         if (chord(foam, forward_side(film)).norm() < thresholds.t1_distance) {
             flips += settle_film(foam, film, thresholds, Tangents::OfChords) ? 1 : 0;
-            refresh_areas_around(foam, bubbles, film);
+            refresh_around(foam, bubbles, film);
         }
     }
     return flips;
@@ -178,8 +177,8 @@ double mean_pressure_around(const Foam& foam, BubbleId bubble) {
 // The pressures of the straight films, their excess over the neighbours turned into that of arcs.
 void set_pressures(Foam& foam, SoftBubbles& bubbles) {
     for (const BubbleId bubble : foam.network.bubbles()) {
-        refresh_areas(foam, bubbles, bubble);
-        foam.pressures[bubble] = bubbles.pressure(foam, bubble);
+        bubbles.refresh(foam, bubble);
+        foam.pressures[bubble] = bubbles.each[bubble].pressure();
     }
     Indexed<BubbleId, double> curved = foam.pressures;
     for (const BubbleId bubble : foam.network.bubbles()) {
@@ -196,7 +195,7 @@ void set_pressures(Foam& foam, SoftBubbles& bubbles) {
 
 RelaxationSummary relax(Foam& foam, const RelaxationOptions& options) {
     RelaxationSummary summary;
-    SoftBubbles bubbles{Indexed<BubbleId, double>(foam.network.bubble_slots(), 0.0),
+    SoftBubbles bubbles{Indexed<BubbleId, SoftBubble>(foam.network.bubble_slots(), SoftBubble{}),
                         options.stiffness * foam.film_tension};
     for (const BubbleId bubble : foam.network.bubbles()) {
         if (is_lens(foam, bubble)) {
@@ -204,7 +203,7 @@ RelaxationSummary relax(Foam& foam, const RelaxationOptions& options) {
         }
     }
     for (const BubbleId bubble : foam.network.bubbles()) {
-        refresh_areas(foam, bubbles, bubble);
+        bubbles.refresh(foam, bubble);
     }
     for (; summary.sweeps < options.sweeps; ++summary.sweeps) {
         for (const JunctionId junction : foam.network.junctions()) {
