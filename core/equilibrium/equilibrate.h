@@ -8,11 +8,11 @@ namespace foam {
 
 struct EquilibriumOptions {
     TopologyThresholds thresholds{};
-    double tolerance = 1e-9;     // succeeds when the largest area and angle errors are below this
-    bool relaxes_first = true;   // for a foam that is far from equilibrium (E4)
-    int relaxation_sweeps = 60;  // at first, and where Newton's method stalls
-    int threads = 0;             // as in NewtonOptions
-    int max_rounds = 100;        // of Newton's method, each ended by T1s or by relaxation
+    double tolerance = 1e-9;      // succeeds when the largest area and angle errors are below this
+    bool relaxes_first = true;    // for a foam that is far from equilibrium (E4)
+    int relaxation_sweeps = 100;  // at first, and where Newton's method stalls
+    int threads = 0;              // as in NewtonOptions
+    int max_rounds = 100;         // of Newton's method, each ended by T1s or by relaxation
 };
 
 enum class EquilibriumStatus {

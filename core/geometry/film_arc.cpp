@@ -11,26 +11,35 @@ namespace {
 constexpr double kSeriesLimit = 0.25;
 constexpr int kSeriesTerms = 14;
 
-// 1/sqrt(1 - s²) = sum over k of c_k s^2k.
-constexpr std::array<double, kSeriesTerms> central_coefficients() {
-    std::array<double, kSeriesTerms> c{};
-    c[0] = 1.0;
-    for (int k = 1; k < kSeriesTerms; ++k) {
-        c[static_cast<std::size_t>(k)] =
-            c[static_cast<std::size_t>(k - 1)] * (2.0 * k - 1.0) / (2.0 * k);
+using Series = std::array<double, kSeriesTerms>;
+
+// weight(k) times the coefficients of 1/sqrt(1 - s²), a series in s².
+template <class Weight>
+constexpr Series weighted_series(Weight weight) {
+    Series series{};
+    double coefficient = 1.0;
+    for (int k = 0; k < kSeriesTerms; ++k) {
+        series[static_cast<std::size_t>(k)] = weight(k) * coefficient;
+        coefficient *= (2.0 * k + 1.0) / (2.0 * k + 2.0);
     }
-    return c;
+    return series;
 }
 
-// Sum over k of weight(k) c_k s^2k, by Horner's rule.
-template <class Weight>
-double even_series(double s, Weight weight) {
-    static constexpr auto kCentral = central_coefficients();
-    double sum = 0.0;
-    for (int k = kSeriesTerms - 1; k >= 0; --k) {
-        sum = sum * s * s + weight(k) * kCentral[static_cast<std::size_t>(k)];
+constexpr Series kShape = weighted_series([](int k) { return 2.0 / (2 * k + 3); });
+constexpr Series kShapeSlope =
+    weighted_series([](int k) { return 2.0 * (2 * k + 1) / (2 * k + 3); });
+
+// Horner's rule for the even and the odd coefficients apart: neither waits for the other.
+double sum_of(const Series& series, double s) {
+    const double square = s * s;
+    const double fourth = square * square;
+    double even = 0.0;
+    double odd = 0.0;
+    for (std::size_t k = series.size(); k > 0; k -= 2) {
+        odd = odd * fourth + series[k - 1];
+        even = even * fourth + series[k - 2];
     }
-    return sum;
+    return even + square * odd;
 }
 
 Vec2 rotated(const Vec2& v, double angle) {
@@ -57,14 +66,14 @@ double segment_shape_of_angle(double half_angle) {
 
 double segment_shape(double s) {
     if (std::abs(s) < kSeriesLimit) {
-        return s * even_series(s, [](int k) { return 2.0 / (2 * k + 3); });
+        return s * sum_of(kShape, s);
     }
     return (std::asin(s) - s * std::sqrt((1.0 - s) * (1.0 + s))) / (s * s);
 }
 
 double segment_shape_slope(double s) {
     if (std::abs(s) < kSeriesLimit) {
-        return even_series(s, [](int k) { return 2.0 * (2 * k + 1) / (2 * k + 3); });
+        return sum_of(kShapeSlope, s);
     }
     return 2.0 / std::sqrt((1.0 - s) * (1.0 + s)) - 2.0 * segment_shape(s) / s;
 }

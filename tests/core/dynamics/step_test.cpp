@@ -195,12 +195,22 @@ void expect_sound(const Foam& foam, const StepSummary& summary) {
     }
 }
 
-// Steps of a part of the mean area, in time, until four bubbles are left. No identity comes that
-// was not there before, none twice.
+// Nothing grows or shrinks any more (E6).
+bool is_all_six_sided(const Foam& foam) {
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        if (foam.network.sides(bubble) != 6) {
+            return false;
+        }
+    }
+    return true;
+}
+
+// Steps of a part of the mean area, in time, until four bubbles are left or a few have come to rest
+// before. No identity comes that was not there before, none twice.
 void expect_sound_life(Foam foam, double part) {
     std::set<BubbleIdentity> known = identities_of(foam);
     const BubbleIdentity next_identity = foam.next_identity;
-    for (int k = 0; k < 2000 && foam.network.bubble_count() > 4; ++k) {
+    for (int k = 0; k < 2000 && foam.network.bubble_count() > 4 && !is_all_six_sided(foam); ++k) {
         const StepSummary summary = step(foam, part * mean_area(foam), {});
         expect_sound(foam, summary);
         const std::set<BubbleIdentity> alive = identities_of(foam);
@@ -212,7 +222,10 @@ void expect_sound_life(Foam foam, double part) {
             return;
         }
     }
-    EXPECT_EQ(foam.network.bubble_count(), 4U);
+    if (!is_all_six_sided(foam)) {
+        EXPECT_EQ(foam.network.bubble_count(), 4U);
+    }
+    EXPECT_LT(foam.network.bubble_count(), 10U);
 }
 
 TEST(Step, CoarsensTwoHundredBubblesToFour) {
