@@ -1,0 +1,62 @@
+#include "core/equilibrium/block_step.h"
+
+#include <Eigen/SVD>
+
+#include <cmath>
+#include <numbers>
+
+namespace foam {
+
+namespace {
+
+using Eigen::Index;
+
+// Singular values below this share of the largest are zero: differences are not more exact. Of a
+// block that is not singular all are well above it, thanks to its units.
+constexpr double kSingular = 1e-6;
+
+BlockVector central_difference(const JunctionBlock& block, Index unknown, double step) {
+    BlockVector change = BlockVector::Zero(block.size());
+    change[unknown] = step;
+    BlockVector difference = block.lacking(change);
+    change[unknown] = -step;
+    difference -= block.lacking(change);
+    for (double& turn : difference.tail<2>()) {
+        turn = std::remainder(turn, 2.0 * std::numbers::pi);
+    }
+    return difference / (2.0 * step);
+}
+
+BlockVector slopes_by(const JunctionBlock& block, Index unknown, const DifferenceOptions& options) {
+    double step = options.first_step;
+    BlockVector slopes = central_difference(block, unknown, step);
+    for (int halvings = 0; halvings < options.max_halvings; ++halvings) {
+        step *= 0.5;
+        const BlockVector finer = central_difference(block, unknown, step);
+        const double change = (finer - slopes).cwiseAbs().maxCoeff();
+        slopes = finer;
+        if (change < options.threshold) {
+            break;
+        }
+    }
+    return slopes;
+}
+
+}  // namespace
+
+BlockMatrix block_slopes(const JunctionBlock& block, const DifferenceOptions& options) {
+    BlockMatrix slopes(block.size(), block.size());
+    for (Index unknown = 0; unknown < block.size(); ++unknown) {
+        slopes.col(unknown) = slopes_by(block, unknown, options);
+    }
+    return slopes;
+}
+
+BlockVector block_step(const JunctionBlock& block, const DifferenceOptions& options) {
+    Eigen::JacobiSVD<BlockMatrix> svd(block_slopes(block, options),
+                                      Eigen::ComputeFullU | Eigen::ComputeFullV);
+    svd.setThreshold(kSingular);
+    return -svd.solve(block.lacking(BlockVector::Zero(block.size())));
+}
+
+}  // namespace foam

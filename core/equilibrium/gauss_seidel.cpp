@@ -1,0 +1,162 @@
+#include "core/equilibrium/gauss_seidel.h"
+
+#include "core/equilibrium/junction_coloring.h"
+#include "core/equilibrium/t1_rule.h"
+#include "core/foam/measure.h"
+#include "core/parallel/parallel_for.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace foam {
+
+namespace {
+
+constexpr std::size_t kBlocksPerChunk = 16;  // some 300 microseconds of work
+// A film that ends up long may be short for a while in the first sweeps, while areas are far off.
+constexpr int kSweepsBetweenT1 = 30;
+
+// What a block changes, in foam units.
+struct BlockChange {
+    Vec2 move{0.0, 0.0};
+    std::size_t bubble_count = 0;
+    std::array<BubbleId, 3> bubbles{};
+    std::array<double, 3> pressures{};
+};
+
+// The step of the block, shortened to the largest change; none where a film has no length, which is
+// left to the T1 rule.
+BlockChange change_of(const JunctionBlock& block, const GaussSeidelOptions& options) {
+    BlockChange change;
+    if (block.is_degenerate()) {
+        return change;
+    }
+    BlockVector step = block_step(block, options.differences);
+    const double size =
+        std::max(step.head(step.size() - 2).cwiseAbs().maxCoeff(), step.tail<2>().norm());
+    step *= std::min(1.0, options.largest_change / size);
+    change.move = block.move(step);
+    change.bubble_count = block.bubbles().size();
+    for (std::size_t k = 0; k < change.bubble_count; ++k) {
+        change.bubbles[k] = block.bubbles()[k];
+        change.pressures[k] = block.pressure_change(step, k);
+    }
+    return change;
+}
+
+// Positions may leave the torus' own cell.
+void apply(Foam& foam, JunctionId junction, const BlockChange& change) {
+    foam.positions[junction] += change.move;
+    for (std::size_t k = 0; k < change.bubble_count; ++k) {
+        foam.pressures[change.bubbles[k]] += change.pressures[k];
+    }
+}
+
+class Sweeps {
+  public:
+    Sweeps(Foam& foam, const GaussSeidelOptions& options) : foam_(foam), options_(options) {}
+
+    void sweep() {
+        if (options_.order == SweepOrder::Sequential) {
+            sweep_in_sequence();
+        } else {
+            sweep_by_color();
+        }
+    }
+
+    // T1 at the films that have collapsed and, after some sweeps, at all that are short. Returns
+    // how many flipped.
+    int settle_films(int sweep) {
+        int flips = 0;
+        for (const FilmId film : foam_.network.films()) {
+            if (is_due(film, sweep % kSweepsBetweenT1 == 0)) {
+                flips += settle_film(foam_, film, options_.thresholds, Tangents::OfArcs) ? 1 : 0;
+            }
+        }
+        if (flips > 0) {
+            colors_.clear();
+        }
+        return flips;
+    }
+
+  private:
+    bool is_due(FilmId film, bool all_short_films) const {
+        const double length = chord(foam_, forward_side(film)).norm();
+        return length < options_.thresholds.t1_distance &&
+               (all_short_films || length < collapsed_length(foam_, film, options_.thresholds));
+    }
+
+    void sweep_in_sequence() {
+        JunctionBlock block;
+        for (const JunctionId junction : foam_.network.junctions()) {
+            block.load(foam_, junction);
+            apply(foam_, junction, change_of(block, options_));
+        }
+    }
+
+    void sweep_by_color() {
+        if (colors_.empty()) {
+            colors_ = color_junctions(foam_.network);
+        }
+        for (const std::vector<JunctionId>& color : colors_) {
+            sweep_color(color);
+        }
+    }
+
+    // All blocks are solved before any is applied: a block also reads the pressures around its
+    // bubbles, which another of its colour may change.
+    void sweep_color(const std::vector<JunctionId>& color) {
+        changes_.resize(color.size());
+        parallel_for(0,
+                     color.size(),
+                     kBlocksPerChunk,
+                     options_.threads,
+                     [&](std::size_t first, std::size_t last) {
+                         JunctionBlock block;
+                         for (std::size_t k = first; k < last; ++k) {
+                             block.load(foam_, color[k]);
+                             changes_[k] = change_of(block, options_);
+                         }
+                     });
+        for (std::size_t k = 0; k < color.size(); ++k) {
+            apply(foam_, color[k], changes_[k]);
+        }
+    }
+
+    Foam& foam_;
+    const GaussSeidelOptions& options_;
+    std::vector<std::vector<JunctionId>> colors_;  // empty where the network has changed since
+    std::vector<BlockChange> changes_;
+};
+
+bool is_exact(const Foam& foam, double tolerance) {
+    const EquilibriumErrors errors = equilibrium_errors(foam);
+    return errors.area < tolerance && errors.angle < tolerance && errors.films_at_limit == 0;
+}
+
+void wrap_all(Foam& foam) {
+    for (const JunctionId junction : foam.network.junctions()) {
+        place_junction(foam, junction, foam.positions[junction]);
+    }
+}
+
+}  // namespace
+
+GaussSeidelSummary gauss_seidel(Foam& foam, const GaussSeidelOptions& options) {
+    GaussSeidelSummary summary;
+    Sweeps sweeps(foam, options);
+    bool converged = is_exact(foam, options.tolerance);
+    while (!converged && summary.sweeps < options.max_sweeps) {
+        sweeps.sweep();
+        ++summary.sweeps;
+        summary.t1 += sweeps.settle_films(summary.sweeps);
+        converged = is_exact(foam, options.tolerance);
+    }
+    wrap_all(foam);
+    summary.status = converged ? GaussSeidelStatus::Converged : GaussSeidelStatus::SweepLimit;
+    return summary;
+}
+
+}  // namespace foam

@@ -1,0 +1,127 @@
+#include "core/equilibrium/junction_block.h"
+
+#include "core/geometry/film_energy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace foam {
+
+namespace {
+
+using Eigen::Index;
+
+constexpr double kPi = std::numbers::pi;
+
+double direction_at_tail(const Vec2& chord, double pressure) {
+    return std::atan2(chord.y(), chord.x()) - laplace_young_half_angle(chord.norm(), pressure, 1.0);
+}
+
+}  // namespace
+
+void JunctionBlock::load(const Foam& foam, JunctionId junction) {
+    junction_ = junction;
+    tension_ = foam.film_tension;
+    bubble_count_ = 0;
+    sides_.clear();
+    const std::array<HalfEdgeId, 3> leaving = foam.network.leaving(junction);
+    for (const HalfEdgeId h : leaving) {
+        add_bubble(foam, foam.network.left(h));
+    }
+    std::array<double, 3> lengths{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        leaving_[k] = side_of(foam, leaving[k]);
+        lengths[k] = leaving_[k].chord.norm();
+    }
+    move_unit_ = *std::min_element(lengths.begin(), lengths.end());
+    for (const BubbleId bubble : bubbles()) {
+        add_sides(foam, bubble);
+    }
+}
+
+void JunctionBlock::add_bubble(const Foam& foam, BubbleId bubble) {
+    if (place_of(bubble) == kHeld) {
+        bubbles_[bubble_count_] = bubble;
+        targets_[bubble_count_] = foam.target_areas[bubble];
+        pressure_units_[bubble_count_] = 1.0 / std::sqrt(foam.target_areas[bubble]);
+        ++bubble_count_;
+    }
+}
+
+int JunctionBlock::place_of(BubbleId bubble) const {
+    const std::span<const BubbleId> known = bubbles();
+    const auto found = std::find(known.begin(), known.end(), bubble);
+    return found == known.end() ? kHeld : static_cast<int>(found - known.begin());
+}
+
+JunctionBlock::Side JunctionBlock::side_of(const Foam& foam, HalfEdgeId h) const {
+    Side side;
+    side.chord = chord(foam, h);
+    side.pressure = pressure_difference(foam, h) / tension_;
+    side.segment = film_energy(side.chord, side.pressure, 1.0).segment_area;
+    side.start_share = foam.network.tail(h) == junction_ ? 1.0 : 0.0;
+    side.chord_share = (foam.network.head(h) == junction_ ? 1.0 : 0.0) - side.start_share;
+    side.left = place_of(foam.network.left(h));
+    side.right = place_of(foam.network.right(h));
+    return side;
+}
+
+void JunctionBlock::add_sides(const Foam& foam, BubbleId bubble) {
+    const HalfEdgeId first = foam.network.first(bubble);
+    Vec2 start(0.0, 0.0);
+    HalfEdgeId h = first;
+    do {
+        Side side = side_of(foam, h);
+        side.start = start;
+        start += side.chord;
+        sides_.push_back(side);
+        h = foam.network.next(h);
+    } while (h != first);
+}
+
+std::array<Vec2, 3> JunctionBlock::chords() const {
+    return {leaving_[0].chord, leaving_[1].chord, leaving_[2].chord};
+}
+
+double JunctionBlock::pressure_change_at(const BlockVector& change, int place) const {
+    return place == kHeld ? 0.0 : pressure_units_[static_cast<std::size_t>(place)] * change[place];
+}
+
+double JunctionBlock::pressure_change(const BlockVector& change, std::size_t bubble) const {
+    return tension_ * pressure_units_[bubble] * change[static_cast<Index>(bubble)];
+}
+
+JunctionBlock::Side JunctionBlock::changed(const Side& side, const BlockVector& change) const {
+    Side result = side;
+    result.start += side.start_share * move(change);
+    result.chord += side.chord_share * move(change);
+    result.pressure +=
+        pressure_change_at(change, side.left) - pressure_change_at(change, side.right);
+    if (result.chord != side.chord || result.pressure != side.pressure) {
+        result.segment = film_energy(result.chord, result.pressure, 1.0).segment_area;
+    }
+    return result;
+}
+
+BlockVector JunctionBlock::lacking(const BlockVector& change) const {
+    BlockVector lacking = BlockVector::Ones(size());
+    for (const Side& side : sides_) {
+        const Side now = changed(side, change);
+        const double area = 0.5 * cross(now.start, now.chord) + now.segment;
+        lacking[side.left] -= area / targets_[static_cast<std::size_t>(side.left)];
+    }
+    std::array<double, 3> directions{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Side now = changed(leaving_[k], change);
+        directions[k] = direction_at_tail(now.chord, now.pressure);
+    }
+    for (std::size_t k = 0; k < 2; ++k) {
+        const double angle = directions[(k + 2) % 3] - directions[k];
+        lacking[size() - 2 + static_cast<Index>(k)] =
+            std::remainder(2.0 * kPi / 3.0 - angle, 2.0 * kPi);
+    }
+    return lacking;
+}
+
+}  // namespace foam

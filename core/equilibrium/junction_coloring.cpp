@@ -1,0 +1,50 @@
+#include "core/equilibrium/junction_coloring.h"
+
+#include <algorithm>
+#include <array>
+
+namespace foam {
+
+namespace {
+
+class Coloring {
+  public:
+    explicit Coloring(const Network& network) : network_(network), taken_(network.bubble_slots()) {}
+
+    // The first colour that no junction of the junction's bubbles has yet.
+    std::size_t take(JunctionId junction) {
+        const std::array<HalfEdgeId, 3> leaving = network_.leaving(junction);
+        std::size_t color = 0;
+        while (std::any_of(leaving.begin(), leaving.end(), [&](HalfEdgeId h) {
+            const std::vector<bool>& taken = taken_[network_.left(h)];
+            return color < taken.size() && taken[color];
+        })) {
+            ++color;
+        }
+        for (const HalfEdgeId h : leaving) {
+            std::vector<bool>& taken = taken_[network_.left(h)];
+            taken.resize(std::max(taken.size(), color + 1));
+            taken[color] = true;
+        }
+        return color;
+    }
+
+  private:
+    const Network& network_;
+    Indexed<BubbleId, std::vector<bool>> taken_;  // by color
+};
+
+}  // namespace
+
+std::vector<std::vector<JunctionId>> color_junctions(const Network& network) {
+    std::vector<std::vector<JunctionId>> colors;
+    Coloring coloring(network);
+    for (const JunctionId junction : network.junctions()) {
+        const std::size_t color = coloring.take(junction);
+        colors.resize(std::max(colors.size(), color + 1));
+        colors[color].push_back(junction);
+    }
+    return colors;
+}
+
+}  // namespace foam

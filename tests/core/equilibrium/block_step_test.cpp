@@ -1,0 +1,167 @@
+#include "core/equilibrium/block_step.h"
+
+#include "core/equilibrium/hessian.h"
+#include "core/foam/honeycomb.h"
+#include "core/foam/random.h"
+#include "tests/core/equilibrium/derivative_foams.h"
+#include "tests/core/foams.h"
+#include "tests/support/raster_frames.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace foam {
+namespace {
+
+using Eigen::Index;
+
+Eigen::MatrixXd full_hessian(const Foam& foam, const Unknowns& unknowns) {
+    Hessian hessian(foam.network, unknowns);
+    const Eigen::MatrixXd lower = hessian.evaluate(foam);
+    Eigen::MatrixXd full = lower.selfadjointView<Eigen::Lower>();
+    return full;
+}
+
+// The block's unknowns among those of the foam, and the size of their units.
+struct Place {
+    std::vector<int> rows;
+    std::vector<double> units;
+};
+
+Place place_of(const JunctionBlock& block, const Unknowns& unknowns, JunctionId junction) {
+    Place place;
+    const BlockVector one = BlockVector::Ones(block.size());
+    for (std::size_t k = 0; k < block.bubbles().size(); ++k) {
+        place.rows.push_back(unknowns.pressure_row(block.bubbles()[k]));
+        place.units.push_back(block.pressure_change(one, k));
+    }
+    for (int axis = 0; axis < 2; ++axis) {
+        place.rows.push_back(unknowns.position_row(junction) + axis);
+        place.units.push_back(block.move(one)[axis]);
+    }
+    return place;
+}
+
+// The Hessian's entries of these unknowns, in the units of the block.
+BlockMatrix entries(const Eigen::MatrixXd& hessian, const Place& place) {
+    const auto size = static_cast<Index>(place.rows.size());
+    BlockMatrix part(size, size);
+    for (Index column = 0; column < size; ++column) {
+        for (Index row = 0; row < size; ++row) {
+            part(row, column) = hessian(place.rows.at(static_cast<std::size_t>(row)),
+                                        place.rows.at(static_cast<std::size_t>(column))) *
+                                place.units.at(static_cast<std::size_t>(column));
+        }
+    }
+    return part;
+}
+
+// The areas' rows of the block against those of the Hessian: dL/dp is target less area (E3).
+// Differences settle to 1e-6.
+TEST(BlockStep, SlopesOfTheAreasAreThoseOfTheHessian) {
+    JunctionBlock block;
+    for (const Foam& foam : test::derivative_foams()) {
+        const Unknowns unknowns = all_unknowns(foam.network);
+        const Eigen::MatrixXd h = full_hessian(foam, unknowns);
+        for (const JunctionId junction : foam.network.junctions()) {
+            block.load(foam, junction);
+            const BlockMatrix closed = entries(h, place_of(block, unknowns, junction));
+            const BlockMatrix slopes = block_slopes(block, {});
+            for (Index row = 0; row < block.size() - 2; ++row) {
+                const BubbleId bubble = block.bubbles()[static_cast<std::size_t>(row)];
+                const auto expected = closed.row(row) / foam.target_areas[bubble];
+                EXPECT_LT((slopes.row(row) - expected).norm(), 1e-6 * (1.0 + expected.norm()));
+            }
+        }
+    }
+}
+
+// In equilibrium the force -T sum of t_k, whose derivative is the Hessian's, turns with the films'
+// directions by -T sum of n_k dtheta_k, n_k being t_k turned left; the n_k add up to zero. The
+// block has e_0 = theta_0 - theta_2 and e_1 = theta_1 - theta_0 but for constants, so that the
+// force changes by -T (n_1 de_1 - n_2 de_0).
+TEST(BlockStep, SlopesOfTheAnglesAreThoseOfTheForces) {
+    const Foam foam = test::settled_foam(30, 2);
+    const Unknowns unknowns = all_unknowns(foam.network);
+    const Eigen::MatrixXd h = full_hessian(foam, unknowns);
+    JunctionBlock block;
+    for (const JunctionId junction : foam.network.junctions()) {
+        block.load(foam, junction);
+        const BlockMatrix closed = entries(h, place_of(block, unknowns, junction));
+        const BlockMatrix slopes = block_slopes(block, {});
+        const std::array<HalfEdgeId, 3> leaving = foam.network.leaving(junction);
+        const Vec2 n1 = turned_left(tangent_at_tail(film_arc(foam, leaving[1])));
+        const Vec2 n2 = turned_left(tangent_at_tail(film_arc(foam, leaving[2])));
+        const auto forces = foam.film_tension * (n2 * slopes.row(3) - n1 * slopes.row(4));
+        const auto expected = closed.bottomRows<2>();
+        EXPECT_LT((forces - expected).norm(), 3e-6 * (1.0 + expected.norm()));
+    }
+}
+
+// Central differences over steps of 0.2 are off by far more than the threshold: halving mends them.
+TEST(BlockStep, HalvesStepsUntilTheDifferencesSettle) {
+    const Foam foam = test::bent_foam(12, 0.5, 1);
+    JunctionBlock block;
+    block.load(foam, JunctionId{4});
+    const BlockMatrix exact = block_slopes(block, {.first_step = 1e-4, .threshold = 1e-9});
+    const BlockMatrix coarse = block_slopes(block, {.first_step = 0.2, .max_halvings = 0});
+    EXPECT_GT((coarse - exact).cwiseAbs().maxCoeff(), 1e-3);
+    for (const double threshold : {1e-3, 1e-5}) {
+        const BlockMatrix halved =
+            block_slopes(block, {.first_step = 0.2, .threshold = threshold, .max_halvings = 20});
+        EXPECT_LT((halved - exact).cwiseAbs().maxCoeff(), threshold);
+    }
+}
+
+// Of a block that lacks e the step leaves half the second derivatives, here of the order of one,
+// times its own square; it is up to twice as large as e.
+TEST(BlockStep, LeavesTheSquareOfWhatTheBlockLacks) {
+    Foam foam = honeycomb(4, 4);
+    Random random(3);
+    for (Vec2& position : foam.positions) {
+        const double x = random.uniform();
+        const double y = random.uniform();
+        position += 0.02 * Vec2(x - 0.5, y - 0.5);
+    }
+    JunctionBlock block;
+    for (const JunctionId junction : foam.network.junctions()) {
+        block.load(foam, junction);
+        const double before = block.lacking(BlockVector::Zero(5)).norm();
+        EXPECT_GT(before, 1e-3);
+        EXPECT_LT(block.lacking(block_step(block, {})).norm(), 4.0 * before * before);
+    }
+}
+
+// Two bubbles fill the torus: their areas determine no common pressure, and the smallest step has
+// none. Both units of pressure are 1 here.
+TEST(BlockStep, IsTheSmallestWhereTheBlockIsSingular) {
+    Foam foam = honeycomb(1, 2);
+    foam.positions[JunctionId{0}] += Vec2(0.05, 0.02);
+    JunctionBlock block;
+    block.load(foam, JunctionId{1});
+    ASSERT_EQ(block.size(), 4);
+    const BlockVector step = block_step(block, {});
+    EXPECT_GT(std::abs(step[0]), 1e-3);
+    EXPECT_NEAR(step[0] + step[1], 0.0, 1e-6);
+    EXPECT_LT(step.norm(), 1.0);
+}
+
+TEST(BlockStep, DoesNotDependOnTheTension) {
+    Foam soft = test::bent_foam(12, 0.5, 1);
+    Foam stiff = soft;
+    stiff.film_tension *= 1024.0;  // a power of two, so that no rounding differs
+    for (double& pressure : stiff.pressures) {
+        pressure *= 1024.0;
+    }
+    JunctionBlock block;
+    block.load(soft, JunctionId{4});
+    const BlockVector step = block_step(block, {});
+    block.load(stiff, JunctionId{4});
+    EXPECT_EQ(block_step(block, {}), step);
+}
+
+}  // namespace
+}  // namespace foam

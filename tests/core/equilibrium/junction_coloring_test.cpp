@@ -1,0 +1,99 @@
+#include "core/equilibrium/junction_coloring.h"
+
+#include "core/foam/foam.h"
+#include "core/foam/honeycomb.h"
+#include "core/network/t2.h"
+#include "tests/core/foams.h"
+#include "tests/support/raster_frames.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+namespace foam {
+namespace {
+
+using Colors = std::vector<std::vector<JunctionId>>;
+
+std::set<BubbleId> bubbles_of(const Network& network, JunctionId junction) {
+    std::set<BubbleId> bubbles;
+    for (const HalfEdgeId h : network.leaving(junction)) {
+        bubbles.insert(network.left(h));
+    }
+    return bubbles;
+}
+
+std::set<JunctionId> junctions_of(const Network& network, BubbleId bubble) {
+    std::set<JunctionId> junctions;
+    for (const HalfEdgeId h : network.around(bubble)) {
+        junctions.insert(network.tail(h));
+    }
+    return junctions;
+}
+
+void expect_no_shared_bubble(const Network& network, const std::vector<JunctionId>& color) {
+    std::set<BubbleId> seen;
+    for (const JunctionId junction : color) {
+        for (const BubbleId bubble : bubbles_of(network, junction)) {
+            EXPECT_TRUE(seen.insert(bubble).second) << "bubble " << index_of(bubble);
+        }
+    }
+}
+
+void expect_valid(const Network& network) {
+    const Colors colors = color_junctions(network);
+    std::set<JunctionId> seen;
+    std::size_t most = 0;
+    for (const BubbleId bubble : network.bubbles()) {
+        most = std::max(most, junctions_of(network, bubble).size());
+    }
+    for (const std::vector<JunctionId>& color : colors) {
+        EXPECT_FALSE(color.empty());
+        EXPECT_TRUE(std::is_sorted(color.begin(), color.end()));
+        expect_no_shared_bubble(network, color);
+        seen.insert(color.begin(), color.end());
+    }
+    EXPECT_GE(colors.size(), most);
+    EXPECT_EQ(seen.size(), network.junction_count());
+    for (const JunctionId junction : network.junctions()) {
+        EXPECT_EQ(seen.count(junction), 1U);
+    }
+}
+
+TEST(JunctionColoring, SharesNoBubbleInAColor) {
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+        expect_valid(test::raw_foam(200, seed).network);
+    }
+    expect_valid(test::settled_foam(200, 1).network);
+}
+
+TEST(JunctionColoring, SharesNoBubbleOnTinyTori) {
+    for (int bubbles = 2; bubbles <= 12; ++bubbles) {
+        expect_valid(test::raw_foam(bubbles, 1).network);
+    }
+}
+
+// Both junctions belong to the one bubble.
+TEST(JunctionColoring, GivesEveryJunctionOfASingleBubbleItsOwn) {
+    EXPECT_EQ(color_junctions(test::single_bubble().network),
+              (Colors{{JunctionId{0}}, {JunctionId{1}}}));
+}
+
+// A junction shares bubbles with 3 (6 - 1) others at most, two of a bubble with its neighbour's
+// counted twice: with 12. So 13 colours are enough for a honeycomb, and 6 are the fewest.
+TEST(JunctionColoring, TakesFewColorsForAHoneycomb) {
+    const Colors colors = color_junctions(honeycomb(12, 12).network);
+    EXPECT_GE(colors.size(), 6U);
+    EXPECT_LE(colors.size(), 13U);
+}
+
+TEST(JunctionColoring, LeavesTheDeadOut) {
+    Foam foam = test::honeycomb_around(3);
+    vanish(foam.network, BubbleId{5});
+    expect_valid(foam.network);
+}
+
+}  // namespace
+}  // namespace foam
