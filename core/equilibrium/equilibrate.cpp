@@ -40,13 +40,24 @@ NewtonOptions spot_options(const EquilibriumOptions& options) {
     return spot;
 }
 
+GaussSeidelOptions gauss_seidel_options(const EquilibriumOptions& options) {
+    GaussSeidelOptions sweeps;
+    sweeps.tolerance = options.tolerance;
+    sweeps.order =
+        options.solver == Solver::ColoredGaussSeidel ? SweepOrder::Colored : SweepOrder::Sequential;
+    sweeps.thresholds = options.thresholds;
+    sweeps.threads = options.threads;
+    return sweeps;
+}
+
 class Equilibration {
   public:
     Equilibration(Foam& foam, const EquilibriumOptions& options)
         : foam_(foam),
           options_(options),
           whole_(whole_options(options)),
-          spot_(spot_options(options)) {}
+          spot_(spot_options(options)),
+          without_spots_(options.solver != Solver::Newton) {}
 
     EquilibriumSummary run() {
         // A tangle is no state for Newton's method: its T1s would lead anywhere.
@@ -56,10 +67,10 @@ class Equilibration {
         settle_spots();
         bool settled = false;
         for (int round = 0; round < options_.max_rounds && !settled; ++round) {
-            if (round == kRoundsWithSpots) {
+            if (round == kRoundsWithSpots && !without_spots_) {
                 start_over_without_spots();
             }
-            settled = solve_once();
+            settled = options_.solver == Solver::Newton ? solve_by_newton() : solve_by_sweeps();
         }
         center_pressures(foam_);
         rearm_grown_films(foam_, options_.thresholds);
@@ -69,7 +80,7 @@ class Equilibration {
 
   private:
     // Newton's method for the whole foam, then what it asks for; true where it asks for nothing.
-    bool solve_once() {
+    bool solve_by_newton() {
         if (network_changed_) {
             whole_.start(foam_, all_unknowns(foam_.network));
             network_changed_ = false;
@@ -102,6 +113,15 @@ class Equilibration {
                 break;
         }
         return false;
+    }
+
+    // The paper's solver for the whole foam, then the T1s that are due; true where none is.
+    bool solve_by_sweeps() {
+        const GaussSeidelSummary sweeps = gauss_seidel(foam_, gauss_seidel_options(options_));
+        summary_.iterations += sweeps.sweeps;
+        summary_.t1 += sweeps.t1;
+        return sweeps.status == GaussSeidelStatus::SweepLimit ||
+               settle(short_films(foam_, options_.thresholds)) == 0;
     }
 
     // Newton's method on what is far from equilibrium alone, if that is little. Returns the number
@@ -174,7 +194,7 @@ class Equilibration {
     const EquilibriumOptions& options_;
     NewtonSolver whole_;
     NewtonSolver spot_;
-    bool without_spots_ = false;
+    bool without_spots_;  // Gauss-Seidel knows none
     // Every further one has a quarter of the sweeps, down to one, then all again: Newton's method
     // is to start from another state than the one that it stalled from before.
     int relaxations_ = 0;

@@ -1,0 +1,50 @@
+#include "core/equilibrium/equilibrate.h"
+#include "core/equilibrium/t1_rule.h"
+#include "tests/core/foams.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+
+namespace foam {
+namespace {
+
+using test::is_valid;
+using test::settled_foam;
+
+TEST(EquilibrateBySweeps, SettlesRawDiagrams) {
+    for (const Solver solver : {Solver::GaussSeidel, Solver::ColoredGaussSeidel}) {
+        for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+            Foam foam = test::raw_foam(50, seed);
+            const EquilibriumSummary summary =
+                equilibrate(foam, {.solver = solver, .tolerance = 1e-4});
+            EXPECT_TRUE(summary.converged()) << "seed " << seed;
+            EXPECT_EQ(summary.sweeps, 60);
+            EXPECT_GT(summary.iterations, 10);
+            EXPECT_LT(summary.area_error, 1e-4);
+            EXPECT_LT(summary.angle_error, 1e-4);
+            EXPECT_TRUE(is_valid(foam.network));
+        }
+    }
+}
+
+// Films at rest below their T1 distance flip after Gauss-Seidel, as they do after Newton's method.
+TEST(EquilibrateBySweeps, LeavesNoFilmThatWaitsForAT1) {
+    const TopologyThresholds thresholds{.t1_distance = 0.2};
+    int t1 = 0;
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        Foam foam = settled_foam(30, seed);
+        const EquilibriumSummary summary = equilibrate(foam,
+                                                       {.solver = Solver::GaussSeidel,
+                                                        .thresholds = thresholds,
+                                                        .tolerance = 1e-3,
+                                                        .relaxes_first = false});
+        EXPECT_TRUE(summary.converged());
+        EXPECT_TRUE(short_films(foam, thresholds).empty());
+        t1 += summary.t1;
+    }
+    EXPECT_GT(t1, 0);
+}
+
+}  // namespace
+}  // namespace foam
