@@ -13,6 +13,8 @@ SeedingOptions seeding_of(const Preset& preset) {
 StepOptions step_options_of(const Preset& preset, int threads) {
     StepOptions options;
     options.coarsening = preset.coarsening;
+    options.equilibrium.solver = preset.equilibrium.solver;
+    options.equilibrium.tolerance = preset.equilibrium.tolerance;
     options.equilibrium.thresholds = preset.thresholds;
     options.equilibrium.threads = threads;
     return options;

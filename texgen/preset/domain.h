@@ -3,7 +3,9 @@
 #include "texgen/preset/preset.h"
 #include "texgen/preset/value.h"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -91,13 +93,16 @@ struct Sizes {
     Value write(const ImageOptions& member) const;
 };
 
-/// Words that stand for the two values of an enumeration.
-template <class Enum>
+/// Words that stand for the values of an enumeration.
+template <class Enum, std::size_t count = 2>
 struct Choices {
-    std::array<std::pair<std::string_view, Enum>, 2> choices;
+    std::array<std::pair<std::string_view, Enum>, count> choices;
 
     std::string allowed() const {
-        const std::array words = {choices[0].first, choices[1].first};
+        std::array<std::string_view, count> words;
+        for (std::size_t k = 0; k < count; ++k) {
+            words[k] = choices[k].first;
+        }
         return Words{words}.allowed();
     }
     bool read(const Value& value, Enum& member) const {
@@ -111,7 +116,10 @@ struct Choices {
         return false;
     }
     Value write(Enum member) const {
-        return {std::string(choices[choices[0].second == member ? 0 : 1].first)};
+        const auto found = std::find_if(choices.begin(), choices.end(), [&](const auto& choice) {
+            return choice.second == member;
+        });
+        return {std::string(found->first)};
     }
 };
 

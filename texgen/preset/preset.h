@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/dynamics/coarsening.h"
-#include "core/equilibrium/topology_thresholds.h"
+#include "core/equilibrium/equilibrate.h"
 #include "core/foam/seeding.h"
 #include "texgen/maps/albedo.h"
 
@@ -9,6 +9,12 @@
 #include <vector>
 
 namespace foam::texgen {
+
+/// How the foam is brought to equilibrium, and how near.
+struct SolverOptions {
+    Solver solver = Solver::Newton;
+    double tolerance = 1e-9;  // of every area, relative, and every angle, in radians
+};
 
 /// Which instants of the foam become pictures: frame 1 shows the foam at time warm_up, frame i + 1
 /// at time_step step_growth^(i - 1) after frame i.
@@ -37,6 +43,7 @@ struct Preset {
     std::string name;  // of the shipped preset or the stem of the file; fills {preset}
     std::string description;
     SeedingOptions seeding;
+    SolverOptions equilibrium;
     CoarseningOptions coarsening;
     TopologyThresholds thresholds;
     FramesOptions frames;

@@ -24,6 +24,10 @@ constexpr Choices<PressureUnit> kPressureUnits = {
 constexpr Choices<WidthUnit> kWidthUnits = {
     {{{"px", WidthUnit::Pixels}, {"diameter", WidthUnit::Diameters}}}};
 
+constexpr Choices<Solver, 3> kSolvers = {{{{"newton", Solver::Newton},
+                                           {"gauss-seidel", Solver::GaussSeidel},
+                                           {"gauss-seidel-colored", Solver::ColoredGaussSeidel}}}};
+
 using P = Preset;
 
 /// object.*members[0].*members[1] and so on.
@@ -53,31 +57,43 @@ std::vector<Key> description_keys() {
 
 std::vector<Key> foam_keys() {
     using Options = SeedingOptions;
-    return {key("foam.bubbles",
-                Integers{4, 1'000'000},
-                "bubbles of the seeded foam, whose mean area is 1",
-                &P::seeding,
-                &Options::bubbles),
-            key("foam.seed",
-                Integers{0, kLargestSeed},
-                "another seed, another foam of the same kind",
-                &P::seeding,
-                &Options::seed),
-            key("foam.lloyd",
-                Integers{0, 1000},
-                "rounds of Lloyd relaxation: 0 is wild, 10 and more nearly regular",
-                &P::seeding,
-                &Options::lloyd_iterations),
-            key("foam.area_ratio",
-                Reals{1.0, 100.0, kOrZero},
-                "largest over smallest bubble area; 0 leaves the areas as they fall",
-                &P::seeding,
-                &Options::area_ratio),
-            key("foam.surface_tension",
-                Reals{1e-6, 1e3},
-                "gamma; a film pulls with twice this",
-                &P::seeding,
-                &Options::surface_tension)};
+    return {
+        key("foam.bubbles",
+            Integers{4, 1'000'000},
+            "bubbles of the seeded foam, whose mean area is 1",
+            &P::seeding,
+            &Options::bubbles),
+        key("foam.seed",
+            Integers{0, kLargestSeed},
+            "another seed, another foam of the same kind",
+            &P::seeding,
+            &Options::seed),
+        key("foam.lloyd",
+            Integers{0, 1000},
+            "rounds of Lloyd relaxation: 0 is wild, 10 and more nearly regular",
+            &P::seeding,
+            &Options::lloyd_iterations),
+        key("foam.area_ratio",
+            Reals{1.0, 100.0, kOrZero},
+            "largest over smallest bubble area; 0 leaves the areas as they fall",
+            &P::seeding,
+            &Options::area_ratio),
+        key("foam.surface_tension",
+            Reals{1e-6, 1e3},
+            "gamma; a film pulls with twice this",
+            &P::seeding,
+            &Options::surface_tension),
+        key("foam.solver",
+            kSolvers,
+            "what finds equilibrium: Newton's method, or the paper's own, in turn or on all "
+            "threads, hundreds of times slower",
+            &P::equilibrium,
+            &SolverOptions::solver),
+        key("foam.tolerance",
+            Reals{1e-9, 1e-2},
+            "largest error of areas, relative, and of angles, in radians; 1e-4 for gauss-seidel",
+            &P::equilibrium,
+            &SolverOptions::tolerance)};
 }
 
 std::vector<Key> dynamics_keys() {

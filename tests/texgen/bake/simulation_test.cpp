@@ -74,6 +74,19 @@ TEST(Simulation, CountsTheEventsOfEveryFrame) {
     EXPECT_LT(still.equilibrium().area_error, 1e-9);
 }
 
+// The paper's solver does the same foam, less exactly.
+TEST(Simulation, TakesSolverAndToleranceFromThePreset) {
+    Preset preset = small_preset();
+    preset.equilibrium.tolerance = 1e-4;
+    for (const Solver solver : {Solver::GaussSeidel, Solver::ColoredGaussSeidel}) {
+        preset.equilibrium.solver = solver;
+        Simulation simulation(preset);
+        ASSERT_TRUE(simulation.advance());
+        EXPECT_LT(simulation.equilibrium().angle_error, 1e-4);
+        EXPECT_GT(simulation.equilibrium().angle_error, 1e-6);
+    }
+}
+
 TEST(Simulation, StandsStillWithoutTime) {
     Preset preset = small_preset();
     preset.frames.time_step = 0.0;

@@ -2,11 +2,13 @@
 
 #include "texgen/preset/assignment.h"
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <set>
 #include <string>
+#include <utility>
 
 namespace foam::texgen {
 namespace {
@@ -25,7 +27,7 @@ TEST(Schema, EveryKeyIsThereOnceWithAllItSays) {
         EXPECT_TRUE(is_table(key.table())) << key.path;
         EXPECT_EQ(find_key(key.path), &key);
     }
-    EXPECT_EQ(paths.size(), 23U);
+    EXPECT_EQ(paths.size(), 25U);
 }
 
 TEST(Schema, EveryDefaultIsAllowed) {
@@ -71,6 +73,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Bounds{"foam.lloyd", "-1", "0", "1000", "1001"},
                     Bounds{"foam.area_ratio", "0.99", "1", "100", "100.1"},
                     Bounds{"foam.surface_tension", "0", "1e-6", "1e3", "1001"},
+                    Bounds{"foam.tolerance", "0.9e-9", "1e-9", "0.01", "0.011"},
                     Bounds{"dynamics.kappa", "-0.1", "0", "1000", "1001"},
                     Bounds{"dynamics.t1_distance", "0.0009", "0.001", "0.25", "0.26"},
                     Bounds{"dynamics.t2_area", "0.00009", "0.0001", "0.25", "0.26"},
@@ -110,6 +113,21 @@ TEST(Schema, ChoicesReachTheirMembers) {
     EXPECT_EQ(preset.albedo.pressure_unit, PressureUnit::Seed);
     EXPECT_EQ(preset.albedo.film_unit, WidthUnit::Diameters);
     EXPECT_FALSE(find_key("albedo.film_unit")->read(read_value("mm"), preset));
+}
+
+TEST(Schema, EverySolverHasItsWord) {
+    const Key* key = find_key("foam.solver");
+    EXPECT_EQ(key->allowed, R"(one of "newton", "gauss-seidel", "gauss-seidel-colored")");
+    Preset preset;
+    for (const auto& [word, solver] :
+         {std::pair("gauss-seidel", Solver::GaussSeidel),
+          std::pair("gauss-seidel-colored", Solver::ColoredGaussSeidel),
+          std::pair("newton", Solver::Newton)}) {
+        EXPECT_TRUE(key->read(read_value(word), preset));
+        EXPECT_EQ(preset.equilibrium.solver, solver);
+        EXPECT_EQ(to_toml(key->write(preset)), fmt::format("\"{}\"", word));
+    }
+    EXPECT_FALSE(accepts("foam.solver", "jacobi"));
 }
 
 TEST(Schema, ARefusedValueChangesNothing) {
