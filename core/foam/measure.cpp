@@ -2,7 +2,6 @@
 
 #include "core/geometry/film_energy.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -10,6 +9,11 @@
 namespace foam {
 
 namespace {
+
+// NaN where one of them is: a state that is not finite must not look exact.
+double larger(double a, double b) {
+    return b > a || std::isnan(b) ? b : a;
+}
 
 double largest_angle_error(const Foam& foam, JunctionId junction) {
     const std::array<HalfEdgeId, 3> leaving = foam.network.leaving(junction);
@@ -27,7 +31,7 @@ double largest_angle_error(const Foam& foam, JunctionId junction) {
         const Vec2& a = tangents[k];
         const Vec2& b = tangents[(k + 1) % 3];
         const double angle = std::atan2(cross(b, a), a.dot(b));
-        largest = std::max(largest, std::abs(angle - 2.0 * std::numbers::pi / 3.0));
+        largest = larger(largest, std::abs(angle - 2.0 * std::numbers::pi / 3.0));
     }
     return largest;
 }
@@ -101,10 +105,10 @@ EquilibriumErrors equilibrium_errors(const Foam& foam) {
     EquilibriumErrors errors;
     for (const BubbleId bubble : foam.network.bubbles()) {
         const double relative = bubble_area(foam, bubble) / foam.target_areas[bubble] - 1.0;
-        errors.area = std::max(errors.area, std::abs(relative));
+        errors.area = larger(errors.area, std::abs(relative));
     }
     for (const JunctionId junction : foam.network.junctions()) {
-        errors.angle = std::max(errors.angle, largest_angle_error(foam, junction));
+        errors.angle = larger(errors.angle, largest_angle_error(foam, junction));
     }
     errors.films_at_limit = films_at_limit(foam);
     return errors;

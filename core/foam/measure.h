@@ -22,7 +22,8 @@ double energy(const Foam& foam);
 /// Films whose half angle is held at the limit (kLargestSine): no equilibrium rests on one.
 int films_at_limit(const Foam& foam);
 
-/// Distance from equilibrium (E2).
+/// Distance from equilibrium (E2). An error is NaN, and so below no tolerance, where the foam is
+/// not finite.
 struct EquilibriumErrors {
     double area = 0.0;   // largest |A / A_target - 1|
     double angle = 0.0;  // largest |angle - 120 degrees| between two films, radians

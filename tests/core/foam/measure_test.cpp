@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -105,6 +106,14 @@ TEST(Measure, AFilmWithoutLengthHasNoAngles) {
     const HalfEdgeId h = foam.network.first(BubbleId{5});
     foam.positions[foam.network.tail(h)] = foam.positions[foam.network.head(h)];
     EXPECT_EQ(equilibrium_errors(foam).angle, kPi);
+}
+
+TEST(Measure, AFoamThatIsNotFiniteIsNotExact) {
+    Foam foam = honeycomb(4, 4);
+    foam.pressures[BubbleId{5}] = std::numeric_limits<double>::quiet_NaN();
+    const EquilibriumErrors errors = equilibrium_errors(foam);
+    EXPECT_TRUE(std::isnan(errors.area));
+    EXPECT_TRUE(std::isnan(errors.angle));
 }
 
 TEST(Measure, CenteredPressuresHaveAWeightedMeanOfZero) {
