@@ -20,6 +20,10 @@ constexpr double kSlowRatio = 0.1;
 constexpr double kSpotTolerance = 1e-3;
 constexpr int kSpotIterations = 12;
 constexpr int kSpotRounds = 5;  // each ended by T1s
+// Around what is bad where Newton's method has stalled.
+constexpr int kRelaxedRings = 3;
+constexpr double kWorstShare = 0.2;
+constexpr int kMostLocalRelaxations = 4;  // one after another, before all is relaxed
 // Where T1s in spots have led nowhere in so many rounds, the foam is relaxed and goes on without.
 constexpr int kRoundsWithSpots = 20;
 
@@ -108,7 +112,7 @@ class Equilibration {
                 break;
             case NewtonStatus::Stalled:
             case NewtonStatus::IterationLimit:
-                relax_all();
+                relax_where_stalled();
                 settle_spots();
                 break;
         }
@@ -157,8 +161,41 @@ class Equilibration {
         relax_all();
     }
 
-    void relax_all() {
+    // A large foam stalls for the sake of a few bubbles: to relax them alone leaves the rest as it
+    // is. Where that does not help, all of it is relaxed.
+    void relax_where_stalled() {
         untangle(foam_);  // a whole step of Newton's method may leave a tangle
+        const std::vector<Spot> spots = worst_spots();
+        if (without_spots_ || spots.empty() || ++local_relaxations_ % kMostLocalRelaxations == 0) {
+            relax_all();
+            return;
+        }
+        for (const Spot& spot : spots) {
+            relax_part(unknowns_around(foam_.network, spot), options_.relaxation_sweeps);
+        }
+    }
+
+    // Where the residual is of the order of its largest.
+    std::vector<Spot> worst_spots() const {
+        const Unknowns all = all_unknowns(foam_.network);
+        const Eigen::VectorXd r = residual(foam_, all, options_.threads);
+        const ResidualNorms worst = norms(foam_, all, r);
+        SpotOptions worst_options;
+        worst_options.force = std::max(worst_options.force, kWorstShare * worst.force);
+        worst_options.area = std::max(worst_options.area, kWorstShare * worst.area);
+        worst_options.rings = kRelaxedRings;
+        return find_spots(foam_, all, r, worst_options);
+    }
+
+    void relax_part(const Unknowns& part, int sweeps) {
+        const RelaxationSummary relaxation =
+            relax(foam_, part, {.sweeps = sweeps, .thresholds = options_.thresholds});
+        summary_.t1 += relaxation.t1;
+        network_changed_ = network_changed_ || relaxation.t1 > 0;
+    }
+
+    void relax_all() {
+        untangle(foam_);
         const int sweeps = std::max(1, options_.relaxation_sweeps >> (2 * (relaxations_++ % 4)));
         const RelaxationSummary relaxation =
             relax(foam_, {.sweeps = sweeps, .thresholds = options_.thresholds});
@@ -198,6 +235,7 @@ class Equilibration {
     // Every further one has a quarter of the sweeps, down to one, then all again: Newton's method
     // is to start from another state than the one that it stalled from before.
     int relaxations_ = 0;
+    int local_relaxations_ = 0;
     bool network_changed_ = true;  // since whole_ was started
     EquilibriumSummary summary_;
 };

@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace foam {
 
@@ -149,21 +150,27 @@ void refresh_around(const Foam& foam, SoftBubbles& bubbles, FilmId film) {
     bubbles.refresh(foam, site.end_head);
 }
 
-int settle_short_films(Foam& foam, SoftBubbles& bubbles, const TopologyThresholds& thresholds) {
+bool is_within(const Foam& foam, const Unknowns& part, FilmId film) {
+    const HalfEdgeId h = forward_side(film);
+    return part.junction_rank[foam.network.tail(h)] >= 0 &&
+           part.junction_rank[foam.network.head(h)] >= 0;
+}
+
+int settle_short_films(Foam& foam,
+                       const Unknowns& part,
+                       SoftBubbles& bubbles,
+                       const TopologyThresholds& thresholds) {
     int flips = 0;
-    for (const FilmId film : foam.network.films()) {
+    for (const FilmId film : part.films) {
+        if (!is_within(foam, part, film)) {
+            continue;
+        }
         if (chord(foam, forward_side(film)).norm() < thresholds.t1_distance) {
             flips += settle_film(foam, film, thresholds, Tangents::OfChords) ? 1 : 0;
             refresh_around(foam, bubbles, film);
         }
     }
     return flips;
-}
-
-void wrap_all(Foam& foam) {
-    for (const JunctionId junction : foam.network.junctions()) {
-        place_junction(foam, junction, foam.positions[junction]);
-    }
 }
 
 double mean_pressure_around(const Foam& foam, BubbleId bubble) {
@@ -174,46 +181,89 @@ double mean_pressure_around(const Foam& foam, BubbleId bubble) {
     return sum / foam.network.sides(bubble);
 }
 
-// The pressures of the straight films, their excess over the neighbours turned into that of arcs.
-void set_pressures(Foam& foam, SoftBubbles& bubbles) {
-    for (const BubbleId bubble : foam.network.bubbles()) {
+// All bubbles whose pressures the part's junctions feel.
+void refresh_all(const Foam& foam, const Unknowns& part, SoftBubbles& bubbles) {
+    for (const BubbleId bubble : part.bubbles) {
         bubbles.refresh(foam, bubble);
-        foam.pressures[bubble] = bubbles.each[bubble].pressure();
     }
-    Indexed<BubbleId, double> curved = foam.pressures;
-    for (const BubbleId bubble : foam.network.bubbles()) {
+    for (const JunctionId junction : part.junctions) {
+        for (const HalfEdgeId h : foam.network.leaving(junction)) {
+            const BubbleId bubble = foam.network.left(h);
+            if (part.bubble_rank[bubble] < 0) {
+                bubbles.refresh(foam, bubble);
+            }
+        }
+    }
+}
+
+// The pressures of the straight films, their excess over the neighbours turned into that of arcs.
+std::vector<double> arc_pressures(const Foam& foam, const Unknowns& part) {
+    std::vector<double> pressures;
+    pressures.reserve(part.bubbles.size());
+    for (const BubbleId bubble : part.bubbles) {
         const double around = mean_pressure_around(foam, bubble);
         const double excess =
             arc_pressure_ratio(foam.network.sides(bubble)) * (foam.pressures[bubble] - around);
-        curved[bubble] =
-            around + (is_lens(foam, bubble) ? lens_excess_pressure(foam, bubble) : excess);
+        pressures.push_back(around +
+                            (is_lens(foam, bubble) ? lens_excess_pressure(foam, bubble) : excess));
     }
-    foam.pressures = std::move(curved);
+    return pressures;
+}
+
+double mean_pressure(const Foam& foam, const Unknowns& part) {
+    double sum = 0.0;
+    for (const BubbleId bubble : part.bubbles) {
+        sum += foam.pressures[bubble];
+    }
+    return sum / static_cast<double>(part.bubbles.size());
+}
+
+void set_pressures(Foam& foam, const Unknowns& part, SoftBubbles& bubbles) {
+    const bool is_whole = part.bubbles.size() == foam.network.bubble_count();
+    const double before = is_whole ? 0.0 : mean_pressure(foam, part);
+    double straight = 0.0;
+    for (const BubbleId bubble : part.bubbles) {
+        bubbles.refresh(foam, bubble);
+        straight += bubbles.each[bubble].pressure();
+    }
+    const double shift =
+        is_whole ? 0.0 : before - straight / static_cast<double>(part.bubbles.size());
+    for (const BubbleId bubble : part.bubbles) {
+        foam.pressures[bubble] = bubbles.each[bubble].pressure() + shift;
+    }
+    const std::vector<double> pressures = arc_pressures(foam, part);
+    for (std::size_t k = 0; k < pressures.size(); ++k) {
+        foam.pressures[part.bubbles[k]] = pressures[k];
+    }
 }
 
 }  // namespace
 
 RelaxationSummary relax(Foam& foam, const RelaxationOptions& options) {
+    return relax(foam, all_unknowns(foam.network), options);
+}
+
+RelaxationSummary relax(Foam& foam, const Unknowns& part, const RelaxationOptions& options) {
     RelaxationSummary summary;
     SoftBubbles bubbles{Indexed<BubbleId, SoftBubble>(foam.network.bubble_slots(), SoftBubble{}),
                         options.stiffness * foam.film_tension};
-    for (const BubbleId bubble : foam.network.bubbles()) {
+    for (const BubbleId bubble : part.bubbles) {
         if (is_lens(foam, bubble)) {
             fit_lens(foam, bubble);
         }
     }
-    for (const BubbleId bubble : foam.network.bubbles()) {
-        bubbles.refresh(foam, bubble);
-    }
+    refresh_all(foam, part, bubbles);
     for (; summary.sweeps < options.sweeps; ++summary.sweeps) {
-        for (const JunctionId junction : foam.network.junctions()) {
+        for (const JunctionId junction : part.junctions) {
             move_junction(foam, bubbles, junction, options.largest_move);
         }
-        summary.t1 += settle_short_films(foam, bubbles, options.thresholds);
-        rearm_grown_films(foam, options.thresholds);
+        summary.t1 += settle_short_films(foam, part, bubbles, options.thresholds);
+        rearm_grown_films(foam, part.films, options.thresholds);
     }
-    set_pressures(foam, bubbles);
-    wrap_all(foam);
+    set_pressures(foam, part, bubbles);
+    for (const JunctionId junction : part.junctions) {
+        place_junction(foam, junction, foam.positions[junction]);
+    }
     return summary;
 }
 

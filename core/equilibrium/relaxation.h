@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/equilibrium/topology_thresholds.h"
-#include "core/foam/foam.h"
+#include "core/equilibrium/unknowns.h"
 
 namespace foam {
 
@@ -21,5 +21,9 @@ struct RelaxationSummary {
 /// Sweeps over the junctions, each moved by its own Newton step; T1 between sweeps. Leaves each
 /// bubble with the pressure that its remaining area error stands for.
 RelaxationSummary relax(Foam& foam, const RelaxationOptions& options);
+
+/// The same for a part of the foam, all else held. Its mean pressure stays as it is, since straight
+/// films know pressures up to a constant only.
+RelaxationSummary relax(Foam& foam, const Unknowns& part, const RelaxationOptions& options);
 
 }  // namespace foam

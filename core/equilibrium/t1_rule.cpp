@@ -134,14 +134,25 @@ std::vector<FilmId> short_films(const Foam& foam, const TopologyThresholds& thre
     return films;
 }
 
-void rearm_grown_films(Foam& foam, const TopologyThresholds& thresholds) {
-    for (const FilmId film : foam.network.films()) {
+void rearm_grown_films(Foam& foam,
+                       std::span<const FilmId> films,
+                       const TopologyThresholds& thresholds) {
+    for (const FilmId film : films) {
         if (foam.t1_armed[film] == 0) {
             const double length = chord(foam, forward_side(film)).norm();
             const bool grown = length > kRearmingFactor * scaled_distance(foam, film, thresholds);
             foam.t1_armed[film] = grown ? 1 : 0;
         }
     }
+}
+
+void rearm_grown_films(Foam& foam, const TopologyThresholds& thresholds) {
+    std::vector<FilmId> films;
+    films.reserve(foam.network.film_count());
+    for (const FilmId film : foam.network.films()) {
+        films.push_back(film);
+    }
+    rearm_grown_films(foam, films, thresholds);
 }
 
 }  // namespace foam

@@ -3,6 +3,7 @@
 #include "core/equilibrium/topology_thresholds.h"
 #include "core/foam/foam.h"
 
+#include <span>
 #include <vector>
 
 namespace foam {
@@ -41,7 +42,11 @@ bool settle_film(Foam& foam, FilmId film, const TopologyThresholds& thresholds, 
 /// Films below their T1 distance that would stay open when flipped, in increasing order.
 std::vector<FilmId> short_films(const Foam& foam, const TopologyThresholds& thresholds);
 
-/// Arms every film that has grown to twice its T1 distance.
+/// Arms every one of the films that has grown to twice its T1 distance.
+void rearm_grown_films(Foam& foam,
+                       std::span<const FilmId> films,
+                       const TopologyThresholds& thresholds);
+/// The same for all films.
 void rearm_grown_films(Foam& foam, const TopologyThresholds& thresholds);
 
 }  // namespace foam

@@ -8,7 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace foam {
 namespace {
@@ -43,6 +45,41 @@ TEST(Relaxation, MoreSweepsDoMore) {
         EXPECT_EQ(relax(little, {.sweeps = 5}).sweeps, 5);
         EXPECT_EQ(relax(much, {.sweeps = 50}).sweeps, 50);
         EXPECT_LT(norms_of(much).squares, norms_of(little).squares);
+    }
+}
+
+double mean_pressure(const Foam& foam, const std::vector<BubbleId>& bubbles) {
+    double sum = 0.0;
+    for (const BubbleId bubble : bubbles) {
+        sum += foam.pressures[bubble];
+    }
+    return sum / static_cast<double>(bubbles.size());
+}
+
+TEST(Relaxation, OfAPartHoldsAllElse) {
+    Foam foam = test::settled_foam(100, 4);
+    const BubbleId middle = id_at<BubbleId>(50);
+    std::vector<BubbleId> bubbles{middle};
+    for (const HalfEdgeId h : foam.network.around(middle)) {
+        bubbles.push_back(foam.network.right(h));
+    }
+    std::sort(bubbles.begin(), bubbles.end());
+    const Unknowns part = unknowns_around(foam.network, bubbles);
+    for (const HalfEdgeId h : foam.network.around(middle)) {
+        foam.positions[foam.network.tail(h)] += 0.2 * chord(foam, h);
+    }
+    const Foam before = foam;
+    const double pressure = mean_pressure(foam, bubbles);
+    relax(foam, part, {});
+    EXPECT_LT(norms_of(foam).squares, 0.3 * norms_of(before).squares);
+    EXPECT_NEAR(mean_pressure(foam, bubbles), pressure, 0.2);
+    for (const JunctionId junction : foam.network.junctions()) {
+        EXPECT_TRUE(part.junction_rank[junction] >= 0 ||
+                    foam.positions[junction] == before.positions[junction]);
+    }
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        EXPECT_TRUE(part.bubble_rank[bubble] >= 0 ||
+                    foam.pressures[bubble] == before.pressures[bubble]);
     }
 }
 
