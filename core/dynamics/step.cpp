@@ -26,8 +26,11 @@ double safe_time(const Foam& foam, const StepOptions& options) {
     return time;
 }
 
-// Takes away the rounding of many additions.
+// Takes away the rounding of many additions. In the plane, the total is what is left.
 void restore_total(Foam& foam) {
+    if (foam.torus.is_plane()) {
+        return;
+    }
     double total = 0.0;
     for (const BubbleId bubble : foam.network.bubbles()) {
         total += foam.target_areas[bubble];

@@ -20,6 +20,18 @@ struct Box {
     Vec2 high;
 };
 
+// Periods so large that no coordinate of the plane reaches half of one.
+const Vec2 kNoPeriods = Vec2::Constant(std::numeric_limits<double>::max());
+
+Box bounding_box(std::span<const SolverNode> nodes) {
+    Box box{nodes.front().position, nodes.front().position};
+    for (const SolverNode& node : nodes) {
+        box.low = box.low.cwiseMin(node.position);
+        box.high = box.high.cwiseMax(node.position);
+    }
+    return box;
+}
+
 using Nodes = std::span<std::uint32_t>;
 
 enum class Zone : std::uint8_t { Outside, Low, High };
@@ -288,10 +300,11 @@ Dissection dissect(const NodeGraph& graph,
                    const Torus& torus,
                    const DissectionOptions& options,
                    int threads) {
-    const Vec2 periods(torus.width, torus.height);
+    const Vec2 periods = torus.is_plane() ? kNoPeriods : Vec2(torus.width, torus.height);
+    const Box box = torus.is_plane() ? bounding_box(nodes) : Box{Vec2::Zero(), periods};
     NodeMemory memory(nodes.size());
     Dissector dissector(graph, nodes, periods, options, memory);
-    dissector.dissect(0, nodes.size(), {Vec2::Zero(), periods}, threads);
+    dissector.dissect(0, nodes.size(), box, threads);
     return {std::move(memory.order), std::move(dissector.parts)};
 }
 

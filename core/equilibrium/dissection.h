@@ -38,8 +38,8 @@ struct Dissection {
 
 /// Geometric nested dissection: halves the nodes at the median of the coordinate in which they
 /// extend further, moves that cut to the lightest one near it, and goes on with either side.
-/// Positions only guide it: any graph will do. Needs one node at least. The same for any number of
-/// threads.
+/// Two such cuts part a torus, one the plane. Positions only guide it: any graph will do. Needs one
+/// node at least. The same for any number of threads.
 Dissection dissect(const NodeGraph& graph,
                    std::span<const SolverNode> nodes,
                    const Torus& torus,

@@ -49,8 +49,7 @@ struct EquilibriumSummary {
 
 /// Brings the foam to mechanical equilibrium (E2) at its target areas, with T1 (E7) where a film
 /// collapses and where one rests below the T1 distance. Pressures come out with an area-weighted
-/// mean of 0. Preconditions: a valid network, positive targets that add up to the area of the
-/// torus.
+/// mean of 0. Preconditions: a valid network, positive targets that on a torus add up to its area.
 EquilibriumSummary equilibrate(Foam& foam, const EquilibriumOptions& options);
 
 }  // namespace foam

@@ -24,9 +24,20 @@ struct Units {
     double pressure() const { return tension / length; }
 };
 
+double total_area(const Foam& foam) {
+    if (!foam.torus.is_plane()) {
+        return foam.torus.area();
+    }
+    double total = 0.0;
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        total += foam.target_areas[bubble];
+    }
+    return total;
+}
+
 Units units_of(const Foam& foam) {
     const auto bubbles = static_cast<double>(foam.network.bubble_count());
-    const double length = std::sqrt(foam.torus.area() / bubbles);
+    const double length = std::sqrt(total_area(foam) / bubbles);
     return {std::abs(length - 1.0) < kRounding ? 1.0 : length, foam.film_tension};
 }
 

@@ -16,6 +16,18 @@ double inflow(const Frame& frame, BubbleId bubble) {
     return sum;
 }
 
+double mean_area(const Frame& frame) {
+    const auto bubbles = static_cast<double>(frame.bubbles.size());
+    if (!frame.torus.is_plane()) {
+        return frame.torus.area() / bubbles;
+    }
+    double total = 0.0;
+    for (const FrameBubble& bubble : frame.bubbles) {
+        total += bubble.area;
+    }
+    return total / bubbles;
+}
+
 double energy(const Frame& frame) {
     double length = 0.0;
     for (const FilmArc& arc : frame.arcs) {
@@ -83,7 +95,7 @@ std::map<BubbleIdentity, Neighbourhood> neighbourhoods(const Frame& frame) {
 FoamStatistics statistics(const Frame& frame) {
     FoamStatistics all;
     all.bubbles = static_cast<int>(frame.bubbles.size());
-    all.mean_area = frame.torus.area() / all.bubbles;
+    all.mean_area = mean_area(frame);
     all.energy = energy(frame);
     all.by_sides = statistics_by_sides(frame);
     all.mean_sides = mean_of(all, [](int sides) { return sides; });

@@ -20,6 +20,9 @@ std::int32_t periods_below(double x, double period) {
 }  // namespace
 
 LatticeOffset Torus::cell_of(const Vec2& point) const {
+    if (is_plane()) {
+        return {};
+    }
     return {periods_below(point.x(), width), periods_below(point.y(), height)};
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/geometry/vec2.h"
 
+#include <cassert>
 #include <cstdint>
 
 namespace foam {
@@ -21,17 +22,26 @@ struct LatticeOffset {
     friend bool operator==(LatticeOffset a, LatticeOffset b) = default;
 };
 
-/// A rectangular torus: the plane modulo its two periods.
+/// A rectangular torus: the plane modulo its two periods. With both periods 0 it is the plane
+/// itself, in which nothing wraps and all lattice offsets are zero.
 struct Torus {
     double width = 1.0;
     double height = 1.0;
 
-    double area() const { return width * height; }
+    bool is_plane() const { return width == 0.0; }
+
+    /// Precondition: not the plane.
+    double area() const {
+        assert(!is_plane());
+        return width * height;
+    }
     Vec2 translation(LatticeOffset offset) const { return {offset.i * width, offset.j * height}; }
 
     /// The offset whose translation, subtracted from the point, brings it into [0, width) x [0,
-    /// height).
+    /// height). Zero in the plane.
     LatticeOffset cell_of(const Vec2& point) const;
 };
+
+inline constexpr Torus kPlane{0.0, 0.0};
 
 }  // namespace foam

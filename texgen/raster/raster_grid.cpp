@@ -20,6 +20,9 @@ void check_side(int side) {
 }  // namespace
 
 double pixels_per_unit(const RasterGrid& grid, const Torus& torus) {
+    if (torus.is_plane()) {
+        throw std::invalid_argument("a grid covers a torus, not the plane");
+    }
     check_side(grid.width);
     check_side(grid.height);
     const double across = grid.width / torus.width;

@@ -149,6 +149,38 @@ TEST(Dissection, CutsATorusAlongTwoLightLines) {
     EXPECT_LT(rows_of(coupled, dissection, dissection.parts.back()), 300);
 }
 
+// The nodes of a square grid in the plane, each of one row and coupled to those beside it.
+CoupledNodes square_grid(int side, const Vec2& corner) {
+    CoupledNodes grid{kPlane, {}, {}};
+    grid.graph.begins.push_back(0);
+    const auto connect = [&](int x, int y) {
+        if (x >= 0 && x < side && y >= 0 && y < side) {
+            grid.graph.neighbours.push_back(static_cast<std::uint32_t>(y * side + x));
+        }
+    };
+    for (int k = 0; k < side * side; ++k) {
+        const int x = k % side;
+        const int y = k / side;
+        grid.nodes.push_back({corner + Vec2(x, y), 1});
+        connect(x - 1, y);
+        connect(x + 1, y);
+        connect(x, y - 1);
+        connect(x, y + 1);
+        grid.graph.begins.push_back(grid.graph.neighbours.size());
+    }
+    return grid;
+}
+
+// One line of the grid parts it. On a torus of its size there would be two.
+TEST(Dissection, CutsThePlaneAlongOneLine) {
+    const CoupledNodes coupled = square_grid(30, {-47.0, 8.0});
+    expect_sound(coupled);
+    const Dissection dissection = dissect(coupled);
+    EXPECT_LE(rows_of(coupled, dissection, dissection.parts.back()), 30);
+    const std::size_t left = subtree_begin(dissection, dissection.parts.back().right);
+    EXPECT_NEAR(static_cast<double>(left), 450.0, 60.0);
+}
+
 TEST(Dissection, HalvesTheLongerSideFirst) {
     const CoupledNodes coupled = random_nodes(1600, 16.0);  // 160 x 10: lines of length 10
     const Dissection dissection = dissect(coupled);

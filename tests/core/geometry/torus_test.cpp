@@ -20,6 +20,15 @@ TEST(Torus, AreaAndTranslation) {
     EXPECT_EQ(kTorus.translation({2, -1}), Vec2(6.0, -0.7));
 }
 
+TEST(Torus, NothingWrapsInThePlane) {
+    EXPECT_TRUE(kPlane.is_plane());
+    EXPECT_FALSE(kTorus.is_plane());
+    for (const Vec2& point : {Vec2(0.0, 0.0), Vec2(-1e9, 3.5), Vec2(7.0, -1e-300)}) {
+        EXPECT_TRUE(kPlane.cell_of(point) == LatticeOffset{});
+        EXPECT_EQ(wrapped(kPlane, point), point);
+    }
+}
+
 TEST(Torus, OffsetsAddUp) {
     const LatticeOffset a{2, -3};
     const LatticeOffset b{-5, 1};

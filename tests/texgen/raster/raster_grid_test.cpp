@@ -23,6 +23,10 @@ TEST(RasterGrid, RefusesSidesOutOfRange) {
     EXPECT_NO_THROW(pixels_per_unit({kLargestSide, kLargestSide, 0, 0}, {1.0, 1.0}));
 }
 
+TEST(RasterGrid, CoversNoPlane) {
+    EXPECT_THROW(pixels_per_unit({10, 10, 0, 0}, kPlane), std::invalid_argument);
+}
+
 TEST(RasterGrid, SnapsIntoTheGrid) {
     const RasterGrid grid{10, 20, 3, 4};
     const Torus torus{1.0, 2.0};
