@@ -28,6 +28,9 @@ constexpr Series weighted_series(Weight weight) {
 constexpr Series kShape = weighted_series([](int k) { return 2.0 / (2 * k + 3); });
 constexpr Series kShapeSlope =
     weighted_series([](int k) { return 2.0 * (2 * k + 1) / (2 * k + 3); });
+// Of the derivative of segment_shape_slope, over s.
+constexpr Series kShapeBend =
+    weighted_series([](int k) { return 2.0 * (2 * k + 1) * (2 * k + 3) / (2 * k + 5); });
 
 // Horner's rule for the even and the odd coefficients apart: neither waits for the other.
 double sum_of(const Series& series, double s) {
@@ -76,6 +79,24 @@ double segment_shape_slope(double s) {
         return sum_of(kShapeSlope, s);
     }
     return 2.0 / std::sqrt((1.0 - s) * (1.0 + s)) - 2.0 * segment_shape(s) / s;
+}
+
+// The closed forms of w and w' cancel near a straight film; there they follow from those of the
+// sine: h = segment_shape(s), so that 2 w = cos alpha segment_shape_slope(s).
+ArcShape arc_shape(double half_angle) {
+    const double s = std::sin(half_angle);
+    const double c = std::cos(half_angle);
+    ArcShape shape{angle_over_sine(half_angle), segment_shape_of_angle(half_angle), 1.0 / 3.0, 0.0};
+    if (c > 0.0 && std::abs(s) < kSeriesLimit) {
+        const double slope = sum_of(kShapeSlope, s);
+        shape.bulging = 0.5 * c * slope;
+        shape.bulging_derivative = 0.5 * s * (c * c * sum_of(kShapeBend, s) - slope);
+        return shape;
+    }
+    const double excess = s - half_angle * c;
+    shape.bulging = excess / (s * s * s);
+    shape.bulging_derivative = (half_angle * s * s - 3.0 * c * excess) / (s * s * s * s);
+    return shape;
 }
 
 double arc_length(const FilmArc& arc) {

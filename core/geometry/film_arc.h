@@ -41,4 +41,15 @@ double segment_shape(double s);
 /// Derivative of segment_shape, the function g' of E3. Precondition: |s| < 1.
 double segment_shape_slope(double s);
 
+/// The shape of an arc as functions of its half angle alpha, on the whole range (-pi, pi):
+///     length = c q(alpha),  segment area = c²/4 h(alpha),  q' = sin(alpha) w,  h' = 2 w.
+struct ArcShape {
+    double length = 1.0;              // q = alpha / sin alpha
+    double segment = 0.0;             // h = (alpha - sin alpha cos alpha) / sin² alpha
+    double bulging = 1.0 / 3.0;       // w = (sin alpha - alpha cos alpha) / sin³ alpha, positive
+    double bulging_derivative = 0.0;  // w'
+};
+
+ArcShape arc_shape(double half_angle);
+
 }  // namespace foam

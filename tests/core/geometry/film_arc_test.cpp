@@ -248,5 +248,42 @@ TEST(FilmArc, ThreeBubbleCluster) {
     EXPECT_NEAR(energy, 2.0 * 3.0 * pressure, 8.0 * kRounding);
 }
 
+// From the series on, through 90 degrees, to nearly a full circle.
+TEST(ArcShape, HasItsDerivativesByCentralDifferences) {
+    constexpr double kStep = 1e-5;
+    for (double angle = -2.9; angle < 2.95; angle += 0.01) {
+        const ArcShape shape = arc_shape(angle);
+        const ArcShape before = arc_shape(angle - kStep);
+        const ArcShape after = arc_shape(angle + kStep);
+        const auto slope = [](double a, double b) { return (b - a) / (2.0 * kStep); };
+        const double length_slope = std::sin(angle) * shape.bulging;
+        EXPECT_NEAR(slope(before.length, after.length), length_slope, 1e-6 * shape.bulging);
+        EXPECT_NEAR(
+            slope(before.segment, after.segment), 2.0 * shape.bulging, 1e-6 * shape.bulging);
+        EXPECT_NEAR(slope(before.bulging, after.bulging),
+                    shape.bulging_derivative,
+                    1e-6 * (shape.bulging + std::abs(shape.bulging_derivative)));
+    }
+}
+
+// w = 1/3 + 2/15 a² + ..., from sin a - a cos a = a³/3 - a^5/30 and sin³ a = a³ (1 - a²/2).
+TEST(ArcShape, OfAStraightFilm) {
+    const ArcShape shape = arc_shape(0.0);
+    EXPECT_EQ(shape.length, 1.0);
+    EXPECT_EQ(shape.segment, 0.0);
+    EXPECT_DOUBLE_EQ(shape.bulging, 1.0 / 3.0);
+    EXPECT_EQ(shape.bulging_derivative, 0.0);
+    EXPECT_NEAR(arc_shape(1e-4).bulging_derivative, 4.0 / 15.0 * 1e-4, 1e-11);
+}
+
+// Both sides of the switch between the series and the closed form.
+TEST(ArcShape, IsContinuousWhereItsSeriesEnds) {
+    const double at = std::asin(0.25);
+    const ArcShape below = arc_shape(at - 1e-12);
+    const ArcShape above = arc_shape(at + 1e-12);
+    EXPECT_NEAR(below.bulging, above.bulging, 1e-12);
+    EXPECT_NEAR(below.bulging_derivative, above.bulging_derivative, 1e-11);
+}
+
 }  // namespace
 }  // namespace foam

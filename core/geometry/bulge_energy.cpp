@@ -1,0 +1,62 @@
+#include "core/geometry/bulge_energy.h"
+
+#include <cmath>
+
+namespace foam {
+
+namespace {
+
+// Derivative by the chord length: the pull of the film along its chord.
+double radial_force(double chord_length,
+                    const ArcShape& shape,
+                    double pressure_difference,
+                    double tension) {
+    return tension * shape.length - 0.5 * pressure_difference * chord_length * shape.segment;
+}
+
+}  // namespace
+
+BulgeEnergy bulge_energy(const FilmArc& arc, double pressure_difference, double tension) {
+    const double c = arc.chord.norm();
+    if (c == 0.0) {
+        return {};
+    }
+    const ArcShape shape = arc_shape(arc.half_angle);
+    BulgeEnergy energy;
+    energy.segment_area = 0.25 * c * c * shape.segment;
+    energy.value = tension * c * shape.length - pressure_difference * energy.segment_area;
+    energy.gradient = radial_force(c, shape, pressure_difference, tension) / c * arc.chord;
+    energy.by_angle =
+        c * shape.bulging * tension * laplace_young_error(arc, pressure_difference, tension);
+    return energy;
+}
+
+BulgeEnergyHessian bulge_energy_hessian(const FilmArc& arc,
+                                        double pressure_difference,
+                                        double tension) {
+    const double c = arc.chord.norm();
+    if (c == 0.0) {
+        return {};
+    }
+    const ArcShape shape = arc_shape(arc.half_angle);
+    const Vec2 u = arc.chord / c;
+    const Vec2 n = turned_left(u);
+    const double sine = std::sin(arc.half_angle);
+    const double error = sine - 0.5 * pressure_difference * c / tension;
+    BulgeEnergyHessian hessian;
+    hessian.chord_chord =
+        -0.5 * pressure_difference * shape.segment * u * u.transpose() +
+        radial_force(c, shape, pressure_difference, tension) / c * n * n.transpose();
+    hessian.chord_pressure = -0.5 * c * shape.segment * u;
+    hessian.chord_angle = shape.bulging * (tension * sine - pressure_difference * c) * u;
+    hessian.pressure_angle = -0.5 * c * c * shape.bulging;
+    hessian.angle_angle =
+        tension * c * (shape.bulging_derivative * error + shape.bulging * std::cos(arc.half_angle));
+    return hessian;
+}
+
+double laplace_young_error(const FilmArc& arc, double pressure_difference, double tension) {
+    return std::sin(arc.half_angle) - 0.5 * pressure_difference * arc.chord.norm() / tension;
+}
+
+}  // namespace foam
