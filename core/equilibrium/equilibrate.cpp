@@ -220,7 +220,7 @@ class Equilibration {
         summary_.angle_error = errors.angle;
         summary_.energy = energy(foam_);
         const bool exact = errors.area < options_.tolerance && errors.angle < options_.tolerance &&
-                           errors.films_at_limit == 0;
+                           errors.arc < options_.tolerance && errors.films_at_limit == 0;
         if (settled) {
             summary_.status =
                 exact ? EquilibriumStatus::Converged : EquilibriumStatus::ToleranceMissed;

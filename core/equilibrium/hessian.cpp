@@ -1,5 +1,6 @@
 #include "core/equilibrium/hessian.h"
 
+#include "core/geometry/bulge_energy.h"
 #include "core/geometry/film_energy.h"
 #include "core/parallel/parallel_for.h"
 
@@ -13,10 +14,11 @@ namespace {
 constexpr std::size_t kGrain = 1024;  // films that a thread takes at a time
 
 using FilmMatrix = Eigen::Matrix<double, 6, 6>;
+using OuterFilmMatrix = Eigen::Matrix<double, 7, 7>;
 
-// Of tail, head, left, and right.
-constexpr std::array<int, 4> kFilmRows = {2, 2, 1, 1};
-constexpr std::array<int, 4> kFirstFilmRow = {0, 2, 4, 5};
+// Of tail, head, left, right, and half angle.
+constexpr std::array<int, 5> kFilmRows = {2, 2, 1, 1, 1};
+constexpr std::array<int, 5> kFirstFilmRow = {0, 2, 4, 5, 6};
 
 // Second derivatives of one film's part of L by (tail, head, left pressure, right pressure).
 FilmMatrix film_matrix(const Vec2& d, double delta, const FilmEnergyHessian& hessian) {
@@ -38,12 +40,24 @@ FilmMatrix film_matrix(const Vec2& d, double delta, const FilmEnergyHessian& hes
     return m;
 }
 
+// The same with the half angle as the last.
+OuterFilmMatrix outer_film_matrix(const Vec2& d, double delta, const BulgeEnergyHessian& hessian) {
+    OuterFilmMatrix m = OuterFilmMatrix::Zero();
+    m.topLeftCorner<6, 6>() =
+        film_matrix(d, delta, {hessian.chord_chord, hessian.chord_pressure, 0.0});
+    m.block<2, 1>(0, 6) = -hessian.chord_angle;
+    m.block<2, 1>(2, 6) = hessian.chord_angle;
+    m(4, 6) = hessian.pressure_angle;
+    m(5, 6) = -hessian.pressure_angle;
+    m.block<1, 6>(6, 0) = m.block<6, 1>(0, 6).transpose();
+    m(6, 6) = hessian.angle_angle;
+    return m;
+}
+
 // The block of rows of the pair's first and columns of its second; of a node's own, the lower part.
-void add_block(double* values,
-               int stride,
-               const FilmMatrix& film,
-               std::array<std::size_t, 2> pair,
-               bool is_own) {
+template <class Matrix>
+void add_block(
+    double* values, int stride, const Matrix& film, std::array<std::size_t, 2> pair, bool is_own) {
     const auto [a, b] = pair;
     for (int column = 0; column < kFilmRows[b]; ++column) {
         for (int row = is_own ? column : 0; row < kFilmRows[a]; ++row) {
@@ -87,13 +101,15 @@ struct Hessian::NodePattern {
     }
 
   private:
-    static constexpr std::array<std::array<std::size_t, 2>, 6> kPairs = {
-        {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
+    static constexpr std::size_t kInnerPairs = 6;  // those without a half angle
+    static constexpr std::array<std::array<std::size_t, 2>, 10> kPairs = {
+        {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}, {0, 4}, {1, 4}, {2, 4}, {3, 4}}};
 
     template <class Visit>
     static void for_each_pair(std::span<const FilmNodes> films, Visit visit) {
         for (const FilmNodes& nodes : films) {
-            for (const auto& [a, b] : kPairs) {
+            const std::size_t pairs = nodes.back() < 0 ? kInnerPairs : kPairs.size();
+            for (const auto& [a, b] : std::span(kPairs).first(pairs)) {
                 const auto [earlier, later] = std::minmax(nodes[a], nodes[b]);
                 if (earlier >= 0 && earlier != later) {
                     visit(earlier, later);
@@ -125,7 +141,8 @@ Hessian::FilmNodes Hessian::nodes_of(const Network& network, FilmId film) const 
     return {unknowns_.junction_rank[network.tail(h)],
             unknowns_.junction_rank[network.head(h)],
             bubble_node(network.left(h)),
-            bubble_node(network.right(h))};
+            bubble_node(network.right(h)),
+            network.is_outer(film) ? unknowns_.angle_row(film) - junctions_ : -1};
 }
 
 Hessian::Hessian(const Network& network, const Unknowns& unknowns)
@@ -137,7 +154,8 @@ Hessian::Hessian(const Network& network, const Unknowns& unknowns)
     for (const FilmId film : unknowns.films) {
         films.push_back(nodes_of(network, film));
     }
-    const NodePattern pattern(unknowns.junctions.size() + unknowns.bubbles.size(), films);
+    const NodePattern pattern(
+        unknowns.junctions.size() + unknowns.bubbles.size() + unknowns.outer_films.size(), films);
     fill_pattern(pattern);
     places_.reserve(films.size());
     for (const FilmNodes& nodes : films) {
@@ -167,15 +185,16 @@ void Hessian::fill_pattern(const NodePattern& pattern) {
 Hessian::FilmPlace Hessian::place_of(const NodePattern& pattern, const FilmNodes& nodes) const {
     FilmPlace place{};
     place.blocks.fill(-1);
-    for (std::size_t b = 0; b < 4; ++b) {
+    for (std::size_t b = 0; b < kMostNodes; ++b) {
         if (nodes[b] < 0) {
             continue;
         }
         const int* column = matrix_.outerIndexPtr() + first_row_of(nodes[b]);
         place.strides[b] = column[1] - column[0] - 1;  // the second column lacks one row
-        for (std::size_t a = 0; a < 4; ++a) {
+        for (std::size_t a = 0; a < kMostNodes; ++a) {
             if (nodes[a] >= nodes[b]) {
-                place.blocks[4 * b + a] = column[0] + rows_before(pattern, nodes[b], nodes[a]);
+                place.blocks[kMostNodes * b + a] =
+                    column[0] + rows_before(pattern, nodes[b], nodes[a]);
             }
         }
     }
@@ -194,17 +213,28 @@ int Hessian::rows_before(const NodePattern& pattern, int node, int later) const 
     return rows;
 }
 
-void Hessian::add_film(const FilmPlace& place, const FilmMatrix& film) {
-    for (std::size_t b = 0; b < 4; ++b) {
-        for (std::size_t a = 0; a < 4; ++a) {
-            const int block = place.blocks[4 * b + a];
+template <int Rows>
+void Hessian::add_film(const FilmPlace& place, const Eigen::Matrix<double, Rows, Rows>& film) {
+    constexpr std::size_t nodes = Rows - 2;  // two of them have two rows
+    for (std::size_t b = 0; b < nodes; ++b) {
+        for (std::size_t a = 0; a < nodes; ++a) {
+            const int block = place.blocks[kMostNodes * b + a];
             if (block < 0) {
                 continue;
             }
-            const bool is_own = block == place.blocks[5 * b];
+            const bool is_own = block == place.blocks[(kMostNodes + 1) * b];
             add_block(matrix_.valuePtr() + block, place.strides[b], film, {a, b}, is_own);
         }
     }
+}
+
+void Hessian::add_outer_film(const FilmPlace& place, const Foam& foam, FilmId film) {
+    const HalfEdgeId h = forward_side(film);
+    const FilmArc arc = film_arc(foam, h);
+    const double delta = pressure_difference(foam, h);
+    add_film(
+        place,
+        outer_film_matrix(arc.chord, delta, bulge_energy_hessian(arc, delta, foam.film_tension)));
 }
 
 const Eigen::SparseMatrix<double>& Hessian::evaluate(const Foam& foam, int threads) {
@@ -219,6 +249,10 @@ const Eigen::SparseMatrix<double>& Hessian::evaluate(const Foam& foam, int threa
     double* values = matrix_.valuePtr();
     std::fill(values, values + matrix_.nonZeros(), 0.0);
     for (std::size_t k = 0; k < places_.size(); ++k) {
+        if (foam.network.is_outer(unknowns_.films[k])) {
+            add_outer_film(places_[k], foam, unknowns_.films[k]);
+            continue;
+        }
         const HalfEdgeId h = forward_side(unknowns_.films[k]);
         add_film(places_[k], film_matrix(chord(foam, h), pressure_difference(foam, h), films[k]));
     }

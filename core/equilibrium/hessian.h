@@ -26,14 +26,16 @@ class Hessian {
     double& diagonal(int row) { return matrix_.valuePtr()[matrix_.outerIndexPtr()[row]]; }
 
   private:
-    // The free junctions, and then the free bubbles, are the nodes of the pattern: two rows, or
-    // one. A film couples four: its tail, its head, and the bubbles on its left and on its right.
-    using FilmNodes = std::array<int, 4>;  // negative where held
+    // The free junctions, then the free bubbles, then the half angles of outer films are the nodes
+    // of the pattern: two rows, or one. A film couples four, its tail, its head, and the bubbles on
+    // its left and on its right; an outer one couples its half angle too.
+    static constexpr std::size_t kMostNodes = 5;
+    using FilmNodes = std::array<int, kMostNodes>;  // negative where held, or not there
     struct FilmPlace {
-        // For each pair of the four: where the block of the first one's rows in the second one's
+        // For each pair of them: where the block of the first one's rows in the second one's
         // first column begins among the matrix' values; negative where not in the lower triangle.
-        std::array<int, 16> blocks;
-        std::array<int, 4> strides;  // from there to the second column, where there is one
+        std::array<int, kMostNodes * kMostNodes> blocks;
+        std::array<int, kMostNodes> strides;  // from there to the second column, where there is one
     };
     struct NodePattern;
 
@@ -41,7 +43,9 @@ class Hessian {
     void fill_pattern(const NodePattern& pattern);
     FilmPlace place_of(const NodePattern& pattern, const FilmNodes& nodes) const;
     int rows_before(const NodePattern& pattern, int node, int later) const;
-    void add_film(const FilmPlace& place, const Eigen::Matrix<double, 6, 6>& film);
+    template <int Rows>
+    void add_film(const FilmPlace& place, const Eigen::Matrix<double, Rows, Rows>& film);
+    void add_outer_film(const FilmPlace& place, const Foam& foam, FilmId film);
     int rows_of(int node) const { return node < junctions_ ? 2 : 1; }
     int first_row_of(int node) const { return node < junctions_ ? 2 * node : junctions_ + node; }
 

@@ -22,12 +22,17 @@ Vec2 middle_of(const Foam& foam, BubbleId bubble) {
 
 std::vector<SolverNode> solver_nodes(const Foam& foam, const Unknowns& unknowns) {
     std::vector<SolverNode> nodes;
-    nodes.reserve(unknowns.junctions.size() + unknowns.bubbles.size());
+    nodes.reserve(unknowns.junctions.size() + unknowns.bubbles.size() +
+                  unknowns.outer_films.size());
     for (const JunctionId junction : unknowns.junctions) {
         nodes.push_back({foam.positions[junction], 2});
     }
     for (const BubbleId bubble : unknowns.bubbles) {
         nodes.push_back({middle_of(foam, bubble), 1});
+    }
+    for (const FilmId film : unknowns.outer_films) {
+        const HalfEdgeId h = forward_side(film);
+        nodes.push_back({foam.positions[foam.network.tail(h)] + 0.5 * chord(foam, h), 1});
     }
     return nodes;
 }

@@ -11,7 +11,8 @@
 namespace foam {
 
 /// The unknowns of a foam where they stand: junctions at their positions, the pressure of a bubble
-/// in the middle of its junctions. In the order of the rows.
+/// in the middle of its junctions, the half angle of an outer film in the middle of its chord. In
+/// the order of the rows.
 std::vector<SolverNode> solver_nodes(const Foam& foam, const Unknowns& unknowns);
 
 /// Of the factor. Single takes half the time and memory, and is enough for steps whose residual is

@@ -5,12 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace foam {
 
 namespace {
 
 constexpr int kLimitSweeps = 4;
+// Of an outer film, so near to a full circle that no bubble above the T2 area has it.
+constexpr double kLargestHalfAngle = std::numbers::pi - 1e-6;
 
 Vec2 move_of(const Unknowns& unknowns, const Eigen::VectorXd& step, JunctionId junction) {
     const int row = unknowns.position_row(junction);
@@ -87,6 +90,20 @@ bool limit_film(const Foam& foam,
     return true;
 }
 
+bool limit_half_angle(const Foam& foam,
+                      const Unknowns& unknowns,
+                      FilmId film,
+                      double largest,
+                      Eigen::VectorXd& step) {
+    double& change = step[unknowns.angle_row(film)];
+    const double angle = foam.half_angles[film];
+    const double room = std::numbers::pi - std::copysign(angle, angle * change);
+    const double most = largest * std::min(1.0, room);
+    const bool cut = std::abs(change) > most;
+    change = std::clamp(change, -most, most);
+    return cut;
+}
+
 }  // namespace
 
 double allowed_share(const Vec2& chord, const Vec2& change, double largest) {
@@ -110,6 +127,9 @@ State state_of(const Foam& foam, const Unknowns& unknowns) {
     for (const BubbleId bubble : unknowns.bubbles) {
         state.pressures.push_back(foam.pressures[bubble]);
     }
+    for (const FilmId film : unknowns.outer_films) {
+        state.half_angles.push_back(foam.half_angles[film]);
+    }
     return state;
 }
 
@@ -126,6 +146,11 @@ void set_state(Foam& foam,
     for (std::size_t k = 0; k < state.pressures.size(); ++k, ++row) {
         foam.pressures[unknowns.bubbles[k]] = state.pressures[k] + fraction * step[row];
     }
+    for (std::size_t k = 0; k < state.half_angles.size(); ++k, ++row) {
+        const double angle = state.half_angles[k] + fraction * step[row];
+        foam.half_angles[unknowns.outer_films[k]] =
+            std::clamp(angle, -kLargestHalfAngle, kLargestHalfAngle);
+    }
 }
 
 void wrap(Foam& foam, const Unknowns& unknowns) {
@@ -139,6 +164,9 @@ bool limit_moves(const Foam& foam,
                  double largest,
                  Eigen::VectorXd& step) {
     bool cut = false;
+    for (const FilmId film : unknowns.outer_films) {
+        cut = limit_half_angle(foam, unknowns, film, largest, step) || cut;
+    }
     for (int sweep = 0; sweep < kLimitSweeps; ++sweep) {
         bool cut_now = false;
         for (const FilmId film : unknowns.films) {

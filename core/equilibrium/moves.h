@@ -13,11 +13,13 @@ namespace foam {
 struct State {
     std::vector<Vec2> positions;
     std::vector<double> pressures;
+    std::vector<double> half_angles;
 };
 
 State state_of(const Foam& foam, const Unknowns& unknowns);
 
 /// Sets the foam to a state plus a fraction of a step; junctions may leave the torus' own cell.
+/// Half angles are held within (-pi, pi).
 void set_state(Foam& foam,
                const Unknowns& unknowns,
                const State& state,
@@ -33,7 +35,9 @@ void wrap(Foam& foam, const Unknowns& unknowns);
 double allowed_share(const Vec2& chord, const Vec2& change, double largest);
 
 /// Cuts the relative motion of the two ends of each film to its allowed share. Their common motion
-/// is left: a short film can travel far. Returns whether anything was cut.
+/// is left: a short film can travel far. The half angle of an outer film may change by as many
+/// radians as `largest` is, and come nearer to pi by the same share of its distance. Returns
+/// whether anything was cut.
 bool limit_moves(const Foam& foam, const Unknowns& unknowns, double largest, Eigen::VectorXd& step);
 
 /// The films that a step takes through a T1, in increasing order: the collapsed ones, and those

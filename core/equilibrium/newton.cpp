@@ -104,8 +104,8 @@ class NewtonRun {
                                    : Eigen::VectorXd::Zero(residual_.size());
     }
 
-    // What no motion of the whole foam and no common pressure can change is taken out, evenly: the
-    // sums of forces and of areas, which are zero but for rounding.
+    // What no motion of the whole foam and, on a torus, no common pressure can change is taken out,
+    // evenly: the sums of forces and of areas, which are zero but for rounding.
     Eigen::VectorXd solvable_part() const {
         const auto junctions = static_cast<Eigen::Index>(unknowns_.junctions.size());
         const auto bubbles = static_cast<Eigen::Index>(unknowns_.bubbles.size());
@@ -113,6 +113,8 @@ class NewtonRun {
         if (solver_.is_whole_) {
             auto forces = r.head(2 * junctions).reshaped(2, junctions);
             forces.colwise() -= Vec2(forces.rowwise().mean());
+        }
+        if (solver_.is_whole_ && foam_.network.ghost() == kNone<BubbleId>) {
             r.tail(bubbles).array() -= r.tail(bubbles).mean();
         }
         return r;
@@ -193,11 +195,12 @@ void NewtonSolver::renew_factor(const Foam& foam) {
     hessian_->evaluate(foam, options_.threads);
     const double regularization =
         precision_ == Precision::Single ? kSingleRegularization : kDoubleRegularization;
-    const auto position_rows = static_cast<int>(2 * unknowns_.junctions.size());
     for (int row = 0; row < unknowns_.size(); ++row) {
         double& diagonal = hessian_->diagonal(row);
-        diagonal += row < position_rows ? regularization * foam.film_tension
-                                        : -regularization * (std::abs(diagonal) + 1e-12);
+        const bool is_pressure =
+            row >= unknowns_.first_pressure_row() && row < unknowns_.first_angle_row();
+        diagonal += is_pressure ? -regularization * (std::abs(diagonal) + 1e-12)
+                                : regularization * foam.film_tension;
     }
     has_factor_ = solver_.factor(hessian_->matrix());
 }

@@ -12,7 +12,7 @@
 namespace foam {
 
 /// Successive rows of a symmetric matrix that stand for one thing at a point of the torus: the two
-/// coordinates of a junction, or the pressure of a bubble.
+/// coordinates of a junction, the pressure of a bubble, or the half angle of an outer film.
 struct SolverNode {
     Vec2 position;
     int rows = 1;

@@ -51,8 +51,12 @@ struct SoftBubbles {
     Indexed<BubbleId, SoftBubble> each;
     double stiffness = 0.0;  // B
 
-    // After a change of the bubble's sides, or to get rid of rounding.
+    // After a change of the bubble's sides, or to get rid of rounding. The ghost stays at its
+    // pressure of 0.
     void refresh(const Foam& foam, BubbleId bubble) {
+        if (bubble == foam.network.ghost()) {
+            return;
+        }
         const double target = foam.target_areas[bubble] * chord_share(foam.network.sides(bubble));
         const double at_zero = stiffness / std::sqrt(target);
         each[bubble] = {polygon_area(foam, bubble), at_zero, at_zero / target};
@@ -234,6 +238,9 @@ void set_pressures(Foam& foam, const Unknowns& part, SoftBubbles& bubbles) {
     const std::vector<double> pressures = arc_pressures(foam, part);
     for (std::size_t k = 0; k < pressures.size(); ++k) {
         foam.pressures[part.bubbles[k]] = pressures[k];
+    }
+    for (const FilmId film : part.films) {
+        fit_half_angle(foam, film);
     }
 }
 

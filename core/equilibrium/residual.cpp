@@ -1,6 +1,7 @@
 #include "core/equilibrium/residual.h"
 
 #include "core/foam/measure.h"
+#include "core/geometry/bulge_energy.h"
 #include "core/geometry/film_energy.h"
 #include "core/parallel/parallel_for.h"
 
@@ -28,14 +29,21 @@ struct FilmPart {
     Vec2 tail = Vec2::Zero();
     Vec2 head = Vec2::Zero();
     double right = 0.0;
+    double angle = 0.0;  // by the half angle, of an outer film
 };
 
 FilmPart film_part(const Foam& foam, FilmId film) {
     const HalfEdgeId h = forward_side(film);
     const Vec2 d = chord(foam, h);
     const double delta = pressure_difference(foam, h);
-    const FilmEnergy energy = film_energy(d, delta, foam.film_tension);
     const Vec2 push = 0.5 * delta * turned_left(d);  // -delta P(d) / 2, half at each end (E3)
+    if (foam.network.is_outer(film)) {
+        const BulgeEnergy energy =
+            bulge_energy({d, foam.half_angles[film]}, delta, foam.film_tension);
+        return {
+            push - energy.gradient, push + energy.gradient, energy.segment_area, energy.by_angle};
+    }
+    const FilmEnergy energy = film_energy(d, delta, foam.film_tension);
     return {push - energy.gradient, push + energy.gradient, energy.segment_area};
 }
 
@@ -62,6 +70,9 @@ void add_part(const Network& network,
     add(r, unknowns.position_row(network.head(h)), part.head);
     add(r, unknowns.pressure_row(network.left(h)), -part.right);
     add(r, unknowns.pressure_row(network.right(h)), part.right);
+    if (network.is_outer(film)) {
+        r[unknowns.angle_row(film)] = part.angle;
+    }
 }
 
 }  // namespace
@@ -70,7 +81,10 @@ double lagrangian(const Foam& foam) {
     double sum = 0.0;
     for (const FilmId film : foam.network.films()) {
         const HalfEdgeId h = forward_side(film);
-        sum += film_energy(chord(foam, h), pressure_difference(foam, h), foam.film_tension).value;
+        const double delta = pressure_difference(foam, h);
+        sum += foam.network.is_outer(film)
+                   ? bulge_energy(film_arc(foam, h), delta, foam.film_tension).value
+                   : film_energy(chord(foam, h), delta, foam.film_tension).value;
     }
     for (const BubbleId bubble : foam.network.bubbles()) {
         sum -= foam.pressures[bubble] * (polygon_area(foam, bubble) - foam.target_areas[bubble]);
@@ -80,7 +94,8 @@ double lagrangian(const Foam& foam) {
 
 Eigen::VectorXd residual(const Foam& foam, const Unknowns& unknowns, int threads) {
     Eigen::VectorXd r = Eigen::VectorXd::Zero(unknowns.size());
-    auto areas = r.tail(static_cast<Eigen::Index>(unknowns.bubbles.size()));
+    auto areas = r.segment(unknowns.first_pressure_row(),
+                           static_cast<Eigen::Index>(unknowns.bubbles.size()));
     for_each_index(unknowns.bubbles.size(), threads, [&](std::size_t k) {
         const BubbleId bubble = unknowns.bubbles[k];
         areas[static_cast<Eigen::Index>(k)] =
@@ -108,6 +123,13 @@ ResidualNorms norms(const Foam& foam, const Unknowns& unknowns, const Eigen::Vec
         const double error =
             residual[rows + static_cast<Eigen::Index>(k)] / foam.target_areas[unknowns.bubbles[k]];
         norms.area = std::max(norms.area, std::abs(error));
+        norms.squares += error * error;
+    }
+    for (const FilmId film : unknowns.outer_films) {
+        const HalfEdgeId h = forward_side(film);
+        const double error =
+            laplace_young_error(film_arc(foam, h), pressure_difference(foam, h), foam.film_tension);
+        norms.force = std::max(norms.force, std::abs(error));
         norms.squares += error * error;
     }
     return norms;

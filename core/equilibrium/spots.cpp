@@ -11,10 +11,12 @@ using Marks = Indexed<BubbleId, std::uint8_t>;
 
 class BubbleSet {
   public:
-    explicit BubbleSet(std::size_t slots) : marks_(slots, 0) {}
+    explicit BubbleSet(const Network& network)
+        : marks_(network.bubble_slots(), 0), ghost_(network.ghost()) {}
 
+    // The ghost is never in a set.
     void add(BubbleId bubble) {
-        if (marks_[bubble] == 0) {
+        if (marks_[bubble] == 0 && bubble != ghost_) {
             marks_[bubble] = 1;
             bubbles_.push_back(bubble);
         }
@@ -63,6 +65,7 @@ class BubbleSet {
     }
 
     Marks marks_;
+    BubbleId ghost_;
     std::vector<BubbleId> bubbles_;
     std::size_t first_of_last_ring_ = 0;
 };
@@ -94,7 +97,7 @@ std::vector<Spot> find_spots(const Foam& foam,
                              const Unknowns& unknowns,
                              const Eigen::VectorXd& residual,
                              const SpotOptions& options) {
-    BubbleSet set(foam.network.bubble_slots());
+    BubbleSet set(foam.network);
     add_bad_bubbles(foam, unknowns, residual, options, set);
     const double most = options.largest_share * static_cast<double>(unknowns.bubbles.size());
     for (int ring = 0; ring < options.rings; ++ring) {

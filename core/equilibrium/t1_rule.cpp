@@ -94,6 +94,7 @@ void flip_film(Foam& foam, FilmId film) {
     const Vec2 middle = middle_of(foam, film);
     flip(foam.network, film);
     lay_film(foam, film, middle, -right_to_left);  // its tail is now on the left side
+    fit_half_angle(foam, film);
     foam.t1_armed[film] = 0;
 }
 
@@ -109,6 +110,7 @@ bool reopen_film(Foam& foam, FilmId film, double length, Tangents tangents) {
     const Vec2 along = flips ? Vec2(-pull.flipped) : pull.present;
     const Vec2 direction = along == Vec2::Zero() ? Vec2(1.0, 0.0) : Vec2(along.normalized());
     lay_film(foam, film, middle, length * direction);
+    fit_half_angle(foam, film);
     return flips;
 }
 

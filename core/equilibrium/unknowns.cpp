@@ -19,7 +19,21 @@ void rank(const std::vector<Id>& ids, Indexed<Id, int>& ranks) {
     }
 }
 
+void find_outer_films(const Network& network, Unknowns& unknowns) {
+    if (network.ghost() == kNone<BubbleId>) {
+        return;
+    }
+    for (const FilmId film : unknowns.films) {
+        if (network.is_outer(film)) {
+            unknowns.outer_films.push_back(film);
+        }
+    }
+    unknowns.outer_rank.resize(network.film_slots(), -1);
+    rank(unknowns.outer_films, unknowns.outer_rank);
+}
+
 void rank_all(const Network& network, Unknowns& unknowns) {
+    find_outer_films(network, unknowns);
     unknowns.junction_rank.resize(network.junction_slots(), -1);
     unknowns.bubble_rank.resize(network.bubble_slots(), -1);
     rank(unknowns.junctions, unknowns.junction_rank);

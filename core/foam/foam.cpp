@@ -2,6 +2,8 @@
 
 #include "core/geometry/film_energy.h"
 
+#include <limits>
+
 namespace foam {
 
 namespace {
@@ -29,7 +31,30 @@ double pressure_difference(const Foam& foam, HalfEdgeId h) {
 
 FilmArc film_arc(const Foam& foam, HalfEdgeId h) {
     const Vec2 d = chord(foam, h);
+    const FilmId film = film_of(h);
+    if (foam.network.is_outer(film)) {
+        return {d, is_forward(h) ? foam.half_angles[film] : -foam.half_angles[film]};
+    }
     return {d, laplace_young_half_angle(d.norm(), pressure_difference(foam, h), foam.film_tension)};
+}
+
+void fit_half_angle(Foam& foam, FilmId film) {
+    if (foam.network.is_outer(film)) {
+        const HalfEdgeId h = forward_side(film);
+        foam.half_angles[film] = laplace_young_half_angle(
+            chord(foam, h).norm(), pressure_difference(foam, h), foam.film_tension);
+    }
+}
+
+void complete_patch(Foam& foam) {
+    foam.torus = kPlane;
+    foam.pressures.push_back(0.0);
+    foam.target_areas.push_back(std::numeric_limits<double>::infinity());
+    foam.identities.push_back(kNoIndex);
+    foam.half_angles.resize(foam.network.film_slots(), 0.0);
+    for (const FilmId film : foam.network.films()) {
+        fit_half_angle(foam, film);
+    }
 }
 
 void place_junction(Foam& foam, JunctionId junction, const Vec2& point) {
@@ -47,6 +72,9 @@ void compact(Foam& foam) {
     keep(foam.target_areas, kept.bubbles);
     keep(foam.identities, kept.bubbles);
     keep(foam.t1_armed, kept.films);
+    if (foam.network.ghost() != kNone<BubbleId>) {
+        keep(foam.half_angles, kept.films);
+    }
 }
 
 }  // namespace foam

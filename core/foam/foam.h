@@ -5,27 +5,44 @@
 #include "core/network/network.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace foam {
 
 /// The number under which a bubble is known from its birth to its end; never used again.
 using BubbleIdentity = std::uint32_t;
 
-/// A dry foam on a torus: the whole state, in foam units (the mean area of the seeded foam is 1).
-/// Junctions lie in the torus' own cell, [0, width) x [0, height).
+/// A bubble of a patch that touches no other: a circle, outside of the network.
+struct LoneBubble {
+    BubbleIdentity identity = 0;
+    Vec2 centre{0.0, 0.0};
+    double target_area = 0.0;  // which it has
+
+    friend bool operator==(const LoneBubble& a, const LoneBubble& b) = default;
+};
+
+/// A dry foam: the whole state, in foam units (the mean area of the seeded foam is 1). On a torus,
+/// junctions lie in the torus' own cell, [0, width) x [0, height).
+///
+/// A patch lies in the plane and has a ghost, whose pressure is 0 and whose target area is
+/// infinite: the atmosphere gives and takes any amount.
 struct Foam {
     Torus torus;
     double film_tension = 1.0;  // T = 2 gamma
     double time = 0.0;          // foam time
     Network network;
     Indexed<JunctionId, Vec2> positions;
-    Indexed<BubbleId, double> pressures;  // up to a common constant
+    Indexed<BubbleId, double> pressures;  // on a torus up to a common constant
     Indexed<BubbleId, double> target_areas;
     Indexed<BubbleId, BubbleIdentity> identities;
     BubbleIdentity next_identity = 0;
     // A film that has flipped is not armed until it has grown well above the T1 distance (E7), so
     // that a film whose two states are both short does not flip to and fro.
     Indexed<FilmId, std::uint8_t> t1_armed;
+    // Of a patch: the half angles of the outer films along their forward sides, in (-pi, pi); those
+    // of other films follow from the pressures, and have a place here without a meaning.
+    Indexed<FilmId, double> half_angles;
+    std::vector<LoneBubble> lone_bubbles;  // of a patch, by increasing identity
 };
 
 /// Head minus tail, around the torus.
@@ -34,8 +51,16 @@ Vec2 chord(const Foam& foam, HalfEdgeId h);
 /// Pressure on the left less pressure on the right.
 double pressure_difference(const Foam& foam, HalfEdgeId h);
 
-/// The Laplace-Young arc of the half-edge (E1), its half angle held at the limit (kLargestSine).
+/// The Laplace-Young arc of the half-edge (E1), its half angle held at the limit (kLargestSine); of
+/// an outer film the arc of the half angle that it has.
 FilmArc film_arc(const Foam& foam, HalfEdgeId h);
+
+/// Gives an outer film the half angle of Laplace-Young, held at the limit. Others stay as they are.
+void fit_half_angle(Foam& foam, FilmId film);
+
+/// Adds the ghost's values to a foam whose network has just got one, as the last of its bubbles,
+/// and fits the half angles of all outer films.
+void complete_patch(Foam& foam);
 
 /// Moves the junction to a point anywhere in the plane, in its present frame, and wraps it.
 void place_junction(Foam& foam, JunctionId junction, const Vec2& point);

@@ -21,8 +21,8 @@ struct Frame {
     double film_tension = 1.0;
     Network network;
     Indexed<JunctionId, Vec2> positions;
-    Indexed<FilmId, FilmArc> arcs;  // of the forward sides
-    Indexed<BubbleId, FrameBubble> bubbles;
+    Indexed<FilmId, FilmArc> arcs;           // of the forward sides
+    Indexed<BubbleId, FrameBubble> bubbles;  // the ghost, the network's last, is none of them
 
     /// The arc as walked along a half-edge.
     FilmArc arc(HalfEdgeId h) const {

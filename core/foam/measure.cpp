@@ -1,5 +1,6 @@
 #include "core/foam/measure.h"
 
+#include "core/geometry/bulge_energy.h"
 #include "core/geometry/film_energy.h"
 
 #include <array>
@@ -37,6 +38,9 @@ double largest_angle_error(const Foam& foam, JunctionId junction) {
 }
 
 bool is_at_limit(const Foam& foam, HalfEdgeId h) {
+    if (foam.network.is_outer(film_of(h))) {
+        return false;
+    }
     const double s = 0.5 * pressure_difference(foam, h) * chord(foam, h).norm() / foam.film_tension;
     return std::abs(s) > kLargestSine;
 }
@@ -74,6 +78,9 @@ Indexed<BubbleId, double> bubble_areas(const Foam& foam) {
 }
 
 void center_pressures(Foam& foam) {
+    if (foam.network.ghost() != kNone<BubbleId>) {
+        return;
+    }
     double weighted = 0.0;
     double total = 0.0;
     for (const BubbleId bubble : foam.network.bubbles()) {
@@ -85,10 +92,17 @@ void center_pressures(Foam& foam) {
     }
 }
 
+double lone_radius(const LoneBubble& bubble) {
+    return std::sqrt(bubble.target_area / std::numbers::pi);
+}
+
 double energy(const Foam& foam) {
     double length = 0.0;
     for (const FilmId film : foam.network.films()) {
         length += arc_length(film_arc(foam, forward_side(film)));
+    }
+    for (const LoneBubble& bubble : foam.lone_bubbles) {
+        length += 2.0 * std::numbers::pi * lone_radius(bubble);
     }
     return foam.film_tension * length;
 }
@@ -109,6 +123,15 @@ EquilibriumErrors equilibrium_errors(const Foam& foam) {
     }
     for (const JunctionId junction : foam.network.junctions()) {
         errors.angle = larger(errors.angle, largest_angle_error(foam, junction));
+    }
+    for (const FilmId film : foam.network.films()) {
+        if (foam.network.is_outer(film)) {
+            const HalfEdgeId h = forward_side(film);
+            errors.arc =
+                larger(errors.arc,
+                       std::abs(laplace_young_error(
+                           film_arc(foam, h), pressure_difference(foam, h), foam.film_tension)));
+        }
     }
     errors.films_at_limit = films_at_limit(foam);
     return errors;

@@ -13,7 +13,11 @@ double polygon_area(const Foam& foam, BubbleId bubble);
 /// bubble_area of every live bubble; 0 in dead slots.
 Indexed<BubbleId, double> bubble_areas(const Foam& foam);
 
-/// Shifts the pressures, which are known up to a constant, so that their area-weighted mean is 0.
+/// Radius of the circle that a lone bubble is. Its pressure is the film tension over it.
+double lone_radius(const LoneBubble& bubble);
+
+/// Shifts the pressures, which on a torus are known up to a constant, so that their area-weighted
+/// mean is 0. In a patch they stay: the ghost's is 0.
 void center_pressures(Foam& foam);
 
 /// Film tension times the length of all films.
@@ -27,6 +31,7 @@ int films_at_limit(const Foam& foam);
 struct EquilibriumErrors {
     double area = 0.0;   // largest |A / A_target - 1|
     double angle = 0.0;  // largest |angle - 120 degrees| between two films, radians
+    double arc = 0.0;    // largest |sin(half angle) - what Laplace-Young asks for| of outer films
     int films_at_limit = 0;
 };
 

@@ -7,10 +7,18 @@ namespace foam {
 
 namespace {
 
+double pressure(const Frame& frame, BubbleId bubble) {
+    return bubble == frame.network.ghost() ? 0.0 : frame.bubbles[bubble].pressure;
+}
+
+BubbleIdentity identity(const Frame& frame, BubbleId bubble) {
+    return bubble == frame.network.ghost() ? kNoIndex : frame.bubbles[bubble].identity;
+}
+
 double inflow(const Frame& frame, BubbleId bubble) {
     double sum = 0.0;
     for (const HalfEdgeId h : frame.network.around(bubble)) {
-        const double outside = frame.bubbles[frame.network.right(h)].pressure;
+        const double outside = pressure(frame, frame.network.right(h));
         sum += (outside - frame.bubbles[bubble].pressure) * arc_length(frame.arc(h));
     }
     return sum;
@@ -76,7 +84,7 @@ struct Neighbourhood {
 Neighbourhood neighbourhood(const Frame& frame, BubbleId bubble) {
     Neighbourhood found{frame.bubbles[bubble].area, {}};
     for (const HalfEdgeId h : frame.network.around(bubble)) {
-        found.neighbours.push_back(frame.bubbles[frame.network.right(h)].identity);
+        found.neighbours.push_back(identity(frame, frame.network.right(h)));
     }
     std::sort(found.neighbours.begin(), found.neighbours.end());
     return found;

@@ -7,9 +7,9 @@
 
 namespace foam {
 
-/// The version of the state format that is written; it grows when an older reader could not go on
-/// from a newer file.
-inline constexpr int kFoamJsonVersion = 1;
+/// The newest version of the state format; it grows when an older reader could not go on from a
+/// newer file. Foams on a torus are written in version 1, which has no patches.
+inline constexpr int kFoamJsonVersion = 2;
 
 /// The whole state of a foam as JSON (README.md has the format), in the foam's own units: what is
 /// read back steps to the same bits. Dead slots are closed first, as by `compact`. Precondition:

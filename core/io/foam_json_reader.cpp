@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <unordered_set>
 #include <utility>
 
@@ -34,6 +35,9 @@ class Reader {
         }
         for (const JsonTree& row : array(member("bubbles"))) {
             read_bubble(row);
+        }
+        if (foam_.torus.is_plane()) {
+            read_patch();
         }
         set_outgoing();
         check_foam();
@@ -118,7 +122,8 @@ class Reader {
 
     void read_scalars() {
         const JsonTree::Array& torus = row(member("torus"), 2);
-        foam_.torus = {positive(torus[0]), positive(torus[1])};
+        const bool is_plane = number(torus[0]) == 0.0 && number(torus[1]) == 0.0;
+        foam_.torus = is_plane ? kPlane : Torus{positive(torus[0]), positive(torus[1])};
         foam_.film_tension = positive(member("film_tension"));
         foam_.time = number(member("time"));
         foam_.next_identity = index(member("next_identity"), kNoIndex);
@@ -127,8 +132,8 @@ class Reader {
     void read_junction(const JsonTree& line) {
         const JsonTree::Array& values = row(line, 3);
         const Vec2 position(number(values[0]), number(values[1]));
-        if (!is_inside(position.x(), foam_.torus.width) ||
-            !is_inside(position.y(), foam_.torus.height)) {
+        if (!foam_.torus.is_plane() && !(is_inside(position.x(), foam_.torus.width) &&
+                                         is_inside(position.y(), foam_.torus.height))) {
             fail(line.line, "this junction lies outside of the torus' own cell");
         }
         foam_.network.add_junction();
@@ -153,8 +158,9 @@ class Reader {
         const HalfEdgeId h = forward_side(foam_.network.add_film());
         foam_.network.set_tail(h, id_at<JunctionId>(index(values[0], junctions)));
         foam_.network.set_tail(twin(h), id_at<JunctionId>(index(values[1], junctions)));
-        foam_.network.set_left(h, id_at<BubbleId>(index(values[2], bubbles_)));
-        foam_.network.set_left(twin(h), id_at<BubbleId>(index(values[3], bubbles_)));
+        const std::size_t sides = bubbles_ + (foam_.torus.is_plane() ? 1 : 0);  // with the ghost
+        foam_.network.set_left(h, id_at<BubbleId>(index(values[2], sides)));
+        foam_.network.set_left(twin(h), id_at<BubbleId>(index(values[3], sides)));
         foam_.network.set_next(h, half_edge(values[4]));
         foam_.network.set_next(twin(h), half_edge(values[5]));
         foam_.network.set_offset(h, {periods(values[6]), periods(values[7])});
@@ -169,15 +175,46 @@ class Reader {
     void read_bubble(const JsonTree& line) {
         const JsonTree::Array& values = row(line, 5);
         const BubbleId bubble = foam_.network.add_bubble();
-        const BubbleIdentity identity = index(values[0], foam_.next_identity);
-        if (!identities_.insert(identity).second) {
-            fail(line.line, fmt::format("bubble {} stands here a second time", identity));
-        }
-        foam_.identities.push_back(identity);
+        foam_.identities.push_back(identity_in(values[0]));
         foam_.pressures.push_back(number(values[1]));
         foam_.target_areas.push_back(positive(values[2]));
         foam_.network.set_first(bubble, half_edge(values[3]));
         foam_.network.set_sides(bubble, static_cast<int>(index(values[4], 2 * films_ + 1)));
+    }
+
+    BubbleIdentity identity_in(const JsonTree& value) {
+        const BubbleIdentity identity = index(value, foam_.next_identity);
+        if (!identities_.insert(identity).second) {
+            fail(value.line, fmt::format("bubble {} stands here a second time", identity));
+        }
+        return identity;
+    }
+
+    void read_patch() {
+        const JsonTree::Array& ghost_row = row(member("ghost"), 2);
+        const BubbleId ghost = foam_.network.add_ghost();
+        const auto sides = static_cast<int>(index(ghost_row[1], 2 * films_ + 1));
+        foam_.network.set_sides(ghost, sides);
+        foam_.network.set_first(ghost, sides > 0 ? half_edge(ghost_row[0]) : kNone<HalfEdgeId>);
+        complete_patch(foam_);
+        const JsonTree::Array& angles = row(member("half_angles"), films_);
+        for (const FilmId film : foam_.network.films()) {
+            foam_.half_angles[film] = half_angle(angles[index_of(film)]);
+        }
+        for (const JsonTree& line : array(member("lone_bubbles"))) {
+            const JsonTree::Array& values = row(line, 4);
+            foam_.lone_bubbles.push_back({identity_in(values[0]),
+                                          {number(values[1]), number(values[2])},
+                                          positive(values[3])});
+        }
+    }
+
+    double half_angle(const JsonTree& value) const {
+        const double angle = number(value);
+        if (!(std::abs(angle) < std::numbers::pi)) {
+            fail(value.line, "expected an angle between -pi and pi");
+        }
+        return angle;
     }
 
     // Setting tails has changed them.
@@ -194,11 +231,14 @@ class Reader {
     }
 
     void check_foam() const {
-        if (films_ == 0) {
+        if (films_ == 0 && foam_.lone_bubbles.empty()) {
             fail(member("films").line, "there are no films");
         }
         if (const auto fault = find_fault(foam_.network)) {
             fail(member("films").line, fmt::format("this is no valid foam: {}", *fault));
+        }
+        if (foam_.torus.is_plane()) {
+            return;
         }
         double sum = 0.0;
         for (const BubbleId bubble : foam_.network.bubbles()) {

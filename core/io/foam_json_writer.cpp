@@ -16,7 +16,7 @@ class Writer {
     explicit Writer(const Foam& foam) : foam_(foam) {}
 
     std::string write() {
-        put("{{\n\"format\": \"foamtex-foam\",\n\"version\": {},\n", kFoamJsonVersion);
+        put("{{\n\"format\": \"foamtex-foam\",\n\"version\": {},\n", is_patch() ? 2 : 1);
         put("\"torus\": [{:#}, {:#}],\n", foam_.torus.width, foam_.torus.height);
         put("\"film_tension\": {:#},\n\"time\": {:#},\n", foam_.film_tension, foam_.time);
         put("\"next_identity\": {},\n", foam_.next_identity);
@@ -25,25 +25,54 @@ class Writer {
         put_rows("films", foam_.network.films(), &Writer::put_film);
         put(",\n");
         put_rows("bubbles", foam_.network.bubbles(), &Writer::put_bubble);
+        if (is_patch()) {
+            put(",\n");
+            put_ghost();
+            put_rows("half_angles", foam_.network.films(), &Writer::put_half_angle);
+            put(",\n");
+            put_rows("lone_bubbles", foam_.lone_bubbles, &Writer::put_lone_bubble);
+        }
         put("\n}}\n");
         return std::move(text_);
     }
 
   private:
+    bool is_patch() const { return foam_.network.ghost() != kNone<BubbleId>; }
+
     template <class... Values>
     void put(fmt::format_string<Values...> format, Values&&... values) {
         fmt::format_to(std::back_inserter(text_), format, std::forward<Values>(values)...);
     }
 
-    template <class Id>
-    void put_rows(const char* name, const LiveRange<Id>& ids, void (Writer::*put_row)(Id)) {
+    template <class Rows, class Row>
+    void put_rows(const char* name, const Rows& rows, void (Writer::*put_row)(Row)) {
         put("\"{}\": [", name);
         const char* separator = "\n";
-        for (const Id id : ids) {
+        for (const auto& row : rows) {
             put("{}", std::exchange(separator, ",\n"));
-            (this->*put_row)(id);
+            (this->*put_row)(row);
         }
         put("\n]");
+    }
+
+    void put_ghost() {
+        const Network& network = foam_.network;
+        const int sides = network.sides(network.ghost());
+        put("\"ghost\": [{}, {}],\n",
+            sides > 0 ? index_of(network.first(network.ghost())) : 0,
+            sides);
+    }
+
+    void put_half_angle(FilmId film) {
+        put("{:#}", foam_.network.is_outer(film) ? foam_.half_angles[film] : 0.0);
+    }
+
+    void put_lone_bubble(const LoneBubble& bubble) {
+        put("[{}, {:#}, {:#}, {:#}]",
+            bubble.identity,
+            bubble.centre.x(),
+            bubble.centre.y(),
+            bubble.target_area);
     }
 
     void put_junction(JunctionId junction) {
@@ -82,16 +111,19 @@ class Writer {
     std::string text_;
 };
 
-bool has_dead_slots(const Network& network) {
-    return network.junction_slots() != network.junction_count() ||
-           network.film_slots() != network.film_count() ||
-           network.bubble_slots() != network.bubble_count();
+// Whether there are no dead slots, and the ghost, if there is one, is the last bubble.
+bool is_dense(const Network& network) {
+    const bool has_ghost = network.ghost() != kNone<BubbleId>;
+    return network.junction_slots() == network.junction_count() &&
+           network.film_slots() == network.film_count() &&
+           network.bubble_slots() == network.bubble_count() + (has_ghost ? 1 : 0) &&
+           (!has_ghost || index_of(network.ghost()) == network.bubble_count());
 }
 
 }  // namespace
 
 std::string write_foam_json(const Foam& foam) {
-    if (!has_dead_slots(foam.network)) {
+    if (is_dense(foam.network)) {
         return Writer(foam).write();
     }
     Foam dense = foam;

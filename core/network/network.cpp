@@ -1,5 +1,7 @@
 #include "core/network/network.h"
 
+#include <cassert>
+
 namespace foam {
 
 namespace {
@@ -32,6 +34,7 @@ std::array<HalfEdgeId, 3> Network::leaving(JunctionId junction) const {
 }
 
 std::vector<HalfEdgeId> Network::around(BubbleId bubble) const {
+    assert(bubble != ghost_);
     std::vector<HalfEdgeId> loop;
     loop.reserve(static_cast<std::size_t>(sides(bubble)));
     HalfEdgeId h = first(bubble);
@@ -60,6 +63,14 @@ BubbleId Network::add_bubble() {
     ++bubble_count_;
     sides_.push_back(0);
     return first_.push_back(kNone<HalfEdgeId>);
+}
+
+BubbleId Network::add_ghost() {
+    assert(ghost_ == kNone<BubbleId>);
+    ghost_ = add_bubble();
+    bubble_live_[index_of(ghost_)] = false;
+    --bubble_count_;
+    return ghost_;
 }
 
 void Network::set_tail(HalfEdgeId h, JunctionId junction) {
@@ -94,6 +105,9 @@ void Network::rebase(JunctionId junction, LatticeOffset by) {
 
 Network::Kept Network::compact() {
     Kept kept{live_ids(junctions()), live_ids(films()), live_ids(bubbles())};
+    if (ghost_ != kNone<BubbleId>) {
+        kept.bubbles.push_back(ghost_);
+    }
     const auto junction = new_ids(kept.junctions, junction_slots());
     const auto film = new_ids(kept.films, film_slots());
     const auto bubble = new_ids(kept.bubbles, bubble_slots());
@@ -106,8 +120,8 @@ Network::Kept Network::compact() {
         dense.add_junction();
     }
     for (const BubbleId old : kept.bubbles) {
-        const BubbleId id = dense.add_bubble();
-        dense.set_first(id, half_edge(first(old)));
+        const BubbleId id = old == ghost_ ? dense.add_ghost() : dense.add_bubble();
+        dense.set_first(id, sides(old) > 0 ? half_edge(first(old)) : kNone<HalfEdgeId>);
         dense.set_sides(id, sides(old));
     }
     for (const FilmId old : kept.films) {

@@ -10,11 +10,16 @@
 
 namespace foam {
 
-/// Who touches whom in a foam whose every junction joins three films, on a torus.
+/// Who touches whom in a foam whose every junction joins three films, on a torus or in the plane.
 ///
 /// Half-edges go counter-clockwise around the bubble on their left. Each knows the junction at its
 /// tail, that bubble, its successor around the bubble, and a lattice offset: the copy of its head's
 /// junction, seen from its tail's, lies that many periods away. No coordinates are held here.
+///
+/// In the plane one more bubble, the ghost, is what lies around the foam and in its holes (paper
+/// 4.2): it is on the other side of the outer films. It has an id and a slot, but it is none of
+/// `bubbles()`, and as it may have several boundaries, or none, nothing goes around it. Its `sides`
+/// are all its films, its `first` any of them.
 ///
 /// A T2 leaves dead slots behind, so that ids stand while a step works; `compact` closes the gaps.
 /// Accessors take live ids only, unless said otherwise.
@@ -29,15 +34,25 @@ class Network {
     std::size_t film_count() const { return film_count_; }
     std::size_t bubble_count() const { return bubble_count_; }
 
+    /// None on a torus.
+    BubbleId ghost() const { return ghost_; }
+    /// Whether the film has the ghost on one side. Its other side is never the ghost too.
+    bool is_outer(FilmId film) const {
+        return ghost_ != kNone<BubbleId> &&
+               (left(forward_side(film)) == ghost_ || right(forward_side(film)) == ghost_);
+    }
+
     /// Live ids in increasing order.
     LiveRange<JunctionId> junctions() const { return LiveRange<JunctionId>(junction_live_); }
     LiveRange<FilmId> films() const { return LiveRange<FilmId>(film_live_); }
     LiveRange<BubbleId> bubbles() const { return LiveRange<BubbleId>(bubble_live_); }
 
-    /// Any id.
+    /// Any id. The ghost is live.
     bool is_live(JunctionId junction) const { return junction_live_[index_of(junction)]; }
     bool is_live(FilmId film) const { return film_live_[index_of(film)]; }
-    bool is_live(BubbleId bubble) const { return bubble_live_[index_of(bubble)]; }
+    bool is_live(BubbleId bubble) const {
+        return bubble_live_[index_of(bubble)] || bubble == ghost_;
+    }
 
     JunctionId tail(HalfEdgeId h) const { return half_edges_[index_of(h)].tail; }
     JunctionId head(HalfEdgeId h) const { return tail(twin(h)); }
@@ -56,13 +71,14 @@ class Network {
 
     /// The half-edges that leave a junction, clockwise from outgoing().
     std::array<HalfEdgeId, 3> leaving(JunctionId junction) const;
-    /// The half-edges around a bubble, counter-clockwise from first().
+    /// The half-edges around a bubble, not the ghost, counter-clockwise from first().
     std::vector<HalfEdgeId> around(BubbleId bubble) const;
 
     // Building and surgery. They keep no invariant by themselves; `validate` checks them all.
     JunctionId add_junction();
     FilmId add_film();
     BubbleId add_bubble();
+    BubbleId add_ghost();  // precondition: there is none
     void set_tail(HalfEdgeId h,
                   JunctionId junction);  // also makes h the junction's outgoing half-edge
     void set_left(HalfEdgeId h, BubbleId bubble) { half_edges_[index_of(h)].left = bubble; }
@@ -78,7 +94,8 @@ class Network {
     /// Chords stand if its position moves by -by too.
     void rebase(JunctionId junction, LatticeOffset by);
 
-    /// Old ids of what remains, in the new order, which is the old one without the dead.
+    /// Old ids of what remains, in the new order, which is the old one without the dead; the ghost
+    /// comes last.
     struct Kept {
         std::vector<JunctionId> junctions;
         std::vector<FilmId> films;
@@ -104,6 +121,7 @@ class Network {
     std::size_t junction_count_ = 0;
     std::size_t film_count_ = 0;
     std::size_t bubble_count_ = 0;
+    BubbleId ghost_ = kNone<BubbleId>;
 };
 
 }  // namespace foam

@@ -6,10 +6,11 @@ namespace foam {
 
 namespace {
 
-// Whether the corner of C at v and the corner of D at w belong to one copy of one bubble.
+// Whether the corner of C at v and the corner of D at w belong to one copy of one bubble. The ghost
+// has one copy, however many boundaries.
 bool ends_meet(const Network& network, const T1Site& site) {
-    if (site.end_tail != site.end_head) {
-        return false;
+    if (site.end_tail != site.end_head || site.end_tail == network.ghost()) {
+        return site.end_tail == site.end_head;
     }
     const HalfEdgeId start = twin(site.before_left);    // leaves v along C
     const HalfEdgeId target = twin(site.before_right);  // leaves w along D
@@ -24,6 +25,13 @@ bool ends_meet(const Network& network, const T1Site& site) {
         h = network.next(h);
     } while (h != start);
     return false;
+}
+
+// Of the bubble, or of that boundary of the ghost, on the left of a half-edge that is to go.
+bool keeps_two_sides(const Network& network, HalfEdgeId h, int lost) {
+    const BubbleId bubble = network.left(h);
+    return bubble == network.ghost() ? network.next(network.next(h)) != h
+                                     : network.sides(bubble) - lost >= 2;
 }
 
 void move_outer_films(Network& network, const T1Site& site) {
@@ -61,8 +69,8 @@ bool can_flip(const Network& network, FilmId film) {
     const BubbleId b = network.right(site.film);
     const int lost_by_a = a == b ? 2 : 1;
     return network.tail(site.film) != network.head(site.film) &&
-           network.sides(a) - lost_by_a >= 2 && network.sides(b) - lost_by_a >= 2 &&
-           !ends_meet(network, site);
+           keeps_two_sides(network, site.film, lost_by_a) &&
+           keeps_two_sides(network, twin(site.film), lost_by_a) && !ends_meet(network, site);
 }
 
 void flip(Network& network, FilmId film) {

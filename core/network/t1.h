@@ -20,7 +20,8 @@ T1Site t1_site(const Network& network, FilmId film);
 
 /// Whether the flip leaves a valid foam: the bubbles beside the film keep two sides, the ends are
 /// not the same copy of one bubble (which would wrap around and touch itself), and the film is no
-/// loop (E7).
+/// loop (E7). Each boundary of the ghost counts as a bubble here; a film with the ghost at both
+/// ends does not flip (split.h).
 bool can_flip(const Network& network, FilmId film);
 
 /// The neighbour swap (E7; paper Figure 1): v takes the two outer films of A, w those of B, and the

@@ -3,6 +3,7 @@
 #include <array>
 #include <set>
 #include <sstream>
+#include <vector>
 
 namespace foam {
 
@@ -91,16 +92,114 @@ Fault count_fault(const Network& network) {
     for (const BubbleId bubble : network.bubbles()) {
         sides += static_cast<std::size_t>(network.sides(bubble));
     }
+    if (network.ghost() != kNone<BubbleId>) {
+        sides += static_cast<std::size_t>(network.sides(network.ghost()));
+    }
     if (sides != 2 * network.film_count()) {
         return "the sides of the bubbles are not twice the films";
     }
     if (3 * network.junction_count() != 2 * network.film_count()) {
         return "the junctions are not two thirds of the films";
     }
-    if (network.junction_count() + network.bubble_count() != network.film_count()) {
-        return "Euler's relation of the torus is broken";
-    }
     return std::nullopt;
+}
+
+// The half-edges around the ghost, boundary after boundary; counts these.
+class GhostBoundaries {
+  public:
+    explicit GhostBoundaries(const Network& network)
+        : network_(network), seen_(2 * network.film_slots(), false) {}
+
+    Fault find_fault() {
+        for (const FilmId film : network_.films()) {
+            for (const HalfEdgeId h : {forward_side(film), twin(forward_side(film))}) {
+                if (network_.left(h) != network_.ghost() || seen_[index_of(h)]) {
+                    continue;
+                }
+                if (Fault found = walk(h)) {
+                    return found;
+                }
+            }
+        }
+        return films_ == network_.sides(network_.ghost())
+                   ? std::nullopt
+                   : fault("bubble", network_.ghost(), "counts other sides than it has");
+    }
+
+    std::size_t count() const { return count_; }
+
+  private:
+    Fault walk(HalfEdgeId start) {
+        ++count_;
+        HalfEdgeId h = start;
+        do {
+            if (seen_[index_of(h)]) {
+                return fault("half-edge", h, "stands in two boundaries of the ghost");
+            }
+            if (network_.right(h) == network_.ghost()) {
+                return fault("half-edge", h, "has the ghost on both sides");
+            }
+            seen_[index_of(h)] = true;
+            ++films_;
+            h = network_.next(h);
+        } while (h != start);
+        return network_.next(start) == start
+                   ? fault("half-edge", start, "is a whole boundary of the ghost")
+                   : std::nullopt;
+    }
+
+    const Network& network_;
+    std::vector<bool> seen_;
+    std::size_t count_ = 0;
+    int films_ = 0;
+};
+
+// Connected parts of the network.
+std::size_t raft_count(const Network& network) {
+    std::vector<bool> seen(network.junction_slots(), false);
+    std::vector<JunctionId> open;
+    std::size_t rafts = 0;
+    for (const JunctionId start : network.junctions()) {
+        if (!seen[index_of(start)]) {
+            ++rafts;
+            seen[index_of(start)] = true;
+            open.push_back(start);
+        }
+        while (!open.empty()) {
+            const JunctionId junction = open.back();
+            open.pop_back();
+            for (const HalfEdgeId h : network.leaving(junction)) {
+                const JunctionId head = network.head(h);
+                if (!seen[index_of(head)]) {
+                    seen[index_of(head)] = true;
+                    open.push_back(head);
+                }
+            }
+        }
+    }
+    return rafts;
+}
+
+Fault torus_fault(const Network& network) {
+    return network.junction_count() + network.bubble_count() == network.film_count()
+               ? std::nullopt
+               : Fault("Euler's relation of the torus is broken");
+}
+
+Fault plane_fault(const Network& network) {
+    GhostBoundaries boundaries(network);
+    if (Fault found = boundaries.find_fault()) {
+        return found;
+    }
+    for (const FilmId film : network.films()) {
+        if (network.offset(forward_side(film)) != LatticeOffset{}) {
+            return fault("film", film, "wraps around the plane");
+        }
+    }
+    return network.junction_count() + network.bubble_count() + boundaries.count() ==
+                   network.film_count() + 2 * raft_count(network)
+               ? std::nullopt
+               : Fault("Euler's relation of the plane is broken");
 }
 
 }  // namespace
@@ -123,7 +222,10 @@ std::optional<std::string> find_fault(const Network& network) {
             return found;
         }
     }
-    return count_fault(network);
+    if (Fault found = count_fault(network)) {
+        return found;
+    }
+    return network.ghost() == kNone<BubbleId> ? torus_fault(network) : plane_fault(network);
 }
 
 }  // namespace foam

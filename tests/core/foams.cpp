@@ -91,6 +91,9 @@ AssertionResult are_same(const Foam& a, const Foam& b) {
     if (a.identities != b.identities || a.next_identity != b.next_identity) {
         return AssertionFailure() << "identities differ";
     }
+    if (a.half_angles != b.half_angles || a.lone_bubbles != b.lone_bubbles) {
+        return AssertionFailure() << "half angles or lone bubbles differ";
+    }
     return are_same(a.network, b.network);
 }
 

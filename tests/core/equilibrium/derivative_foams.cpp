@@ -2,11 +2,13 @@
 
 #include "core/foam/honeycomb.h"
 #include "core/foam/random.h"
+#include "tests/core/patches.h"
 #include "tests/support/raster_frames.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 namespace foam::test {
 
@@ -54,12 +56,32 @@ std::vector<Foam> derivative_foams() {
     return foams;
 }
 
+std::vector<Foam> derivative_patches() {
+    std::vector<Foam> foams{
+        double_bubble(1.0, 3.0), triple_bubble(1.0), flower(1.0), chain(), ring()};
+    Random random(5);
+    for (Foam& foam : foams) {
+        foam.film_tension = 1.6;
+        foam = shaken(std::move(foam), 0.1);
+        for (const BubbleId bubble : foam.network.bubbles()) {
+            foam.pressures[bubble] = 4.0 * random.uniform() - 1.0;
+        }
+        for (double& angle : foam.half_angles) {
+            angle = 5.0 * random.uniform() - 2.5;
+        }
+    }
+    return foams;
+}
+
 Foam shifted(Foam foam, const Unknowns& unknowns, int row, double by) {
-    const auto positions = static_cast<int>(2 * unknowns.junctions.size());
-    if (row < positions) {
+    if (row < unknowns.first_pressure_row()) {
         foam.positions[unknowns.junctions[static_cast<std::size_t>(row / 2)]][row % 2] += by;
+    } else if (row < unknowns.first_angle_row()) {
+        const int rank = row - unknowns.first_pressure_row();
+        foam.pressures[unknowns.bubbles[static_cast<std::size_t>(rank)]] += by;
     } else {
-        foam.pressures[unknowns.bubbles[static_cast<std::size_t>(row - positions)]] += by;
+        const int rank = row - unknowns.first_angle_row();
+        foam.half_angles[unknowns.outer_films[static_cast<std::size_t>(rank)]] += by;
     }
     return foam;
 }

@@ -12,6 +12,9 @@ namespace foam::test {
 /// differences over steps of 1e-5 make sense.
 std::vector<Foam> derivative_foams();
 
+/// Patches with random pressures whose outer films have half angles up to 143 degrees either way.
+std::vector<Foam> derivative_patches();
+
 /// The foam with one unknown changed.
 Foam shifted(Foam foam, const Unknowns& unknowns, int row, double by);
 

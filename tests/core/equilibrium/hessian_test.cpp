@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 namespace foam {
 namespace {
 
@@ -27,7 +29,10 @@ Eigen::MatrixXd full_hessian(const Foam& foam, const Unknowns& unknowns) {
 // the forces of T / c³, up to 1e4 and, close to the limit, hundreds of times that.
 TEST(Hessian, IsTheCentralDifferenceOfTheResidualByEachUnknown) {
     constexpr double kStep = 1e-6;
-    for (const Foam& foam : derivative_foams()) {
+    std::vector<Foam> foams = derivative_foams();
+    const std::vector<Foam> patches = test::derivative_patches();
+    foams.insert(foams.end(), patches.begin(), patches.end());
+    for (const Foam& foam : foams) {
         const Unknowns unknowns = all_unknowns(foam.network);
         const Eigen::MatrixXd h = full_hessian(foam, unknowns);
         ASSERT_EQ(h.rows(), unknowns.size());
@@ -89,6 +94,32 @@ TEST(Hessian, HasTheNullModesOfTheTorus) {
         const double size = h.cwiseAbs().maxCoeff();
         EXPECT_LT((h * along_x).norm(), 1e-13 * size);
         EXPECT_LT((h * common).norm(), 1e-13 * size);
+    }
+}
+
+// In the plane a translation changes nothing, and a rotation turns the residual with it: a null
+// mode where that is zero. A common pressure blows the patch up.
+TEST(Hessian, HasTheNullModesOfThePlane) {
+    for (const Foam& foam : test::derivative_patches()) {
+        const Unknowns unknowns = all_unknowns(foam.network);
+        const Eigen::MatrixXd h = full_hessian(foam, unknowns);
+        const Eigen::VectorXd r = residual(foam, unknowns);
+        Eigen::VectorXd along_x = Eigen::VectorXd::Zero(h.rows());
+        Eigen::VectorXd rotation = Eigen::VectorXd::Zero(h.rows());
+        Eigen::VectorXd turned = Eigen::VectorXd::Zero(h.rows());
+        for (const JunctionId junction : unknowns.junctions) {
+            const int row = unknowns.position_row(junction);
+            along_x[row] = 1.0;
+            rotation.segment<2>(row) = turned_left(foam.positions[junction]);
+            turned.segment<2>(row) = turned_left(r.segment<2>(row));
+        }
+        const double size = h.cwiseAbs().maxCoeff();
+        EXPECT_LT((h * along_x).norm(), 1e-13 * size);
+        EXPECT_LT((h * rotation - turned).norm(), 1e-12 * size);
+        Eigen::VectorXd common = Eigen::VectorXd::Zero(h.rows());
+        common.segment(unknowns.first_pressure_row(), static_cast<int>(unknowns.bubbles.size()))
+            .setOnes();
+        EXPECT_GT((h * common).norm(), 0.1);
     }
 }
 

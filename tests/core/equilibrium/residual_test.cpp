@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 namespace foam {
 namespace {
@@ -22,11 +23,18 @@ double largest(const Eigen::VectorXd& v) {
     return v.cwiseAbs().maxCoeff();
 }
 
+std::vector<Foam> all_derivative_foams() {
+    std::vector<Foam> foams = derivative_foams();
+    const std::vector<Foam> patches = test::derivative_patches();
+    foams.insert(foams.end(), patches.begin(), patches.end());
+    return foams;
+}
+
 // Energies of up to 100, a step of 1e-5: rounding leaves 100 * 1e-16 / 1e-5 = 1e-9; the cubic term
 // is h²/6 times third derivatives of T / c², of the order of 1e3 for the shortest films.
 TEST(Residual, IsTheCentralDifferenceOfTheLagrangianByEachUnknown) {
     constexpr double kStep = 1e-5;
-    for (const Foam& foam : derivative_foams()) {
+    for (const Foam& foam : all_derivative_foams()) {
         const Unknowns unknowns = all_unknowns(foam.network);
         const Eigen::VectorXd r = residual(foam, unknowns);
         ASSERT_EQ(r.size(), unknowns.size());
@@ -40,7 +48,7 @@ TEST(Residual, IsTheCentralDifferenceOfTheLagrangianByEachUnknown) {
 }
 
 TEST(Residual, OfAPressureIsTheMissingArea) {
-    for (const Foam& foam : derivative_foams()) {
+    for (const Foam& foam : all_derivative_foams()) {
         const Unknowns unknowns = all_unknowns(foam.network);
         const Eigen::VectorXd r = residual(foam, unknowns);
         for (const BubbleId bubble : unknowns.bubbles) {

@@ -4,6 +4,7 @@
 #include "core/io/evolver_file.h"
 #include "tests/core/foams.h"
 #include "tests/core/io/small_torus.h"
+#include "tests/core/patches.h"
 
 #include <gtest/gtest.h>
 
@@ -90,8 +91,8 @@ TEST(FoamJson, RefusesOtherFormats) {
     expect_refused(
         "foamtex-foam", "foam", "a.json:2: this is no state of a foam (\"foamtex-foam\")");
     expect_refused("1,\n\"torus\"",
-                   "2,\n\"torus\"",
-                   "a.json:3: this state is of version 2; this program reads up to version 1");
+                   "3,\n\"torus\"",
+                   "a.json:3: this state is of version 3; this program reads up to version 2");
     expect_refused("\"time\": 0.0,\n", "", "a.json:1: 'time' is missing");
     test::expect_format_error([] { read("[]"); }, "a.json:1: 'format' is missing");
 }
@@ -129,6 +130,31 @@ TEST(FoamJson, RefusesWhatIsNoFoam) {
                    "a.json:17: the target areas do not add up to that of the torus");
     const std::string twice = "[0, 0.0, 6.0, 0, 6],\n[0, 0.0, 6.0, 0, 6]";
     expect_refused("[0, 0.0, 6.0, 0, 6]", twice, "a.json:19: bubble 0 stands here a second time");
+}
+
+TEST(FoamJson, KeepsAPatch) {
+    for (Foam foam : {test::double_bubble(1.0, 2.0), test::flower(1.3), test::ring()}) {
+        for (const FilmId film : foam.network.films()) {
+            foam.half_angles[film] =
+                foam.network.is_outer(film) ? 0.1 + 0.1 * static_cast<double>(index_of(film)) : 0.0;
+        }
+        foam.half_angles[FilmId{0}] = foam.network.is_outer(FilmId{0}) ? -2.75 : 0.0;
+        foam.lone_bubbles.push_back({foam.next_identity++, {-1.5, 7.0}, 0.25});
+        const std::string text = write_foam_json(foam);
+        const Foam back = read(text);
+        EXPECT_TRUE(test::are_same(back, foam));
+        EXPECT_EQ(write_foam_json(back), text);
+    }
+}
+
+TEST(FoamJson, RefusesPatchesThatAreNone) {
+    const std::string text = write_foam_json(test::double_bubble(1.0, 2.0));
+    const auto refuse = [&](std::string_view old, std::string_view replacement, const char* what) {
+        test::expect_format_error([&] { read(test::edited(text, old, replacement)); }, what);
+    };
+    refuse("\"ghost\": [", "\"spirit\": [", "a.json:1: 'ghost' is missing");
+    refuse(
+        "\"torus\": [0.0, 0.0]", "\"torus\": [0.0, 1.0]", "a.json:4: expected a positive number");
 }
 
 }  // namespace

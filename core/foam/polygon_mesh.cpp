@@ -1,0 +1,182 @@
+#include "core/foam/polygon_mesh.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+namespace foam {
+
+namespace {
+
+using Point = std::uint32_t;
+using Side = std::pair<Point, Point>;  // from corner to corner
+
+constexpr std::size_t kFilmsOfJunction = 3;
+
+class PatchBuilder {
+  public:
+    explicit PatchBuilder(const PolygonMesh& mesh) : mesh_(mesh) {}
+
+    Foam build() {
+        add_sides();
+        add_bubbles();
+        foam_.network.add_ghost();
+        add_films();
+        link_cells();
+        link_ghost();
+        foam_.t1_armed.resize(foam_.network.film_slots(), 1);
+        complete_patch(foam_);
+        return std::move(foam_);
+    }
+
+  private:
+    // Tells junctions from the points that only two sides meet.
+    void add_sides() {
+        std::vector<std::vector<Point>> neighbours(mesh_.points.size());
+        for (const PolygonMesh::Cell& corners : mesh_.cells) {
+            for (std::size_t k = 0; k < corners.size(); ++k) {
+                const Side side{corners[k], corners[(k + 1) % corners.size()]};
+                if (!sides_.insert(side).second) {
+                    throw std::runtime_error("polygon mesh: two cells lie on one side of a side");
+                }
+                neighbours[side.first].push_back(side.second);
+                neighbours[side.second].push_back(side.first);
+            }
+        }
+        junctions_.assign(mesh_.points.size(), kNone<JunctionId>);
+        for (Point point = 0; point < neighbours.size(); ++point) {
+            add_junction(point, neighbours[point]);
+        }
+    }
+
+    void add_junction(Point point, std::vector<Point>& neighbours) {
+        std::sort(neighbours.begin(), neighbours.end());
+        neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
+        if (neighbours.size() > kFilmsOfJunction || neighbours.size() == 1) {
+            throw std::runtime_error("polygon mesh: a point joins more than three sides");
+        }
+        if (neighbours.size() == kFilmsOfJunction) {
+            junctions_[point] = foam_.network.add_junction();
+            foam_.positions.push_back(mesh_.points[point]);
+        }
+    }
+
+    bool is_junction(Point point) const { return junctions_[point] != kNone<JunctionId>; }
+
+    void add_bubbles() {
+        for (const PolygonMesh::Cell& corners : mesh_.cells) {
+            foam_.network.add_bubble();
+            foam_.pressures.push_back(0.0);
+            foam_.target_areas.push_back(area_of(corners));
+            foam_.identities.push_back(foam_.next_identity++);
+        }
+    }
+
+    double area_of(const PolygonMesh::Cell& corners) const {
+        const Vec2 start = mesh_.points[corners.front()];
+        double twice = 0.0;
+        for (std::size_t k = 0; k + 1 < corners.size(); ++k) {
+            twice += cross(mesh_.points[corners[k]] - start, mesh_.points[corners[k + 1]] - start);
+        }
+        return 0.5 * twice;
+    }
+
+    // A film per chain of sides from junction to junction, when its first cell comes to it.
+    void add_films() {
+        for (std::size_t cell = 0; cell < mesh_.cells.size(); ++cell) {
+            const PolygonMesh::Cell& corners = mesh_.cells[cell];
+            const auto start = std::find_if(
+                corners.begin(), corners.end(), [this](Point point) { return is_junction(point); });
+            if (start == corners.end()) {
+                throw std::runtime_error("polygon mesh: a cell has no corner of three sides");
+            }
+            PolygonMesh::Cell turned(start, corners.end());
+            turned.insert(turned.end(), corners.begin(), start);
+            turned.push_back(*start);
+            loops_.push_back(half_edges_along(turned, id_at<BubbleId>(cell)));
+        }
+    }
+
+    std::vector<HalfEdgeId> half_edges_along(const PolygonMesh::Cell& corners, BubbleId bubble) {
+        std::vector<HalfEdgeId> loop;
+        std::size_t begin = 0;
+        for (std::size_t end = 1; end < corners.size(); ++end) {
+            if (is_junction(corners[end])) {
+                const HalfEdgeId h = half_edge_along(corners, begin, end);
+                foam_.network.set_left(h, bubble);
+                loop.push_back(h);
+                begin = end;
+            }
+        }
+        return loop;
+    }
+
+    // The half-edge whose first and last sides are given; its film may be there already.
+    HalfEdgeId half_edge_along(const PolygonMesh::Cell& corners,
+                               std::size_t begin,
+                               std::size_t end) {
+        const auto known = half_edges_.find({corners[begin], corners[begin + 1]});
+        if (known != half_edges_.end()) {
+            return known->second;
+        }
+        const HalfEdgeId h = forward_side(foam_.network.add_film());
+        half_edges_[{corners[end], corners[end - 1]}] = twin(h);
+        foam_.network.set_tail(h, junctions_[corners[begin]]);
+        foam_.network.set_tail(twin(h), junctions_[corners[end]]);
+        foam_.network.set_left(twin(h), foam_.network.ghost());
+        return h;
+    }
+
+    void link_cells() {
+        for (std::size_t cell = 0; cell < loops_.size(); ++cell) {
+            const std::vector<HalfEdgeId>& loop = loops_[cell];
+            const auto bubble = id_at<BubbleId>(cell);
+            foam_.network.set_first(bubble, loop.front());
+            foam_.network.set_sides(bubble, static_cast<int>(loop.size()));
+            before_.resize(2 * foam_.network.film_slots(), kNone<HalfEdgeId>);
+            for (std::size_t k = 0; k < loop.size(); ++k) {
+                const HalfEdgeId next = loop[(k + 1) % loop.size()];
+                foam_.network.set_next(loop[k], next);
+                before_[index_of(next)] = loop[k];
+            }
+        }
+    }
+
+    // What follows around the ghost leaves the junction last, when the cells there are gone around.
+    void link_ghost() {
+        Network& network = foam_.network;
+        int sides = 0;
+        for (const FilmId film : network.films()) {
+            const HalfEdgeId h = twin(forward_side(film));
+            if (network.left(h) != network.ghost()) {
+                continue;
+            }
+            HalfEdgeId leaving = twin(h);
+            while (network.left(leaving) != network.ghost()) {
+                leaving = twin(before_[index_of(leaving)]);
+            }
+            network.set_next(h, leaving);
+            network.set_first(network.ghost(), h);
+            ++sides;
+        }
+        network.set_sides(network.ghost(), sides);
+    }
+
+    const PolygonMesh& mesh_;
+    Foam foam_;
+    std::set<Side> sides_;
+    std::vector<JunctionId> junctions_;           // of each point; none where two sides meet
+    std::map<Side, HalfEdgeId> half_edges_;       // of the first side of each that awaits its cell
+    std::vector<std::vector<HalfEdgeId>> loops_;  // of each cell
+    std::vector<HalfEdgeId> before_;              // around the cell
+};
+
+}  // namespace
+
+Foam foam_from_mesh(const PolygonMesh& mesh) {
+    return PatchBuilder(mesh).build();
+}
+
+}  // namespace foam

@@ -1,0 +1,89 @@
+#include "core/network/split.h"
+
+#include "core/network/t1.h"
+
+#include <array>
+#include <cassert>
+
+namespace foam {
+
+namespace {
+
+// The two outer films of one of the bubbles, as half-edges around it: the one that ends at the torn
+// film, the one that begins there, and what comes before the latter around the ghost.
+struct TornSide {
+    HalfEdgeId before;
+    HalfEdgeId after;
+    HalfEdgeId around_ghost;
+};
+
+TornSide torn_side(const Network& network, HalfEdgeId before, HalfEdgeId after) {
+    return {before, after, network.previous(twin(after))};
+}
+
+void count_out(Network& network, BubbleId bubble, int sides) {
+    network.set_sides(bubble, network.sides(bubble) - sides);
+}
+
+// The film before takes the place of the one after, too.
+FilmId join(Network& network, const TornSide& side) {
+    const HalfEdgeId kept = side.before;
+    const BubbleId bubble = network.left(kept);
+    network.set_next(kept, network.next(side.after));
+    network.set_next(side.around_ghost, twin(kept));
+    network.set_tail(twin(kept), network.head(side.after));
+    network.set_first(bubble, kept);
+    network.set_first(network.ghost(), twin(kept));
+    count_out(network, bubble, 2);
+    return film_of(kept);
+}
+
+// Of a boundary that is still there, if there is one.
+void renew_first_of_ghost(Network& network) {
+    for (const FilmId film : network.films()) {
+        if (network.is_outer(film)) {
+            const HalfEdgeId h = forward_side(film);
+            network.set_first(network.ghost(), network.left(h) == network.ghost() ? h : twin(h));
+            return;
+        }
+    }
+}
+
+}  // namespace
+
+bool can_split(const Network& network, FilmId film) {
+    if (network.ghost() == kNone<BubbleId> || network.is_outer(film)) {
+        return false;
+    }
+    const T1Site site = t1_site(network, film);
+    return site.end_tail == network.ghost() && site.end_head == network.ghost();
+}
+
+Split split(Network& network, FilmId film) {
+    assert(can_split(network, film));
+    const T1Site site = t1_site(network, film);
+    const std::array<TornSide, 2> sides{torn_side(network, site.before_left, site.after_left),
+                                        torn_side(network, site.before_right, site.after_right)};
+    const std::array<JunctionId, 2> gone{network.tail(site.film), network.head(site.film)};
+    Split result;
+    for (const TornSide& side : sides) {
+        const BubbleId bubble = network.left(side.before);
+        if (side.before == side.after) {
+            result.loose.push_back(bubble);
+            network.remove(bubble);
+        } else {
+            result.joined.push_back(join(network, side));
+        }
+        network.remove(film_of(side.after));
+        count_out(network, network.ghost(), 1);
+    }
+    network.remove(film);
+    network.remove(gone[0]);
+    network.remove(gone[1]);
+    if (!result.loose.empty()) {
+        renew_first_of_ghost(network);
+    }
+    return result;
+}
+
+}  // namespace foam
