@@ -1,0 +1,126 @@
+#include "core/foam/locate.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace foam {
+
+namespace {
+
+// A point that lies on a film to rounding is looked for this far beside it, in roots of the mean
+// area.
+constexpr double kAside = 1e-7;
+
+// What a chord adds to the winding number around the origin: crossings of the ray to the right.
+int ray_crossings(const Vec2& from, const Vec2& to) {
+    if ((from.y() <= 0.0) == (to.y() <= 0.0)) {
+        return 0;
+    }
+    const bool upwards = from.y() <= 0.0;
+    const bool origin_is_left = cross(to - from, -from) > 0.0;
+    return upwards == origin_is_left ? (upwards ? 1 : -1) : 0;
+}
+
+// Whether the origin lies between an arc that starts at `from` and its chord: on the side to which
+// the arc bulges, where it sees the chord at more than 180 degrees less the half angle.
+bool is_in_segment(const Vec2& from, const FilmArc& arc) {
+    const Vec2 to = from + arc.chord;
+    const double side = cross(from, to);  // positive where the origin is on the left
+    const double lacking = std::atan2(std::abs(side), -from.dot(to));
+    return lacking < std::abs(arc.half_angle) && (arc.half_angle > 0.0) == (side < 0.0);
+}
+
+struct Outline {
+    std::vector<Vec2> corners;  // relative to the first, in the plane
+    std::vector<FilmArc> arcs;
+    double reach = 0.0;  // no point of the outline is farther from the first corner
+};
+
+Outline outline_of(const Foam& foam, BubbleId bubble) {
+    Outline outline;
+    Vec2 at = Vec2::Zero();
+    for (const HalfEdgeId h : foam.network.around(bubble)) {
+        const FilmArc arc = film_arc(foam, h);
+        outline.corners.push_back(at);
+        outline.arcs.push_back(arc);
+        outline.reach = std::max(outline.reach, at.norm() + arc_length(arc));
+        at += arc.chord;
+    }
+    return outline;
+}
+
+int winding_around(const Outline& outline, const Vec2& point) {
+    int winding = 0;
+    for (std::size_t k = 0; k < outline.arcs.size(); ++k) {
+        const FilmArc& arc = outline.arcs[k];
+        const Vec2 from = outline.corners[k] - point;
+        winding += ray_crossings(from, from + arc.chord);
+        if (is_in_segment(from, arc)) {
+            winding += arc.half_angle > 0.0 ? 1 : -1;
+        }
+    }
+    return winding;
+}
+
+std::optional<BubbleId> bubble_around(const Foam& foam, const Vec2& point) {
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        if (winding_number(foam, bubble, point) > 0) {
+            return bubble;
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<BubbleId> find_bubble(const Foam& foam, BubbleIdentity identity) {
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        if (foam.identities[bubble] == identity) {
+            return bubble;
+        }
+    }
+    return std::nullopt;
+}
+
+int winding_number(const Foam& foam, BubbleId bubble, const Vec2& point) {
+    const Outline outline = outline_of(foam, bubble);
+    const Vec2& first = foam.positions[foam.network.tail(foam.network.first(bubble))];
+    const Vec2 reach(outline.reach, outline.reach);
+    // The copies of the point that the outline may reach.
+    const LatticeOffset low = foam.torus.cell_of(point - first - reach);
+    const LatticeOffset high = foam.torus.cell_of(point - first + reach);
+    int winding = 0;
+    for (std::int32_t j = low.j; j <= high.j; ++j) {
+        for (std::int32_t i = low.i; i <= high.i; ++i) {
+            winding += winding_around(outline, point - first - foam.torus.translation({i, j}));
+        }
+    }
+    return winding;
+}
+
+BubbleId bubble_at(const Foam& foam, const Vec2& point) {
+    const double aside =
+        kAside * std::sqrt(foam.torus.area() / static_cast<double>(foam.network.bubble_count()));
+    for (int k = 0; k < 8; ++k) {
+        const Vec2 direction(std::cos(k), std::sin(k));
+        if (const auto bubble = bubble_around(foam, point + k * aside * direction)) {
+            return *bubble;
+        }
+    }
+    return *foam.network.bubbles().begin();
+}
+
+std::vector<BubbleId> bubbles_of_sides(const Foam& foam, int sides) {
+    std::vector<BubbleId> found;
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        if (foam.network.sides(bubble) == sides) {
+            found.push_back(bubble);
+        }
+    }
+    std::stable_sort(found.begin(), found.end(), [&](BubbleId a, BubbleId b) {
+        return foam.target_areas[a] < foam.target_areas[b];
+    });
+    return found;
+}
+
+}  // namespace foam

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/foam/foam.h"
+
+#include <optional>
+#include <vector>
+
+namespace foam {
+
+/// The live bubble of an identity; nothing once it has vanished.
+std::optional<BubbleId> find_bubble(const Foam& foam, BubbleIdentity identity);
+
+/// How often the outline of a bubble, arcs and all its lattice copies, runs around a point of the
+/// plane counter-clockwise: 1 inside, 0 outside. A point on a film counts for either side.
+int winding_number(const Foam& foam, BubbleId bubble, const Vec2& point);
+
+/// The bubble that holds a point anywhere in the plane; on a film, one of those beside it.
+/// Precondition: no two bubbles overlap.
+BubbleId bubble_at(const Foam& foam, const Vec2& point);
+
+/// The live bubbles of so many sides, those of the smallest target area first.
+std::vector<BubbleId> bubbles_of_sides(const Foam& foam, int sides);
+
+}  // namespace foam

@@ -1,0 +1,103 @@
+#include "core/foam/locate.h"
+
+#include "core/foam/honeycomb.h"
+#include "tests/core/foams.h"
+#include "tests/support/raster_frames.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace foam {
+namespace {
+
+using test::settled_foam;
+
+Vec2 middle_of(const Foam& foam, BubbleId bubble) {
+    Vec2 at = foam.positions[foam.network.tail(foam.network.first(bubble))];
+    Vec2 sum = Vec2::Zero();
+    for (const HalfEdgeId h : foam.network.around(bubble)) {
+        sum += at;
+        at += chord(foam, h);
+    }
+    return sum / foam.network.sides(bubble);
+}
+
+TEST(Locate, KnowsTheLivingByTheirIdentity) {
+    Foam foam = settled_foam(20, 1);
+    foam.identities[BubbleId{7}] = 99;
+    EXPECT_EQ(find_bubble(foam, 99), BubbleId{7});
+    EXPECT_EQ(find_bubble(foam, 7), std::nullopt);
+    EXPECT_EQ(find_bubble(foam, 3), BubbleId{3});
+}
+
+TEST(Locate, HoldsItsMiddleAndAllCopiesOfIt) {
+    const Foam foam = settled_foam(40, 2);
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        for (const LatticeOffset copy : {LatticeOffset{0, 0}, {3, -2}, {-5, 4}}) {
+            const Vec2 point = middle_of(foam, bubble) + foam.torus.translation(copy);
+            EXPECT_EQ(winding_number(foam, bubble, point), 1);
+            EXPECT_EQ(bubble_at(foam, point), bubble);
+        }
+    }
+}
+
+// Every point lies in one bubble, also of few that wind around the torus; films are strongly bent.
+TEST(Locate, BubblesCoverTheTorusOnce) {
+    for (const int bubbles : {1, 2, 3, 12, 60}) {
+        const Foam foam = bubbles == 1 ? test::single_bubble() : settled_foam(bubbles, 3);
+        for (int k = 0; k < 400; ++k) {
+            const Vec2 point(0.013 + foam.torus.width * std::fmod(0.618 * k, 1.0),
+                             foam.torus.height * (k + 0.5) / 400.0);
+            int covered = 0;
+            for (const BubbleId bubble : foam.network.bubbles()) {
+                covered += winding_number(foam, bubble, point);
+            }
+            EXPECT_EQ(covered, 1) << bubbles << ' ' << point.transpose();
+        }
+    }
+}
+
+// Between the arc and its chord: the bubble of the higher pressure has it.
+TEST(Locate, FollowsTheArcsNotTheChords) {
+    Foam foam = honeycomb(4, 4);
+    const HalfEdgeId h = test::side_between(foam.network, BubbleId{5}, BubbleId{6});
+    const Vec2 middle = foam.positions[foam.network.tail(h)] + 0.5 * chord(foam, h);
+    const Vec2 outwards = -turned_left(chord(foam, h)).normalized();
+    foam.pressures[BubbleId{5}] = 1.0;
+    EXPECT_EQ(bubble_at(foam, middle + 0.03 * outwards), BubbleId{5});
+    EXPECT_EQ(bubble_at(foam, middle + 0.2 * outwards), BubbleId{6});
+    foam.pressures[BubbleId{5}] = -1.0;
+    EXPECT_EQ(bubble_at(foam, middle - 0.03 * outwards), BubbleId{6});
+    EXPECT_EQ(bubble_at(foam, middle - 0.2 * outwards), BubbleId{5});
+}
+
+TEST(Locate, OnAFilmOneOfThoseBesideIt) {
+    const Foam foam = settled_foam(40, 2);
+    for (const JunctionId junction : foam.network.junctions()) {
+        const BubbleId found = bubble_at(foam, foam.positions[junction]);
+        bool is_beside = false;
+        for (const HalfEdgeId h : foam.network.leaving(junction)) {
+            is_beside = is_beside || foam.network.left(h) == found;
+        }
+        EXPECT_TRUE(is_beside);
+    }
+}
+
+TEST(Locate, ListsThoseOfANumberOfSidesSmallestFirst) {
+    const Foam foam = settled_foam(60, 1);
+    std::size_t found = 0;
+    for (int sides = 2; sides <= 12; ++sides) {
+        double last = 0.0;
+        for (const BubbleId bubble : bubbles_of_sides(foam, sides)) {
+            EXPECT_EQ(foam.network.sides(bubble), sides);
+            EXPECT_GE(foam.target_areas[bubble], last);
+            last = foam.target_areas[bubble];
+            ++found;
+        }
+    }
+    EXPECT_EQ(found, 60U);
+}
+
+}  // namespace
+}  // namespace foam
