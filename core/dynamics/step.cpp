@@ -10,6 +10,9 @@ namespace {
 
 // A bubble up to this many T2 areas may lose all it has in one substep.
 constexpr double kVanishingAreas = 4.0;
+// Of a step with a change, a substep is at least this share, as far as the change is concerned: one
+// that cannot be had, as when all bubbles are to shrink, comes to an end all the same.
+constexpr double kLeastShare = 0.01;
 
 // The longest time in which no bubble loses too large a part of its area, but for those that
 // vanish.
@@ -40,9 +43,8 @@ void restore_total(Foam& foam) {
     }
 }
 
-EquilibriumSummary substep(Foam& foam, double time, const StepOptions& options) {
-    diffuse(foam, time, options.coarsening);
-    const TopologyCounts counts = collapse_due(foam, options.equilibrium.thresholds);
+// Topology changes have been made: what a substep does then.
+EquilibriumSummary settle(Foam& foam, const TopologyCounts& counts, const StepOptions& options) {
     compact(foam);
     restore_total(foam);
     EquilibriumOptions equilibrium = options.equilibrium;
@@ -50,6 +52,29 @@ EquilibriumSummary substep(Foam& foam, double time, const StepOptions& options) 
     EquilibriumSummary summary = equilibrate(foam, equilibrium);
     summary.t1 += counts.t1;
     summary.t2 += counts.t2;
+    return summary;
+}
+
+EquilibriumSummary substep(Foam& foam, double time, const StepOptions& options) {
+    diffuse(foam, time, options.coarsening);
+    const TopologyCounts counts = collapse_due(foam, options.equilibrium.thresholds);
+    const EquilibriumSummary summary = settle(foam, counts, options);
+    foam.time += time;
+    return summary;
+}
+
+// A part of what is left of a change, and the time that goes with it.
+EquilibriumSummary changed_substep(
+    Foam& foam, double time, const StateChange& change, double part, const StepOptions& options) {
+    diffuse(foam, time, options.coarsening);
+    drive(foam, change, part);
+    TopologyCounts counts = collapse_due(foam, options.equilibrium.thresholds);
+    if (part == 1.0) {
+        const TopologyCounts forced = collapse_forced(foam, change);
+        counts.t1 += forced.t1;
+        counts.t2 += forced.t2;
+    }
+    const EquilibriumSummary summary = settle(foam, counts, options);
     foam.time += time;
     return summary;
 }
@@ -64,16 +89,21 @@ void add(StepSummary& sum, const EquilibriumSummary& part) {
     ++sum.substeps;
 }
 
-// A substep of the given time or, where that leads to no equilibrium, of a shorter one; returns its
-// time.
-double advance(Foam& foam, double time, const StepOptions& options, StepSummary& summary) {
-    for (int halvings = 0;; ++halvings, time *= 0.5) {
+// A substep of the given length or, where that leads to no equilibrium, of a shorter one; returns
+// its length. `substep_of` takes the foam and the length.
+template <class Substep>
+double advance(Foam& foam,
+               double length,
+               const StepOptions& options,
+               StepSummary& summary,
+               const Substep& substep_of) {
+    for (int halvings = 0;; ++halvings, length *= 0.5) {
         Foam next = foam;
-        const EquilibriumSummary part = substep(next, time, options);
+        const EquilibriumSummary part = substep_of(next, length);
         if (part.converged()) {
             foam = std::move(next);
             add(summary, part);
-            return time;
+            return length;
         }
         if (halvings == options.max_halvings) {
             summary.equilibrium.status = part.status;
@@ -82,13 +112,51 @@ double advance(Foam& foam, double time, const StepOptions& options, StepSummary&
     }
 }
 
+// The largest share of a step that may pass at once, of which `left` is left.
+double safe_share(const Foam& foam,
+                  double time,
+                  const StateChange& change,
+                  double left,
+                  const StepOptions& options) {
+    const double vanishing = kVanishingAreas * options.equilibrium.thresholds.t2_area;
+    const double part = safe_part(foam, change, options.largest_loss, vanishing);
+    const double share = std::min(left, std::max(part * left, kLeastShare));
+    return time > 0.0 ? std::min(share, safe_time(foam, options) / time) : share;
+}
+
 }  // namespace
 
 StepSummary step(Foam& foam, double time, const StepOptions& options) {
     StepSummary summary;
     for (double left = time; left > 0.0;) {
         const double used =
-            advance(foam, std::min(left, safe_time(foam, options)), options, summary);
+            advance(foam,
+                    std::min(left, safe_time(foam, options)),
+                    options,
+                    summary,
+                    [&](Foam& next, double length) { return substep(next, length, options); });
+        if (used == 0.0) {
+            break;
+        }
+        left -= used;
+    }
+    return summary;
+}
+
+StepSummary step(Foam& foam, double time, const StateChange& change, const StepOptions& options) {
+    if (change.empty()) {
+        return step(foam, time, options);
+    }
+    StepSummary summary;
+    for (double left = 1.0; left > 0.0;) {
+        const double used =
+            advance(foam,
+                    safe_share(foam, time, change, left, options),
+                    options,
+                    summary,
+                    [&](Foam& next, double share) {
+                        return changed_substep(next, share * time, change, share / left, options);
+                    });
         if (used == 0.0) {
             break;
         }

@@ -2,6 +2,7 @@
 
 #include "core/dynamics/coarsening.h"
 #include "core/dynamics/collapse.h"
+#include "core/dynamics/state_change.h"
 #include "core/equilibrium/equilibrate.h"
 
 namespace foam {
@@ -24,5 +25,9 @@ struct StepSummary {
 /// converged, the foam is left in the last equilibrium before the time was used up. Leaves no dead
 /// slots.
 StepSummary step(Foam& foam, double time, const StepOptions& options);
+
+/// A step in which a change is imposed from outside as well, evenly over its time, which may be
+/// none. It is also cut where the change would take or give a bubble too much at once.
+StepSummary step(Foam& foam, double time, const StateChange& change, const StepOptions& options);
 
 }  // namespace foam

@@ -1,0 +1,89 @@
+#include "core/dynamics/state_change.h"
+
+#include <algorithm>
+#include <map>
+
+namespace foam {
+
+namespace {
+
+constexpr double kLargestDrivenShare = 0.9;  // of the torus, where others are left
+constexpr double kLargestGain = 3.0;         // of its area, of a driven bubble at once
+
+struct LiveDriven {
+    BubbleId bubble;
+    DrivenBubble driven;
+};
+
+// The driven bubbles that have not vanished, in the order of the change.
+std::vector<LiveDriven> live_driven(const Foam& foam, const StateChange& change) {
+    std::map<BubbleIdentity, BubbleId> bubbles;
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        bubbles[foam.identities[bubble]] = bubble;
+    }
+    std::vector<LiveDriven> live;
+    for (const DrivenBubble& driven : change.driven) {
+        if (const auto found = bubbles.find(driven.bubble); found != bubbles.end()) {
+            live.push_back({found->second, driven});
+        }
+    }
+    return live;
+}
+
+}  // namespace
+
+DrivenBubble forced_collapse(BubbleIdentity bubble, const TopologyThresholds& thresholds) {
+    return {bubble, thresholds.t2_area, true};
+}
+
+void drive(Foam& foam, const StateChange& change, double part) {
+    Indexed<BubbleId, char> is_driven(foam.network.bubble_slots(), 0);
+    for (const LiveDriven& live : live_driven(foam, change)) {
+        double& target = foam.target_areas[live.bubble];
+        target += part * (live.driven.target_area - target);
+        is_driven[live.bubble] = 1;
+    }
+    double driven = 0.0;
+    double others = 0.0;
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        (is_driven[bubble] != 0 ? driven : others) += foam.target_areas[bubble];
+    }
+    if (driven == 0.0) {
+        return;
+    }
+    const double area = foam.torus.area();
+    const double to_driven = others == 0.0 ? area : std::min(driven, kLargestDrivenShare * area);
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        foam.target_areas[bubble] *=
+            is_driven[bubble] != 0 ? to_driven / driven : (area - to_driven) / others;
+    }
+}
+
+double safe_part(const Foam& foam,
+                 const StateChange& change,
+                 double largest_loss,
+                 double vanishing_area) {
+    double part = 1.0;
+    for (const LiveDriven& live : live_driven(foam, change)) {
+        const double area = foam.target_areas[live.bubble];
+        const double gain = live.driven.target_area - area;
+        if (gain > 0.0) {
+            part = std::min(part, kLargestGain * area / gain);
+        } else if (area > vanishing_area) {
+            part = std::min(part, largest_loss * area / -gain);
+        }
+    }
+    return part;
+}
+
+TopologyCounts collapse_forced(Foam& foam, const StateChange& change) {
+    TopologyCounts counts;
+    for (const LiveDriven& live : live_driven(foam, change)) {
+        if (live.driven.vanishes) {
+            collapse(foam, live.bubble, counts);
+        }
+    }
+    return counts;
+}
+
+}  // namespace foam

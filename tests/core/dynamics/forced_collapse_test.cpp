@@ -1,0 +1,124 @@
+#include "core/dynamics/step.h"
+#include "core/foam/locate.h"
+#include "tests/core/foams.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace foam {
+namespace {
+
+using test::is_valid;
+using test::settled_foam;
+using test::total_target;
+
+// The smallest bubble of four, five or six sides, in turn, or else of the next number that is
+// there.
+std::optional<BubbleId> next_target(const Foam& foam, int turn) {
+    for (int k = 0; k < 3; ++k) {
+        const std::vector<BubbleId> found = bubbles_of_sides(foam, 4 + (turn + k) % 3);
+        if (!found.empty()) {
+            return found.front();
+        }
+    }
+    return std::nullopt;
+}
+
+void expect_exact(const Foam& foam, const StepSummary& summary) {
+    ASSERT_TRUE(summary.equilibrium.converged());
+    ASSERT_TRUE(is_valid(foam.network));
+    EXPECT_LT(summary.equilibrium.area_error, 1e-9);
+    EXPECT_LT(summary.equilibrium.angle_error, 1e-9);
+    EXPECT_NEAR(total_target(foam) / foam.torus.area(), 1.0, 1e-12);
+}
+
+// Shrinks a bubble over so many steps without diffusion; it is there to the last and then gone, and
+// all others have grown by the same factor but for what the T2 area leaves to its last neighbours.
+void expect_collapse(Foam& foam, BubbleId target, int steps) {
+    const Foam before = foam;
+    const BubbleIdentity identity = foam.identities[target];
+    const double area = foam.target_areas[target];
+    const TopologyThresholds thresholds;
+    for (int k = 1; k <= steps; ++k) {
+        const double rest = area + (thresholds.t2_area - area) * k / steps;
+        const DrivenBubble driven =
+            k < steps ? DrivenBubble{identity, rest, false} : forced_collapse(identity, thresholds);
+        const StepSummary summary = step(foam, 0.0, {{driven}}, {});
+        ASSERT_NO_FATAL_FAILURE(expect_exact(foam, summary));
+        EXPECT_EQ(foam.network.bubble_count(), before.network.bubble_count() - (k == steps));
+    }
+    EXPECT_EQ(find_bubble(foam, identity), std::nullopt);
+    EXPECT_EQ(foam.time, before.time);
+}
+
+// Paper Figure 7, on a torus: one after the other, until one bubble is left that meets itself.
+void expect_collapse_to_the_last(std::uint64_t seed, int steps) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Foam foam = settled_foam(66, seed);
+    for (int turn = 0; foam.network.bubble_count() > 1; ++turn) {
+        const std::optional<BubbleId> target = next_target(foam, turn);
+        ASSERT_TRUE(target.has_value());
+        ASSERT_NO_FATAL_FAILURE(expect_collapse(foam, *target, steps))
+            << foam.network.bubble_count() << " bubbles";
+    }
+}
+
+TEST(ForcedCollapse, TakesFourFiveAndSixSidedBubblesToTheLast) {
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+        expect_collapse_to_the_last(seed, 1);
+    }
+}
+
+TEST(ForcedCollapse, TakesThemSlowlyToo) {
+    for (std::uint64_t seed = 7; seed <= 9; ++seed) {
+        expect_collapse_to_the_last(seed, 8);
+    }
+}
+
+// Every other bubble gains the same share, but for the T2 area that its last neighbours take.
+TEST(ForcedCollapse, OthersShareTheGasInProportion) {
+    Foam foam = settled_foam(66, 1);
+    const Foam before = foam;
+    const BubbleId target{20};
+    const double area = before.target_areas[target];
+    step(foam, 0.0, {{forced_collapse(before.identities[target], {})}}, {});
+    const double factor = (66.0 - 0.01) / (66.0 - area);
+    int receivers = 0;
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        const auto old = find_bubble(before, foam.identities[bubble]);
+        const double excess = foam.target_areas[bubble] - factor * before.target_areas[*old];
+        EXPECT_GT(excess, -1e-12);
+        EXPECT_LT(excess, 0.01 + 1e-12);
+        receivers += excess > 1e-12 ? 1 : 0;
+    }
+    EXPECT_EQ(receivers, 3);
+}
+
+// Diffusion may go on meanwhile.
+TEST(ForcedCollapse, WorksWhileGasDiffuses) {
+    Foam foam = settled_foam(66, 2);
+    const StepSummary summary =
+        step(foam, 5.0, {{forced_collapse(12, {}), forced_collapse(13, {})}}, {});
+    expect_exact(foam, summary);
+    EXPECT_NEAR(foam.time, 5.0, 1e-12);
+    EXPECT_EQ(find_bubble(foam, 12), std::nullopt);
+    EXPECT_EQ(find_bubble(foam, 13), std::nullopt);
+}
+
+TEST(ForcedCollapse, LeavesTheLastBubbleThere) {
+    Foam foam = settled_foam(66, 3);
+    StateChange change;
+    for (BubbleIdentity identity = 0; identity < 66; ++identity) {
+        change.driven.push_back(forced_collapse(identity, {}));
+    }
+    step(foam, 0.0, change, {});
+    EXPECT_TRUE(is_valid(foam.network));
+    EXPECT_GE(foam.network.bubble_count(), 1U);
+}
+
+}  // namespace
+}  // namespace foam

@@ -1,0 +1,113 @@
+#include "core/dynamics/state_change.h"
+
+#include "core/dynamics/step.h"
+#include "core/foam/honeycomb.h"
+#include "tests/core/foams.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace foam {
+namespace {
+
+using test::settled_foam;
+using test::total_target;
+
+TEST(Drive, GoesAPartOfTheWayAndOthersGiveInProportion) {
+    Foam foam = honeycomb(4, 4);
+    foam.target_areas[BubbleId{0}] = 2.0;  // the others have 14 of 16: 1 and 2 have 1 and 3
+    foam.target_areas[BubbleId{1}] = 1.0;
+    foam.target_areas[BubbleId{2}] = 3.0;
+    for (std::size_t k = 3; k < 16; ++k) {
+        foam.target_areas[id_at<BubbleId>(k)] = 10.0 / 13.0;
+    }
+    drive(foam, {{{0, 16.0, false}}}, 0.25);  // from 2 by a quarter of 14: 5.5
+    EXPECT_NEAR(foam.target_areas[BubbleId{0}], 5.5, 1e-14);
+    EXPECT_NEAR(foam.target_areas[BubbleId{1}], 10.5 / 14.0, 1e-14);
+    EXPECT_NEAR(foam.target_areas[BubbleId{2}], 3.0 * 10.5 / 14.0, 1e-14);
+    EXPECT_NEAR(total_target(foam), 16.0, 1e-13);
+}
+
+TEST(Drive, LeavesATenthOfTheTorusToOthers) {
+    Foam foam = honeycomb(4, 4);
+    drive(foam, {{{3, 12.0, false}, {4, 36.0, false}}}, 1.0);  // 48 in all, of 14.4
+    EXPECT_NEAR(foam.target_areas[BubbleId{3}], 3.6, 1e-13);
+    EXPECT_NEAR(foam.target_areas[BubbleId{4}], 10.8, 1e-13);
+    EXPECT_NEAR(foam.target_areas[BubbleId{5}], 1.6 / 14.0, 1e-14);
+    EXPECT_NEAR(total_target(foam), 16.0, 1e-13);
+}
+
+TEST(Drive, WhereNoneIsLeftTheDrivenShareTheTorus) {
+    Foam foam = honeycomb(2, 2);
+    drive(foam, {{{0, 1.0, false}, {1, 1.0, false}, {2, 1.0, false}, {3, 5.0, false}}}, 1.0);
+    EXPECT_NEAR(foam.target_areas[BubbleId{0}], 0.5, 1e-14);
+    EXPECT_NEAR(foam.target_areas[BubbleId{3}], 2.5, 1e-14);
+}
+
+TEST(Drive, PassesOverTheVanished) {
+    Foam foam = honeycomb(4, 4);
+    const Foam before = foam;
+    drive(foam, {{{77, 3.0, false}}}, 1.0);
+    EXPECT_TRUE(test::are_same(foam, before));
+}
+
+TEST(SafePart, HoldsLossAndGainDown) {
+    const Foam foam = honeycomb(4, 4);
+    const auto part = [&](double target, double vanishing) {
+        return safe_part(foam, {{{2, target, false}}}, 0.75, vanishing);
+    };
+    EXPECT_DOUBLE_EQ(part(0.5, 0.1), 1.0);
+    EXPECT_DOUBLE_EQ(part(0.1, 0.1), 0.75 / 0.9);
+    EXPECT_DOUBLE_EQ(part(0.1, 1.5), 1.0);  // small enough to vanish
+    EXPECT_DOUBLE_EQ(part(4.0, 0.1), 1.0);
+    EXPECT_DOUBLE_EQ(part(7.0, 0.1), 0.5);
+}
+
+// The driven bubble has the area it is given, whatever diffuses, and the step its time.
+TEST(StateChange, IsImposedInTheCourseOfAStep) {
+    Foam foam = settled_foam(60, 2);
+    const StepSummary summary = step(foam, 2.0, {{{5, 3.0, false}, {9, 0.2, false}}}, {});
+    EXPECT_TRUE(summary.equilibrium.converged());
+    EXPECT_GT(summary.substeps, 1);
+    EXPECT_NEAR(foam.time, 2.0, 1e-12);
+    EXPECT_NEAR(foam.target_areas[BubbleId{5}], 3.0, 1e-12);
+    EXPECT_NEAR(foam.target_areas[BubbleId{9}], 0.2, 1e-12);
+    EXPECT_NEAR(total_target(foam), foam.torus.area(), 1e-10);
+    EXPECT_LT(summary.equilibrium.area_error, 1e-9);
+}
+
+TEST(StateChange, OfNothingIsAStep) {
+    Foam a = settled_foam(60, 2);
+    Foam b = a;
+    step(a, 3.0, StateChange{}, {});
+    step(b, 3.0, {});
+    EXPECT_TRUE(test::are_same(a, b));
+}
+
+// Areas that swing and come back (E9): with no T1 the foam is what it was, up to a translation.
+TEST(StateChange, AreasThatComeBackBringTheFoamBack) {
+    Foam foam = settled_foam(60, 4);
+    const Foam before = foam;
+    int flips = 0;
+    for (int k = 1; k <= 12; ++k) {
+        const double swing = 1.0 + 0.05 * std::sin(std::numbers::pi * k / 6.0);
+        StateChange change;
+        for (std::uint32_t identity = 0; identity < 30; ++identity) {
+            change.driven.push_back(
+                {identity, swing * before.target_areas[id_at<BubbleId>(identity)], false});
+        }
+        const StepSummary summary = step(foam, 0.0, change, {});
+        ASSERT_TRUE(summary.equilibrium.converged());
+        flips += summary.equilibrium.t1;
+    }
+    ASSERT_EQ(flips, 0);
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        EXPECT_NEAR(foam.target_areas[bubble], before.target_areas[bubble], 1e-12);
+        EXPECT_NEAR(foam.pressures[bubble], before.pressures[bubble], 1e-8);
+    }
+}
+
+}  // namespace
+}  // namespace foam
