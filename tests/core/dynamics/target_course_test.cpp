@@ -1,0 +1,34 @@
+#include "core/dynamics/target_course.h"
+
+#include <gtest/gtest.h>
+
+namespace foam {
+namespace {
+
+TEST(TargetCourse, IsARampWithoutASwing) {
+    const TargetCourse course{.from = 2.0, .to = 0.5};
+    EXPECT_DOUBLE_EQ(target_at(course, 0.0), 2.0);
+    EXPECT_DOUBLE_EQ(target_at(course, 0.5), 1.25);
+    EXPECT_DOUBLE_EQ(target_at(course, 1.0), 0.5);
+}
+
+// Two swings: the first quarter of one is reached after an eighth of the time.
+TEST(TargetCourse, SwingsAroundItsArea) {
+    const TargetCourse course{.from = 2.0, .to = 2.0, .amplitude = 0.25, .swings = 2.0};
+    EXPECT_DOUBLE_EQ(target_at(course, 0.0), 2.0);
+    EXPECT_DOUBLE_EQ(target_at(course, 0.125), 2.5);
+    EXPECT_DOUBLE_EQ(target_at(course, 0.25), 2.0);
+    EXPECT_DOUBLE_EQ(target_at(course, 0.375), 1.5);
+    EXPECT_NEAR(target_at(course, 1.0), 2.0, 1e-15);
+}
+
+TEST(TargetCourse, APhaseOfAQuarterTurnStartsAtTheTop) {
+    const TargetCourse course{
+        .from = 1.0, .to = 3.0, .amplitude = 0.5, .swings = 1.0, .phase = 0.25};
+    EXPECT_DOUBLE_EQ(target_at(course, 0.0), 1.5);
+    EXPECT_DOUBLE_EQ(target_at(course, 0.5), 1.0);  // 2 at the bottom
+    EXPECT_DOUBLE_EQ(target_at(course, 1.0), 4.5);
+}
+
+}  // namespace
+}  // namespace foam
