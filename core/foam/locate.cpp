@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace foam {
 
@@ -71,6 +72,42 @@ std::optional<BubbleId> bubble_around(const Foam& foam, const Vec2& point) {
     return std::nullopt;
 }
 
+double distance_to_segment(const Vec2& from, const Vec2& along) {
+    const double squared = along.squaredNorm();
+    const double part = squared == 0.0 ? 0.0 : std::clamp(-from.dot(along) / squared, 0.0, 1.0);
+    return (from + part * along).norm();
+}
+
+// Of all copies of the point: the chord may reach far around the torus.
+double distance_to_chord(const Foam& foam, FilmId film, const Vec2& point) {
+    const HalfEdgeId h = forward_side(film);
+    const Vec2 along = chord(foam, h);
+    const Vec2 reach(along.norm(), along.norm());
+    const Vec2 from = foam.torus.nearest_copy(foam.positions[foam.network.tail(h)] - point);
+    const LatticeOffset low = foam.torus.cell_of(-reach);
+    const LatticeOffset high = foam.torus.cell_of(reach);
+    double least = std::numeric_limits<double>::infinity();
+    for (std::int32_t j = low.j; j <= high.j; ++j) {
+        for (std::int32_t i = low.i; i <= high.i; ++i) {
+            const Vec2 copy = from + foam.torus.translation({i, j});
+            least = std::min(least, distance_to_segment(copy, along));
+        }
+    }
+    return least;
+}
+
+template <class Id>
+Id least_of(const LiveRange<Id>& ids, const auto& distance) {
+    Id nearest = *ids.begin();
+    double least = std::numeric_limits<double>::infinity();
+    for (const Id id : ids) {
+        const double here = distance(id);
+        nearest = here < least ? id : nearest;
+        least = std::min(least, here);
+    }
+    return nearest;
+}
+
 }  // namespace
 
 std::optional<BubbleId> find_bubble(const Foam& foam, BubbleIdentity identity) {
@@ -121,6 +158,17 @@ std::vector<BubbleId> bubbles_of_sides(const Foam& foam, int sides) {
         return foam.target_areas[a] < foam.target_areas[b];
     });
     return found;
+}
+
+JunctionId nearest_junction(const Foam& foam, const Vec2& point) {
+    return least_of(foam.network.junctions(), [&](JunctionId junction) {
+        return foam.torus.nearest_copy(foam.positions[junction] - point).norm();
+    });
+}
+
+FilmId nearest_film(const Foam& foam, const Vec2& point) {
+    return least_of(foam.network.films(),
+                    [&](FilmId film) { return distance_to_chord(foam, film, point); });
 }
 
 }  // namespace foam

@@ -21,4 +21,9 @@ BubbleId bubble_at(const Foam& foam, const Vec2& point);
 /// The live bubbles of so many sides, those of the smallest target area first.
 std::vector<BubbleId> bubbles_of_sides(const Foam& foam, int sides);
 
+/// The junction nearest to a point anywhere in the plane, and the film whose chord is nearest.
+/// Where several are, the one of the smallest id.
+JunctionId nearest_junction(const Foam& foam, const Vec2& point);
+FilmId nearest_film(const Foam& foam, const Vec2& point);
+
 }  // namespace foam

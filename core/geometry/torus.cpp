@@ -26,4 +26,9 @@ LatticeOffset Torus::cell_of(const Vec2& point) const {
     return {periods_below(point.x(), width), periods_below(point.y(), height)};
 }
 
+Vec2 Torus::nearest_copy(const Vec2& vector) const {
+    return {vector.x() - width * std::round(vector.x() / width),
+            vector.y() - height * std::round(vector.y() / height)};
+}
+
 }  // namespace foam

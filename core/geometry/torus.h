@@ -40,6 +40,9 @@ struct Torus {
     /// The offset whose translation, subtracted from the point, brings it into [0, width) x [0,
     /// height). Zero in the plane.
     LatticeOffset cell_of(const Vec2& point) const;
+
+    /// The shortest of a vector's copies.
+    Vec2 nearest_copy(const Vec2& vector) const;
 };
 
 inline constexpr Torus kPlane{0.0, 0.0};

@@ -99,5 +99,30 @@ TEST(Locate, ListsThoseOfANumberOfSidesSmallestFirst) {
     EXPECT_EQ(found, 60U);
 }
 
+// Points a little beside each, seen from another copy of the torus.
+TEST(Locate, FindsTheNearestJunctionAndFilm) {
+    const Foam foam = settled_foam(40, 2);
+    const Vec2 far = foam.torus.translation({-2, 3});
+    for (const JunctionId junction : foam.network.junctions()) {
+        const Vec2 point = foam.positions[junction] + Vec2(0.01, -0.004);
+        EXPECT_EQ(nearest_junction(foam, point + far), junction);
+    }
+    for (const FilmId film : foam.network.films()) {
+        const HalfEdgeId h = forward_side(film);
+        const Vec2 middle = foam.positions[foam.network.tail(h)] + 0.5 * chord(foam, h);
+        EXPECT_EQ(nearest_film(foam, middle + far), film);
+    }
+}
+
+// The film of a single bubble that is as long as the torus: its middle is far from either end.
+TEST(Locate, FindsFilmsThatReachAroundTheTorus) {
+    const Foam foam = test::single_bubble();
+    for (const FilmId film : foam.network.films()) {
+        const HalfEdgeId h = forward_side(film);
+        const Vec2 tail = foam.positions[foam.network.tail(h)];
+        EXPECT_EQ(nearest_film(foam, tail + 0.6 * chord(foam, h)), film);
+    }
+}
+
 }  // namespace
 }  // namespace foam

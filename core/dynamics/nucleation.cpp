@@ -1,0 +1,115 @@
+#include "core/dynamics/nucleation.h"
+
+#include "core/network/insertion.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <vector>
+
+namespace foam {
+
+namespace {
+
+constexpr double kLargestShare = 0.5;  // of the gas around it, for a new bubble
+constexpr double kFarthest = 0.45;     // of a film, that a new bubble reaches at first
+
+// Regular bubbles of area 1 that meet straight films at 120 degrees, by hand. Three arcs of a half
+// angle of 30 degrees on an equilateral triangle of side c: the area is c² (sqrt(3)/4 + 3
+// g(1/2)/4), the radius of the arcs c, the corners c / sqrt(3) from the middle. Two arcs of 60
+// degrees on a chord c: the area is c² g(sqrt(3)/2) / 2, the radius c / sqrt(3). g = segment_shape
+// (E3).
+double triangle_side(double area) {
+    return std::sqrt(area / (0.25 * std::numbers::sqrt3 + 0.75 * segment_shape(0.5)));
+}
+
+double lens_chord(double area) {
+    return std::sqrt(area / (0.5 * segment_shape(0.5 * std::numbers::sqrt3)));
+}
+
+// Takes the area from the target areas of the bubbles, each in proportion; returns whether they
+// have enough.
+bool take_gas(Foam& foam, const std::set<BubbleId>& bubbles, double area) {
+    double sum = 0.0;
+    for (const BubbleId bubble : bubbles) {
+        sum += foam.target_areas[bubble];
+    }
+    if (area > kLargestShare * sum) {
+        return false;
+    }
+    for (const BubbleId bubble : bubbles) {
+        foam.target_areas[bubble] *= (sum - area) / sum;
+    }
+    return true;
+}
+
+double mean_pressure(const Foam& foam, const std::set<BubbleId>& bubbles) {
+    double sum = 0.0;
+    for (const BubbleId bubble : bubbles) {
+        sum += foam.pressures[bubble];
+    }
+    return sum / static_cast<double>(bubbles.size());
+}
+
+// Values for what the network has gained. New junctions are placed by the caller.
+void complete(Foam& foam, double area, double pressure) {
+    foam.positions.resize(foam.network.junction_slots(), Vec2(0.0, 0.0));
+    foam.t1_armed.resize(foam.network.film_slots(), 1);
+    foam.pressures.push_back(pressure);
+    foam.target_areas.push_back(area);
+    foam.identities.push_back(foam.next_identity++);
+}
+
+Vec2 point_along(const FilmArc& arc, double distance) {
+    return point_at(arc, std::min(distance / arc_length(arc), kFarthest));
+}
+
+}  // namespace
+
+std::optional<BubbleId> nucleate_at_junction(Foam& foam, JunctionId junction, double area) {
+    std::set<BubbleId> around;
+    std::array<Vec2, 3> corners;
+    const double side = triangle_side(area);
+    const auto [a, b, c] = foam.network.leaving(junction);
+    const std::array<HalfEdgeId, 3> outer{a, c, b};  // counter-clockwise, as the corners come
+    for (std::size_t k = 0; k < 3; ++k) {
+        around.insert(foam.network.left(outer[k]));
+        corners[k] = foam.positions[junction] +
+                     point_along(film_arc(foam, outer[k]), side / std::numbers::sqrt3);
+    }
+    if (!take_gas(foam, around, area)) {
+        return std::nullopt;
+    }
+    const double pressure = mean_pressure(foam, around) + foam.film_tension / side;
+    const BubbleId bubble = insert_triangle(foam.network, junction);
+    complete(foam, area, pressure);
+    const std::vector<HalfEdgeId> loop = foam.network.around(bubble);
+    for (std::size_t k = 0; k < 3; ++k) {
+        place_junction(foam, foam.network.tail(loop[k]), corners[k]);
+    }
+    return bubble;
+}
+
+std::optional<BubbleId> nucleate_on_film(Foam& foam, FilmId film, double area) {
+    const HalfEdgeId h = forward_side(film);
+    const std::set<BubbleId> beside{foam.network.left(h), foam.network.right(h)};
+    if (!take_gas(foam, beside, area)) {
+        return std::nullopt;
+    }
+    const FilmArc arc = film_arc(foam, h);
+    const double chord_length = lens_chord(area);
+    const double half = std::min(0.5 * chord_length / arc_length(arc), kFarthest);
+    const Vec2 tail = foam.positions[foam.network.tail(h)];
+    const double pressure =
+        mean_pressure(foam, beside) + std::numbers::sqrt3 * foam.film_tension / chord_length;
+    const BubbleId bubble = insert_lens(foam.network, h);
+    complete(foam, area, pressure);
+    const HalfEdgeId first = foam.network.first(bubble);
+    place_junction(foam, foam.network.head(first), tail + point_at(arc, 0.5 - half));
+    place_junction(foam, foam.network.tail(first), tail + point_at(arc, 0.5 + half));
+    return bubble;
+}
+
+}  // namespace foam

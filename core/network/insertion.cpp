@@ -1,0 +1,82 @@
+#include "core/network/insertion.h"
+
+#include <array>
+
+namespace foam {
+
+namespace {
+
+void gain_sides(Network& network, BubbleId bubble, int count) {
+    network.set_sides(bubble, network.sides(bubble) + count);
+}
+
+// Half-edges that follow each other along a bubble.
+void join(Network& network, HalfEdgeId h, HalfEdgeId next) {
+    network.set_next(h, next);
+    network.set_left(next, network.left(h));
+}
+
+BubbleId add_bubble_along(Network& network, HalfEdgeId first, int sides) {
+    const BubbleId bubble = network.add_bubble();
+    network.set_first(bubble, first);
+    network.set_sides(bubble, sides);
+    return bubble;
+}
+
+}  // namespace
+
+BubbleId insert_triangle(Network& network, JunctionId junction) {
+    const auto [a, b, c] = network.leaving(junction);  // clockwise
+    const std::array<HalfEdgeId, 3> outer{a, c, b};
+    std::array<JunctionId, 3> corners{junction, network.add_junction(), network.add_junction()};
+    std::array<HalfEdgeId, 3> loop{};
+    for (HalfEdgeId& side : loop) {
+        side = forward_side(network.add_film());
+    }
+    const BubbleId triangle = add_bubble_along(network, loop[0], 3);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t following = (k + 1) % 3;
+        network.set_tail(outer[k], corners[k]);
+        network.set_tail(loop[k], corners[k]);
+        network.set_tail(twin(loop[k]), corners[following]);
+        network.set_left(loop[k], triangle);
+        network.set_next(loop[k], loop[following]);
+        join(network, twin(outer[following]), twin(loop[k]));
+        join(network, twin(loop[k]), outer[k]);
+        gain_sides(network, network.left(outer[k]), 1);
+    }
+    return triangle;
+}
+
+BubbleId insert_lens(Network& network, HalfEdgeId h) {
+    const HalfEdgeId before = network.previous(h);
+    const HalfEdgeId after = network.next(twin(h));
+    const JunctionId old_tail = network.tail(h);
+    const JunctionId near = network.add_junction();
+    const JunctionId far = network.add_junction();
+    const HalfEdgeId lead = forward_side(network.add_film());   // old tail to near
+    const HalfEdgeId left = forward_side(network.add_film());   // near to far, left of the lens
+    const HalfEdgeId right = forward_side(network.add_film());  // far to near, on its right
+    const BubbleId lens = add_bubble_along(network, twin(left), 2);
+    network.set_tail(lead, old_tail);
+    network.set_tail(twin(lead), near);
+    network.set_tail(left, near);
+    network.set_tail(twin(right), near);
+    network.set_tail(twin(left), far);
+    network.set_tail(right, far);
+    network.set_tail(h, far);
+    join(network, before, lead);
+    join(network, lead, left);
+    network.set_next(left, h);
+    join(network, twin(h), right);
+    join(network, right, twin(lead));
+    network.set_next(twin(lead), after);
+    network.set_left(twin(left), lens);
+    join(network, twin(left), twin(right));
+    network.set_next(twin(right), twin(left));
+    gain_sides(network, network.left(h), 2);
+    gain_sides(network, network.right(h), 2);
+    return lens;
+}
+
+}  // namespace foam

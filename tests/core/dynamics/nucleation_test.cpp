@@ -1,0 +1,159 @@
+#include "core/dynamics/nucleation.h"
+
+#include "core/dynamics/step.h"
+#include "core/equilibrium/equilibrate.h"
+#include "core/foam/honeycomb.h"
+#include "core/foam/locate.h"
+#include "core/foam/measure.h"
+#include "tests/core/foams.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <set>
+
+namespace foam {
+namespace {
+
+using test::is_valid;
+using test::settled_foam;
+using test::total_target;
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kRoot3 = std::numbers::sqrt3;
+
+EquilibriumOptions from_near() {
+    EquilibriumOptions options;
+    options.relaxes_first = false;
+    return options;
+}
+
+// In a honeycomb, where films are straight and pressures equal, the new bubble is placed exactly:
+// arcs of radius c, c² (sqrt(3)/4 + 3 (pi/6 - sqrt(3)/4)) = 0.02, an excess pressure of T / c.
+// Areas around it are out by what it takes of them alone: by symmetry nothing.
+TEST(Nucleation, AtAJunctionOfAHoneycombIsExactAtOnce) {
+    Foam foam = honeycomb(4, 4);
+    const double total = total_target(foam);
+    const BubbleId bubble = *nucleate_at_junction(foam, JunctionId{7}, 0.02);
+    EXPECT_TRUE(is_valid(foam.network));
+    EXPECT_NEAR(bubble_area(foam, bubble), 0.02, 1e-14);
+    const double c = std::sqrt(0.02 / (kPi / 2.0 - kRoot3 / 2.0));
+    EXPECT_NEAR(foam.pressures[bubble], 1.0 / c, 1e-12);
+    const EquilibriumErrors errors = equilibrium_errors(foam);
+    EXPECT_LT(errors.angle, 1e-12);
+    EXPECT_LT(errors.area, 1e-12);
+    EXPECT_NEAR(total_target(foam), total, 1e-13);
+}
+
+// Two segments of arcs of 60 degrees to either side: R² (pi/3 - sqrt(3)/4) each, an excess pressure
+// of T / R.
+TEST(Nucleation, OnAFilmOfAHoneycombIsExactAtOnce) {
+    Foam foam = honeycomb(4, 4);
+    const double total = total_target(foam);
+    const BubbleId bubble = *nucleate_on_film(foam, FilmId{9}, 0.02);
+    EXPECT_TRUE(is_valid(foam.network));
+    EXPECT_NEAR(bubble_area(foam, bubble), 0.02, 1e-14);
+    const double radius = std::sqrt(0.01 / (kPi / 3.0 - kRoot3 / 4.0));
+    EXPECT_NEAR(foam.pressures[bubble], 1.0 / radius, 1e-12);
+    const EquilibriumErrors errors = equilibrium_errors(foam);
+    EXPECT_LT(errors.angle, 1e-12);
+    EXPECT_LT(errors.area, 1e-12);
+    EXPECT_NEAR(total_target(foam), total, 1e-13);
+}
+
+TEST(Nucleation, TakesItsGasInProportion) {
+    Foam foam = settled_foam(40, 1);
+    const Foam before = foam;
+    const JunctionId junction{12};
+    const BubbleId bubble = *nucleate_at_junction(foam, junction, 0.1);
+    EXPECT_EQ(foam.target_areas[bubble], 0.1);
+    double sum = 0.0;
+    std::set<BubbleId> around;
+    for (const HalfEdgeId h : before.network.leaving(junction)) {
+        around.insert(before.network.left(h));
+        sum += before.target_areas[before.network.left(h)];
+    }
+    for (const BubbleId old : before.network.bubbles()) {
+        const double part = around.contains(old) ? 0.1 / sum : 0.0;
+        EXPECT_NEAR(foam.target_areas[old], (1.0 - part) * before.target_areas[old], 1e-14);
+    }
+}
+
+TEST(Nucleation, HasAnIdentityOfItsOwn) {
+    Foam foam = settled_foam(40, 1);
+    const BubbleId first = *nucleate_at_junction(foam, JunctionId{3}, 0.02);
+    const BubbleId second = *nucleate_on_film(foam, FilmId{50}, 0.02);
+    EXPECT_EQ(foam.identities[first], 40U);
+    EXPECT_EQ(foam.identities[second], 41U);
+    EXPECT_EQ(foam.next_identity, 42U);
+}
+
+TEST(Nucleation, IsRefusedWhereThereIsTooLittleGas) {
+    Foam foam = honeycomb(4, 4);
+    const Foam before = foam;
+    EXPECT_FALSE(nucleate_at_junction(foam, JunctionId{3}, 1.51));
+    EXPECT_FALSE(nucleate_on_film(foam, FilmId{3}, 1.01));
+    EXPECT_TRUE(test::are_same(foam, before));
+}
+
+void expect_equilibrium(Foam& foam) {
+    ASSERT_TRUE(is_valid(foam.network));
+    ASSERT_TRUE(equilibrate(foam, from_near()).converged());
+    const EquilibriumErrors errors = equilibrium_errors(foam);
+    EXPECT_LT(errors.area, 1e-9);
+    EXPECT_LT(errors.angle, 1e-9);
+}
+
+TEST(Nucleation, LeadsToAnEquilibriumAtEveryJunctionAndFilm) {
+    const Foam settled = settled_foam(30, 3);
+    for (const JunctionId junction : settled.network.junctions()) {
+        Foam foam = settled;
+        ASSERT_TRUE(nucleate_at_junction(foam, junction, 0.03)) << index_of(junction);
+        ASSERT_NO_FATAL_FAILURE(expect_equilibrium(foam)) << "junction " << index_of(junction);
+    }
+    for (const FilmId film : settled.network.films()) {
+        Foam foam = settled;
+        ASSERT_TRUE(nucleate_on_film(foam, film, 0.03)) << index_of(film);
+        ASSERT_NO_FATAL_FAILURE(expect_equilibrium(foam)) << "film " << index_of(film);
+    }
+}
+
+// A new bubble that is given gas pushes its neighbours aside and gains sides by T1.
+TEST(Nucleation, GrowsToAWholeBubble) {
+    const Foam settled = settled_foam(30, 3);
+    int gained = 0;
+    for (std::size_t k = 0; k < 60; k += 4) {
+        Foam foam = settled;
+        nucleate_at_junction(foam, id_at<JunctionId>(k), 0.02);
+        const StepSummary summary = step(foam, 0.0, {{{30, 1.5, false}}}, {});
+        ASSERT_TRUE(summary.equilibrium.converged()) << k;
+        ASSERT_TRUE(is_valid(foam.network)) << k;
+        const BubbleId bubble = *find_bubble(foam, 30);
+        EXPECT_NEAR(bubble_area(foam, bubble), 1.5, 2e-9);
+        gained += foam.network.sides(bubble) - 3;
+    }
+    EXPECT_GT(gained, 15);
+}
+
+// The inverse: nucleation, then T2 of the new bubble.
+TEST(Nucleation, IsUndoneByT2) {
+    const Foam settled = settled_foam(30, 3);
+    for (const JunctionId junction : settled.network.junctions()) {
+        Foam foam = settled;
+        const BubbleId bubble = *nucleate_at_junction(foam, junction, 0.03);
+        TopologyCounts counts;
+        ASSERT_TRUE(collapse(foam, bubble, counts));
+        EXPECT_EQ(counts.t1, 0);
+        compact(foam);
+        for (const FilmId film : settled.network.films()) {
+            const HalfEdgeId h = forward_side(film);
+            EXPECT_EQ(foam.network.tail(h), settled.network.tail(h));
+            EXPECT_EQ(foam.network.head(h), settled.network.head(h));
+            EXPECT_LT((chord(foam, h) - chord(settled, h)).norm(), 0.1);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace foam
