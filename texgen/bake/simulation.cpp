@@ -26,26 +26,27 @@ Simulation::Simulation(const Preset& preset, int threads)
     : frames_(preset.frames),
       next_step_(preset.frames.time_step),
       options_(step_options_of(preset, threads)),
-      foam_(seed_foam(seeding_of(preset))) {}
+      foam_(seed_foam(seeding_of(preset))),
+      timeline_(preset) {}
 
 bool Simulation::advance() {
     ++number_;
     if (number_ == 1) {
         equilibrium_ = equilibrate(foam_, options_.equilibrium);
-        return equilibrium_.converged() && step_by(frames_.warm_up);
+        return equilibrium_.converged() && step_by(frames_.warm_up, {});
     }
     equilibrium_.sweeps = equilibrium_.iterations = equilibrium_.t1 = equilibrium_.t2 = 0;
     const double time = next_step_;
     next_step_ *= frames_.step_growth;
-    return step_by(time);
+    return step_by(time, timeline_.changes_to(number_, foam_));
 }
 
-bool Simulation::step_by(double time) {
-    if (time == 0.0) {
+bool Simulation::step_by(double time, const StateChange& change) {
+    if (time == 0.0 && change.empty()) {
         return true;
     }
     const EquilibriumSummary before = equilibrium_;
-    equilibrium_ = step(foam_, time, options_).equilibrium;
+    equilibrium_ = step(foam_, time, change, options_).equilibrium;
     equilibrium_.sweeps += before.sweeps;
     equilibrium_.iterations += before.iterations;
     equilibrium_.t1 += before.t1;

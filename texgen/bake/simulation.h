@@ -2,6 +2,7 @@
 
 #include "core/dynamics/step.h"
 #include "core/foam/frame.h"
+#include "texgen/bake/timeline.h"
 #include "texgen/preset/preset.h"
 
 namespace foam::texgen {
@@ -14,7 +15,8 @@ class Simulation {
     explicit Simulation(const Preset& preset, int threads = 0);
 
     /// Goes on to the next frame: to frame 1 by equilibrium and the warm-up, from frame to frame by
-    /// a time step. False where no equilibrium is found; the foam is then of no more use.
+    /// a time step and the events of the preset. False where no equilibrium is found; the foam is
+    /// then of no more use.
     bool advance();
 
     /// The frame that was reached.
@@ -27,12 +29,13 @@ class Simulation {
     const EquilibriumSummary& equilibrium() const { return equilibrium_; }
 
   private:
-    bool step_by(double time);  // adds to what equilibrium_ counts
+    bool step_by(double time, const StateChange& change);  // adds to what equilibrium_ counts
 
     FramesOptions frames_;
     double next_step_;  // foam time to the next frame
     StepOptions options_;
     Foam foam_;
+    Timeline timeline_;
     int number_ = 0;
     EquilibriumSummary equilibrium_;
 };

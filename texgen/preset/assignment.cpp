@@ -59,19 +59,48 @@ struct Located {
     Assignment assignment;
 };
 
-/// Flattens a table into `found`, depth first.
+// Flattens what is nested in a node into `found`, depth first.
+void collect_node(const toml::node& node,
+                  const toml::source_position& position,
+                  const std::string& path,
+                  const std::string& source,
+                  std::vector<Located>& found);
+
 void collect(const toml::table& table,
              const std::string& prefix,
              const std::string& source,
              std::vector<Located>& found) {
     for (const auto& [key, node] : table) {
-        const std::string path = prefix + key_part(key.str());
-        const toml::source_position position = key.source().begin;
-        found.push_back(
-            {position, {fmt::format("{}:{}", source, position.line), path, value_of(node)}});
-        if (const toml::table* inner = node.as_table()) {
-            collect(*inner, path + '.', source, found);
-        }
+        collect_node(node, key.source().begin, prefix + key_part(key.str()), source, found);
+    }
+}
+
+// Tables of an array are told apart by their number: event[1], event[2].
+void collect_tables(const toml::array& tables,
+                    const std::string& path,
+                    const std::string& source,
+                    std::vector<Located>& found) {
+    for (std::size_t k = 0; k < tables.size(); ++k) {
+        const toml::node& table = *tables.get(k);
+        collect_node(
+            table, table.source().begin, fmt::format("{}[{}]", path, k + 1), source, found);
+    }
+}
+
+void collect_node(const toml::node& node,
+                  const toml::source_position& position,
+                  const std::string& path,
+                  const std::string& source,
+                  std::vector<Located>& found) {
+    if (const toml::array* array = node.as_array();
+        array != nullptr && array->is_array_of_tables()) {
+        collect_tables(*array, path, source, found);
+        return;
+    }
+    found.push_back(
+        {position, {fmt::format("{}:{}", source, position.line), path, value_of(node)}});
+    if (const toml::table* inner = node.as_table()) {
+        collect(*inner, path + '.', source, found);
     }
 }
 

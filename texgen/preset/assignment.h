@@ -22,7 +22,8 @@ struct Assignment {
 };
 
 /// The assignments of a TOML document in the order of its lines, tables included, with places named
-/// after `source`. Throws PresetError for malformed TOML.
+/// after `source`. The second [[event]] comes as the key event[2]. Throws PresetError for malformed
+/// TOML.
 std::vector<Assignment> read_assignments(std::string_view toml, const std::string& source);
 
 /// A value from the command line: TOML, or else the bare text itself, which saves the quotes of

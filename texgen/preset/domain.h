@@ -12,6 +12,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace foam::texgen {
 
@@ -91,6 +92,66 @@ struct Sizes {
     std::string allowed() const;
     bool read(const Value& value, ImageOptions& member) const;
     Value write(const ImageOptions& member) const;
+};
+
+/// At least one integer from a range; a lone one need not stand in a list.
+struct IntegerLists {
+    Integers item;
+
+    std::string allowed() const { return item.allowed() + ", or a list of such"; }
+
+    template <class Integer>
+    bool read(const Value& value, std::vector<Integer>& member) const {
+        const auto* list = std::get_if<Value::List>(&value.data);
+        std::vector<Integer> found;
+        for (const Value& one : list != nullptr ? *list : Value::List{value}) {
+            if (!item.read(one, found.emplace_back())) {
+                return false;
+            }
+        }
+        if (found.empty()) {
+            return false;
+        }
+        member = std::move(found);
+        return true;
+    }
+    template <class Integer>
+    Value write(const std::vector<Integer>& member) const {
+        Value::List list;
+        for (const Integer one : member) {
+            list.push_back(item.write(one));
+        }
+        return {std::move(list)};
+    }
+};
+
+/// [x, y], each in the range of a coordinate.
+struct Points {
+    Reals coordinate{0.0, 1.0};
+
+    std::string allowed() const;
+    bool read(const Value& value, std::array<double, 2>& member) const;
+    Value write(const std::array<double, 2>& member) const;
+};
+
+/// A value that may be left out.
+template <class Domain>
+struct Maybe {
+    Domain domain;
+
+    std::string allowed() const { return domain.allowed(); }
+
+    template <class Member>
+    bool read(const Value& value, std::optional<Member>& member) const {
+        Member found{};
+        const bool allowed = domain.read(value, found);
+        member = allowed ? std::optional(found) : member;
+        return allowed;
+    }
+    template <class Member>
+    Value write(const std::optional<Member>& member) const {
+        return domain.write(*member);
+    }
 };
 
 /// Words that stand for the values of an enumeration.

@@ -4,6 +4,7 @@
 #include "core/equilibrium/equilibrate.h"
 #include "core/foam/seeding.h"
 #include "texgen/maps/albedo.h"
+#include "texgen/preset/event.h"
 
 #include <string>
 #include <vector>
@@ -38,7 +39,8 @@ struct OutputOptions {
 };
 
 /// Everything that decides the pixels of a bake. Each value the user may set is one key of the
-/// schema, see schema.h; the aspect of the torus is none: it follows from the image.
+/// schema, see schema.h and event_schema.h; the aspect of the torus is none: it follows from the
+/// image.
 struct Preset {
     std::string name;  // of the shipped preset or the stem of the file; fills {preset}
     std::string description;
@@ -47,6 +49,7 @@ struct Preset {
     CoarseningOptions coarsening;
     TopologyThresholds thresholds;
     FramesOptions frames;
+    std::vector<Event> events;  // in the order of the file
     ImageOptions image;
     AlbedoOptions albedo;
     OutputOptions output;

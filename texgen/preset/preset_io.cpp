@@ -1,6 +1,8 @@
 #include "texgen/preset/preset_io.h"
 
+#include "texgen/preset/event_io.h"
 #include "texgen/preset/nearest.h"
+#include "texgen/preset/refusal.h"
 #include "texgen/preset/schema.h"
 
 #include <fmt/core.h>
@@ -15,27 +17,6 @@ namespace foam::texgen {
 namespace {
 
 constexpr int kLargestAspect = 16;
-constexpr std::size_t kLongestShown = 60;  // characters of a value in an error
-
-/// Cut off at a whole UTF-8 character.
-std::string shortened(std::string text) {
-    if (text.size() > kLongestShown) {
-        std::size_t end = kLongestShown;
-        while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) {
-            --end;
-        }
-        text.replace(end, std::string::npos, "...");
-    }
-    return text;
-}
-
-[[noreturn]] void refuse(const Assignment& assignment, std::string_view reason) {
-    throw PresetError(fmt::format("{}: key '{}' = {}: {}",
-                                  assignment.place,
-                                  assignment.key,
-                                  shortened(to_toml(assignment.value)),
-                                  reason));
-}
 
 /// The known key or table that comes nearest, also where only its table was forgotten.
 std::string_view suggestion(const std::string& path) {
@@ -53,24 +34,18 @@ std::string_view suggestion(const std::string& path) {
     return nearest(path, paths);
 }
 
-[[noreturn]] void refuse_unknown(const Assignment& assignment) {
-    const bool table = std::holds_alternative<Value::Table>(assignment.value.data);
-    const std::string_view meant = suggestion(assignment.key);
-    refuse(assignment,
-           fmt::format("unknown {}; {}",
-                       table ? "table" : "key",
-                       meant.empty() ? "'foamtex presets keys' lists all there are"
-                                     : fmt::format("did you mean '{}'?", meant)));
-}
-
 void assign_one(Preset& preset, const Assignment& assignment) {
+    if (is_event_key(assignment.key)) {
+        assign_event(preset, assignment);
+        return;
+    }
     const Key* key = find_key(assignment.key);
     const bool table = std::holds_alternative<Value::Table>(assignment.value.data);
     if (key == nullptr && table && is_table(assignment.key)) {
         return;
     }
     if (key == nullptr) {
-        refuse_unknown(assignment);
+        refuse_unknown(assignment, suggestion(assignment.key));
     }
     if (!key->read(assignment.value, preset)) {
         refuse(assignment, "must be " + key->allowed);
@@ -118,6 +93,7 @@ void assign(Preset& preset, std::span<const Assignment> assignments) {
     }
     check_pressures(preset, assignments);
     check_aspect(preset, assignments);
+    check_events(preset, assignments);
 }
 
 Preset parse_preset(std::string_view toml, const std::string& name, const std::string& source) {
@@ -137,7 +113,7 @@ std::string to_toml(const Preset& preset) {
         }
         toml += fmt::format("{} = {}\n", key.name(), to_toml(key.write(preset)));
     }
-    return toml;
+    return toml + events_to_toml(preset);
 }
 
 std::string describe_keys() {
@@ -152,7 +128,7 @@ std::string describe_keys() {
         text += fmt::format("{} = {}\n", key.name(), to_toml(key.write(defaults)));
         text += fmt::format("    {}\n    {}\n", key.meaning, key.allowed);
     }
-    return text;
+    return text + describe_event_keys();
 }
 
 }  // namespace foam::texgen

@@ -17,10 +17,10 @@ void assign(Preset& preset, std::span<const Assignment> assignments);
 /// The default preset changed by a TOML document; `source` names it in errors. Throws PresetError.
 Preset parse_preset(std::string_view toml, const std::string& name, const std::string& source);
 
-/// Every key of the preset, defaults too; parse_preset makes the same preset of it.
+/// Every key of the preset, defaults too, and its events; parse_preset makes the same preset of it.
 std::string to_toml(const Preset& preset);
 
-/// The reference of all keys: default, allowed values, meaning.
+/// The reference of all keys, those of events too: default, allowed values, meaning.
 std::string describe_keys();
 
 }  // namespace foam::texgen

@@ -1,0 +1,234 @@
+#include "texgen/preset/event_io.h"
+
+#include "texgen/preset/event_schema.h"
+#include "texgen/preset/preset_io.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace foam::texgen {
+namespace {
+
+std::string failure(const std::string& toml, const std::vector<std::string>& set = {}) {
+    try {
+        Preset preset = parse_preset(toml, "a", "a.toml");
+        for (const std::string& argument : set) {
+            assign(preset, std::vector{read_set_argument(argument)});
+        }
+    } catch (const PresetError& error) {
+        return error.what();
+    }
+    return "no failure";
+}
+
+std::vector<Event> events(const std::string& toml) {
+    return parse_preset(toml, "a", "a.toml").events;
+}
+
+TEST(EventIo, ReadsEventsInTheOrderOfTheFile) {
+    const std::vector<Event> read = events(
+        "[[event]]\nkind = \"collapse\"\nframes = [5, 8]\nsides = [4, 5]\ncount = 3\n"
+        "order = \"in-turn\"\n"
+        "[foam]\nbubbles = 50\n"
+        "[[event]]\nframe = 3\nkind = \"nucleate\"\nat = [0.25, 1]\non = \"film\"\narea = 0.3\n"
+        "[[event]]\nkind = \"drive\"\nframes = [2, 49]\namplitude = 0.2\nperiod = 12\n"
+        "phases = \"random\"\n");
+    ASSERT_EQ(read.size(), 3U);
+    EXPECT_EQ(read[0].kind, EventKind::Collapse);
+    EXPECT_EQ(read[0].frames, (FrameSpan{5, 8}));
+    EXPECT_EQ(read[0].sides, (std::vector{4, 5}));
+    EXPECT_EQ(read[0].count, 3);
+    EXPECT_EQ(read[0].order, EventOrder::InTurn);
+    EXPECT_EQ(read[1].kind, EventKind::Nucleate);
+    EXPECT_EQ(read[1].frames, (FrameSpan{3, 3}));
+    EXPECT_DOUBLE_EQ(read[1].at->front(), 0.25);
+    EXPECT_DOUBLE_EQ(read[1].at->back(), 1.0);
+    EXPECT_EQ(read[1].on, NucleationSite::Film);
+    EXPECT_EQ(read[2].kind, EventKind::Drive);
+    EXPECT_DOUBLE_EQ(read[2].period, 12.0);
+    EXPECT_EQ(read[2].phases, Phases::Random);
+}
+
+TEST(EventIo, ALoneBubbleNeedsNoList) {
+    const std::vector<Event> read =
+        events("[[event]]\nkind = \"collapse\"\nframe = 2\nbubble = 7\n");
+    EXPECT_EQ(read[0].bubbles, (std::vector<BubbleIdentity>{7}));
+}
+
+TEST(EventIo, AValueThatIsNotAllowedNamesPlaceKeyValueAndLimits) {
+    EXPECT_EQ(failure("[[event]]\nkind = \"explode\"\n"),
+              "a.toml:2: key 'event[1].kind' = \"explode\": "
+              "must be one of \"collapse\", \"nucleate\", \"drive\"");
+    EXPECT_EQ(failure("[[event]]\nframe = 1\n"),
+              "a.toml:2: key 'event[1].frame' = 1: must be an integer from 2 to 100000");
+    EXPECT_EQ(failure("[[event]]\nframes = [9, 8]\n"),
+              "a.toml:2: key 'event[1].frames' = [9, 8]: must be [first, last], each an integer "
+              "from 2 to 100000, in this order");
+    EXPECT_EQ(
+        failure("[[event]]\nat = [0.5, 1.5]\n"),
+        "a.toml:2: key 'event[1].at' = [0.5, 1.5]: must be [x, y], each a number from 0 to 1");
+    EXPECT_EQ(failure("[[event]]\nbubble = [3, -1]\n"),
+              "a.toml:2: key 'event[1].bubble' = [3, -1]: must be an integer from 0 to 4294967294, "
+              "or a list of such");
+    EXPECT_EQ(failure("[[event]]\nsides = []\n"),
+              "a.toml:2: key 'event[1].sides' = []: must be an integer from 2 to 100, or a list of "
+              "such");
+}
+
+TEST(EventIo, AnUnknownKeySuggestsTheNearest) {
+    EXPECT_EQ(failure("[[event]]\n[[event]]\nfrmaes = [2, 3]\n"),
+              "a.toml:3: key 'event[2].frmaes' = [2, 3]: unknown key; did you mean 'frames'?");
+    EXPECT_EQ(failure("[[event]]\nwhatever = 2\n"),
+              "a.toml:2: key 'event[1].whatever' = 2: unknown key; "
+              "'foamtex presets keys' lists all there are");
+}
+
+TEST(EventIo, AnEventMustBeATableOfAList) {
+    const std::string reason = "events are tables of a list: each begins with [[event]]";
+    EXPECT_EQ(failure("[event]\nkind = \"drive\"\n"), "a.toml:1: key 'event' = {...}: " + reason);
+    EXPECT_EQ(failure("event = 3\n"), "a.toml:1: key 'event' = 3: " + reason);
+    EXPECT_EQ(failure("event = []\n"), "a.toml:1: key 'event' = []: " + reason);
+}
+
+TEST(EventIo, AnEventNeedsAKindAndFrames) {
+    EXPECT_EQ(failure("[foam]\n[[event]]\n"),
+              "a.toml:2: key 'event[1]' = {...}: the event must have a kind, one of \"collapse\", "
+              "\"nucleate\", \"drive\"");
+    EXPECT_EQ(failure("[[event]]\nkind = \"drive\"\nscale = 2\n"),
+              "a.toml:2: key 'event[1].kind' = \"drive\": the event must have a frame or frames");
+    EXPECT_EQ(failure("[[event]]\nkind = \"drive\"\nframe = 3\nframes = [3, 4]\n"),
+              "a.toml:4: key 'event[1].frames' = [3, 4]: must not stand beside frame");
+}
+
+TEST(EventIo, AKeyOfAnotherKindIsRefused) {
+    EXPECT_EQ(failure("[[event]]\narea = 0.5\nkind = \"collapse\"\nframe = 3\nbubble = 4\n"),
+              "a.toml:2: key 'event[1].area' = 0.5: no key of kind \"collapse\", which takes kind, "
+              "frame, frames, bubble, at, sides, count, order");
+    EXPECT_EQ(failure("[[event]]\nkind = \"nucleate\"\nframe = 3\nbubble = 4\n")
+                  .find("a.toml:4: key 'event[1].bubble' = 4: no key of kind \"nucleate\""),
+              0U);
+    EXPECT_EQ(failure("[[event]]\nkind = \"drive\"\nframe = 3\ngrowth = 4\n")
+                  .find("a.toml:4: key 'event[1].growth' = 4: no key of kind \"drive\""),
+              0U);
+}
+
+TEST(EventIo, BubblesAreChosenInOneWay) {
+    EXPECT_EQ(failure("[[event]]\nkind = \"collapse\"\nframe = 3\n"),
+              "a.toml:2: key 'event[1].kind' = \"collapse\": the event must choose bubbles by "
+              "bubble, at or sides");
+    EXPECT_EQ(failure("[[event]]\nkind = \"collapse\"\nframe = 3\nbubble = 4\nsides = 5\n"),
+              "a.toml:5: key 'event[1].sides' = 5: bubbles are chosen by one of bubble, at, sides");
+    EXPECT_EQ(
+        failure("[[event]]\nkind = \"drive\"\nframe = 3\nat = [0, 0]\nbubble = 4\n"),
+        "a.toml:4: key 'event[1].at' = [0, 0]: bubbles are chosen by one of bubble, at, sides");
+    EXPECT_EQ(failure("[[event]]\nkind = \"collapse\"\nframe = 3\nbubble = 4\ncount = 5\n"),
+              "a.toml:5: key 'event[1].count' = 5: counts bubbles that are chosen by sides");
+    EXPECT_EQ(failure("[[event]]\nkind = \"drive\"\nframe = 3\n"), "no failure");  // all of them
+}
+
+TEST(EventIo, BubblesInTurnNeedAFrameEach) {
+    const std::string event =
+        "[[event]]\nkind = \"collapse\"\nsides = 5\ncount = 4\norder = \"in-turn\"\n";
+    EXPECT_EQ(failure(event + "frames = [2, 5]\n"), "no failure");
+    EXPECT_EQ(failure(event + "frames = [2, 4]\n"),
+              "a.toml:5: key 'event[1].order' = \"in-turn\": "
+              "4 bubbles in turn need as many frames, there are 3");
+}
+
+TEST(EventIo, ANewBubbleIsLargerThanTheT2Area) {
+    const std::string event = "[[event]]\nkind = \"nucleate\"\nframe = 9\narea = 0.02\n";
+    EXPECT_EQ(failure(event), "no failure");
+    EXPECT_EQ(failure("[dynamics]\nt2_area = 0.02\n" + event),
+              "a.toml:6: key 'event[1].area' = 0.02: must be above dynamics.t2_area = 0.02");
+    EXPECT_EQ(failure(event, {"dynamics.t2_area=0.03"}),
+              "--set dynamics.t2_area=0.03: key 'dynamics.t2_area' = 0.03: must be below "
+              "event[1].area = 0.02");
+}
+
+TEST(EventIo, ANewBubbleWithAPlaceIsAlone) {
+    EXPECT_EQ(failure("[[event]]\nkind = \"nucleate\"\nframe = 9\nat = [0, 0]\ncount = 2\n"),
+              "a.toml:5: key 'event[1].count' = 2: must be 1 where the event has a place");
+}
+
+TEST(EventIo, SetChangesAnEventThatIsThere) {
+    const std::string toml = "[[event]]\nkind = \"collapse\"\nframe = 3\nbubble = 4\n";
+    Preset preset = parse_preset(toml, "a", "a.toml");
+    assign(preset, std::vector{read_set_argument("event[1].frames=[7, 9]")});
+    EXPECT_EQ(preset.events[0].frames, (FrameSpan{7, 9}));
+    EXPECT_EQ(failure(toml, {"event[2].frame=4"}),
+              "--set event[2].frame=4: key 'event[2].frame' = 4: there are 1 events");
+    EXPECT_EQ(failure(toml, {"event[1].kind=nucleate"})
+                  .find("--set event[1].kind=nucleate: key 'event[1].kind' = \"nucleate\": "
+                        "no key of kind \"nucleate\""),
+              0U);
+    EXPECT_NE(failure(toml, {"event[x].frame=4"}), "no failure");
+    EXPECT_NE(failure(toml, {"event[0].frame=4"}), "no failure");
+}
+
+TEST(EventIo, WhatIsWrittenReadsBackToTheSame) {
+    const std::string toml =
+        "\n[[event]]\nkind = \"collapse\"\nframes = [5, 8]\nsides = [4, 5]\ncount = 3\n"
+        "order = \"in-turn\"\n"
+        "\n[[event]]\nkind = \"nucleate\"\nframe = 3\nat = [0.25, 1.0]\non = \"film\"\n"
+        "area = 0.3\ngrowth = 4\n"
+        "\n[[event]]\nkind = \"drive\"\nframes = [2, 49]\nbubble = [3, 4]\nscale = 2.0\n"
+        "amplitude = 0.2\nperiod = 12.0\nphase = 0.5\nphases = \"random\"\n";
+    const Preset preset = parse_preset(toml, "a", "a.toml");
+    EXPECT_EQ(events_to_toml(preset), toml);
+    const std::string whole = to_toml(preset);
+    EXPECT_EQ(to_toml(parse_preset(whole, "a", "a.toml")), whole);
+}
+
+TEST(EventIo, TheReferenceHasMeaningAndLimitsOfEveryKey) {
+    const std::string reference = describe_keys();
+    for (const EventKey& key : event_keys()) {
+        EXPECT_NE(reference.find(key.meaning), std::string::npos) << key.name;
+        EXPECT_NE(reference.find(key.allowed), std::string::npos) << key.name;
+        EXPECT_EQ(find_event_key(key.name), &key);
+    }
+    EXPECT_NE(reference.find("\n[[event]]\nkind\n"), std::string::npos);
+    EXPECT_NE(reference.find("\ncount = 1\n"), std::string::npos);
+}
+
+struct Bounds {
+    std::string key;
+    std::string below;
+    std::string low;
+    std::string high;
+    std::string above;
+};
+
+class EventLimits : public testing::TestWithParam<Bounds> {};
+
+TEST_P(EventLimits, HoldOnBothSides) {
+    const Bounds& bounds = GetParam();
+    const auto accepts = [&](const std::string& value) {
+        Event event;
+        return find_event_key(bounds.key)->read(read_value(value), event);
+    };
+    EXPECT_FALSE(accepts(bounds.below));
+    EXPECT_TRUE(accepts(bounds.low));
+    EXPECT_TRUE(accepts(bounds.high));
+    EXPECT_FALSE(accepts(bounds.above));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    EventIo,
+    EventLimits,
+    testing::Values(Bounds{"frame", "1", "2", "100000", "100001"},
+                    Bounds{"frames", "[1, 4]", "[2, 2]", "[2, 100000]", "[2, 100001]"},
+                    Bounds{"bubble", "-1", "0", "4294967294", "4294967295"},
+                    Bounds{"at", "[-0.1, 0]", "[0, 0]", "[1, 1]", "[1, 1.1]"},
+                    Bounds{"sides", "1", "2", "[100, 3]", "[3, 101]"},
+                    Bounds{"count", "0", "1", "1000000", "1000001"},
+                    Bounds{"area", "0.0001", "0.0002", "100", "101"},
+                    Bounds{"growth", "0", "1", "100000", "100001"},
+                    Bounds{"scale", "0.009", "0.01", "100", "101"},
+                    Bounds{"amplitude", "-0.1", "0", "0.9", "0.91"},
+                    Bounds{"period", "0.9", "1", "1e5", "1e6"},
+                    Bounds{"phase", "-1.1", "-1", "1", "1.1"}));
+
+}  // namespace
+}  // namespace foam::texgen

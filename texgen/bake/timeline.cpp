@@ -1,0 +1,211 @@
+#include "texgen/bake/timeline.h"
+
+#include "core/dynamics/nucleation.h"
+#include "core/foam/locate.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace foam::texgen {
+
+namespace {
+
+// A new bubble starts with so many T2 areas, so that it does not vanish at once.
+constexpr double kFirstAreas = 2.0;
+// Places that a new bubble without one tries.
+constexpr int kMostTries = 100;
+
+// Different for each event, and another stream than the seeding's.
+std::uint64_t seed_of(const Preset& preset, std::size_t event) {
+    return (preset.seeding.seed ^ 0x9e3779b97f4a7c15U) + 0xd1b54a32d192ed03U * (event + 1);
+}
+
+Vec2 place_of(const Event& event, const Torus& torus) {
+    return {(*event.at)[0] * torus.width, (*event.at)[1] * torus.height};
+}
+
+std::size_t bubbles_chosen(const Event& event) {
+    if (!event.bubbles.empty()) {
+        return event.bubbles.size();
+    }
+    return event.sides.empty() ? 1 : static_cast<std::size_t>(event.count);
+}
+
+// The part of the frames, of `parts` in all, that comes at place `index`.
+FrameSpan part_of(const FrameSpan& frames, std::size_t index, std::size_t parts) {
+    const auto start = [&](std::size_t k) {
+        const auto length = static_cast<std::size_t>(frames.length());
+        return frames.first + static_cast<int>(k * length / parts);
+    };
+    return {start(index), start(index + 1) - 1};
+}
+
+// The smallest bubbles of so many sides; of several numbers each in turn, from `turn` on, and those
+// that are left out where one is used up.
+std::vector<BubbleId> choose_by_sides(const std::vector<int>& numbers,
+                                      const Foam& foam,
+                                      std::size_t turn,
+                                      std::size_t count) {
+    std::vector<std::vector<BubbleId>> found;
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+        found.push_back(bubbles_of_sides(foam, numbers[(turn + k) % numbers.size()]));
+    }
+    std::vector<BubbleId> chosen;
+    for (std::size_t rank = 0; rank < foam.network.bubble_count(); ++rank) {
+        for (const std::vector<BubbleId>& of_number : found) {
+            if (rank < of_number.size() && chosen.size() < count) {
+                chosen.push_back(of_number[rank]);
+            }
+        }
+    }
+    return chosen;
+}
+
+// The bubbles of an event: `count` of them, from place `turn` on.
+std::vector<BubbleId> choose(const Event& event,
+                             const Foam& foam,
+                             std::size_t turn,
+                             std::size_t count) {
+    if (event.at) {
+        return {bubble_at(foam, place_of(event, foam.torus))};
+    }
+    if (!event.sides.empty()) {
+        return choose_by_sides(event.sides, foam, turn, count);
+    }
+    std::vector<BubbleId> chosen;
+    for (std::size_t k = turn; k < turn + count; ++k) {
+        if (const auto bubble = find_bubble(foam, event.bubbles[k])) {
+            chosen.push_back(*bubble);
+        }
+    }
+    return chosen;
+}
+
+std::vector<BubbleId> all_bubbles(const Foam& foam) {
+    std::vector<BubbleId> all;
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        all.push_back(bubble);
+    }
+    return all;
+}
+
+std::optional<BubbleId> nucleate_at(const Event& event,
+                                    const Vec2& place,
+                                    double area,
+                                    Foam& foam) {
+    if (event.on == NucleationSite::Junction) {
+        return nucleate_at_junction(foam, nearest_junction(foam, place), area);
+    }
+    return nucleate_on_film(foam, nearest_film(foam, place), area);
+}
+
+std::optional<BubbleId> nucleate_anywhere(const Event& event,
+                                          double area,
+                                          Random& random,
+                                          Foam& foam) {
+    for (int k = 0; k < kMostTries; ++k) {
+        const double x = random.uniform();
+        const double y = random.uniform();
+        const Vec2 place(x * foam.torus.width, y * foam.torus.height);
+        if (const auto bubble = nucleate_at(event, place, area, foam)) {
+            return bubble;
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+Timeline::Timeline(const Preset& preset) : thresholds_(preset.thresholds) {
+    for (std::size_t k = 0; k < preset.events.size(); ++k) {
+        entries_.push_back({preset.events[k], Random(seed_of(preset, k))});
+    }
+}
+
+StateChange Timeline::changes_to(int frame, Foam& foam) {
+    std::erase_if(driven_, [&](const auto& entry) { return entry.second.frames.last < frame; });
+    for (Entry& entry : entries_) {
+        begin(entry, frame, foam);
+    }
+    StateChange change;
+    for (const auto& [bubble, driven] : driven_) {
+        const double passed = static_cast<double>(frame - driven.frames.first + 1) /
+                              static_cast<double>(driven.frames.length());
+        const bool is_last = frame == driven.frames.last;
+        change.driven.push_back(
+            {bubble, target_at(driven.course, passed), driven.vanishes && is_last});
+    }
+    return change;
+}
+
+void Timeline::begin(Entry& entry, int frame, Foam& foam) {
+    if (frame < entry.event.frames.first || frame > entry.event.frames.last) {
+        return;
+    }
+    switch (*entry.event.kind) {
+        case EventKind::Collapse:
+            begin_collapse(entry.event, frame, foam);
+            break;
+        case EventKind::Nucleate:
+            nucleate(entry, frame, foam);
+            break;
+        case EventKind::Drive:
+            begin_drive(entry, frame, foam);
+            break;
+    }
+}
+
+void Timeline::begin_collapse(const Event& event, int frame, const Foam& foam) {
+    const std::size_t count = bubbles_chosen(event);
+    const std::size_t parts = event.order == EventOrder::InTurn ? count : 1;
+    for (std::size_t part = 0; part < parts; ++part) {
+        const FrameSpan frames = part_of(event.frames, part, parts);
+        if (frames.first != frame) {
+            continue;
+        }
+        for (const BubbleId bubble : choose(event, foam, part, count / parts)) {
+            const TargetCourse course{.from = foam.target_areas[bubble], .to = thresholds_.t2_area};
+            driven_[foam.identities[bubble]] = {frames, course, true};
+        }
+    }
+}
+
+void Timeline::begin_drive(Entry& entry, int frame, const Foam& foam) {
+    const Event& event = entry.event;
+    if (frame != event.frames.first) {
+        return;
+    }
+    const bool is_chosen = event.at || !event.sides.empty() || !event.bubbles.empty();
+    for (const BubbleId bubble :
+         is_chosen ? choose(event, foam, 0, bubbles_chosen(event)) : all_bubbles(foam)) {
+        const double area = foam.target_areas[bubble];
+        const double more = event.phases == Phases::Random ? entry.random.uniform() : 0.0;
+        driven_[foam.identities[bubble]] = {event.frames,
+                                            {.from = area,
+                                             .to = event.scale * area,
+                                             .amplitude = event.amplitude,
+                                             .swings = event.frames.length() / event.period,
+                                             .phase = event.phase + more},
+                                            false};
+    }
+}
+
+void Timeline::nucleate(Entry& entry, int frame, Foam& foam) {
+    const Event& event = entry.event;
+    const double first_area = std::min(event.area, kFirstAreas * thresholds_.t2_area);
+    const auto count = static_cast<std::size_t>(event.count);
+    for (std::size_t k = 0; k < count; ++k) {
+        if (part_of(event.frames, k, count).first != frame) {
+            continue;
+        }
+        const std::optional<BubbleId> bubble =
+            event.at ? nucleate_at(event, place_of(event, foam.torus), first_area, foam)
+                     : nucleate_anywhere(event, first_area, entry.random, foam);
+        if (bubble) {
+            driven_[foam.identities[*bubble]] = {
+                {frame, frame + event.growth - 1}, {.from = first_area, .to = event.area}, false};
+        }
+    }
+}
+
+}  // namespace foam::texgen

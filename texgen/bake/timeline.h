@@ -1,0 +1,48 @@
+#pragma once
+
+#include "core/dynamics/state_change.h"
+#include "core/dynamics/target_course.h"
+#include "core/foam/foam.h"
+#include "core/foam/random.h"
+#include "texgen/preset/preset.h"
+
+#include <map>
+#include <vector>
+
+namespace foam::texgen {
+
+/// Carries out the events of a preset, frame by frame.
+class Timeline {
+  public:
+    explicit Timeline(const Preset& preset);
+
+    /// Begins what is due on the way to a frame, from the frame before it: chooses bubbles and
+    /// makes new ones, small at first, in a foam that is in equilibrium. Returns what is to be
+    /// imposed on that way. Frames must come in order, each once. A choice that finds no bubble,
+    /// and a new bubble that finds too little gas around it, come to nothing.
+    StateChange changes_to(int frame, Foam& foam);
+
+  private:
+    // A bubble that is driven while the foam goes to the frames of a span.
+    struct Driven {
+        FrameSpan frames;
+        TargetCourse course;
+        bool vanishes = false;
+    };
+    // An event and the random numbers that are its own.
+    struct Entry {
+        Event event;
+        Random random;
+    };
+
+    void begin(Entry& entry, int frame, Foam& foam);
+    void begin_collapse(const Event& event, int frame, const Foam& foam);
+    void begin_drive(Entry& entry, int frame, const Foam& foam);
+    void nucleate(Entry& entry, int frame, Foam& foam);
+
+    TopologyThresholds thresholds_;
+    std::vector<Entry> entries_;
+    std::map<BubbleIdentity, Driven> driven_;  // whatever drove a bubble last has it
+};
+
+}  // namespace foam::texgen

@@ -1,0 +1,46 @@
+#include "texgen/preset/refusal.h"
+
+#include <fmt/core.h>
+
+#include <cstddef>
+#include <string>
+#include <variant>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr std::size_t kLongestShown = 60;  // characters of a value in an error
+
+/// Cut off at a whole UTF-8 character.
+std::string shortened(std::string text) {
+    if (text.size() > kLongestShown) {
+        std::size_t end = kLongestShown;
+        while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) {
+            --end;
+        }
+        text.replace(end, std::string::npos, "...");
+    }
+    return text;
+}
+
+}  // namespace
+
+void refuse(const Assignment& assignment, std::string_view reason) {
+    throw PresetError(fmt::format("{}: key '{}' = {}: {}",
+                                  assignment.place,
+                                  assignment.key,
+                                  shortened(to_toml(assignment.value)),
+                                  reason));
+}
+
+void refuse_unknown(const Assignment& assignment, std::string_view meant) {
+    const bool table = std::holds_alternative<Value::Table>(assignment.value.data);
+    refuse(assignment,
+           fmt::format("unknown {}; {}",
+                       table ? "table" : "key",
+                       meant.empty() ? "'foamtex presets keys' lists all there are"
+                                     : fmt::format("did you mean '{}'?", meant)));
+}
+
+}  // namespace foam::texgen
