@@ -66,7 +66,8 @@ INSTANTIATE_TEST_SUITE_P(Presets,
                          GoldenTest,
                          testing::Values(GoldenCase{"sea_foam", 3},
                                          GoldenCase{"labyrinth", 1},
-                                         GoldenCase{"coarsening", 2}),
+                                         GoldenCase{"coarsening", 2},
+                                         GoldenCase{"collapse", 24}),
                          [](const auto& tested) { return std::string(tested.param.preset); });
 
 TEST(Golden, EveryShippedPresetHasAPicture) {

@@ -26,7 +26,7 @@ void write_text(const std::filesystem::path& path, std::string_view text) {
 }
 
 TEST(ShippedPresets, AllLoadUnderTheirNameAndSayWhatTheyShow) {
-    EXPECT_EQ(shipped_presets().size(), 3U);
+    EXPECT_EQ(shipped_presets().size(), 4U);
     for (const ShippedPreset& shipped : shipped_presets()) {
         const Preset preset = load_preset(std::string(shipped.name));
         EXPECT_EQ(preset.name, shipped.name);
@@ -36,10 +36,12 @@ TEST(ShippedPresets, AllLoadUnderTheirNameAndSayWhatTheyShow) {
 
 TEST(ShippedPresets, AnUnknownNameListsTheKnownAndSuggestsTheNearest) {
     EXPECT_EQ(failure("sea_form"),
-              "preset 'sea_form': must be a .toml file or one of sea_foam, labyrinth, coarsening; "
+              "preset 'sea_form': must be a .toml file or one of sea_foam, labyrinth, coarsening, "
+              "collapse; "
               "did you mean 'sea_foam'?");
     EXPECT_EQ(failure("beer"),
-              "preset 'beer': must be a .toml file or one of sea_foam, labyrinth, coarsening");
+              "preset 'beer': must be a .toml file or one of sea_foam, labyrinth, coarsening, "
+              "collapse");
 }
 
 TEST(ShippedPresets, APathIsAFileAndItsStemTheName) {
