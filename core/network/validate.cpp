@@ -154,27 +154,31 @@ class GhostBoundaries {
     int films_ = 0;
 };
 
+// Marks all junctions that films connect to one.
+void mark_raft(const Network& network, JunctionId start, std::vector<bool>& seen) {
+    std::vector<JunctionId> open{start};
+    seen[index_of(start)] = true;
+    while (!open.empty()) {
+        const JunctionId junction = open.back();
+        open.pop_back();
+        for (const HalfEdgeId h : network.leaving(junction)) {
+            const JunctionId head = network.head(h);
+            if (!seen[index_of(head)]) {
+                seen[index_of(head)] = true;
+                open.push_back(head);
+            }
+        }
+    }
+}
+
 // Connected parts of the network.
 std::size_t raft_count(const Network& network) {
     std::vector<bool> seen(network.junction_slots(), false);
-    std::vector<JunctionId> open;
     std::size_t rafts = 0;
     for (const JunctionId start : network.junctions()) {
         if (!seen[index_of(start)]) {
             ++rafts;
-            seen[index_of(start)] = true;
-            open.push_back(start);
-        }
-        while (!open.empty()) {
-            const JunctionId junction = open.back();
-            open.pop_back();
-            for (const HalfEdgeId h : network.leaving(junction)) {
-                const JunctionId head = network.head(h);
-                if (!seen[index_of(head)]) {
-                    seen[index_of(head)] = true;
-                    open.push_back(head);
-                }
-            }
+            mark_raft(network, start, seen);
         }
     }
     return rafts;
