@@ -20,8 +20,11 @@ struct Box {
     Vec2 high;
 };
 
-// Periods so large that no coordinate of the plane reaches half of one.
-const Vec2 kNoPeriods = Vec2::Constant(std::numeric_limits<double>::max());
+// The plane's are so large that no coordinate reaches half of one.
+Vec2 periods_of(const Torus& torus) {
+    return torus.is_plane() ? Vec2(Vec2::Constant(std::numeric_limits<double>::max()))
+                            : Vec2(torus.width, torus.height);
+}
 
 Box bounding_box(std::span<const SolverNode> nodes) {
     Box box{nodes.front().position, nodes.front().position};
@@ -300,7 +303,7 @@ Dissection dissect(const NodeGraph& graph,
                    const Torus& torus,
                    const DissectionOptions& options,
                    int threads) {
-    const Vec2 periods = torus.is_plane() ? kNoPeriods : Vec2(torus.width, torus.height);
+    const Vec2 periods = periods_of(torus);
     const Box box = torus.is_plane() ? bounding_box(nodes) : Box{Vec2::Zero(), periods};
     NodeMemory memory(nodes.size());
     Dissector dissector(graph, nodes, periods, options, memory);

@@ -215,9 +215,9 @@ int Hessian::rows_before(const NodePattern& pattern, int node, int later) const 
 
 template <int Rows>
 void Hessian::add_film(const FilmPlace& place, const Eigen::Matrix<double, Rows, Rows>& film) {
-    constexpr std::size_t nodes = Rows - 2;  // two of them have two rows
-    for (std::size_t b = 0; b < nodes; ++b) {
-        for (std::size_t a = 0; a < nodes; ++a) {
+    constexpr std::size_t kNodes = Rows - 2;  // two of them have two rows
+    for (std::size_t b = 0; b < kNodes; ++b) {
+        for (std::size_t a = 0; a < kNodes; ++a) {
             const int block = place.blocks[kMostNodes * b + a];
             if (block < 0) {
                 continue;
