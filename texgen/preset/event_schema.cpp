@@ -229,9 +229,10 @@ const EventKey* find_event_key(std::string_view name) {
 }
 
 std::string_view name_of(EventKind kind) {
-    const auto found = std::find_if(kKinds.choices.begin(),
-                                    kKinds.choices.end(),
-                                    [&](const auto& choice) { return choice.second == kind; });
+    const auto* const found =
+        std::find_if(kKinds.choices.begin(), kKinds.choices.end(), [&](const auto& choice) {
+            return choice.second == kind;
+        });
     return found->first;
 }
 
