@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# Follows a foam of 10,000 bubbles until ten are left: tables and charts in out/scaling_state/, which
+# takes minutes.
+#
+#     samples/scaling_state/run.sh [OPTION OF foamtex stats]...
+#     samples/scaling_state/run.sh --set foam.bubbles=1000 --frames 1-270     a tenth of it, in seconds
+#     FOAM_FIGURES=1 samples/scaling_state/run.sh          also makes the figures of the README anew
+set -euo pipefail
+
+root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." >/dev/null && pwd)
+cd -- "$root"
+# shellcheck source=samples/setup/packages.sh
+source samples/setup/packages.sh
+
+sample=samples/scaling_state
+out=out/scaling_state
+
+build() {
+    say "building foamtex in build/quickstart (the first time takes minutes)"
+    cmake --preset quickstart >/dev/null
+    cmake --build --preset quickstart --target foamtex
+}
+
+# The mean time of the frames whose number of bubbles lies between two limits, in milliseconds.
+mean_time() {
+    awk -F, -v low="$1" -v high="$2" '
+        $1 > 1 && low <= $3 && $3 <= high { sum += $NF; count++ }
+        END { if (count) printf "%.2f ms (%d frames)\n", 1000 * sum / count, count; else print "none" }
+    ' "$out/stats.csv"
+}
+
+report() {
+    say "time of a frame, mean:"
+    printf '    of 9,900 to 10,000 bubbles  %s; the paper: 39.5 s\n' "$(mean_time 9900 10000)"
+    printf '    of 11 bubbles               %s; the paper: 84 ms\n' "$(mean_time 11 11)"
+}
+
+ensure_packages "${foam_build_packages[@]}"
+build
+say "simulating"
+build/quickstart/texgen/foamtex stats "$sample/scaling_state.toml" --out "$out" "$@"
+report
+[[ -z ${FOAM_FIGURES:-} ]] || cp "$out"/*.svg "$sample/"
