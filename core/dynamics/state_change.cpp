@@ -17,6 +17,9 @@ struct LiveDriven {
 
 // The driven bubbles that have not vanished, in the order of the change.
 std::vector<LiveDriven> live_driven(const Foam& foam, const StateChange& change) {
+    if (change.empty()) {
+        return {};
+    }
     std::map<BubbleIdentity, BubbleId> bubbles;
     for (const BubbleId bubble : foam.network.bubbles()) {
         bubbles[foam.identities[bubble]] = bubble;

@@ -43,28 +43,8 @@ void restore_total(Foam& foam) {
     }
 }
 
-// Topology changes have been made: what a substep does then.
-EquilibriumSummary settle(Foam& foam, const TopologyCounts& counts, const StepOptions& options) {
-    compact(foam);
-    restore_total(foam);
-    EquilibriumOptions equilibrium = options.equilibrium;
-    equilibrium.relaxes_first = false;
-    EquilibriumSummary summary = equilibrate(foam, equilibrium);
-    summary.t1 += counts.t1;
-    summary.t2 += counts.t2;
-    return summary;
-}
-
-EquilibriumSummary substep(Foam& foam, double time, const StepOptions& options) {
-    diffuse(foam, time, options.coarsening);
-    const TopologyCounts counts = collapse_due(foam, options.equilibrium.thresholds);
-    const EquilibriumSummary summary = settle(foam, counts, options);
-    foam.time += time;
-    return summary;
-}
-
 // A part of what is left of a change, and the time that goes with it.
-EquilibriumSummary changed_substep(
+EquilibriumSummary substep(
     Foam& foam, double time, const StateChange& change, double part, const StepOptions& options) {
     diffuse(foam, time, options.coarsening);
     drive(foam, change, part);
@@ -74,7 +54,13 @@ EquilibriumSummary changed_substep(
         counts.t1 += forced.t1;
         counts.t2 += forced.t2;
     }
-    const EquilibriumSummary summary = settle(foam, counts, options);
+    compact(foam);
+    restore_total(foam);
+    EquilibriumOptions equilibrium = options.equilibrium;
+    equilibrium.relaxes_first = false;
+    EquilibriumSummary summary = equilibrate(foam, equilibrium);
+    summary.t1 += counts.t1;
+    summary.t2 += counts.t2;
     foam.time += time;
     return summary;
 }
@@ -129,12 +115,12 @@ double safe_share(const Foam& foam,
 StepSummary step(Foam& foam, double time, const StepOptions& options) {
     StepSummary summary;
     for (double left = time; left > 0.0;) {
-        const double used =
-            advance(foam,
-                    std::min(left, safe_time(foam, options)),
-                    options,
-                    summary,
-                    [&](Foam& next, double length) { return substep(next, length, options); });
+        const double used = advance(
+            foam,
+            std::min(left, safe_time(foam, options)),
+            options,
+            summary,
+            [&](Foam& next, double length) { return substep(next, length, {}, 1.0, options); });
         if (used == 0.0) {
             break;
         }
@@ -155,7 +141,7 @@ StepSummary step(Foam& foam, double time, const StateChange& change, const StepO
                     options,
                     summary,
                     [&](Foam& next, double share) {
-                        return changed_substep(next, share * time, change, share / left, options);
+                        return substep(next, share * time, change, share / left, options);
                     });
         if (used == 0.0) {
             break;

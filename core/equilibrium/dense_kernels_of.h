@@ -25,7 +25,7 @@ struct Kernels {
     static void subtract_product(const DenseProduct<Real>& product) {
         Index row = 0;
         for (; row + kLargestStrip * kLanes <= product.rows; row += kLargestStrip * kLanes) {
-            subtract_strip<3>(product, row);
+            subtract_strip<kLargestStrip>(product, row);
         }
         if (row + 2 * kLanes <= product.rows) {
             subtract_strip<2>(product, row);

@@ -219,11 +219,10 @@ class Equilibration {
         summary_.area_error = errors.area;
         summary_.angle_error = errors.angle;
         summary_.energy = energy(foam_);
-        const bool exact = errors.area < options_.tolerance && errors.angle < options_.tolerance &&
-                           errors.arc < options_.tolerance && errors.films_at_limit == 0;
         if (settled) {
-            summary_.status =
-                exact ? EquilibriumStatus::Converged : EquilibriumStatus::ToleranceMissed;
+            summary_.status = errors.are_below(options_.tolerance)
+                                  ? EquilibriumStatus::Converged
+                                  : EquilibriumStatus::ToleranceMissed;
         }
     }
 

@@ -1,6 +1,7 @@
 #include "core/equilibrium/gauss_seidel.h"
 
 #include "core/equilibrium/junction_coloring.h"
+#include "core/equilibrium/moves.h"
 #include "core/equilibrium/t1_rule.h"
 #include "core/foam/measure.h"
 #include "core/parallel/parallel_for.h"
@@ -131,30 +132,19 @@ class Sweeps {
     std::vector<BlockChange> changes_;
 };
 
-bool is_exact(const Foam& foam, double tolerance) {
-    const EquilibriumErrors errors = equilibrium_errors(foam);
-    return errors.area < tolerance && errors.angle < tolerance && errors.films_at_limit == 0;
-}
-
-void wrap_all(Foam& foam) {
-    for (const JunctionId junction : foam.network.junctions()) {
-        place_junction(foam, junction, foam.positions[junction]);
-    }
-}
-
 }  // namespace
 
 GaussSeidelSummary gauss_seidel(Foam& foam, const GaussSeidelOptions& options) {
     GaussSeidelSummary summary;
     Sweeps sweeps(foam, options);
-    bool converged = is_exact(foam, options.tolerance);
+    bool converged = equilibrium_errors(foam).are_below(options.tolerance);
     while (!converged && summary.sweeps < options.max_sweeps) {
         sweeps.sweep();
         ++summary.sweeps;
         summary.t1 += sweeps.settle_films(summary.sweeps);
-        converged = is_exact(foam, options.tolerance);
+        converged = equilibrium_errors(foam).are_below(options.tolerance);
     }
-    wrap_all(foam);
+    wrap(foam, all_unknowns(foam.network));
     summary.status = converged ? GaussSeidelStatus::Converged : GaussSeidelStatus::SweepLimit;
     return summary;
 }

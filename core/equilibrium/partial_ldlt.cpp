@@ -15,6 +15,12 @@ using Window =
     Eigen::Map<Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>, 0, Eigen::OuterStride<>>;
 
 template <class Real>
+const DenseKernels<Real>& kernels() {
+    static const DenseKernels<Real> best = best_kernels<Real>();
+    return best;
+}
+
+template <class Real>
 Window<Real> window(DenseView<Real>& matrix, Index row, Index begin, Index end) {
     return {matrix.data() + begin * matrix.rows() + row,
             matrix.rows() - row,
@@ -47,19 +53,18 @@ void pack_scaled(const DenseView<Real>& panel,
 template <class Real>
 void subtract_share(
     const DenseView<Real>& panel, Index begin, Index end, Window<Real> target, Real* scratch) {
-    static const DenseKernels<Real> kernels = best_kernels<Real>();
     const Index first_row = panel.rows() - target.rows();
     for (Index k = begin; k < end; k += kLargestDepth) {
         const Index depth = std::min(kLargestDepth, end - k);
         pack_scaled(panel, first_row, target.cols(), k, depth, scratch);
-        kernels.subtract_product({.rows = target.rows(),
-                                  .cols = target.cols(),
-                                  .depth = depth,
-                                  .left = panel.data() + k * panel.rows() + first_row,
-                                  .left_stride = panel.rows(),
-                                  .right = scratch,
-                                  .target = target.data(),
-                                  .target_stride = target.outerStride()});
+        kernels<Real>().subtract_product({.rows = target.rows(),
+                                          .cols = target.cols(),
+                                          .depth = depth,
+                                          .left = panel.data() + k * panel.rows() + first_row,
+                                          .left_stride = panel.rows(),
+                                          .right = scratch,
+                                          .target = target.data(),
+                                          .target_stride = target.outerStride()});
     }
 }
 
@@ -88,16 +93,15 @@ bool factor_triangle(DenseView<Real>& panel, Index begin, Index end) {
 // Columns begin to end, out of which all earlier columns' shares have been taken.
 template <class Real>
 bool factor_columns(DenseView<Real>& panel, Index begin, Index end) {
-    static const DenseKernels<Real> kernels = best_kernels<Real>();
     if (!factor_triangle(panel, begin, end)) {
         return false;
     }
     Real* const corner = panel.data() + begin * panel.rows() + begin;
-    kernels.eliminate({.rows = panel.rows() - end,
-                       .pivots = end - begin,
-                       .triangle = corner,
-                       .target = corner + (end - begin),
-                       .stride = panel.rows()});
+    kernels<Real>().eliminate({.rows = panel.rows() - end,
+                               .pivots = end - begin,
+                               .triangle = corner,
+                               .target = corner + (end - begin),
+                               .stride = panel.rows()});
     return true;
 }
 

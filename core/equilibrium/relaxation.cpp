@@ -268,9 +268,7 @@ RelaxationSummary relax(Foam& foam, const Unknowns& part, const RelaxationOption
         rearm_grown_films(foam, part.films, options.thresholds);
     }
     set_pressures(foam, part, bubbles);
-    for (const JunctionId junction : part.junctions) {
-        place_junction(foam, junction, foam.positions[junction]);
-    }
+    wrap(foam, part);
     return summary;
 }
 

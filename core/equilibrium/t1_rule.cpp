@@ -149,12 +149,8 @@ void rearm_grown_films(Foam& foam,
 }
 
 void rearm_grown_films(Foam& foam, const TopologyThresholds& thresholds) {
-    std::vector<FilmId> films;
-    films.reserve(foam.network.film_count());
-    for (const FilmId film : foam.network.films()) {
-        films.push_back(film);
-    }
-    rearm_grown_films(foam, films, thresholds);
+    const Network& network = foam.network;
+    rearm_grown_films(foam, network.films().ids(network.film_count()), thresholds);
 }
 
 }  // namespace foam

@@ -40,23 +40,13 @@ void rank_all(const Network& network, Unknowns& unknowns) {
     rank(unknowns.bubbles, unknowns.bubble_rank);
 }
 
-template <class Id>
-std::vector<Id> ids_of(const LiveRange<Id>& range, std::size_t count) {
-    std::vector<Id> ids;
-    ids.reserve(count);
-    for (const Id id : range) {
-        ids.push_back(id);
-    }
-    return ids;
-}
-
 }  // namespace
 
 Unknowns all_unknowns(const Network& network) {
     Unknowns unknowns;
-    unknowns.junctions = ids_of(network.junctions(), network.junction_count());
-    unknowns.bubbles = ids_of(network.bubbles(), network.bubble_count());
-    unknowns.films = ids_of(network.films(), network.film_count());
+    unknowns.junctions = network.junctions().ids(network.junction_count());
+    unknowns.bubbles = network.bubbles().ids(network.bubble_count());
+    unknowns.films = network.films().ids(network.film_count());
     rank_all(network, unknowns);
     return unknowns;
 }

@@ -33,6 +33,11 @@ struct EquilibriumErrors {
     double angle = 0.0;  // largest |angle - 120 degrees| between two films, radians
     double arc = 0.0;    // largest |sin(half angle) - what Laplace-Young asks for| of outer films
     int films_at_limit = 0;
+
+    /// Whether the foam is in equilibrium but for less than a tolerance.
+    bool are_below(double tolerance) const {
+        return area < tolerance && angle < tolerance && arc < tolerance && films_at_limit == 0;
+    }
 };
 
 EquilibriumErrors equilibrium_errors(const Foam& foam);

@@ -41,6 +41,16 @@ class LiveRange {
     Iterator begin() const { return {*live_, 0}; }
     Iterator end() const { return {*live_, live_->size()}; }
 
+    /// All of them at once. `count` is how many there are, as far as it is known.
+    std::vector<Id> ids(std::size_t count) const {
+        std::vector<Id> ids;
+        ids.reserve(count);
+        for (const Id id : *this) {
+            ids.push_back(id);
+        }
+        return ids;
+    }
+
   private:
     const std::vector<bool>* live_;
 };

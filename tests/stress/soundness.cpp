@@ -41,10 +41,10 @@ std::optional<std::string> find_target_fault(const Foam& foam) {
 
 std::optional<std::string> find_error(const Foam& foam, double tolerance) {
     const EquilibriumErrors errors = equilibrium_errors(foam);
-    if (errors.area > tolerance) {
+    if (!(errors.area <= tolerance)) {
         return fmt::format("an area error of {:.3g}", errors.area);
     }
-    if (errors.angle > tolerance) {
+    if (!(errors.angle <= tolerance)) {
         return fmt::format("an angle error of {:.3g}", errors.angle);
     }
     if (errors.films_at_limit > 0) {

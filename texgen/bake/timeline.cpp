@@ -24,13 +24,6 @@ Vec2 place_of(const Event& event, const Torus& torus) {
     return {(*event.at)[0] * torus.width, (*event.at)[1] * torus.height};
 }
 
-std::size_t bubbles_chosen(const Event& event) {
-    if (!event.bubbles.empty()) {
-        return event.bubbles.size();
-    }
-    return event.sides.empty() ? 1 : static_cast<std::size_t>(event.count);
-}
-
 // The part of the frames, of `parts` in all, that comes at place `index`.
 FrameSpan part_of(const FrameSpan& frames, std::size_t index, std::size_t parts) {
     const auto start = [&](std::size_t k) {
@@ -79,14 +72,6 @@ std::vector<BubbleId> choose(const Event& event,
         }
     }
     return chosen;
-}
-
-std::vector<BubbleId> all_bubbles(const Foam& foam) {
-    std::vector<BubbleId> all;
-    for (const BubbleId bubble : foam.network.bubbles()) {
-        all.push_back(bubble);
-    }
-    return all;
 }
 
 std::optional<BubbleId> nucleate_at(const Event& event,
@@ -156,7 +141,7 @@ void Timeline::begin(Entry& entry, int frame, Foam& foam) {
 }
 
 void Timeline::begin_collapse(const Event& event, int frame, const Foam& foam) {
-    const std::size_t count = bubbles_chosen(event);
+    const std::size_t count = event.bubbles_named();
     const std::size_t parts = event.order == EventOrder::InTurn ? count : 1;
     for (std::size_t part = 0; part < parts; ++part) {
         const FrameSpan frames = part_of(event.frames, part, parts);
@@ -175,9 +160,10 @@ void Timeline::begin_drive(Entry& entry, int frame, const Foam& foam) {
     if (frame != event.frames.first) {
         return;
     }
-    const bool is_chosen = event.at || !event.sides.empty() || !event.bubbles.empty();
-    for (const BubbleId bubble :
-         is_chosen ? choose(event, foam, 0, bubbles_chosen(event)) : all_bubbles(foam)) {
+    const std::size_t count = event.bubbles_named();
+    const Network& network = foam.network;
+    for (const BubbleId bubble : count > 0 ? choose(event, foam, 0, count)
+                                           : network.bubbles().ids(network.bubble_count())) {
         const double area = foam.target_areas[bubble];
         const double more = event.phases == Phases::Random ? entry.random.uniform() : 0.0;
         driven_[foam.identities[bubble]] = {event.frames,

@@ -3,6 +3,7 @@
 #include "core/foam/foam.h"
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -54,6 +55,14 @@ struct Event {
     double period = 24.0;  // frames
     double phase = 0.0;    // turns
     Phases phases = Phases::Same;
+
+    /// How many bubbles it names by one of the three; 0 stands for all.
+    std::size_t bubbles_named() const {
+        if (!bubbles.empty()) {
+            return bubbles.size();
+        }
+        return sides.empty() ? (at ? 1U : 0U) : static_cast<std::size_t>(count);
+    }
 };
 
 }  // namespace foam::texgen

@@ -109,14 +109,6 @@ void check_frames(const Checked& checked) {
                     "must not stand beside frame");
 }
 
-// Number of bubbles that an event names; 0 stands for all.
-std::size_t bubbles_named(const Event& event) {
-    if (!event.bubbles.empty()) {
-        return event.bubbles.size();
-    }
-    return event.sides.empty() ? (event.at ? 1U : 0U) : static_cast<std::size_t>(event.count);
-}
-
 void check_choice(const Checked& checked) {
     const Event& event = checked.event;
     const int ways =
@@ -132,10 +124,10 @@ void check_choice(const Checked& checked) {
                     "counts bubbles that are chosen by sides");
     const auto frames = static_cast<std::size_t>(event.frames.length());
     checked.require(
-        event.order == EventOrder::AtOnce || bubbles_named(event) <= frames,
+        event.order == EventOrder::AtOnce || event.bubbles_named() <= frames,
         "order",
         fmt::format(
-            "{} bubbles in turn need as many frames, there are {}", bubbles_named(event), frames));
+            "{} bubbles in turn need as many frames, there are {}", event.bubbles_named(), frames));
 }
 
 void check_new_bubbles(const Checked& checked, const Preset& preset) {

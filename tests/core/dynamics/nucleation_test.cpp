@@ -29,6 +29,17 @@ EquilibriumOptions from_near() {
     return options;
 }
 
+// A new bubble of area 0.02 in a honeycomb, with the total of the targets from before.
+void expect_exact(const Foam& foam, BubbleId bubble, double pressure, double total) {
+    EXPECT_TRUE(is_valid(foam.network));
+    EXPECT_NEAR(bubble_area(foam, bubble), 0.02, 1e-14);
+    EXPECT_NEAR(foam.pressures[bubble], pressure, 1e-12);
+    const EquilibriumErrors errors = equilibrium_errors(foam);
+    EXPECT_LT(errors.angle, 1e-12);
+    EXPECT_LT(errors.area, 1e-12);
+    EXPECT_NEAR(total_target(foam), total, 1e-13);
+}
+
 // In a honeycomb, where films are straight and pressures equal, the new bubble is placed exactly:
 // arcs of radius c, c² (sqrt(3)/4 + 3 (pi/6 - sqrt(3)/4)) = 0.02, an excess pressure of T / c.
 // Areas around it are out by what it takes of them alone: by symmetry nothing.
@@ -36,14 +47,8 @@ TEST(Nucleation, AtAJunctionOfAHoneycombIsExactAtOnce) {
     Foam foam = honeycomb(4, 4);
     const double total = total_target(foam);
     const BubbleId bubble = *nucleate_at_junction(foam, JunctionId{7}, 0.02);
-    EXPECT_TRUE(is_valid(foam.network));
-    EXPECT_NEAR(bubble_area(foam, bubble), 0.02, 1e-14);
     const double c = std::sqrt(0.02 / (kPi / 2.0 - kRoot3 / 2.0));
-    EXPECT_NEAR(foam.pressures[bubble], 1.0 / c, 1e-12);
-    const EquilibriumErrors errors = equilibrium_errors(foam);
-    EXPECT_LT(errors.angle, 1e-12);
-    EXPECT_LT(errors.area, 1e-12);
-    EXPECT_NEAR(total_target(foam), total, 1e-13);
+    expect_exact(foam, bubble, 1.0 / c, total);
 }
 
 // Two segments of arcs of 60 degrees to either side: R² (pi/3 - sqrt(3)/4) each, an excess pressure
@@ -52,14 +57,8 @@ TEST(Nucleation, OnAFilmOfAHoneycombIsExactAtOnce) {
     Foam foam = honeycomb(4, 4);
     const double total = total_target(foam);
     const BubbleId bubble = *nucleate_on_film(foam, FilmId{9}, 0.02);
-    EXPECT_TRUE(is_valid(foam.network));
-    EXPECT_NEAR(bubble_area(foam, bubble), 0.02, 1e-14);
     const double radius = std::sqrt(0.01 / (kPi / 3.0 - kRoot3 / 4.0));
-    EXPECT_NEAR(foam.pressures[bubble], 1.0 / radius, 1e-12);
-    const EquilibriumErrors errors = equilibrium_errors(foam);
-    EXPECT_LT(errors.angle, 1e-12);
-    EXPECT_LT(errors.area, 1e-12);
-    EXPECT_NEAR(total_target(foam), total, 1e-13);
+    expect_exact(foam, bubble, 1.0 / radius, total);
 }
 
 TEST(Nucleation, TakesItsGasInProportion) {

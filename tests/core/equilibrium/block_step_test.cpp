@@ -1,6 +1,5 @@
 #include "core/equilibrium/block_step.h"
 
-#include "core/equilibrium/hessian.h"
 #include "core/foam/honeycomb.h"
 #include "core/foam/random.h"
 #include "tests/core/equilibrium/derivative_foams.h"
@@ -17,13 +16,7 @@ namespace foam {
 namespace {
 
 using Eigen::Index;
-
-Eigen::MatrixXd full_hessian(const Foam& foam, const Unknowns& unknowns) {
-    Hessian hessian(foam.network, unknowns);
-    const Eigen::MatrixXd lower = hessian.evaluate(foam);
-    Eigen::MatrixXd full = lower.selfadjointView<Eigen::Lower>();
-    return full;
-}
+using test::full_hessian;
 
 // The block's unknowns among those of the foam, and the size of their units.
 struct Place {

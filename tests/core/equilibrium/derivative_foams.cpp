@@ -1,5 +1,6 @@
 #include "tests/core/equilibrium/derivative_foams.h"
 
+#include "core/equilibrium/hessian.h"
 #include "core/foam/honeycomb.h"
 #include "core/foam/random.h"
 #include "tests/core/patches.h"
@@ -71,6 +72,13 @@ std::vector<Foam> derivative_patches() {
         }
     }
     return foams;
+}
+
+Eigen::MatrixXd full_hessian(const Foam& foam, const Unknowns& unknowns) {
+    Hessian hessian(foam.network, unknowns);
+    const Eigen::MatrixXd lower = hessian.evaluate(foam);
+    Eigen::MatrixXd full = lower.selfadjointView<Eigen::Lower>();
+    return full;
 }
 
 Foam shifted(Foam foam, const Unknowns& unknowns, int row, double by) {

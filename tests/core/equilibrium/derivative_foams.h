@@ -2,6 +2,8 @@
 
 #include "core/equilibrium/unknowns.h"
 
+#include <Eigen/Core>
+
 #include <vector>
 
 namespace foam::test {
@@ -14,6 +16,9 @@ std::vector<Foam> derivative_foams();
 
 /// Patches with random pressures whose outer films have half angles up to 143 degrees either way.
 std::vector<Foam> derivative_patches();
+
+/// The Hessian of E3 by all the unknowns, both triangles.
+Eigen::MatrixXd full_hessian(const Foam& foam, const Unknowns& unknowns);
 
 /// The foam with one unknown changed.
 Foam shifted(Foam foam, const Unknowns& unknowns, int row, double by);

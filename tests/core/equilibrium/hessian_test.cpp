@@ -16,14 +16,8 @@ namespace foam {
 namespace {
 
 using test::derivative_foams;
+using test::full_hessian;
 using test::shifted;
-
-Eigen::MatrixXd full_hessian(const Foam& foam, const Unknowns& unknowns) {
-    Hessian hessian(foam.network, unknowns);
-    const Eigen::MatrixXd lower = hessian.evaluate(foam);
-    Eigen::MatrixXd full = lower.selfadjointView<Eigen::Lower>();
-    return full;
-}
 
 // Steps of 1e-6: rounding leaves 1e-15 / 1e-6, the cubic term 1e-12 / 6 times third derivatives of
 // the forces of T / c³, up to 1e4 and, close to the limit, hundreds of times that.

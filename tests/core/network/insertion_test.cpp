@@ -31,6 +31,19 @@ void expect_same_shape(const Network& a, const Network& b) {
     }
 }
 
+// `insert` puts a bubble into the network and returns it.
+template <class Insert>
+void expect_undone_by_t2(const Network& before, const Insert& insert) {
+    Network network = before;
+    const BubbleId bubble = insert(network);
+    ASSERT_TRUE(is_valid(network));
+    ASSERT_TRUE(can_vanish(network, bubble));
+    vanish(network, bubble);
+    ASSERT_TRUE(is_valid(network));
+    network.compact();
+    expect_same_shape(network, before);
+}
+
 std::vector<Network> networks() {
     std::vector<Network> networks{test::single_bubble().network};
     for (const int bubbles : {2, 3, 20}) {
@@ -57,14 +70,8 @@ TEST(InsertTriangle, GivesEachBubbleAroundItASide) {
 TEST(InsertTriangle, AtAnyJunctionIsUndoneByT2) {
     for (const Network& before : networks()) {
         for (const JunctionId junction : before.junctions()) {
-            Network network = before;
-            const BubbleId triangle = insert_triangle(network, junction);
-            ASSERT_TRUE(is_valid(network));
-            ASSERT_TRUE(can_vanish(network, triangle));
-            vanish(network, triangle);
-            ASSERT_TRUE(is_valid(network));
-            network.compact();
-            expect_same_shape(network, before);
+            expect_undone_by_t2(
+                before, [&](Network& network) { return insert_triangle(network, junction); });
         }
     }
 }
@@ -87,14 +94,9 @@ TEST(InsertLens, GivesTheBubblesBesideItTwoSides) {
 TEST(InsertLens, OnAnyFilmIsUndoneByT2) {
     for (const Network& before : networks()) {
         for (std::size_t k = 0; k < 2 * before.film_slots(); ++k) {
-            Network network = before;
-            const BubbleId lens = insert_lens(network, id_at<HalfEdgeId>(k));
-            ASSERT_TRUE(is_valid(network));
-            ASSERT_TRUE(can_vanish(network, lens));
-            vanish(network, lens);
-            ASSERT_TRUE(is_valid(network));
-            network.compact();
-            expect_same_shape(network, before);
+            expect_undone_by_t2(before, [&](Network& network) {
+                return insert_lens(network, id_at<HalfEdgeId>(k));
+            });
         }
     }
 }

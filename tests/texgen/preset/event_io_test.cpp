@@ -1,5 +1,6 @@
 #include "texgen/preset/event_io.h"
 
+#include "tests/texgen/preset/bounds.h"
 #include "texgen/preset/event_schema.h"
 #include "texgen/preset/preset_io.h"
 
@@ -10,6 +11,8 @@
 
 namespace foam::texgen {
 namespace {
+
+using test::Bounds;
 
 std::string failure(const std::string& toml, const std::vector<std::string>& set = {}) {
     try {
@@ -191,14 +194,6 @@ TEST(EventIo, TheReferenceHasMeaningAndLimitsOfEveryKey) {
     EXPECT_NE(reference.find("\n[[event]]\nkind\n"), std::string::npos);
     EXPECT_NE(reference.find("\ncount = 1\n"), std::string::npos);
 }
-
-struct Bounds {
-    std::string key;
-    std::string below;
-    std::string low;
-    std::string high;
-    std::string above;
-};
 
 class EventLimits : public testing::TestWithParam<Bounds> {};
 

@@ -1,5 +1,6 @@
 #include "texgen/preset/schema.h"
 
+#include "tests/texgen/preset/bounds.h"
 #include "texgen/preset/assignment.h"
 
 #include <fmt/core.h>
@@ -12,6 +13,8 @@
 
 namespace foam::texgen {
 namespace {
+
+using test::Bounds;
 
 bool accepts(const std::string& path, const std::string& value) {
     Preset preset;
@@ -46,14 +49,6 @@ TEST(Schema, NoKeyTakesADateOrATable) {
         EXPECT_FALSE(key.read({true}, preset)) << key.path;
     }
 }
-
-struct Bounds {
-    std::string key;
-    std::string below;
-    std::string low;
-    std::string high;
-    std::string above;
-};
 
 class Limits : public testing::TestWithParam<Bounds> {};
 
