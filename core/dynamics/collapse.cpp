@@ -1,5 +1,7 @@
 #include "core/dynamics/collapse.h"
 
+#include "core/equilibrium/double_bubble.h"
+#include "core/equilibrium/rafts.h"
 #include "core/equilibrium/t1_rule.h"
 #include "core/network/t1.h"
 #include "core/network/t2.h"
@@ -42,7 +44,29 @@ void apply_t2(Foam& foam, BubbleId bubble) {
     share_out(foam, gas, vanished.neighbours);
     if (vanished.film != kNone<FilmId>) {
         foam.t1_armed[vanished.film] = 1;
+        fit_half_angle(foam, vanished.film);
     }
+}
+
+// The film to the other bubble of a raft of two; none elsewhere.
+FilmId film_of_raft_of_two(const Network& network, BubbleId bubble) {
+    for (const HalfEdgeId h : network.around(bubble)) {
+        if (is_inside_double_bubble(network, film_of(h))) {
+            return film_of(h);
+        }
+    }
+    return kNone<FilmId>;
+}
+
+// The other one gets half of its gas, the ghost the rest, as from any bubble between two.
+void vanish_from_raft_of_two(Foam& foam, BubbleId bubble, FilmId film) {
+    const HalfEdgeId h = forward_side(film);
+    const bool is_left = foam.network.left(h) == bubble;
+    const BubbleId other = is_left ? foam.network.right(h) : foam.network.left(h);
+    const BubbleIdentity gone = foam.identities[bubble];
+    foam.target_areas[other] += 0.5 * foam.target_areas[bubble];
+    tear_film(foam, film);
+    std::erase_if(foam.lone_bubbles, [&](const LoneBubble& b) { return b.identity == gone; });
 }
 
 // Flips the shortest film of the bubble that can; false where none can.
@@ -98,6 +122,12 @@ bool is_due_to_vanish(const Foam& foam, BubbleId bubble, const TopologyThreshold
 }
 
 bool collapse(Foam& foam, BubbleId bubble, TopologyCounts& counts) {
+    const FilmId inner = film_of_raft_of_two(foam.network, bubble);
+    if (inner != kNone<FilmId>) {
+        vanish_from_raft_of_two(foam, bubble, inner);
+        ++counts.t2;
+        return true;
+    }
     const int most_flips = 2 * foam.network.sides(bubble);
     for (int flips = 0; flips < most_flips; ++flips) {
         if (can_vanish(foam.network, bubble)) {
@@ -121,6 +151,9 @@ TopologyCounts collapse_due(Foam& foam, const TopologyThresholds& thresholds) {
             collapse_or_keep(foam, bubble, least, counts);
         }
     }
+    counts.t2 += static_cast<int>(std::erase_if(foam.lone_bubbles, [&](const LoneBubble& bubble) {
+        return bubble.target_area <= thresholds.t2_area;
+    }));
     // The debts of those that vanished with a negative target can starve the ones that had enough.
     for (int before = -1; counts.t2 != before;) {
         before = counts.t2;

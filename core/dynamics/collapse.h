@@ -19,12 +19,12 @@ bool is_due_to_vanish(const Foam& foam, BubbleId bubble, const TopologyThreshold
 /// Makes a bubble vanish: its shortest films flip until three sides are left, these become one
 /// junction at the mean of the three (T2), and its gas goes to its last neighbours in equal shares.
 /// False where no order of flips allows it, as between the last bubbles of a torus; the bubble then
-/// keeps what it has.
+/// keeps what it has. A bubble of a raft of two leaves the other one behind as a lone bubble.
 bool collapse(Foam& foam, BubbleId bubble, TopologyCounts& counts);
 
 /// Collapses every bubble that is due, and those that the debts of others leave with next to
-/// nothing, so that every target is positive. A bubble that cannot vanish is left with a small
-/// target area at the cost of its largest neighbour.
+/// nothing, so that every target is positive; lone bubbles vanish at the T2 area. A bubble that
+/// cannot vanish is left with a small target area at the cost of its largest neighbour.
 TopologyCounts collapse_due(Foam& foam, const TopologyThresholds& thresholds);
 
 }  // namespace foam

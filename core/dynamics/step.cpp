@@ -14,17 +14,24 @@ constexpr double kVanishingAreas = 4.0;
 // that cannot be had, as when all bubbles are to shrink, comes to an end all the same.
 constexpr double kLeastShare = 0.01;
 
-// The longest time in which no bubble loses too large a part of its area, but for those that
-// vanish.
+// The longest time in which a bubble does not lose too large a part of its area, unless it
+// vanishes.
+double safe_time(double area, double rate, const StepOptions& options) {
+    const double vanishing = kVanishingAreas * options.equilibrium.thresholds.t2_area;
+    return rate < 0.0 && area > vanishing ? options.largest_loss * area / -rate
+                                          : std::numeric_limits<double>::infinity();
+}
+
+// The same for all bubbles.
 double safe_time(const Foam& foam, const StepOptions& options) {
     double time = std::numeric_limits<double>::infinity();
-    const double vanishing = kVanishingAreas * options.equilibrium.thresholds.t2_area;
     for (const BubbleId bubble : foam.network.bubbles()) {
         const double rate = growth_rate(foam, bubble, options.coarsening);
-        const double area = foam.target_areas[bubble];
-        if (rate < 0.0 && area > vanishing) {
-            time = std::min(time, options.largest_loss * area / -rate);
-        }
+        time = std::min(time, safe_time(foam.target_areas[bubble], rate, options));
+    }
+    for (const LoneBubble& bubble : foam.lone_bubbles) {
+        const double rate = lone_growth_rate(foam, options.coarsening);
+        time = std::min(time, safe_time(bubble.target_area, rate, options));
     }
     return time;
 }
@@ -61,6 +68,9 @@ EquilibriumSummary substep(
     EquilibriumSummary summary = equilibrate(foam, equilibrium);
     summary.t1 += counts.t1;
     summary.t2 += counts.t2;
+    if (foam.network.ghost() != kNone<BubbleId>) {  // films may have torn
+        compact(foam);
+    }
     foam.time += time;
     return summary;
 }

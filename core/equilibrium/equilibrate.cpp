@@ -85,6 +85,9 @@ class Equilibration {
   private:
     // Newton's method for the whole foam, then what it asks for; true where it asks for nothing.
     bool solve_by_newton() {
+        if (foam_.network.film_count() == 0) {
+            return true;
+        }
         if (network_changed_) {
             whole_.start(foam_, all_unknowns(foam_.network));
             network_changed_ = false;
@@ -143,8 +146,12 @@ class Equilibration {
         return spots.size();
     }
 
-    void settle_spot(const Spot& spot) {
+    void settle_spot(Spot spot) {
         for (int round = 0; round < kSpotRounds; ++round) {
+            drop_loose(spot);
+            if (spot.empty()) {
+                return;
+            }
             spot_.start(foam_, unknowns_around(foam_.network, spot));
             const NewtonSummary newton_summary = spot_.run(foam_);
             if (newton_summary.status != NewtonStatus::FilmsCollapse) {
@@ -152,6 +159,11 @@ class Equilibration {
             }
             settle(newton_summary.collapsing);
         }
+    }
+
+    // Bubbles may have come loose where films of a spot before it have torn.
+    void drop_loose(Spot& spot) const {
+        std::erase_if(spot, [&](BubbleId bubble) { return !foam_.network.is_live(bubble); });
     }
 
     void start_over_without_spots() {
@@ -165,13 +177,16 @@ class Equilibration {
     // is. Where that does not help, all of it is relaxed.
     void relax_where_stalled() {
         untangle(foam_);  // a whole step of Newton's method may leave a tangle
-        const std::vector<Spot> spots = worst_spots();
+        std::vector<Spot> spots = worst_spots();
         if (without_spots_ || spots.empty() || ++local_relaxations_ % kMostLocalRelaxations == 0) {
             relax_all();
             return;
         }
-        for (const Spot& spot : spots) {
-            relax_part(unknowns_around(foam_.network, spot), options_.relaxation_sweeps);
+        for (Spot& spot : spots) {
+            drop_loose(spot);
+            if (!spot.empty()) {
+                relax_part(unknowns_around(foam_.network, spot), options_.relaxation_sweeps);
+            }
         }
     }
 
@@ -197,8 +212,10 @@ class Equilibration {
     void relax_all() {
         untangle(foam_);
         const int sweeps = std::max(1, options_.relaxation_sweeps >> (2 * (relaxations_++ % 4)));
-        const RelaxationSummary relaxation =
-            relax(foam_, {.sweeps = sweeps, .thresholds = options_.thresholds});
+        const bool fills_areas = relaxations_ % 2 == 0;  // it was counted above
+        const RelaxationSummary relaxation = relax(
+            foam_,
+            {.sweeps = sweeps, .fills_areas = fills_areas, .thresholds = options_.thresholds});
         summary_.sweeps += relaxation.sweeps;
         summary_.t1 += relaxation.t1;
         network_changed_ = true;
@@ -207,6 +224,9 @@ class Equilibration {
     int settle(const std::vector<FilmId>& films) {
         int flips = 0;
         for (const FilmId film : films) {
+            if (!foam_.network.is_live(film)) {  // gone with one before it
+                continue;
+            }
             flips += settle_film(foam_, film, options_.thresholds, Tangents::OfArcs) ? 1 : 0;
         }
         summary_.t1 += flips;
@@ -242,6 +262,12 @@ class Equilibration {
 }  // namespace
 
 EquilibriumSummary equilibrate(Foam& foam, const EquilibriumOptions& options) {
+    if (foam.network.film_count() == 0) {  // lone bubbles, which are circles already, or nothing
+        EquilibriumSummary summary;
+        summary.status = EquilibriumStatus::Converged;
+        summary.energy = energy(foam);
+        return summary;
+    }
     return Equilibration(foam, options).run();
 }
 

@@ -41,6 +41,13 @@ Units units_of(const Foam& foam) {
     return {std::abs(length - 1.0) < kRounding ? 1.0 : length, foam.film_tension};
 }
 
+void scale_lone_bubbles(Foam& foam, double factor) {
+    for (LoneBubble& bubble : foam.lone_bubbles) {
+        bubble.centre *= factor;
+        bubble.target_area *= factor * factor;
+    }
+}
+
 Foam in_units(Foam foam, const Units& units) {
     foam.torus = {foam.torus.width / units.length, foam.torus.height / units.length};
     foam.film_tension = 1.0;
@@ -51,6 +58,7 @@ Foam in_units(Foam foam, const Units& units) {
         foam.pressures[bubble] /= units.pressure();
         foam.target_areas[bubble] /= units.length * units.length;
     }
+    scale_lone_bubbles(foam, 1.0 / units.length);
     return foam;
 }
 
@@ -58,6 +66,11 @@ Foam in_units(Foam foam, const Units& units) {
 void take_solution(Foam& foam, Foam solved, const Units& units) {
     foam.network = std::move(solved.network);
     foam.t1_armed = std::move(solved.t1_armed);
+    foam.half_angles = std::move(solved.half_angles);
+    if (solved.lone_bubbles.size() != foam.lone_bubbles.size()) {  // some came loose
+        foam.lone_bubbles = std::move(solved.lone_bubbles);
+        scale_lone_bubbles(foam, units.length);
+    }
     for (const JunctionId junction : foam.network.junctions()) {
         place_junction(foam, junction, solved.positions[junction] * units.length);
     }

@@ -1,7 +1,6 @@
 #include "core/equilibrium/moves.h"
 
 #include "core/equilibrium/t1_rule.h"
-#include "core/network/t1.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +28,7 @@ bool awaits_flip(const Foam& foam,
     const HalfEdgeId h = forward_side(film);
     const Vec2 after = chord(foam, h) + move_of(unknowns, step, foam.network.head(h)) -
                        move_of(unknowns, step, foam.network.tail(h));
-    return after.norm() < length && can_flip(foam.network, film) &&
+    return after.norm() < length && can_change(foam.network, film) &&
            flipped_pulls_apart(foam, film, Tangents::OfArcs);
 }
 

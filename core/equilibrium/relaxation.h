@@ -10,6 +10,9 @@ struct RelaxationOptions {
     int sweeps = 60;
     double stiffness = 10.0;     // of a bubble against a change of its area, in film tensions
     double largest_move = 0.33;  // of a junction in a sweep, in its shortest films
+    // Outer films begin with half angles that make up for the missing areas, not with those of the
+    // pressures: another start for Newton's method.
+    bool fills_areas = false;
     TopologyThresholds thresholds{};
 };
 
@@ -24,6 +27,6 @@ RelaxationSummary relax(Foam& foam, const RelaxationOptions& options);
 
 /// The same for a part of the foam, all else held. Its mean pressure stays as it is, since straight
 /// films know pressures up to a constant only.
-RelaxationSummary relax(Foam& foam, const Unknowns& part, const RelaxationOptions& options);
+RelaxationSummary relax(Foam& foam, Unknowns part, const RelaxationOptions& options);
 
 }  // namespace foam

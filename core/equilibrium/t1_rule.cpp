@@ -1,5 +1,7 @@
 #include "core/equilibrium/t1_rule.h"
 
+#include "core/equilibrium/rafts.h"
+#include "core/network/split.h"
 #include "core/network/t1.h"
 
 #include <algorithm>
@@ -63,7 +65,13 @@ bool is_short_and_flips(const Foam& foam,
                         Tangents tangents) {
     const double length = chord(foam, forward_side(film)).norm();
     return length < thresholds.t1_distance && length < t1_length(foam, film, thresholds) &&
-           can_flip(foam.network, film) && flipped_pulls_apart(foam, film, tangents);
+           can_change(foam.network, film) && flipped_pulls_apart(foam, film, tangents);
+}
+
+// Whether the outer films of a film that can tear pull it apart harder than along it.
+bool tears_apart(const Foam& foam, FilmId film, Tangents tangents) {
+    const OuterPull pull = outer_pull(foam, film, tangents);
+    return pull.flipped.norm() > pull.present.norm() - 1.0;
 }
 
 Vec2 middle_of(const Foam& foam, FilmId film) {
@@ -86,7 +94,7 @@ bool flipped_pulls_apart(const Foam& foam, FilmId film, Tangents tangents) {
     const Vec2 pull = outer_pull(foam, film, tangents).flipped;
     const Vec2 d = chord(foam, forward_side(film));
     const double apart = d == Vec2::Zero() ? pull.norm() : pull.dot(turned_left(d).normalized());
-    return apart > 1.0;
+    return apart > (can_tear(foam.network, film) ? 0.0 : 1.0);
 }
 
 void flip_film(Foam& foam, FilmId film) {
@@ -114,9 +122,31 @@ bool reopen_film(Foam& foam, FilmId film, double length, Tangents tangents) {
     return flips;
 }
 
+bool can_change(const Network& network, FilmId film) {
+    return can_flip(network, film) || can_tear(network, film);
+}
+
+bool can_tear(const Network& network, FilmId film) {
+    const HalfEdgeId h = forward_side(film);
+    return can_split(network, film) && network.sides(network.left(h)) > 2 &&
+           network.sides(network.right(h)) > 2;
+}
+
 bool settle_film(Foam& foam, FilmId film, const TopologyThresholds& thresholds, Tangents tangents) {
     const double collapsed = collapsed_length(foam, film, thresholds);
-    if (chord(foam, forward_side(film)).norm() < collapsed) {
+    const double length = chord(foam, forward_side(film)).norm();
+    if (can_tear(foam.network, film)) {
+        const bool tears = is_short_and_flips(foam, film, thresholds, tangents) ||
+                           (length < collapsed && tears_apart(foam, film, tangents));
+        if (tears) {
+            tear_film(foam, film);
+        }
+        return tears;
+    }
+    if (foam.network.is_outer(film) && is_small_hole(foam, film, thresholds.t1_distance)) {
+        return close_hole(foam, film);
+    }
+    if (length < collapsed) {
         return reopen_film(foam, film, kReopenedLength * collapsed, tangents);
     }
     const bool flips = is_short_and_flips(foam, film, thresholds, tangents);

@@ -23,7 +23,7 @@ enum class Tangents {
 };
 
 /// Whether the outer films would pull the flipped film apart: their mean pull along it exceeds the
-/// pull of the film itself.
+/// pull of the film itself, if there is one between them.
 bool flipped_pulls_apart(const Foam& foam, FilmId film, Tangents tangents);
 
 /// Flips the film (t1.h), sets its junctions perpendicular to the old film around its middle at the
@@ -35,11 +35,20 @@ void flip_film(Foam& foam, FilmId film);
 /// flipped.
 bool reopen_film(Foam& foam, FilmId film, double length, Tangents tangents);
 
+/// Whether the film has the ghost at both ends (split.h), and neither of its bubbles comes loose
+/// with it: one of two sides is held by it at any size.
+bool can_tear(const Network& network, FilmId film);
+
+/// Whether the film can flip or tear.
+bool can_change(const Network& network, FilmId film);
+
 /// The T1 that is due at a short film, if any: a collapsed film is opened anew, another one flipped
-/// where its flipped state stays open. Returns whether it was flipped.
+/// where its flipped state stays open. With the ghost at both ends it tears instead, as nothing
+/// holds what would be the flipped film together; and a small hole that it goes around is closed.
+/// Returns whether the network changed; the film may then be gone.
 bool settle_film(Foam& foam, FilmId film, const TopologyThresholds& thresholds, Tangents tangents);
 
-/// Films below their T1 distance that would stay open when flipped, in increasing order.
+/// Films below their T1 distance that would stay open when flipped, or torn, in increasing order.
 std::vector<FilmId> short_films(const Foam& foam, const TopologyThresholds& thresholds);
 
 /// Arms every one of the films that has grown to twice its T1 distance.

@@ -23,6 +23,7 @@ struct Frame {
     Indexed<JunctionId, Vec2> positions;
     Indexed<FilmId, FilmArc> arcs;           // of the forward sides
     Indexed<BubbleId, FrameBubble> bubbles;  // the ghost, the network's last, is none of them
+    std::vector<LoneBubble> lone_bubbles;
 
     /// The arc as walked along a half-edge.
     FilmArc arc(HalfEdgeId h) const {

@@ -1,5 +1,7 @@
 #include "core/foam/polygon_mesh.h"
 
+#include "core/network/outside.h"
+
 #include <algorithm>
 #include <map>
 #include <set>
@@ -22,10 +24,9 @@ class PatchBuilder {
     Foam build() {
         add_sides();
         add_bubbles();
-        foam_.network.add_ghost();
         add_films();
         link_cells();
-        link_ghost();
+        add_outside(foam_.network);
         foam_.t1_armed.resize(foam_.network.film_slots(), 1);
         complete_patch(foam_);
         return std::move(foam_);
@@ -125,7 +126,6 @@ class PatchBuilder {
         half_edges_[{corners[end], corners[end - 1]}] = twin(h);
         foam_.network.set_tail(h, junctions_[corners[begin]]);
         foam_.network.set_tail(twin(h), junctions_[corners[end]]);
-        foam_.network.set_left(twin(h), foam_.network.ghost());
         return h;
     }
 
@@ -135,33 +135,10 @@ class PatchBuilder {
             const auto bubble = id_at<BubbleId>(cell);
             foam_.network.set_first(bubble, loop.front());
             foam_.network.set_sides(bubble, static_cast<int>(loop.size()));
-            before_.resize(2 * foam_.network.film_slots(), kNone<HalfEdgeId>);
             for (std::size_t k = 0; k < loop.size(); ++k) {
-                const HalfEdgeId next = loop[(k + 1) % loop.size()];
-                foam_.network.set_next(loop[k], next);
-                before_[index_of(next)] = loop[k];
+                foam_.network.set_next(loop[k], loop[(k + 1) % loop.size()]);
             }
         }
-    }
-
-    // What follows around the ghost leaves the junction last, when the cells there are gone around.
-    void link_ghost() {
-        Network& network = foam_.network;
-        int sides = 0;
-        for (const FilmId film : network.films()) {
-            const HalfEdgeId h = twin(forward_side(film));
-            if (network.left(h) != network.ghost()) {
-                continue;
-            }
-            HalfEdgeId leaving = twin(h);
-            while (network.left(leaving) != network.ghost()) {
-                leaving = twin(before_[index_of(leaving)]);
-            }
-            network.set_next(h, leaving);
-            network.set_first(network.ghost(), h);
-            ++sides;
-        }
-        network.set_sides(network.ghost(), sides);
     }
 
     const PolygonMesh& mesh_;
@@ -170,7 +147,6 @@ class PatchBuilder {
     std::vector<JunctionId> junctions_;           // of each point; none where two sides meet
     std::map<Side, HalfEdgeId> half_edges_;       // of the first side of each that awaits its cell
     std::vector<std::vector<HalfEdgeId>> loops_;  // of each cell
-    std::vector<HalfEdgeId> before_;              // around the cell
 };
 
 }  // namespace

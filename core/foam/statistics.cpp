@@ -1,7 +1,10 @@
 #include "core/foam/statistics.h"
 
+#include "core/foam/measure.h"
+
 #include <algorithm>
 #include <map>
+#include <numbers>
 
 namespace foam {
 
@@ -25,13 +28,16 @@ double inflow(const Frame& frame, BubbleId bubble) {
 }
 
 double mean_area(const Frame& frame) {
-    const auto bubbles = static_cast<double>(frame.bubbles.size());
+    const auto bubbles = static_cast<double>(frame.bubbles.size() + frame.lone_bubbles.size());
     if (!frame.torus.is_plane()) {
         return frame.torus.area() / bubbles;
     }
     double total = 0.0;
     for (const FrameBubble& bubble : frame.bubbles) {
         total += bubble.area;
+    }
+    for (const LoneBubble& bubble : frame.lone_bubbles) {
+        total += bubble.target_area;
     }
     return total / bubbles;
 }
@@ -40,6 +46,9 @@ double energy(const Frame& frame) {
     double length = 0.0;
     for (const FilmArc& arc : frame.arcs) {
         length += arc_length(arc);
+    }
+    for (const LoneBubble& bubble : frame.lone_bubbles) {
+        length += 2.0 * std::numbers::pi * lone_radius(bubble);
     }
     return frame.film_tension * length;
 }
@@ -52,6 +61,13 @@ std::vector<SidesStatistics> statistics_by_sides(const Frame& frame) {
         sum.mean_area += frame.bubbles[bubble].area;
         sum.mean_pressure += frame.bubbles[bubble].pressure;
         sum.mean_inflow += inflow(frame, bubble);
+    }
+    for (const LoneBubble& bubble : frame.lone_bubbles) {
+        SidesStatistics& sum = sums[0];
+        ++sum.bubbles;
+        sum.mean_area += bubble.target_area;
+        sum.mean_pressure += frame.film_tension / lone_radius(bubble);
+        sum.mean_inflow -= 2.0 * std::numbers::pi * frame.film_tension;
     }
     std::vector<SidesStatistics> means;
     means.reserve(sums.size());
@@ -102,7 +118,7 @@ std::map<BubbleIdentity, Neighbourhood> neighbourhoods(const Frame& frame) {
 
 FoamStatistics statistics(const Frame& frame) {
     FoamStatistics all;
-    all.bubbles = static_cast<int>(frame.bubbles.size());
+    all.bubbles = static_cast<int>(frame.bubbles.size() + frame.lone_bubbles.size());
     all.mean_area = mean_area(frame);
     all.energy = energy(frame);
     all.by_sides = statistics_by_sides(frame);

@@ -6,7 +6,7 @@
 
 namespace foam {
 
-/// The bubbles of one number of sides.
+/// The bubbles of one number of sides, outer films among them; lone bubbles have none.
 struct SidesStatistics {
     int sides = 0;
     int bubbles = 0;
@@ -22,7 +22,7 @@ struct FoamStatistics {
     int bubbles = 0;
     double mean_area = 0.0;
     double energy = 0.0;         // film tension times the length of all films
-    double mean_sides = 0.0;     // 6 on a torus (Euler)
+    double mean_sides = 0.0;     // 6 on a torus (Euler), fewer in a patch
     double second_moment = 0.0;  // mu_2 = sum of p(n) (n - mean)^2, p(n) the share of the n-sided
     std::vector<SidesStatistics> by_sides;  // in increasing order, those that occur
 };

@@ -51,6 +51,9 @@ class HeaderReader {
             read_statement();
         }
         check_model();
+        if (!is_torus_) {
+            header_.torus = kPlane;
+        }
         return std::move(header_);
     }
 
@@ -206,9 +209,6 @@ class HeaderReader {
         }
         if (dimension_ != 2) {
             tokens_.fail(line, "the top section does not say SPACE_DIMENSION 2");
-        }
-        if (!is_torus_) {
-            tokens_.fail(line, "no torus: free clusters are not supported yet");
         }
     }
 

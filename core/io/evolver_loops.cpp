@@ -54,6 +54,9 @@ class LoopBuilder {
     }
 
     void check_points() const {
+        if (torus_.is_plane()) {
+            return;
+        }
         for (const Vertex& vertex : mesh_.vertices) {
             if (std::abs(vertex.point.x()) > kFarthest * torus_.width ||
                 std::abs(vertex.point.y()) > kFarthest * torus_.height) {
@@ -67,6 +70,10 @@ class LoopBuilder {
                                          mesh_.edges.end(),
                                          [](const Edge& edge) { return edge.wrap.has_value(); });
         for (const Edge& edge : mesh_.edges) {
+            if (torus_.is_plane()) {
+                wraps_.emplace_back();
+                continue;
+            }
             wraps_.push_back(wrapped ? edge.wrap.value_or(LatticeOffset{}) : nearest_copy(edge));
         }
     }
@@ -114,7 +121,7 @@ class LoopBuilder {
         }
     }
 
-    // Every edge has one face on either side.
+    // Every edge has one face on either side; one of a free cluster may have the outside there.
     void check_sides() const {
         std::vector<int> faces(2 * mesh_.edges.size(), 0);
         for (std::size_t face = 0; face < loops_.size(); ++face) {
@@ -128,11 +135,12 @@ class LoopBuilder {
             }
         }
         for (std::size_t edge = 0; edge < mesh_.edges.size(); ++edge) {
-            if (faces[2 * edge] + faces[2 * edge + 1] < 2) {
+            const int count = faces[2 * edge] + faces[2 * edge + 1];
+            if (count < (torus_.is_plane() ? 1 : 2)) {
                 fail(mesh_.edges[edge].line,
-                     fmt::format("edge {} has no face on one side: free clusters are not "
-                                 "supported yet",
-                                 mesh_.edges[edge].id));
+                     fmt::format("edge {} has no face on {} side",
+                                 mesh_.edges[edge].id,
+                                 count == 0 ? "either" : "one"));
             }
         }
     }
@@ -154,7 +162,8 @@ class LoopBuilder {
         for (const Loop& loop : loops_) {
             total += polygon_area(loop);
         }
-        if (!(std::abs(std::abs(total) / torus_.area() - 1.0) < kCoverTolerance)) {
+        if (!torus_.is_plane() &&
+            !(std::abs(std::abs(total) / torus_.area() - 1.0) < kCoverTolerance)) {
             fail(mesh_.end_line, "the faces do not cover the torus once");
         }
         if (total < 0.0) {

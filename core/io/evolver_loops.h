@@ -22,9 +22,10 @@ struct FilmLoop {
     double polygon_area = 0.0;  // within its straight edges
 };
 
-/// The faces of a mesh on a torus, in their order, as loops of films. Where the file gives no edge
-/// a wrap, each edge goes to the nearest copy of its head. Throws FormatError, in the name of
-/// `file`, where they do not cover the torus once or a vertex joins other than three films.
+/// The faces of a mesh on a torus or in the plane, in their order, as loops of films. Where the
+/// file gives no edge a wrap, each edge goes to the nearest copy of its head. Throws FormatError,
+/// in the name of `file`, where they do not cover the torus once, a film has no face on a side (in
+/// the plane, on both), or a vertex joins other than three films.
 std::vector<FilmLoop> film_loops(const Mesh& mesh, const Torus& torus, const std::string& file);
 
 }  // namespace foam::evolver

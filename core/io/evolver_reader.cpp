@@ -1,6 +1,7 @@
 #include "core/io/evolver_file.h"
 #include "core/io/evolver_loops.h"
 #include "core/io/format_error.h"
+#include "core/network/outside.h"
 #include "core/network/validate.h"
 
 #include <fmt/core.h>
@@ -34,11 +35,17 @@ class FoamBuilder {
         for (const FilmLoop& loop : loops_) {
             add_bubble(loop);
         }
+        if (foam_.torus.is_plane()) {
+            add_outside(foam_.network);
+        }
         if (const auto fault = find_fault(foam_.network)) {
             fail(mesh_.end_line, fmt::format("the faces make no foam: {}", *fault));
         }
         place_junctions();
         set_areas_and_pressures();
+        if (foam_.torus.is_plane()) {
+            complete_patch(foam_);
+        }
         return std::move(foam_);
     }
 
@@ -149,8 +156,8 @@ class FoamBuilder {
         return *body.volume;
     }
 
-    // One bubble may be left without an area: the rest of the torus. If all have bodies, but none a
-    // volume, each keeps what it has.
+    // One bubble of a torus may be left without an area: the rest of it. If all have bodies, but
+    // none a volume, each keeps what it has.
     void complete_areas() {
         std::vector<std::size_t> missing;
         double sum = 0.0;
@@ -163,10 +170,10 @@ class FoamBuilder {
         }
         if (missing.size() == mesh_.faces.size() && missing.size() == mesh_.bodies.size()) {
             keep_areas();
-        } else if (missing.size() == 1) {
+        } else if (missing.size() == 1 && !foam_.torus.is_plane()) {
             foam_.target_areas[id_at<BubbleId>(missing.front())] = foam_.torus.area() - sum;
         } else if (!missing.empty()) {
-            const Face& face = mesh_.faces[missing[1]];
+            const Face& face = mesh_.faces[missing.back()];
             fail(face.line, fmt::format("face {} has no body with a volume", face.id));
         }
     }
@@ -185,6 +192,9 @@ class FoamBuilder {
                 fail(face.line, fmt::format("face {}: no area is left for it", face.id));
             }
             sum += foam_.target_areas[bubble];
+        }
+        if (foam_.torus.is_plane()) {
+            return;
         }
         const double excess = sum / foam_.torus.area() - 1.0;
         if (!(std::abs(excess) < kVolumeTolerance)) {

@@ -48,12 +48,16 @@ class Writer {
     }
 
     void write_top() {
-        put("// A foam of {} bubbles on a torus\n\n", foam_.network.bubble_count());
+        put("// A foam of {} bubbles {}\n\n",
+            foam_.network.bubble_count(),
+            foam_.torus.is_plane() ? "in the plane" : "on a torus");
         put("STRING\nSPACE_DIMENSION 2\n");
         put("LENGTH_METHOD_NAME \"circular_arc_length\"\n");
         put("AREA_METHOD_NAME \"circular_arc_area\"\n");
         put("{}\n", arcs_ ? "QUADRATIC" : "LINEAR");
-        put("TORUS_FILLED\nPERIODS\n{} 0\n0 {}\n", foam_.torus.width, foam_.torus.height);
+        if (!foam_.torus.is_plane()) {
+            put("TORUS_FILLED\nPERIODS\n{} 0\n0 {}\n", foam_.torus.width, foam_.torus.height);
+        }
     }
 
     // Midpoints follow the junctions, each in the frame of its film's tail.
@@ -91,7 +95,9 @@ class Writer {
             if (arcs_) {
                 put(" /*midpt*/ {}", midpoint(film));
             }
-            write_wrap(foam_.network.offset(h));
+            if (!foam_.torus.is_plane()) {
+                write_wrap(foam_.network.offset(h));
+            }
             if (foam_.film_tension != 1.0) {
                 put(" tension {}", foam_.film_tension);
             }
@@ -133,7 +139,9 @@ class Writer {
         double reference = 0.0;
         for (const BubbleId bubble : foam_.network.bubbles()) {
             const int number = bubbles_[bubble];
-            reference = number == 1 ? foam_.pressures[bubble] : reference;
+            if (number == 1 && !foam_.torus.is_plane()) {
+                reference = foam_.pressures[bubble];
+            }
             put("{} {} volume {} lagrange_multiplier {}\n",
                 number,
                 number,

@@ -38,7 +38,8 @@ FilmId join(Network& network, const TornSide& side) {
     return film_of(kept);
 }
 
-// Of a boundary that is still there, if there is one.
+}  // namespace
+
 void renew_first_of_ghost(Network& network) {
     for (const FilmId film : network.films()) {
         if (network.is_outer(film)) {
@@ -48,8 +49,6 @@ void renew_first_of_ghost(Network& network) {
         }
     }
 }
-
-}  // namespace
 
 bool can_split(const Network& network, FilmId film) {
     if (network.ghost() == kNone<BubbleId> || network.is_outer(film)) {

@@ -21,4 +21,8 @@ struct Split {
 /// of different rafts, or the hole at one end has opened. Precondition: can_split.
 Split split(Network& network, FilmId film);
 
+/// After a change that may have taken it away: any half-edge of the ghost that is left, as its
+/// first.
+void renew_first_of_ghost(Network& network);
+
 }  // namespace foam

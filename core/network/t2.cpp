@@ -1,5 +1,7 @@
 #include "core/network/t2.h"
 
+#include "core/network/split.h"
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -26,8 +28,17 @@ void lose_side(Network& network, BubbleId bubble, int count) {
     network.set_sides(bubble, network.sides(bubble) - count);
 }
 
-Vanished vanish_three_sided(Network& network, BubbleId bubble) {
-    const std::vector<HalfEdgeId> loop = network.around(bubble);
+// The loop's own bubble goes, or the ghost has a boundary less.
+void remove_inside(Network& network, BubbleId inside, int sides) {
+    if (inside == network.ghost()) {
+        lose_side(network, inside, sides);
+    } else {
+        network.remove(inside);
+    }
+}
+
+Vanished vanish_three_sided(Network& network, const std::vector<HalfEdgeId>& loop) {
+    const BubbleId inside = network.left(loop[0]);
     Vanished vanished{network.tail(loop[0]), kNone<FilmId>, neighbours_of(network, loop)};
     const std::array<HalfEdgeId, 3> outer{
         outer_film(network, loop[0]), outer_film(network, loop[1]), outer_film(network, loop[2])};
@@ -50,12 +61,12 @@ Vanished vanish_three_sided(Network& network, BubbleId bubble) {
     for (const JunctionId junction : gone) {
         network.remove(junction);
     }
-    network.remove(bubble);
+    remove_inside(network, inside, 3);
     return vanished;
 }
 
-Vanished vanish_two_sided(Network& network, BubbleId bubble) {
-    const std::vector<HalfEdgeId> loop = network.around(bubble);
+Vanished vanish_two_sided(Network& network, const std::vector<HalfEdgeId>& loop) {
+    const BubbleId inside = network.left(loop[0]);
     const HalfEdgeId kept = outer_film(network, loop[0]);
     const HalfEdgeId dropped = outer_film(network, loop[1]);
     Vanished vanished{kNone<JunctionId>, film_of(kept), neighbours_of(network, loop)};
@@ -76,35 +87,50 @@ Vanished vanish_two_sided(Network& network, BubbleId bubble) {
     }
     network.remove(gone_0);
     network.remove(gone_1);
-    network.remove(bubble);
+    remove_inside(network, inside, 2);
     return vanished;
+}
+
+bool can_vanish_along(const Network& network, const std::vector<HalfEdgeId>& loop) {
+    const BubbleId inside = network.left(loop.front());
+    const std::vector<BubbleId> neighbours = neighbours_of(network, loop);
+    if (loop.size() == 2 &&
+        film_of(outer_film(network, loop[0])) == film_of(outer_film(network, loop[1]))) {
+        return false;
+    }
+    const int lost_per_side = loop.size() == 2 ? 2 : 1;
+    return std::all_of(neighbours.begin(), neighbours.end(), [&](BubbleId neighbour) {
+        const auto shared = std::count(neighbours.begin(), neighbours.end(), neighbour);
+        return neighbour != inside &&
+               network.sides(neighbour) - lost_per_side * static_cast<int>(shared) >= 2;
+    });
+}
+
+Vanished vanish_along(Network& network, const std::vector<HalfEdgeId>& loop) {
+    return loop.size() == 3 ? vanish_three_sided(network, loop) : vanish_two_sided(network, loop);
 }
 
 }  // namespace
 
 bool can_vanish(const Network& network, BubbleId bubble) {
     const int sides = network.sides(bubble);
-    if (sides != 2 && sides != 3) {
-        return false;
-    }
-    const std::vector<HalfEdgeId> loop = network.around(bubble);
-    const std::vector<BubbleId> neighbours = neighbours_of(network, loop);
-    if (sides == 2 &&
-        film_of(outer_film(network, loop[0])) == film_of(outer_film(network, loop[1]))) {
-        return false;
-    }
-    const int lost_per_side = sides == 2 ? 2 : 1;
-    return std::all_of(neighbours.begin(), neighbours.end(), [&](BubbleId neighbour) {
-        const auto shared = std::count(neighbours.begin(), neighbours.end(), neighbour);
-        return neighbour != bubble &&
-               network.sides(neighbour) - lost_per_side * static_cast<int>(shared) >= 2;
-    });
+    return (sides == 2 || sides == 3) && can_vanish_along(network, network.around(bubble));
 }
 
 Vanished vanish(Network& network, BubbleId bubble) {
     assert(can_vanish(network, bubble));
-    return network.sides(bubble) == 3 ? vanish_three_sided(network, bubble)
-                                      : vanish_two_sided(network, bubble);
+    return vanish_along(network, network.around(bubble));
+}
+
+bool can_close(const Network& network, const std::vector<HalfEdgeId>& boundary) {
+    return (boundary.size() == 2 || boundary.size() == 3) && can_vanish_along(network, boundary);
+}
+
+Vanished close(Network& network, const std::vector<HalfEdgeId>& boundary) {
+    assert(can_close(network, boundary));
+    const Vanished vanished = vanish_along(network, boundary);
+    renew_first_of_ghost(network);
+    return vanished;
 }
 
 }  // namespace foam

@@ -21,4 +21,8 @@ struct Vanished {
 /// takes the three outer films, in its own lattice cell. Precondition: can_vanish.
 Vanished vanish(Network& network, BubbleId bubble);
 
+/// The same for a hole: a boundary of the ghost, all its half-edges given in their order.
+bool can_close(const Network& network, const std::vector<HalfEdgeId>& boundary);
+Vanished close(Network& network, const std::vector<HalfEdgeId>& boundary);
+
 }  // namespace foam

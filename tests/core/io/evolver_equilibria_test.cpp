@@ -30,11 +30,16 @@ class EvolverEquilibria : public testing::TestWithParam<Reference> {
     }
 };
 
+// On a torus pressures are known up to a constant.
+double reference_pressure(const Foam& foam) {
+    return foam.torus.is_plane() ? 0.0 : foam.pressures[BubbleId{0}];
+}
+
 double largest_pressure_difference(const Foam& a, const Foam& b) {
     double largest = 0.0;
     for (const BubbleId bubble : a.network.bubbles()) {
-        const double in_a = a.pressures[bubble] - a.pressures[BubbleId{0}];
-        const double in_b = b.pressures[bubble] - b.pressures[BubbleId{0}];
+        const double in_a = a.pressures[bubble] - reference_pressure(a);
+        const double in_b = b.pressures[bubble] - reference_pressure(b);
         largest = std::max(largest, std::abs(in_a - in_b));
     }
     return largest;
@@ -65,9 +70,17 @@ TEST_P(EvolverEquilibria, OursIsWrittenAsTheEquilibriumItIs) {
     Foam foam = read(".fe");
     ASSERT_TRUE(equilibrate_given(foam, 0).converged());
     const Foam again = read_evolver(write_evolver(foam), "again.fe").foam;
-    EXPECT_EQ(energy(again), energy(foam));
+    // Half angles of outer films are not written; they follow from the pressures but for rounding.
+    const double rounding = foam.torus.is_plane() ? 1e-13 * energy(foam) : 0.0;
+    EXPECT_NEAR(energy(again), energy(foam), rounding);
     EXPECT_LT(largest_pressure_difference(again, foam), 1e-14);
 }
+
+INSTANTIATE_TEST_SUITE_P(Clusters,
+                         EvolverEquilibria,
+                         testing::Values(Reference{"cluster37", 37, 80.173322931159},
+                                         Reference{"cluster331", 331, 650.498211523503}),
+                         [](const auto& tested) { return std::string(tested.param.name); });
 
 INSTANTIATE_TEST_SUITE_P(Tori,
                          EvolverEquilibria,

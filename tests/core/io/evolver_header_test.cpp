@@ -105,13 +105,17 @@ TEST(EvolverHeader, NotesWhatIsNotHeld) {
     EXPECT_EQ(header.notes[0], "line 4: quantity 'q' is not held fixed");
 }
 
+TEST(EvolverHeader, AFreeClusterLiesInThePlane) {
+    TokenReader reader("STRING\nSPACE_DIMENSION 2\nvertices", file_name);
+    EXPECT_TRUE(read_header(reader).torus.is_plane());
+    EXPECT_FALSE(header_with("").torus.is_plane());
+}
+
 TEST(EvolverHeader, RefusesOtherModels) {
     expect_refused("SPACE_DIMENSION 2\nTORUS\nvertices",
                    "a.fe:3: the top section does not say STRING: this is no string model");
     expect_refused("STRING\nTORUS\nvertices",
                    "a.fe:3: the top section does not say SPACE_DIMENSION 2");
-    expect_refused("STRING\nSPACE_DIMENSION 2\nvertices",
-                   "a.fe:3: no torus: free clusters are not supported yet");
     expect_refused("SOAPFILM\n",
                    "a.fe:1: SOAPFILM is another model than the string model of a foam");
     expect_refused("STRING\nLAGRANGE 4\n",

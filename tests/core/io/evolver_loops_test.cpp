@@ -77,9 +77,8 @@ TEST(EvolverLoops, RefusesEdgesThatAreNotBetweenTwoFaces) {
     expect_refused("1 1 2 -3 -1 -2 3\n",
                    "1 1 3 -3 -1 1 3 -3 -1\n",
                    "a.fe:15: face 1: edge 1 has a face on that side already");
-    expect_refused("1 1 2 -3 -1 -2 3\n",
-                   "1 1 2 -2 -1\n",
-                   "a.fe:13: edge 3 has no face on one side: free clusters are not supported yet");
+    expect_refused(
+        "1 1 2 -3 -1 -2 3\n", "1 1 2 -2 -1\n", "a.fe:13: edge 3 has no face on either side");
 }
 
 TEST(EvolverLoops, RefusesJunctionsOfMoreOrFewerFilms) {

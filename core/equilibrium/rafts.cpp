@@ -1,0 +1,143 @@
+#include "core/equilibrium/rafts.h"
+
+#include "core/foam/measure.h"
+#include "core/network/split.h"
+#include "core/network/t1.h"
+#include "core/network/t2.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace foam {
+
+namespace {
+
+constexpr std::size_t kMostSidesOfSmallHole = 3;
+
+// One of the bubbles beside a film that tears.
+struct TornSide {
+    HalfEdgeId kept;  // its outer film that ends at the torn one
+    Vec2 at_tail;     // unit tangents where the joined film begins and ends
+    Vec2 at_head;
+    LoneBubble as_lone;  // if it has no other film
+};
+
+// With the middle of its circle to the left of the film.
+LoneBubble as_lone(const Foam& foam, HalfEdgeId h) {
+    const BubbleId bubble = foam.network.left(h);
+    LoneBubble lone{foam.identities[bubble], Vec2::Zero(), foam.target_areas[bubble]};
+    lone.centre = foam.positions[foam.network.tail(h)] +
+                  lone_radius(lone) * turned_left(tangent_at_tail(film_arc(foam, h)));
+    return lone;
+}
+
+TornSide torn_side(const Foam& foam, HalfEdgeId before, HalfEdgeId after) {
+    return {before,
+            tangent_at_tail(film_arc(foam, before)),
+            tangent_at_head(film_arc(foam, after)),
+            as_lone(foam, before)};
+}
+
+double angle_between(const Vec2& a, const Vec2& b) {
+    return std::atan2(cross(a, b), a.dot(b));
+}
+
+void set_half_angle(Foam& foam, HalfEdgeId h, double angle) {
+    foam.half_angles[film_of(h)] = is_forward(h) ? angle : -angle;
+}
+
+void fit_joined(Foam& foam, const TornSide& side) {
+    const Vec2 d = chord(foam, side.kept);
+    const double angle = 0.5 * (angle_between(side.at_tail, d) + angle_between(d, side.at_head));
+    set_half_angle(foam, side.kept, angle);
+    foam.t1_armed[film_of(side.kept)] = 1;
+}
+
+void add_lone(Foam& foam, const LoneBubble& bubble) {
+    const auto place =
+        std::find_if(foam.lone_bubbles.begin(), foam.lone_bubbles.end(), [&](const LoneBubble& b) {
+            return b.identity > bubble.identity;
+        });
+    foam.lone_bubbles.insert(place, bubble);
+}
+
+std::vector<HalfEdgeId> boundary_at(const Network& network, FilmId film) {
+    const HalfEdgeId forward = forward_side(film);
+    const HalfEdgeId first = network.left(forward) == network.ghost() ? forward : twin(forward);
+    std::vector<HalfEdgeId> boundary;
+    HalfEdgeId h = first;
+    do {
+        boundary.push_back(h);
+        h = network.next(h);
+    } while (h != first);
+    return boundary;
+}
+
+// Within the arcs; negative for an outer boundary, which goes clockwise around its raft.
+double enclosed_area(const Foam& foam, const std::vector<HalfEdgeId>& boundary) {
+    double area = 0.0;
+    Vec2 at = Vec2::Zero();
+    for (const HalfEdgeId h : boundary) {
+        const FilmArc arc = film_arc(foam, h);
+        area += 0.5 * cross(at, arc.chord) + segment_area(arc);
+        at += arc.chord;
+    }
+    return area;
+}
+
+bool is_around_hole(const Foam& foam, const std::vector<HalfEdgeId>& boundary) {
+    if (boundary.size() == 2) {  // has no area to speak of; a raft of two has bubbles of two sides
+        return foam.network.sides(foam.network.right(boundary[0])) > 2;
+    }
+    return enclosed_area(foam, boundary) > 0.0;
+}
+
+}  // namespace
+
+void tear_film(Foam& foam, FilmId film) {
+    const T1Site site = t1_site(foam.network, film);
+    const std::array<TornSide, 2> sides{torn_side(foam, site.before_left, site.after_left),
+                                        torn_side(foam, site.before_right, site.after_right)};
+    const std::array<BubbleId, 2> bubbles{foam.network.left(site.film),
+                                          foam.network.right(site.film)};
+    split(foam.network, film);
+    for (std::size_t k = 0; k < 2; ++k) {
+        if (foam.network.is_live(bubbles[k])) {
+            fit_joined(foam, sides[k]);
+        } else {
+            add_lone(foam, sides[k].as_lone);
+        }
+    }
+}
+
+bool is_small_hole(const Foam& foam, FilmId film, double length) {
+    const std::vector<HalfEdgeId> boundary = boundary_at(foam.network, film);
+    return boundary.size() <= kMostSidesOfSmallHole &&
+           std::all_of(boundary.begin(),
+                       boundary.end(),
+                       [&](HalfEdgeId h) { return chord(foam, h).norm() < length; }) &&
+           is_around_hole(foam, boundary);
+}
+
+bool close_hole(Foam& foam, FilmId film) {
+    const std::vector<HalfEdgeId> boundary = boundary_at(foam.network, film);
+    if (!can_close(foam.network, boundary)) {
+        return false;
+    }
+    Vec2 mean = Vec2::Zero();
+    for (const HalfEdgeId h : boundary) {
+        mean += foam.positions[foam.network.tail(h)] / static_cast<double>(boundary.size());
+    }
+    const Vanished vanished = close(foam.network, boundary);
+    if (vanished.junction != kNone<JunctionId>) {
+        place_junction(foam, vanished.junction, mean);
+    } else {
+        foam.t1_armed[vanished.film] = 1;
+        fit_half_angle(foam, vanished.film);
+    }
+    return true;
+}
+
+}  // namespace foam

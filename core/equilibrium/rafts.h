@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/foam/foam.h"
+
+namespace foam {
+
+/// Tears a film with the ghost at both ends (split.h): the two outer films on each side become one,
+/// which keeps their directions at its ends as far as one arc can. A bubble that touches nothing
+/// any more becomes a lone bubble where its outer film was. Precondition: can_split.
+void tear_film(Foam& foam, FilmId film);
+
+/// Whether an outer film goes around a hole of at most three films whose chords are all below a
+/// length.
+bool is_small_hole(const Foam& foam, FilmId film, double length);
+
+/// Closes the hole at an outer film: three films become a junction at their mean, of two only the
+/// films beside them are left, as one. False, with nothing changed, where that leaves no foam.
+/// Precondition: is_small_hole.
+bool close_hole(Foam& foam, FilmId film);
+
+}  // namespace foam

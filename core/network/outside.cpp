@@ -1,0 +1,53 @@
+#include "core/network/outside.h"
+
+#include <vector>
+
+namespace foam {
+
+namespace {
+
+// What comes before each half-edge around its bubble.
+std::vector<HalfEdgeId> predecessors(const Network& network) {
+    std::vector<HalfEdgeId> before(2 * network.film_slots(), kNone<HalfEdgeId>);
+    for (const BubbleId bubble : network.bubbles()) {
+        for (const HalfEdgeId h : network.around(bubble)) {
+            before[index_of(network.next(h))] = h;
+        }
+    }
+    return before;
+}
+
+// The half-edges without a bubble get their tails, and the ghost.
+std::vector<HalfEdgeId> take_outer_sides(Network& network, BubbleId ghost) {
+    std::vector<HalfEdgeId> sides;
+    for (const FilmId film : network.films()) {
+        for (const HalfEdgeId h : {forward_side(film), twin(forward_side(film))}) {
+            if (network.left(h) == kNone<BubbleId>) {
+                network.set_tail(h, network.tail(network.next(twin(h))));
+                network.set_left(h, ghost);
+                sides.push_back(h);
+            }
+        }
+    }
+    return sides;
+}
+
+}  // namespace
+
+// Around the junction where an outer side ends, bubble after bubble, to the side that begins there.
+void add_outside(Network& network) {
+    const std::vector<HalfEdgeId> before = predecessors(network);
+    const BubbleId ghost = network.add_ghost();
+    const std::vector<HalfEdgeId> sides = take_outer_sides(network, ghost);
+    for (const HalfEdgeId h : sides) {
+        HalfEdgeId leaving = twin(h);
+        while (network.left(leaving) != ghost) {
+            leaving = twin(before[index_of(leaving)]);
+        }
+        network.set_next(h, leaving);
+    }
+    network.set_sides(ghost, static_cast<int>(sides.size()));
+    network.set_first(ghost, sides.empty() ? kNone<HalfEdgeId> : sides.front());
+}
+
+}  // namespace foam
