@@ -1,0 +1,211 @@
+#include "core/foam/clipped_cells.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+namespace foam {
+
+namespace {
+
+// Boost takes intersections on a grid of 1e-7 of the size, and neighbouring cells each their own.
+constexpr double kSamePoint = 3e-5;  // foam units
+constexpr double kSliverArea = 0.1;  // of the mean area
+
+using Cell = PolygonMesh::Cell;
+using Side = std::pair<std::uint32_t, std::uint32_t>;
+
+// Points that are nearly the same are one.
+class PointSet {
+  public:
+    explicit PointSet(std::vector<Vec2>& points) : points_(points) {}
+
+    std::uint32_t index_of_point(const Vec2& point) {
+        const auto [x, y] = box_of(point);
+        for (std::int64_t dx = -1; dx <= 1; ++dx) {
+            for (std::int64_t dy = -1; dy <= 1; ++dy) {
+                const auto found = boxes_.find({x + dx, y + dy});
+                if (found != boxes_.end() && (points_[found->second] - point).norm() < kSamePoint) {
+                    return found->second;
+                }
+            }
+        }
+        const auto index = static_cast<std::uint32_t>(points_.size());
+        points_.push_back(point);
+        boxes_[{x, y}] = index;
+        return index;
+    }
+
+  private:
+    using Box = std::pair<std::int64_t, std::int64_t>;
+
+    static Box box_of(const Vec2& point) {
+        return {std::llround(point.x() / kSamePoint), std::llround(point.y() / kSamePoint)};
+    }
+
+    std::vector<Vec2>& points_;
+    std::map<Box, std::uint32_t> boxes_;
+};
+
+Cell cell_of_ring(const std::vector<Vec2>& ring, PointSet& points) {
+    Cell cell;
+    for (const Vec2& corner : ring) {
+        const std::uint32_t index = points.index_of_point(corner);
+        if (cell.empty() || (cell.back() != index && cell.front() != index)) {
+            cell.push_back(index);
+        }
+    }
+    return cell;
+}
+
+Vec2 centre_of(const PolygonMesh& mesh, const Cell& cell) {
+    std::vector<CellCorner> corners;
+    corners.reserve(cell.size());
+    for (const std::uint32_t point : cell) {
+        corners.push_back({mesh.points[point], 0, {}});
+    }
+    return cell_centroid(corners);
+}
+
+// Of the sides of cells, the cell each belongs to.
+std::map<Side, std::size_t> owners_of_sides(const PolygonMesh& mesh) {
+    std::map<Side, std::size_t> owners;
+    for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
+        const Cell& corners = mesh.cells[cell];
+        for (std::size_t k = 0; k < corners.size(); ++k) {
+            owners[{corners[k], corners[(k + 1) % corners.size()]}] = cell;
+        }
+    }
+    return owners;
+}
+
+// Neighbours in the order of the length of the common border, the longest first.
+std::vector<std::size_t> neighbours_of(const PolygonMesh& mesh, std::size_t cell) {
+    const std::map<Side, std::size_t> owners = owners_of_sides(mesh);
+    std::map<std::size_t, double> borders;
+    const Cell& corners = mesh.cells[cell];
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+        const std::uint32_t a = corners[k];
+        const std::uint32_t b = corners[(k + 1) % corners.size()];
+        const auto found = owners.find({b, a});
+        if (found != owners.end()) {
+            borders[found->second] += (mesh.points[b] - mesh.points[a]).norm();
+        }
+    }
+    std::vector<std::size_t> neighbours;
+    for (const auto& [neighbour, length] : borders) {
+        neighbours.push_back(neighbour);
+    }
+    std::stable_sort(neighbours.begin(), neighbours.end(), [&](std::size_t a, std::size_t b) {
+        return borders[a] > borders[b];
+    });
+    return neighbours;
+}
+
+// Both in one; nothing where that is no single loop.
+std::optional<Cell> merged(const Cell& a, const Cell& b) {
+    std::map<std::uint32_t, std::uint32_t> next;
+    std::size_t sides = 0;
+    for (const auto& [own, other] : {std::pair(&a, &b), std::pair(&b, &a)}) {
+        for (std::size_t k = 0; k < own->size(); ++k) {
+            const std::uint32_t from = (*own)[k];
+            const std::uint32_t to = (*own)[(k + 1) % own->size()];
+            const auto at = std::find(other->begin(), other->end(), to);
+            const bool is_border =
+                at != other->end() && (at + 1 == other->end() ? other->front() : *(at + 1)) == from;
+            if (!is_border) {
+                next[from] = to;
+                ++sides;
+            }
+        }
+    }
+    if (next.empty() || next.size() != sides) {
+        return std::nullopt;
+    }
+    Cell loop{next.begin()->first};
+    for (std::uint32_t at = next.begin()->second; at != loop.front() && loop.size() <= sides;) {
+        loop.push_back(at);
+        const auto found = next.find(at);
+        if (found == next.end()) {
+            return std::nullopt;
+        }
+        at = found->second;
+    }
+    return loop.size() == sides ? std::optional(loop) : std::nullopt;
+}
+
+double mean_area(const PolygonMesh& mesh) {
+    const double total = std::accumulate(
+        mesh.cells.begin(), mesh.cells.end(), 0.0, [&](double sum, const Cell& cell) {
+            return sum + polygon_area(mesh, cell);
+        });
+    return total / static_cast<double>(mesh.cells.size());
+}
+
+void merge_or_drop(PolygonMesh& mesh, std::size_t cell) {
+    for (const std::size_t neighbour : neighbours_of(mesh, cell)) {
+        if (const std::optional<Cell> both = merged(mesh.cells[cell], mesh.cells[neighbour])) {
+            mesh.cells[neighbour] = *both;
+            break;
+        }
+    }
+    mesh.cells.erase(mesh.cells.begin() + static_cast<std::ptrdiff_t>(cell));
+}
+
+}  // namespace
+
+double polygon_area(const PolygonMesh& mesh, const Cell& cell) {
+    double twice = 0.0;
+    for (std::size_t k = 0; k + 1 < cell.size(); ++k) {
+        twice += cross(mesh.points[cell[k]] - mesh.points[cell[0]],
+                       mesh.points[cell[k + 1]] - mesh.points[cell[0]]);
+    }
+    return 0.5 * twice;
+}
+
+ClippedCells clip_cells(const Outline& outline, const CellDiagram& diagram) {
+    ClippedCells clipped_cells;
+    PolygonMesh& mesh = clipped_cells.mesh;
+    PointSet points(mesh.points);
+    for (const std::vector<CellCorner>& corners : diagram) {
+        std::vector<Vec2> ring;
+        ring.reserve(corners.size());
+        for (const CellCorner& corner : corners) {
+            ring.push_back(corner.point);
+        }
+        Vec2 centre = cell_centroid(corners);
+        double largest = 0.0;
+        for (const std::vector<Vec2>& part : clipped(outline, ring)) {
+            const Cell cell = cell_of_ring(part, points);
+            if (cell.size() < 3) {
+                continue;
+            }
+            const double area = polygon_area(mesh, cell);
+            if (area > largest) {
+                largest = area;
+                centre = centre_of(mesh, cell);
+            }
+            mesh.cells.push_back(cell);
+        }
+        clipped_cells.centres.push_back(centre);
+    }
+    return clipped_cells;
+}
+
+void merge_slivers(PolygonMesh& mesh) {
+    const double least = kSliverArea * mean_area(mesh);
+    for (std::size_t cell = 0; cell < mesh.cells.size();) {
+        if (polygon_area(mesh, mesh.cells[cell]) < least) {
+            merge_or_drop(mesh, cell);
+            cell = 0;
+        } else {
+            ++cell;
+        }
+    }
+}
+
+}  // namespace foam

@@ -1,0 +1,106 @@
+#include "core/foam/outline.h"
+
+#include <boost/geometry.hpp>
+#include <boost/geometry/geometries/point_xy.hpp>
+#include <boost/geometry/geometries/polygon.hpp>
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace foam {
+
+namespace {
+
+namespace bg = boost::geometry;
+
+using Point = bg::model::d2::point_xy<double>;
+using Polygon = bg::model::polygon<Point, false, true>;  // counter-clockwise, closed
+
+constexpr int kCornersOfDisc = 360;
+
+Polygon::ring_type ring_of(const std::vector<Vec2>& corners) {
+    Polygon::ring_type ring;
+    for (const Vec2& corner : corners) {
+        ring.emplace_back(corner.x(), corner.y());
+    }
+    return ring;
+}
+
+Polygon polygon_of(const Outline& outline) {
+    Polygon polygon;
+    polygon.outer() = ring_of(outline.outer);
+    for (const std::vector<Vec2>& hole : outline.holes) {
+        polygon.inners().push_back(ring_of(hole));
+    }
+    bg::correct(polygon);
+    return polygon;
+}
+
+// Without the corner that closes it.
+std::vector<Vec2> corners_of(const Polygon::ring_type& ring) {
+    std::vector<Vec2> corners;
+    for (std::size_t k = 0; k + 1 < ring.size(); ++k) {
+        corners.emplace_back(ring[k].x(), ring[k].y());
+    }
+    return corners;
+}
+
+Outline outline_of(const Polygon& polygon) {
+    Outline outline{corners_of(polygon.outer()), {}};
+    for (const Polygon::ring_type& hole : polygon.inners()) {
+        outline.holes.push_back(corners_of(hole));
+    }
+    return outline;
+}
+
+}  // namespace
+
+Outline outline_from_wkt(const std::string& text) {
+    Polygon polygon;
+    try {
+        bg::read_wkt(text, polygon);
+    } catch (const bg::read_wkt_exception& error) {
+        throw std::invalid_argument(error.what());
+    }
+    bg::correct(polygon);
+    std::string reason;
+    if (!bg::is_valid(polygon, reason)) {
+        throw std::invalid_argument(reason);
+    }
+    return outline_of(polygon);
+}
+
+Outline disc_outline() {
+    Outline outline;
+    for (int k = 0; k < kCornersOfDisc; ++k) {
+        const double angle = 2.0 * std::numbers::pi * k / kCornersOfDisc;
+        outline.outer.emplace_back(std::cos(angle), std::sin(angle));
+    }
+    return outline;
+}
+
+Outline rectangle_outline(double aspect) {
+    return {{{0.0, 0.0}, {aspect, 0.0}, {aspect, 1.0}, {0.0, 1.0}}, {}};
+}
+
+double outline_area(const Outline& outline) {
+    return bg::area(polygon_of(outline));
+}
+
+bool is_inside(const Outline& outline, const Vec2& point) {
+    return bg::within(Point(point.x(), point.y()), polygon_of(outline));
+}
+
+std::vector<std::vector<Vec2>> clipped(const Outline& outline, const std::vector<Vec2>& polygon) {
+    std::vector<Polygon> parts;
+    bg::intersection(polygon_of(outline), polygon_of({polygon, {}}), parts);
+    std::vector<std::vector<Vec2>> rings;
+    rings.reserve(parts.size());
+    for (const Polygon& part : parts) {
+        rings.push_back(corners_of(part.outer()));
+    }
+    return rings;
+}
+
+}  // namespace foam

@@ -1,0 +1,144 @@
+#include "core/foam/patch.h"
+
+#include "core/foam/clipped_cells.h"
+#include "core/foam/random.h"
+#include "core/foam/voronoi.h"
+#include "core/network/validate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+#include <vector>
+
+namespace foam {
+
+namespace {
+
+constexpr int kMostDraws = 8;
+
+void check(const Outline& outline, const PatchOptions& options) {
+    if (options.bubbles < 2) {
+        throw std::invalid_argument("a patch needs at least two bubbles");
+    }
+    if (!(options.surface_tension > 0.0)) {
+        throw std::invalid_argument("surface tension must be positive");
+    }
+    if (!(outline_area(outline) > 0.0)) {
+        throw std::invalid_argument("the outline has no area");
+    }
+}
+
+struct Box {
+    Vec2 low;
+    Vec2 high;
+};
+
+Box box_of(const Outline& outline) {
+    Box box{outline.outer.front(), outline.outer.front()};
+    for (const Vec2& corner : outline.outer) {
+        box.low = box.low.cwiseMin(corner);
+        box.high = box.high.cwiseMax(corner);
+    }
+    return box;
+}
+
+Outline moved_and_scaled(Outline outline, const Vec2& by, double scale) {
+    const auto apply = [&](Vec2& corner) { corner = scale * (corner + by); };
+    std::for_each(outline.outer.begin(), outline.outer.end(), apply);
+    for (std::vector<Vec2>& hole : outline.holes) {
+        std::for_each(hole.begin(), hole.end(), apply);
+    }
+    return outline;
+}
+
+// With an area of one per bubble, in the middle half of a torus: so far from its own copies that
+// their sites do not matter.
+struct Site {
+    Outline outline;
+    Torus torus;
+};
+
+Site prepared(const Outline& outline, int bubbles) {
+    const Box box = box_of(outline);
+    const Vec2 size = box.high - box.low;
+    const double scale = std::sqrt(bubbles / outline_area(outline));
+    const double side = 2.0 * scale * size.maxCoeff();
+    const Vec2 to_middle = 0.5 * Vec2::Constant(side) / scale - 0.5 * (box.low + box.high);
+    return {moved_and_scaled(outline, to_middle, scale), {side, side}};
+}
+
+std::vector<Vec2> random_sites(const Outline& outline, int count, Random& random) {
+    const Box box = box_of(outline);
+    std::vector<Vec2> sites;
+    while (static_cast<int>(sites.size()) < count) {
+        const double x = box.low.x() + (box.high.x() - box.low.x()) * random.uniform();
+        const double y = box.low.y() + (box.high.y() - box.low.y()) * random.uniform();
+        if (is_inside(outline, {x, y})) {
+            sites.emplace_back(x, y);
+        }
+    }
+    return sites;
+}
+
+ClippedCells cells_of(const Site& place, const std::vector<Vec2>& sites) {
+    return clip_cells(place.outline, voronoi_cells(place.torus, sites));
+}
+
+ClippedCells draw_cells(const Site& place, const PatchOptions& options, Random& random) {
+    std::vector<Vec2> sites = random_sites(place.outline, options.bubbles, random);
+    ClippedCells cells = cells_of(place, sites);
+    for (int k = 0; k < options.lloyd_iterations; ++k) {
+        for (std::size_t cell = 0; cell < sites.size(); ++cell) {
+            const Vec2 centre = cells.centres[cell];
+            sites[cell] = is_inside(place.outline, centre) ? centre : sites[cell];
+        }
+        cells = cells_of(place, sites);
+    }
+    return cells;
+}
+
+// Around the origin, with a mean area of 1.
+void normalize(PolygonMesh& mesh) {
+    double area = 0.0;
+    for (const PolygonMesh::Cell& cell : mesh.cells) {
+        area += polygon_area(mesh, cell);
+    }
+    const double scale = std::sqrt(static_cast<double>(mesh.cells.size()) / area);
+    const Vec2 middle = std::accumulate(mesh.points.begin(), mesh.points.end(), Vec2(0.0, 0.0)) /
+                        static_cast<double>(mesh.points.size());
+    for (Vec2& point : mesh.points) {
+        point = scale * (point - middle);
+    }
+}
+
+Foam foam_of(ClippedCells cells) {
+    merge_slivers(cells.mesh);
+    normalize(cells.mesh);
+    Foam foam = foam_from_mesh(cells.mesh);
+    if (const auto fault = find_fault(foam.network)) {
+        throw std::runtime_error(*fault);
+    }
+    return foam;
+}
+
+}  // namespace
+
+Foam seed_patch(const Outline& outline, const PatchOptions& options) {
+    check(outline, options);
+    Random random(options.seed);
+    const Site place = prepared(outline, options.bubbles);
+    for (int draw = 1;; ++draw) {
+        try {
+            Foam foam = foam_of(draw_cells(place, options, random));
+            foam.film_tension = 2.0 * options.surface_tension;
+            return foam;
+        } catch (const std::runtime_error&) {
+            if (draw == kMostDraws) {
+                throw;
+            }
+        }
+    }
+}
+
+}  // namespace foam

@@ -1,0 +1,46 @@
+#include "core/foam/outline.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <stdexcept>
+
+namespace foam {
+namespace {
+
+constexpr const char* kFrame = "POLYGON((0 0, 0 4, 6 4, 6 0), (1 1, 2 1, 2 2, 1 2, 1 1))";
+
+TEST(Outline, IsReadFromWkt) {
+    const Outline frame = outline_from_wkt(kFrame);
+    EXPECT_EQ(frame.outer.size(), 4U);
+    ASSERT_EQ(frame.holes.size(), 1U);
+    EXPECT_DOUBLE_EQ(outline_area(frame), 23.0);
+    EXPECT_TRUE(is_inside(frame, {0.5, 0.5}));
+    EXPECT_FALSE(is_inside(frame, {1.5, 1.5}));
+    EXPECT_FALSE(is_inside(frame, {-0.5, 0.5}));
+}
+
+TEST(Outline, RefusesWhatIsNoPolygon) {
+    EXPECT_THROW(outline_from_wkt("CIRCLE(1)"), std::invalid_argument);
+    EXPECT_THROW(outline_from_wkt("POLYGON((0 0, 1 1, 1 0, 0 1))"), std::invalid_argument);
+    EXPECT_THROW(outline_from_wkt(""), std::invalid_argument);
+}
+
+TEST(Outline, KnowsDiscsAndRectangles) {
+    EXPECT_NEAR(outline_area(disc_outline()), std::numbers::pi, 1e-3);
+    EXPECT_DOUBLE_EQ(outline_area(rectangle_outline(2.5)), 2.5);
+}
+
+// A strip across the frame, above and below the hole's height, and through it: two parts there.
+TEST(Outline, ClipsPolygons) {
+    const Outline frame = outline_from_wkt(kFrame);
+    const auto strip = [](double low, double high) {
+        return std::vector<Vec2>{{-1.0, low}, {7.0, low}, {7.0, high}, {-1.0, high}};
+    };
+    EXPECT_EQ(clipped(frame, strip(2.5, 3.0)).size(), 1U);
+    EXPECT_EQ(clipped(frame, strip(1.2, 1.8)).size(), 2U);
+    EXPECT_TRUE(clipped(frame, strip(5.0, 6.0)).empty());
+}
+
+}  // namespace
+}  // namespace foam

@@ -1,0 +1,99 @@
+#include "core/foam/patch.h"
+
+#include "core/equilibrium/equilibrate.h"
+#include "core/foam/measure.h"
+#include "tests/core/foams.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace foam {
+namespace {
+
+PatchOptions options_for(int bubbles, std::uint64_t seed) {
+    PatchOptions options;
+    options.bubbles = bubbles;
+    options.seed = seed;
+    return options;
+}
+
+std::vector<Outline> outlines() {
+    return {disc_outline(),
+            rectangle_outline(3.0),
+            outline_from_wkt("POLYGON((0 0, 4 0, 4 4, 3 4, 3 1, 1 1, 1 4, 0 4))"),
+            outline_from_wkt("POLYGON((0 0, 9 0, 9 9, 0 9), (3 3, 3 6, 6 6, 6 3))")};
+}
+
+TEST(SeedPatch, GivesAValidFoamOfMeanAreaOne) {
+    for (const Outline& outline : outlines()) {
+        for (const int bubbles : {20, 60, 200}) {
+            for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+                const Foam foam = seed_patch(outline, options_for(bubbles, seed));
+                ASSERT_TRUE(test::is_valid(foam.network)) << bubbles << ", seed " << seed;
+                const auto count = static_cast<double>(foam.network.bubble_count());
+                EXPECT_NEAR(count / bubbles, 1.0, 0.2);
+                EXPECT_NEAR(test::total_target(foam) / count, 1.0, 1e-9);
+            }
+        }
+    }
+}
+
+TEST(SeedPatch, LeavesNoSlivers) {
+    for (const Outline& outline : outlines()) {
+        const Foam foam = seed_patch(outline, options_for(200, 3));
+        for (const BubbleId bubble : foam.network.bubbles()) {
+            EXPECT_GT(foam.target_areas[bubble], 0.09);
+        }
+    }
+}
+
+TEST(SeedPatch, IsTheSameForTheSameSeed) {
+    const Foam foam = seed_patch(disc_outline(), options_for(50, 2));
+    EXPECT_TRUE(test::are_same(foam, seed_patch(disc_outline(), options_for(50, 2))));
+    EXPECT_FALSE(test::are_same(foam, seed_patch(disc_outline(), options_for(50, 3))));
+}
+
+// The energy of a free cluster is twice the sum of pressure times area.
+TEST(SeedPatch, FindsItsOwnFreeShape) {
+    for (const Outline& outline : outlines()) {
+        Foam foam = seed_patch(outline, options_for(60, 4));
+        const EquilibriumSummary summary = equilibrate(foam, {});
+        ASSERT_TRUE(summary.converged());
+        EXPECT_TRUE(test::is_valid(foam.network));
+        double work = energy(foam);
+        for (const BubbleId bubble : foam.network.bubbles()) {
+            work -= 2.0 * foam.pressures[bubble] * foam.target_areas[bubble];
+        }
+        for (const LoneBubble& bubble : foam.lone_bubbles) {
+            work -= 2.0 * foam.film_tension / lone_radius(bubble) * bubble.target_area;
+        }
+        EXPECT_NEAR(work / energy(foam), 0.0, 1e-9);
+    }
+}
+
+TEST(SeedPatch, LloydMakesAreasMoreEqual) {
+    const auto spread = [](const PatchOptions& options) {
+        const Foam foam = seed_patch(disc_outline(), options);
+        double largest = 0.0;
+        for (const BubbleId bubble : foam.network.bubbles()) {
+            largest = std::max(largest, foam.target_areas[bubble]);
+        }
+        return largest;
+    };
+    PatchOptions relaxed = options_for(100, 1);
+    relaxed.lloyd_iterations = 10;
+    EXPECT_LT(spread(relaxed), 0.8 * spread(options_for(100, 1)));
+}
+
+TEST(SeedPatch, RefusesOptionsOutOfRange) {
+    EXPECT_THROW(seed_patch(disc_outline(), options_for(1, 1)), std::invalid_argument);
+    PatchOptions options;
+    options.surface_tension = 0.0;
+    EXPECT_THROW(seed_patch(disc_outline(), options), std::invalid_argument);
+    EXPECT_THROW(seed_patch({{{0.0, 0.0}, {1.0, 0.0}, {2.0, 0.0}}, {}}, {}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace foam
