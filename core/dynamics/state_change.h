@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/dynamics/collapse.h"
+#include "core/dynamics/displacement.h"
 #include "core/foam/foam.h"
 
 #include <vector>
@@ -17,9 +18,10 @@ struct DrivenBubble {
 /// What is imposed on a foam from outside in the course of a step (paper eq. 9). Bubbles that have
 /// vanished are passed over.
 struct StateChange {
-    std::vector<DrivenBubble> driven;
+    std::vector<DrivenBubble> driven{};
+    std::vector<Displacement> pushes{};
 
-    bool empty() const { return driven.empty(); }
+    bool empty() const { return driven.empty() && pushes.empty(); }
 };
 
 /// The change that makes a bubble collapse on command (paper Figure 7): it shrinks to the T2 area,
@@ -32,8 +34,9 @@ DrivenBubble forced_collapse(BubbleIdentity bubble, const TopologyThresholds& th
 /// are scaled down to these; where there are no others, to the whole of it.
 void drive(Foam& foam, const StateChange& change, double part);
 
-/// The largest part of the change that may be imposed at once: of a driven bubble's area at most
-/// `largest_loss` is lost, where it is above `vanishing_area`, and at most threefold is gained.
+/// The largest part of what is left to drive that may be imposed at once: of a driven bubble's area
+/// at most `largest_loss` is lost, where it is above `vanishing_area`, and at most threefold is
+/// gained.
 double safe_part(const Foam& foam,
                  const StateChange& change,
                  double largest_loss,

@@ -50,13 +50,35 @@ void restore_total(Foam& foam) {
     }
 }
 
-// A part of what is left of a change, and the time that goes with it.
-EquilibriumSummary substep(
-    Foam& foam, double time, const StateChange& change, double part, const StepOptions& options) {
-    diffuse(foam, time, options.coarsening);
-    drive(foam, change, part);
+// The share of the way of every push; returns the number of T1.
+int push(Foam& foam,
+         const StateChange& change,
+         double share,
+         const TopologyThresholds& thresholds) {
+    int flips = 0;
+    for (Displacement part : change.pushes) {
+        part.by *= share;
+        flips += displace(foam, part, thresholds);
+    }
+    return flips;
+}
+
+// What a substep takes: its time, its share of a whole change, and its part of what is left of it.
+struct Passing {
+    double time = 0.0;
+    double share = 1.0;
+    double part = 1.0;
+};
+
+EquilibriumSummary substep(Foam& foam,
+                           const Passing& passing,
+                           const StateChange& change,
+                           const StepOptions& options) {
+    diffuse(foam, passing.time, options.coarsening);
+    drive(foam, change, passing.part);
     TopologyCounts counts = collapse_due(foam, options.equilibrium.thresholds);
-    if (part == 1.0) {
+    counts.t1 += push(foam, change, passing.share, options.equilibrium.thresholds);
+    if (passing.part == 1.0) {
         const TopologyCounts forced = collapse_forced(foam, change);
         counts.t1 += forced.t1;
         counts.t2 += forced.t2;
@@ -71,7 +93,7 @@ EquilibriumSummary substep(
     if (foam.network.ghost() != kNone<BubbleId>) {  // films may have torn
         compact(foam);
     }
-    foam.time += time;
+    foam.time += passing.time;
     return summary;
 }
 
@@ -130,7 +152,7 @@ StepSummary step(Foam& foam, double time, const StepOptions& options) {
             std::min(left, safe_time(foam, options)),
             options,
             summary,
-            [&](Foam& next, double length) { return substep(next, length, {}, 1.0, options); });
+            [&](Foam& next, double length) { return substep(next, {.time = length}, {}, options); });
         if (used == 0.0) {
             break;
         }
@@ -151,7 +173,8 @@ StepSummary step(Foam& foam, double time, const StateChange& change, const StepO
                     options,
                     summary,
                     [&](Foam& next, double share) {
-                        return substep(next, share * time, change, share / left, options);
+                        const Passing passing{share * time, share, share / left};
+                        return substep(next, passing, change, options);
                     });
         if (used == 0.0) {
             break;

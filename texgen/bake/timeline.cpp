@@ -99,6 +99,16 @@ std::optional<BubbleId> nucleate_anywhere(const Event& event,
     return std::nullopt;
 }
 
+// What a force does on the way to a frame.
+void add_motion(const Event& event, int frame, const Torus& torus, StateChange& change) {
+    const double part = 1.0 / event.frames.length();
+    if (event.kind == EventKind::Force) {
+        const Vec2 by = part * Vec2(event.push[0], event.push[1]);
+        const Vec2 center = place_of(event, torus) + (frame - event.frames.first) * by;
+        change.pushes.push_back({center, event.radius, by});
+    }
+}
+
 }  // namespace
 
 Timeline::Timeline(const Preset& preset) : thresholds_(preset.thresholds) {
@@ -109,10 +119,14 @@ Timeline::Timeline(const Preset& preset) : thresholds_(preset.thresholds) {
 
 StateChange Timeline::changes_to(int frame, Foam& foam) {
     std::erase_if(driven_, [&](const auto& entry) { return entry.second.frames.last < frame; });
-    for (Entry& entry : entries_) {
-        begin(entry, frame, foam);
-    }
     StateChange change;
+    for (Entry& entry : entries_) {
+        const Event& event = entry.event;
+        if (frame >= event.frames.first && frame <= event.frames.last) {
+            begin(entry, frame, foam);
+            add_motion(event, frame, foam.torus, change);
+        }
+    }
     for (const auto& [bubble, driven] : driven_) {
         const double passed = static_cast<double>(frame - driven.frames.first + 1) /
                               static_cast<double>(driven.frames.length());
@@ -124,9 +138,6 @@ StateChange Timeline::changes_to(int frame, Foam& foam) {
 }
 
 void Timeline::begin(Entry& entry, int frame, Foam& foam) {
-    if (frame < entry.event.frames.first || frame > entry.event.frames.last) {
-        return;
-    }
     switch (*entry.event.kind) {
         case EventKind::Collapse:
             begin_collapse(entry.event, frame, foam);
@@ -137,6 +148,8 @@ void Timeline::begin(Entry& entry, int frame, Foam& foam) {
         case EventKind::Drive:
             begin_drive(entry, frame, foam);
             break;
+        case EventKind::Force:
+            break;  // is the same in every frame
     }
 }
 

@@ -13,6 +13,7 @@ enum class EventKind {
     Collapse,  // bubbles vanish on command
     Nucleate,  // new bubbles
     Drive,     // the area of bubbles is given
+    Force,     // pushes a part of the foam
 };
 
 /// Where a new bubble comes to be.
@@ -55,6 +56,9 @@ struct Event {
     double period = 24.0;  // frames
     double phase = 0.0;    // turns
     Phases phases = Phases::Same;
+
+    double radius = 2.0;                   // foam units
+    std::array<double, 2> push{1.0, 0.0};  // foam units, in all
 
     /// How many bubbles it names by one of the three; 0 stands for all.
     std::size_t bubbles_named() const {

@@ -6,7 +6,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstddef>
 #include <variant>
 #include <vector>
@@ -143,16 +145,36 @@ void check_new_bubbles(const Checked& checked, const Preset& preset) {
                     "must be 1 where the event has a place");
 }
 
+void check_force(const Checked& checked, const Preset& preset) {
+    checked.require(checked.event.at.has_value(), "kind", "the event must have a place, at");
+    const auto [shorter, longer] = std::minmax(preset.image.width, preset.image.height);
+    const double largest =
+        0.5 * std::sqrt(preset.seeding.bubbles * (static_cast<double>(shorter) / longer));
+    checked.require(
+        checked.event.radius <= largest,
+        "radius",
+        fmt::format("{}must be at most half of the torus' shorter side, {:.3g}",
+                    checked.is_touched() ? "" : fmt::format("event[{}].radius ", checked.number),
+                    largest));
+}
+
 void check_event(const Checked& checked, const Preset& preset) {
     checked.require(checked.event.kind.has_value(),
                     {},
                     fmt::format("the event must have a kind, {}", find_event_key("kind")->allowed));
     check_keys_of_kind(checked);
     check_frames(checked);
-    if (checked.event.kind == EventKind::Nucleate) {
-        check_new_bubbles(checked, preset);
-    } else {
-        check_choice(checked);
+    switch (*checked.event.kind) {
+        case EventKind::Collapse:
+        case EventKind::Drive:
+            check_choice(checked);
+            break;
+        case EventKind::Nucleate:
+            check_new_bubbles(checked, preset);
+            break;
+        case EventKind::Force:
+            check_force(checked, preset);
+            break;
     }
 }
 

@@ -16,9 +16,10 @@ namespace {
 constexpr int kLastFrame = 100'000;
 constexpr int kMostBubbles = 1'000'000;
 constexpr std::int64_t kLargestIdentity = std::numeric_limits<BubbleIdentity>::max() - 1;
-constexpr Choices<EventKind, 3> kKinds = {{{{"collapse", EventKind::Collapse},
+constexpr Choices<EventKind, 4> kKinds = {{{{"collapse", EventKind::Collapse},
                                             {"nucleate", EventKind::Nucleate},
-                                            {"drive", EventKind::Drive}}}};
+                                            {"drive", EventKind::Drive},
+                                            {"force", EventKind::Force}}}};
 constexpr Choices<NucleationSite> kSites = {
     {{{"junction", NucleationSite::Junction}, {"film", NucleationSite::Film}}}};
 constexpr Choices<EventOrder> kOrders = {
@@ -66,11 +67,14 @@ struct FrameSpans {
 };
 
 using EventKinds = std::span<const EventKind>;
-constexpr std::array kAll{EventKind::Collapse, EventKind::Nucleate, EventKind::Drive};
+constexpr std::array kAll{
+    EventKind::Collapse, EventKind::Nucleate, EventKind::Drive, EventKind::Force};
+constexpr std::array kCounting{EventKind::Collapse, EventKind::Nucleate, EventKind::Drive};
 constexpr std::array kOfBubbles{EventKind::Collapse, EventKind::Drive};
 constexpr std::array kCollapse{EventKind::Collapse};
 constexpr std::array kNucleate{EventKind::Nucleate};
 constexpr std::array kDrive{EventKind::Drive};
+constexpr std::array kForce{EventKind::Force};
 
 template <class T>
 bool is_unsaid(const T& /*value*/) {
@@ -149,7 +153,7 @@ std::vector<EventKey> choice_keys() {
             key("count",
                 Integers{1, kMostBubbles},
                 "how many bubbles of so many sides, or how many new ones",
-                kAll,
+                kCounting,
                 &Event::count),
             key("order",
                 kOrders,
@@ -202,9 +206,25 @@ std::vector<EventKey> drive_keys() {
                 &Event::phases)};
 }
 
+std::vector<EventKey> force_keys() {
+    return {
+        key("radius",
+            Reals{0.1, 500.0},
+            "of the part that is pushed, in foam units; at most half of the torus' shorter side",
+            kForce,
+            &Event::radius),
+        key("push",
+            Points{{-100.0, 100.0}},
+            "how far its middle is moved, in foam units, in all; then the foam settles, and "
+            "only what has swapped neighbours stays changed",
+            kForce,
+            &Event::push)};
+}
+
 std::vector<EventKey> all_keys() {
     std::vector<EventKey> all;
-    for (const auto& keys : {common_keys(), choice_keys(), nucleate_keys(), drive_keys()}) {
+    for (const auto& keys :
+         {common_keys(), choice_keys(), nucleate_keys(), drive_keys(), force_keys()}) {
         all.insert(all.end(), keys.begin(), keys.end());
     }
     return all;

@@ -63,7 +63,7 @@ TEST(EventIo, ALoneBubbleNeedsNoList) {
 TEST(EventIo, AValueThatIsNotAllowedNamesPlaceKeyValueAndLimits) {
     EXPECT_EQ(failure("[[event]]\nkind = \"explode\"\n"),
               "a.toml:2: key 'event[1].kind' = \"explode\": "
-              "must be one of \"collapse\", \"nucleate\", \"drive\"");
+              "must be one of \"collapse\", \"nucleate\", \"drive\", \"force\"");
     EXPECT_EQ(failure("[[event]]\nframe = 1\n"),
               "a.toml:2: key 'event[1].frame' = 1: must be an integer from 2 to 100000");
     EXPECT_EQ(failure("[[event]]\nframes = [9, 8]\n"),
@@ -98,7 +98,7 @@ TEST(EventIo, AnEventMustBeATableOfAList) {
 TEST(EventIo, AnEventNeedsAKindAndFrames) {
     EXPECT_EQ(failure("[foam]\n[[event]]\n"),
               "a.toml:2: key 'event[1]' = {...}: the event must have a kind, one of \"collapse\", "
-              "\"nucleate\", \"drive\"");
+              "\"nucleate\", \"drive\", \"force\"");
     EXPECT_EQ(failure("[[event]]\nkind = \"drive\"\nscale = 2\n"),
               "a.toml:2: key 'event[1].kind' = \"drive\": the event must have a frame or frames");
     EXPECT_EQ(failure("[[event]]\nkind = \"drive\"\nframe = 3\nframes = [3, 4]\n"),
@@ -153,6 +153,21 @@ TEST(EventIo, ANewBubbleIsLargerThanTheT2Area) {
 TEST(EventIo, ANewBubbleWithAPlaceIsAlone) {
     EXPECT_EQ(failure("[[event]]\nkind = \"nucleate\"\nframe = 9\nat = [0, 0]\ncount = 2\n"),
               "a.toml:5: key 'event[1].count' = 2: must be 1 where the event has a place");
+}
+
+// 64 bubbles on a square have a torus of 8 x 8.
+TEST(EventIo, AForceHasAPlaceAndFitsTheTorus) {
+    const std::string event = "[foam]\nbubbles = 64\n[[event]]\nkind = \"force\"\nframe = 3\n";
+    EXPECT_EQ(failure(event),
+              "a.toml:4: key 'event[1].kind' = \"force\": the event must have a place, at");
+    EXPECT_EQ(failure(event + "at = [0, 0]\nradius = 4\n"), "no failure");
+    EXPECT_EQ(failure(event + "at = [0, 0]\nradius = 4.1\n"),
+              "a.toml:7: key 'event[1].radius' = 4.1: must be at most half of the torus' shorter "
+              "side, 4");
+    EXPECT_EQ(
+        failure(event + "at = [0, 0]\nradius = 4\n", {"image.size=[100, 50]"}),
+        "--set image.size=[100, 50]: key 'image.size' = [100, 50]: event[1].radius must be at "
+        "most half of the torus' shorter side, 2.83");
 }
 
 TEST(EventIo, SetChangesAnEventThatIsThere) {
@@ -223,7 +238,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Bounds{"scale", "0.009", "0.01", "100", "101"},
                     Bounds{"amplitude", "-0.1", "0", "0.9", "0.91"},
                     Bounds{"period", "0.9", "1", "1e5", "1e6"},
-                    Bounds{"phase", "-1.1", "-1", "1", "1.1"}));
+                    Bounds{"phase", "-1.1", "-1", "1", "1.1"},
+                    Bounds{"radius", "0.09", "0.1", "500", "501"},
+                    Bounds{"push", "[0, -101]", "[0, -100]", "[100, 0]", "[101, 0]"}));
 
 }  // namespace
 }  // namespace foam::texgen

@@ -1,0 +1,78 @@
+#include "core/dynamics/displacement.h"
+
+#include "core/dynamics/step.h"
+#include "core/foam/honeycomb.h"
+#include "tests/core/foams.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace foam {
+namespace {
+
+using test::is_valid;
+using test::settled_foam;
+
+StateChange push_of(const Vec2& center, double radius, const Vec2& by) {
+    StateChange change;
+    change.pushes.push_back({center, radius, by});
+    return change;
+}
+
+// One junction in the middle, moved by less than a step: the weight there is 1, at half the radius
+// 9/16, beyond it 0.
+TEST(Displacement, FadesOutTowardsItsEdge) {
+    const Foam before = honeycomb(8, 8);
+    const JunctionId middle{40};
+    const Vec2 center = before.positions[middle];
+    Foam foam = before;
+    EXPECT_EQ(displace(foam, {center, 2.0, {0.01, 0.0}}, {}), 0);
+    for (const JunctionId junction : before.network.junctions()) {
+        const double u =
+            before.torus.nearest_copy(before.positions[junction] - center).norm() / 2.0;
+        const double weight = u < 1.0 ? (1.0 - u * u) * (1.0 - u * u) : 0.0;
+        const Vec2 moved =
+            foam.torus.nearest_copy(foam.positions[junction] - before.positions[junction]);
+        EXPECT_NEAR(moved.x(), 0.01 * weight, 1e-14);
+        EXPECT_NEAR(moved.y(), 0.0, 1e-14);
+    }
+}
+
+// With no T1 the foam has one equilibrium, and springs back to it.
+TEST(Displacement, ASmallPushLeavesNothing) {
+    Foam foam = settled_foam(60, 4);
+    const Foam before = foam;
+    const StepSummary summary = step(foam, 0.0, push_of({2.0, 3.0}, 2.0, {0.05, 0.02}), {});
+    ASSERT_TRUE(summary.equilibrium.converged());
+    ASSERT_EQ(summary.equilibrium.t1, 0);
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        EXPECT_NEAR(foam.pressures[bubble], before.pressures[bubble], 1e-7);
+    }
+}
+
+TEST(Displacement, ALargePushRearrangesTheFoam) {
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+        Foam foam = settled_foam(60, seed);
+        int flips = 0;
+        for (int k = 0; k < 4; ++k) {
+            const double angle = 0.5 * std::numbers::pi * k;
+            const StepSummary summary =
+                step(foam,
+                     0.0,
+                     push_of({1.0 * k, 7.0}, 2.5, {2.0 * std::cos(angle), 2.0 * std::sin(angle)}),
+                     {});
+            ASSERT_TRUE(summary.equilibrium.converged()) << seed << ' ' << k;
+            ASSERT_TRUE(is_valid(foam.network)) << seed << ' ' << k;
+            EXPECT_LT(summary.equilibrium.area_error, 1e-9);
+            EXPECT_LT(summary.equilibrium.angle_error, 1e-9);
+            flips += summary.equilibrium.t1;
+        }
+        EXPECT_GT(flips, 4) << seed;
+        EXPECT_EQ(foam.network.bubble_count(), 60U);
+    }
+}
+
+}  // namespace
+}  // namespace foam
