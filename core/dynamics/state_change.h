@@ -19,9 +19,10 @@ struct DrivenBubble {
 /// vanished are passed over.
 struct StateChange {
     std::vector<DrivenBubble> driven{};
+    double strain = 0.0;  // simple shear along x (shear.h)
     std::vector<Displacement> pushes{};
 
-    bool empty() const { return driven.empty() && pushes.empty(); }
+    bool empty() const { return driven.empty() && strain == 0.0 && pushes.empty(); }
 };
 
 /// The change that makes a bubble collapse on command (paper Figure 7): it shrinks to the T2 area,

@@ -1,6 +1,9 @@
 #include "core/dynamics/step.h"
 
+#include "core/dynamics/shear.h"
+
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -13,6 +16,7 @@ constexpr double kVanishingAreas = 4.0;
 // Of a step with a change, a substep is at least this share, as far as the change is concerned: one
 // that cannot be had, as when all bubbles are to shrink, comes to an end all the same.
 constexpr double kLeastShare = 0.01;
+constexpr double kLargestStrain = 0.05;  // of a substep
 
 // The longest time in which a bubble does not lose too large a part of its area, unless it
 // vanishes.
@@ -76,6 +80,9 @@ EquilibriumSummary substep(Foam& foam,
                            const StepOptions& options) {
     diffuse(foam, passing.time, options.coarsening);
     drive(foam, change, passing.part);
+    if (change.strain != 0.0) {
+        shear(foam, passing.share * change.strain);
+    }
     TopologyCounts counts = collapse_due(foam, options.equilibrium.thresholds);
     counts.t1 += push(foam, change, passing.share, options.equilibrium.thresholds);
     if (passing.part == 1.0) {
@@ -138,7 +145,8 @@ double safe_share(const Foam& foam,
                   const StepOptions& options) {
     const double vanishing = kVanishingAreas * options.equilibrium.thresholds.t2_area;
     const double part = safe_part(foam, change, options.largest_loss, vanishing);
-    const double share = std::min(left, std::max(part * left, kLeastShare));
+    const double strained = change.strain == 0.0 ? left : kLargestStrain / std::abs(change.strain);
+    const double share = std::min({left, strained, std::max(part * left, kLeastShare)});
     return time > 0.0 ? std::min(share, safe_time(foam, options) / time) : share;
 }
 

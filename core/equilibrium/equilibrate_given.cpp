@@ -49,7 +49,9 @@ void scale_lone_bubbles(Foam& foam, double factor) {
 }
 
 Foam in_units(Foam foam, const Units& units) {
-    foam.torus = {foam.torus.width / units.length, foam.torus.height / units.length};
+    foam.torus = {foam.torus.width / units.length,
+                  foam.torus.height / units.length,
+                  foam.torus.shear / units.length};
     foam.film_tension = 1.0;
     for (const JunctionId junction : foam.network.junctions()) {
         place_junction(foam, junction, foam.positions[junction] / units.length);

@@ -82,16 +82,11 @@ double distance_to_segment(const Vec2& from, const Vec2& along) {
 double distance_to_chord(const Foam& foam, FilmId film, const Vec2& point) {
     const HalfEdgeId h = forward_side(film);
     const Vec2 along = chord(foam, h);
-    const Vec2 reach(along.norm(), along.norm());
     const Vec2 from = foam.torus.nearest_copy(foam.positions[foam.network.tail(h)] - point);
-    const LatticeOffset low = foam.torus.cell_of(-reach);
-    const LatticeOffset high = foam.torus.cell_of(reach);
     double least = std::numeric_limits<double>::infinity();
-    for (std::int32_t j = low.j; j <= high.j; ++j) {
-        for (std::int32_t i = low.i; i <= high.i; ++i) {
-            const Vec2 copy = from + foam.torus.translation({i, j});
-            least = std::min(least, distance_to_segment(copy, along));
-        }
+    for (const LatticeOffset offset : foam.torus.offsets_near(Vec2::Zero(), along.norm())) {
+        const Vec2 copy = from + foam.torus.translation(offset);
+        least = std::min(least, distance_to_segment(copy, along));
     }
     return least;
 }
@@ -122,15 +117,9 @@ std::optional<BubbleId> find_bubble(const Foam& foam, BubbleIdentity identity) {
 int winding_number(const Foam& foam, BubbleId bubble, const Vec2& point) {
     const Outline outline = outline_of(foam, bubble);
     const Vec2& first = foam.positions[foam.network.tail(foam.network.first(bubble))];
-    const Vec2 reach(outline.reach, outline.reach);
-    // The copies of the point that the outline may reach.
-    const LatticeOffset low = foam.torus.cell_of(point - first - reach);
-    const LatticeOffset high = foam.torus.cell_of(point - first + reach);
     int winding = 0;
-    for (std::int32_t j = low.j; j <= high.j; ++j) {
-        for (std::int32_t i = low.i; i <= high.i; ++i) {
-            winding += winding_around(outline, point - first - foam.torus.translation({i, j}));
-        }
+    for (const LatticeOffset copy : foam.torus.offsets_near(point - first, outline.reach)) {
+        winding += winding_around(outline, point - first - foam.torus.translation(copy));
     }
     return winding;
 }

@@ -23,12 +23,44 @@ LatticeOffset Torus::cell_of(const Vec2& point) const {
     if (is_plane()) {
         return {};
     }
-    return {periods_below(point.x(), width), periods_below(point.y(), height)};
+    const std::int32_t j = periods_below(point.y(), height);
+    return {periods_below(point.x() - j * shear, width), j};
+}
+
+std::vector<LatticeOffset> Torus::offsets_near(const Vec2& point, double reach) const {
+    if (is_plane()) {
+        return {LatticeOffset{}};
+    }
+    std::vector<LatticeOffset> offsets;
+    const std::int32_t top = periods_below(point.y() + reach, height);
+    for (std::int32_t j = periods_below(point.y() - reach, height); j <= top; ++j) {
+        const double x = point.x() - j * shear;
+        const std::int32_t last = periods_below(x + reach, width);
+        for (std::int32_t i = periods_below(x - reach, width); i <= last; ++i) {
+            offsets.push_back({i, j});
+        }
+    }
+    return offsets;
 }
 
 Vec2 Torus::nearest_copy(const Vec2& vector) const {
-    return {vector.x() - width * std::round(vector.x() / width),
-            vector.y() - height * std::round(vector.y() / height)};
+    if (is_plane()) {
+        return vector;
+    }
+    const double middle = std::round(vector.y() / height);
+    const auto nearest_in_row = [&](double j) {
+        const double x = vector.x() - j * shear;
+        return Vec2(x - width * std::round(x / width), vector.y() - j * height);
+    };
+    Vec2 nearest = nearest_in_row(middle);
+    // In this row a copy is no farther than half a width along x, and so no nearer one is farther
+    // than that along y.
+    const double rows = shear == 0.0 ? 0.0 : std::ceil(0.5 * width / height) + 1.0;
+    for (double j = middle - rows; j <= middle + rows; j += 1.0) {
+        const Vec2 copy = nearest_in_row(j);
+        nearest = copy.squaredNorm() < nearest.squaredNorm() ? copy : nearest;
+    }
+    return nearest;
 }
 
 }  // namespace foam

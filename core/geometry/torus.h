@@ -4,6 +4,7 @@
 
 #include <cassert>
 #include <cstdint>
+#include <vector>
 
 namespace foam {
 
@@ -22,11 +23,13 @@ struct LatticeOffset {
     friend bool operator==(LatticeOffset a, LatticeOffset b) = default;
 };
 
-/// A rectangular torus: the plane modulo its two periods. With both periods 0 it is the plane
+/// A torus: the plane modulo the periods (width, 0) and (shear, height). Its own cell is the
+/// rectangle [0, width) x [0, height), whatever the shear. With all periods 0 it is the plane
 /// itself, in which nothing wraps and all lattice offsets are zero.
 struct Torus {
     double width = 1.0;
     double height = 1.0;
+    double shear = 0.0;  // how far the upper neighbour of the cell is moved to the right
 
     bool is_plane() const { return width == 0.0; }
 
@@ -35,11 +38,17 @@ struct Torus {
         assert(!is_plane());
         return width * height;
     }
-    Vec2 translation(LatticeOffset offset) const { return {offset.i * width, offset.j * height}; }
+    Vec2 translation(LatticeOffset offset) const {
+        return {offset.i * width + offset.j * shear, offset.j * height};
+    }
 
-    /// The offset whose translation, subtracted from the point, brings it into [0, width) x [0,
-    /// height). Zero in the plane.
+    /// The offset whose translation, subtracted from the point, brings it into the cell. Zero in
+    /// the plane.
     LatticeOffset cell_of(const Vec2& point) const;
+
+    /// The offsets whose translations lie within a reach of the point along x and along y, and some
+    /// more; row by row.
+    std::vector<LatticeOffset> offsets_near(const Vec2& point, double reach) const;
 
     /// The shortest of a vector's copies.
     Vec2 nearest_copy(const Vec2& vector) const;

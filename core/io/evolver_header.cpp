@@ -129,13 +129,13 @@ class HeaderReader {
         for (double& period : periods) {
             period = take_expression(tokens_, header_.parameters);
         }
-        if (periods[1] != 0.0 || periods[2] != 0.0) {
-            tokens_.fail(line_, "the periods have to lie along x and y: a rectangular torus");
+        if (periods[1] != 0.0) {
+            tokens_.fail(line_, "the first period has to lie along x");
         }
         if (periods[0] <= 0.0 || periods[3] <= 0.0) {
             tokens_.fail(line_, "the periods have to be positive");
         }
-        header_.torus = {periods[0], periods[3]};
+        header_.torus = {periods[0], periods[3], periods[2]};
     }
 
     void read_parameter() {

@@ -80,8 +80,9 @@ class LoopBuilder {
 
     LatticeOffset nearest_copy(const Edge& edge) const {
         const Vec2 back = mesh_.vertices[edge.tail].point - mesh_.vertices[edge.head].point;
-        return {static_cast<std::int32_t>(std::lround(back.x() / torus_.width)),
-                static_cast<std::int32_t>(std::lround(back.y() / torus_.height))};
+        const auto j = static_cast<std::int32_t>(std::lround(back.y() / torus_.height));
+        const double along = back.x() - j * torus_.shear;
+        return {static_cast<std::int32_t>(std::lround(along / torus_.width)), j};
     }
 
     // Each face as its body sees it.

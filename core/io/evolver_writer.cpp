@@ -56,7 +56,10 @@ class Writer {
         put("AREA_METHOD_NAME \"circular_arc_area\"\n");
         put("{}\n", arcs_ ? "QUADRATIC" : "LINEAR");
         if (!foam_.torus.is_plane()) {
-            put("TORUS_FILLED\nPERIODS\n{} 0\n0 {}\n", foam_.torus.width, foam_.torus.height);
+            put("TORUS_FILLED\nPERIODS\n{} 0\n{} {}\n",
+                foam_.torus.width,
+                foam_.torus.shear,
+                foam_.torus.height);
         }
     }
 

@@ -121,12 +121,24 @@ class Reader {
     }
 
     void read_scalars() {
-        const JsonTree::Array& torus = row(member("torus"), 2);
-        const bool is_plane = number(torus[0]) == 0.0 && number(torus[1]) == 0.0;
-        foam_.torus = is_plane ? kPlane : Torus{positive(torus[0]), positive(torus[1])};
+        read_torus(member("torus"));
         foam_.film_tension = positive(member("film_tension"));
         foam_.time = number(member("time"));
         foam_.next_identity = index(member("next_identity"), kNoIndex);
+    }
+
+    // Width, height and, where it is not 0, shear.
+    void read_torus(const JsonTree& line) {
+        const std::size_t size = array(line).size() == 3 ? 3 : 2;
+        const JsonTree::Array& torus = row(line, size);
+        const bool is_plane = number(torus[0]) == 0.0 && number(torus[1]) == 0.0;
+        foam_.torus = is_plane ? kPlane : Torus{positive(torus[0]), positive(torus[1])};
+        if (size == 3) {
+            foam_.torus.shear = number(torus[2]);
+        }
+        if (std::abs(foam_.torus.shear) > foam_.torus.width) {
+            fail(line.line, "the shear of a torus is at most its width");
+        }
     }
 
     void read_junction(const JsonTree& line) {

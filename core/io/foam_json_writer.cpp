@@ -16,8 +16,8 @@ class Writer {
     explicit Writer(const Foam& foam) : foam_(foam) {}
 
     std::string write() {
-        put("{{\n\"format\": \"foamtex-foam\",\n\"version\": {},\n", is_patch() ? 2 : 1);
-        put("\"torus\": [{:#}, {:#}],\n", foam_.torus.width, foam_.torus.height);
+        put("{{\n\"format\": \"foamtex-foam\",\n\"version\": {},\n", needs_version_2() ? 2 : 1);
+        put_torus();
         put("\"film_tension\": {:#},\n\"time\": {:#},\n", foam_.film_tension, foam_.time);
         put("\"next_identity\": {},\n", foam_.next_identity);
         put_rows("junctions", foam_.network.junctions(), &Writer::put_junction);
@@ -37,11 +37,22 @@ class Writer {
     }
 
   private:
+    bool needs_version_2() const { return is_patch() || foam_.torus.shear != 0.0; }
+
     bool is_patch() const { return foam_.network.ghost() != kNone<BubbleId>; }
 
     template <class... Values>
     void put(fmt::format_string<Values...> format, Values&&... values) {
         fmt::format_to(std::back_inserter(text_), format, std::forward<Values>(values)...);
+    }
+
+    // Without a shear as it has always been.
+    void put_torus() {
+        put("\"torus\": [{:#}, {:#}", foam_.torus.width, foam_.torus.height);
+        if (foam_.torus.shear != 0.0) {
+            put(", {:#}", foam_.torus.shear);
+        }
+        put("],\n");
     }
 
     template <class Rows, class Row>

@@ -76,7 +76,8 @@ AssertionResult are_same(const Network& a, const Network& b) {
 }
 
 AssertionResult are_same(const Foam& a, const Foam& b) {
-    if (a.torus.width != b.torus.width || a.torus.height != b.torus.height) {
+    if (a.torus.width != b.torus.width || a.torus.height != b.torus.height ||
+        a.torus.shear != b.torus.shear) {
         return AssertionFailure() << "the tori differ";
     }
     if (a.film_tension != b.film_tension || a.time != b.time) {

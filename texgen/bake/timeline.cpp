@@ -99,10 +99,12 @@ std::optional<BubbleId> nucleate_anywhere(const Event& event,
     return std::nullopt;
 }
 
-// What a force does on the way to a frame.
+// What a shear and a force do on the way to a frame.
 void add_motion(const Event& event, int frame, const Torus& torus, StateChange& change) {
     const double part = 1.0 / event.frames.length();
-    if (event.kind == EventKind::Force) {
+    if (event.kind == EventKind::Shear) {
+        change.strain += part * event.strain;
+    } else if (event.kind == EventKind::Force) {
         const Vec2 by = part * Vec2(event.push[0], event.push[1]);
         const Vec2 center = place_of(event, torus) + (frame - event.frames.first) * by;
         change.pushes.push_back({center, event.radius, by});
@@ -149,6 +151,7 @@ void Timeline::begin(Entry& entry, int frame, Foam& foam) {
             begin_drive(entry, frame, foam);
             break;
         case EventKind::Force:
+        case EventKind::Shear:
             break;  // is the same in every frame
     }
 }

@@ -14,6 +14,7 @@ enum class EventKind {
     Nucleate,  // new bubbles
     Drive,     // the area of bubbles is given
     Force,     // pushes a part of the foam
+    Shear,     // of the whole foam
 };
 
 /// Where a new bubble comes to be.
@@ -59,6 +60,8 @@ struct Event {
 
     double radius = 2.0;                   // foam units
     std::array<double, 2> push{1.0, 0.0};  // foam units, in all
+
+    double strain = 1.0;  // in all, over the frames
 
     /// How many bubbles it names by one of the three; 0 stands for all.
     std::size_t bubbles_named() const {

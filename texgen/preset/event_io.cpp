@@ -175,6 +175,8 @@ void check_event(const Checked& checked, const Preset& preset) {
         case EventKind::Force:
             check_force(checked, preset);
             break;
+        case EventKind::Shear:
+            break;
     }
 }
 

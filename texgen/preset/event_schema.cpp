@@ -16,10 +16,11 @@ namespace {
 constexpr int kLastFrame = 100'000;
 constexpr int kMostBubbles = 1'000'000;
 constexpr std::int64_t kLargestIdentity = std::numeric_limits<BubbleIdentity>::max() - 1;
-constexpr Choices<EventKind, 4> kKinds = {{{{"collapse", EventKind::Collapse},
+constexpr Choices<EventKind, 5> kKinds = {{{{"collapse", EventKind::Collapse},
                                             {"nucleate", EventKind::Nucleate},
                                             {"drive", EventKind::Drive},
-                                            {"force", EventKind::Force}}}};
+                                            {"force", EventKind::Force},
+                                            {"shear", EventKind::Shear}}}};
 constexpr Choices<NucleationSite> kSites = {
     {{{"junction", NucleationSite::Junction}, {"film", NucleationSite::Film}}}};
 constexpr Choices<EventOrder> kOrders = {
@@ -68,13 +69,16 @@ struct FrameSpans {
 
 using EventKinds = std::span<const EventKind>;
 constexpr std::array kAll{
-    EventKind::Collapse, EventKind::Nucleate, EventKind::Drive, EventKind::Force};
+    EventKind::Collapse, EventKind::Nucleate, EventKind::Drive, EventKind::Force, EventKind::Shear};
 constexpr std::array kCounting{EventKind::Collapse, EventKind::Nucleate, EventKind::Drive};
+constexpr std::array kAtPlaces{
+    EventKind::Collapse, EventKind::Nucleate, EventKind::Drive, EventKind::Force};
 constexpr std::array kOfBubbles{EventKind::Collapse, EventKind::Drive};
 constexpr std::array kCollapse{EventKind::Collapse};
 constexpr std::array kNucleate{EventKind::Nucleate};
 constexpr std::array kDrive{EventKind::Drive};
 constexpr std::array kForce{EventKind::Force};
+constexpr std::array kShear{EventKind::Shear};
 
 template <class T>
 bool is_unsaid(const T& /*value*/) {
@@ -142,7 +146,7 @@ std::vector<EventKey> choice_keys() {
                 Maybe<Points>{},
                 "the bubble, junction or film at this place, in parts of the image from its lower "
                 "left",
-                kAll,
+                kAtPlaces,
                 &Event::at),
             key("sides",
                 IntegerLists{{2, 100}},
@@ -221,10 +225,23 @@ std::vector<EventKey> force_keys() {
             &Event::push)};
 }
 
+std::vector<EventKey> shear_keys() {
+    return {key("strain",
+                Reals{-100.0, 100.0},
+                "how far the foam is sheared, evenly over the frames: the shift along x over the "
+                "height; images of a sheared foam tile in rows that are shifted as far",
+                kShear,
+                &Event::strain)};
+}
+
 std::vector<EventKey> all_keys() {
     std::vector<EventKey> all;
-    for (const auto& keys :
-         {common_keys(), choice_keys(), nucleate_keys(), drive_keys(), force_keys()}) {
+    for (const auto& keys : {common_keys(),
+                             choice_keys(),
+                             nucleate_keys(),
+                             drive_keys(),
+                             force_keys(),
+                             shear_keys()}) {
         all.insert(all.end(), keys.begin(), keys.end());
     }
     return all;

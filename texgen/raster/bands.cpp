@@ -6,12 +6,16 @@ namespace foam::texgen {
 
 namespace {
 
-// Shifts an outline, and moves it so that its first point lies within the grid's columns.
-SubpixelPoint placement(const RasterGrid& grid, SubpixelPoint first) {
-    const SubpixelPoint shift{-wrap(grid.shift_x, grid.width) * kSubpixel,
-                              -wrap(grid.shift_y, grid.height) * kSubpixel};
+SubpixelPoint shift_of(const RasterGrid& grid) {
+    return {-wrap(grid.shift_x, grid.width) * kSubpixel,
+            -wrap(grid.shift_y, grid.height) * kSubpixel};
+}
+
+// Moves an outline by whole periods along x, so that its first point lies within the grid's
+// columns.
+SubpixelPoint into_columns(const RasterGrid& grid, SubpixelPoint first, SubpixelPoint moved) {
     const std::int32_t period = grid.width * kSubpixel;
-    return {shift.x - floor_div(first.x + shift.x, period) * period, shift.y};
+    return {moved.x - floor_div(first.x + moved.x, period) * period, moved.y};
 }
 
 }  // namespace
@@ -43,14 +47,16 @@ template <class Visit>
 void Bands::for_each_entry(const CellOutlines& cells, Visit visit) const {
     for (std::size_t k = 0; k < cells.outlines.size(); ++k) {
         const Outline& outline = cells.outlines[k];
-        const SubpixelPoint translation = placement(grid_, cells.chain(outline).front());
-        const int low = pixel_of(outline.lowest + translation.y);
-        const int high = pixel_of(outline.highest + translation.y);
+        const SubpixelPoint first_point = cells.chain(outline).front();
+        const SubpixelPoint shift = shift_of(grid_);
+        const int low = pixel_of(outline.lowest + shift.y);
+        const int high = pixel_of(outline.highest + shift.y);
         for (int period = floor_div(low, grid_.height); period * grid_.height <= high; ++period) {
             const int base = period * grid_.height;
             const int first = std::max(low - base, 0) / rows_;
             const int last = std::min(high - base, grid_.height - 1) / rows_;
-            const SubpixelPoint wrapped{translation.x, translation.y - base * kSubpixel};
+            const SubpixelPoint moved{shift.x - period * cells.shear, shift.y - base * kSubpixel};
+            const SubpixelPoint wrapped = into_columns(grid_, first_point, moved);
             for (int band = first; band <= last; ++band) {
                 visit(static_cast<std::size_t>(band), Entry{k, wrapped});
             }

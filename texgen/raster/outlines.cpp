@@ -21,6 +21,7 @@ struct PixelFrame {
     const Frame& frame;
     const RasterGrid& grid;
     double scale;
+    std::int32_t shear;
 
     FilmArc arc(HalfEdgeId h) const {
         const FilmArc arc = frame.arc(h);
@@ -30,7 +31,8 @@ struct PixelFrame {
         return snap(grid, frame.torus, frame.positions[junction]);
     }
     SubpixelPoint translation(LatticeOffset offset) const {
-        return {offset.i * grid.width * kSubpixel, offset.j * grid.height * kSubpixel};
+        return {offset.i * grid.width * kSubpixel + offset.j * shear,
+                offset.j * grid.height * kSubpixel};
     }
 };
 
@@ -180,8 +182,8 @@ class InsetOutliner {
     InsetTracer tracer_;
 };
 
-CellOutlines gather(const RasterGrid& grid, std::vector<Batch>& batches) {
-    CellOutlines cells{grid, {}, {}, 0};
+CellOutlines gather(const PixelFrame& pixels, std::vector<Batch>& batches) {
+    CellOutlines cells{pixels.grid, pixels.shear, {}, {}, 0};
     for (Batch& batch : batches) {
         for (Outline& outline : batch.outlines) {
             outline.batch = cells.batches.size();
@@ -205,7 +207,7 @@ CellOutlines outline_all(const PixelFrame& pixels, const Outliner& outliner, int
             own.outline(id_at<BubbleId>(k), batches[static_cast<std::size_t>(task)]);
         }
     });
-    return gather(pixels.grid, batches);
+    return gather(pixels, batches);
 }
 
 }  // namespace
@@ -217,7 +219,8 @@ CellOutlines outline_cells(const Frame& frame,
     if (!(film_width >= 0.0) || !std::isfinite(film_width)) {
         throw std::invalid_argument("film width must be 0 or more");
     }
-    const PixelFrame pixels{frame, grid, pixels_per_unit(grid, frame.torus)};
+    const PixelFrame pixels{
+        frame, grid, pixels_per_unit(grid, frame.torus), shear_in_subpixels(grid, frame.torus)};
     if (film_width == 0.0) {
         const FilmChains chains(pixels);
         return outline_all(pixels, SharedOutliner(pixels, chains), threads);

@@ -27,7 +27,8 @@ struct Outline {
 /// free: mostly one, none if it is all film.
 struct CellOutlines {
     RasterGrid grid;
-    std::vector<Outline> outlines;                    // in the order of bubbles
+    std::int32_t shear = 0;         // subpixels by which a copy one period up lies to the right
+    std::vector<Outline> outlines;  // in the order of bubbles
     std::vector<std::vector<SubpixelPoint>> batches;  // as the workers left them
     int unresolved = 0;  // parts left out because their boundary did not close; 0 for a valid foam
 

@@ -34,9 +34,12 @@ double pixels_per_unit(const RasterGrid& grid, const Torus& torus) {
 }
 
 SubpixelPoint snap(const RasterGrid& grid, const Torus& torus, const Vec2& position) {
-    const std::int32_t x = to_subpixel(position.x() * (grid.width / torus.width));
-    const std::int32_t y = to_subpixel(position.y() * (grid.height / torus.height));
-    return {wrap(x, grid.width * kSubpixel), wrap(y, grid.height * kSubpixel)};
+    return {to_subpixel(position.x() * (grid.width / torus.width)),
+            to_subpixel(position.y() * (grid.height / torus.height))};
+}
+
+std::int32_t shear_in_subpixels(const RasterGrid& grid, const Torus& torus) {
+    return to_subpixel(torus.shear * (grid.width / torus.width));
 }
 
 }  // namespace foam::texgen

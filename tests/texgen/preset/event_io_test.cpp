@@ -63,7 +63,7 @@ TEST(EventIo, ALoneBubbleNeedsNoList) {
 TEST(EventIo, AValueThatIsNotAllowedNamesPlaceKeyValueAndLimits) {
     EXPECT_EQ(failure("[[event]]\nkind = \"explode\"\n"),
               "a.toml:2: key 'event[1].kind' = \"explode\": "
-              "must be one of \"collapse\", \"nucleate\", \"drive\", \"force\"");
+              "must be one of \"collapse\", \"nucleate\", \"drive\", \"force\", \"shear\"");
     EXPECT_EQ(failure("[[event]]\nframe = 1\n"),
               "a.toml:2: key 'event[1].frame' = 1: must be an integer from 2 to 100000");
     EXPECT_EQ(failure("[[event]]\nframes = [9, 8]\n"),
@@ -98,7 +98,7 @@ TEST(EventIo, AnEventMustBeATableOfAList) {
 TEST(EventIo, AnEventNeedsAKindAndFrames) {
     EXPECT_EQ(failure("[foam]\n[[event]]\n"),
               "a.toml:2: key 'event[1]' = {...}: the event must have a kind, one of \"collapse\", "
-              "\"nucleate\", \"drive\", \"force\"");
+              "\"nucleate\", \"drive\", \"force\", \"shear\"");
     EXPECT_EQ(failure("[[event]]\nkind = \"drive\"\nscale = 2\n"),
               "a.toml:2: key 'event[1].kind' = \"drive\": the event must have a frame or frames");
     EXPECT_EQ(failure("[[event]]\nkind = \"drive\"\nframe = 3\nframes = [3, 4]\n"),
@@ -240,7 +240,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Bounds{"period", "0.9", "1", "1e5", "1e6"},
                     Bounds{"phase", "-1.1", "-1", "1", "1.1"},
                     Bounds{"radius", "0.09", "0.1", "500", "501"},
-                    Bounds{"push", "[0, -101]", "[0, -100]", "[100, 0]", "[101, 0]"}));
+                    Bounds{"push", "[0, -101]", "[0, -100]", "[100, 0]", "[101, 0]"},
+                    Bounds{"strain", "-101", "-100", "100", "101"}));
 
 }  // namespace
 }  // namespace foam::texgen

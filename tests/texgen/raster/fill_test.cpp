@@ -1,6 +1,8 @@
 #include "texgen/raster/fill.h"
 
+#include "core/dynamics/shear.h"
 #include "core/foam/honeycomb.h"
+#include "core/foam/locate.h"
 #include "core/foam/random.h"
 #include "core/network/validate.h"
 #include "tests/support/raster_frames.h"
@@ -112,6 +114,60 @@ TEST(Fill, AShiftOfTheGridIsACyclicShiftBitForBit) {
                       cyclically_shifted(straight, i, j))
                 << i << "," << j;
         }
+    }
+}
+
+bool is_all_cells(const Frame& frame, int size) {
+    const CellValues white{1, std::vector<std::uint16_t>(frame.bubbles.size(), 65535), {}};
+    const Image16 image = filled(frame, {size, size, 0, 0}, 0.0, white);
+    return std::all_of(image.samples().begin(), image.samples().end(), [](std::uint16_t sample) {
+        return sample == 65535;
+    });
+}
+
+// A junction that is rounded to the far border of the torus stays with its films.
+TEST(Fill, LeavesNoGapsAtTheBorder) {
+    const Foam foam = test::bent_foam(30, 0.3, 3);
+    for (const JunctionId junction : foam.network.junctions()) {
+        Foam moved = foam;
+        const Vec2 corner(moved.torus.width - 1e-9, moved.torus.height - 1e-9);
+        const Vec2 by = corner - foam.positions[junction];
+        for (const JunctionId each : foam.network.junctions()) {
+            place_junction(moved, each, foam.positions[each] + by);
+        }
+        EXPECT_TRUE(is_all_cells(test::fitted_frame(moved, 40, 40), 40)) << index_of(junction);
+    }
+}
+
+TEST(Fill, AShearedTorusIsCoveredOnce) {
+    for (const double strain : {0.1, -0.37, 0.8}) {
+        Foam foam = test::bent_foam(30, 0.3, 3);
+        shear(foam, strain);
+        EXPECT_TRUE(is_all_cells(test::fitted_frame(foam, 40, 40), 40)) << strain;
+    }
+}
+
+// Pixels show the bubble at their middle, but for those that films cross; so do the rows beyond the
+// upper border, which are those of the lower one further to the right.
+TEST(Fill, AShearedTorusShowsTheBubblesWhereTheyAre) {
+    Foam foam = test::bent_foam(30, 0.3, 3);
+    shear(foam, 0.3);
+    const Frame frame = test::fitted_frame(foam, 80, 80);
+    CellValues values{1, {}, {}};
+    for (std::size_t k = 0; k < frame.bubbles.size(); ++k) {
+        values.cells.push_back(static_cast<std::uint16_t>(1000 * (k + 1)));
+    }
+    for (const int shift_y : {0, 30}) {
+        const Image16 image = filled(frame, {80, 80, 17, shift_y}, 0.0, values);
+        int matching = 0;
+        for (int y = 0; y < 80; ++y) {
+            for (int x = 0; x < 80; ++x) {
+                const Vec2 point = foam.torus.width / 80.0 * Vec2(x + 17.5, y + shift_y + 0.5);
+                const std::uint16_t sample = image.row(y)[static_cast<std::size_t>(x)];
+                matching += sample == values.cells[index_of(bubble_at(foam, point))] ? 1 : 0;
+            }
+        }
+        EXPECT_GT(matching, 80 * 80 * 7 / 10);
     }
 }
 

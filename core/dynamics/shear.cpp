@@ -1,0 +1,31 @@
+#include "core/dynamics/shear.h"
+
+#include <cmath>
+
+namespace foam {
+
+void shear(Foam& foam, double strain) {
+    foam.torus.shear += strain * foam.torus.height;
+    for (const JunctionId junction : foam.network.junctions()) {
+        const Vec2 at = foam.positions[junction];
+        place_junction(foam, junction, {at.x() + strain * at.y(), at.y()});
+    }
+    reduce_lattice(foam);
+}
+
+void reduce_lattice(Foam& foam) {
+    Torus& torus = foam.torus;
+    if (std::abs(torus.shear) <= 0.5 * torus.width) {
+        return;
+    }
+    // A period up is now one up and so many to the right.
+    const auto widths = static_cast<std::int32_t>(std::lround(torus.shear / torus.width));
+    torus.shear -= widths * torus.width;
+    for (const FilmId film : foam.network.films()) {
+        const HalfEdgeId h = forward_side(film);
+        const LatticeOffset offset = foam.network.offset(h);
+        foam.network.set_offset(h, {offset.i + widths * offset.j, offset.j});
+    }
+}
+
+}  // namespace foam

@@ -1,0 +1,166 @@
+#include "core/dynamics/shear.h"
+
+#include "core/dynamics/step.h"
+#include "core/foam/honeycomb.h"
+#include "core/foam/locate.h"
+#include "core/foam/measure.h"
+#include "core/io/evolver_file.h"
+#include "core/io/foam_json.h"
+#include "tests/core/foams.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace foam {
+namespace {
+
+using test::is_valid;
+using test::settled_foam;
+using test::total_target;
+
+StateChange strain_of(double strain) {
+    StateChange change;
+    change.strain = strain;
+    return change;
+}
+
+// Every chord (x, y) becomes (x + strain y, y), also across the seams and where the lattice is
+// reduced: at 0.5 of a square torus it just is not, at 0.7 and 3.2 it is.
+TEST(Shear, IsAffine) {
+    const Foam before = settled_foam(40, 1);
+    for (const double strain : {0.1, -0.3, 0.5, 0.7, -0.9, 3.2}) {
+        Foam foam = before;
+        shear(foam, strain);
+        EXPECT_TRUE(is_valid(foam.network)) << strain;
+        for (const FilmId film : foam.network.films()) {
+            const Vec2 old = chord(before, forward_side(film));
+            const Vec2 expected(old.x() + strain * old.y(), old.y());
+            EXPECT_LT((chord(foam, forward_side(film)) - expected).norm(), 1e-12) << strain;
+        }
+        EXPECT_LE(std::abs(foam.torus.shear), 0.5 * foam.torus.width);
+    }
+}
+
+// The lattice spanned by (w, 0) and (s, h) holds (s - w, h) as well.
+TEST(Shear, TheReducedLatticeIsTheSame) {
+    Foam foam = settled_foam(40, 1);
+    const double width = foam.torus.width;
+    shear(foam, 0.45);
+    const Foam before = foam;
+    foam.torus.shear += width;  // as other periods, by hand
+    for (const FilmId film : foam.network.films()) {
+        const LatticeOffset offset = foam.network.offset(forward_side(film));
+        foam.network.set_offset(forward_side(film), {offset.i - offset.j, offset.j});
+    }
+    reduce_lattice(foam);
+    EXPECT_NEAR(foam.torus.shear, before.torus.shear, 1e-15 * width);
+    for (const FilmId film : foam.network.films()) {
+        EXPECT_TRUE(foam.network.offset(forward_side(film)) ==
+                    before.network.offset(forward_side(film)));
+    }
+}
+
+// A shear of one width over the height is the same torus again, and so is its foam.
+TEST(Shear, OfAWholePeriodGivesTheSameLattice) {
+    Foam foam = honeycomb(4, 4);
+    shear(foam, foam.torus.width / foam.torus.height);
+    EXPECT_NEAR(foam.torus.shear, 0.0, 1e-14);
+    EXPECT_TRUE(is_valid(foam.network));
+    EXPECT_NEAR(bubble_area(foam, BubbleId{5}), 1.0, 1e-12);
+}
+
+// Within the elastic range the way back leads to where it came from: no T1, the same pressures.
+TEST(Shear, BackAndForthIsNothingWithoutT1) {
+    Foam foam = settled_foam(60, 4);
+    const Foam before = foam;
+    for (const double strain : {0.001, 0.001, -0.001, -0.001}) {
+        const StepSummary summary = step(foam, 0.0, strain_of(strain), {});
+        ASSERT_TRUE(summary.equilibrium.converged());
+        ASSERT_EQ(summary.equilibrium.t1, 0);
+    }
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        EXPECT_NEAR(foam.pressures[bubble], before.pressures[bubble], 1e-8);
+    }
+    EXPECT_NEAR(foam.torus.shear, 0.0, 1e-14);
+}
+
+// Princen's shear modulus of a honeycomb of films of length l, T / (2 sqrt(3) l), gives the energy
+// per area to the second order in the strain (J. Colloid Interface Sci. 91, 160, 1983).
+TEST(Shear, EnergyOfAHoneycombGrowsByItsModulus) {
+    const Foam before = honeycomb(4, 4);
+    const double film = std::sqrt(2.0 / (3.0 * std::sqrt(3.0)));  // of a hexagon of area 1
+    const double modulus = before.film_tension / (2.0 * std::sqrt(3.0) * film);
+    for (const double strain : {0.01, 0.02}) {
+        Foam foam = before;
+        ASSERT_TRUE(step(foam, 0.0, strain_of(strain), {}).equilibrium.converged());
+        const double expected = 0.5 * modulus * strain * strain * foam.torus.area();
+        EXPECT_NEAR((energy(foam) - energy(before)) / expected, 1.0, 2.0 * strain * strain);
+    }
+}
+
+// Far beyond the elastic range, through several periods: films swap without end, and every step is
+// an equilibrium.
+TEST(Shear, FlowsThroughSeveralPeriods) {
+    Foam foam = settled_foam(60, 2);
+    int flips = 0;
+    for (int k = 0; k < 100; ++k) {
+        const StepSummary summary = step(foam, 0.0, strain_of(0.03), {});
+        ASSERT_TRUE(summary.equilibrium.converged()) << k;
+        ASSERT_TRUE(is_valid(foam.network)) << k;
+        EXPECT_LT(summary.equilibrium.area_error, 1e-9);
+        EXPECT_LT(summary.equilibrium.angle_error, 1e-9);
+        flips += summary.equilibrium.t1;
+    }
+    EXPECT_GT(flips, 60);
+    EXPECT_NEAR(total_target(foam), foam.torus.area(), 1e-9);
+    EXPECT_EQ(foam.network.bubble_count(), 60U);
+}
+
+TEST(Shear, ASteppedFoamCoarsensAsWell) {
+    Foam foam = settled_foam(60, 2);
+    ASSERT_TRUE(step(foam, 0.0, strain_of(0.4), {}).equilibrium.converged());
+    for (int k = 0; k < 20; ++k) {
+        ASSERT_TRUE(step(foam, 3.0, {}).equilibrium.converged()) << k;
+        ASSERT_TRUE(is_valid(foam.network));
+    }
+    EXPECT_LT(foam.network.bubble_count(), 55U);
+}
+
+TEST(Shear, PointsAreFoundInAShearedFoam) {
+    Foam foam = settled_foam(30, 3);
+    ASSERT_TRUE(step(foam, 0.0, strain_of(0.37), {}).equilibrium.converged());
+    for (int k = 0; k < 300; ++k) {
+        const Vec2 point(0.013 + foam.torus.width * std::fmod(0.618 * k, 1.0),
+                         foam.torus.height * (k + 0.5) / 300.0);
+        int covered = 0;
+        for (const BubbleId bubble : foam.network.bubbles()) {
+            covered += winding_number(foam, bubble, point);
+        }
+        EXPECT_EQ(covered, 1) << point.transpose();
+        EXPECT_EQ(bubble_at(foam, point), bubble_at(foam, point + foam.torus.translation({2, -3})));
+    }
+    for (const JunctionId junction : foam.network.junctions()) {
+        const Vec2 copy = foam.positions[junction] + foam.torus.translation({1, 2});
+        EXPECT_EQ(nearest_junction(foam, copy), junction);
+    }
+}
+
+TEST(Shear, AStateKeepsIt) {
+    Foam foam = settled_foam(30, 3);
+    ASSERT_TRUE(step(foam, 0.0, strain_of(0.37), {}).equilibrium.converged());
+    EXPECT_TRUE(test::are_same(read_foam_json(write_foam_json(foam), "a.json"), foam));
+}
+
+TEST(Shear, ADataFileKeepsIt) {
+    Foam foam = settled_foam(30, 3);
+    ASSERT_TRUE(step(foam, 0.0, strain_of(0.37), {}).equilibrium.converged());
+    const Foam back = read_evolver(write_evolver(foam, EvolverEdges::Arcs), "a.fe").foam;
+    EXPECT_EQ(back.torus.shear, foam.torus.shear);
+    EXPECT_NEAR(energy(back), energy(foam), 1e-9);
+    EXPECT_LT(equilibrium_errors(back).angle, 1e-9);
+    EXPECT_LT(equilibrium_errors(back).area, 1e-9);
+}
+
+}  // namespace
+}  // namespace foam
