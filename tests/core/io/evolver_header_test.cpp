@@ -129,7 +129,7 @@ TEST(EvolverHeader, RefusesOtherModels) {
 }
 
 TEST(EvolverHeader, RefusesOtherTori) {
-    expect_refused("periods\n1 0\n0.5 1", "a.fe:1: the first period has to lie along x");
+    expect_refused("periods\n1 0.5\n0 1", "a.fe:1: the first period has to lie along x");
     expect_refused("periods 1 0 0 -1", "a.fe:1: the periods have to be positive");
 }
 
