@@ -1,5 +1,6 @@
 #include "core/equilibrium/equilibrate.h"
 
+#include "core/equilibrium/drift.h"
 #include "core/equilibrium/relaxation.h"
 #include "core/equilibrium/residual.h"
 #include "core/equilibrium/spots.h"
@@ -8,6 +9,7 @@
 #include "core/foam/measure.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace foam {
@@ -19,7 +21,8 @@ constexpr double kSlowRatio = 0.1;
 // Within a spot, whose surroundings are held, there is no need to be exact.
 constexpr double kSpotTolerance = 1e-3;
 constexpr int kSpotIterations = 12;
-constexpr int kSpotRounds = 5;  // each ended by T1s
+constexpr int kSpotRounds = 5;   // each ended by T1s or by relaxation
+constexpr int kSpotSweeps = 30;  // of relaxation
 // Around what is bad where Newton's method has stalled.
 constexpr int kRelaxedRings = 3;
 constexpr double kWorstShare = 0.2;
@@ -64,6 +67,7 @@ class Equilibration {
           without_spots_(options.solver != Solver::Newton) {}
 
     EquilibriumSummary run() {
+        const Positions before = foam_.positions;
         // A tangle is no state for Newton's method: its T1s would lead anywhere.
         if (untangle(foam_) > 0 || options_.relaxes_first) {
             relax_all();
@@ -76,6 +80,7 @@ class Equilibration {
             }
             settled = options_.solver == Solver::Newton ? solve_by_newton() : solve_by_sweeps();
         }
+        undo_drift(foam_, before);
         center_pressures(foam_);
         rearm_grown_films(foam_, options_.thresholds);
         report(settled);
@@ -146,18 +151,26 @@ class Equilibration {
         return spots.size();
     }
 
+    // Where Newton's method stalls in a spot, the spot alone is relaxed, once: left as it is, it
+    // would stop every step of the whole foam.
     void settle_spot(Spot spot) {
+        bool was_relaxed = false;
         for (int round = 0; round < kSpotRounds; ++round) {
             drop_loose(spot);
             if (spot.empty()) {
                 return;
             }
-            spot_.start(foam_, unknowns_around(foam_.network, spot));
+            Unknowns part = unknowns_around(foam_.network, spot);
+            spot_.start(foam_, part);
             const NewtonSummary newton_summary = spot_.run(foam_);
-            if (newton_summary.status != NewtonStatus::FilmsCollapse) {
+            if (newton_summary.status == NewtonStatus::FilmsCollapse) {
+                settle(newton_summary.collapsing);
+            } else if (newton_summary.status == NewtonStatus::Converged || was_relaxed) {
                 return;
+            } else {
+                relax_part(std::move(part), kSpotSweeps);
+                was_relaxed = true;
             }
-            settle(newton_summary.collapsing);
         }
     }
 
@@ -202,9 +215,9 @@ class Equilibration {
         return find_spots(foam_, all, r, worst_options);
     }
 
-    void relax_part(const Unknowns& part, int sweeps) {
+    void relax_part(Unknowns part, int sweeps) {
         const RelaxationSummary relaxation =
-            relax(foam_, part, {.sweeps = sweeps, .thresholds = options_.thresholds});
+            relax(foam_, std::move(part), {.sweeps = sweeps, .thresholds = options_.thresholds});
         summary_.t1 += relaxation.t1;
         network_changed_ = network_changed_ || relaxation.t1 > 0;
     }

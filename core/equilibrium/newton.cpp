@@ -100,8 +100,22 @@ class NewtonRun {
         if (!solver_.has_factor_) {
             solver_.renew_factor(foam_);
         }
-        return solver_.has_factor_ ? Eigen::VectorXd(-solver_.solver_.solve(solvable_part()))
-                                   : Eigen::VectorXd::Zero(residual_.size());
+        if (!solver_.has_factor_) {
+            return Eigen::VectorXd::Zero(residual_.size());
+        }
+        Eigen::VectorXd step = -solver_.solver_.solve(solvable_part());
+        if (solver_.is_whole_) {
+            hold_mean_position(step);
+        }
+        return step;
+    }
+
+    // Nothing holds a foam as a whole where it is. Without this, rounding in a factor of a softly
+    // sheared foam now and then throws all of it by a bubble's size.
+    void hold_mean_position(Eigen::VectorXd& step) const {
+        const auto junctions = static_cast<Eigen::Index>(unknowns_.junctions.size());
+        auto moves = step.head(2 * junctions).reshaped(2, junctions);
+        moves.colwise() -= Vec2(moves.rowwise().mean());
     }
 
     // What no motion of the whole foam and, on a torus, no common pressure can change is taken out,

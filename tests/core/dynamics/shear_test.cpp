@@ -10,7 +10,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace foam {
 namespace {
@@ -115,6 +117,37 @@ TEST(Shear, FlowsThroughSeveralPeriods) {
     EXPECT_GT(flips, 60);
     EXPECT_NEAR(total_target(foam), foam.torus.area(), 1e-9);
     EXPECT_EQ(foam.network.bubble_count(), 60U);
+}
+
+double median(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    return values[values.size() / 2];
+}
+
+// Of the motions of all junctions beside the shear itself, along x and along y.
+Vec2 median_motion(const Foam& before, const Foam& after, double strain) {
+    std::vector<double> along_x;
+    std::vector<double> along_y;
+    for (const JunctionId junction : before.network.junctions()) {
+        const Vec2 old = before.positions[junction];
+        const Vec2 expected(old.x() + strain * old.y(), old.y());
+        const Vec2 motion = after.torus.nearest_copy(after.positions[junction] - expected);
+        along_x.push_back(motion.x());
+        along_y.push_back(motion.y());
+    }
+    return {median(along_x), median(along_y)};
+}
+
+// Nothing holds a foam where it is, and an ill-conditioned step of Newton's method may carry all of
+// it away.
+TEST(Shear, TheFoamAsAWholeStaysWhereItIs) {
+    Foam foam = settled_foam(200, 3);
+    const double strain = 0.02;
+    for (int k = 0; k < 50; ++k) {
+        const Foam before = foam;
+        ASSERT_TRUE(step(foam, 0.0, strain_of(strain), {}).equilibrium.converged()) << k;
+        EXPECT_LT(median_motion(before, foam, strain).norm(), 1e-12) << k;
+    }
 }
 
 TEST(Shear, ASteppedFoamCoarsensAsWell) {

@@ -1,0 +1,39 @@
+#include "core/equilibrium/drift.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace foam {
+
+namespace {
+
+// Of an even number the upper one. Precondition: not empty.
+double median(std::vector<double>& values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+}  // namespace
+
+void undo_drift(Foam& foam, const Positions& before) {
+    std::vector<double> along_x;
+    std::vector<double> along_y;
+    for (const JunctionId junction : foam.network.junctions()) {
+        const Vec2 motion = foam.torus.nearest_copy(foam.positions[junction] - before[junction]);
+        along_x.push_back(motion.x());
+        along_y.push_back(motion.y());
+    }
+    if (along_x.empty()) {
+        return;
+    }
+    const Vec2 drift(median(along_x), median(along_y));
+    if (drift == Vec2::Zero()) {
+        return;
+    }
+    for (const JunctionId junction : foam.network.junctions()) {
+        place_junction(foam, junction, foam.positions[junction] - drift);
+    }
+}
+
+}  // namespace foam
