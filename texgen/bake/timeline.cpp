@@ -2,9 +2,11 @@
 
 #include "core/dynamics/nucleation.h"
 #include "core/foam/locate.h"
+#include "texgen/preset/event_frames.h"
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace foam::texgen {
 
@@ -115,7 +117,9 @@ void add_motion(const Event& event, int frame, const Torus& torus, StateChange& 
 
 Timeline::Timeline(const Preset& preset) : thresholds_(preset.thresholds) {
     for (std::size_t k = 0; k < preset.events.size(); ++k) {
-        entries_.push_back({preset.events[k], Random(seed_of(preset, k))});
+        Event event = preset.events[k];
+        event.frames = *frames_of(event, preset.frames);  // a checked preset has them
+        entries_.push_back({std::move(event), Random(seed_of(preset, k))});
     }
 }
 

@@ -39,7 +39,8 @@ struct FrameSpan {
 /// depends on the kind; see event_schema.h.
 struct Event {
     std::optional<EventKind> kind;  // always there in a checked preset
-    FrameSpan frames;
+    FrameSpan frames;                           // or else
+    std::optional<std::array<double, 2>> time;  // foam time from and to; both the same: an instant
 
     // The bubbles, by one of three; a position in parts of the torus' width and height.
     std::vector<BubbleIdentity> bubbles;

@@ -1,5 +1,6 @@
 #include "texgen/preset/event_io.h"
 
+#include "texgen/preset/event_frames.h"
 #include "texgen/preset/event_schema.h"
 #include "texgen/preset/nearest.h"
 #include "texgen/preset/refusal.h"
@@ -10,6 +11,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -104,14 +106,17 @@ void check_keys_of_kind(const Checked& checked) {
 }
 
 void check_frames(const Checked& checked) {
-    checked.require(
-        checked.event.frames.first != 0, "kind", "the event must have a frame or frames");
-    checked.require(!checked.is_given("frame") || !checked.is_given("frames"),
-                    "frames",
-                    "must not stand beside frame");
+    const int ways = (checked.is_given("frame") ? 1 : 0) + (checked.is_given("frames") ? 1 : 0) +
+                     (checked.is_given("time") ? 1 : 0);
+    checked.require(ways <= 1,
+                    checked.is_given("frames") ? "frames" : "time",
+                    "one of frame, frames and time says when");
+    checked.require(checked.event.frames.first != 0 || checked.event.time,
+                    "kind",
+                    "the event must have a frame, frames or a time");
 }
 
-void check_choice(const Checked& checked) {
+void check_choice(const Checked& checked, const FrameSpan& span) {
     const Event& event = checked.event;
     const int ways =
         (event.bubbles.empty() ? 0 : 1) + (event.at ? 1 : 0) + (event.sides.empty() ? 0 : 1);
@@ -124,7 +129,7 @@ void check_choice(const Checked& checked) {
     checked.require(!checked.is_given("count") || !event.sides.empty(),
                     "count",
                     "counts bubbles that are chosen by sides");
-    const auto frames = static_cast<std::size_t>(event.frames.length());
+    const auto frames = static_cast<std::size_t>(span.length());
     checked.require(
         event.order == EventOrder::AtOnce || event.bubbles_named() <= frames,
         "order",
@@ -164,10 +169,15 @@ void check_event(const Checked& checked, const Preset& preset) {
                     fmt::format("the event must have a kind, {}", find_event_key("kind")->allowed));
     check_keys_of_kind(checked);
     check_frames(checked);
+    const std::optional<FrameSpan> span = frames_of(checked.event, preset.frames);
+    checked.require(
+        span.has_value(),
+        "time",
+        fmt::format("must come before frame {}, as frames.time_step has it", kLastEventFrame));
     switch (*checked.event.kind) {
         case EventKind::Collapse:
         case EventKind::Drive:
-            check_choice(checked);
+            check_choice(checked, *span);
             break;
         case EventKind::Nucleate:
             check_new_bubbles(checked, preset);

@@ -1,6 +1,7 @@
 #include "texgen/preset/event_schema.h"
 
 #include "texgen/preset/domain.h"
+#include "texgen/preset/event_frames.h"
 
 #include <fmt/core.h>
 
@@ -13,7 +14,6 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr int kLastFrame = 100'000;
 constexpr int kMostBubbles = 1'000'000;
 constexpr std::int64_t kLargestIdentity = std::numeric_limits<BubbleIdentity>::max() - 1;
 constexpr Choices<EventKind, 5> kKinds = {{{{"collapse", EventKind::Collapse},
@@ -29,7 +29,7 @@ constexpr Choices<Phases> kPhases = {{{{"same", Phases::Same}, {"random", Phases
 
 // A single frame, as first and last of a span.
 struct SingleFrames {
-    Integers frame{2, kLastFrame};
+    Integers frame{2, kLastEventFrame};
 
     std::string allowed() const { return frame.allowed(); }
     bool read(const Value& value, FrameSpan& member) const {
@@ -45,7 +45,7 @@ struct SingleFrames {
 
 // [first, last].
 struct FrameSpans {
-    Integers frame{2, kLastFrame};
+    Integers frame{2, kLastEventFrame};
 
     std::string allowed() const {
         return fmt::format("[first, last], each {}, in this order", frame.allowed());
@@ -64,6 +64,30 @@ struct FrameSpans {
             return std::nullopt;
         }
         return Value{Value::List{frame.write(member.first), frame.write(member.last)}};
+    }
+};
+
+// An instant, or [from, to].
+struct Times {
+    Reals time{0.0, 1e12};
+
+    std::string allowed() const {
+        return fmt::format("{}, or [from, to] of such, in this order", time.allowed());
+    }
+    bool read(const Value& value, std::array<double, 2>& member) const {
+        std::array<double, 2> span{};
+        const auto* list = std::get_if<Value::List>(&value.data);
+        const bool is_span = list != nullptr && list->size() == 2;
+        const bool allowed = time.read(is_span ? list->front() : value, span[0]) &&
+                             time.read(is_span ? list->back() : value, span[1]) &&
+                             span[0] <= span[1];
+        member = allowed ? span : member;
+        return allowed;
+    }
+    Value write(const std::array<double, 2>& member) const {
+        const bool is_instant = member[0] == member[1];
+        return is_instant ? time.write(member[0])
+                          : Value{Value::List{time.write(member[0]), time.write(member[1])}};
     }
 };
 
@@ -124,8 +148,26 @@ EventKey frame_key(std::string_view name, const auto& domain, std::string_view m
             meaning,
             kAll,
             std::nullopt,
-            [=](const Value& value, Event& event) { return domain.read(value, event.frames); },
+            [=](const Value& value, Event& event) {
+                const bool allowed = domain.read(value, event.frames);
+                event.time = allowed ? std::nullopt : event.time;
+                return allowed;
+            },
             [=](const Event& event) { return domain.write(event.frames); }};
+}
+
+EventKey time_key() {
+    EventKey times = key("time",
+                         Maybe<Times>{},
+                         "instead of frames: the foam time at which it happens, or from and to when",
+                         kAll,
+                         &Event::time);
+    times.read = [read = times.read](const Value& value, Event& event) {
+        const bool allowed = read(value, event);
+        event.frames = allowed ? FrameSpan{} : event.frames;
+        return allowed;
+    };
+    return times;
 }
 
 std::vector<EventKey> common_keys() {
@@ -133,7 +175,8 @@ std::vector<EventKey> common_keys() {
             frame_key("frame", SingleFrames{}, "the frame that shows it done"),
             frame_key("frames",
                       FrameSpans{},
-                      "instead of frame: it goes on from the first of these frames to the last")};
+                      "instead of frame: it goes on from the first of these frames to the last"),
+            time_key()};
 }
 
 std::vector<EventKey> choice_keys() {
@@ -179,7 +222,7 @@ std::vector<EventKey> nucleate_keys() {
                 kNucleate,
                 &Event::area),
             key("growth",
-                Integers{1, kLastFrame},
+                Integers{1, kLastEventFrame},
                 "frames in which a new bubble grows to its area; several begin evenly over the "
                 "event's frames",
                 kNucleate,

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -100,15 +101,41 @@ TEST(EventIo, AnEventNeedsAKindAndFrames) {
               "a.toml:2: key 'event[1]' = {...}: the event must have a kind, one of \"collapse\", "
               "\"nucleate\", \"drive\", \"force\", \"shear\"");
     EXPECT_EQ(failure("[[event]]\nkind = \"drive\"\nscale = 2\n"),
-              "a.toml:2: key 'event[1].kind' = \"drive\": the event must have a frame or frames");
+              "a.toml:2: key 'event[1].kind' = \"drive\": the event must have a frame, frames or a time");
     EXPECT_EQ(failure("[[event]]\nkind = \"drive\"\nframe = 3\nframes = [3, 4]\n"),
-              "a.toml:4: key 'event[1].frames' = [3, 4]: must not stand beside frame");
+              "a.toml:4: key 'event[1].frames' = [3, 4]: one of frame, frames and time says when");
+}
+
+TEST(EventIo, ATimeStandsForFrames) {
+    const std::string toml = "[[event]]\nkind = \"shear\"\ntime = ";
+    EXPECT_EQ(events(toml + "3.5\n")[0].time, (std::array{3.5, 3.5}));
+    EXPECT_EQ(events(toml + "[3, 4.5]\n")[0].time, (std::array{3.0, 4.5}));
+    EXPECT_EQ(failure(toml + "[4, 3]\n"),
+              "a.toml:3: key 'event[1].time' = [4, 3]: must be a number from 0 to 1000000000000, or "
+              "[from, to] of such, in this order");
+    EXPECT_EQ(failure(toml + "3\nframe = 4\n"),
+              "a.toml:3: key 'event[1].time' = 3: one of frame, frames and time says when");
+    EXPECT_EQ(failure(toml + "1e9\n"),
+              "a.toml:3: key 'event[1].time' = 1000000000.0: must come before frame 100000, as "
+              "frames.time_step has it");
+}
+
+// What is said last holds, as with every other key.
+TEST(EventIo, ATimeTakesTheFramesBack) {
+    Preset preset = parse_preset("[[event]]\nkind = \"shear\"\nframes = [3, 4]\n", "a", "a.toml");
+    assign(preset, std::vector{read_set_argument("event[1].time=[2, 8]")});
+    EXPECT_EQ(preset.events[0].frames, FrameSpan{});
+    const std::string back = events_to_toml(preset);
+    EXPECT_EQ(events(back)[0].time, (std::array{2.0, 8.0}));
+    assign(preset, std::vector{read_set_argument("event[1].frame=5")});
+    EXPECT_FALSE(preset.events[0].time.has_value());
+    EXPECT_EQ(preset.events[0].frames, (FrameSpan{5, 5}));
 }
 
 TEST(EventIo, AKeyOfAnotherKindIsRefused) {
     EXPECT_EQ(failure("[[event]]\narea = 0.5\nkind = \"collapse\"\nframe = 3\nbubble = 4\n"),
               "a.toml:2: key 'event[1].area' = 0.5: no key of kind \"collapse\", which takes kind, "
-              "frame, frames, bubble, at, sides, count, order");
+              "frame, frames, time, bubble, at, sides, count, order");
     EXPECT_EQ(failure("[[event]]\nkind = \"nucleate\"\nframe = 3\nbubble = 4\n")
                   .find("a.toml:4: key 'event[1].bubble' = 4: no key of kind \"nucleate\""),
               0U);

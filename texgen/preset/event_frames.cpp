@@ -1,0 +1,55 @@
+#include "texgen/preset/event_frames.h"
+
+namespace foam::texgen {
+
+namespace {
+
+// Of a step: times that are this close are the same, so that 0.3 is the third frame of steps of 0.1.
+constexpr double kSameTime = 1e-6;
+
+// The frames after the first, one by one, each with the time that has passed when it is shown.
+class FrameClock {
+  public:
+    explicit FrameClock(const FramesOptions& frames)
+        : step_(frames.time_step), growth_(frames.step_growth), time_(frames.warm_up) {
+        advance();
+    }
+
+    int frame() const { return frame_; }
+    bool is_after(double time) const { return time_ > time + kSameTime * step_; }
+    bool is_before(double time) const { return time_ < time - kSameTime * step_; }
+
+    void advance() {
+        ++frame_;
+        step_ *= frame_ > 2 ? growth_ : 1.0;
+        time_ += step_;
+    }
+
+  private:
+    double step_;
+    double growth_;
+    double time_;
+    int frame_ = 1;
+};
+
+}  // namespace
+
+std::optional<FrameSpan> frames_of(const Event& event, const FramesOptions& frames) {
+    if (!event.time) {
+        return event.frames;
+    }
+    const auto [from, to] = *event.time;
+    FrameClock clock(frames);
+    while (from < to && !clock.is_after(from) && clock.frame() <= kLastEventFrame) {
+        clock.advance();
+    }
+    FrameSpan span{clock.frame(), clock.frame()};
+    while (clock.is_before(to) && clock.frame() <= kLastEventFrame) {
+        clock.advance();
+    }
+    span.last = clock.frame();
+    span.first = from < to ? span.first : span.last;
+    return span.last <= kLastEventFrame ? std::optional(span) : std::nullopt;
+}
+
+}  // namespace foam::texgen
