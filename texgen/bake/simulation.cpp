@@ -1,5 +1,7 @@
 #include "texgen/bake/simulation.h"
 
+#include "core/foam/measure.h"
+
 namespace foam::texgen {
 
 namespace {
@@ -31,14 +33,33 @@ Simulation::Simulation(const Preset& preset, int threads)
 
 bool Simulation::advance() {
     ++number_;
+    const bool shows_diagram = frames_.first == FirstFrame::Diagram;
+    if (number_ == 1 && shows_diagram) {
+        measure_diagram();
+        return true;
+    }
     if (number_ == 1) {
-        equilibrium_ = equilibrate(foam_, options_.equilibrium);
-        return equilibrium_.converged() && step_by(frames_.warm_up, {});
+        return settle();
     }
     equilibrium_.sweeps = equilibrium_.iterations = equilibrium_.t1 = equilibrium_.t2 = 0;
+    if (number_ == 2 && shows_diagram && !settle()) {
+        return false;
+    }
     const double time = next_step_;
     next_step_ *= frames_.step_growth;
     return step_by(time, timeline_.changes_to(number_, foam_));
+}
+
+void Simulation::measure_diagram() {
+    const EquilibriumErrors errors = equilibrium_errors(foam_);
+    equilibrium_.area_error = errors.area;
+    equilibrium_.angle_error = errors.angle;
+    equilibrium_.energy = energy(foam_);
+}
+
+bool Simulation::settle() {
+    equilibrium_ = equilibrate(foam_, options_.equilibrium);
+    return equilibrium_.converged() && step_by(frames_.warm_up, {});
 }
 
 bool Simulation::step_by(double time, const StateChange& change) {

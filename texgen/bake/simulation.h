@@ -14,8 +14,8 @@ class Simulation {
     /// any number of threads; 0 are as many as the machine runs at once.
     explicit Simulation(const Preset& preset, int threads = 0);
 
-    /// Goes on to the next frame: to frame 1 by equilibrium and the warm-up, from frame to frame by
-    /// a time step and the events of the preset. False where no equilibrium is found; the foam is
+    /// Goes on to the next frame: to frame 1 by equilibrium and the warm-up (to frame 2, where frame
+    /// 1 shows the diagram), from frame to frame by a time step and the events of the preset. False where no equilibrium is found; the foam is
     /// then of no more use.
     bool advance();
 
@@ -29,6 +29,8 @@ class Simulation {
     const EquilibriumSummary& equilibrium() const { return equilibrium_; }
 
   private:
+    void measure_diagram();
+    bool settle();  // equilibrium and the warm-up
     bool step_by(double time, const StateChange& change);  // adds to what equilibrium_ counts
 
     FramesOptions frames_;

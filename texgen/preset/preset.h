@@ -17,10 +17,14 @@ struct SolverOptions {
     double tolerance = 1e-9;  // of every area, relative, and every angle, in radians
 };
 
+/// What frame 1 shows: the foam, or the diagram that it is made from, before equilibrium.
+enum class FirstFrame { Equilibrium, Diagram };
+
 /// Which instants of the foam become pictures: frame 1 shows the foam at time warm_up, frame i + 1
 /// at time_step step_growth^(i - 1) after frame i.
 struct FramesOptions {
     int count = 48;
+    FirstFrame first = FirstFrame::Equilibrium;
     double time_step = 1.0;    // foam time from frame 1 to frame 2
     double step_growth = 1.0;  // of the time from frame to frame
     double warm_up = 0.0;      // foam time simulated before frame 1

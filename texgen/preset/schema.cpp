@@ -24,6 +24,8 @@ constexpr Choices<PressureUnit> kPressureUnits = {
 constexpr Choices<WidthUnit> kWidthUnits = {
     {{{"px", WidthUnit::Pixels}, {"diameter", WidthUnit::Diameters}}}};
 
+constexpr Choices<FirstFrame> kFirstFrames = {
+    {{{"equilibrium", FirstFrame::Equilibrium}, {"diagram", FirstFrame::Diagram}}}};
 constexpr Choices<Solver, 3> kSolvers = {{{{"newton", Solver::Newton},
                                            {"gauss-seidel", Solver::GaussSeidel},
                                            {"gauss-seidel-colored", Solver::ColoredGaussSeidel}}}};
@@ -121,6 +123,11 @@ std::vector<Key> frames_keys() {
                 "frames of the animation",
                 &P::frames,
                 &Options::count),
+            key("frames.first",
+                kFirstFrames,
+                "what frame 1 shows: the foam, or the diagram of straight films that it comes from",
+                &P::frames,
+                &Options::first),
             key("frames.time_step",
                 Reals{0.0, kLargestTime},
                 "foam time from one frame to the next",

@@ -67,7 +67,9 @@ INSTANTIATE_TEST_SUITE_P(Presets,
                          testing::Values(GoldenCase{"sea_foam", 3},
                                          GoldenCase{"labyrinth", 1},
                                          GoldenCase{"coarsening", 2},
-                                         GoldenCase{"collapse", 24}),
+                                         GoldenCase{"collapse", 24},
+                                         GoldenCase{"shear", 25},
+                                         GoldenCase{"relax", 2}),
                          [](const auto& tested) { return std::string(tested.param.preset); });
 
 TEST(Golden, EveryShippedPresetHasAPicture) {

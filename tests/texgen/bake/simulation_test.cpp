@@ -47,6 +47,28 @@ TEST(Simulation, StepsGrowByTheirFactor) {
     }
 }
 
+// Straight films at angles as they fall; then the foam that frame 1 shows otherwise, a step later.
+TEST(Simulation, BeginsWithTheDiagramWhereAsked) {
+    Preset preset = small_preset();
+    preset.frames.time_step = 0.0;
+    Simulation usual(preset);
+    ASSERT_TRUE(usual.advance());
+    preset.frames.first = FirstFrame::Diagram;
+    Simulation simulation(preset);
+    ASSERT_TRUE(simulation.advance());
+    for (const FilmArc& arc : simulation.frame().arcs) {
+        EXPECT_EQ(arc.half_angle, 0.0);
+    }
+    EXPECT_GT(simulation.equilibrium().angle_error, 0.1);
+    ASSERT_TRUE(simulation.advance());
+    EXPECT_LT(simulation.equilibrium().angle_error, 1e-9);
+    const Frame settled = simulation.frame();
+    const Frame expected = usual.frame();
+    for (const JunctionId junction : expected.network.junctions()) {
+        EXPECT_EQ(settled.positions[junction], expected.positions[junction]);
+    }
+}
+
 TEST(Simulation, EveryFrameIsInEquilibrium) {
     Simulation simulation(small_preset());
     for (int number = 1; number <= 20; ++number) {
