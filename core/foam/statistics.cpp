@@ -119,6 +119,9 @@ std::map<BubbleIdentity, Neighbourhood> neighbourhoods(const Frame& frame) {
 FoamStatistics statistics(const Frame& frame) {
     FoamStatistics all;
     all.bubbles = static_cast<int>(frame.bubbles.size() + frame.lone_bubbles.size());
+    if (all.bubbles == 0) {
+        return all;
+    }
     all.mean_area = mean_area(frame);
     all.energy = energy(frame);
     all.by_sides = statistics_by_sides(frame);

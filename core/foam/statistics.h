@@ -17,7 +17,7 @@ struct SidesStatistics {
     double mean_inflow = 0.0;
 };
 
-/// A foam in numbers.
+/// A foam in numbers: all 0 where no bubble is left, as of a patch at its end.
 struct FoamStatistics {
     int bubbles = 0;
     double mean_area = 0.0;

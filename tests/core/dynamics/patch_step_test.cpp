@@ -112,5 +112,21 @@ TEST(PatchStep, StatisticsCountLoneBubbles) {
     EXPECT_NEAR(all.by_sides[1].mean_inflow, kPi / 3.0 * (2 - 6), 1e-9);
 }
 
+// All gas has gone to the atmosphere.
+TEST(PatchStep, StatisticsOfNothingAreZero) {
+    Foam foam = settled(test::double_bubble(1.0, 1.0));
+    StepOptions options;
+    options.coarsening.kappa = 1.0;
+    ASSERT_TRUE(step(foam, 2.0, options).equilibrium.converged());
+    ASSERT_EQ(bubbles_of(foam), 0U);
+    const FoamStatistics none = statistics(snapshot(foam, 1));
+    EXPECT_EQ(none.bubbles, 0);
+    EXPECT_EQ(none.mean_area, 0.0);
+    EXPECT_EQ(none.energy, 0.0);
+    EXPECT_EQ(none.mean_sides, 0.0);
+    EXPECT_EQ(none.second_moment, 0.0);
+    EXPECT_TRUE(none.by_sides.empty());
+}
+
 }  // namespace
 }  // namespace foam
