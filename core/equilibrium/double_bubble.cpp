@@ -48,7 +48,7 @@ void set_chord(Foam& foam, HalfEdgeId h, double length) {
 // Of the outer film of the bubble on the left of the film between the two.
 void set_bubble(Foam& foam, HalfEdgeId inner, double half_angle, double chord_length) {
     const HalfEdgeId outer = foam.network.next(inner);
-    foam.half_angles[film_of(outer)] = is_forward(outer) ? half_angle : -half_angle;
+    set_half_angle(foam, outer, half_angle);
     foam.pressures[foam.network.left(inner)] =
         2.0 * foam.film_tension * std::sin(half_angle) / chord_length;
 }

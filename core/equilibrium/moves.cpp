@@ -11,8 +11,6 @@ namespace foam {
 namespace {
 
 constexpr int kLimitSweeps = 4;
-// Of an outer film, so near to a full circle that no bubble above the T2 area has it.
-constexpr double kLargestHalfAngle = std::numbers::pi - 1e-6;
 
 Vec2 move_of(const Unknowns& unknowns, const Eigen::VectorXd& step, JunctionId junction) {
     const int row = unknowns.position_row(junction);
@@ -147,8 +145,7 @@ void set_state(Foam& foam,
     }
     for (std::size_t k = 0; k < state.half_angles.size(); ++k, ++row) {
         const double angle = state.half_angles[k] + fraction * step[row];
-        foam.half_angles[unknowns.outer_films[k]] =
-            std::clamp(angle, -kLargestHalfAngle, kLargestHalfAngle);
+        set_half_angle(foam, forward_side(unknowns.outer_films[k]), angle);
     }
 }
 

@@ -44,10 +44,6 @@ double angle_between(const Vec2& a, const Vec2& b) {
     return std::atan2(cross(a, b), a.dot(b));
 }
 
-void set_half_angle(Foam& foam, HalfEdgeId h, double angle) {
-    foam.half_angles[film_of(h)] = is_forward(h) ? angle : -angle;
-}
-
 void fit_joined(Foam& foam, const TornSide& side) {
     const Vec2 d = chord(foam, side.kept);
     const double angle = 0.5 * (angle_between(side.at_tail, d) + angle_between(d, side.at_head));

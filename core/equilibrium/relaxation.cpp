@@ -221,8 +221,7 @@ void bulge_outer_films(Foam& foam, BubbleId bubble) {
     const double missing = share * (foam.target_areas[bubble] - polygon_area(foam, bubble));
     for (const HalfEdgeId h : outer) {
         const double c = chord(foam, h).norm();
-        const double angle = c > 0.0 ? half_angle_of(missing, c) : 0.0;
-        foam.half_angles[film_of(h)] = is_forward(h) ? angle : -angle;
+        set_half_angle(foam, h, c > 0.0 ? half_angle_of(missing, c) : 0.0);
     }
 }
 

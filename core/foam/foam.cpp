@@ -2,11 +2,16 @@
 
 #include "core/geometry/film_energy.h"
 
+#include <algorithm>
 #include <limits>
+#include <numbers>
 
 namespace foam {
 
 namespace {
+
+// Of an outer film, so near to a full circle that no bubble above the T2 area has it.
+constexpr double kLargestHalfAngle = std::numbers::pi - 1e-6;
 
 template <class Id, class T>
 void keep(Indexed<Id, T>& values, const std::vector<Id>& kept) {
@@ -36,6 +41,11 @@ FilmArc film_arc(const Foam& foam, HalfEdgeId h) {
         return {d, is_forward(h) ? foam.half_angles[film] : -foam.half_angles[film]};
     }
     return {d, laplace_young_half_angle(d.norm(), pressure_difference(foam, h), foam.film_tension)};
+}
+
+void set_half_angle(Foam& foam, HalfEdgeId h, double angle) {
+    const double held = std::clamp(angle, -kLargestHalfAngle, kLargestHalfAngle);
+    foam.half_angles[film_of(h)] = is_forward(h) ? held : -held;
 }
 
 void fit_half_angle(Foam& foam, FilmId film) {

@@ -55,6 +55,9 @@ double pressure_difference(const Foam& foam, HalfEdgeId h);
 /// an outer film the arc of the half angle that it has.
 FilmArc film_arc(const Foam& foam, HalfEdgeId h);
 
+/// Sets the half angle of an outer film, along the half-edge, held within (-pi, pi).
+void set_half_angle(Foam& foam, HalfEdgeId h, double angle);
+
 /// Gives an outer film the half angle of Laplace-Young, held at the limit. Others stay as they are.
 void fit_half_angle(Foam& foam, FilmId film);
 
