@@ -2,12 +2,14 @@
 
 #include "core/foam/clipped_cells.h"
 #include "core/foam/random.h"
+#include "core/foam/target_areas.h"
 #include "core/foam/voronoi.h"
 #include "core/network/validate.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -23,6 +25,9 @@ void check(const Outline& outline, const PatchOptions& options) {
     }
     if (!(options.surface_tension > 0.0)) {
         throw std::invalid_argument("surface tension must be positive");
+    }
+    if (options.area_ratio != 0.0 && !(options.area_ratio >= 1.0)) {
+        throw std::invalid_argument("the area ratio must be 0 or at least 1");
     }
     if (!(outline_area(outline) > 0.0)) {
         throw std::invalid_argument("the outline has no area");
@@ -122,6 +127,15 @@ Foam foam_of(ClippedCells cells) {
     return foam;
 }
 
+// The mean stays 1. The ghost comes last.
+void spread_targets(Foam& foam, double ratio) {
+    const std::span<double> targets(foam.target_areas.begin(), foam.network.bubble_count());
+    if (ratio > 0.0) {
+        spread_areas(targets, ratio);
+        scale_to_total(targets, static_cast<double>(targets.size()));
+    }
+}
+
 }  // namespace
 
 Foam seed_patch(const Outline& outline, const PatchOptions& options) {
@@ -132,6 +146,7 @@ Foam seed_patch(const Outline& outline, const PatchOptions& options) {
         try {
             Foam foam = foam_of(draw_cells(place, options, random));
             foam.film_tension = 2.0 * options.surface_tension;
+            spread_targets(foam, options.area_ratio);
             return foam;
         } catch (const std::runtime_error&) {
             if (draw == kMostDraws) {

@@ -11,6 +11,7 @@ namespace foam {
 struct PatchOptions {
     int bubbles = 100;             // about: slivers are merged; two at least
     int lloyd_iterations = 0;      // 0 leaves the raw random diagram
+    double area_ratio = 0.0;       // as in SeedingOptions
     double surface_tension = 0.5;  // gamma; a film has two surfaces, so its tension is 2 gamma
     std::uint64_t seed = 1;
 };

@@ -1,11 +1,11 @@
 #include "core/foam/seeding.h"
 
 #include "core/foam/random.h"
+#include "core/foam/target_areas.h"
 #include "core/foam/voronoi.h"
 
-#include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -55,26 +55,6 @@ CellDiagram lloyd_relaxed(const Torus& torus, std::vector<Vec2> sites, int itera
     return cells;
 }
 
-// Areas spread evenly in the logarithm over the ratio, given out in the order of the present ones.
-void spread_targets(Indexed<BubbleId, double>& areas, double ratio) {
-    std::vector<std::size_t> rank(areas.size());
-    std::iota(rank.begin(), rank.end(), std::size_t{0});
-    std::stable_sort(rank.begin(), rank.end(), [&](std::size_t a, std::size_t b) {
-        return areas[id_at<BubbleId>(a)] < areas[id_at<BubbleId>(b)];
-    });
-    const double last = std::max<double>(1.0, static_cast<double>(rank.size()) - 1.0);
-    for (std::size_t k = 0; k < rank.size(); ++k) {
-        areas[id_at<BubbleId>(rank[k])] = std::pow(ratio, static_cast<double>(k) / last);
-    }
-}
-
-void scale_to_total(Indexed<BubbleId, double>& areas, double total) {
-    const double sum = std::accumulate(areas.begin(), areas.end(), 0.0);
-    for (double& area : areas) {
-        area *= total / sum;
-    }
-}
-
 Foam draw_foam(const SeedingOptions& options, const Torus& torus, Random& random) {
     for (int draw = 1;; ++draw) {
         try {
@@ -96,10 +76,11 @@ Foam seed_foam(const SeedingOptions& options) {
     const Torus torus = torus_for(options);
     Foam foam = draw_foam(options, torus, random);
     foam.film_tension = 2.0 * options.surface_tension;
+    const std::span<double> targets(foam.target_areas.begin(), foam.target_areas.end());
     if (options.area_ratio > 0.0) {
-        spread_targets(foam.target_areas, options.area_ratio);
+        spread_areas(targets, options.area_ratio);
     }
-    scale_to_total(foam.target_areas, torus.area());
+    scale_to_total(targets, torus.area());
     return foam;
 }
 

@@ -87,9 +87,26 @@ TEST(SeedPatch, LloydMakesAreasMoreEqual) {
     EXPECT_LT(spread(relaxed), 0.8 * spread(options_for(100, 1)));
 }
 
+TEST(SeedPatch, SpreadsAreasOverTheRatio) {
+    PatchOptions options = options_for(50, 1);
+    options.area_ratio = 20.0;
+    const Foam foam = seed_patch(disc_outline(), options);
+    double smallest = foam.target_areas[BubbleId{0}];
+    double largest = smallest;
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        smallest = std::min(smallest, foam.target_areas[bubble]);
+        largest = std::max(largest, foam.target_areas[bubble]);
+    }
+    EXPECT_NEAR(largest / smallest, 20.0, 1e-9);
+    EXPECT_NEAR(test::total_target(foam), static_cast<double>(foam.network.bubble_count()), 1e-9);
+}
+
 TEST(SeedPatch, RefusesOptionsOutOfRange) {
     EXPECT_THROW(seed_patch(disc_outline(), options_for(1, 1)), std::invalid_argument);
     PatchOptions options;
+    options.area_ratio = 0.5;
+    EXPECT_THROW(seed_patch(disc_outline(), options), std::invalid_argument);
+    options = {};
     options.surface_tension = 0.0;
     EXPECT_THROW(seed_patch(disc_outline(), options), std::invalid_argument);
     EXPECT_THROW(seed_patch({{{0.0, 0.0}, {1.0, 0.0}, {2.0, 0.0}}, {}}, {}), std::invalid_argument);

@@ -1,0 +1,29 @@
+#include "core/foam/target_areas.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+namespace foam {
+
+void spread_areas(std::span<double> areas, double ratio) {
+    std::vector<std::size_t> rank(areas.size());
+    std::iota(rank.begin(), rank.end(), std::size_t{0});
+    std::stable_sort(rank.begin(), rank.end(), [&](std::size_t a, std::size_t b) {
+        return areas[a] < areas[b];
+    });
+    const double last = std::max<double>(1.0, static_cast<double>(rank.size()) - 1.0);
+    for (std::size_t k = 0; k < rank.size(); ++k) {
+        areas[rank[k]] = std::pow(ratio, static_cast<double>(k) / last);
+    }
+}
+
+void scale_to_total(std::span<double> areas, double total) {
+    const double sum = std::accumulate(areas.begin(), areas.end(), 0.0);
+    for (double& area : areas) {
+        area *= total / sum;
+    }
+}
+
+}  // namespace foam
