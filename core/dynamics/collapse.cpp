@@ -1,6 +1,5 @@
 #include "core/dynamics/collapse.h"
 
-#include "core/equilibrium/double_bubble.h"
 #include "core/equilibrium/rafts.h"
 #include "core/equilibrium/t1_rule.h"
 #include "core/network/t1.h"

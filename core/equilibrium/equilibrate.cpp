@@ -26,7 +26,8 @@ constexpr int kSpotSweeps = 30;  // of relaxation
 // Around what is bad where Newton's method has stalled.
 constexpr int kRelaxedRings = 3;
 constexpr double kWorstShare = 0.2;
-constexpr int kMostLocalRelaxations = 4;  // one after another, before all is relaxed
+constexpr int kMostLocalRelaxations = 4;     // one after another, before all is relaxed
+constexpr int kMostFurtherRelaxations = 10;  // of a patch that is still far from equilibrium
 // Where T1s in spots have led nowhere in so many rounds, the foam is relaxed and goes on without.
 constexpr int kRoundsWithSpots = 20;
 
@@ -70,7 +71,7 @@ class Equilibration {
         const Positions before = foam_.positions;
         // A tangle is no state for Newton's method: its T1s would lead anywhere.
         if (untangle(foam_) > 0 || options_.relaxes_first) {
-            relax_all();
+            relax_all(true);
         }
         settle_spots();
         bool settled = false;
@@ -217,21 +218,42 @@ class Equilibration {
 
     void relax_part(Unknowns part, int sweeps) {
         const RelaxationSummary relaxation =
-            relax(foam_, std::move(part), {.sweeps = sweeps, .thresholds = options_.thresholds});
+            relax(foam_,
+                  std::move(part),
+                  {.sweeps = sweeps, .begins_anew = false, .thresholds = options_.thresholds});
         summary_.t1 += relaxation.t1;
         network_changed_ = network_changed_ || relaxation.t1 > 0;
     }
 
-    void relax_all() {
-        untangle(foam_);
-        const int sweeps = std::max(1, options_.relaxation_sweeps >> (2 * (relaxations_++ % 4)));
-        const bool fills_areas = relaxations_ % 2 == 0;  // it was counted above
+    void relax_all(bool begins_anew = false) {
+        begins_anew = untangle(foam_) > 0 || begins_anew || is_far_all_over();
+        relax_whole(std::max(1, options_.relaxation_sweeps >> (2 * (relaxations_++ % 4))),
+                    begins_anew);
+        for (int k = 0; k < kMostFurtherRelaxations && is_far_all_over(); ++k) {
+            relax_whole(options_.relaxation_sweeps, false);
+        }
+    }
+
+    void relax_whole(int sweeps, bool begins_anew) {
         const RelaxationSummary relaxation = relax(
             foam_,
-            {.sweeps = sweeps, .fills_areas = fills_areas, .thresholds = options_.thresholds});
+            {.sweeps = sweeps, .begins_anew = begins_anew, .thresholds = options_.thresholds});
         summary_.sweeps += relaxation.sweeps;
         summary_.t1 += relaxation.t1;
         network_changed_ = true;
+    }
+
+    // Whether a patch is far from equilibrium, and not in spots alone. On a torus, where relaxation
+    // has straight films, more of it would not bring it nearer.
+    bool is_far_all_over() const {
+        if (foam_.network.ghost() == kNone<BubbleId>) {
+            return false;
+        }
+        const Unknowns all = all_unknowns(foam_.network);
+        const Eigen::VectorXd r = residual(foam_, all, options_.threads);
+        const ResidualNorms worst = norms(foam_, all, r);
+        const bool is_near = worst.force < SpotOptions{}.force && worst.area < SpotOptions{}.area;
+        return !is_near && find_spots(foam_, all, r, {}).empty();
     }
 
     int settle(const std::vector<FilmId>& films) {

@@ -92,6 +92,12 @@ bool is_around_hole(const Foam& foam, const std::vector<HalfEdgeId>& boundary) {
 
 }  // namespace
 
+bool is_inside_double_bubble(const Network& network, FilmId film) {
+    const HalfEdgeId h = forward_side(film);
+    return can_split(network, film) && network.sides(network.left(h)) == 2 &&
+           network.sides(network.right(h)) == 2;
+}
+
 void tear_film(Foam& foam, FilmId film) {
     const T1Site site = t1_site(foam.network, film);
     const std::array<TornSide, 2> sides{torn_side(foam, site.before_left, site.after_left),

@@ -4,6 +4,9 @@
 
 namespace foam {
 
+/// Whether the film parts the two bubbles of a raft of two.
+bool is_inside_double_bubble(const Network& network, FilmId film);
+
 /// Tears a film with the ghost at both ends (split.h): the two outer films on each side become one,
 /// which keeps their directions at its ends as far as one arc can. A bubble that touches nothing
 /// any more becomes a lone bubble where its outer film was. Precondition: can_split.

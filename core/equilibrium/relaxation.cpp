@@ -1,10 +1,9 @@
 #include "core/equilibrium/relaxation.h"
 
-#include "core/equilibrium/double_bubble.h"
 #include "core/equilibrium/moves.h"
-#include "core/equilibrium/t1_rule.h"
+#include "core/equilibrium/patch_relaxation.h"
+#include "core/equilibrium/settle_short_films.h"
 #include "core/foam/measure.h"
-#include "core/network/t1.h"
 
 #include <Eigen/LU>
 
@@ -19,9 +18,7 @@ namespace foam {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kLargestBulge = 1.4;  // of an outer film, radians; with more, fewer foams settle
-constexpr int kHalvings = 30;          // of the range of a half angle
-constexpr int kFewestSides = 3;        // a bubble of two straight films has no area
+constexpr int kFewestSides = 3;  // a bubble of two straight films has no area
 
 // Straight films misjudge bubbles of few sides: in equilibrium a regular bubble of n sides has arcs
 // of half angle pi/n - pi/6. This is the share of its area within the chords ...
@@ -54,12 +51,8 @@ struct SoftBubbles {
     Indexed<BubbleId, SoftBubble> each;
     double stiffness = 0.0;  // B
 
-    // After a change of the bubble's sides, or to get rid of rounding. The ghost stays at its
-    // pressure of 0; a bubble may have come loose.
+    // After a change of the bubble's sides, or to get rid of rounding.
     void refresh(const Foam& foam, BubbleId bubble) {
-        if (bubble == foam.network.ghost() || !foam.network.is_live(bubble)) {
-            return;
-        }
         const double target = foam.target_areas[bubble] * chord_share(foam.network.sides(bubble));
         const double at_zero = stiffness / std::sqrt(target);
         each[bubble] = {polygon_area(foam, bubble), at_zero, at_zero / target};
@@ -149,80 +142,12 @@ void move_junction(Foam& foam, SoftBubbles& bubbles, JunctionId junction, double
     foam.positions[junction] += step;
 }
 
-std::array<BubbleId, 4> bubbles_around(const Network& network, FilmId film) {
-    const T1Site site = t1_site(network, film);
-    return {network.left(site.film), network.right(site.film), site.end_tail, site.end_head};
-}
-
-bool is_within(const Foam& foam, const Unknowns& part, FilmId film) {
-    const HalfEdgeId h = forward_side(film);
-    return part.junction_rank[foam.network.tail(h)] >= 0 &&
-           part.junction_rank[foam.network.head(h)] >= 0;
-}
-
-int settle_short_films(Foam& foam,
-                       const Unknowns& part,
-                       SoftBubbles& bubbles,
-                       const TopologyThresholds& thresholds) {
-    int flips = 0;
-    for (const FilmId film : part.films) {
-        if (!foam.network.is_live(film) || !is_within(foam, part, film)) {
-            continue;
-        }
-        if (chord(foam, forward_side(film)).norm() < thresholds.t1_distance) {
-            const std::array<BubbleId, 4> around = bubbles_around(foam.network, film);
-            flips += settle_film(foam, film, thresholds, Tangents::OfChords) ? 1 : 0;
-            for (const BubbleId bubble : around) {
-                bubbles.refresh(foam, bubble);
-            }
-        }
-    }
-    return flips;
-}
-
-// A film that tears takes its junctions with it, and sometimes a bubble.
-void drop_dead(const Network& network, Unknowns& part) {
-    const auto is_dead = [&](auto id) { return !network.is_live(id); };
-    std::erase_if(part.junctions, is_dead);
-    std::erase_if(part.films, is_dead);
-    std::erase_if(part.bubbles, is_dead);
-}
-
 double mean_pressure_around(const Foam& foam, BubbleId bubble) {
     double sum = 0.0;
     for (const HalfEdgeId h : foam.network.around(bubble)) {
         sum += foam.pressures[foam.network.right(h)];
     }
     return sum / foam.network.sides(bubble);
-}
-
-// The half angle whose segment on a chord has an area, both in the same sense.
-double half_angle_of(double area, double chord_length) {
-    const double shape = 4.0 * area / (chord_length * chord_length);
-    double low = -kLargestBulge;
-    double high = kLargestBulge;
-    for (int k = 0; k < kHalvings; ++k) {
-        const double middle = 0.5 * (low + high);
-        (arc_shape(middle).segment < shape ? low : high) = middle;
-    }
-    return 0.5 * (low + high);
-}
-
-// What a bubble of straight films lacks of its target lies in the segments of its outer films. A
-// two-sided one has half of it across its other film.
-void bulge_outer_films(Foam& foam, BubbleId bubble) {
-    std::vector<HalfEdgeId> outer;
-    for (const HalfEdgeId h : foam.network.around(bubble)) {
-        if (foam.network.is_outer(film_of(h))) {
-            outer.push_back(h);
-        }
-    }
-    const double share = is_lens(foam, bubble) ? 0.5 : 1.0 / static_cast<double>(outer.size());
-    const double missing = share * (foam.target_areas[bubble] - polygon_area(foam, bubble));
-    for (const HalfEdgeId h : outer) {
-        const double c = chord(foam, h).norm();
-        set_half_angle(foam, h, c > 0.0 ? half_angle_of(missing, c) : 0.0);
-    }
 }
 
 // All bubbles whose pressures the part's junctions feel.
@@ -281,22 +206,6 @@ void set_pressures(Foam& foam, const Unknowns& part, SoftBubbles& bubbles) {
     }
 }
 
-void set_half_angles(Foam& foam, const Unknowns& part, bool fills_areas) {
-    for (const FilmId film : part.films) {
-        fit_half_angle(foam, film);
-    }
-    for (const BubbleId bubble : part.bubbles) {
-        if (fills_areas) {
-            bulge_outer_films(foam, bubble);
-        }
-    }
-    for (const FilmId film : part.films) {
-        if (is_inside_double_bubble(foam.network, film)) {  // straight films tell nothing there
-            settle_double_bubble(foam, film);
-        }
-    }
-}
-
 }  // namespace
 
 RelaxationSummary relax(Foam& foam, const RelaxationOptions& options) {
@@ -304,6 +213,9 @@ RelaxationSummary relax(Foam& foam, const RelaxationOptions& options) {
 }
 
 RelaxationSummary relax(Foam& foam, Unknowns part, const RelaxationOptions& options) {
+    if (foam.network.ghost() != kNone<BubbleId>) {
+        return relax_patch(foam, std::move(part), options);
+    }
     RelaxationSummary summary;
     SoftBubbles bubbles{Indexed<BubbleId, SoftBubble>(foam.network.bubble_slots(), SoftBubble{}),
                         options.stiffness * foam.film_tension};
@@ -317,15 +229,18 @@ RelaxationSummary relax(Foam& foam, Unknowns part, const RelaxationOptions& opti
         for (const JunctionId junction : part.junctions) {
             move_junction(foam, bubbles, junction, options.largest_move);
         }
-        const int changes = settle_short_films(foam, part, bubbles, options.thresholds);
-        summary.t1 += changes;
-        if (changes > 0) {
-            drop_dead(foam.network, part);
-        }
+        summary.t1 += settle_short_films(foam,
+                                         part,
+                                         options.thresholds,
+                                         Tangents::OfChords,
+                                         [&](FilmId, const FourBubbles& around, bool) {
+                                             for (const BubbleId bubble : around) {
+                                                 bubbles.refresh(foam, bubble);
+                                             }
+                                         });
         rearm_grown_films(foam, part.films, options.thresholds);
     }
     set_pressures(foam, part, bubbles);
-    set_half_angles(foam, part, options.fills_areas);
     wrap(foam, part);
     return summary;
 }

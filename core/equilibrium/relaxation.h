@@ -10,9 +10,9 @@ struct RelaxationOptions {
     int sweeps = 60;
     double stiffness = 10.0;     // of a bubble against a change of its area, in film tensions
     double largest_move = 0.33;  // of a junction in a sweep, in its shortest films
-    // Outer films begin with half angles that make up for the missing areas, not with those of the
-    // pressures: another start for Newton's method.
-    bool fills_areas = false;
+    // Of a patch: whether pressures and half angles are guessed from areas and lengths; else it
+    // goes on from those it has.
+    bool begins_anew = true;
     TopologyThresholds thresholds{};
 };
 

@@ -1,5 +1,6 @@
 #include "core/equilibrium/untangle.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -61,6 +62,18 @@ std::vector<JunctionId> within_reach(const Network& network, std::vector<Junctio
     return junctions;
 }
 
+bool is_at_ghost(const Network& network, JunctionId junction) {
+    const std::array<HalfEdgeId, 3> leaving = network.leaving(junction);
+    return std::any_of(leaving.begin(), leaving.end(), [&](HalfEdgeId h) {
+        return network.left(h) == network.ghost();
+    });
+}
+
+// Of a film that is not without length. An outer film may leave far from its chord.
+Vec2 direction_at_tail(const Foam& foam, HalfEdgeId h) {
+    return foam.network.is_outer(film_of(h)) ? tangent_at_tail(film_arc(foam, h)) : chord(foam, h);
+}
+
 void move_to_mean_of_neighbours(Foam& foam, JunctionId junction) {
     Vec2 sum = Vec2::Zero();
     for (const HalfEdgeId h : foam.network.leaving(junction)) {
@@ -74,20 +87,24 @@ void move_to_mean_of_neighbours(Foam& foam, JunctionId junction) {
 // Going clockwise from film to film takes one turn, or two where their order is the reverse.
 bool is_tangled(const Foam& foam, JunctionId junction) {
     const std::array<HalfEdgeId, 3> leaving = foam.network.leaving(junction);
-    double turn = 0.0;
+    std::array<Vec2, 3> directions;
     for (std::size_t k = 0; k < 3; ++k) {
-        const Vec2 d = chord(foam, leaving[k]);
-        if (d.norm() < kNoLength) {
+        if (chord(foam, leaving[k]).norm() < kNoLength) {
             return true;
         }
-        turn += clockwise_angle(d, chord(foam, leaving[(k + 1) % 3]));
+        directions[k] = direction_at_tail(foam, leaving[k]);
+    }
+    double turn = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        turn += clockwise_angle(directions[k], directions[(k + 1) % 3]);
     }
     return turn > 3.0 * std::numbers::pi;
 }
 
 int untangle(Foam& foam) {
     const std::vector<JunctionId> tangled = tangled_junctions(foam);
-    const std::vector<JunctionId> moving = within_reach(foam.network, tangled);
+    std::vector<JunctionId> moving = within_reach(foam.network, tangled);
+    std::erase_if(moving, [&](JunctionId junction) { return is_at_ghost(foam.network, junction); });
     for (int sweep = 0; sweep < kSweeps; ++sweep) {
         for (const JunctionId junction : moving) {
             move_to_mean_of_neighbours(foam, junction);

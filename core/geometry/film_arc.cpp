@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace foam {
 
@@ -10,6 +11,10 @@ namespace {
 // Below this the closed forms lose more than the series do; 14 terms then leave less than 1e-17.
 constexpr double kSeriesLimit = 0.25;
 constexpr int kSeriesTerms = 14;
+
+constexpr double kHalfPi = 0.5 * std::numbers::pi;
+constexpr double kNearlyFullCircle = 1e8;  // h = pi / (pi - alpha)² to rounding
+constexpr int kSegmentIterations = 5;      // of Newton's method, down to rounding
 
 using Series = std::array<double, kSeriesTerms>;
 
@@ -97,6 +102,23 @@ ArcShape arc_shape(double half_angle) {
     shape.bulging = excess / (s * s * s);
     shape.bulging_derivative = (half_angle * s * s - 3.0 * c * excess) / (s * s * s * s);
     return shape;
+}
+
+// Newton's method on h, which is nearly linear up to 90 degrees, and beyond on h^(-1/2), which is
+// so up to 180, where it is sin(alpha) / sqrt(pi).
+double half_angle_of_segment(double h) {
+    const double size = std::abs(h);
+    const bool is_low = size < kHalfPi;  // h at 90 degrees
+    double angle = is_low ? size * (1.5 - 0.5 * size / kHalfPi)
+                          : 2.0 * kHalfPi - std::sqrt(2.0 * kHalfPi / size);
+    for (int k = 0; k < kSegmentIterations && size < kNearlyFullCircle; ++k) {
+        const ArcShape shape = arc_shape(angle);
+        const double root = std::sqrt(shape.segment);
+        angle += is_low
+                     ? 0.5 * (size - shape.segment) / shape.bulging
+                     : (1.0 / root - 1.0 / std::sqrt(size)) * root * shape.segment / shape.bulging;
+    }
+    return std::copysign(angle, h);
 }
 
 double arc_length(const FilmArc& arc) {

@@ -52,4 +52,7 @@ struct ArcShape {
 
 ArcShape arc_shape(double half_angle);
 
+/// The half angle of an arc whose ArcShape::segment is h, within (-pi, pi).
+double half_angle_of_segment(double h);
+
 }  // namespace foam

@@ -1,14 +1,80 @@
-#include "core/equilibrium/double_bubble.h"
-
+// Two bubbles by themselves, in closed form.
 #include "core/equilibrium/equilibrate.h"
+#include "core/equilibrium/rafts.h"
 #include "core/foam/measure.h"
 #include "tests/core/foams.h"
 #include "tests/core/patches.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 namespace foam {
 namespace {
+
+constexpr double kThird = 2.0 * std::numbers::pi / 3.0;  // 120 degrees
+constexpr int kHalvings = 60;                            // of the range of beta, down to rounding
+
+double segment(double half_angle) {
+    return arc_shape(half_angle).segment;
+}
+
+// Four times the areas over the chord squared.
+double small_area(double beta) {
+    return segment(kThird - beta) + segment(beta);
+}
+double large_area(double beta) {
+    return segment(kThird + beta) - segment(beta);
+}
+
+// 0 for equal bubbles, nearly 60 degrees for a tiny one on a large one.
+double inner_half_angle(double ratio) {
+    double low = 0.0;
+    double high = 0.5 * kThird;
+    for (int k = 0; k < kHalvings; ++k) {
+        const double middle = 0.5 * (low + high);
+        (small_area(middle) > ratio * large_area(middle) ? low : high) = middle;
+    }
+    return low;
+}
+
+void set_chord(Foam& foam, HalfEdgeId h, double length) {
+    const Vec2 d = chord(foam, h);
+    const Vec2 direction = d == Vec2::Zero() ? Vec2(1.0, 0.0) : Vec2(d.normalized());
+    Vec2& tail = foam.positions[foam.network.tail(h)];
+    Vec2& head = foam.positions[foam.network.head(h)];
+    const Vec2 middle = 0.5 * (tail + head);
+    tail = middle - 0.5 * length * direction;
+    head = middle + 0.5 * length * direction;
+}
+
+// Of the outer film of the bubble on the left of the film between the two.
+void set_bubble(Foam& foam, HalfEdgeId inner, double half_angle, double chord_length) {
+    const HalfEdgeId outer = foam.network.next(inner);
+    set_half_angle(foam, outer, half_angle);
+    foam.pressures[foam.network.left(inner)] =
+        2.0 * foam.film_tension * std::sin(half_angle) / chord_length;
+}
+
+// Brings a raft of two to equilibrium in closed form, with its middle and the direction of its
+// chord kept. All three films stand on one chord. With half angle beta of the film between, which
+// bulges into the larger bubble, 120 degrees at the ends ask for outer half angles of 120 degrees
+// - beta and + beta; the ratio of the areas tells beta (E1: h is ArcShape::segment):
+//     4 A_small / c² = h(120 - beta) + h(beta),   4 A_large / c² = h(120 + beta) - h(beta).
+void settle_double_bubble(Foam& foam, FilmId film) {
+    HalfEdgeId h = forward_side(film);
+    if (foam.target_areas[foam.network.left(h)] > foam.target_areas[foam.network.right(h)]) {
+        h = twin(h);
+    }
+    const double small = foam.target_areas[foam.network.left(h)];
+    const double large = foam.target_areas[foam.network.right(h)];
+    const double beta = inner_half_angle(small / large);
+    const double length = 2.0 * std::sqrt(small / small_area(beta));
+    set_chord(foam, h, length);
+    set_bubble(foam, h, kThird - beta, length);
+    set_bubble(foam, twin(h), kThird + beta, length);
+}
 
 FilmId inner_film(const Foam& foam) {
     return film_of(test::side_between(foam.network, BubbleId{0}, BubbleId{1}));

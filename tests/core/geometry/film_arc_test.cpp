@@ -285,5 +285,18 @@ TEST(ArcShape, IsContinuousWhereItsSeriesEnds) {
     EXPECT_NEAR(below.bulging_derivative, above.bulging_derivative, 1e-11);
 }
 
+// Up to rounding of the half angle, which h multiplies by its slope 2 w.
+TEST(FilmArc, HalfAngleOfSegmentIsTheInverseOfTheShape) {
+    for (int k = -31; k <= 31; ++k) {
+        const double angle = 0.1 * k;
+        EXPECT_NEAR(half_angle_of_segment(arc_shape(angle).segment), angle, 1e-14);
+    }
+    for (const double short_of_pi : {1e-2, 1e-4, 1e-6}) {
+        const double angle = std::numbers::pi - short_of_pi;
+        EXPECT_NEAR(half_angle_of_segment(arc_shape(angle).segment), angle, 1e-8 * short_of_pi);
+    }
+    EXPECT_EQ(half_angle_of_segment(0.0), 0.0);
+}
+
 }  // namespace
 }  // namespace foam

@@ -1,0 +1,55 @@
+#include "core/equilibrium/settle_short_films.h"
+
+#include "core/network/t1.h"
+
+#include <vector>
+
+namespace foam {
+
+namespace {
+
+FourBubbles bubbles_around(const Network& network, FilmId film) {
+    const T1Site site = t1_site(network, film);
+    return {network.left(site.film), network.right(site.film), site.end_tail, site.end_head};
+}
+
+bool is_within(const Foam& foam, const Unknowns& part, FilmId film) {
+    const HalfEdgeId h = forward_side(film);
+    return part.junction_rank[foam.network.tail(h)] >= 0 &&
+           part.junction_rank[foam.network.head(h)] >= 0;
+}
+
+// A film that tears takes its junctions with it, and sometimes a bubble.
+void drop_dead(const Network& network, Unknowns& part) {
+    const auto is_dead = [&](auto id) { return !network.is_live(id); };
+    std::erase_if(part.junctions, is_dead);
+    std::erase_if(part.films, is_dead);
+    std::erase_if(part.bubbles, is_dead);
+}
+
+}  // namespace
+
+int settle_short_films(Foam& foam,
+                       Unknowns& part,
+                       const TopologyThresholds& thresholds,
+                       Tangents tangents,
+                       const OnSettled& on_settled) {
+    int changes = 0;
+    for (const FilmId film : part.films) {
+        if (!foam.network.is_live(film) || !is_within(foam, part, film)) {
+            continue;
+        }
+        if (chord(foam, forward_side(film)).norm() < thresholds.t1_distance) {
+            const FourBubbles around = bubbles_around(foam.network, film);
+            const bool changed = settle_film(foam, film, thresholds, tangents);
+            on_settled(film, around, changed);
+            changes += changed ? 1 : 0;
+        }
+    }
+    if (changes > 0) {
+        drop_dead(foam.network, part);
+    }
+    return changes;
+}
+
+}  // namespace foam
