@@ -19,12 +19,18 @@ constexpr std::size_t kBlocksPerChunk = 16;  // some 300 microseconds of work
 // A film that ends up long may be short for a while in the first sweeps, while areas are far off.
 constexpr int kSweepsBetweenT1 = 30;
 
+struct OuterChange {
+    FilmId film;
+    double half_angle;  // along its forward side
+};
+
 // What a block changes, in foam units.
 struct BlockChange {
     Vec2 move{0.0, 0.0};
     std::size_t bubble_count = 0;
     std::array<BubbleId, 3> bubbles{};
     std::array<double, 3> pressures{};
+    std::vector<OuterChange> half_angles;
 };
 
 // The step of the block, shortened to the largest change; none where a film has no length, which is
@@ -44,6 +50,9 @@ BlockChange change_of(const JunctionBlock& block, const GaussSeidelOptions& opti
         change.bubbles[k] = block.bubbles()[k];
         change.pressures[k] = block.pressure_change(step, k);
     }
+    for (std::size_t k = 0; k < block.outer_films().size(); ++k) {
+        change.half_angles.push_back({block.outer_films()[k], block.half_angle_change(step, k)});
+    }
     return change;
 }
 
@@ -52,6 +61,10 @@ void apply(Foam& foam, JunctionId junction, const BlockChange& change) {
     foam.positions[junction] += change.move;
     for (std::size_t k = 0; k < change.bubble_count; ++k) {
         foam.pressures[change.bubbles[k]] += change.pressures[k];
+    }
+    for (const OuterChange& outer : change.half_angles) {
+        const double angle = foam.half_angles[outer.film] + outer.half_angle;
+        set_half_angle(foam, forward_side(outer.film), angle);
     }
 }
 

@@ -18,7 +18,8 @@ struct GaussSeidelOptions {
     SweepOrder order = SweepOrder::Sequential;
     int threads = 0;  // of colored sweeps, same bits for any number; 0: as many as run at once
     double largest_change = 0.4;  // of a block in a sweep: of a pressure in film tensions over the
-                                  // root of its bubble's area, of a junction in its shortest film
+                                  // root of its bubble's area, of a junction in its shortest film,
+                                  // of an outer film's half angle in radians
     DifferenceOptions differences{};
     TopologyThresholds thresholds{};
 };

@@ -1,5 +1,6 @@
 #include "core/equilibrium/junction_block.h"
 
+#include "core/geometry/bulge_energy.h"
 #include "core/geometry/film_energy.h"
 
 #include <algorithm>
@@ -14,8 +15,10 @@ using Eigen::Index;
 
 constexpr double kPi = std::numbers::pi;
 
-double direction_at_tail(const Vec2& chord, double pressure) {
-    return std::atan2(chord.y(), chord.x()) - laplace_young_half_angle(chord.norm(), pressure, 1.0);
+template <class Id>
+int place_in(std::span<const Id> known, Id id, int if_none) {
+    const auto found = std::find(known.begin(), known.end(), id);
+    return found == known.end() ? if_none : static_cast<int>(found - known.begin());
 }
 
 }  // namespace
@@ -24,10 +27,16 @@ void JunctionBlock::load(const Foam& foam, JunctionId junction) {
     junction_ = junction;
     tension_ = foam.film_tension;
     bubble_count_ = 0;
+    outer_films_.clear();
     sides_.clear();
     const std::array<HalfEdgeId, 3> leaving = foam.network.leaving(junction);
     for (const HalfEdgeId h : leaving) {
         add_bubble(foam, foam.network.left(h));
+    }
+    if (foam.network.ghost() != kNone<BubbleId>) {
+        for (const BubbleId bubble : bubbles()) {
+            add_outer_films(foam.network, bubble);
+        }
     }
     std::array<double, 3> lengths{};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -41,7 +50,7 @@ void JunctionBlock::load(const Foam& foam, JunctionId junction) {
 }
 
 void JunctionBlock::add_bubble(const Foam& foam, BubbleId bubble) {
-    if (place_of(bubble) == kHeld) {
+    if (place_of(bubble) == kHeld && bubble != foam.network.ghost()) {
         bubbles_[bubble_count_] = bubble;
         targets_[bubble_count_] = foam.target_areas[bubble];
         pressure_units_[bubble_count_] = 1.0 / std::sqrt(foam.target_areas[bubble]);
@@ -49,17 +58,50 @@ void JunctionBlock::add_bubble(const Foam& foam, BubbleId bubble) {
     }
 }
 
+void JunctionBlock::add_outer_films(const Network& network, BubbleId bubble) {
+    const HalfEdgeId first = network.first(bubble);
+    HalfEdgeId h = first;
+    do {
+        if (network.is_outer(film_of(h))) {
+            outer_films_.push_back(film_of(h));
+        }
+        h = network.next(h);
+    } while (h != first);
+}
+
 int JunctionBlock::place_of(BubbleId bubble) const {
-    const std::span<const BubbleId> known = bubbles();
-    const auto found = std::find(known.begin(), known.end(), bubble);
-    return found == known.end() ? kHeld : static_cast<int>(found - known.begin());
+    return place_in(bubbles(), bubble, kHeld);
+}
+
+int JunctionBlock::place_of(FilmId film) const {
+    return place_in(outer_films(), film, kHeld);
+}
+
+FilmArc JunctionBlock::arc_of(const Side& side) {
+    return {side.chord,
+            side.outer == kHeld ? laplace_young_half_angle(side.chord.norm(), side.pressure, 1.0)
+                                : side.half_angle};
+}
+
+double JunctionBlock::direction_at_tail(const Side& side) {
+    return std::atan2(side.chord.y(), side.chord.x()) - arc_of(side).half_angle;
+}
+
+double JunctionBlock::segment_of(const Side& side) {
+    return side.outer == kHeld ? film_energy(side.chord, side.pressure, 1.0).segment_area
+                               : segment_area(arc_of(side));
 }
 
 JunctionBlock::Side JunctionBlock::side_of(const Foam& foam, HalfEdgeId h) const {
     Side side;
     side.chord = chord(foam, h);
     side.pressure = pressure_difference(foam, h) / tension_;
-    side.segment = film_energy(side.chord, side.pressure, 1.0).segment_area;
+    side.outer = place_of(film_of(h));
+    if (side.outer != kHeld) {
+        side.half_angle = film_arc(foam, h).half_angle;
+        side.forward_share = is_forward(h) ? 1.0 : -1.0;
+    }
+    side.segment = segment_of(side);
     side.start_share = foam.network.tail(h) == junction_ ? 1.0 : 0.0;
     side.chord_share = (foam.network.head(h) == junction_ ? 1.0 : 0.0) - side.start_share;
     side.left = place_of(foam.network.left(h));
@@ -98,8 +140,13 @@ JunctionBlock::Side JunctionBlock::changed(const Side& side, const BlockVector& 
     result.chord += side.chord_share * move(change);
     result.pressure +=
         pressure_change_at(change, side.left) - pressure_change_at(change, side.right);
-    if (result.chord != side.chord || result.pressure != side.pressure) {
-        result.segment = film_energy(result.chord, result.pressure, 1.0).segment_area;
+    if (side.outer != kHeld) {
+        result.half_angle +=
+            side.forward_share * half_angle_change(change, static_cast<std::size_t>(side.outer));
+    }
+    if (result.chord != side.chord || result.pressure != side.pressure ||
+        result.half_angle != side.half_angle) {
+        result.segment = segment_of(result);
     }
     return result;
 }
@@ -110,11 +157,14 @@ BlockVector JunctionBlock::lacking(const BlockVector& change) const {
         const Side now = changed(side, change);
         const double area = 0.5 * cross(now.start, now.chord) + now.segment;
         lacking[side.left] -= area / targets_[static_cast<std::size_t>(side.left)];
+        if (side.outer != kHeld) {
+            lacking[static_cast<Index>(bubble_count_) + side.outer] =
+                -side.forward_share * laplace_young_error(arc_of(now), now.pressure, 1.0);
+        }
     }
     std::array<double, 3> directions{};
     for (std::size_t k = 0; k < 3; ++k) {
-        const Side now = changed(leaving_[k], change);
-        directions[k] = direction_at_tail(now.chord, now.pressure);
+        directions[k] = direction_at_tail(changed(leaving_[k], change));
     }
     for (std::size_t k = 0; k < 2; ++k) {
         const double angle = directions[(k + 2) % 3] - directions[k];

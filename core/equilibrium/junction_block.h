@@ -11,9 +11,8 @@
 
 namespace foam {
 
-/// At most three pressures and two coordinates, or three areas and two angles.
-using BlockVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 5, 1>;
-using BlockMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 5, 5>;
+using BlockVector = Eigen::VectorXd;
+using BlockMatrix = Eigen::MatrixXd;
 
 /// One block of the paper's solver (its eq. 11): a junction and the bubbles that meet there, all
 /// else held.
@@ -24,19 +23,28 @@ using BlockMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen:
 /// bubble that meets itself at the junction, around the torus, counts once: the block is smaller by
 /// a pressure and an area.
 ///
+/// In a patch the ghost's pressure and area leave the block (paper eq. 15). Each outer film of the
+/// block's bubbles has its half angle as an unknown, after the pressures, and Laplace-Young's law
+/// as a constraint, after the areas. As far as this law alone tells the half angle, Newton's step
+/// is that of the block without both; and it is as good at 90 degrees, where it does not.
+///
 /// Everything is without units, and of order one however small the bubbles are: a pressure is in
 /// film tensions over the root of its bubble's target area, a coordinate in lengths of the
-/// junction's shortest film, an area in target areas, an angle in radians.
+/// junction's shortest film, an area in target areas, an angle in radians, what Laplace-Young's
+/// law lacks in film tensions.
 class JunctionBlock {
   public:
     /// Takes what it needs from the foam; memory of an earlier junction is used again.
     void load(const Foam& foam, JunctionId junction);
 
-    /// Each bubble once, in the order of the unknowns.
+    /// Each bubble once, and each outer film, in the order of the unknowns.
     std::span<const BubbleId> bubbles() const { return {bubbles_.data(), bubble_count_}; }
+    std::span<const FilmId> outer_films() const { return outer_films_; }
 
     /// Number of unknowns, and of constraints.
-    Eigen::Index size() const { return static_cast<Eigen::Index>(bubble_count_) + 2; }
+    Eigen::Index size() const {
+        return static_cast<Eigen::Index>(bubble_count_ + outer_films_.size()) + 2;
+    }
 
     /// Chords of the junction's films, away from it.
     std::array<Vec2, 3> chords() const;
@@ -45,12 +53,17 @@ class JunctionBlock {
     bool is_degenerate() const { return move_unit_ == 0.0; }
 
     /// What the constraints lack after a change of the unknowns (paper eq. 8 and 12): target less
-    /// area of each bubble, and 120 degrees less each angle, in [-pi, pi]. Half angles are held at
-    /// the limit (film_energy.h). Precondition: not degenerate.
+    /// area of each bubble, what is missing to Laplace-Young's law (bulge_energy.h) at each outer
+    /// film, along its forward side, and 120 degrees less each angle, in [-pi, pi]. Half angles of
+    /// other films are held at the limit (film_energy.h). Precondition: not degenerate.
     BlockVector lacking(const BlockVector& change) const;
 
     /// A change of the unknowns in foam units.
     double pressure_change(const BlockVector& change, std::size_t bubble) const;
+    /// Of an outer film's forward side.
+    double half_angle_change(const BlockVector& change, std::size_t outer_film) const {
+        return change[static_cast<Eigen::Index>(bubble_count_ + outer_film)];
+    }
     Vec2 move(const BlockVector& change) const { return move_unit_ * change.tail<2>(); }
 
   private:
@@ -60,17 +73,25 @@ class JunctionBlock {
         Vec2 chord{0.0, 0.0};
         double pressure = 0.0;     // left less right, in film tensions per length
         double segment = 0.0;      // area between arc and chord
+        double half_angle = 0.0;   // of an outer film
         double start_share = 0.0;  // 1 where the start moves with the junction
         double chord_share = 0.0;  // 1 where the head does, less 1 where the start does
         int left = kHeld;          // the bubble's place in bubbles_
         int right = kHeld;
+        int outer = kHeld;           // the film's place in outer_films_
+        double forward_share = 1.0;  // 1 along the film's forward side, -1 against it
     };
-    static constexpr int kHeld = -1;  // of a bubble outside the block
+    static constexpr int kHeld = -1;  // of a bubble outside the block, of a film that is no outer
 
     void add_bubble(const Foam& foam, BubbleId bubble);
+    void add_outer_films(const Network& network, BubbleId bubble);
     void add_sides(const Foam& foam, BubbleId bubble);
     Side side_of(const Foam& foam, HalfEdgeId h) const;
     int place_of(BubbleId bubble) const;
+    int place_of(FilmId film) const;
+    static FilmArc arc_of(const Side& side);
+    static double direction_at_tail(const Side& side);
+    static double segment_of(const Side& side);
     double pressure_change_at(const BlockVector& change, int place) const;
     Side changed(const Side& side, const BlockVector& change) const;
 
@@ -79,6 +100,7 @@ class JunctionBlock {
     std::array<double, 3> targets_{};
     std::array<double, 3> pressure_units_{};  // in film tensions per length
     std::size_t bubble_count_ = 0;
+    std::vector<FilmId> outer_films_;
     double tension_ = 1.0;
     double move_unit_ = 0.0;
     std::array<Side, 3> leaving_;

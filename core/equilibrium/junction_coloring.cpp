@@ -22,14 +22,20 @@ class Coloring {
             ++color;
         }
         for (const HalfEdgeId h : leaving) {
-            std::vector<bool>& taken = taken_[network_.left(h)];
-            taken.resize(std::max(taken.size(), color + 1));
-            taken[color] = true;
+            if (network_.left(h) != network_.ghost()) {
+                take(network_.left(h), color);
+            }
         }
         return color;
     }
 
   private:
+    void take(BubbleId bubble, std::size_t color) {
+        std::vector<bool>& taken = taken_[bubble];
+        taken.resize(std::max(taken.size(), color + 1));
+        taken[color] = true;
+    }
+
     const Network& network_;
     Indexed<BubbleId, std::vector<bool>> taken_;  // by color
 };

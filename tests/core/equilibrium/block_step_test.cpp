@@ -1,9 +1,11 @@
 #include "core/equilibrium/block_step.h"
 
+#include "core/equilibrium/equilibrate.h"
 #include "core/foam/honeycomb.h"
 #include "core/foam/random.h"
 #include "tests/core/equilibrium/derivative_foams.h"
 #include "tests/core/foams.h"
+#include "tests/core/patches.h"
 #include "tests/support/raster_frames.h"
 
 #include <gtest/gtest.h>
@@ -31,6 +33,10 @@ Place place_of(const JunctionBlock& block, const Unknowns& unknowns, JunctionId 
         place.rows.push_back(unknowns.pressure_row(block.bubbles()[k]));
         place.units.push_back(block.pressure_change(one, k));
     }
+    for (const FilmId film : block.outer_films()) {
+        place.rows.push_back(unknowns.angle_row(film));
+        place.units.push_back(1.0);
+    }
     for (int axis = 0; axis < 2; ++axis) {
         place.rows.push_back(unknowns.position_row(junction) + axis);
         place.units.push_back(block.move(one)[axis]);
@@ -54,22 +60,27 @@ BlockMatrix entries(const Eigen::MatrixXd& hessian, const Place& place) {
 
 // The areas' rows of the block against those of the Hessian: dL/dp is target less area (E3).
 // Differences settle to 1e-6.
-TEST(BlockStep, SlopesOfTheAreasAreThoseOfTheHessian) {
+void expect_areas_of_the_hessian(const std::vector<Foam>& foams) {
     JunctionBlock block;
-    for (const Foam& foam : test::derivative_foams()) {
+    for (const Foam& foam : foams) {
         const Unknowns unknowns = all_unknowns(foam.network);
         const Eigen::MatrixXd h = full_hessian(foam, unknowns);
         for (const JunctionId junction : foam.network.junctions()) {
             block.load(foam, junction);
             const BlockMatrix closed = entries(h, place_of(block, unknowns, junction));
             const BlockMatrix slopes = block_slopes(block, {});
-            for (Index row = 0; row < block.size() - 2; ++row) {
-                const BubbleId bubble = block.bubbles()[static_cast<std::size_t>(row)];
-                const auto expected = closed.row(row) / foam.target_areas[bubble];
+            for (std::size_t k = 0; k < block.bubbles().size(); ++k) {
+                const auto row = static_cast<Index>(k);
+                const auto expected = closed.row(row) / foam.target_areas[block.bubbles()[k]];
                 EXPECT_LT((slopes.row(row) - expected).norm(), 1e-6 * (1.0 + expected.norm()));
             }
         }
     }
+}
+
+TEST(BlockStep, SlopesOfTheAreasAreThoseOfTheHessian) {
+    expect_areas_of_the_hessian(test::derivative_foams());
+    expect_areas_of_the_hessian(test::derivative_patches());
 }
 
 // In equilibrium the force -T sum of t_k, whose derivative is the Hessian's, turns with the films'
@@ -123,6 +134,27 @@ TEST(BlockStep, LeavesTheSquareOfWhatTheBlockLacks) {
     for (const JunctionId junction : foam.network.junctions()) {
         block.load(foam, junction);
         const double before = block.lacking(BlockVector::Zero(5)).norm();
+        EXPECT_GT(before, 1e-3);
+        EXPECT_LT(block.lacking(block_step(block, {})).norm(), 4.0 * before * before);
+    }
+}
+
+// Also of three equal bubbles, whose outer films have half angles of 90 degrees: there
+// Laplace-Young's law has no slope in them, but the block has.
+TEST(BlockStep, LeavesTheSquareAtNinetyDegreesToo) {
+    Foam foam = test::triple_bubble(1.0);
+    ASSERT_TRUE(equilibrate(foam, {}).converged());
+    Random random(3);
+    for (double& angle : foam.half_angles) {
+        angle += 0.02 * (random.uniform() - 0.5);
+    }
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        foam.pressures[bubble] += 0.02 * (random.uniform() - 0.5);
+    }
+    JunctionBlock block;
+    for (const JunctionId junction : foam.network.junctions()) {
+        block.load(foam, junction);
+        const double before = block.lacking(BlockVector::Zero(block.size())).norm();
         EXPECT_GT(before, 1e-3);
         EXPECT_LT(block.lacking(block_step(block, {})).norm(), 4.0 * before * before);
     }

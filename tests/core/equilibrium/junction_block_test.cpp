@@ -2,8 +2,10 @@
 
 #include "core/foam/honeycomb.h"
 #include "core/foam/measure.h"
+#include "core/geometry/bulge_energy.h"
 #include "tests/core/equilibrium/derivative_foams.h"
 #include "tests/core/foams.h"
+#include "tests/core/patches.h"
 #include "tests/support/raster_frames.h"
 
 #include <gtest/gtest.h>
@@ -21,10 +23,10 @@ using test::derivative_foams;
 
 constexpr double kPi = std::numbers::pi;
 
-// 1 - A / A_target of the block's bubbles and 120 degrees less the angles, from core/foam/measure.h
-// and from the tangents of the arcs: the angle on the left of a film is the turn,
-// counter-clockwise, to the film after it, which is the one before it in the clockwise order of
-// leaving().
+// 1 - A / A_target of the block's bubbles, what its outer films lack of Laplace-Young's law, and
+// 120 degrees less the angles, from core/foam/measure.h, from core/geometry/bulge_energy.h and from
+// the tangents of the arcs: the angle on the left of a film is the turn, counter-clockwise, to the
+// film after it, which is the one before it in the clockwise order of leaving().
 BlockVector measured(const Foam& foam, JunctionId junction, const JunctionBlock& block) {
     BlockVector lacking(block.size());
     const auto bubbles = block.bubbles();
@@ -32,12 +34,18 @@ BlockVector measured(const Foam& foam, JunctionId junction, const JunctionBlock&
         lacking[static_cast<Index>(k)] =
             1.0 - bubble_area(foam, bubbles[k]) / foam.target_areas[bubbles[k]];
     }
+    const auto outer_films = block.outer_films();
+    for (std::size_t k = 0; k < outer_films.size(); ++k) {
+        const HalfEdgeId h = forward_side(outer_films[k]);
+        lacking[static_cast<Index>(bubbles.size() + k)] = -laplace_young_error(
+            film_arc(foam, h), pressure_difference(foam, h), foam.film_tension);
+    }
     const std::array<HalfEdgeId, 3> leaving = foam.network.leaving(junction);
     for (std::size_t k = 0; k < 2; ++k) {
         const Vec2 a = tangent_at_tail(film_arc(foam, leaving[k]));
         const Vec2 b = tangent_at_tail(film_arc(foam, leaving[(k + 2) % 3]));
         const double lack = 2.0 * kPi / 3.0 - std::atan2(cross(a, b), a.dot(b));
-        lacking[static_cast<Index>(bubbles.size() + k)] = lack > kPi ? lack - 2.0 * kPi : lack;
+        lacking[block.size() - 2 + static_cast<Index>(k)] = std::remainder(lack, 2.0 * kPi);
     }
     return lacking;
 }
@@ -46,6 +54,9 @@ Foam after(Foam foam, JunctionId junction, const JunctionBlock& block, const Blo
     foam.positions[junction] += block.move(change);
     for (std::size_t k = 0; k < block.bubbles().size(); ++k) {
         foam.pressures[block.bubbles()[k]] += block.pressure_change(change, k);
+    }
+    for (std::size_t k = 0; k < block.outer_films().size(); ++k) {
+        foam.half_angles[block.outer_films()[k]] += block.half_angle_change(change, k);
     }
     return foam;
 }
@@ -66,6 +77,22 @@ TEST(JunctionBlock, HasOnePressureForEachBubbleOfTheJunction) {
     EXPECT_EQ(block.size(), 3);
 }
 
+// Paper eq. 15: two pressures at the rim, and the half angles of the outer films.
+TEST(JunctionBlock, LeavesTheGhostOut) {
+    const Foam foam = test::flower(1.0);
+    JunctionBlock block;
+    for (const JunctionId junction : foam.network.junctions()) {
+        block.load(foam, junction);
+        int ghosts = 0;
+        for (const HalfEdgeId h : foam.network.leaving(junction)) {
+            ghosts += foam.network.left(h) == foam.network.ghost() ? 1 : 0;
+        }
+        EXPECT_EQ(static_cast<int>(block.bubbles().size()), 3 - ghosts);
+        EXPECT_EQ(block.outer_films().size(), 2U);  // of the two bubbles that are not in the middle
+        EXPECT_EQ(block.size(), 7 - ghosts);
+    }
+}
+
 TEST(JunctionBlock, LacksNothingInTheHoneycomb) {
     const Foam foam = honeycomb(4, 4);
     JunctionBlock block;
@@ -77,9 +104,9 @@ TEST(JunctionBlock, LacksNothingInTheHoneycomb) {
 
 // By its own bookkeeping the block says what measuring says, before and after a change of each of
 // its unknowns; also where films are held at the limit and where bubbles meet themselves.
-TEST(JunctionBlock, LacksWhatMeasuringSays) {
+void expect_what_measuring_says(const std::vector<Foam>& foams) {
     JunctionBlock block;
-    for (const Foam& foam : derivative_foams()) {
+    for (const Foam& foam : foams) {
         for (const JunctionId junction : foam.network.junctions()) {
             block.load(foam, junction);
             BlockVector change = BlockVector::Zero(block.size());
@@ -92,6 +119,15 @@ TEST(JunctionBlock, LacksWhatMeasuringSays) {
             }
         }
     }
+}
+
+TEST(JunctionBlock, LacksWhatMeasuringSays) {
+    expect_what_measuring_says(derivative_foams());
+}
+
+// With half angles on both sides of 90 degrees.
+TEST(JunctionBlock, LacksWhatMeasuringSaysInAPatch) {
+    expect_what_measuring_says(test::derivative_patches());
 }
 
 TEST(JunctionBlock, ForgetsTheJunctionBefore) {

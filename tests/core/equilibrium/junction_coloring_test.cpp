@@ -4,6 +4,7 @@
 #include "core/foam/honeycomb.h"
 #include "core/network/t2.h"
 #include "tests/core/foams.h"
+#include "tests/core/patches.h"
 #include "tests/support/raster_frames.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +21,9 @@ using Colors = std::vector<std::vector<JunctionId>>;
 std::set<BubbleId> bubbles_of(const Network& network, JunctionId junction) {
     std::set<BubbleId> bubbles;
     for (const HalfEdgeId h : network.leaving(junction)) {
-        bubbles.insert(network.left(h));
+        if (network.left(h) != network.ghost()) {
+            bubbles.insert(network.left(h));
+        }
     }
     return bubbles;
 }
@@ -73,6 +76,13 @@ TEST(JunctionColoring, SharesNoBubbleOnTinyTori) {
     for (int bubbles = 2; bubbles <= 12; ++bubbles) {
         expect_valid(test::raw_foam(bubbles, 1).network);
     }
+}
+
+// The junctions of the bubble in the middle take six, and those at the ghost do not need more.
+TEST(JunctionColoring, TakesNoColorForTheGhost) {
+    const Network network = test::flower(1.0).network;
+    expect_valid(network);
+    EXPECT_EQ(color_junctions(network).size(), 6U);
 }
 
 // Both junctions belong to the one bubble.
