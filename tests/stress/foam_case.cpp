@@ -1,15 +1,68 @@
 #include "tests/stress/foam_case.h"
 
+#include "core/foam/patch.h"
+
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
+#include <vector>
 
 namespace foam::stress {
 
 namespace {
 
 constexpr int kManyBubbles = 1000;
+constexpr std::uint64_t kOutlineSalt = 0x6f75746c696e6573;  // so that outlines go their own way
+
+std::vector<Vec2> random_star(Random& random) {
+    const auto corners = static_cast<int>(3 + random.below(14));
+    std::vector<Vec2> star;
+    for (int k = 0; k < corners; ++k) {
+        const double angle = 2.0 * std::numbers::pi * k / corners;
+        const double distance = uniform(random, 0.3, 1.0);
+        star.emplace_back(distance * std::cos(angle), distance * std::sin(angle));
+    }
+    return star;
+}
+
+// Clockwise, as a hole.
+std::vector<Vec2> shrunk(std::vector<Vec2> ring, double factor) {
+    std::reverse(ring.begin(), ring.end());
+    for (Vec2& corner : ring) {
+        corner *= factor;
+    }
+    return ring;
+}
+
+Outline random_outline(Random& random) {
+    Outline outline{random_star(random), {}};
+    const double hole = uniform(random, 0.1, 0.7);
+    if (random.below(3) == 0) {
+        outline.holes.push_back(shrunk(outline.outer, hole));
+    }
+    return outline;
+}
+
+double total_area(const Foam& foam) {
+    if (!foam.torus.is_plane()) {
+        return foam.torus.area();
+    }
+    double total = 0.0;
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        total += foam.target_areas[bubble];
+    }
+    return std::accumulate(foam.lone_bubbles.begin(),
+                           foam.lone_bubbles.end(),
+                           total,
+                           [](double sum, const LoneBubble& b) { return sum + b.target_area; });
+}
+
+std::string describe(const Outline& outline) {
+    return fmt::format("{} corners{}", outline.outer.size(), outline.holes.empty() ? "" : ", hole");
+}
 
 }  // namespace
 
@@ -44,8 +97,31 @@ FoamCase draw_case(std::uint64_t seed) {
     return drawn;
 }
 
+FoamCase draw_patch(std::uint64_t seed) {
+    FoamCase drawn = draw_case(seed);
+    Random random(seed ^ kOutlineSalt);
+    drawn.outline = random_outline(random);
+    return drawn;
+}
+
+Foam seed_case(const FoamCase& foam_case) {
+    const SeedingOptions& seeding = foam_case.seeding;
+    if (!foam_case.outline) {
+        return seed_foam(seeding);
+    }
+    return seed_patch(*foam_case.outline,
+                      {.bubbles = seeding.bubbles,
+                       .lloyd_iterations = seeding.lloyd_iterations,
+                       .area_ratio = seeding.area_ratio,
+                       .seed = seeding.seed});
+}
+
+std::size_t bubbles_of(const Foam& foam) {
+    return foam.network.bubble_count() + foam.lone_bubbles.size();
+}
+
 double frame_time(const Foam& foam, const FoamCase& foam_case) {
-    const double mean_area = foam.torus.area() / static_cast<double>(foam.network.bubble_count());
+    const double mean_area = total_area(foam) / static_cast<double>(bubbles_of(foam));
     const double gamma = 0.5 * foam.film_tension;
     const double rate = 2.0 * std::numbers::pi / 3.0 * gamma * foam_case.step.coarsening.kappa;
     return foam_case.frame_share * mean_area / rate;
@@ -55,13 +131,14 @@ std::string describe(const FoamCase& foam_case) {
     const SeedingOptions& seeding = foam_case.seeding;
     const TopologyThresholds& thresholds = foam_case.step.equilibrium.thresholds;
     return fmt::format(
-        "seed {}: {} bubbles, lloyd {}, ratio {:.3g}, aspect {:.3g}, T1 {:.3g}, T2 {:.3g}, kappa "
-        "{:.3g}, share {:.3g}",
+        "seed {}: {} bubbles, lloyd {}, ratio {:.3g}, {}, T1 {:.3g}, T2 {:.3g}, kappa {:.3g}, "
+        "share {:.3g}",
         seeding.seed,
         seeding.bubbles,
         seeding.lloyd_iterations,
         seeding.area_ratio,
-        seeding.aspect,
+        foam_case.outline ? describe(*foam_case.outline)
+                          : fmt::format("aspect {:.3g}", seeding.aspect),
         thresholds.t1_distance,
         thresholds.t2_area,
         foam_case.step.coarsening.kappa,

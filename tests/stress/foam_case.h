@@ -1,17 +1,20 @@
 #pragma once
 
 #include "core/dynamics/step.h"
+#include "core/foam/outline.h"
 #include "core/foam/random.h"
 #include "core/foam/seeding.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace foam::stress {
 
 /// A foam and how it coarsens.
 struct FoamCase {
-    SeedingOptions seeding;  // seeding.seed is the seed of the whole case
+    SeedingOptions seeding;          // seeding.seed is the seed of the whole case
+    std::optional<Outline> outline;  // of a patch, which has no aspect
     StepOptions step;
     double frame_share = 0.01;  // what a five-sided bubble loses in a frame, in present mean areas
 };
@@ -28,6 +31,17 @@ double log_uniform(Random& random, double low, double high);
 /// area (1 % to 5 % of more than 1,000 bubbles), and far too long ones of 50 % (one in ten). All but
 /// Lloyd uniform in the logarithm.
 FoamCase draw_case(std::uint64_t seed);
+
+/// The patch of a seed: the case of that seed within a random outline, a polygon of 3 to 16 corners
+/// that is a star as seen from its middle, with spikes and bays; one in three has a hole of the
+/// same shape.
+FoamCase draw_patch(std::uint64_t seed);
+
+/// The raw diagram of the case.
+Foam seed_case(const FoamCase& foam_case);
+
+/// Bubbles, lone ones included.
+std::size_t bubbles_of(const Foam& foam);
 
 /// The time of a frame (E6) at the foam's present mean area.
 double frame_time(const Foam& foam, const FoamCase& foam_case);

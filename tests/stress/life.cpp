@@ -14,8 +14,8 @@ namespace foam::stress {
 
 namespace {
 
-constexpr std::size_t kFewestBubbles = 4;
-constexpr double kPatience = 100.0;  // mean areas diffused since the last bubble vanished
+constexpr std::size_t kFewestBubbles = 4;  // of a torus
+constexpr double kPatience = 100.0;        // mean areas diffused since the last bubble vanished
 
 bool is_honeycomb(const Network& network) {
     int others = 0;
@@ -46,8 +46,8 @@ class Life {
 
   private:
     void settle() {
-        before_ = foam_ = seed_foam(case_.seeding);
-        summary_.bubbles_left = foam_.network.bubble_count();
+        before_ = foam_ = seed_case(case_);
+        summary_.bubbles_left = bubbles_of(foam_);
         examine(equilibrate(foam_, case_.step.equilibrium));
     }
 
@@ -57,11 +57,11 @@ class Life {
         const StepSummary taken = step(foam_, frame_time(foam_, case_), case_.step);
         summary_.substeps += taken.substeps;
         const auto vanished = static_cast<std::size_t>(taken.equilibrium.t2);
-        if (foam_.network.bubble_count() + vanished != summary_.bubbles_left) {
+        if (bubbles_of(foam_) + vanished != summary_.bubbles_left) {
             fail("the number of bubbles does not fit the number of T2");
         }
         share_since_t2_ = vanished > 0 ? 0.0 : share_since_t2_ + case_.frame_share;
-        summary_.bubbles_left = foam_.network.bubble_count();
+        summary_.bubbles_left = bubbles_of(foam_);
         examine(taken.equilibrium);
         if (share_since_t2_ > kPatience) {
             fail("no bubble vanishes any more");
@@ -85,8 +85,10 @@ class Life {
     }
 
     bool at_end() const {
-        return foam_.network.bubble_count() <= kFewestBubbles || is_honeycomb(foam_.network) ||
-               (options_.most_frames > 0 && summary_.frames >= options_.most_frames);
+        const bool is_over = case_.outline ? bubbles_of(foam_) == 0
+                                           : foam_.network.bubble_count() <= kFewestBubbles ||
+                                                 is_honeycomb(foam_.network);
+        return is_over || (options_.most_frames > 0 && summary_.frames >= options_.most_frames);
     }
 
     // The first reason stands. A writer of foam states would take `before_` here.
@@ -101,7 +103,7 @@ class Life {
                    "  frame {}: {} bubbles, substep {}, {} iterations, {} sweeps, {} T1, {} T2, "
                    "area {:.1e}, angle {:.1e}\n",
                    summary_.frames,
-                   foam_.network.bubble_count(),
+                   bubbles_of(foam_),
                    summary_.substeps,
                    equilibrium.iterations,
                    equilibrium.sweeps,

@@ -34,8 +34,9 @@ struct LifeSummary {
     std::optional<LifeFailure> failure;
 };
 
-/// Seeds the foam, brings it to equilibrium and lets it coarsen to its end: until four bubbles are
-/// left, or only six-sided ones, which keep their areas for ever. Examines the foam after every
+/// Seeds the foam, brings it to equilibrium and lets it coarsen to its end: a torus until four
+/// bubbles are left, or only six-sided ones, which keep their areas for ever, a patch until it has
+/// lost all its gas. Examines the foam after every
 /// frame and stops at the first failure; an exception is one too, and so is a foam of which no
 /// bubble vanishes in the time in which a hundred mean areas diffuse.
 LifeSummary live(const FoamCase& foam_case, const LifeOptions& options);

@@ -14,13 +14,14 @@ namespace foam::stress {
 namespace {
 
 constexpr const char* kAbout =
-    "Random foams over the ranges of the paper, each from a raw diagram to its end, and random "
-    "ill-defined states, each brought back to equilibrium. A seed stands for the same foam or "
-    "state in every run.";
+    "Random foams over the ranges of the paper, tori and free patches, each from a raw diagram to "
+    "its end, and random ill-defined states, each brought back to equilibrium. A seed stands for "
+    "the same torus, patch or state in every run.";
 constexpr const char* kFooter = R"(Examples:
-  foam_stress                                  300 foams, 100 states
+  foam_stress                                  300 tori, 100 patches, 100 states
   foam_stress --max-bubbles 300 --shard 2/4    every fourth foam of 20 to 300 bubbles
-  foam_stress --only 17 -v                     the foam of seed 17, frame by frame
+  foam_stress --only 17 -v                     the torus of seed 17, frame by frame
+  foam_stress --only-patch 17 -v               the patch of seed 17
   foam_stress --only-state 27 37               the states of seeds 27 and 37
 Exit codes: 0 none failed, 1 some failed, other codes: bad command line)";
 
@@ -34,11 +35,13 @@ struct Shard {
 
 struct Arguments {
     int foams = 300;
+    int patches = 100;
     int states = 100;
     std::uint64_t first = 1;
     std::string shard = "1/1";
     int max_bubbles = 5000;
     std::vector<std::uint64_t> only;
+    std::vector<std::uint64_t> only_patches;
     std::vector<std::uint64_t> only_states;
     LifeOptions life;
 };
@@ -86,11 +89,10 @@ void print_part(const std::string& part, const char* end) {
     std::fflush(stdout);
 }
 
-void run_life(std::uint64_t seed, const LifeOptions& options, LifeTally& tally) {
-    const FoamCase foam_case = draw_case(seed);
+void run_life(const FoamCase& foam_case, const LifeOptions& options, LifeTally& tally) {
     print_part(describe(foam_case), options.verbose ? "\n" : " -> ");
     const LifeSummary summary = live(foam_case, options);
-    tally.add(seed, summary);
+    tally.add(foam_case.seeding.seed, summary);
     print_part(describe(summary), "\n");
 }
 
@@ -102,10 +104,11 @@ void run_recovery(std::uint64_t seed, RecoveryTally& tally) {
     print_part(describe(summary), "\n");
 }
 
-/// Without --only and --only-state, the shard's seeds; with either, these alone.
+/// Without --only, --only-patch and --only-state, the shard's seeds; with one of them, these alone.
 void choose_seeds(Arguments& arguments) {
-    if (arguments.only.empty() && arguments.only_states.empty()) {
+    if (arguments.only.empty() && arguments.only_patches.empty() && arguments.only_states.empty()) {
         arguments.only = shard_seeds(arguments, arguments.foams);
+        arguments.only_patches = shard_seeds(arguments, arguments.patches);
         arguments.only_states = shard_seeds(arguments, arguments.states);
     }
 }
@@ -113,28 +116,39 @@ void choose_seeds(Arguments& arguments) {
 int run(const Arguments& arguments) {
     LifeTally lives;
     for (const std::uint64_t seed : arguments.only) {
-        run_life(seed, arguments.life, lives);
+        run_life(draw_case(seed), arguments.life, lives);
+    }
+    LifeTally patches;
+    for (const std::uint64_t seed : arguments.only_patches) {
+        run_life(draw_patch(seed), arguments.life, patches);
     }
     RecoveryTally recoveries;
     for (const std::uint64_t seed : arguments.only_states) {
         run_recovery(seed, recoveries);
     }
     if (lives.foams > 0) {
-        fmt::print("{}", describe(lives));
+        fmt::print("{}", describe(lives, "foams"));
+    }
+    if (patches.foams > 0) {
+        fmt::print("{}", describe(patches, "patches"));
     }
     if (recoveries.states > 0) {
         fmt::print("{}", describe(recoveries));
     }
-    return lives.failed.empty() && recoveries.failed.empty() ? 0 : 1;
+    const bool none_failed =
+        lives.failed.empty() && patches.failed.empty() && recoveries.failed.empty();
+    return none_failed ? 0 : 1;
 }
 
 void add_options(CLI::App& app, Arguments& arguments) {
-    app.add_option("--foams", arguments.foams, "Foams to let coarsen")
+    app.add_option("--foams", arguments.foams, "Tori to let coarsen")
+        ->check(CLI::NonNegativeNumber);
+    app.add_option("--patches", arguments.patches, "Free patches to let coarsen")
         ->check(CLI::NonNegativeNumber);
     app.add_option("--states", arguments.states, "Ill-defined states to recover from")
         ->check(CLI::NonNegativeNumber);
     app.add_option("--first", arguments.first, "The seed to begin with");
-    app.add_option("--shard", arguments.shard, "Runs the I-th of every N foams and states: I/N")
+    app.add_option("--shard", arguments.shard, "Runs the I-th of every N cases: I/N")
         ->check(CLI::Validator(check_shard, "I/N"));
     app.add_option("--max-bubbles", arguments.max_bubbles, "Passes over seeds of larger foams")
         ->check(CLI::Range(50, 5000));
@@ -142,7 +156,8 @@ void add_options(CLI::App& app, Arguments& arguments) {
         ->check(CLI::NonNegativeNumber);
     app.add_option("--tolerance", arguments.life.tolerance, "Largest error of a frame")
         ->check(CLI::PositiveNumber);
-    app.add_option("--only", arguments.only, "Runs the foams of these seeds alone");
+    app.add_option("--only", arguments.only, "Runs the tori of these seeds alone");
+    app.add_option("--only-patch", arguments.only_patches, "Runs the patches of these seeds alone");
     app.add_option("--only-state", arguments.only_states, "Runs the states of these seeds alone");
     app.add_flag("-v,--verbose", arguments.life.verbose, "A line per frame on stderr");
 }

@@ -69,8 +69,9 @@ void RecoveryTally::add(std::uint64_t seed, const RecoverySummary& summary) {
     add_common(*this, seed, summary.seconds, summary.failure.has_value());
 }
 
-std::string describe(const LifeTally& tally) {
-    return fmt::format("foams: {}\n{} frames, {} substeps, {} T1, {} T2\n{}",
+std::string describe(const LifeTally& tally, const char* foams) {
+    return fmt::format("{}: {}\n{} frames, {} substeps, {} T1, {} T2\n{}",
+                       foams,
                        describe(tally.foams, tally.failed),
                        tally.frames,
                        tally.substeps,

@@ -46,8 +46,8 @@ struct RecoveryTally {
     void add(std::uint64_t seed, const RecoverySummary& summary);
 };
 
-/// A few lines each, the failed seeds among them.
-std::string describe(const LifeTally& tally);
+/// A few lines each, the failed seeds among them; `foams` says what they are.
+std::string describe(const LifeTally& tally, const char* foams);
 std::string describe(const RecoveryTally& tally);
 
 }  // namespace foam::stress
