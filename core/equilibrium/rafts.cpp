@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 namespace foam {
@@ -15,6 +16,7 @@ namespace foam {
 namespace {
 
 constexpr std::size_t kMostSidesOfSmallHole = 3;
+constexpr double kRaftShare = 0.5;  // of the areas along a boundary, which a raft has inside
 
 // One of the bubbles beside a film that tears.
 struct TornSide {
@@ -71,6 +73,20 @@ std::vector<HalfEdgeId> boundary_at(const Network& network, FilmId film) {
     return boundary;
 }
 
+// Target areas of the bubbles along a boundary.
+double area_along(const Foam& foam, const std::vector<HalfEdgeId>& boundary) {
+    std::vector<BubbleId> bubbles;
+    bubbles.reserve(boundary.size());
+    for (const HalfEdgeId h : boundary) {
+        bubbles.push_back(foam.network.right(h));
+    }
+    std::sort(bubbles.begin(), bubbles.end());
+    const auto end = std::unique(bubbles.begin(), bubbles.end());
+    return std::accumulate(bubbles.begin(), end, 0.0, [&](double sum, BubbleId bubble) {
+        return sum + foam.target_areas[bubble];
+    });
+}
+
 // Within the arcs; negative for an outer boundary, which goes clockwise around its raft.
 double enclosed_area(const Foam& foam, const std::vector<HalfEdgeId>& boundary) {
     double area = 0.0;
@@ -83,11 +99,10 @@ double enclosed_area(const Foam& foam, const std::vector<HalfEdgeId>& boundary) 
     return area;
 }
 
-bool is_around_hole(const Foam& foam, const std::vector<HalfEdgeId>& boundary) {
-    if (boundary.size() == 2) {  // has no area to speak of; a raft of two has bubbles of two sides
-        return foam.network.sides(foam.network.right(boundary[0])) > 2;
-    }
-    return enclosed_area(foam, boundary) > 0.0;
+// The outer boundary of a raft, which goes clockwise around it, has all bubbles along it inside;
+// the films of a hole may overlap, but not by the areas of their bubbles.
+bool is_around_hole(const Foam& foam, const std::vector<HalfEdgeId>& boundary, double enclosed) {
+    return enclosed > -kRaftShare * area_along(foam, boundary);
 }
 
 }  // namespace
@@ -120,12 +135,18 @@ bool is_small_hole(const Foam& foam, FilmId film, double length) {
            std::all_of(boundary.begin(),
                        boundary.end(),
                        [&](HalfEdgeId h) { return chord(foam, h).norm() < length; }) &&
-           is_around_hole(foam, boundary);
+           is_around_hole(foam, boundary, enclosed_area(foam, boundary));
+}
+
+bool is_overlapping_hole(const Foam& foam, FilmId film) {
+    const std::vector<HalfEdgeId> boundary = boundary_at(foam.network, film);
+    const double enclosed = enclosed_area(foam, boundary);
+    return enclosed < 0.0 && is_around_hole(foam, boundary, enclosed);
 }
 
 bool close_hole(Foam& foam, FilmId film) {
     const std::vector<HalfEdgeId> boundary = boundary_at(foam.network, film);
-    if (!can_close(foam.network, boundary)) {
+    if (boundary.size() > kMostSidesOfSmallHole || !can_close(foam.network, boundary)) {
         return false;
     }
     Vec2 mean = Vec2::Zero();

@@ -16,9 +16,12 @@ void tear_film(Foam& foam, FilmId film);
 /// length.
 bool is_small_hole(const Foam& foam, FilmId film, double length);
 
+/// Whether an outer film goes around a hole that has no area left: the bubbles around it overlap.
+bool is_overlapping_hole(const Foam& foam, FilmId film);
+
 /// Closes the hole at an outer film: three films become a junction at their mean, of two only the
-/// films beside them are left, as one. False, with nothing changed, where that leaves no foam.
-/// Precondition: is_small_hole.
+/// films beside them are left, as one. False, with nothing changed, where it has more films, or
+/// where that leaves no foam. Precondition: the film goes around a hole.
 bool close_hole(Foam& foam, FilmId film);
 
 }  // namespace foam

@@ -74,6 +74,18 @@ bool tears_apart(const Foam& foam, FilmId film, Tangents tangents) {
     return pull.flipped.norm() > pull.present.norm() - 1.0;
 }
 
+// Films of a hole that overlap pull its short ones the wrong way.
+bool shrink_hole(Foam& foam, FilmId film) {
+    if (close_hole(foam, film)) {
+        return true;
+    }
+    const bool flips = can_flip(foam.network, film);
+    if (flips) {
+        flip_film(foam, film);
+    }
+    return flips;
+}
+
 Vec2 middle_of(const Foam& foam, FilmId film) {
     const HalfEdgeId h = forward_side(film);
     return foam.positions[foam.network.tail(h)] + 0.5 * chord(foam, h);
@@ -143,8 +155,13 @@ bool settle_film(Foam& foam, FilmId film, const TopologyThresholds& thresholds, 
         }
         return tears;
     }
-    if (foam.network.is_outer(film) && is_small_hole(foam, film, thresholds.t1_distance)) {
-        return close_hole(foam, film);
+    if (foam.network.is_outer(film)) {
+        if (is_small_hole(foam, film, thresholds.t1_distance)) {
+            return close_hole(foam, film);
+        }
+        if (is_overlapping_hole(foam, film)) {
+            return shrink_hole(foam, film);
+        }
     }
     if (length < collapsed) {
         return reopen_film(foam, film, kReopenedLength * collapsed, tangents);

@@ -44,7 +44,8 @@ bool can_change(const Network& network, FilmId film);
 
 /// The T1 that is due at a short film, if any: a collapsed film is opened anew, another one flipped
 /// where its flipped state stays open. With the ghost at both ends it tears instead, as nothing
-/// holds what would be the flipped film together; and a small hole that it goes around is closed.
+/// holds what would be the flipped film together; and a hole that it goes around is closed where it
+/// is small, and loses the film where the bubbles around it overlap.
 /// Returns whether the network changed; the film may then be gone.
 bool settle_film(Foam& foam, FilmId film, const TopologyThresholds& thresholds, Tangents tangents);
 

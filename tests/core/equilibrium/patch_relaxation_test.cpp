@@ -48,6 +48,14 @@ TEST(PatchRelaxation, LeadsRawPatchesToEquilibrium) {
     }
 }
 
+// A slit between two bubbles that came to overlap in it, before its ends could close it.
+TEST(PatchRelaxation, ClosesHolesInWhichBubblesOverlap) {
+    const Outline outline = outline_from_wkt(
+        "POLYGON((0 0, 12 0, 12 6, 0 6), (1.5 1.5, 1.5 4.5, 4.5 4.5, 4.5 1.5), "
+        "(7.5 1.5, 7.5 4.5, 10.5 4.5, 10.5 1.5))");
+    expect_equilibrium(outline, {.bubbles = 10, .area_ratio = 1.0, .seed = 148});
+}
+
 TEST(LongPatchRelaxation, LeadsLargeRawPatchesToEquilibrium) {
     PatchOptions options;
     for (const Outline& outline : outlines()) {

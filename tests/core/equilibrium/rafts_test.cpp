@@ -94,11 +94,35 @@ TEST(Rafts, AHoleCloses) {
     EXPECT_EQ(foam.network.junction_count(), 10U);  // V - E + 6 + 1 = 2 with 2 E = 3 V
 }
 
+// Films of a hole that bulge into it far enough leave it no area. The hexagon of side 0.6 has 0.94;
+// a segment of half angle 2 has 0.09 (2 - sin 2 cos 2) / sin² 2 = 0.26 (E1).
+TEST(Rafts, BubblesOverlapInAHole) {
+    Foam foam = test::ring();
+    const auto bulge = [&](double angle) {
+        for (const FilmId other : foam.network.films()) {
+            if (foam.network.is_outer(other)) {
+                const HalfEdgeId h = forward_side(other);
+                const bool is_inward = foam.network.left(h) == foam.network.ghost();
+                set_half_angle(foam, h, is_inward ? -angle : angle);
+            }
+        }
+    };
+    for (const double angle : {0.1, 2.0}) {
+        bulge(angle);
+        int holes = 0;
+        for (const FilmId other : foam.network.films()) {
+            holes += foam.network.is_outer(other) && is_overlapping_hole(foam, other) ? 1 : 0;
+        }
+        EXPECT_EQ(holes, angle < 1.0 ? 0 : 6);
+    }
+}
+
 TEST(Rafts, ASmallHoleIsOneOfThreeShortFilms) {
     const Foam foam = settled(test::triple_bubble(1.0));
     for (const FilmId film : foam.network.films()) {
         if (foam.network.is_outer(film)) {
             EXPECT_FALSE(is_small_hole(foam, film, 100.0));  // it goes around the raft
+            EXPECT_FALSE(is_overlapping_hole(foam, film));
         }
     }
 }
