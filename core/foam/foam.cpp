@@ -22,6 +22,16 @@ void keep(Indexed<Id, T>& values, const std::vector<Id>& kept) {
     values = std::move(dense);
 }
 
+// No gaps, and the ghost comes last.
+bool is_compact(const Network& network) {
+    const std::size_t bubbles = network.bubble_count();
+    const bool has_ghost = network.ghost() != kNone<BubbleId>;
+    return network.junction_count() == network.junction_slots() &&
+           network.film_count() == network.film_slots() &&
+           network.bubble_slots() == bubbles + (has_ghost ? 1 : 0) &&
+           (!has_ghost || index_of(network.ghost()) == bubbles);
+}
+
 }  // namespace
 
 Vec2 chord(const Foam& foam, HalfEdgeId h) {
@@ -76,6 +86,9 @@ void place_junction(Foam& foam, JunctionId junction, const Vec2& point) {
 }
 
 void compact(Foam& foam) {
+    if (is_compact(foam.network)) {
+        return;
+    }
     const Network::Kept kept = foam.network.compact();
     keep(foam.positions, kept.junctions);
     keep(foam.pressures, kept.bubbles);
