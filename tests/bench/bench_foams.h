@@ -2,8 +2,10 @@
 
 #include "core/dynamics/step.h"
 #include "core/equilibrium/equilibrate.h"
+#include "core/foam/patch.h"
 #include "core/foam/seeding.h"
 
+#include <cstdint>
 #include <map>
 #include <numbers>
 
@@ -25,10 +27,19 @@ inline const Foam& settled_foam(int bubbles) {
     return entry->second;
 }
 
+/// The same within a disc: a free patch.
+inline Foam raw_patch(int bubbles, std::uint64_t seed) {
+    return seed_patch(disc_outline(), {.bubbles = bubbles, .seed = seed});
+}
+
 /// The time in which a bubble of five or of seven sides, so nearly the mean bubble, changes by 1 %
 /// of the mean area: an ordinary frame.
 inline double ordinary_frame_time(const Foam& foam, const CoarseningOptions& coarsening) {
-    const double mean_area = foam.torus.area() / static_cast<double>(foam.network.bubble_count());
+    double total = 0.0;
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        total += foam.target_areas[bubble];
+    }
+    const double mean_area = total / static_cast<double>(foam.network.bubble_count());
     const double gamma = 0.5 * foam.film_tension;
     return 0.01 * mean_area / (2.0 * std::numbers::pi / 3.0 * gamma * coarsening.kappa);
 }
