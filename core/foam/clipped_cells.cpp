@@ -14,6 +14,7 @@ namespace {
 
 // Boost takes intersections on a grid of 1e-7 of the size, and neighbouring cells each their own.
 constexpr double kSamePoint = 3e-5;  // foam units
+constexpr double kSameCorner = 1e-9;
 constexpr double kSliverArea = 0.1;  // of the mean area
 
 using Cell = PolygonMesh::Cell;
@@ -22,14 +23,14 @@ using Side = std::pair<std::uint32_t, std::uint32_t>;
 // Points that are nearly the same are one.
 class PointSet {
   public:
-    explicit PointSet(std::vector<Vec2>& points) : points_(points) {}
+    PointSet(std::vector<Vec2>& points, double same) : points_(points), same_(same) {}
 
     std::uint32_t index_of_point(const Vec2& point) {
         const auto [x, y] = box_of(point);
         for (std::int64_t dx = -1; dx <= 1; ++dx) {
             for (std::int64_t dy = -1; dy <= 1; ++dy) {
                 const auto found = boxes_.find({x + dx, y + dy});
-                if (found != boxes_.end() && (points_[found->second] - point).norm() < kSamePoint) {
+                if (found != boxes_.end() && (points_[found->second] - point).norm() < same_) {
                     return found->second;
                 }
             }
@@ -43,18 +44,34 @@ class PointSet {
   private:
     using Box = std::pair<std::int64_t, std::int64_t>;
 
-    static Box box_of(const Vec2& point) {
-        return {std::llround(point.x() / kSamePoint), std::llround(point.y() / kSamePoint)};
+    Box box_of(const Vec2& point) const {
+        return {std::llround(point.x() / same_), std::llround(point.y() / same_)};
     }
 
     std::vector<Vec2>& points_;
+    double same_;
     std::map<Box, std::uint32_t> boxes_;
 };
 
-Cell cell_of_ring(const std::vector<Vec2>& ring, PointSet& points) {
+// Corners of the diagram are the same in all cells but for rounding; where the outline cuts them,
+// cells only nearly agree. Were all corners taken as one so coarsely, one diagram in two of 10,000
+// cells would lose a short side.
+struct MeshPoints {
+    explicit MeshPoints(std::vector<Vec2>& points)
+        : corners(points, kSameCorner), cuts(points, kSamePoint) {}
+
+    PointSet corners;
+    PointSet cuts;
+};
+
+Cell cell_of_ring(const std::vector<Vec2>& ring,
+                  const std::vector<Vec2>& corners,
+                  MeshPoints& points) {
     Cell cell;
-    for (const Vec2& corner : ring) {
-        const std::uint32_t index = points.index_of_point(corner);
+    for (const Vec2& point : ring) {
+        const bool is_corner = std::find(corners.begin(), corners.end(), point) != corners.end();
+        const std::uint32_t index =
+            (is_corner ? points.corners : points.cuts).index_of_point(point);
         if (cell.empty() || (cell.back() != index && cell.front() != index)) {
             cell.push_back(index);
         }
@@ -71,29 +88,35 @@ Vec2 centre_of(const PolygonMesh& mesh, const Cell& cell) {
     return cell_centroid(corners);
 }
 
-// Of the sides of cells, the cell each belongs to.
-std::map<Side, std::size_t> owners_of_sides(const PolygonMesh& mesh) {
-    std::map<Side, std::size_t> owners;
-    for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
-        const Cell& corners = mesh.cells[cell];
-        for (std::size_t k = 0; k < corners.size(); ++k) {
-            owners[{corners[k], corners[(k + 1) % corners.size()]}] = cell;
-        }
+// The sides of a cell as its neighbours have them, with their lengths.
+std::map<Side, double> reversed_sides(const PolygonMesh& mesh, const Cell& corners) {
+    std::map<Side, double> sides;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+        const std::uint32_t a = corners[k];
+        const std::uint32_t b = corners[(k + 1) % corners.size()];
+        sides[{b, a}] = (mesh.points[b] - mesh.points[a]).norm();
     }
-    return owners;
+    return sides;
+}
+
+// How long the given sides are that a cell has.
+double length_of(const std::map<Side, double>& sides, const Cell& corners) {
+    double length = 0.0;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+        const auto found = sides.find({corners[k], corners[(k + 1) % corners.size()]});
+        length += found == sides.end() ? 0.0 : found->second;
+    }
+    return length;
 }
 
 // Neighbours in the order of the length of the common border, the longest first.
 std::vector<std::size_t> neighbours_of(const PolygonMesh& mesh, std::size_t cell) {
-    const std::map<Side, std::size_t> owners = owners_of_sides(mesh);
+    const std::map<Side, double> sides = reversed_sides(mesh, mesh.cells[cell]);
     std::map<std::size_t, double> borders;
-    const Cell& corners = mesh.cells[cell];
-    for (std::size_t k = 0; k < corners.size(); ++k) {
-        const std::uint32_t a = corners[k];
-        const std::uint32_t b = corners[(k + 1) % corners.size()];
-        const auto found = owners.find({b, a});
-        if (found != owners.end()) {
-            borders[found->second] += (mesh.points[b] - mesh.points[a]).norm();
+    for (std::size_t other = 0; other < mesh.cells.size(); ++other) {
+        const double border = length_of(sides, mesh.cells[other]);
+        if (border > 0.0) {
+            borders[other] = border;
         }
     }
     std::vector<std::size_t> neighbours;
@@ -170,7 +193,7 @@ double polygon_area(const PolygonMesh& mesh, const Cell& cell) {
 ClippedCells clip_cells(const Outline& outline, const CellDiagram& diagram) {
     ClippedCells clipped_cells;
     PolygonMesh& mesh = clipped_cells.mesh;
-    PointSet points(mesh.points);
+    MeshPoints points(mesh.points);
     for (const std::vector<CellCorner>& corners : diagram) {
         std::vector<Vec2> ring;
         ring.reserve(corners.size());
@@ -180,7 +203,7 @@ ClippedCells clip_cells(const Outline& outline, const CellDiagram& diagram) {
         Vec2 centre = cell_centroid(corners);
         double largest = 0.0;
         for (const std::vector<Vec2>& part : clipped(outline, ring)) {
-            const Cell cell = cell_of_ring(part, points);
+            const Cell cell = cell_of_ring(part, ring, points);
             if (cell.size() < 3) {
                 continue;
             }
@@ -201,7 +224,6 @@ void merge_slivers(PolygonMesh& mesh) {
     for (std::size_t cell = 0; cell < mesh.cells.size();) {
         if (polygon_area(mesh, mesh.cells[cell]) < least) {
             merge_or_drop(mesh, cell);
-            cell = 0;
         } else {
             ++cell;
         }
