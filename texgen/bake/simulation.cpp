@@ -1,16 +1,11 @@
 #include "texgen/bake/simulation.h"
 
 #include "core/foam/measure.h"
+#include "texgen/bake/seed.h"
 
 namespace foam::texgen {
 
 namespace {
-
-SeedingOptions seeding_of(const Preset& preset) {
-    SeedingOptions seeding = preset.seeding;
-    seeding.aspect = static_cast<double>(preset.image.width) / preset.image.height;
-    return seeding;
-}
 
 StepOptions step_options_of(const Preset& preset, int threads) {
     StepOptions options;
@@ -28,7 +23,7 @@ Simulation::Simulation(const Preset& preset, int threads)
     : frames_(preset.frames),
       next_step_(preset.frames.time_step),
       options_(step_options_of(preset, threads)),
-      foam_(seed_foam(seeding_of(preset))),
+      foam_(seeded_foam(preset)),
       timeline_(preset) {}
 
 bool Simulation::advance() {

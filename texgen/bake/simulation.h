@@ -10,8 +10,8 @@ namespace foam::texgen {
 /// The foam of a preset, from its seed through its frames in order.
 class Simulation {
   public:
-    /// The foam is seeded here, with the aspect of the preset's image. The bits are the same for
-    /// any number of threads; 0 are as many as the machine runs at once.
+    /// The foam is seeded here, and seeded_foam's exceptions come from here. The bits are the same
+    /// for any number of threads; 0 are as many as the machine runs at once.
     explicit Simulation(const Preset& preset, int threads = 0);
 
     /// Goes on to the next frame: to frame 1 by equilibrium and the warm-up (to frame 2, where frame

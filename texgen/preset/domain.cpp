@@ -1,6 +1,7 @@
 #include "texgen/preset/domain.h"
 
 #include "texgen/image/color.h"
+#include "texgen/preset/foam_shape.h"
 
 #include <fmt/core.h>
 #include <fmt/format.h>
@@ -28,6 +29,15 @@ std::optional<double> real(const Value& value) {
 bool is_color(const std::string& text) {
     try {
         parse_color(text);
+        return true;
+    } catch (const std::invalid_argument&) {
+        return false;
+    }
+}
+
+bool is_outline(const std::string& text) {
+    try {
+        outline_of({.outline = text});
         return true;
     } catch (const std::invalid_argument&) {
         return false;
@@ -94,6 +104,15 @@ std::string Colors::allowed() const {
 
 bool Colors::read(const Value& value, std::string& member) const {
     return read_text(value, member, is_color);
+}
+
+std::string Outlines::allowed() const {
+    return "\"disc\", \"rectangle\", or a polygon that does not cross itself as WKT, "
+           "\"POLYGON((x y, ...), (x y of a hole, ...))\"";
+}
+
+bool Outlines::read(const Value& value, std::string& member) const {
+    return read_text(value, member, is_outline);
 }
 
 std::string Words::allowed() const {

@@ -67,6 +67,13 @@ struct Colors {
     Value write(const std::string& member) const { return {member}; }
 };
 
+/// Where a patch is seeded: "disc", "rectangle", or a polygon as WKT.
+struct Outlines {
+    std::string allowed() const;
+    bool read(const Value& value, std::string& member) const;
+    Value write(const std::string& member) const { return {member}; }
+};
+
 /// One of some words.
 struct Words {
     std::span<const std::string_view> words;
@@ -176,12 +183,13 @@ struct Choices {
         }
         return false;
     }
-    Value write(Enum member) const {
+    std::string_view name_of(Enum member) const {
         const auto found = std::find_if(choices.begin(), choices.end(), [&](const auto& choice) {
             return choice.second == member;
         });
-        return {std::string(found->first)};
+        return found->first;
     }
+    Value write(Enum member) const { return {std::string(name_of(member))}; }
 };
 
 }  // namespace foam::texgen

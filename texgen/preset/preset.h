@@ -5,6 +5,7 @@
 #include "core/foam/seeding.h"
 #include "texgen/maps/albedo.h"
 #include "texgen/preset/event.h"
+#include "texgen/preset/foam_shape.h"
 
 #include <string>
 #include <vector>
@@ -43,11 +44,12 @@ struct OutputOptions {
 };
 
 /// Everything that decides the pixels of a bake. Each value the user may set is one key of the
-/// schema, see schema.h and event_schema.h; the aspect of the torus is none: it follows from the
+/// schema, see schema.h and event_schema.h; the aspect of a torus is none: it follows from the
 /// image.
 struct Preset {
     std::string name;  // of the shipped preset or the stem of the file; fills {preset}
     std::string description;
+    FoamShape shape;
     SeedingOptions seeding;
     SolverOptions equilibrium;
     CoarseningOptions coarsening;

@@ -70,6 +70,34 @@ void check_pressures(const Preset& preset, std::span<const Assignment> assignmen
     }
 }
 
+/// Of the assignments to one of two keys the last; to the first key, if there is any.
+const Assignment& blamed(std::span<const Assignment> assignments,
+                         std::string_view first,
+                         std::string_view second) {
+    for (const std::string_view key : {first, second}) {
+        const auto last = std::find_if(assignments.rbegin(),
+                                       assignments.rend(),
+                                       [&](const Assignment& one) { return one.key == key; });
+        if (last != assignments.rend()) {
+            return *last;
+        }
+    }
+    return assignments.back();
+}
+
+/// What would have no effect must not be asked for.
+void check_kind(const Preset& preset, std::span<const Assignment> assignments) {
+    const Preset defaults;
+    for (const Key& key : preset_keys()) {
+        if (key.kind.value_or(preset.shape.kind) != preset.shape.kind &&
+            to_toml(key.write(preset)) != to_toml(key.write(defaults))) {
+            refuse(
+                blamed(assignments, key.path, "foam.domain"),
+                fmt::format("{} is only for foam.domain = \"{}\"", key.path, name_of(*key.kind)));
+        }
+    }
+}
+
 /// A foam of few bubbles does not fit a torus that is much longer than wide.
 void check_aspect(const Preset& preset, std::span<const Assignment> assignments) {
     const int shorter = std::min(preset.image.width, preset.image.height);
@@ -91,6 +119,7 @@ void assign(Preset& preset, std::span<const Assignment> assignments) {
     for (const Assignment& assignment : assignments) {
         assign_one(preset, assignment);
     }
+    check_kind(preset, assignments);
     check_pressures(preset, assignments);
     check_aspect(preset, assignments);
     check_events(preset, assignments);
@@ -127,6 +156,7 @@ std::string describe_keys() {
         }
         text += fmt::format("{} = {}\n", key.name(), to_toml(key.write(defaults)));
         text += fmt::format("    {}\n    {}\n", key.meaning, key.allowed);
+        text += key.kind ? fmt::format("    of a {}\n", name_of(*key.kind)) : "";
     }
     return text + describe_event_keys();
 }

@@ -19,6 +19,8 @@ constexpr bool kOrZero = true;
 constexpr double kLargestTime = 1e6;
 constexpr double kLargestPressure = 1e6;
 constexpr std::array<std::string_view, 1> kMapNames = {"albedo"};
+constexpr Choices<FoamKind> kFoamKinds = {
+    {{{"torus", FoamKind::Torus}, {"patch", FoamKind::Patch}}}};
 constexpr Choices<PressureUnit> kPressureUnits = {
     {{{"seed", PressureUnit::Seed}, {"current", PressureUnit::Current}}}};
 constexpr Choices<WidthUnit> kWidthUnits = {
@@ -50,6 +52,14 @@ Key key(std::string_view path, Domain domain, std::string_view meaning, Members.
             [=](const Preset& preset) { return domain.write(at(preset, members...)); }};
 }
 
+/// One that only a kind of foam takes.
+template <class... Parts>
+Key key_of(FoamKind kind, const Parts&... parts) {
+    Key one = key(parts...);
+    one.kind = kind;
+    return one;
+}
+
 std::vector<Key> description_keys() {
     return {key("preset.description",
                 Text{.or_empty = true},
@@ -57,12 +67,33 @@ std::vector<Key> description_keys() {
                 &P::description)};
 }
 
+std::vector<Key> shape_keys() {
+    return {key("foam.domain",
+                kFoamKinds,
+                "a torus, which tiles, or a patch with a free surface, on a transparent ground",
+                &P::shape,
+                &FoamShape::kind),
+            key_of(FoamKind::Patch,
+                   "foam.outline",
+                   Outlines{},
+                   "where a patch is seeded, scaled to an area of one per bubble; it then finds "
+                   "its own shape",
+                   &P::shape,
+                   &FoamShape::outline),
+            key_of(FoamKind::Patch,
+                   "foam.outline_aspect",
+                   Reals{1.0 / 16.0, 16.0},
+                   "stretches the outline in x: width over height of a disc or a rectangle",
+                   &P::shape,
+                   &FoamShape::outline_aspect)};
+}
+
 std::vector<Key> foam_keys() {
     using Options = SeedingOptions;
     return {
         key("foam.bubbles",
             Integers{4, 1'000'000},
-            "bubbles of the seeded foam, whose mean area is 1",
+            "bubbles of the seeded foam, whose mean area is 1; of a patch about so many",
             &P::seeding,
             &Options::bubbles),
         key("foam.seed",
@@ -75,11 +106,12 @@ std::vector<Key> foam_keys() {
             "rounds of Lloyd relaxation: 0 is wild, 10 and more nearly regular",
             &P::seeding,
             &Options::lloyd_iterations),
-        key("foam.area_ratio",
-            Reals{1.0, 100.0, kOrZero},
-            "largest over smallest bubble area; 0 leaves the areas as they fall",
-            &P::seeding,
-            &Options::area_ratio),
+        key_of(FoamKind::Torus,
+               "foam.area_ratio",
+               Reals{1.0, 100.0, kOrZero},
+               "largest over smallest bubble area; 0 leaves the areas as they fall",
+               &P::seeding,
+               &Options::area_ratio),
         key("foam.surface_tension",
             Reals{1e-6, 1e3},
             "gamma; a film pulls with twice this",
@@ -204,6 +236,7 @@ std::vector<Key> output_keys() {
 std::vector<Key> all_keys() {
     std::vector<Key> all;
     for (const auto& keys : {description_keys(),
+                             shape_keys(),
                              foam_keys(),
                              dynamics_keys(),
                              frames_keys(),
@@ -233,6 +266,10 @@ bool is_table(std::string_view name) {
     const auto keys = preset_keys();
     return std::any_of(
         keys.begin(), keys.end(), [&](const Key& key) { return key.table() == name; });
+}
+
+std::string_view name_of(FoamKind kind) {
+    return kFoamKinds.name_of(kind);
 }
 
 std::span<const std::string_view> map_names() {

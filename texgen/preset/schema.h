@@ -4,6 +4,7 @@
 #include "texgen/preset/value.h"
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,6 +18,7 @@ struct Key {
     std::string_view meaning;
     std::function<bool(const Value&, Preset&)> read;  // false: not allowed, nothing changed
     std::function<Value(const Preset&)> write;
+    std::optional<FoamKind> kind = {};  // the only kind of foam that takes another than the default
 
     std::string_view table() const { return path.substr(0, path.find('.')); }
     std::string_view name() const { return path.substr(path.find('.') + 1); }
@@ -30,6 +32,9 @@ const Key* find_key(std::string_view path);
 
 /// Whether some key stands in a table of this name.
 bool is_table(std::string_view name);
+
+/// The word for a kind: "patch".
+std::string_view name_of(FoamKind kind);
 
 /// The maps `image.maps` may name.
 std::span<const std::string_view> map_names();

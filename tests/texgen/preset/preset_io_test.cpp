@@ -110,6 +110,29 @@ TEST(PresetIo, ThePressureRangeIsCheckedOnceAllValuesAreIn) {
               "must be below albedo.pressure_high = 0.5");
 }
 
+TEST(PresetIo, KeysOfTheOtherKindOfFoamAreRefused) {
+    EXPECT_EQ(set_failure({"foam.outline=rectangle"}),
+              "--set foam.outline=rectangle: key 'foam.outline' = \"rectangle\": "
+              "foam.outline is only for foam.domain = \"patch\"");
+    EXPECT_EQ(set_failure({"foam.area_ratio=4", "foam.domain=patch"}),
+              "--set foam.area_ratio=4: key 'foam.area_ratio' = 4: "
+              "foam.area_ratio is only for foam.domain = \"torus\"");
+    EXPECT_EQ(set_failure({"foam.outline=rectangle", "foam.domain=patch"}), "no failure");
+    EXPECT_EQ(set_failure({"foam.outline=disc", "foam.area_ratio=4"}), "no failure");
+}
+
+TEST(PresetIo, AKindThatDoesNotFitTheRestIsToBlameItself) {
+    Preset preset = parse_preset("[foam]\narea_ratio = 4\n", "a", "a.toml");
+    try {
+        assign(preset, std::vector{read_set_argument("foam.domain=patch")});
+        FAIL();
+    } catch (const PresetError& error) {
+        EXPECT_STREQ(error.what(),
+                     "--set foam.domain=patch: key 'foam.domain' = \"patch\": "
+                     "foam.area_ratio is only for foam.domain = \"torus\"");
+    }
+}
+
 TEST(PresetIo, TheLaterAssignmentWins) {
     Preset preset;
     assign(preset, std::vector{read_set_argument("foam.seed=3"), read_set_argument("foam.seed=4")});
@@ -150,7 +173,9 @@ TEST(PresetIo, TheReferenceHasDefaultMeaningAndLimitsOfEveryKey) {
         EXPECT_NE(reference.find(key.meaning), std::string::npos) << key.path;
         EXPECT_NE(reference.find(key.allowed), std::string::npos) << key.path;
     }
-    EXPECT_NE(reference.find("[foam]\nbubbles = 1000\n"), std::string::npos);
+    EXPECT_NE(reference.find("[foam]\ndomain = \"torus\"\n"), std::string::npos);
+    EXPECT_NE(reference.find("outline = \"disc\"\n"), std::string::npos);
+    EXPECT_NE(reference.find("    of a patch\n"), std::string::npos);
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ TEST(Schema, EveryKeyIsThereOnceWithAllItSays) {
         EXPECT_TRUE(is_table(key.table())) << key.path;
         EXPECT_EQ(find_key(key.path), &key);
     }
-    EXPECT_EQ(paths.size(), 26U);
+    EXPECT_EQ(paths.size(), 29U);
 }
 
 TEST(Schema, EveryDefaultIsAllowed) {
@@ -68,6 +68,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Bounds{"foam.lloyd", "-1", "0", "1000", "1001"},
                     Bounds{"foam.area_ratio", "0.99", "1", "100", "100.1"},
                     Bounds{"foam.surface_tension", "0", "1e-6", "1e3", "1001"},
+                    Bounds{"foam.outline_aspect", "0.06", "0.0625", "16", "16.1"},
                     Bounds{"foam.tolerance", "0.9e-9", "1e-9", "0.01", "0.011"},
                     Bounds{"dynamics.kappa", "-0.1", "0", "1000", "1001"},
                     Bounds{"dynamics.t1_distance", "0.0009", "0.001", "0.25", "0.26"},
@@ -108,6 +109,19 @@ TEST(Schema, ChoicesReachTheirMembers) {
     EXPECT_EQ(preset.albedo.pressure_unit, PressureUnit::Seed);
     EXPECT_EQ(preset.albedo.film_unit, WidthUnit::Diameters);
     EXPECT_FALSE(find_key("albedo.film_unit")->read(read_value("mm"), preset));
+}
+
+TEST(Schema, AnOutlineIsAWordOrAPolygon) {
+    EXPECT_TRUE(accepts("foam.outline", "disc"));
+    EXPECT_TRUE(accepts("foam.outline", "rectangle"));
+    EXPECT_TRUE(accepts("foam.outline", "POLYGON((0 0, 1 0, 1 1))"));
+    EXPECT_TRUE(accepts("foam.outline", "POLYGON((0 0, 4 0, 4 4, 0 4), (1 1, 1 2, 2 2, 2 1))"));
+    EXPECT_FALSE(accepts("foam.outline", "circle"));
+    EXPECT_FALSE(accepts("foam.outline", "POLYGON((0 0, 1 1, 1 0, 0 1))"));  // crosses itself
+    EXPECT_FALSE(accepts("foam.outline", "POLYGON((0 0, 1 0, 2 0))"));
+    EXPECT_FALSE(accepts("foam.outline", "POLYGON((0 0, 1e200 0, 1e200 1e200))"));
+    EXPECT_FALSE(accepts("foam.outline", "POLYGON EMPTY"));
+    EXPECT_FALSE(accepts("foam.outline", "\"\""));
 }
 
 TEST(Schema, EverySolverHasItsWord) {

@@ -1,0 +1,31 @@
+#include "texgen/preset/foam_shape.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <stdexcept>
+
+namespace foam::texgen {
+namespace {
+
+TEST(FoamShape, AnAspectStretchesAnyOutline) {
+    EXPECT_NEAR(outline_area(outline_of({.outline = "disc", .outline_aspect = 3.0})),
+                3.0 * std::numbers::pi,
+                1e-2);
+    EXPECT_DOUBLE_EQ(outline_area(outline_of({.outline = "rectangle", .outline_aspect = 2.0})),
+                     2.0);
+    // 4 x 4 less a hole of 2 x 1, twice as wide.
+    const foam::Outline frame = outline_of(
+        {.outline = "POLYGON((0 0, 4 0, 4 4, 0 4), (1 1, 1 2, 3 2, 3 1))", .outline_aspect = 2.0});
+    EXPECT_DOUBLE_EQ(outline_area(frame), 28.0);
+    EXPECT_FALSE(is_inside(frame, {5.9, 1.5}));
+    EXPECT_TRUE(is_inside(frame, {6.1, 1.5}));
+}
+
+TEST(FoamShape, RefusesWhatIsNoOutline) {
+    EXPECT_THROW(outline_of({.outline = "circle"}), std::invalid_argument);
+    EXPECT_THROW(outline_of({.outline = "POLYGON((0 0, 1 0, 2 0))"}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace foam::texgen
