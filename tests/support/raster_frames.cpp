@@ -1,6 +1,8 @@
 #include "tests/support/raster_frames.h"
 
 #include "core/equilibrium/equilibrate.h"
+#include "core/foam/patch.h"
+#include "core/foam/polygon_mesh.h"
 #include "core/foam/random.h"
 #include "core/foam/seeding.h"
 
@@ -65,6 +67,45 @@ Foam polydisperse_foam(int bubbles, std::uint64_t seed) {
     options.seed = seed;
     Foam foam = seed_foam(options);
     equilibrate(foam, {});
+    return foam;
+}
+
+Foam patch_foam(int bubbles, std::uint64_t seed, const std::string& wkt) {
+    PatchOptions options;
+    options.bubbles = bubbles;
+    options.seed = seed;
+    Foam foam = seed_patch(wkt.empty() ? disc_outline() : outline_from_wkt(wkt), options);
+    equilibrate(foam, {});
+    return foam;
+}
+
+Foam ring_foam() {
+    constexpr std::uint32_t kSix = 6;
+    PolygonMesh mesh;
+    for (const double radius : {1.0, 2.2}) {
+        for (std::uint32_t k = 0; k < kSix; ++k) {
+            const double angle = std::numbers::pi / 3.0 * k;
+            mesh.points.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+        }
+    }
+    for (std::uint32_t k = 0; k < kSix; ++k) {
+        const std::uint32_t next = (k + 1) % kSix;
+        mesh.cells.push_back({k, kSix + k, kSix + next, next});
+    }
+    Foam foam = foam_from_mesh(mesh);
+    for (const FilmId film : foam.network.films()) {
+        const HalfEdgeId h = forward_side(film);
+        const double bulge = chord(foam, h).norm() > 1.5 ? 0.7 : 0.3;
+        foam.half_angles[film] = foam.network.left(h) == foam.network.ghost() ? -bulge : bulge;
+    }
+    return foam;
+}
+
+Foam circles(const std::vector<LoneBubble>& bubbles) {
+    Foam foam;
+    foam.network.add_ghost();
+    complete_patch(foam);
+    foam.lone_bubbles = bubbles;
     return foam;
 }
 

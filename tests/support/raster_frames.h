@@ -4,6 +4,8 @@
 #include "core/foam/frame.h"
 
 #include <cstdint>
+#include <string>
+#include <vector>
 
 namespace foam::test {
 
@@ -17,6 +19,16 @@ Foam bent_foam(int bubbles, double pressure, std::uint64_t seed);
 
 /// A foam in equilibrium, with very different areas.
 Foam polydisperse_foam(int bubbles, std::uint64_t seed);
+
+/// A patch in equilibrium, seeded in an outline given as WKT, or in a disc.
+Foam patch_foam(int bubbles, std::uint64_t seed, const std::string& wkt = {});
+
+/// Six bubbles around a hole: between two hexagons around the origin, of radius 1 and 2.2, whose
+/// sides bulge outwards from the bubbles by half angles of 0.3 and 0.7. Not in equilibrium.
+Foam ring_foam();
+
+/// A patch without any bubble in touch with another.
+Foam circles(const std::vector<LoneBubble>& bubbles);
 
 /// One bubble that meets itself around the unit torus in all its six sides.
 Foam single_bubble();

@@ -30,14 +30,13 @@ struct Nearest {
     BubbleId bubble{};
 };
 
-FilmCopy film_copy(const Frame& frame, FilmId film, double scale, const Vec2& translation) {
-    const HalfEdgeId h = forward_side(film);
-    const FilmArc& arc = frame.arcs[film];
+// In pixels.
+FilmCopy film_copy(const Vec2& tail, const FilmArc& arc, BubbleId left, BubbleId right) {
     FilmCopy copy{};
-    copy.tail = scale * (frame.positions[frame.network.tail(h)] + translation);
-    copy.chord = scale * arc.chord;
-    copy.left = frame.network.left(h);
-    copy.right = frame.network.right(h);
+    copy.tail = tail;
+    copy.chord = arc.chord;
+    copy.left = left;
+    copy.right = right;
     copy.straight = std::abs(arc.half_angle) < 1e-7;
     if (!copy.straight) {
         const Vec2 to_center = turned_left(arc.chord).normalized() *
@@ -50,6 +49,16 @@ FilmCopy film_copy(const Frame& frame, FilmId film, double scale, const Vec2& tr
         copy.half_range = std::abs(arc.half_angle);
     }
     return copy;
+}
+
+// With its tail moved by `translation` foam units.
+FilmCopy film_copy(const Frame& frame, FilmId film, double scale, const Vec2& translation) {
+    const HalfEdgeId h = forward_side(film);
+    const FilmArc& arc = frame.arcs[film];
+    return film_copy(scale * (frame.positions[frame.network.tail(h)] + translation),
+                     {scale * arc.chord, arc.half_angle},
+                     frame.network.left(h),
+                     frame.network.right(h));
 }
 
 Nearest to_ends(const FilmCopy& film, const Vec2& point) {
@@ -91,6 +100,27 @@ std::vector<FilmCopy> all_copies(const Frame& frame, double scale) {
         }
     }
     return copies;
+}
+
+// A patch; lone bubbles as two halves each.
+std::vector<FilmCopy> all_films(const Frame& frame, double scale, const Vec2& translation) {
+    std::vector<FilmCopy> films;
+    for (const FilmId film : frame.network.films()) {
+        films.push_back(film_copy(frame, film, scale, translation));
+    }
+    for (std::size_t k = 0; k < frame.lone_bubbles.size(); ++k) {
+        const LoneBubble& bubble = frame.lone_bubbles[k];
+        const auto id = id_at<BubbleId>(frame.network.bubble_slots() + k);
+        const Vec2 center = scale * (bubble.centre + translation);
+        const Vec2 radius(scale * std::sqrt(bubble.target_area / std::numbers::pi), 0.0);
+        for (const double side : {-1.0, 1.0}) {
+            films.push_back(film_copy(center + side * radius,
+                                      {-2.0 * side * radius, 0.5 * std::numbers::pi},
+                                      id,
+                                      frame.network.ghost()));
+        }
+    }
+    return films;
 }
 
 // Those that can be nearest to some point of the pixel.
@@ -143,18 +173,40 @@ void sample_pixel(const std::vector<FilmCopy>& films,
     }
 }
 
-}  // namespace
-
-SampledCoverage sample_coverage(const Frame& frame, int width, int height, double film_width) {
-    const std::vector<FilmCopy> films = all_copies(frame, width / frame.torus.width);
+SampledCoverage sample_films(const std::vector<FilmCopy>& films,
+                             int width,
+                             int height,
+                             double film_width,
+                             std::size_t bubbles) {
     SampledCoverage coverage{width, height, {}};
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
-            coverage.parts.push_back(std::vector<double>(frame.network.bubble_slots(), 0.0));
+            coverage.parts.push_back(std::vector<double>(bubbles, 0.0));
             sample_pixel(films, Vec2(x, y), 0.5 * film_width, coverage.parts.back());
         }
     }
     return coverage;
+}
+
+}  // namespace
+
+SampledCoverage sample_coverage(const Frame& frame, int width, int height, double film_width) {
+    return sample_films(all_copies(frame, width / frame.torus.width),
+                        width,
+                        height,
+                        film_width,
+                        frame.network.bubble_slots());
+}
+
+SampledCoverage sample_coverage(
+    const Frame& frame, const texgen::View& view, int width, int height, double film_width) {
+    const double scale = view.pixels_per_unit;
+    const Vec2 translation = 0.5 / scale * Vec2(width, height) - view.center;
+    return sample_films(all_films(frame, scale, translation),
+                        width,
+                        height,
+                        film_width,
+                        frame.network.bubble_slots() + frame.lone_bubbles.size());
 }
 
 }  // namespace foam::test

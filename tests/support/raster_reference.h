@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/foam/frame.h"
+#include "texgen/raster/view.h"
 
 #include <vector>
 
@@ -8,6 +9,7 @@ namespace foam::test {
 
 /// What a brute-force rasterizer makes of a frame: for each pixel (rows upward) the part of it that
 /// each bubble shows, by point samples. Shares no code with the rasterizer.
+/// Of a patch, what lies around it and lone bubbles follow as in CellOutlines.
 struct SampledCoverage {
     int width = 0;
     int height = 0;
@@ -18,6 +20,10 @@ struct SampledCoverage {
 /// nearer than half of film_width (pixels). Precondition: square pixels; corners of less than 180
 /// degrees.
 SampledCoverage sample_coverage(const Frame& frame, int width, int height, double film_width);
+
+/// The same of a part of the plane.
+SampledCoverage sample_coverage(
+    const Frame& frame, const texgen::View& view, int width, int height, double film_width);
 
 /// Samples per pixel that an edge crosses: a Fibonacci lattice, whose error along an edge is about
 /// 17711^-3/4 = 0.0007.

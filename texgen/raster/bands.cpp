@@ -47,20 +47,34 @@ template <class Visit>
 void Bands::for_each_entry(const CellOutlines& cells, Visit visit) const {
     for (std::size_t k = 0; k < cells.outlines.size(); ++k) {
         const Outline& outline = cells.outlines[k];
+        if (grid_.view) {
+            visit_rows(k, outline, {}, visit);
+            continue;
+        }
         const SubpixelPoint first_point = cells.chain(outline).front();
         const SubpixelPoint shift = shift_of(grid_);
         const int low = pixel_of(outline.lowest + shift.y);
         const int high = pixel_of(outline.highest + shift.y);
         for (int period = floor_div(low, grid_.height); period * grid_.height <= high; ++period) {
-            const int base = period * grid_.height;
-            const int first = std::max(low - base, 0) / rows_;
-            const int last = std::min(high - base, grid_.height - 1) / rows_;
-            const SubpixelPoint moved{shift.x - period * cells.shear, shift.y - base * kSubpixel};
-            const SubpixelPoint wrapped = into_columns(grid_, first_point, moved);
-            for (int band = first; band <= last; ++band) {
-                visit(static_cast<std::size_t>(band), Entry{k, wrapped});
-            }
+            const std::int32_t base = period * grid_.height * kSubpixel;
+            const SubpixelPoint moved{shift.x - period * cells.shear, shift.y - base};
+            visit_rows(k, outline, into_columns(grid_, first_point, moved), visit);
         }
+    }
+}
+
+template <class Visit>
+void Bands::visit_rows(std::size_t index,
+                       const Outline& outline,
+                       SubpixelPoint translation,
+                       Visit visit) const {
+    const int low = std::max(pixel_of(outline.lowest + translation.y), 0);
+    const int high = std::min(pixel_of(outline.highest + translation.y), grid_.height - 1);
+    if (low > high) {
+        return;
+    }
+    for (int band = low / rows_; band <= high / rows_; ++band) {
+        visit(static_cast<std::size_t>(band), Entry{index, translation});
     }
 }
 

@@ -9,11 +9,12 @@
 namespace foam::texgen {
 
 /// The rows of an image, cut into bands that are filled one by one, and for each band the outlines
-/// that reach into it, around the torus and shifted as the grid says.
+/// that reach into it; around a torus, and shifted as the grid says.
 class Bands {
   public:
     /// A copy of an outline: shifted, and moved by whole periods so that its first point lies
-    /// within the columns of the image; y counts from the image's row 0.
+    /// within the columns of the image; y counts from the image's row 0. In the plane it is where
+    /// it is.
     struct Entry {
         std::size_t outline = 0;
         SubpixelPoint translation;
@@ -29,6 +30,12 @@ class Bands {
   private:
     template <class Visit>
     void for_each_entry(const CellOutlines& cells, Visit visit) const;
+    // The bands that an outline reaches in one place.
+    template <class Visit>
+    void visit_rows(std::size_t index,
+                    const Outline& outline,
+                    SubpixelPoint translation,
+                    Visit visit) const;
 
     int rows_;
     RasterGrid grid_;

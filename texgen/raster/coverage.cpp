@@ -10,9 +10,10 @@ constexpr std::int64_t kFullWidth = std::int64_t{2} * kSubpixel;  // of a pixel,
 }  // namespace
 
 template <std::size_t Channels>
-Coverage<Channels>::Coverage(int width, int rows)
+Coverage<Channels>::Coverage(int width, int rows, RowKind kind)
     : width_(width),
       rows_(rows),
+      kind_(kind),
       stride_(static_cast<std::size_t>(width) + 1),
       words_(stride_ / kFlagsPerWord + 1),
       differences_(stride_ * static_cast<std::size_t>(rows)),
@@ -32,6 +33,10 @@ void Coverage<Channels>::add_part(const PixelPart& part, const Value& value) {
     std::int32_t column = part.column;
     if (column < 0 || column >= width_) {
         const std::int32_t periods = floor_div(column, width_);
+        if (kind_ == RowKind::Line) {
+            add_past_border(part.row, column < 0 ? -part.height : 0, value);
+            return;
+        }
         add_past_border(part.row, std::int64_t{periods} * part.height, value);
         column -= periods * width_;
     }

@@ -16,15 +16,19 @@ namespace foam::texgen {
 /// an edge comes in half squares of a subpixel.
 inline constexpr int kCoverageBits = 2 * kSubpixelBits + 1;
 
-/// Adds up outlines, each with a value per channel, over a band of rows of a torus, so that a pixel
-/// ends with the sum of value times covered area.
+/// Whether a row of pixels goes around a torus, or ends on both sides.
+enum class RowKind { Ring, Line };
+
+/// Adds up outlines, each with a value per channel, over a band of rows, so that a pixel ends with
+/// the sum of value times covered area.
 ///
 /// Along a row, an edge adds its part of a pixel to that pixel and its height to all on its right.
 /// So the band holds differences from pixel to pixel, and a running sum along the row turns them
 /// into values. Around the torus a row has no end: the sum to the right of an edge goes round and
 /// round. But the heights of a closed outline cancel in every row, so only differences of rounds
 /// count: an edge that lies k periods to the right of the band takes its height k times off the
-/// row's start.
+/// row's start. In the plane, an edge on the left of the row adds its height to the whole of it,
+/// and one on the right nothing.
 ///
 /// All sums are of integers and exact: they do not depend on the order of the outlines. An edge is
 /// split into pixels the same way in both directions and in every place, so that two outlines that
@@ -36,9 +40,9 @@ class Coverage {
     using Sum = std::array<std::int64_t, Channels>;
 
     /// All differences are zero. Width and rows in pixels.
-    Coverage(int width, int rows);
+    Coverage(int width, int rows, RowKind kind = RowKind::Ring);
 
-    /// A closed chain, unwrapped in x, its y relative to the lower end of the band;
+    /// A closed chain, on a torus unwrapped in x, its y relative to the lower end of the band;
     /// counter-clockwise chains add, the others subtract. What lies above or below the band is left
     /// out.
     void add(std::span<const SubpixelPoint> chain, SubpixelPoint translation, const Value& value);
@@ -56,6 +60,7 @@ class Coverage {
 
     int width_;
     int rows_;
+    RowKind kind_;
     std::size_t
         stride_;  // pixels between rows; one more than the width takes what leaves on the right
     std::size_t words_;  // of 64 flags, per row

@@ -39,10 +39,13 @@ void check(const CellOutlines& cells, const CellValues& values, ImageView<Sample
         values.channels != static_cast<std::size_t>(image.channels())) {
         throw std::invalid_argument("the image must have the channels of the values, 1 to 4");
     }
-    const bool complete =
-        std::all_of(cells.outlines.begin(), cells.outlines.end(), [&](const Outline& outline) {
-            return (index_of(outline.bubble) + 1) * values.channels <= values.cells.size();
-        });
+    const auto has_value = [&](BubbleId bubble) {
+        return (index_of(bubble) + 1) * values.channels <= values.cells.size();
+    };
+    const bool complete = (!cells.outside || has_value(*cells.outside)) &&
+                          std::all_of(cells.outlines.begin(),
+                                      cells.outlines.end(),
+                                      [&](const Outline& o) { return has_value(o.bubble); });
     if (!complete) {
         throw std::invalid_argument("every bubble needs a value");
     }
@@ -56,29 +59,78 @@ using UnsignedOfSize = std::conditional_t<
                        std::uint16_t,
                        std::conditional_t<Bytes == 4, std::uint32_t, std::uint64_t>>>;
 
+// Sums as Coverage counts them, of 16-bit values.
+constexpr std::int64_t kHalf = std::int64_t{1} << (kCoverageBits - 1);
+constexpr std::int64_t kLargest = std::numeric_limits<std::uint16_t>::max();
+
+std::uint16_t rounded_mean(std::int64_t sum) {
+    const std::int64_t mean = (sum + kHalf) >> kCoverageBits;
+    if (mean < 0 || mean > kLargest) [[unlikely]] {
+        return mean < 0 ? 0 : kLargest;  // outlines of an invalid foam may overlap
+    }
+    return static_cast<std::uint16_t>(mean);
+}
+
+// Each mean, encoded.
+template <class Encode>
+struct Means {
+    Encode encode;
+
+    template <std::size_t Channels>
+    auto operator()(const std::array<std::int64_t, Channels>& sum) const {
+        std::array<decltype(encode(std::uint16_t{})), Channels> samples{};
+        for (std::size_t c = 0; c < Channels; ++c) {
+            samples[c] = encode(rounded_mean(sum[c]));
+        }
+        return samples;
+    }
+};
+
+// The last mean, and the others over it.
+struct StraightMeans {
+    template <std::size_t Channels>
+    std::array<std::uint16_t, Channels> operator()(
+        const std::array<std::int64_t, Channels>& sum) const {
+        std::array<std::uint16_t, Channels> samples{};
+        const std::int64_t opacity = sum[Channels - 1];
+        if (opacity <= 0) {
+            return samples;
+        }
+        for (std::size_t c = 0; c + 1 < Channels; ++c) {
+            const std::int64_t color = (sum[c] * kLargest + opacity / 2) / opacity;
+            samples[c] = static_cast<std::uint16_t>(std::clamp<std::int64_t>(color, 0, kLargest));
+        }
+        samples[Channels - 1] = rounded_mean(opacity);
+        return samples;
+    }
+};
+
 // Turns the sums along a row into samples. A pixel is kept in one machine word: it is stored at a
 // stroke, and where three channels leave a part of the word over, that spills into the next pixel,
 // whose turn is yet to come.
-template <std::size_t Channels, class Sample, class Encode>
+template <std::size_t Channels, class Sample, class ToSamples>
 class RowWriter {
   public:
     using Sum = typename Coverage<Channels>::Sum;
 
-    // `film` is the value that the sums are counted from.
-    RowWriter(const std::array<std::uint16_t, kMaxChannels>& film,
-              const Encode& encode,
+    // `base` is the value that the sums are counted from.
+    RowWriter(std::span<const std::uint16_t, Channels> base,
+              const ToSamples& to_samples,
               std::span<Sample> row)
-        : encode_(encode), row_(row.data()), width_(row.size() / Channels) {
+        : to_samples_(to_samples), row_(row.data()), width_(row.size() / Channels) {
         for (std::size_t c = 0; c < Channels; ++c) {
-            sum_[c] = (std::int64_t{film[c]} << kCoverageBits) + kHalf;
+            sum_[c] = std::int64_t{base[c]} << kCoverageBits;
         }
     }
 
     void add(const Sum& difference) {
-        pixel_ = 0;
         for (std::size_t c = 0; c < Channels; ++c) {
             sum_[c] += difference[c];
-            pixel_ |= std::uint64_t{encode_(rounded_mean(sum_[c]))} << shift(c);
+        }
+        const std::array<Sample, Channels> samples = to_samples_(sum_);
+        pixel_ = 0;
+        for (std::size_t c = 0; c < Channels; ++c) {
+            pixel_ |= std::uint64_t{samples[c]} << shift(c);
         }
     }
 
@@ -96,51 +148,41 @@ class RowWriter {
     static constexpr std::size_t kSlots = std::bit_ceil(Channels);
     using Word = UnsignedOfSize<kSlots * sizeof(Sample)>;
 
-    static constexpr std::int64_t kHalf = std::int64_t{1} << (kCoverageBits - 1);
-    static constexpr std::int64_t kLargest = std::numeric_limits<std::uint16_t>::max();
-
     // Where a channel stands in the word so that it is the c-th in memory.
     static constexpr std::size_t shift(std::size_t c) {
         const std::size_t slot = std::endian::native == std::endian::little ? c : kSlots - 1 - c;
         return 8 * sizeof(Sample) * slot;
     }
 
-    static std::uint16_t rounded_mean(std::int64_t sum_and_half) {
-        const std::int64_t mean = sum_and_half >> kCoverageBits;
-        if (mean < 0 || mean > kLargest) [[unlikely]] {
-            return mean < 0 ? 0 : kLargest;  // outlines of an invalid foam may overlap
-        }
-        return static_cast<std::uint16_t>(mean);
-    }
-
-    const Encode& encode_;
+    const ToSamples& to_samples_;
     Sample* row_;
     std::size_t width_;
     Sum sum_{};
     std::uint64_t pixel_ = 0;
 };
 
-// Fills with `Channels` channels; Encode makes a sample of a 16-bit mean.
-template <std::size_t Channels, class Sample, class Encode>
+// Fills with `Channels` channels; ToSamples makes the samples of a pixel of its sums.
+template <std::size_t Channels, class Sample, class ToSamples>
 class Filler {
   public:
     using BandCoverage = Coverage<Channels>;
 
     Filler(const CellOutlines& cells,
            const CellValues& values,
-           Encode encode,
+           ToSamples to_samples,
            ImageView<Sample> image)
         : cells_(cells),
           values_(values),
-          encode_(encode),
+          to_samples_(to_samples),
           image_(image),
           bands_(cells, rows_per_band(image.width(), Channels)) {}
 
     // Each worker takes every band that is free, with one buffer for all of them.
     void fill(int threads) const {
         const int workers = std::clamp(threads, 1, bands_.count());
+        const RowKind kind = cells_.grid.view ? RowKind::Line : RowKind::Ring;
         std::vector<BandCoverage> buffers(static_cast<std::size_t>(workers),
-                                          BandCoverage(image_.width(), bands_.row_count(0)));
+                                          BandCoverage(image_.width(), bands_.row_count(0), kind));
         std::atomic<int> next{0};
         parallel_for(workers, workers, [&](int worker) {
             for (int band = next++; band < bands_.count(); band = next++) {
@@ -159,45 +201,56 @@ class Filler {
                 cells_.chain(outline), entry.translation - origin, over_film(outline.bubble));
         }
         for (int row = 0; row < bands_.row_count(band); ++row) {
-            RowWriter<Channels, Sample, Encode> writer(
-                values_.film, encode_, image_.row(first_row + row));
+            RowWriter<Channels, Sample, ToSamples> writer(
+                base(), to_samples_, image_.row(first_row + row));
             coverage.take_row(row, writer);
         }
+    }
+
+    std::span<const std::uint16_t, Channels> value_of(BubbleId bubble) const {
+        return std::span<const std::uint16_t, Channels>(&values_.cells[index_of(bubble) * Channels],
+                                                        Channels);
+    }
+
+    // What a pixel shows that no outline touches. The outlines of what is around a patch leave out
+    // where that is not.
+    std::span<const std::uint16_t, Channels> base() const {
+        return cells_.outside ? value_of(*cells_.outside)
+                              : std::span(values_.film).template first<Channels>();
     }
 
     // The value of a cell less that of films, which lie under everything.
     typename BandCoverage::Value over_film(BubbleId bubble) const {
         typename BandCoverage::Value value{};
         for (std::size_t c = 0; c < Channels; ++c) {
-            value[c] =
-                std::int32_t{values_.cells[index_of(bubble) * Channels + c]} - values_.film[c];
+            value[c] = std::int32_t{value_of(bubble)[c]} - values_.film[c];
         }
         return value;
     }
 
     const CellOutlines& cells_;
     const CellValues& values_;
-    Encode encode_;
+    ToSamples to_samples_;
     ImageView<Sample> image_;
     Bands bands_;
 };
 
-template <class Sample, class Encode>
+template <class Sample, class ToSamples>
 void fill(const CellOutlines& cells,
           const CellValues& values,
-          Encode encode,
+          const ToSamples& to_samples,
           int threads,
           ImageView<Sample> image) {
     check(cells, values, image);
     switch (values.channels) {
         case 1:
-            return Filler<1, Sample, Encode>(cells, values, encode, image).fill(threads);
+            return Filler<1, Sample, ToSamples>(cells, values, to_samples, image).fill(threads);
         case 2:
-            return Filler<2, Sample, Encode>(cells, values, encode, image).fill(threads);
+            return Filler<2, Sample, ToSamples>(cells, values, to_samples, image).fill(threads);
         case 3:
-            return Filler<3, Sample, Encode>(cells, values, encode, image).fill(threads);
+            return Filler<3, Sample, ToSamples>(cells, values, to_samples, image).fill(threads);
         default:
-            return Filler<4, Sample, Encode>(cells, values, encode, image).fill(threads);
+            return Filler<4, Sample, ToSamples>(cells, values, to_samples, image).fill(threads);
     }
 }
 
@@ -207,8 +260,15 @@ void fill_cells(const CellOutlines& cells,
                 const CellValues& values,
                 int threads,
                 ImageView<std::uint16_t> image) {
-    fill(
-        cells, values, [](std::uint16_t value) { return value; }, threads, image);
+    const auto as_is = [](std::uint16_t value) { return value; };
+    fill(cells, values, Means<decltype(as_is)>{as_is}, threads, image);
+}
+
+void fill_straight(const CellOutlines& cells,
+                   const CellValues& values,
+                   int threads,
+                   ImageView<std::uint16_t> image) {
+    fill(cells, values, StraightMeans{}, threads, image);
 }
 
 void fill_cells(const CellOutlines& cells,
@@ -216,8 +276,8 @@ void fill_cells(const CellOutlines& cells,
                 const Encoding<std::uint8_t>& encoding,
                 int threads,
                 ImageView<std::uint8_t> image) {
-    fill(
-        cells, values, [&](std::uint16_t value) { return encoding[value]; }, threads, image);
+    const auto encode = [&](std::uint16_t value) { return encoding[value]; };
+    fill(cells, values, Means<decltype(encode)>{encode}, threads, image);
 }
 
 }  // namespace foam::texgen

@@ -16,7 +16,9 @@ inline constexpr std::size_t kMaxChannels = 4;
 /// which an average makes sense (light, not sRGB).
 struct CellValues {
     std::size_t channels = 1;
-    std::vector<std::uint16_t> cells;  // the channels of bubble 0, of bubble 1, ...
+    // The channels of bubble 0, of bubble 1, ...; of a patch then those of what is around it, of
+    // lone bubble 0, of lone bubble 1, ...
+    std::vector<std::uint16_t> cells;
     std::array<std::uint16_t, kMaxChannels> film{};
 };
 
@@ -36,7 +38,15 @@ void fill_cells(const CellOutlines& cells,
                 int threads,
                 ImageView<std::uint16_t> image);
 
-/// The same, each mean then encoded.
+/// Fills an image with colours whose last channel is their opacity. The values come premultiplied,
+/// so that means are, too; the samples are straight: each colour over the opacity, from the whole
+/// precision of both. Where nothing is opaque, all samples are 0.
+void fill_straight(const CellOutlines& cells,
+                   const CellValues& values,
+                   int threads,
+                   ImageView<std::uint16_t> image);
+
+/// As fill_cells, each mean then encoded.
 void fill_cells(const CellOutlines& cells,
                 const CellValues& values,
                 const Encoding<std::uint8_t>& encoding,

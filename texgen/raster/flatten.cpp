@@ -41,12 +41,8 @@ int edge_count(const FilmArc& arc, double sine) {
     return 1 + static_cast<int>(std::ceil(std::min(coarse, std::sqrt(sagitta / kSagitta))));
 }
 
-}  // namespace
-
-void append_inner_points(const FilmArc& arc,
-                         const Vec2& tail,
-                         SubpixelPoint origin,
-                         std::vector<SubpixelPoint>& points) {
+template <class Visit>
+void visit_inner_points(const FilmArc& arc, const Vec2& tail, const Visit& visit) {
     const Rotation half_turn(arc.half_angle);
     const int edges = edge_count(arc, half_turn.s);
     if (edges == 1) {
@@ -64,9 +60,23 @@ void append_inner_points(const FilmArc& arc,
     for (int k = 1; k < edges; ++k) {
         const Vec2 next_edge = step * edge;
         at += edge;
-        points.push_back(origin + to_subpixel(Vec2(at - outwards * turned_left(edge + next_edge))));
+        visit(Vec2(at - outwards * turned_left(edge + next_edge)));
         edge = next_edge;
     }
+}
+
+}  // namespace
+
+void append_inner_points(const FilmArc& arc,
+                         const Vec2& tail,
+                         SubpixelPoint origin,
+                         std::vector<SubpixelPoint>& points) {
+    visit_inner_points(
+        arc, tail, [&](const Vec2& point) { points.push_back(origin + to_subpixel(point)); });
+}
+
+void append_inner_points(const FilmArc& arc, const Vec2& tail, std::vector<Vec2>& points) {
+    visit_inner_points(arc, tail, [&](const Vec2& point) { points.push_back(point); });
 }
 
 }  // namespace foam::texgen

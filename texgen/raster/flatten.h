@@ -19,4 +19,7 @@ void append_inner_points(const FilmArc& arc,
                          SubpixelPoint origin,
                          std::vector<SubpixelPoint>& points);
 
+/// The same without rounding: the arc's tail plus the points relative to it.
+void append_inner_points(const FilmArc& arc, const Vec2& tail, std::vector<Vec2>& points);
+
 }  // namespace foam::texgen

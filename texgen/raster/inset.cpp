@@ -1,6 +1,7 @@
 #include "texgen/raster/inset.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -30,13 +31,24 @@ bool within(const SideArc& a, const SideArc& b, double distance) {
 }  // namespace
 
 const ArcLoops& InsetTracer::trace(std::span<const SideArc> sides, double distance) {
+    return trace(sides, std::array{sides.size()}, distance);
+}
+
+const ArcLoops& InsetTracer::trace(std::span<const SideArc> sides,
+                                   std::span<const std::size_t> loop_ends,
+                                   double distance) {
     sides_ = sides;
     distance_ = distance;
     loops_ = {std::move(loops_.arcs), std::move(loops_.loop_ends), 0};
     loops_.arcs.clear();
     loops_.loop_ends.clear();
     pieces_.clear();
-    collect_offsets();
+    offsets_.clear();
+    std::size_t begin = 0;
+    for (const std::size_t end : loop_ends) {
+        collect_offsets(sides.subspan(begin, end - begin), begin);
+        begin = end;
+    }
     for (std::size_t k = 0; k < offsets_.size(); ++k) {
         collect_pieces(k);
     }
@@ -48,13 +60,12 @@ const ArcLoops& InsetTracer::trace(std::span<const SideArc> sides, double distan
     return loops_;
 }
 
-void InsetTracer::collect_offsets() {
-    offsets_.clear();
-    for (std::size_t k = 0; k < sides_.size(); ++k) {
-        const SideArc& side = sides_[k];
-        const SideArc& next = sides_[(k + 1) % sides_.size()];
+void InsetTracer::collect_offsets(std::span<const SideArc> loop, std::size_t first_side) {
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+        const SideArc& side = loop[k];
+        const SideArc& next = loop[(k + 1) % loop.size()];
         if (const std::optional<SideArc> offset = offset_left(side, distance_)) {
-            offsets_.push_back({*offset, k});
+            offsets_.push_back({*offset, first_side + k});
         }
         if (turns_right(side, next)) {
             offsets_.push_back({corner_arc(side, next, distance_), kCorner});

@@ -34,6 +34,13 @@ class InsetTracer {
     /// call.
     const ArcLoops& trace(std::span<const SideArc> sides, double distance);
 
+    /// The same of a region with several boundaries, each with the region on its left, as of what
+    /// lies around a patch: `loop_ends` are one past the last side of each. Loops around what is
+    /// left out of an unbounded region go clockwise.
+    const ArcLoops& trace(std::span<const SideArc> sides,
+                          std::span<const std::size_t> loop_ends,
+                          double distance);
+
   private:
     struct Offset {
         SideArc arc;
@@ -48,7 +55,7 @@ class InsetTracer {
         bool linked = false;
     };
 
-    void collect_offsets();
+    void collect_offsets(std::span<const SideArc> loop, std::size_t first_side);
     void collect_cuts(const Offset& offset);
     void collect_nearby(const Offset& offset);
     void collect_pieces(std::size_t index);

@@ -2,18 +2,16 @@
 
 #include "texgen/raster/flatten.h"
 #include "texgen/raster/inset.h"
-#include "texgen/raster/parallel_for.h"
+#include "texgen/raster/outline_batch.h"
+#include "texgen/raster/patch_outlines.h"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <utility>
 
 namespace foam::texgen {
 
 namespace {
 
-constexpr std::size_t kBubblesPerTask = 256;
 constexpr double kShortestSide = 1e-9;  // pixels; a shorter side has no direction to speak of
 
 // A frame as the grid sees it.
@@ -35,32 +33,6 @@ struct PixelFrame {
                 offset.j * grid.height * kSubpixel};
     }
 };
-
-// What one task makes.
-struct Batch {
-    std::vector<Outline> outlines;
-    std::vector<SubpixelPoint> points;
-    int unresolved = 0;
-};
-
-bool is_counter_clockwise(std::span<const SubpixelPoint> chain) {
-    std::int64_t twice_area = 0;
-    SubpixelPoint a = chain.back() - chain.front();
-    for (const SubpixelPoint point : chain) {
-        const SubpixelPoint b = point - chain.front();
-        twice_area += std::int64_t{a.x} * b.y - std::int64_t{a.y} * b.x;
-        a = b;
-    }
-    return twice_area > 0;
-}
-
-// Takes the points from first_point on as an outline of the bubble.
-void close_outline(Batch& batch, BubbleId bubble, std::size_t first_point) {
-    const auto chain = std::span<const SubpixelPoint>(batch.points).subspan(first_point);
-    const auto [low, high] = std::minmax_element(
-        chain.begin(), chain.end(), [](SubpixelPoint a, SubpixelPoint b) { return a.y < b.y; });
-    batch.outlines.push_back({bubble, 0, first_point, chain.size(), low->y, high->y});
-}
 
 // The inner points of all films, each relative to the tail of its forward side.
 class FilmChains {
@@ -89,7 +61,7 @@ class SharedOutliner {
     SharedOutliner(const PixelFrame& pixels, const FilmChains& chains)
         : pixels_(pixels), chains_(chains) {}
 
-    void outline(BubbleId bubble, Batch& batch) const {
+    void outline(BubbleId bubble, OutlineBatch& batch) const {
         const Network& network = pixels_.frame.network;
         const std::size_t first_point = batch.points.size();
         LatticeOffset lift;
@@ -133,7 +105,7 @@ class InsetOutliner {
     InsetOutliner(const PixelFrame& pixels, double film_width)
         : pixels_(pixels), inset_(0.5 * film_width) {}
 
-    void outline(BubbleId bubble, Batch& batch) {
+    void outline(BubbleId bubble, OutlineBatch& batch) {
         const Network& network = pixels_.frame.network;
         place_sides(bubble);
         const SubpixelPoint anchor = pixels_.junction(network.tail(network.first(bubble)));
@@ -163,13 +135,13 @@ class InsetOutliner {
     static void append_loop(std::span<const ArcLoops::Arc> arcs,
                             SubpixelPoint anchor,
                             BubbleId bubble,
-                            Batch& batch) {
+                            OutlineBatch& batch) {
         const std::size_t first_point = batch.points.size();
         for (const ArcLoops::Arc& arc : arcs) {
             batch.points.push_back(anchor + to_subpixel(arc.tail));
             append_inner_points(arc.arc, arc.tail, anchor, batch.points);
         }
-        if (is_counter_clockwise(std::span(batch.points).subspan(first_point))) {
+        if (twice_area(std::span(batch.points).subspan(first_point)) > 0) {
             close_outline(batch, bubble, first_point);
         } else {
             batch.points.resize(first_point);  // too small for subpixels, or of an invalid bubble
@@ -182,32 +154,15 @@ class InsetOutliner {
     InsetTracer tracer_;
 };
 
-CellOutlines gather(const PixelFrame& pixels, std::vector<Batch>& batches) {
-    CellOutlines cells{pixels.grid, pixels.shear, {}, {}, 0};
-    for (Batch& batch : batches) {
-        for (Outline& outline : batch.outlines) {
-            outline.batch = cells.batches.size();
-        }
-        cells.outlines.insert(cells.outlines.end(), batch.outlines.begin(), batch.outlines.end());
-        cells.batches.push_back(std::move(batch.points));
-        cells.unresolved += batch.unresolved;
-    }
-    return cells;
+CellOutlines shared_outlines(const PixelFrame& pixels, int threads) {
+    const FilmChains chains(pixels);
+    const std::size_t bubbles = pixels.frame.network.bubble_slots();
+    return outline_all(pixels.grid, bubbles, SharedOutliner(pixels, chains), threads);
 }
 
-// Gives every task its own copy of the outliner.
-template <class Outliner>
-CellOutlines outline_all(const PixelFrame& pixels, const Outliner& outliner, int threads) {
+CellOutlines inset_outlines(const PixelFrame& pixels, double film_width, int threads) {
     const std::size_t bubbles = pixels.frame.network.bubble_slots();
-    std::vector<Batch> batches((bubbles + kBubblesPerTask - 1) / kBubblesPerTask);
-    parallel_for(static_cast<int>(batches.size()), threads, [&](int task) {
-        Outliner own = outliner;
-        const std::size_t begin = static_cast<std::size_t>(task) * kBubblesPerTask;
-        for (std::size_t k = begin; k < std::min(begin + kBubblesPerTask, bubbles); ++k) {
-            own.outline(id_at<BubbleId>(k), batches[static_cast<std::size_t>(task)]);
-        }
-    });
-    return gather(pixels, batches);
+    return outline_all(pixels.grid, bubbles, InsetOutliner(pixels, film_width), threads);
 }
 
 }  // namespace
@@ -219,13 +174,15 @@ CellOutlines outline_cells(const Frame& frame,
     if (!(film_width >= 0.0) || !std::isfinite(film_width)) {
         throw std::invalid_argument("film width must be 0 or more");
     }
+    if (frame.torus.is_plane()) {
+        return outline_patch(frame, grid, film_width, threads);
+    }
     const PixelFrame pixels{
         frame, grid, pixels_per_unit(grid, frame.torus), shear_in_subpixels(grid, frame.torus)};
-    if (film_width == 0.0) {
-        const FilmChains chains(pixels);
-        return outline_all(pixels, SharedOutliner(pixels, chains), threads);
-    }
-    return outline_all(pixels, InsetOutliner(pixels, film_width), threads);
+    CellOutlines cells = film_width == 0.0 ? shared_outlines(pixels, threads)
+                                           : inset_outlines(pixels, film_width, threads);
+    cells.shear = pixels.shear;
+    return cells;
 }
 
 }  // namespace foam::texgen

@@ -4,13 +4,15 @@
 #include "texgen/raster/raster_grid.h"
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace foam::texgen {
 
 /// A closed chain of straight edges, counter-clockwise around a part of a bubble, in subpixels of
-/// the unshifted grid. It is unwrapped: it may leave the grid by several periods.
+/// the unshifted grid. It is unwrapped: it may leave the grid by several periods. What lies around
+/// a patch is outlined as a bubble is; a chain around what is left out of it goes clockwise.
 struct Outline {
     BubbleId bubble{};
     std::size_t batch = 0;  // its points are point_count points of a batch, from first_point on
@@ -25,12 +27,16 @@ struct Outline {
 /// With films of no width, neighbours share the same chain of integer points, so that the outlines
 /// tile the torus exactly. With a width, a bubble has one outline per part that its films leave
 /// free: mostly one, none if it is all film.
+///
+/// In a patch the ghost has outlines too, around everything as it has no end, and lone bubbles have
+/// the ids that follow the ghost's, in their order. Outlines that no pixel sees are left out.
 struct CellOutlines {
     RasterGrid grid;
     std::int32_t shear = 0;         // subpixels by which a copy one period up lies to the right
     std::vector<Outline> outlines;  // in the order of bubbles
     std::vector<std::vector<SubpixelPoint>> batches;  // as the workers left them
     int unresolved = 0;  // parts left out because their boundary did not close; 0 for a valid foam
+    std::optional<BubbleId> outside = {};  // the ghost of a patch
 
     std::span<const SubpixelPoint> chain(const Outline& outline) const {
         return std::span(batches[outline.batch]).subspan(outline.first_point, outline.point_count);

@@ -20,11 +20,14 @@ void check_side(int side) {
 }  // namespace
 
 double pixels_per_unit(const RasterGrid& grid, const Torus& torus) {
-    if (torus.is_plane()) {
-        throw std::invalid_argument("a grid covers a torus, not the plane");
-    }
     check_side(grid.width);
     check_side(grid.height);
+    if (torus.is_plane() != grid.view.has_value()) {
+        throw std::invalid_argument("a grid must have a view of the plane, and of nothing else");
+    }
+    if (grid.view) {
+        return grid.view->pixels_per_unit;
+    }
     const double across = grid.width / torus.width;
     const double up = grid.height / torus.height;
     if (!(std::abs(across / up - 1.0) <= kLargestAnisotropy)) {

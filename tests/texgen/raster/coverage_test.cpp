@@ -61,6 +61,18 @@ TEST(Coverage, WrapsAroundInX) {
     }
 }
 
+// From x = -1.5 to 2.25 of a line 4 pixels wide; what is beyond either end does not come back.
+TEST(Coverage, OfALineEndsAtItsEnds) {
+    Coverage<1> coverage(4, 1, RowKind::Line);
+    coverage.add(box(-1536, 0, 2304, 1024), {}, {1});
+    coverage.add(box(3072, 0, 9000, 1024), {}, {5});
+    coverage.add(box(-9000, 0, -2000, 1024), {}, {7});
+    coverage.add(box(5000, 0, 6000, 1024), {}, {7});
+    const std::vector<std::int64_t> expected{kFull, kFull, kFull / 4, 5 * kFull};
+    EXPECT_EQ(take(coverage, 0, 4), expected);
+    EXPECT_EQ(take(coverage, 0, 4), std::vector<std::int64_t>(4, 0));
+}
+
 TEST(Coverage, OfABoxWiderThanTheTorus) {
     // 2.5 times around: the half round falls on pixels 0 and 1.
     Coverage<1> coverage(4, 1);

@@ -23,8 +23,11 @@ TEST(RasterGrid, RefusesSidesOutOfRange) {
     EXPECT_NO_THROW(pixels_per_unit({kLargestSide, kLargestSide, 0, 0}, {1.0, 1.0}));
 }
 
-TEST(RasterGrid, CoversNoPlane) {
+TEST(RasterGrid, HasAViewOfThePlaneAndOfNothingElse) {
     EXPECT_THROW(pixels_per_unit({10, 10, 0, 0}, kPlane), std::invalid_argument);
+    const View view{{1.0, 2.0}, 7.5};
+    EXPECT_EQ(pixels_per_unit({10, 20, 0, 0, view}, kPlane), 7.5);
+    EXPECT_THROW(pixels_per_unit({10, 10, 0, 0, view}, {1.0, 1.0}), std::invalid_argument);
 }
 
 TEST(RasterGrid, SnapsIntoTheGrid) {
