@@ -1,0 +1,81 @@
+#include "texgen/image/bleed.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace foam::texgen {
+namespace {
+
+using Image16 = Image<std::uint16_t>;
+using Color = std::array<std::uint16_t, 3>;
+
+void set(Image16& image, int x, int y, const Color& color, std::uint16_t opacity) {
+    const auto pixel = image.pixel(x, y);
+    std::copy(color.begin(), color.end(), pixel.begin());
+    pixel[3] = opacity;
+}
+
+Color color_at(const Image16& image, int x, int y) {
+    const auto pixel = image.pixel(x, y);
+    return {pixel[0], pixel[1], pixel[2]};
+}
+
+TEST(Bleed, LeavesWhatIsOpaqueAtAll) {
+    Image16 image(2, 1, 4);
+    set(image, 0, 0, {10, 20, 30}, 1);
+    set(image, 1, 0, {40, 50, 60}, 65535);
+    const Image16 before = image;
+    bleed_colors(image.view(), {0, 0, 0});
+    EXPECT_EQ(image, before);
+}
+
+// Beside one opaque pixel and one of half the opacity: their mean by weight; farther away the same.
+TEST(Bleed, GivesTheMeanOfTheNearestByOpacity) {
+    Image16 image(4, 4, 4);
+    set(image, 0, 0, {300, 0, 60000}, 60000);
+    set(image, 1, 1, {600, 30000, 0}, 30000);
+    bleed_colors(image.view(), {9, 9, 9});
+    const Color mean{400, 10000, 40000};
+    EXPECT_EQ(color_at(image, 0, 0), (Color{300, 0, 60000}));
+    EXPECT_EQ(color_at(image, 1, 0), mean);
+    EXPECT_EQ(color_at(image, 0, 1), mean);
+    EXPECT_EQ(color_at(image, 2, 2), (Color{600, 30000, 0}));  // beside the second alone
+    EXPECT_EQ(color_at(image, 3, 3), mean);
+    EXPECT_EQ(image.pixel(3, 3)[3], 0);
+}
+
+// The nearer of two colours.
+TEST(Bleed, IsOfThePixelsAround) {
+    Image16 image(8, 8, 4);
+    set(image, 0, 0, {100, 0, 0}, 65535);
+    set(image, 7, 7, {0, 100, 0}, 65535);
+    bleed_colors(image.view(), {9, 9, 9});
+    EXPECT_EQ(color_at(image, 3, 2), (Color{100, 0, 0}));
+    EXPECT_EQ(color_at(image, 4, 6), (Color{0, 100, 0}));
+    EXPECT_EQ(color_at(image, 7, 0), (Color{50, 50, 0}));
+}
+
+TEST(Bleed, OfNothingIsTheFallback) {
+    for (const int size : {1, 3, 5}) {
+        Image16 image(size, 4, 4);
+        bleed_colors(image.view(), {1, 2, 3});
+        EXPECT_EQ(color_at(image, size - 1, 3), (Color{1, 2, 3}));
+    }
+}
+
+// Sides that are no powers of two: every pixel has a colour.
+TEST(Bleed, ReachesEveryPixelOfAnySize) {
+    Image16 image(37, 11, 4);
+    set(image, 36, 10, {7, 8, 9}, 3);
+    bleed_colors(image.view(), {0, 0, 0});
+    for (int y = 0; y < 11; ++y) {
+        for (int x = 0; x < 37; ++x) {
+            ASSERT_EQ(color_at(image, x, y), (Color{7, 8, 9}));
+        }
+    }
+}
+
+}  // namespace
+}  // namespace foam::texgen

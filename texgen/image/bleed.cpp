@@ -1,0 +1,151 @@
+#include "texgen/image/bleed.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace foam::texgen {
+
+namespace {
+
+// Straight colour, and the opacity of all pixels that it is the mean of.
+using Texel = std::array<float, 4>;
+
+struct Level {
+    int width = 0;
+    int height = 0;
+    std::vector<Texel> texels;
+
+    Texel& at(int x, int y) {
+        return texels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                      static_cast<std::size_t>(x)];
+    }
+};
+
+Texel texel_of(ImageView<std::uint16_t> image, int x, int y) {
+    const auto pixel = image.pixel(x, y);
+    return {static_cast<float>(pixel[0]),
+            static_cast<float>(pixel[1]),
+            static_cast<float>(pixel[2]),
+            static_cast<float>(pixel[3])};
+}
+
+void add_weighted(Texel& sum, const Texel& texel) {
+    for (std::size_t c = 0; c < 3; ++c) {
+        sum[c] += texel[3] * texel[c];
+    }
+    sum[3] += texel[3];
+}
+
+// Straight again.
+Texel weighted_mean(const Texel& sum) {
+    return sum[3] > 0.0F ? Texel{sum[0] / sum[3], sum[1] / sum[3], sum[2] / sum[3], sum[3]}
+                         : Texel{};
+}
+
+// Of up to four texels of a level, the lowest and leftmost of which is given.
+template <class Finer>
+Texel mean_of_four(int width, int height, const Finer& finer, int x, int y) {
+    Texel sum{};
+    for (int j = y; j < std::min(y + 2, height); ++j) {
+        for (int i = x; i < std::min(x + 2, width); ++i) {
+            add_weighted(sum, finer(i, j));
+        }
+    }
+    return weighted_mean(sum);
+}
+
+template <class Finer>
+Level halved(int width, int height, const Finer& finer) {
+    Level level{(width + 1) / 2, (height + 1) / 2, {}};
+    level.texels.reserve(static_cast<std::size_t>(level.width) *
+                         static_cast<std::size_t>(level.height));
+    for (int y = 0; y < height; y += 2) {
+        for (int x = 0; x < width; x += 2) {
+            level.texels.push_back(mean_of_four(width, height, finer, x, y));
+        }
+    }
+    return level;
+}
+
+// Every coarser level of the image, down to one texel.
+std::vector<Level> coarser_levels(ImageView<std::uint16_t> image) {
+    std::vector<Level> levels{
+        halved(image.width(), image.height(), [&](int x, int y) { return texel_of(image, x, y); })};
+    while (levels.back().texels.size() > 1) {
+        Level& finer = levels.back();
+        levels.push_back(
+            halved(finer.width, finer.height, [&](int x, int y) { return finer.at(x, y); }));
+    }
+    return levels;
+}
+
+void take_color(Texel& texel, const Texel& from) {
+    std::copy_n(from.begin(), 3, texel.begin());
+}
+
+void bleed_into(Level& level, Level& coarser) {
+    for (int y = 0; y < level.height; ++y) {
+        for (int x = 0; x < level.width; ++x) {
+            Texel& texel = level.at(x, y);
+            if (texel[3] == 0.0F) {
+                take_color(texel, coarser.at(x / 2, y / 2));
+            }
+        }
+    }
+}
+
+// Of a pixel and the eight beside it.
+Texel mean_around(ImageView<std::uint16_t> image, int x, int y) {
+    Texel sum{};
+    for (int j = std::max(y - 1, 0); j <= std::min(y + 1, image.height() - 1); ++j) {
+        for (int i = std::max(x - 1, 0); i <= std::min(x + 1, image.width() - 1); ++i) {
+            add_weighted(sum, texel_of(image, i, j));
+        }
+    }
+    return weighted_mean(sum);
+}
+
+// Whether the texels around hold all the pixels around, and no opacity.
+bool is_clear_around(Level& coarser, int x, int y) {
+    const int right = std::min((x + 1) / 2, coarser.width - 1);
+    const int above = std::min((y + 1) / 2, coarser.height - 1);
+    const int left = std::max(x - 1, 0) / 2;
+    const int below = std::max(y - 1, 0) / 2;
+    return coarser.at(left, below)[3] == 0.0F && coarser.at(right, below)[3] == 0.0F &&
+           coarser.at(left, above)[3] == 0.0F && coarser.at(right, above)[3] == 0.0F;
+}
+
+void bleed_into(ImageView<std::uint16_t> image, Level& coarser) {
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            const auto pixel = image.pixel(x, y);
+            if (pixel[3] != 0) {
+                continue;
+            }
+            const Texel beside =
+                is_clear_around(coarser, x, y) ? Texel{} : mean_around(image, x, y);
+            const Texel& from = beside[3] > 0.0F ? beside : coarser.at(x / 2, y / 2);
+            for (std::size_t c = 0; c < 3; ++c) {
+                pixel[c] = static_cast<std::uint16_t>(std::lround(from[c]));
+            }
+        }
+    }
+}
+
+}  // namespace
+
+void bleed_colors(ImageView<std::uint16_t> image, const std::array<std::uint16_t, 3>& fallback) {
+    std::vector<Level> levels = coarser_levels(image);
+    Texel& last = levels.back().texels.front();
+    if (last[3] == 0.0F) {
+        std::copy(fallback.begin(), fallback.end(), last.begin());
+    }
+    for (std::size_t k = levels.size() - 1; k > 0; --k) {
+        bleed_into(levels[k - 1], levels[k]);
+    }
+    bleed_into(image, levels.front());
+}
+
+}  // namespace foam::texgen
