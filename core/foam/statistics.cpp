@@ -10,6 +10,10 @@ namespace foam {
 
 namespace {
 
+std::size_t bubble_count(const Frame& frame) {
+    return frame.bubbles.size() + frame.lone_bubbles.size();
+}
+
 double pressure(const Frame& frame, BubbleId bubble) {
     return bubble == frame.network.ghost() ? 0.0 : frame.bubbles[bubble].pressure;
 }
@@ -25,21 +29,6 @@ double inflow(const Frame& frame, BubbleId bubble) {
         sum += (outside - frame.bubbles[bubble].pressure) * arc_length(frame.arc(h));
     }
     return sum;
-}
-
-double mean_area(const Frame& frame) {
-    const auto bubbles = static_cast<double>(frame.bubbles.size() + frame.lone_bubbles.size());
-    if (!frame.torus.is_plane()) {
-        return frame.torus.area() / bubbles;
-    }
-    double total = 0.0;
-    for (const FrameBubble& bubble : frame.bubbles) {
-        total += bubble.area;
-    }
-    for (const LoneBubble& bubble : frame.lone_bubbles) {
-        total += bubble.target_area;
-    }
-    return total / bubbles;
 }
 
 double energy(const Frame& frame) {
@@ -89,7 +78,7 @@ double mean_of(const FoamStatistics& all, OfSides value) {
     for (const SidesStatistics& part : all.by_sides) {
         sum += part.bubbles * value(part.sides);
     }
-    return sum / all.bubbles;
+    return sum / std::max(1, all.bubbles);
 }
 
 struct Neighbourhood {
@@ -116,9 +105,24 @@ std::map<BubbleIdentity, Neighbourhood> neighbourhoods(const Frame& frame) {
 
 }  // namespace
 
+double mean_area(const Frame& frame) {
+    const auto bubbles = static_cast<double>(bubble_count(frame));
+    if (!frame.torus.is_plane()) {
+        return frame.torus.area() / bubbles;
+    }
+    double total = 0.0;
+    for (const FrameBubble& bubble : frame.bubbles) {
+        total += bubble.area;
+    }
+    for (const LoneBubble& bubble : frame.lone_bubbles) {
+        total += bubble.target_area;
+    }
+    return total / std::max(1.0, bubbles);
+}
+
 FoamStatistics statistics(const Frame& frame) {
     FoamStatistics all;
-    all.bubbles = static_cast<int>(frame.bubbles.size() + frame.lone_bubbles.size());
+    all.bubbles = static_cast<int>(bubble_count(frame));
     if (all.bubbles == 0) {
         return all;
     }

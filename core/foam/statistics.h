@@ -29,6 +29,9 @@ struct FoamStatistics {
 
 FoamStatistics statistics(const Frame& frame);
 
+/// Of all bubbles, lone ones too; 0 where the last is gone.
+double mean_area(const Frame& frame);
+
 /// How fast the bubbles of one number of sides grew, as their areas tell.
 struct SidesGrowth {
     int sides = 0;

@@ -34,14 +34,20 @@ struct AlbedoOptions {
     WidthUnit film_unit = WidthUnit::Pixels;
 };
 
-/// The whole width of a film in pixels, for a grid that covers the torus.
+/// Three for a torus: red, green, blue; four for a patch, with an opacity.
+int albedo_channels(const Frame& frame);
+
+/// The whole width of a film in pixels.
 /// Throws std::invalid_argument as pixels_per_unit does.
 double film_width_in_pixels(const AlbedoOptions& options,
                             const RasterGrid& grid,
                             const Torus& torus);
 
-/// Writes the colours of a frame's cells and films: three channels, sRGB. Where a pixel is shared,
-/// colours are mixed as light, by exact area. `cells` are the outlines of the frame for
+/// Writes the colours of a frame's cells and films: sRGB in albedo_channels. Where a pixel is
+/// shared, colours are mixed as light, by exact area. What is around a patch is transparent: the
+/// opacity is the part of a pixel that the patch covers, its outer films to half their width
+/// outwards. Colours are not premultiplied, and where there is no opacity they are those of the
+/// opaque pixels around (bleed_colors). `cells` are the outlines of the frame for
 /// film_width_in_pixels. The same bits for any number of threads. Throws std::invalid_argument for
 /// a colour map or a colour that is not known, unless pressure_low < pressure_high, or as
 /// fill_cells does.

@@ -81,6 +81,10 @@ TEST(PatchStep, GoesOnToTheLastBubble) {
         EXPECT_EQ(bubbles_of(foam), 0U);
         EXPECT_TRUE(step(foam, 0.02, options).equilibrium.converged());
         EXPECT_EQ(energy(foam), 0.0);
+        const FoamStatistics nothing = statistics(snapshot(foam, 1));
+        EXPECT_EQ(nothing.bubbles, 0);
+        EXPECT_EQ(nothing.mean_area, 0.0);
+        EXPECT_EQ(nothing.second_moment, 0.0);
     }
 }
 
