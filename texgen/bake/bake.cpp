@@ -14,6 +14,7 @@
 #include <chrono>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <stdexcept>
 #include <thread>
 
@@ -58,8 +59,8 @@ class FrameWriter {
         return all;
     }
 
-    void write(const Frame& frame, const FrameEffort& effort) {
-        const RasterGrid grid{preset_.image.width, preset_.image.height};
+    void write(const Frame& frame, const std::optional<View>& view, const FrameEffort& effort) {
+        const RasterGrid grid{preset_.image.width, preset_.image.height, 0, 0, view};
         const Image<std::uint8_t> image = albedo(frame, grid, preset_.albedo, 1);
         for (const std::filesystem::path& path : paths(frame.number)) {
             make_folders(path.parent_path());
@@ -73,7 +74,7 @@ class FrameWriter {
         const std::scoped_lock lock(mutex_);
         ++progress_.done;
         progress_.frame = frame.number;
-        progress_.bubbles = static_cast<int>(frame.bubbles.size());
+        progress_.bubbles = static_cast<int>(frame.bubbles.size() + frame.lone_bubbles.size());
         progress_.area_error = effort.area_error;
         progress_.angle_error = effort.angle_error;
         progress_.seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
@@ -115,7 +116,9 @@ BakeSummary bake(const Preset& preset,
         if (on_frame) {
             on_frame(frame, effort);
         }
-        workers.submit([frame, effort, &writer] { writer.write(*frame, effort); });
+        workers.submit([frame, view = simulation.view(), effort, &writer] {
+            writer.write(*frame, view, effort);
+        });
     };
     const bool complete = simulate_frames(simulation, options.frames, visit);
     workers.finish();

@@ -21,6 +21,8 @@ StepOptions step_options_of(const Preset& preset, int threads) {
 
 Simulation::Simulation(const Preset& preset, int threads)
     : frames_(preset.frames),
+      image_(preset.image),
+      camera_(preset.camera),
       next_step_(preset.frames.time_step),
       options_(step_options_of(preset, threads)),
       foam_(seeded_foam(preset)),
@@ -28,21 +30,28 @@ Simulation::Simulation(const Preset& preset, int threads)
 
 bool Simulation::advance() {
     ++number_;
-    const bool shows_diagram = frames_.first == FirstFrame::Diagram;
-    if (number_ == 1 && shows_diagram) {
-        measure_diagram();
-        return true;
-    }
     if (number_ == 1) {
-        return settle();
+        return reach_first_frame();
     }
     equilibrium_.sweeps = equilibrium_.iterations = equilibrium_.t1 = equilibrium_.t2 = 0;
-    if (number_ == 2 && shows_diagram && !settle()) {
+    if (number_ == 2 && frames_.first == FirstFrame::Diagram && !settle()) {
         return false;
     }
     const double time = next_step_;
     next_step_ *= frames_.step_growth;
     return step_by(time, timeline_.changes_to(number_, foam_));
+}
+
+bool Simulation::reach_first_frame() {
+    if (frames_.first == FirstFrame::Diagram) {
+        measure_diagram();
+    } else if (!settle()) {
+        return false;
+    }
+    if (foam_.torus.is_plane()) {
+        view_ = camera_view(frame(), image_, camera_);
+    }
+    return true;
 }
 
 void Simulation::measure_diagram() {

@@ -2,8 +2,11 @@
 
 #include "core/dynamics/step.h"
 #include "core/foam/frame.h"
+#include "texgen/bake/camera.h"
 #include "texgen/bake/timeline.h"
 #include "texgen/preset/preset.h"
+
+#include <optional>
 
 namespace foam::texgen {
 
@@ -14,13 +17,16 @@ class Simulation {
     /// for any number of threads; 0 are as many as the machine runs at once.
     explicit Simulation(const Preset& preset, int threads = 0);
 
-    /// Goes on to the next frame: to frame 1 by equilibrium and the warm-up (to frame 2, where frame
-    /// 1 shows the diagram), from frame to frame by a time step and the events of the preset. False where no equilibrium is found; the foam is
-    /// then of no more use.
+    /// Goes on to the next frame: to frame 1 by equilibrium and the warm-up (to frame 2, where
+    /// frame 1 shows the diagram), from frame to frame by a time step and the events of the preset.
+    /// False where no equilibrium is found; the foam is then of no more use.
     bool advance();
 
     /// The frame that was reached.
     Frame frame() const { return snapshot(foam_, number_); }
+
+    /// What images of a patch show, from frame 1 on; nothing for a torus.
+    const std::optional<View>& view() const { return view_; }
 
     /// Number of the frame that was reached; 0 before the first.
     int number() const { return number_; }
@@ -29,15 +35,19 @@ class Simulation {
     const EquilibriumSummary& equilibrium() const { return equilibrium_; }
 
   private:
+    bool reach_first_frame();
     void measure_diagram();
-    bool settle();  // equilibrium and the warm-up
+    bool settle();                                         // equilibrium and the warm-up
     bool step_by(double time, const StateChange& change);  // adds to what equilibrium_ counts
 
     FramesOptions frames_;
+    ImageOptions image_;
+    CameraOptions camera_;
     double next_step_;  // foam time to the next frame
     StepOptions options_;
     Foam foam_;
     Timeline timeline_;
+    std::optional<View> view_;
     int number_ = 0;
     EquilibriumSummary equilibrium_;
 };

@@ -51,7 +51,7 @@ RelaxReport relax_loaded(Foam& foam, int threads) {
     const auto start = std::chrono::steady_clock::now();
     const EquilibriumSummary summary = equilibrate_given(foam, threads);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    return {summary, foam.network.bubble_count(), elapsed.count()};
+    return {summary, foam.network.bubble_count() + foam.lone_bubbles.size(), elapsed.count()};
 }
 
 /// JSON has no word for a number that is not finite.

@@ -20,7 +20,7 @@ constexpr const char* kExamples = R"(Examples:
   foamtex stats coarsening
   foamtex stats sea_foam --frames 1-200 --seed 7 --out sea_stats
   foamtex stats my.toml --set foam.bubbles=2000
-The foam's torus has the shape of the image; its size in pixels does not matter.)";
+A torus has the shape of the image; its size in pixels does not matter.)";
 
 struct StatsArguments {
     RunArguments run;

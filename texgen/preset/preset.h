@@ -7,6 +7,7 @@
 #include "texgen/preset/event.h"
 #include "texgen/preset/foam_shape.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,16 @@ struct ImageOptions {
     std::vector<std::string> maps = {"albedo"};
 };
 
+/// What the image shows of the plane, in which a patch lies; the same in every frame. Nothing moves
+/// with it: the patch as it is in the first frame decides.
+struct CameraOptions {
+    double zoom = 1.0;     // 1 fits the whole patch
+    double margin = 0.05;  // around it at zoom 1, in parts of the image's shorter side
+    // Of what zoom 1 shows, the place that comes to the middle, in parts of the image from its
+    // lower left.
+    std::array<double, 2> center = {0.5, 0.5};
+};
+
 /// Where the images go.
 struct OutputOptions {
     std::string pattern = "out/{preset}_{map}.####.png";  // as FilePattern reads it
@@ -57,6 +68,7 @@ struct Preset {
     FramesOptions frames;
     std::vector<Event> events;  // in the order of the file
     ImageOptions image;
+    CameraOptions camera;
     AlbedoOptions albedo;
     OutputOptions output;
 };

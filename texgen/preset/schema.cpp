@@ -186,6 +186,29 @@ std::vector<Key> image_keys() {
                 &ImageOptions::maps)};
 }
 
+std::vector<Key> camera_keys() {
+    using Options = CameraOptions;
+    return {key_of(FoamKind::Patch,
+                   "camera.zoom",
+                   Reals{0.01, 1000.0},
+                   "1 fits the patch of the first frame into the image; larger is closer",
+                   &P::camera,
+                   &Options::zoom),
+            key_of(FoamKind::Patch,
+                   "camera.center",
+                   Points{{-10.0, 10.0}},
+                   "what comes to the middle: a place in the image of zoom 1, in parts of it from "
+                   "its lower left",
+                   &P::camera,
+                   &Options::center),
+            key_of(FoamKind::Patch,
+                   "camera.margin",
+                   Reals{0.0, 0.45},
+                   "left free around the patch at zoom 1, in parts of the image's shorter side",
+                   &P::camera,
+                   &Options::margin)};
+}
+
 std::vector<Key> albedo_keys() {
     using Options = AlbedoOptions;
     return {key("albedo.colormap",
@@ -241,6 +264,7 @@ std::vector<Key> all_keys() {
                              dynamics_keys(),
                              frames_keys(),
                              image_keys(),
+                             camera_keys(),
                              albedo_keys(),
                              output_keys()}) {
         all.insert(all.end(), keys.begin(), keys.end());

@@ -54,6 +54,23 @@ TEST(Bake, AFrameIsTheSameWhetherOthersAreBakedOrNot) {
     EXPECT_EQ(read_file(third.files.front()), all[2]);
 }
 
+// Of a patch as well; frames 4 and 5 are seen as frame 1 decided, whether it is drawn or not.
+TEST(Bake, FramesOfAPatchAreSeenAlike) {
+    const TemporaryFolder folder;
+    Preset preset = small_preset(folder.path());
+    preset.shape.kind = FoamKind::Patch;
+    preset.coarsening.kappa = 0.02;
+    const std::vector<Bytes> all = baked_files(preset, 1);
+    EXPECT_EQ(all, baked_files(preset, 3));
+    const BakeSummary later = bake(preset, {.frames = {4, 5}, .threads = 2}, {});
+    ASSERT_EQ(later.files.size(), 2U);
+    EXPECT_EQ(read_file(later.files[1]), all[4]);
+    const PngImage image = decode_png(all[4]);
+    EXPECT_EQ(image.pixels.channels(), 4);
+    EXPECT_EQ(image.pixels.pixel(0, 0)[3], 0);
+    EXPECT_EQ(image.pixels.pixel(32, 32)[3], 255);
+}
+
 TEST(Bake, ListsFilesInTheOrderAskedFor) {
     const TemporaryFolder folder;
     const BakeSummary summary =

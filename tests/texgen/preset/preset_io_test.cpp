@@ -119,6 +119,8 @@ TEST(PresetIo, KeysOfTheOtherKindOfFoamAreRefused) {
               "foam.area_ratio is only for foam.domain = \"torus\"");
     EXPECT_EQ(set_failure({"foam.outline=rectangle", "foam.domain=patch"}), "no failure");
     EXPECT_EQ(set_failure({"foam.outline=disc", "foam.area_ratio=4"}), "no failure");
+    EXPECT_NE(set_failure({"camera.zoom=2"}), "no failure");
+    EXPECT_EQ(set_failure({"camera.zoom=2", "foam.domain=patch"}), "no failure");
 }
 
 TEST(PresetIo, AKindThatDoesNotFitTheRestIsToBlameItself) {

@@ -30,7 +30,7 @@ TEST(Schema, EveryKeyIsThereOnceWithAllItSays) {
         EXPECT_TRUE(is_table(key.table())) << key.path;
         EXPECT_EQ(find_key(key.path), &key);
     }
-    EXPECT_EQ(paths.size(), 29U);
+    EXPECT_EQ(paths.size(), 32U);
 }
 
 TEST(Schema, EveryDefaultIsAllowed) {
@@ -77,6 +77,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Bounds{"frames.time_step", "-1", "0", "1e6", "1000001"},
                     Bounds{"frames.warm_up", "-1", "0", "1e6", "1000001"},
                     Bounds{"image.size", "[0, 4]", "[1, 1]", "[16384, 16384]", "[4, 16385]"},
+                    Bounds{"camera.zoom", "0.009", "0.01", "1000", "1001"},
+                    Bounds{"camera.center", "[-11, 0]", "[-10, 10]", "[10, 0.5]", "[0, 10.1]"},
+                    Bounds{"camera.margin", "-0.1", "0", "0.45", "0.46"},
                     Bounds{"albedo.pressure_low", "-1e7", "-1e6", "1e6", "1e7"},
                     Bounds{"albedo.film_width", "-1", "0", "1000", "1001"}));
 
