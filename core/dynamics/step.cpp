@@ -1,10 +1,12 @@
 #include "core/dynamics/step.h"
 
+#include "core/dynamics/hold_rafts.h"
 #include "core/dynamics/shear.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <utility>
 
 namespace foam {
@@ -67,6 +69,21 @@ int push(Foam& foam,
     return flips;
 }
 
+// From near an equilibrium to it. A patch stays in its place.
+EquilibriumSummary settle(Foam& foam, EquilibriumOptions options) {
+    options.relaxes_first = false;
+    if (foam.network.ghost() == kNone<BubbleId>) {
+        return equilibrate(foam, options);
+    }
+    const std::map<BubbleIdentity, Vec2> before = bubble_centres(foam);
+    const EquilibriumSummary summary = equilibrate(foam, options);
+    compact(foam);  // films may have torn
+    if (summary.converged()) {
+        hold_rafts(foam, before);
+    }
+    return summary;
+}
+
 // What a substep takes: its time, its share of a whole change, and its part of what is left of it.
 struct Passing {
     double time = 0.0;
@@ -92,14 +109,9 @@ EquilibriumSummary substep(Foam& foam,
     }
     compact(foam);
     restore_total(foam);
-    EquilibriumOptions equilibrium = options.equilibrium;
-    equilibrium.relaxes_first = false;
-    EquilibriumSummary summary = equilibrate(foam, equilibrium);
+    EquilibriumSummary summary = settle(foam, options.equilibrium);
     summary.t1 += counts.t1;
     summary.t2 += counts.t2;
-    if (foam.network.ghost() != kNone<BubbleId>) {  // films may have torn
-        compact(foam);
-    }
     foam.time += passing.time;
     return summary;
 }
@@ -155,12 +167,13 @@ double safe_share(const Foam& foam,
 StepSummary step(Foam& foam, double time, const StepOptions& options) {
     StepSummary summary;
     for (double left = time; left > 0.0;) {
-        const double used = advance(
-            foam,
-            std::min(left, safe_time(foam, options)),
-            options,
-            summary,
-            [&](Foam& next, double length) { return substep(next, {.time = length}, {}, options); });
+        const double used = advance(foam,
+                                    std::min(left, safe_time(foam, options)),
+                                    options,
+                                    summary,
+                                    [&](Foam& next, double length) {
+                                        return substep(next, {.time = length}, {}, options);
+                                    });
         if (used == 0.0) {
             break;
         }
@@ -175,15 +188,14 @@ StepSummary step(Foam& foam, double time, const StateChange& change, const StepO
     }
     StepSummary summary;
     for (double left = 1.0; left > 0.0;) {
-        const double used =
-            advance(foam,
-                    safe_share(foam, time, change, left, options),
-                    options,
-                    summary,
-                    [&](Foam& next, double share) {
-                        const Passing passing{share * time, share, share / left};
-                        return substep(next, passing, change, options);
-                    });
+        const double used = advance(foam,
+                                    safe_share(foam, time, change, left, options),
+                                    options,
+                                    summary,
+                                    [&](Foam& next, double share) {
+                                        const Passing passing{share * time, share, share / left};
+                                        return substep(next, passing, change, options);
+                                    });
         if (used == 0.0) {
             break;
         }

@@ -20,10 +20,10 @@ struct StepSummary {
     EquilibriumSummary equilibrium;
 };
 
-/// Takes a foam in equilibrium through a time of coarsening: diffusion (E6), T2 (E8), T1 (E7) and
-/// equilibrium, in as many substeps as the fastest bubble asks for. Where the summary is not
-/// converged, the foam is left in the last equilibrium before the time was used up. Leaves no dead
-/// slots.
+/// Takes a foam in equilibrium, a patch without moving it as a whole (hold_rafts.h), through a time
+/// of coarsening: diffusion (E6), T2 (E8), T1 (E7) and equilibrium, in as many substeps as the
+/// fastest bubble asks for. Where the summary is not converged, the foam is left in the last
+/// equilibrium before the time was used up. Leaves no dead slots.
 StepSummary step(Foam& foam, double time, const StepOptions& options);
 
 /// A step in which a change is imposed from outside as well, evenly over its time, which may be

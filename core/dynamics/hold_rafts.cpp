@@ -1,0 +1,144 @@
+#include "core/dynamics/hold_rafts.h"
+
+#include <cmath>
+#include <vector>
+
+namespace foam {
+
+namespace {
+
+// From the middle of its chord to the mean of all points of an arc, over half of the chord: 1 / a -
+// cot a for a half angle a, to the side of its bulge.
+double bulge(double half_angle) {
+    constexpr double kSmall = 1e-3;  // below, the next term of the series is under 1e-11
+    return std::abs(half_angle) < kSmall ? half_angle / 3.0
+                                         : 1.0 / half_angle - 1.0 / std::tan(half_angle);
+}
+
+// Relative to the tail.
+Vec2 mean_of_arc(const FilmArc& arc) {
+    return 0.5 * (arc.chord - bulge(arc.half_angle) * turned_left(arc.chord));
+}
+
+struct Centre {
+    Vec2 at{0.0, 0.0};
+    double weight = 0.0;  // length of all films
+};
+
+Centre centre_of(const Foam& patch, BubbleId bubble) {
+    Centre centre;
+    for (const HalfEdgeId h : patch.network.around(bubble)) {
+        const FilmArc arc = film_arc(patch, h);
+        const double length = arc_length(arc);
+        centre.at += length * (patch.positions[patch.network.tail(h)] + mean_of_arc(arc));
+        centre.weight += length;
+    }
+    centre.at /= centre.weight;
+    return centre;
+}
+
+// A raft, by its bubbles: all that hang together by films.
+using Raft = std::vector<BubbleId>;
+
+Raft raft_around(const Network& network, BubbleId first, Indexed<BubbleId, char>& seen) {
+    Raft raft{first};
+    seen[first] = 1;
+    for (std::size_t k = 0; k < raft.size(); ++k) {
+        for (const HalfEdgeId h : network.around(raft[k])) {
+            const BubbleId neighbour = network.right(h);
+            if (neighbour != network.ghost() && seen[neighbour] == 0) {
+                seen[neighbour] = 1;
+                raft.push_back(neighbour);
+            }
+        }
+    }
+    return raft;
+}
+
+struct RigidMotion {
+    Vec2 from{0.0, 0.0};  // this point goes ...
+    Vec2 to{0.0, 0.0};    // ... there, and all around it turns
+    double cosine = 1.0;
+    double sine = 0.0;
+
+    Vec2 operator()(const Vec2& point) const {
+        const Vec2 x = point - from;
+        return to + cosine * x + sine * turned_left(x);
+    }
+};
+
+// Back to the centres before, by least squares.
+RigidMotion motion_back(const Foam& patch,
+                        const Raft& raft,
+                        const std::map<BubbleIdentity, Vec2>& before) {
+    std::vector<std::pair<Centre, Vec2>> pairs;
+    RigidMotion motion;
+    double weight = 0.0;
+    for (const BubbleId bubble : raft) {
+        const auto then = before.find(patch.identities[bubble]);
+        if (then != before.end()) {
+            const Centre now = centre_of(patch, bubble);
+            pairs.emplace_back(now, then->second);
+            motion.from += now.weight * now.at;
+            motion.to += now.weight * then->second;
+            weight += now.weight;
+        }
+    }
+    if (pairs.empty()) {
+        return motion;
+    }
+    motion.from /= weight;
+    motion.to /= weight;
+    double along = 0.0;
+    double across = 0.0;
+    for (const auto& [now, then] : pairs) {
+        along += now.weight * (now.at - motion.from).dot(then - motion.to);
+        across += now.weight * cross(now.at - motion.from, then - motion.to);
+    }
+    const double angle = std::atan2(across, along);
+    motion.cosine = std::cos(angle);
+    motion.sine = std::sin(angle);
+    return motion;
+}
+
+void move_raft(Foam& patch, const Raft& raft, const RigidMotion& motion, std::vector<bool>& moved) {
+    for (const BubbleId bubble : raft) {
+        for (const HalfEdgeId h : patch.network.around(bubble)) {
+            const JunctionId junction = patch.network.tail(h);
+            if (!moved[index_of(junction)]) {
+                moved[index_of(junction)] = true;
+                patch.positions[junction] = motion(patch.positions[junction]);
+            }
+        }
+    }
+}
+
+}  // namespace
+
+std::map<BubbleIdentity, Vec2> bubble_centres(const Foam& patch) {
+    std::map<BubbleIdentity, Vec2> centres;
+    for (const BubbleId bubble : patch.network.bubbles()) {
+        centres[patch.identities[bubble]] = centre_of(patch, bubble).at;
+    }
+    for (const LoneBubble& bubble : patch.lone_bubbles) {
+        centres[bubble.identity] = bubble.centre;
+    }
+    return centres;
+}
+
+void hold_rafts(Foam& patch, const std::map<BubbleIdentity, Vec2>& before) {
+    Indexed<BubbleId, char> seen(patch.network.bubble_slots(), 0);
+    std::vector<bool> moved(patch.network.junction_slots(), false);
+    for (const BubbleId bubble : patch.network.bubbles()) {
+        if (seen[bubble] == 0) {
+            const Raft raft = raft_around(patch.network, bubble, seen);
+            move_raft(patch, raft, motion_back(patch, raft, before), moved);
+        }
+    }
+    for (LoneBubble& bubble : patch.lone_bubbles) {
+        const auto then = before.find(bubble.identity);
+        bubble.centre = then != before.end() ? then->second : bubble.centre;
+    }
+}
+
+}  // namespace foam
