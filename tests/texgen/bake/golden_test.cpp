@@ -69,7 +69,8 @@ INSTANTIATE_TEST_SUITE_P(Presets,
                                          GoldenCase{"coarsening", 2},
                                          GoldenCase{"collapse", 24},
                                          GoldenCase{"shear", 25},
-                                         GoldenCase{"relax", 2}),
+                                         GoldenCase{"relax", 2},
+                                         GoldenCase{"soap_raft", 30}),
                          [](const auto& tested) { return std::string(tested.param.preset); });
 
 TEST(Golden, EveryShippedPresetHasAPicture) {

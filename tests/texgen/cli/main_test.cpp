@@ -52,7 +52,7 @@ TEST(Main, ABadPresetIsOneLineAndCode2) {
     expect_refused("bake none.toml", "cannot read 'none.toml': No such file or directory");
     expect_refused("bake beer",
                    "preset 'beer': must be a .toml file or one of sea_foam, labyrinth, coarsening, "
-                   "collapse, shear, relax");
+                   "collapse, shear, relax, soap_raft");
     expect_refused("bake sea_foam --set foam.bubbles=-3",
                    "--set foam.bubbles=-3: key 'foam.bubbles' = -3: "
                    "must be an integer from 4 to 1000000");
@@ -87,6 +87,22 @@ TEST(Main, BakesTheFramesAskedFor) {
     EXPECT_EQ(
         outcome.written,
         (std::vector<std::string>{"out/sea_foam_albedo.0001.png", "out/sea_foam_albedo.0003.png"}));
+}
+
+TEST(Main, BakesAndMeasuresAPatch) {
+    const std::string patch =
+        " soap_raft --set foam.bubbles=16 --set foam.outline='POLYGON((0 0, 3 0, 3 1, 0 1))'"
+        " --set camera.zoom=2 --frames 1-2 --size 24x16";
+    const Outcome baked = run("bake" + patch);
+    EXPECT_EQ(baked.code, 0) << baked.err;
+    EXPECT_EQ(baked.written.size(), 2U);
+    const Outcome measured = run("stats" + patch);
+    EXPECT_EQ(measured.code, 0) << measured.err;
+    EXPECT_EQ(measured.written.size(), 8U);
+    expect_refused("bake soap_raft --set foam.outline=egg",
+                   "--set foam.outline=egg: key 'foam.outline' = \"egg\": must be \"disc\", "
+                   "\"rectangle\", or a polygon that does not cross itself as WKT, "
+                   "\"POLYGON((x y, ...), (x y of a hole, ...))\"");
 }
 
 TEST(Main, QuietSaysNothingAndVerboseALinePerFrame) {

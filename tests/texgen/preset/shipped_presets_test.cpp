@@ -26,7 +26,7 @@ void write_text(const std::filesystem::path& path, std::string_view text) {
 }
 
 TEST(ShippedPresets, AllLoadUnderTheirNameAndSayWhatTheyShow) {
-    EXPECT_EQ(shipped_presets().size(), 6U);
+    EXPECT_EQ(shipped_presets().size(), 7U);
     for (const ShippedPreset& shipped : shipped_presets()) {
         const Preset preset = load_preset(std::string(shipped.name));
         EXPECT_EQ(preset.name, shipped.name);
@@ -37,11 +37,11 @@ TEST(ShippedPresets, AllLoadUnderTheirNameAndSayWhatTheyShow) {
 TEST(ShippedPresets, AnUnknownNameListsTheKnownAndSuggestsTheNearest) {
     EXPECT_EQ(failure("sea_form"),
               "preset 'sea_form': must be a .toml file or one of sea_foam, labyrinth, coarsening, "
-              "collapse, shear, relax; "
+              "collapse, shear, relax, soap_raft; "
               "did you mean 'sea_foam'?");
     EXPECT_EQ(failure("beer"),
               "preset 'beer': must be a .toml file or one of sea_foam, labyrinth, coarsening, "
-              "collapse, shear, relax");
+              "collapse, shear, relax, soap_raft");
 }
 
 TEST(ShippedPresets, APathIsAFileAndItsStemTheName) {
