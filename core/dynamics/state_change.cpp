@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <vector>
 
 namespace foam {
 
@@ -33,19 +34,24 @@ std::vector<LiveDriven> live_driven(const Foam& foam, const StateChange& change)
     return live;
 }
 
-}  // namespace
-
-DrivenBubble forced_collapse(BubbleIdentity bubble, const TopologyThresholds& thresholds) {
-    return {bubble, thresholds.t2_area, true};
+const DrivenBubble* find_driven(const StateChange& change, BubbleIdentity bubble) {
+    const auto found =
+        std::find_if(change.driven.begin(), change.driven.end(), [&](const DrivenBubble& driven) {
+            return driven.bubble == bubble;
+        });
+    return found != change.driven.end() ? &*found : nullptr;
 }
 
-void drive(Foam& foam, const StateChange& change, double part) {
-    Indexed<BubbleId, char> is_driven(foam.network.bubble_slots(), 0);
-    for (const LiveDriven& live : live_driven(foam, change)) {
-        double& target = foam.target_areas[live.bubble];
-        target += part * (live.driven.target_area - target);
-        is_driven[live.bubble] = 1;
+void drive_lone(Foam& foam, const StateChange& change, double part) {
+    for (LoneBubble& bubble : foam.lone_bubbles) {
+        if (const DrivenBubble* driven = find_driven(change, bubble.identity)) {
+            bubble.target_area += part * (driven->target_area - bubble.target_area);
+        }
     }
+}
+
+// Scales the targets of a torus, driven and others, to its area.
+void share_torus(Foam& foam, const Indexed<BubbleId, char>& is_driven) {
     double driven = 0.0;
     double others = 0.0;
     for (const BubbleId bubble : foam.network.bubbles()) {
@@ -59,6 +65,26 @@ void drive(Foam& foam, const StateChange& change, double part) {
     for (const BubbleId bubble : foam.network.bubbles()) {
         foam.target_areas[bubble] *=
             is_driven[bubble] != 0 ? to_driven / driven : (area - to_driven) / others;
+    }
+}
+
+}  // namespace
+
+DrivenBubble forced_collapse(BubbleIdentity bubble, const TopologyThresholds& thresholds) {
+    return {bubble, thresholds.t2_area, true};
+}
+
+void drive(Foam& foam, const StateChange& change, double part) {
+    Indexed<BubbleId, char> is_driven(foam.network.bubble_slots(), 0);
+    for (const LiveDriven& live : live_driven(foam, change)) {
+        double& target = foam.target_areas[live.bubble];
+        target += part * (live.driven.target_area - target);
+        is_driven[live.bubble] = 1;
+    }
+    if (foam.torus.is_plane()) {
+        drive_lone(foam, change, part);
+    } else {
+        share_torus(foam, is_driven);
     }
 }
 
@@ -86,6 +112,10 @@ TopologyCounts collapse_forced(Foam& foam, const StateChange& change) {
             collapse(foam, live.bubble, counts);
         }
     }
+    counts.t2 += static_cast<int>(std::erase_if(foam.lone_bubbles, [&](const LoneBubble& bubble) {
+        const DrivenBubble* driven = find_driven(change, bubble.identity);
+        return driven != nullptr && driven->vanishes;
+    }));
     return counts;
 }
 

@@ -32,7 +32,8 @@ DrivenBubble forced_collapse(BubbleIdentity bubble, const TopologyThresholds& th
 /// Brings every driven bubble by a part, at most 1, of the way from its present to its last target
 /// area. The total stays: the gas comes from and goes to all other bubbles in proportion to their
 /// target areas. Where driven bubbles would take more than nine tenths of the torus, their targets
-/// are scaled down to these; where there are no others, to the whole of it.
+/// are scaled down to these; where there are no others, to the whole of it. In a patch the gas
+/// comes from and goes to the atmosphere, and others stay as they are.
 void drive(Foam& foam, const StateChange& change, double part);
 
 /// The largest part of what is left to drive that may be imposed at once: of a driven bubble's area
@@ -44,7 +45,7 @@ double safe_part(const Foam& foam,
                  double vanishing_area);
 
 /// The T2 of the driven bubbles that are to vanish, by way of T1 (E8). One that cannot, as the last
-/// of a torus, stays.
+/// of a torus, stays. Lone bubbles vanish as they are.
 TopologyCounts collapse_forced(Foam& foam, const StateChange& change);
 
 }  // namespace foam

@@ -2,7 +2,9 @@
 
 #include "core/dynamics/step.h"
 #include "core/foam/honeycomb.h"
+#include "core/foam/locate.h"
 #include "tests/core/foams.h"
+#include "tests/core/patches.h"
 
 #include <gtest/gtest.h>
 
@@ -106,6 +108,38 @@ TEST(StateChange, AreasThatComeBackBringTheFoamBack) {
     for (const BubbleId bubble : foam.network.bubbles()) {
         EXPECT_NEAR(foam.target_areas[bubble], before.target_areas[bubble], 1e-12);
         EXPECT_NEAR(foam.pressures[bubble], before.pressures[bubble], 1e-8);
+    }
+}
+
+// The atmosphere gives and takes: others, lone or not, keep what they have.
+TEST(Drive, InAPatchLeavesOthersAlone) {
+    Foam foam = test::flower(1.0);
+    foam.lone_bubbles = {{20, {9.0, 0.0}, 0.5}, {21, {9.0, 9.0}, 0.7}};
+    drive(foam, {{{2, 3.0, false}, {21, 0.3, false}}}, 0.25);
+    EXPECT_NEAR(foam.target_areas[BubbleId{2}], 1.5, 1e-15);
+    EXPECT_EQ(foam.target_areas[BubbleId{3}], 1.0);
+    EXPECT_EQ(foam.lone_bubbles[0].target_area, 0.5);
+    EXPECT_NEAR(foam.lone_bubbles[1].target_area, 0.6, 1e-15);
+}
+
+// Of seven bubbles the middle one and one at the surface vanish on command, and a lone one too.
+TEST(ForcedCollapse, InAPatch) {
+    for (const BubbleIdentity bubble : {0U, 3U}) {
+        Foam foam = test::flower(1.0);
+        ASSERT_TRUE(equilibrate(foam, {}).converged());
+        foam.lone_bubbles = {{20, {9.0, 0.0}, 0.5}};
+        StepOptions options;
+        options.coarsening.kappa = 0.0;
+        const TopologyThresholds thresholds;
+        const StateChange change{
+            {forced_collapse(bubble, thresholds), forced_collapse(20, thresholds)}};
+        const StepSummary summary = step(foam, 0.0, change, options);
+        ASSERT_TRUE(summary.equilibrium.converged()) << bubble;
+        EXPECT_TRUE(test::is_valid(foam.network));
+        EXPECT_EQ(summary.equilibrium.t2, 2);
+        EXPECT_EQ(foam.network.bubble_count(), 6U);
+        EXPECT_EQ(find_bubble(foam, bubble), std::nullopt);
+        EXPECT_TRUE(foam.lone_bubbles.empty());
     }
 }
 
