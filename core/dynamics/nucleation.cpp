@@ -30,7 +30,7 @@ double lens_chord(double area) {
 }
 
 // Takes the area from the target areas of the bubbles, each in proportion; returns whether they
-// have enough.
+// have enough. The ghost has no end to it, and so gives all.
 bool take_gas(Foam& foam, const std::set<BubbleId>& bubbles, double area) {
     double sum = 0.0;
     for (const BubbleId bubble : bubbles) {
@@ -40,7 +40,7 @@ bool take_gas(Foam& foam, const std::set<BubbleId>& bubbles, double area) {
         return false;
     }
     for (const BubbleId bubble : bubbles) {
-        foam.target_areas[bubble] *= (sum - area) / sum;
+        foam.target_areas[bubble] *= std::isinf(sum) ? 1.0 : (sum - area) / sum;
     }
     return true;
 }
@@ -60,10 +60,28 @@ void complete(Foam& foam, double area, double pressure) {
     foam.pressures.push_back(pressure);
     foam.target_areas.push_back(area);
     foam.identities.push_back(foam.next_identity++);
+    if (foam.network.ghost() != kNone<BubbleId>) {
+        foam.half_angles.resize(foam.network.film_slots(), 0.0);
+    }
 }
 
-Vec2 point_along(const FilmArc& arc, double distance) {
-    return point_at(arc, std::min(distance / arc_length(arc), kFarthest));
+// The part of the arc that the distance is.
+double fraction_of(const FilmArc& arc, double distance) {
+    return std::min(distance / arc_length(arc), kFarthest);
+}
+
+// What is left of a film of this half angle is a part of its arc. The half angle counts only where
+// the film is an outer one.
+void cut_film(Foam& foam, HalfEdgeId h, double whole_half_angle, double part_left) {
+    if (foam.network.is_outer(film_of(h))) {
+        foam.half_angles[film_of(h)] = (is_forward(h) ? 1.0 : -1.0) * part_left * whole_half_angle;
+    }
+}
+
+void fit_films_around(Foam& foam, BubbleId bubble) {
+    for (const HalfEdgeId h : foam.network.around(bubble)) {
+        fit_half_angle(foam, film_of(h));
+    }
 }
 
 }  // namespace
@@ -71,13 +89,16 @@ Vec2 point_along(const FilmArc& arc, double distance) {
 std::optional<BubbleId> nucleate_at_junction(Foam& foam, JunctionId junction, double area) {
     std::set<BubbleId> around;
     std::array<Vec2, 3> corners;
+    std::array<FilmArc, 3> arcs;
+    std::array<double, 3> cut{};
     const double side = triangle_side(area);
     const auto [a, b, c] = foam.network.leaving(junction);
     const std::array<HalfEdgeId, 3> outer{a, c, b};  // counter-clockwise, as the corners come
     for (std::size_t k = 0; k < 3; ++k) {
         around.insert(foam.network.left(outer[k]));
-        corners[k] = foam.positions[junction] +
-                     point_along(film_arc(foam, outer[k]), side / std::numbers::sqrt3);
+        arcs[k] = film_arc(foam, outer[k]);
+        cut[k] = fraction_of(arcs[k], side / std::numbers::sqrt3);
+        corners[k] = foam.positions[junction] + point_at(arcs[k], cut[k]);
     }
     if (!take_gas(foam, around, area)) {
         return std::nullopt;
@@ -88,7 +109,9 @@ std::optional<BubbleId> nucleate_at_junction(Foam& foam, JunctionId junction, do
     const std::vector<HalfEdgeId> loop = foam.network.around(bubble);
     for (std::size_t k = 0; k < 3; ++k) {
         place_junction(foam, foam.network.tail(loop[k]), corners[k]);
+        cut_film(foam, outer[k], arcs[k].half_angle, 1.0 - cut[k]);
     }
+    fit_films_around(foam, bubble);
     return bubble;
 }
 
@@ -109,6 +132,9 @@ std::optional<BubbleId> nucleate_on_film(Foam& foam, FilmId film, double area) {
     const HalfEdgeId first = foam.network.first(bubble);
     place_junction(foam, foam.network.head(first), tail + point_at(arc, 0.5 - half));
     place_junction(foam, foam.network.tail(first), tail + point_at(arc, 0.5 + half));
+    cut_film(foam, h, arc.half_angle, 0.5 - half);
+    cut_film(foam, foam.network.previous(twin(first)), arc.half_angle, 0.5 - half);
+    fit_films_around(foam, bubble);
     return bubble;
 }
 

@@ -6,6 +6,7 @@
 #include "core/foam/locate.h"
 #include "core/foam/measure.h"
 #include "tests/core/foams.h"
+#include "tests/core/patches.h"
 
 #include <gtest/gtest.h>
 
@@ -152,6 +153,41 @@ TEST(Nucleation, IsUndoneByT2) {
             EXPECT_LT((chord(foam, h) - chord(settled, h)).norm(), 0.1);
         }
     }
+}
+
+// The films that are cut keep their arcs, so that little is left to do but for the new bubble.
+TEST(Nucleation, AtTheSurfaceOfAPatchTakesItsGasFromTheAtmosphere) {
+    for (const bool at_junction : {true, false}) {
+        Foam foam = test::double_bubble(1.0, 2.0);
+        ASSERT_TRUE(equilibrate(foam, {}).converged());
+        const double total = total_target(foam);
+        FilmId outer = *foam.network.films().begin();
+        for (const FilmId film : foam.network.films()) {
+            outer = foam.network.is_outer(film) ? film : outer;
+        }
+        const auto bubble = at_junction ? nucleate_at_junction(foam, JunctionId{0}, 0.02)
+                                        : nucleate_on_film(foam, outer, 0.02);
+        ASSERT_TRUE(bubble.has_value());
+        EXPECT_TRUE(is_valid(foam.network));
+        EXPECT_NEAR(total_target(foam), total + 0.02, 1e-15);
+        EXPECT_LT(equilibrium_errors(foam).angle, 0.2);
+        EXPECT_NEAR(bubble_area(foam, *bubble), 0.02, 0.002);
+        ASSERT_TRUE(equilibrate(foam, from_near()).converged()) << at_junction;
+        EXPECT_EQ(foam.network.bubble_count(), 3U);
+    }
+}
+
+// Within a patch the bubbles around give the gas, as on a torus.
+TEST(Nucleation, WithinAPatchKeepsTheTotal) {
+    Foam foam = test::flower(1.0);
+    ASSERT_TRUE(equilibrate(foam, {}).converged());
+    FilmId inner = *foam.network.films().begin();
+    for (const FilmId film : foam.network.films()) {
+        inner = foam.network.is_outer(film) ? inner : film;
+    }
+    ASSERT_TRUE(nucleate_on_film(foam, inner, 0.02).has_value());
+    EXPECT_NEAR(total_target(foam), 7.0, 1e-14);
+    ASSERT_TRUE(equilibrate(foam, from_near()).converged());
 }
 
 }  // namespace
