@@ -1,5 +1,7 @@
 #include "core/foam/locate.h"
 
+#include "core/foam/measure.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -63,6 +65,14 @@ int winding_around(const Outline& outline, const Vec2& point) {
     return winding;
 }
 
+double mean_target_area(const Foam& foam) {
+    double sum = 0.0;
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        sum += foam.target_areas[bubble];
+    }
+    return sum / std::max(1.0, static_cast<double>(foam.network.bubble_count()));
+}
+
 std::optional<BubbleId> bubble_around(const Foam& foam, const Vec2& point) {
     for (const BubbleId bubble : foam.network.bubbles()) {
         if (winding_number(foam, bubble, point) > 0) {
@@ -124,16 +134,28 @@ int winding_number(const Foam& foam, BubbleId bubble, const Vec2& point) {
     return winding;
 }
 
-BubbleId bubble_at(const Foam& foam, const Vec2& point) {
-    const double aside =
-        kAside * std::sqrt(foam.torus.area() / static_cast<double>(foam.network.bubble_count()));
+std::optional<BubbleId> bubble_at(const Foam& foam, const Vec2& point) {
+    const double aside = kAside * std::sqrt(mean_target_area(foam));
     for (int k = 0; k < 8; ++k) {
         const Vec2 direction(std::cos(k), std::sin(k));
         if (const auto bubble = bubble_around(foam, point + k * aside * direction)) {
-            return *bubble;
+            return bubble;
         }
     }
-    return *foam.network.bubbles().begin();
+    // A torus is covered.
+    return foam.torus.is_plane() ? std::nullopt : std::optional(*foam.network.bubbles().begin());
+}
+
+std::optional<BubbleIdentity> identity_at(const Foam& foam, const Vec2& point) {
+    if (const auto bubble = bubble_at(foam, point)) {
+        return foam.identities[*bubble];
+    }
+    for (const LoneBubble& bubble : foam.lone_bubbles) {
+        if ((point - bubble.centre).norm() <= lone_radius(bubble)) {
+            return bubble.identity;
+        }
+    }
+    return std::nullopt;
 }
 
 std::vector<BubbleId> bubbles_of_sides(const Foam& foam, int sides) {

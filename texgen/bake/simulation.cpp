@@ -50,6 +50,7 @@ bool Simulation::reach_first_frame() {
     }
     if (foam_.torus.is_plane()) {
         view_ = camera_view(frame(), image_, camera_);
+        timeline_.set_view(*view_);
     }
     return true;
 }

@@ -2,9 +2,11 @@
 
 #include "core/dynamics/nucleation.h"
 #include "core/foam/locate.h"
+#include "texgen/bake/camera.h"
 #include "texgen/preset/event_frames.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -22,8 +24,31 @@ std::uint64_t seed_of(const Preset& preset, std::size_t event) {
     return (preset.seeding.seed ^ 0x9e3779b97f4a7c15U) + 0xd1b54a32d192ed03U * (event + 1);
 }
 
-Vec2 place_of(const Event& event, const Torus& torus) {
-    return {(*event.at)[0] * torus.width, (*event.at)[1] * torus.height};
+ChosenBubble chosen(const Foam& foam, BubbleId bubble) {
+    return {foam.identities[bubble], foam.target_areas[bubble]};
+}
+
+std::vector<ChosenBubble> all_bubbles(const Foam& foam) {
+    std::vector<ChosenBubble> all;
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        all.push_back(chosen(foam, bubble));
+    }
+    for (const LoneBubble& bubble : foam.lone_bubbles) {
+        all.push_back({bubble.identity, bubble.target_area});
+    }
+    return all;
+}
+
+std::optional<ChosenBubble> choose_identity(const Foam& foam, BubbleIdentity identity) {
+    if (const auto bubble = find_bubble(foam, identity)) {
+        return chosen(foam, *bubble);
+    }
+    for (const LoneBubble& bubble : foam.lone_bubbles) {
+        if (bubble.identity == identity) {
+            return ChosenBubble{identity, bubble.target_area};
+        }
+    }
+    return std::nullopt;
 }
 
 // The part of the frames, of `parts` in all, that comes at place `index`.
@@ -37,49 +62,62 @@ FrameSpan part_of(const FrameSpan& frames, std::size_t index, std::size_t parts)
 
 // The smallest bubbles of so many sides; of several numbers each in turn, from `turn` on, and those
 // that are left out where one is used up.
-std::vector<BubbleId> choose_by_sides(const std::vector<int>& numbers,
-                                      const Foam& foam,
-                                      std::size_t turn,
-                                      std::size_t count) {
+std::vector<ChosenBubble> choose_by_sides(const std::vector<int>& numbers,
+                                          const Foam& foam,
+                                          std::size_t turn,
+                                          std::size_t count) {
     std::vector<std::vector<BubbleId>> found;
     for (std::size_t k = 0; k < numbers.size(); ++k) {
         found.push_back(bubbles_of_sides(foam, numbers[(turn + k) % numbers.size()]));
     }
-    std::vector<BubbleId> chosen;
+    std::vector<ChosenBubble> all;
     for (std::size_t rank = 0; rank < foam.network.bubble_count(); ++rank) {
         for (const std::vector<BubbleId>& of_number : found) {
-            if (rank < of_number.size() && chosen.size() < count) {
-                chosen.push_back(of_number[rank]);
+            if (rank < of_number.size() && all.size() < count) {
+                all.push_back(chosen(foam, of_number[rank]));
             }
         }
     }
-    return chosen;
+    return all;
 }
 
-// The bubbles of an event: `count` of them, from place `turn` on.
-std::vector<BubbleId> choose(const Event& event,
-                             const Foam& foam,
-                             std::size_t turn,
-                             std::size_t count) {
-    if (event.at) {
-        return {bubble_at(foam, place_of(event, foam.torus))};
-    }
-    if (!event.sides.empty()) {
-        return choose_by_sides(event.sides, foam, turn, count);
-    }
-    std::vector<BubbleId> chosen;
+// Bubbles by their identities: `count` of them, from place `turn` on.
+std::vector<ChosenBubble> choose_by_identity(const std::vector<BubbleIdentity>& bubbles,
+                                             const Foam& foam,
+                                             std::size_t turn,
+                                             std::size_t count) {
+    std::vector<ChosenBubble> all;
     for (std::size_t k = turn; k < turn + count; ++k) {
-        if (const auto bubble = find_bubble(foam, event.bubbles[k])) {
-            chosen.push_back(*bubble);
+        if (const auto one = choose_identity(foam, bubbles[k])) {
+            all.push_back(*one);
         }
     }
-    return chosen;
+    return all;
+}
+
+// A place on the torus, or in the box around the patch.
+Vec2 random_place(const Foam& foam, Random& random) {
+    const double x = random.uniform();
+    const double y = random.uniform();
+    if (!foam.torus.is_plane()) {
+        return {x * foam.torus.width, y * foam.torus.height};
+    }
+    Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
+    Vec2 high = -low;
+    for (const JunctionId junction : foam.network.junctions()) {
+        low = low.cwiseMin(foam.positions[junction]);
+        high = high.cwiseMax(foam.positions[junction]);
+    }
+    return low + Vec2(x, y).cwiseProduct(high - low);
 }
 
 std::optional<BubbleId> nucleate_at(const Event& event,
                                     const Vec2& place,
                                     double area,
                                     Foam& foam) {
+    if (!bubble_at(foam, place)) {
+        return std::nullopt;
+    }
     if (event.on == NucleationSite::Junction) {
         return nucleate_at_junction(foam, nearest_junction(foam, place), area);
     }
@@ -91,9 +129,7 @@ std::optional<BubbleId> nucleate_anywhere(const Event& event,
                                           Random& random,
                                           Foam& foam) {
     for (int k = 0; k < kMostTries; ++k) {
-        const double x = random.uniform();
-        const double y = random.uniform();
-        const Vec2 place(x * foam.torus.width, y * foam.torus.height);
+        const Vec2 place = random_place(foam, random);
         if (const auto bubble = nucleate_at(event, place, area, foam)) {
             return bubble;
         }
@@ -101,21 +137,9 @@ std::optional<BubbleId> nucleate_anywhere(const Event& event,
     return std::nullopt;
 }
 
-// What a shear and a force do on the way to a frame.
-void add_motion(const Event& event, int frame, const Torus& torus, StateChange& change) {
-    const double part = 1.0 / event.frames.length();
-    if (event.kind == EventKind::Shear) {
-        change.strain += part * event.strain;
-    } else if (event.kind == EventKind::Force) {
-        const Vec2 by = part * Vec2(event.push[0], event.push[1]);
-        const Vec2 center = place_of(event, torus) + (frame - event.frames.first) * by;
-        change.pushes.push_back({center, event.radius, by});
-    }
-}
-
 }  // namespace
 
-Timeline::Timeline(const Preset& preset) : thresholds_(preset.thresholds) {
+Timeline::Timeline(const Preset& preset) : thresholds_(preset.thresholds), image_(preset.image) {
     for (std::size_t k = 0; k < preset.events.size(); ++k) {
         Event event = preset.events[k];
         event.frames = *frames_of(event, preset.frames);  // a checked preset has them
@@ -130,7 +154,7 @@ StateChange Timeline::changes_to(int frame, Foam& foam) {
         const Event& event = entry.event;
         if (frame >= event.frames.first && frame <= event.frames.last) {
             begin(entry, frame, foam);
-            add_motion(event, frame, foam.torus, change);
+            add_motion(event, frame, foam, change);
         }
     }
     for (const auto& [bubble, driven] : driven_) {
@@ -141,6 +165,45 @@ StateChange Timeline::changes_to(int frame, Foam& foam) {
             {bubble, target_at(driven.course, passed), driven.vanishes && is_last});
     }
     return change;
+}
+
+Vec2 Timeline::place_of(const Event& event, const Foam& foam) const {
+    const Torus& torus = foam.torus;
+    return torus.is_plane() ? point_in_view(view_, image_, *event.at)
+                            : Vec2((*event.at)[0] * torus.width, (*event.at)[1] * torus.height);
+}
+
+// The bubbles of an event: `count` of them, from place `turn` on; all where it names none.
+std::vector<ChosenBubble> Timeline::choose(const Event& event,
+                                           const Foam& foam,
+                                           std::size_t turn,
+                                           std::size_t count) const {
+    if (count == 0) {
+        return all_bubbles(foam);
+    }
+    if (!event.sides.empty()) {
+        return choose_by_sides(event.sides, foam, turn, count);
+    }
+    if (!event.at) {
+        return choose_by_identity(event.bubbles, foam, turn, count);
+    }
+    const auto found = identity_at(foam, place_of(event, foam));
+    return found ? std::vector{*choose_identity(foam, *found)} : std::vector<ChosenBubble>{};
+}
+
+// What a shear and a force do on the way to a frame.
+void Timeline::add_motion(const Event& event,
+                          int frame,
+                          const Foam& foam,
+                          StateChange& change) const {
+    const double part = 1.0 / event.frames.length();
+    if (event.kind == EventKind::Shear) {
+        change.strain += part * event.strain;
+    } else if (event.kind == EventKind::Force) {
+        const Vec2 by = part * Vec2(event.push[0], event.push[1]);
+        const Vec2 center = place_of(event, foam) + (frame - event.frames.first) * by;
+        change.pushes.push_back({center, event.radius, by});
+    }
 }
 
 void Timeline::begin(Entry& entry, int frame, Foam& foam) {
@@ -168,9 +231,9 @@ void Timeline::begin_collapse(const Event& event, int frame, const Foam& foam) {
         if (frames.first != frame) {
             continue;
         }
-        for (const BubbleId bubble : choose(event, foam, part, count / parts)) {
-            const TargetCourse course{.from = foam.target_areas[bubble], .to = thresholds_.t2_area};
-            driven_[foam.identities[bubble]] = {frames, course, true};
+        for (const ChosenBubble& one : choose(event, foam, part, count / parts)) {
+            const TargetCourse course{.from = one.area, .to = thresholds_.t2_area};
+            driven_[one.bubble] = {frames, course, true};
         }
     }
 }
@@ -180,19 +243,15 @@ void Timeline::begin_drive(Entry& entry, int frame, const Foam& foam) {
     if (frame != event.frames.first) {
         return;
     }
-    const std::size_t count = event.bubbles_named();
-    const Network& network = foam.network;
-    for (const BubbleId bubble : count > 0 ? choose(event, foam, 0, count)
-                                           : network.bubbles().ids(network.bubble_count())) {
-        const double area = foam.target_areas[bubble];
+    for (const ChosenBubble& one : choose(event, foam, 0, event.bubbles_named())) {
         const double more = event.phases == Phases::Random ? entry.random.uniform() : 0.0;
-        driven_[foam.identities[bubble]] = {event.frames,
-                                            {.from = area,
-                                             .to = event.scale * area,
-                                             .amplitude = event.amplitude,
-                                             .swings = event.frames.length() / event.period,
-                                             .phase = event.phase + more},
-                                            false};
+        driven_[one.bubble] = {event.frames,
+                               {.from = one.area,
+                                .to = event.scale * one.area,
+                                .amplitude = event.amplitude,
+                                .swings = event.frames.length() / event.period,
+                                .phase = event.phase + more},
+                               false};
     }
 }
 
@@ -205,7 +264,7 @@ void Timeline::nucleate(Entry& entry, int frame, Foam& foam) {
             continue;
         }
         const std::optional<BubbleId> bubble =
-            event.at ? nucleate_at(event, place_of(event, foam.torus), first_area, foam)
+            event.at ? nucleate_at(event, place_of(event, foam), first_area, foam)
                      : nucleate_anywhere(event, first_area, entry.random, foam);
         if (bubble) {
             driven_[foam.identities[*bubble]] = {

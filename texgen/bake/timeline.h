@@ -5,11 +5,18 @@
 #include "core/foam/foam.h"
 #include "core/foam/random.h"
 #include "texgen/preset/preset.h"
+#include "texgen/raster/view.h"
 
 #include <map>
 #include <vector>
 
 namespace foam::texgen {
+
+/// A bubble that an event is about, a lone one perhaps.
+struct ChosenBubble {
+    BubbleIdentity bubble = 0;
+    double area = 0.0;  // its target
+};
 
 /// Carries out the events of a preset, frame by frame.
 class Timeline {
@@ -18,9 +25,14 @@ class Timeline {
 
     /// Begins what is due on the way to a frame, from the frame before it: chooses bubbles and
     /// makes new ones, small at first, in a foam that is in equilibrium. Returns what is to be
-    /// imposed on that way. Frames must come in order, each once. A choice that finds no bubble,
-    /// and a new bubble that finds too little gas around it, come to nothing.
+    /// imposed on that way. Frames must come in order, each once. A choice that finds no bubble, a
+    /// place outside of a patch, and a new bubble that finds too little gas around it, come to
+    /// nothing.
     StateChange changes_to(int frame, Foam& foam);
+
+    /// What images of a patch show: the places of events are in parts of it. Until it is known, a
+    /// foam unit is a pixel.
+    void set_view(const View& view) { view_ = view; }
 
   private:
     // A bubble that is driven while the foam goes to the frames of a span.
@@ -35,12 +47,20 @@ class Timeline {
         Random random;
     };
 
+    Vec2 place_of(const Event& event, const Foam& foam) const;
+    std::vector<ChosenBubble> choose(const Event& event,
+                                     const Foam& foam,
+                                     std::size_t turn,
+                                     std::size_t count) const;
+    void add_motion(const Event& event, int frame, const Foam& foam, StateChange& change) const;
     void begin(Entry& entry, int frame, Foam& foam);
     void begin_collapse(const Event& event, int frame, const Foam& foam);
     void begin_drive(Entry& entry, int frame, const Foam& foam);
     void nucleate(Entry& entry, int frame, Foam& foam);
 
     TopologyThresholds thresholds_;
+    ImageOptions image_;
+    View view_;
     std::vector<Entry> entries_;
     std::map<BubbleIdentity, Driven> driven_;  // whatever drove a bubble last has it
 };

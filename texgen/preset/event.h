@@ -38,11 +38,11 @@ struct FrameSpan {
 /// Something that happens to the foam from outside: one [[event]] of a preset. Which members count
 /// depends on the kind; see event_schema.h.
 struct Event {
-    std::optional<EventKind> kind;  // always there in a checked preset
+    std::optional<EventKind> kind;              // always there in a checked preset
     FrameSpan frames;                           // or else
     std::optional<std::array<double, 2>> time;  // foam time from and to; both the same: an instant
 
-    // The bubbles, by one of three; a position in parts of the torus' width and height.
+    // The bubbles, by one of three; a position in parts of the image's width and height.
     std::vector<BubbleIdentity> bubbles;
     std::optional<std::array<double, 2>> at;
     std::vector<int> sides;

@@ -152,6 +152,9 @@ void check_new_bubbles(const Checked& checked, const Preset& preset) {
 
 void check_force(const Checked& checked, const Preset& preset) {
     checked.require(checked.event.at.has_value(), "kind", "the event must have a place, at");
+    if (preset.shape.kind == FoamKind::Patch) {
+        return;
+    }
     const auto [shorter, longer] = std::minmax(preset.image.width, preset.image.height);
     const double largest =
         0.5 * std::sqrt(preset.seeding.bubbles * (static_cast<double>(shorter) / longer));
@@ -161,6 +164,14 @@ void check_force(const Checked& checked, const Preset& preset) {
         fmt::format("{}must be at most half of the torus' shorter side, {:.3g}",
                     checked.is_touched() ? "" : fmt::format("event[{}].radius ", checked.number),
                     largest));
+}
+
+void check_shear(const Checked& checked, const Preset& preset) {
+    checked.require(
+        preset.shape.kind == FoamKind::Torus,
+        "kind",
+        fmt::format("{}\"shear\" is only for foam.domain = \"torus\"",
+                    checked.is_touched() ? "" : fmt::format("event[{}].kind = ", checked.number)));
 }
 
 void check_event(const Checked& checked, const Preset& preset) {
@@ -186,6 +197,7 @@ void check_event(const Checked& checked, const Preset& preset) {
             check_force(checked, preset);
             break;
         case EventKind::Shear:
+            check_shear(checked, preset);
             break;
     }
 }

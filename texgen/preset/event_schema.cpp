@@ -157,11 +157,12 @@ EventKey frame_key(std::string_view name, const auto& domain, std::string_view m
 }
 
 EventKey time_key() {
-    EventKey times = key("time",
-                         Maybe<Times>{},
-                         "instead of frames: the foam time at which it happens, or from and to when",
-                         kAll,
-                         &Event::time);
+    EventKey times =
+        key("time",
+            Maybe<Times>{},
+            "instead of frames: the foam time at which it happens, or from and to when",
+            kAll,
+            &Event::time);
     times.read = [read = times.read](const Value& value, Event& event) {
         const bool allowed = read(value, event);
         event.frames = allowed ? FrameSpan{} : event.frames;
@@ -188,7 +189,7 @@ std::vector<EventKey> choice_keys() {
             key("at",
                 Maybe<Points>{},
                 "the bubble, junction or film at this place, in parts of the image from its lower "
-                "left",
+                "left; where there is no foam nothing happens",
                 kAtPlaces,
                 &Event::at),
             key("sides",
@@ -254,18 +255,17 @@ std::vector<EventKey> drive_keys() {
 }
 
 std::vector<EventKey> force_keys() {
-    return {
-        key("radius",
-            Reals{0.1, 500.0},
-            "of the part that is pushed, in foam units; at most half of the torus' shorter side",
-            kForce,
-            &Event::radius),
-        key("push",
-            Points{{-100.0, 100.0}},
-            "how far its middle is moved, in foam units, in all; then the foam settles, and "
-            "only what has swapped neighbours stays changed",
-            kForce,
-            &Event::push)};
+    return {key("radius",
+                Reals{0.1, 500.0},
+                "of the part that is pushed, in foam units; at most half of a torus' shorter side",
+                kForce,
+                &Event::radius),
+            key("push",
+                Points{{-100.0, 100.0}},
+                "how far its middle is moved, in foam units, in all; then the foam settles, and "
+                "only what has swapped neighbours stays changed",
+                kForce,
+                &Event::push)};
 }
 
 std::vector<EventKey> shear_keys() {

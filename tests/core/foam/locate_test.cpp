@@ -1,7 +1,9 @@
 #include "core/foam/locate.h"
 
+#include "core/equilibrium/equilibrate.h"
 #include "core/foam/honeycomb.h"
 #include "tests/core/foams.h"
+#include "tests/core/patches.h"
 #include "tests/support/raster_frames.h"
 
 #include <gtest/gtest.h>
@@ -75,7 +77,7 @@ TEST(Locate, FollowsTheArcsNotTheChords) {
 TEST(Locate, OnAFilmOneOfThoseBesideIt) {
     const Foam foam = settled_foam(40, 2);
     for (const JunctionId junction : foam.network.junctions()) {
-        const BubbleId found = bubble_at(foam, foam.positions[junction]);
+        const BubbleId found = bubble_at(foam, foam.positions[junction]).value();
         bool is_beside = false;
         for (const HalfEdgeId h : foam.network.leaving(junction)) {
             is_beside = is_beside || foam.network.left(h) == found;
@@ -121,6 +123,36 @@ TEST(Locate, FindsFilmsThatReachAroundTheTorus) {
         const HalfEdgeId h = forward_side(film);
         const Vec2 tail = foam.positions[foam.network.tail(h)];
         EXPECT_EQ(nearest_film(foam, tail + 0.6 * chord(foam, h)), film);
+    }
+}
+
+// Three bubbles around a point, and a circle far away.
+TEST(Locate, OutsideOfAPatchThereIsNothing) {
+    Foam foam = test::triple_bubble(1.0);
+    ASSERT_TRUE(equilibrate(foam, {}).converged());
+    foam.lone_bubbles.push_back({9, {5.0, 5.0}, 3.0});  // of radius 0.98
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        const Vec2 middle = middle_of(foam, bubble);
+        EXPECT_EQ(bubble_at(foam, middle), bubble);
+        EXPECT_EQ(identity_at(foam, middle), foam.identities[bubble]);
+    }
+    EXPECT_EQ(bubble_at(foam, {3.0, 0.0}), std::nullopt);
+    EXPECT_EQ(bubble_at(foam, {5.0, 5.0}), std::nullopt);
+    EXPECT_EQ(identity_at(foam, {3.0, 0.0}), std::nullopt);
+    EXPECT_EQ(identity_at(foam, {5.7, 5.6}), 9U);
+    EXPECT_EQ(identity_at(foam, {5.7, 5.8}), std::nullopt);
+}
+
+TEST(Locate, FindsTheNearestInThePlane) {
+    const Foam foam = test::flower(1.0);
+    for (const JunctionId junction : foam.network.junctions()) {
+        const Vec2 beside = foam.positions[junction] + Vec2(0.01, -0.02);
+        EXPECT_EQ(nearest_junction(foam, beside), junction);
+    }
+    for (const FilmId film : foam.network.films()) {
+        const HalfEdgeId h = forward_side(film);
+        const Vec2 middle = foam.positions[foam.network.tail(h)] + 0.5 * chord(foam, h);
+        EXPECT_EQ(nearest_film(foam, middle), film);
     }
 }
 

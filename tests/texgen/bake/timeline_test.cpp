@@ -3,6 +3,8 @@
 #include "core/equilibrium/equilibrate.h"
 #include "core/foam/locate.h"
 #include "core/foam/seeding.h"
+#include "core/foam/statistics.h"
+#include "texgen/bake/seed.h"
 #include "texgen/bake/simulation.h"
 #include "texgen/preset/preset_io.h"
 
@@ -67,7 +69,7 @@ TEST(Timeline, BubblesAreChosenByPlaceOrSides) {
     const Vec2 place(0.25 * foam.torus.width, 0.75 * foam.torus.height);
     StateChange change = timeline.changes_to(2, foam);
     ASSERT_EQ(change.driven.size(), 1U);
-    EXPECT_EQ(change.driven[0].bubble, foam.identities[bubble_at(foam, place)]);
+    EXPECT_EQ(change.driven[0].bubble, identity_at(foam, place));
     std::set<BubbleIdentity>
         expected;  // the smallest and second of four sides, the smallest of six
     for (const std::size_t rank : {0U, 1U}) {
@@ -180,6 +182,73 @@ TEST(TimelineInSimulation, NewBubblesKeepAFoamAlive) {
     }
     EXPECT_LT(left[1], 35U);
     EXPECT_GT(left[0], left[1] + 20);
+}
+
+// A patch of 66 bubbles, seen with a margin of 25 % around it: its middle, and a corner of the
+// image.
+Preset patch_preset_with(const std::string& events) {
+    return parse_preset(
+        "[foam]\ndomain = \"patch\"\nbubbles = 66\nseed = 3\n[dynamics]\nkappa = 0\n"
+        "[camera]\nmargin = 0.25\n" +
+            events,
+        "t",
+        "t.toml");
+}
+
+std::size_t bubbles_after(const Preset& preset, int frames) {
+    Simulation simulation(preset);
+    for (int number = 1; number <= frames; ++number) {
+        EXPECT_TRUE(simulation.advance()) << number;
+        EXPECT_LT(simulation.equilibrium().area_error, 1e-9) << number;
+    }
+    return simulation.frame().bubbles.size() + simulation.frame().lone_bubbles.size();
+}
+
+TEST(TimelineInPatch, PlacesAreInPartsOfTheView) {
+    const std::string collapse = "[[event]]\nkind = \"collapse\"\nframe = 3\nat = ";
+    const std::size_t all = bubbles_after(patch_preset_with(""), 1);
+    EXPECT_EQ(bubbles_after(patch_preset_with(collapse + "[0.5, 0.5]\n"), 3), all - 1);
+    EXPECT_EQ(bubbles_after(patch_preset_with(collapse + "[0.05, 0.95]\n"), 3), all);
+    Preset close = patch_preset_with(collapse + "[0.05, 0.95]\n");
+    close.camera.zoom = 4.0;  // the corner shows the patch now
+    EXPECT_EQ(bubbles_after(close, 3), all - 1);
+}
+
+TEST(TimelineInPatch, TheBubbleAtThePlaceIsTheOneThatIsSeenThere) {
+    const Preset preset =
+        patch_preset_with("[[event]]\nkind = \"drive\"\nframe = 2\nat = [0.4, 0.6]\n");
+    Simulation simulation(preset);
+    ASSERT_TRUE(simulation.advance());
+    const View view = *simulation.view();
+    Timeline timeline(preset);
+    timeline.set_view(view);
+    Foam foam = seeded_foam(preset);
+    ASSERT_TRUE(equilibrate(foam, {}).converged());
+    // A tenth of the image's 1024 pixels to the left of its middle, and a tenth up.
+    const Vec2 place = view.center + Vec2(-102.4, 102.4) / view.pixels_per_unit;
+    const StateChange change = timeline.changes_to(2, foam);
+    ASSERT_EQ(change.driven.size(), 1U);
+    EXPECT_EQ(change.driven[0].bubble, identity_at(foam, place));
+}
+
+TEST(TimelineInPatch, NewBubblesBeginWithinIt) {
+    const std::string nucleate = "[[event]]\nkind = \"nucleate\"\nframes = [2, 5]\n";
+    const std::size_t all = bubbles_after(patch_preset_with(""), 1);
+    EXPECT_EQ(bubbles_after(patch_preset_with(nucleate + "count = 8\n"), 5), all + 8);
+    EXPECT_EQ(bubbles_after(patch_preset_with(nucleate + "at = [0.05, 0.95]\n"), 5), all);
+}
+
+TEST(TimelineInPatch, AllBubblesMayBeDriven) {
+    const Preset preset = patch_preset_with(
+        "[[event]]\nkind = \"drive\"\nframes = [2, 7]\nscale = 1.5\namplitude = 0.3\n"
+        "period = 6\nphases = \"random\"\n");
+    Simulation simulation(preset);
+    ASSERT_TRUE(simulation.advance());
+    const double before = mean_area(simulation.frame());
+    for (int number = 2; number <= 7; ++number) {
+        ASSERT_TRUE(simulation.advance()) << number;
+    }
+    EXPECT_GT(mean_area(simulation.frame()), 1.3 * before);
 }
 
 TEST(TimelineInSimulation, TheSeedDecidesWhereBubblesBegin) {

@@ -100,8 +100,9 @@ TEST(EventIo, AnEventNeedsAKindAndFrames) {
     EXPECT_EQ(failure("[foam]\n[[event]]\n"),
               "a.toml:2: key 'event[1]' = {...}: the event must have a kind, one of \"collapse\", "
               "\"nucleate\", \"drive\", \"force\", \"shear\"");
-    EXPECT_EQ(failure("[[event]]\nkind = \"drive\"\nscale = 2\n"),
-              "a.toml:2: key 'event[1].kind' = \"drive\": the event must have a frame, frames or a time");
+    EXPECT_EQ(
+        failure("[[event]]\nkind = \"drive\"\nscale = 2\n"),
+        "a.toml:2: key 'event[1].kind' = \"drive\": the event must have a frame, frames or a time");
     EXPECT_EQ(failure("[[event]]\nkind = \"drive\"\nframe = 3\nframes = [3, 4]\n"),
               "a.toml:4: key 'event[1].frames' = [3, 4]: one of frame, frames and time says when");
 }
@@ -110,9 +111,10 @@ TEST(EventIo, ATimeStandsForFrames) {
     const std::string toml = "[[event]]\nkind = \"shear\"\ntime = ";
     EXPECT_EQ(events(toml + "3.5\n")[0].time, (std::array{3.5, 3.5}));
     EXPECT_EQ(events(toml + "[3, 4.5]\n")[0].time, (std::array{3.0, 4.5}));
-    EXPECT_EQ(failure(toml + "[4, 3]\n"),
-              "a.toml:3: key 'event[1].time' = [4, 3]: must be a number from 0 to 1000000000000, or "
-              "[from, to] of such, in this order");
+    EXPECT_EQ(
+        failure(toml + "[4, 3]\n"),
+        "a.toml:3: key 'event[1].time' = [4, 3]: must be a number from 0 to 1000000000000, or "
+        "[from, to] of such, in this order");
     EXPECT_EQ(failure(toml + "3\nframe = 4\n"),
               "a.toml:3: key 'event[1].time' = 3: one of frame, frames and time says when");
     EXPECT_EQ(failure(toml + "1e9\n"),
@@ -235,6 +237,24 @@ TEST(EventIo, TheReferenceHasMeaningAndLimitsOfEveryKey) {
     }
     EXPECT_NE(reference.find("\n[[event]]\nkind\n"), std::string::npos);
     EXPECT_NE(reference.find("\ncount = 1\n"), std::string::npos);
+}
+
+TEST(EventIo, APatchIsNotSheared) {
+    const std::string shear = "[[event]]\nkind = \"shear\"\nframe = 5\n";
+    EXPECT_EQ(failure("[foam]\ndomain = \"patch\"\n" + shear),
+              "a.toml:4: key 'event[1].kind' = \"shear\": \"shear\" is only for foam.domain = "
+              "\"torus\"");
+    EXPECT_EQ(
+        failure(shear, {"foam.domain=patch"}),
+        "--set foam.domain=patch: key 'foam.domain' = \"patch\": event[1].kind = \"shear\" is "
+        "only for foam.domain = \"torus\"");
+}
+
+TEST(EventIo, APushOfAPatchMayBeOfAnySize) {
+    const std::string force =
+        "[[event]]\nkind = \"force\"\nframe = 5\nat = [0.5, 0.5]\nradius = 100\n";
+    EXPECT_NE(failure(force), "no failure");
+    EXPECT_EQ(failure("[foam]\ndomain = \"patch\"\n" + force), "no failure");
 }
 
 class EventLimits : public testing::TestWithParam<Bounds> {};

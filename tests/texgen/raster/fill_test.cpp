@@ -164,7 +164,7 @@ TEST(Fill, AShearedTorusShowsTheBubblesWhereTheyAre) {
             for (int x = 0; x < 80; ++x) {
                 const Vec2 point = foam.torus.width / 80.0 * Vec2(x + 17.5, y + shift_y + 0.5);
                 const std::uint16_t sample = image.row(y)[static_cast<std::size_t>(x)];
-                matching += sample == values.cells[index_of(bubble_at(foam, point))] ? 1 : 0;
+                matching += sample == values.cells[index_of(*bubble_at(foam, point))] ? 1 : 0;
             }
         }
         EXPECT_GT(matching, 80 * 80 * 7 / 10);
