@@ -19,6 +19,7 @@ SeedingOptions seeding_of(const Preset& preset) {
 PatchOptions patch_options_of(const SeedingOptions& seeding) {
     return {.bubbles = seeding.bubbles,
             .lloyd_iterations = seeding.lloyd_iterations,
+            .area_ratio = seeding.area_ratio,
             .surface_tension = seeding.surface_tension,
             .seed = seeding.seed};
 }
