@@ -226,7 +226,8 @@ class Equilibration {
     }
 
     void relax_all(bool begins_anew = false) {
-        begins_anew = untangle(foam_) > 0 || begins_anew || is_far_all_over();
+        begins_anew =
+            untangle(foam_) > 0 || begins_anew || films_at_limit(foam_) > 0 || is_far_all_over();
         relax_whole(std::max(1, options_.relaxation_sweeps >> (2 * (relaxations_++ % 4))),
                     begins_anew);
         for (int k = 0; k < kMostFurtherRelaxations && is_far_all_over(); ++k) {
@@ -243,10 +244,10 @@ class Equilibration {
         network_changed_ = true;
     }
 
-    // Whether a patch is far from equilibrium, and not in spots alone. On a torus, where relaxation
-    // has straight films, more of it would not bring it nearer.
+    // Whether a patch is far from equilibrium, and not in spots alone. A torus holds itself, and to
+    // begin anew again and again would shut its two-sided bubbles.
     bool is_far_all_over() const {
-        if (foam_.network.ghost() == kNone<BubbleId>) {
+        if (!foam_.torus.is_plane()) {
             return false;
         }
         const Unknowns all = all_unknowns(foam_.network);

@@ -20,10 +20,10 @@ struct EquilibriumOptions {
     // Succeeds when the largest area and angle errors are below this. Gauss-Seidel also stops
     // there; below 1e-4 it takes long.
     double tolerance = 1e-9;
-    bool relaxes_first = true;    // for a foam that is far from equilibrium (E4)
-    int relaxation_sweeps = 100;  // at first, and where Newton's method stalls
-    int threads = 0;              // as in NewtonOptions
-    int max_rounds = 100;         // of the solver, each ended by T1s or by relaxation
+    bool relaxes_first = true;   // for a foam that is far from equilibrium (E4)
+    int relaxation_sweeps = 60;  // at first, and where Newton's method stalls
+    int threads = 0;             // as in NewtonOptions
+    int max_rounds = 100;        // of the solver, each ended by T1s or by relaxation
 };
 
 enum class EquilibriumStatus {

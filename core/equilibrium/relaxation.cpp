@@ -1,210 +1,347 @@
 #include "core/equilibrium/relaxation.h"
 
 #include "core/equilibrium/moves.h"
-#include "core/equilibrium/patch_relaxation.h"
 #include "core/equilibrium/settle_short_films.h"
 #include "core/foam/measure.h"
+#include "core/geometry/film_energy.h"
 
 #include <Eigen/LU>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
-#include <vector>
 
 namespace foam {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr int kFewestSides = 3;  // a bubble of two straight films has no area
+constexpr int kSweepsPerUpdate = 10;  // of the pressures at which bubbles have their targets
+constexpr double kLargestBend = 0.3;  // of a half angle in a sweep, radians
+constexpr double kEmptyShare = 0.5;   // of its target, below which a bubble is filled after a T1
+// Of a film against bending, of that of a straight one, and along the chord of an outer one.
+constexpr double kLeastStiffness = 0.1;
 
-// Straight films misjudge bubbles of few sides: in equilibrium a regular bubble of n sides has arcs
-// of half angle pi/n - pi/6. This is the share of its area within the chords ...
-double chord_share(int sides) {
-    const double n = std::max(sides, kFewestSides);
-    return 1.0 / (1.0 + std::tan(kPi / n) * segment_shape(std::sin(kPi / n - kPi / 6.0)));
-}
-
-// ... and this the pressure of its arcs over the pressure at which its straight films balance.
-double arc_pressure_ratio(int sides) {
-    const double n = std::max(sides, kFewestSides);
-    if (sides == 6) {
-        return 1.0;
-    }
-    return 2.0 * std::sin(kPi / n - kPi / 6.0) * std::cos(kPi / n) /
-           (2.0 * std::sin(kPi / n) - 1.0);
-}
-
-// A bubble in the energy of E4: its pressure is B (1 - A / A_target) / sqrt(A_target), for the
-// areas within the chords.
+// A bubble in the energy of E4: p + B (1 - A / A_target) / sqrt(A_target), where p is to become the
+// pressure at which it has its target. The ghost is one without stiffness.
 struct SoftBubble {
-    double area = 0.0;              // kept up to date
-    double pressure_at_zero = 0.0;  // of the area
-    double pressure_slope = 0.0;    // taken down, per area
+    double area = 0.0;  // within the arcs; kept up to date
+    double pressure_at_target = 0.0;
+    double slope = 0.0;  // taken down, per area
+    double target = 0.0;
 
-    double pressure() const { return pressure_at_zero - pressure_slope * area; }
+    double pressure() const { return pressure_at_target + slope * (target - area); }
 };
 
-struct SoftBubbles {
-    Indexed<BubbleId, SoftBubble> each;
-    double stiffness = 0.0;  // B
-
-    // After a change of the bubble's sides, or to get rid of rounding.
-    void refresh(const Foam& foam, BubbleId bubble) {
-        const double target = foam.target_areas[bubble] * chord_share(foam.network.sides(bubble));
-        const double at_zero = stiffness / std::sqrt(target);
-        each[bubble] = {polygon_area(foam, bubble), at_zero, at_zero / target};
-    }
+struct Arc {
+    double half_angle = 0.0;
+    double sine = 0.0;
+    double cosine = 1.0;
+    ArcShape shape;
 };
 
-// What moves a junction: its films, and how each of its bubbles' areas grows with its position.
-struct Surroundings {
-    std::array<HalfEdgeId, 3> leaving;
-    std::array<Vec2, 3> chords;
-    std::array<Vec2, 3> area_gradients;  // of the bubble on the left of each
+// How an arc pulls at the end of its chord c, in film tensions, while that moves. Inner arcs keep
+// their half angles, so that their length c q and their segment c² h / 4 grow. Outer arcs keep
+// their segments, else a bubble that hangs on a short chord would collapse: with c² h constant,
+// d(c q)/dc = cos alpha and d(alpha)/dc = -h / (w c) (E3).
+struct Pull {
+    double tension = 0.0;    // along the chord
+    double segment = 0.0;    // h, along the half-edge, where it grows with the chord
+    double stiffness = 0.0;  // along the chord, times c
 };
 
-Surroundings surroundings(const Foam& foam, JunctionId junction) {
-    Surroundings s{foam.network.leaving(junction), {}, {}};
-    for (std::size_t k = 0; k < 3; ++k) {
-        s.chords[k] = chord(foam, s.leaving[k]);
-    }
-    for (std::size_t k = 0; k < 3; ++k) {
-        s.area_gradients[k] = -0.5 * turned_left(s.chords[k] - s.chords[(k + 2) % 3]);
-    }
-    return s;
+Arc arc_of(double half_angle) {
+    return {half_angle, std::sin(half_angle), std::cos(half_angle), arc_shape(half_angle)};
 }
 
-Vec2 newton_step(const Foam& foam, const SoftBubbles& bubbles, const Surroundings& s) {
-    Vec2 force = Vec2::Zero();
-    Mat2 stiffness = Mat2::Zero();
-    for (std::size_t k = 0; k < 3; ++k) {
-        const SoftBubble& bubble = bubbles.each[foam.network.left(s.leaving[k])];
-        const Vec2& growth = s.area_gradients[k];
-        force += bubble.pressure() * growth;
-        stiffness += bubble.pressure_slope * growth * growth.transpose();
-        const double c = s.chords[k].norm();
-        if (c > 0.0) {
-            const Vec2 u = s.chords[k] / c;
-            const Vec2 n = turned_left(u);
-            force += foam.film_tension * u;
-            stiffness += foam.film_tension / c * n * n.transpose();
+// What a bubble lacks of its target within its chords lies in the segments of its outer films.
+void bulge_outer_films(Foam& foam, BubbleId bubble) {
+    std::vector<HalfEdgeId> outer;
+    for (const HalfEdgeId h : foam.network.around(bubble)) {
+        if (foam.network.is_outer(film_of(h))) {
+            outer.push_back(h);
         }
     }
-    const double determinant = stiffness.determinant();
-    return determinant > 0.0 ? Vec2(stiffness.inverse() * force) : force;
-}
-
-bool is_lens(const Foam& foam, BubbleId bubble) {
-    return foam.network.sides(bubble) == 2;
-}
-
-bool touches_lens(const Foam& foam, JunctionId junction) {
-    const std::array<HalfEdgeId, 3> leaving = foam.network.leaving(junction);
-    return std::any_of(leaving.begin(), leaving.end(), [&](HalfEdgeId h) {
-        return is_lens(foam, foam.network.left(h));
-    });
-}
-
-// Straight films leave a two-sided bubble no area. Its junctions are set apart as on a straight
-// film, where its arcs have half angles of 60 degrees, and held.
-void fit_lens(Foam& foam, BubbleId bubble) {
-    const HalfEdgeId h = foam.network.first(bubble);
-    const Vec2 d = chord(foam, h);
-    const double length =
-        std::sqrt(2.0 * foam.target_areas[bubble] / segment_shape(std::sin(kPi / 3.0)));
-    const Vec2 change = d == Vec2::Zero() ? Vec2(0.0, 0.0) : Vec2((length / d.norm() - 1.0) * d);
-    foam.positions[foam.network.tail(h)] -= 0.5 * change;
-    foam.positions[foam.network.head(h)] += 0.5 * change;
-}
-
-double lens_excess_pressure(const Foam& foam, BubbleId bubble) {
-    const double length = chord(foam, foam.network.first(bubble)).norm();
-    return length > 0.0 ? 2.0 * foam.film_tension * std::sin(kPi / 3.0) / length : 0.0;
-}
-
-void move_junction(Foam& foam, SoftBubbles& bubbles, JunctionId junction, double largest_move) {
-    if (touches_lens(foam, junction)) {
-        return;
+    const double missing = (foam.target_areas[bubble] - polygon_area(foam, bubble)) /
+                           static_cast<double>(outer.size());
+    for (const HalfEdgeId h : outer) {
+        const double squared = chord(foam, h).squaredNorm();
+        const double angle = squared > 0.0 ? half_angle_of_segment(4.0 * missing / squared) : 0.0;
+        set_half_angle(foam, h, angle);
     }
-    const Surroundings s = surroundings(foam, junction);
-    Vec2 step = newton_step(foam, bubbles, s);
-    double share = 1.0;
-    for (const Vec2& d : s.chords) {
-        share = std::min(share, allowed_share(d, -step, largest_move));
-    }
-    step *= share;
-    for (std::size_t k = 0; k < 3; ++k) {
-        bubbles.each[foam.network.left(s.leaving[k])].area += s.area_gradients[k].dot(step);
-    }
-    foam.positions[junction] += step;
 }
 
-double mean_pressure_around(const Foam& foam, BubbleId bubble) {
-    double sum = 0.0;
-    for (const HalfEdgeId h : foam.network.around(bubble)) {
-        sum += foam.pressures[foam.network.right(h)];
-    }
-    return sum / foam.network.sides(bubble);
-}
+class Relaxation {
+  public:
+    Relaxation(Foam& foam, Unknowns part, const RelaxationOptions& options)
+        : foam_(foam),
+          part_(std::move(part)),
+          options_(options),
+          bubbles_(foam.network.bubble_slots()),
+          arcs_(foam.network.film_slots()) {}
 
-// All bubbles whose pressures the part's junctions feel.
-void refresh_all(const Foam& foam, const Unknowns& part, SoftBubbles& bubbles) {
-    for (const BubbleId bubble : part.bubbles) {
-        bubbles.refresh(foam, bubble);
+    RelaxationSummary run() {
+        begin();
+        RelaxationSummary summary;
+        for (; summary.sweeps < options_.sweeps; ++summary.sweeps) {
+            for (const JunctionId junction : part_.junctions) {
+                move(junction);
+            }
+            for (const FilmId film : part_.films) {
+                bend(film);
+            }
+            if ((summary.sweeps + 1) % kSweepsPerUpdate == 0) {
+                keep_pressures();
+            }
+            summary.t1 += settle();
+        }
+        publish_pressures();
+        wrap(foam_, part_);
+        return summary;
     }
-    for (const JunctionId junction : part.junctions) {
-        for (const HalfEdgeId h : foam.network.leaving(junction)) {
-            const BubbleId bubble = foam.network.left(h);
-            if (part.bubble_rank[bubble] < 0) {
-                bubbles.refresh(foam, bubble);
+
+  private:
+    bool is_free(BubbleId bubble) const {
+        return foam_.network.is_live(bubble) && bubble != foam_.network.ghost();
+    }
+
+    void begin() {
+        if (options_.begins_anew) {
+            begin_anew();
+        }
+        for (const FilmId film : part_.films) {
+            const HalfEdgeId h = forward_side(film);
+            load(foam_.network.left(h));
+            load(foam_.network.right(h));
+        }
+    }
+
+    // Inner films straight, pressures at about those of equilibrium.
+    void begin_anew() {
+        const double pressure = work_per_area();
+        for (const BubbleId bubble : part_.bubbles) {
+            bulge_outer_films(foam_, bubble);
+            foam_.pressures[bubble] = pressure;
+        }
+    }
+
+    // In equilibrium the energy is 2 sum p A.
+    double work_per_area() const {
+        double length = 0.0;
+        for (const FilmId film : part_.films) {
+            length += chord(foam_, forward_side(film)).norm();
+        }
+        double area = 0.0;
+        for (const BubbleId bubble : part_.bubbles) {
+            area += foam_.target_areas[bubble];
+        }
+        return 0.5 * foam_.film_tension * length / area;
+    }
+
+    // Once each, those around the part, too: its junctions feel their pressures.
+    void load(BubbleId bubble) {
+        if (!is_free(bubble) || bubbles_[bubble].target > 0.0) {
+            return;
+        }
+        const double target = foam_.target_areas[bubble];
+        const double slope = options_.stiffness * foam_.film_tension / (target * std::sqrt(target));
+        bubbles_[bubble] = {0.0, foam_.pressures[bubble], slope, target};
+        for (const HalfEdgeId h : foam_.network.around(bubble)) {
+            take_arc(film_of(h));
+        }
+        measure(bubble);
+    }
+
+    // The arc that the film has by the foam's pressures or, an outer one, by its half angle.
+    void take_arc(FilmId film) {
+        arcs_[film] = arc_of(film_arc(foam_, forward_side(film)).half_angle);
+    }
+
+    void measure(BubbleId bubble) {
+        double area = polygon_area(foam_, bubble);
+        for (const HalfEdgeId h : foam_.network.around(bubble)) {
+            area += 0.25 * segment_of(h) * chord(foam_, h).squaredNorm();
+        }
+        bubbles_[bubble].area = area;
+    }
+
+    double pressure(BubbleId bubble) const { return bubbles_[bubble].pressure(); }
+
+    // ArcShape::segment along the half-edge.
+    double segment_of(HalfEdgeId h) const {
+        const double segment = arcs_[film_of(h)].shape.segment;
+        return is_forward(h) ? segment : -segment;
+    }
+
+    void move(JunctionId junction) {
+        const std::array<HalfEdgeId, 3> leaving = foam_.network.leaving(junction);
+        std::array<Vec2, 3> chords;
+        for (std::size_t k = 0; k < 3; ++k) {
+            chords[k] = chord(foam_, leaving[k]);
+        }
+        Vec2 step = newton_step(leaving, chords);
+        double share = 1.0;
+        for (const Vec2& d : chords) {
+            share = std::min(share, allowed_share(d, -step, options_.largest_move));
+        }
+        step *= share;
+        foam_.positions[junction] += step;
+        for (std::size_t k = 0; k < 3; ++k) {
+            bubbles_[foam_.network.left(leaving[k])].area -=
+                0.5 * turned_left(chords[k] - chords[(k + 2) % 3]).dot(step);
+            follow(film_of(leaving[k]), chords[k].squaredNorm(), (chords[k] - step).squaredNorm());
+        }
+    }
+
+    Pull pull(HalfEdgeId h) const {
+        const Arc& arc = arcs_[film_of(h)];
+        if (foam_.network.is_outer(film_of(h))) {
+            const double stiffness = arc.sine * arc.shape.segment / arc.shape.bulging;
+            return {arc.cosine, 0.0, std::max(stiffness, kLeastStiffness)};
+        }
+        return {arc.shape.length, segment_of(h), 0.0};
+    }
+
+    Vec2 newton_step(const std::array<HalfEdgeId, 3>& leaving,
+                     const std::array<Vec2, 3>& chords) const {
+        const std::array<Pull, 3> pulls{pull(leaving[0]), pull(leaving[1]), pull(leaving[2])};
+        Vec2 force = Vec2::Zero();
+        Mat2 stiffness = Mat2::Zero();
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::size_t before = (k + 2) % 3;  // the film on the other side of the bubble
+            const SoftBubble& bubble = bubbles_[foam_.network.left(leaving[k])];
+            const Vec2 growth = -0.5 * turned_left(chords[k] - chords[before]) -
+                                0.5 * pulls[k].segment * chords[k] +
+                                0.5 * pulls[before].segment * chords[before];
+            force += bubble.pressure() * growth;
+            stiffness += bubble.slope * growth * growth.transpose();
+            const double c = chords[k].norm();
+            if (c > 0.0) {
+                const Vec2 u = chords[k] / c;
+                const Vec2 n = turned_left(u);
+                force += foam_.film_tension * pulls[k].tension * u;
+                stiffness += foam_.film_tension / c *
+                             (pulls[k].stiffness * u * u.transpose() +
+                              std::abs(pulls[k].tension) * n * n.transpose());
+            }
+        }
+        const double determinant = stiffness.determinant();
+        return determinant > 0.0 ? Vec2(stiffness.inverse() * force) : force;
+    }
+
+    // The arc of a film whose squared chord has changed.
+    void follow(FilmId film, double before, double after) {
+        const double h = arcs_[film].shape.segment;
+        const double angle = foam_.network.is_outer(film) && after > 0.0
+                                 ? half_angle_of_segment(h * before / after)
+                                 : arcs_[film].half_angle;
+        set_arc(film, angle, before, after);
+    }
+
+    void set_arc(FilmId film, double angle, double squared_before, double squared_after) {
+        const HalfEdgeId h = forward_side(film);
+        const double before = squared_before * arcs_[film].shape.segment;
+        if (angle != arcs_[film].half_angle) {
+            bend_to(film, angle);
+        }
+        const double area = 0.25 * (squared_after * arcs_[film].shape.segment - before);
+        bubbles_[foam_.network.left(h)].area += area;
+        bubbles_[foam_.network.right(h)].area -= area;
+    }
+
+    // The half angle of an outer film is the foam's own.
+    void bend_to(FilmId film, double angle) {
+        if (foam_.network.is_outer(film)) {
+            set_half_angle(foam_, forward_side(film), angle);
+            arcs_[film] = arc_of(foam_.half_angles[film]);
+        } else {
+            arcs_[film] = arc_of(angle);
+        }
+    }
+
+    // A Newton step of the half angle, with the junctions held.
+    void bend(FilmId film) {
+        const HalfEdgeId h = forward_side(film);
+        const SoftBubble& left = bubbles_[foam_.network.left(h)];
+        const SoftBubble& right = bubbles_[foam_.network.right(h)];
+        const double squared = chord(foam_, h).squaredNorm();
+        if (squared == 0.0) {
+            return;
+        }
+        const Arc& arc = arcs_[film];
+        const double growth = 0.5 * squared * arc.shape.bulging;
+        const double tension = foam_.film_tension * std::sqrt(squared) * arc.shape.bulging;
+        const double force = growth * (left.pressure() - right.pressure()) - tension * arc.sine;
+        const double stiffness = tension * std::max(arc.cosine, kLeastStiffness) +
+                                 growth * growth * (left.slope + right.slope);
+        const double step = std::clamp(force / stiffness, -kLargestBend, kLargestBend);
+        set_arc(film, held(film, arc.half_angle + step), squared, squared);
+    }
+
+    double held(FilmId film, double angle) const {
+        static const double largest = std::asin(kLargestSine);
+        return foam_.network.is_outer(film) ? angle : std::clamp(angle, -largest, largest);
+    }
+
+    void keep_pressures() {
+        for (const BubbleId bubble : part_.bubbles) {
+            bubbles_[bubble].pressure_at_target = pressure(bubble);
+        }
+    }
+
+    void publish_pressures() {
+        for (const BubbleId bubble : part_.bubbles) {
+            foam_.pressures[bubble] = pressure(bubble);
+        }
+    }
+
+    int settle() {
+        publish_pressures();
+        const auto renew = [this](FilmId film, const FourBubbles& around, bool changed) {
+            renew_around(film, around, changed);
+        };
+        const int changes =
+            settle_short_films(foam_, part_, options_.thresholds, Tangents::OfArcs, renew);
+        rearm_grown_films(foam_, part_.films, options_.thresholds);
+        return changes;
+    }
+
+    void renew_around(FilmId film, const FourBubbles& around, bool changed) {
+        if (foam_.network.is_live(film)) {
+            take_arc(film);
+        }
+        for (const BubbleId bubble : around) {
+            if (is_free(bubble)) {
+                renew(bubble, changed);
             }
         }
     }
-}
 
-// The pressures of the straight films, their excess over the neighbours turned into that of arcs.
-std::vector<double> arc_pressures(const Foam& foam, const Unknowns& part) {
-    std::vector<double> pressures;
-    pressures.reserve(part.bubbles.size());
-    for (const BubbleId bubble : part.bubbles) {
-        const double around = mean_pressure_around(foam, bubble);
-        const double excess =
-            arc_pressure_ratio(foam.network.sides(bubble)) * (foam.pressures[bubble] - around);
-        pressures.push_back(around +
-                            (is_lens(foam, bubble) ? lens_excess_pressure(foam, bubble) : excess));
+    // A film that tears may leave a bubble next to nothing.
+    void renew(BubbleId bubble, bool changed) {
+        take_outer_arcs(bubble);
+        measure(bubble);
+        if (changed && bubbles_[bubble].area < kEmptyShare * bubbles_[bubble].target) {
+            bulge_outer_films(foam_, bubble);
+            take_outer_arcs(bubble);
+            measure(bubble);
+        }
     }
-    return pressures;
-}
 
-double mean_pressure(const Foam& foam, const Unknowns& part) {
-    double sum = 0.0;
-    for (const BubbleId bubble : part.bubbles) {
-        sum += foam.pressures[bubble];
+    // Where films have been joined, that of the kept one has changed.
+    void take_outer_arcs(BubbleId bubble) {
+        for (const HalfEdgeId h : foam_.network.around(bubble)) {
+            if (foam_.network.is_outer(film_of(h))) {
+                take_arc(film_of(h));
+            }
+        }
     }
-    return sum / static_cast<double>(part.bubbles.size());
-}
 
-void set_pressures(Foam& foam, const Unknowns& part, SoftBubbles& bubbles) {
-    const bool is_whole = part.bubbles.size() == foam.network.bubble_count();
-    const double before = is_whole ? 0.0 : mean_pressure(foam, part);
-    double straight = 0.0;
-    for (const BubbleId bubble : part.bubbles) {
-        bubbles.refresh(foam, bubble);
-        straight += bubbles.each[bubble].pressure();
-    }
-    const double shift =
-        is_whole ? 0.0 : before - straight / static_cast<double>(part.bubbles.size());
-    for (const BubbleId bubble : part.bubbles) {
-        foam.pressures[bubble] = bubbles.each[bubble].pressure() + shift;
-    }
-    const std::vector<double> pressures = arc_pressures(foam, part);
-    for (std::size_t k = 0; k < pressures.size(); ++k) {
-        foam.pressures[part.bubbles[k]] = pressures[k];
-    }
-}
+    Foam& foam_;
+    Unknowns part_;
+    const RelaxationOptions& options_;
+    Indexed<BubbleId, SoftBubble> bubbles_;
+    Indexed<FilmId, Arc> arcs_;  // along forward sides
+};
 
 }  // namespace
 
@@ -213,36 +350,7 @@ RelaxationSummary relax(Foam& foam, const RelaxationOptions& options) {
 }
 
 RelaxationSummary relax(Foam& foam, Unknowns part, const RelaxationOptions& options) {
-    if (foam.network.ghost() != kNone<BubbleId>) {
-        return relax_patch(foam, std::move(part), options);
-    }
-    RelaxationSummary summary;
-    SoftBubbles bubbles{Indexed<BubbleId, SoftBubble>(foam.network.bubble_slots(), SoftBubble{}),
-                        options.stiffness * foam.film_tension};
-    for (const BubbleId bubble : part.bubbles) {
-        if (is_lens(foam, bubble)) {
-            fit_lens(foam, bubble);
-        }
-    }
-    refresh_all(foam, part, bubbles);
-    for (; summary.sweeps < options.sweeps; ++summary.sweeps) {
-        for (const JunctionId junction : part.junctions) {
-            move_junction(foam, bubbles, junction, options.largest_move);
-        }
-        summary.t1 += settle_short_films(foam,
-                                         part,
-                                         options.thresholds,
-                                         Tangents::OfChords,
-                                         [&](FilmId, const FourBubbles& around, bool) {
-                                             for (const BubbleId bubble : around) {
-                                                 bubbles.refresh(foam, bubble);
-                                             }
-                                         });
-        rearm_grown_films(foam, part.films, options.thresholds);
-    }
-    set_pressures(foam, part, bubbles);
-    wrap(foam, part);
-    return summary;
+    return Relaxation(foam, std::move(part), options).run();
 }
 
 }  // namespace foam

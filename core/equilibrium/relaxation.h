@@ -5,13 +5,14 @@
 
 namespace foam {
 
-/// Relaxation with straight films (E4): the way in from a foam that is far from equilibrium.
+/// Relaxation (E4): the way in from a foam that is far from equilibrium. Its films are arcs, each
+/// with a half angle of its own; bubbles are soft.
 struct RelaxationOptions {
     int sweeps = 60;
     double stiffness = 10.0;     // of a bubble against a change of its area, in film tensions
     double largest_move = 0.33;  // of a junction in a sweep, in its shortest films
-    // Of a patch: whether pressures and half angles are guessed from areas and lengths; else it
-    // goes on from those it has.
+    // Whether pressures and half angles are guessed from areas and lengths; else it goes on from
+    // those it has.
     bool begins_anew = true;
     TopologyThresholds thresholds{};
 };
@@ -21,12 +22,11 @@ struct RelaxationSummary {
     int t1 = 0;
 };
 
-/// Sweeps over the junctions, each moved by its own Newton step; T1 between sweeps. Leaves each
-/// bubble with the pressure that its remaining area error stands for.
+/// Sweeps over the junctions and the films, each moved by its own Newton step; T1 between sweeps.
+/// Leaves each bubble with the pressure that its remaining area error stands for.
 RelaxationSummary relax(Foam& foam, const RelaxationOptions& options);
 
-/// The same for a part of the foam, all else held. Its mean pressure stays as it is, since straight
-/// films know pressures up to a constant only.
+/// The same for a part of the foam, all else held.
 RelaxationSummary relax(Foam& foam, Unknowns part, const RelaxationOptions& options);
 
 }  // namespace foam

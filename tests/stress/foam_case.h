@@ -28,8 +28,8 @@ double log_uniform(Random& random, double low, double high);
 /// The case of a seed, the same in every run: 20 to 5,000 bubbles; Lloyd 0 to 5; areas of the
 /// diagram itself (one in four) or spread up to 100; aspects of 1/4 to 4; T1 distance and T2 area
 /// of 0.01 to 0.25 and kappa of 1e-3 to 1e3, the paper's ranges; frames of 0.3 % to 5 % of the mean
-/// area (1 % to 5 % of more than 1,000 bubbles), and far too long ones of 50 % (one in ten). All but
-/// Lloyd uniform in the logarithm.
+/// area (1 % to 5 % of more than 1,000 bubbles), and far too long ones of 50 % (one in ten). All
+/// but Lloyd uniform in the logarithm.
 FoamCase draw_case(std::uint64_t seed);
 
 /// The patch of a seed: the case of that seed within a random outline, a polygon of 3 to 16 corners

@@ -121,8 +121,7 @@ TEST(PresetIo, KeysOfTheOtherKindOfFoamAreRefused) {
 }
 
 TEST(PresetIo, AKindThatDoesNotFitTheRestIsToBlameItself) {
-    Preset preset =
-        parse_preset("[foam]\ndomain = \"patch\"\n[camera]\nzoom = 4\n", "a", "a.toml");
+    Preset preset = parse_preset("[foam]\ndomain = \"patch\"\n[camera]\nzoom = 4\n", "a", "a.toml");
     try {
         assign(preset, std::vector{read_set_argument("foam.domain=torus")});
         FAIL();
