@@ -18,8 +18,8 @@ struct Header {
 };
 
 /// Reads up to the section of the vertices. What does not bear on a foam's equilibrium is passed
-/// over. Throws FormatError where the file is no string model in the plane or on a torus whose first
-/// period lies along x, and where it adds an energy that a foam has not.
+/// over. Throws FormatError where the file is no string model in the plane or on a torus whose
+/// first period lies along x, and where it adds an energy that a foam has not.
 Header read_header(TokenReader& tokens);
 
 }  // namespace foam::evolver

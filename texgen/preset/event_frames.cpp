@@ -4,7 +4,7 @@ namespace foam::texgen {
 
 namespace {
 
-// Of a step: times that are this close are the same, so that 0.3 is the third frame of steps of 0.1.
+// Of a step: times this close are the same, so that 0.3 is the third frame of steps of 0.1.
 constexpr double kSameTime = 1e-6;
 
 // The frames after the first, one by one, each with the time that has passed when it is shown.
