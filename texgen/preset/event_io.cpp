@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
@@ -66,15 +67,31 @@ const Assignment* last_of(std::span<const Assignment> assignments,
     return nullptr;
 }
 
-// Blames the key where it was given in this batch, else whatever else was.
+// The keys of other tables on which it depends what an event may say.
+constexpr std::array<std::string_view, 7> kOtherSides{"foam.domain",
+                                                      "foam.bubbles",
+                                                      "image.size",
+                                                      "dynamics.t2_area",
+                                                      "frames.time_step",
+                                                      "frames.step_growth",
+                                                      "frames.warm_up"};
+
+const Assignment& last_of_other_sides(std::span<const Assignment> assignments) {
+    const auto last = std::find_if(assignments.rbegin(), assignments.rend(), [](const auto& one) {
+        return std::find(kOtherSides.begin(), kOtherSides.end(), one.key) != kOtherSides.end();
+    });
+    return last != assignments.rend() ? *last : assignments.back();
+}
+
+// Blames the key where it was given in this batch, else whatever else was of the event, else what
+// changed the other side of a limit.
 [[noreturn]] void refuse_event(std::span<const Assignment> assignments,
                                std::size_t number,
                                std::string_view name,
                                std::string_view reason) {
     const Assignment* blamed = last_of(assignments, number, name);
     blamed = blamed != nullptr ? blamed : last_of(assignments, number);
-    // Else the batch changed the other side of a limit.
-    refuse(blamed != nullptr ? *blamed : assignments.back(), reason);
+    refuse(blamed != nullptr ? *blamed : last_of_other_sides(assignments), reason);
 }
 
 // One event whose keys are looked at together.

@@ -134,6 +134,20 @@ TEST(EventIo, ATimeTakesTheFramesBack) {
     EXPECT_EQ(preset.events[0].frames, (FrameSpan{5, 5}));
 }
 
+TEST(EventIo, WhatNoLongerFitsAnEventIsToBlame) {
+    Preset preset = parse_preset("[[event]]\nkind = \"shear\"\nframe = 3\n", "a", "a.toml");
+    try {
+        assign(preset,
+               std::vector{read_set_argument("foam.domain=patch"),
+                           read_set_argument("output.pattern=b.png")});
+        FAIL();
+    } catch (const PresetError& error) {
+        EXPECT_STREQ(error.what(),
+                     "--set foam.domain=patch: key 'foam.domain' = \"patch\": event[1].kind = "
+                     "\"shear\" is only for foam.domain = \"torus\"");
+    }
+}
+
 TEST(EventIo, AKeyOfAnotherKindIsRefused) {
     EXPECT_EQ(failure("[[event]]\narea = 0.5\nkind = \"collapse\"\nframe = 3\nbubble = 4\n"),
               "a.toml:2: key 'event[1].area' = 0.5: no key of kind \"collapse\", which takes kind, "
