@@ -120,6 +120,7 @@ std::vector<std::size_t> neighbours_of(const PolygonMesh& mesh, std::size_t cell
         }
     }
     std::vector<std::size_t> neighbours;
+    neighbours.reserve(borders.size());
     for (const auto& [neighbour, length] : borders) {
         neighbours.push_back(neighbour);
     }

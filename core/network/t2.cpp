@@ -128,7 +128,7 @@ bool can_close(const Network& network, const std::vector<HalfEdgeId>& boundary) 
 
 Vanished close(Network& network, const std::vector<HalfEdgeId>& boundary) {
     assert(can_close(network, boundary));
-    const Vanished vanished = vanish_along(network, boundary);
+    Vanished vanished = vanish_along(network, boundary);
     renew_first_of_ghost(network);
     return vanished;
 }
