@@ -40,7 +40,7 @@ figure_4() {
 }
 
 figure_6() {
-    frames coarsening 1,33,65,96 480 --set foam.domain=patch --set albedo.pressure_high=3
+    frames coarsening 1,33,65,96 480 --set foam.domain=patch
     sheet coarsening 2 figure_6
 }
 
