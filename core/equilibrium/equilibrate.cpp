@@ -65,6 +65,7 @@ class Equilibration {
           options_(options),
           whole_(whole_options(options)),
           spot_(spot_options(options)),
+          soft_(foam),
           without_spots_(options.solver != Solver::Newton) {}
 
     EquilibriumSummary run() {
@@ -220,7 +221,8 @@ class Equilibration {
         const RelaxationSummary relaxation =
             relax(foam_,
                   std::move(part),
-                  {.sweeps = sweeps, .begins_anew = false, .thresholds = options_.thresholds});
+                  {.sweeps = sweeps, .begins_anew = false, .thresholds = options_.thresholds},
+                  soft_);
         summary_.t1 += relaxation.t1;
         network_changed_ = network_changed_ || relaxation.t1 > 0;
     }
@@ -236,9 +238,11 @@ class Equilibration {
     }
 
     void relax_whole(int sweeps, bool begins_anew) {
-        const RelaxationSummary relaxation = relax(
-            foam_,
-            {.sweeps = sweeps, .begins_anew = begins_anew, .thresholds = options_.thresholds});
+        const RelaxationSummary relaxation =
+            relax(foam_,
+                  all_unknowns(foam_.network),
+                  {.sweeps = sweeps, .begins_anew = begins_anew, .thresholds = options_.thresholds},
+                  soft_);
         summary_.sweeps += relaxation.sweeps;
         summary_.t1 += relaxation.t1;
         network_changed_ = true;
@@ -286,6 +290,7 @@ class Equilibration {
     const EquilibriumOptions& options_;
     NewtonSolver whole_;
     NewtonSolver spot_;
+    SoftFoam soft_;
     bool without_spots_;  // Gauss-Seidel knows none
     // Every further one has a quarter of the sweeps, down to one, then all again: Newton's method
     // is to start from another state than the one that it stalled from before.

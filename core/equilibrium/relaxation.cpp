@@ -17,27 +17,8 @@ namespace {
 
 constexpr int kSweepsPerUpdate = 10;  // of the pressures at which bubbles have their targets
 constexpr double kLargestBend = 0.3;  // of a half angle in a sweep, radians
-constexpr double kEmptyShare = 0.5;   // of its target, below which a bubble is filled after a T1
 // Of a film against bending, of that of a straight one, and along the chord of an outer one.
 constexpr double kLeastStiffness = 0.1;
-
-// A bubble in the energy of E4: p + B (1 - A / A_target) / sqrt(A_target), where p is to become the
-// pressure at which it has its target. The ghost is one without stiffness.
-struct SoftBubble {
-    double area = 0.0;  // within the arcs; kept up to date
-    double pressure_at_target = 0.0;
-    double slope = 0.0;  // taken down, per area
-    double target = 0.0;
-
-    double pressure() const { return pressure_at_target + slope * (target - area); }
-};
-
-struct Arc {
-    double half_angle = 0.0;
-    double sine = 0.0;
-    double cosine = 1.0;
-    ArcShape shape;
-};
 
 // How an arc pulls at the end of its chord c, in film tensions, while that moves. Inner arcs keep
 // their half angles, so that their length c q and their segment c² h / 4 grow. Outer arcs keep
@@ -49,35 +30,10 @@ struct Pull {
     double stiffness = 0.0;  // along the chord, times c
 };
 
-Arc arc_of(double half_angle) {
-    return {half_angle, std::sin(half_angle), std::cos(half_angle), arc_shape(half_angle)};
-}
-
-// What a bubble lacks of its target within its chords lies in the segments of its outer films.
-void bulge_outer_films(Foam& foam, BubbleId bubble) {
-    std::vector<HalfEdgeId> outer;
-    for (const HalfEdgeId h : foam.network.around(bubble)) {
-        if (foam.network.is_outer(film_of(h))) {
-            outer.push_back(h);
-        }
-    }
-    const double missing = (foam.target_areas[bubble] - polygon_area(foam, bubble)) /
-                           static_cast<double>(outer.size());
-    for (const HalfEdgeId h : outer) {
-        const double squared = chord(foam, h).squaredNorm();
-        const double angle = squared > 0.0 ? half_angle_of_segment(4.0 * missing / squared) : 0.0;
-        set_half_angle(foam, h, angle);
-    }
-}
-
 class Relaxation {
   public:
-    Relaxation(Foam& foam, Unknowns part, const RelaxationOptions& options)
-        : foam_(foam),
-          part_(std::move(part)),
-          options_(options),
-          bubbles_(foam.network.bubble_slots()),
-          arcs_(foam.network.film_slots()) {}
+    Relaxation(Foam& foam, Unknowns part, const RelaxationOptions& options, SoftFoam& soft)
+        : foam_(foam), part_(std::move(part)), options_(options), soft_(soft) {}
 
     RelaxationSummary run() {
         begin();
@@ -100,18 +56,14 @@ class Relaxation {
     }
 
   private:
-    bool is_free(BubbleId bubble) const {
-        return foam_.network.is_live(bubble) && bubble != foam_.network.ghost();
-    }
-
     void begin() {
         if (options_.begins_anew) {
             begin_anew();
         }
-        for (const FilmId film : part_.films) {
-            const HalfEdgeId h = forward_side(film);
-            load(foam_.network.left(h));
-            load(foam_.network.right(h));
+        soft_.begin(options_.stiffness);
+        for (const FilmId film : part_.films) {  // those around the part are felt, too
+            soft_.load(foam_.network.left(forward_side(film)));
+            soft_.load(foam_.network.right(forward_side(film)));
         }
     }
 
@@ -137,41 +89,6 @@ class Relaxation {
         return 0.5 * foam_.film_tension * length / area;
     }
 
-    // Once each, those around the part, too: its junctions feel their pressures.
-    void load(BubbleId bubble) {
-        if (!is_free(bubble) || bubbles_[bubble].target > 0.0) {
-            return;
-        }
-        const double target = foam_.target_areas[bubble];
-        const double slope = options_.stiffness * foam_.film_tension / (target * std::sqrt(target));
-        bubbles_[bubble] = {0.0, foam_.pressures[bubble], slope, target};
-        for (const HalfEdgeId h : foam_.network.around(bubble)) {
-            take_arc(film_of(h));
-        }
-        measure(bubble);
-    }
-
-    // The arc that the film has by the foam's pressures or, an outer one, by its half angle.
-    void take_arc(FilmId film) {
-        arcs_[film] = arc_of(film_arc(foam_, forward_side(film)).half_angle);
-    }
-
-    void measure(BubbleId bubble) {
-        double area = polygon_area(foam_, bubble);
-        for (const HalfEdgeId h : foam_.network.around(bubble)) {
-            area += 0.25 * segment_of(h) * chord(foam_, h).squaredNorm();
-        }
-        bubbles_[bubble].area = area;
-    }
-
-    double pressure(BubbleId bubble) const { return bubbles_[bubble].pressure(); }
-
-    // ArcShape::segment along the half-edge.
-    double segment_of(HalfEdgeId h) const {
-        const double segment = arcs_[film_of(h)].shape.segment;
-        return is_forward(h) ? segment : -segment;
-    }
-
     void move(JunctionId junction) {
         const std::array<HalfEdgeId, 3> leaving = foam_.network.leaving(junction);
         std::array<Vec2, 3> chords;
@@ -186,19 +103,19 @@ class Relaxation {
         step *= share;
         foam_.positions[junction] += step;
         for (std::size_t k = 0; k < 3; ++k) {
-            bubbles_[foam_.network.left(leaving[k])].area -=
-                0.5 * turned_left(chords[k] - chords[(k + 2) % 3]).dot(step);
+            const Vec2 across = 0.5 * turned_left(chords[k] - chords[(k + 2) % 3]);
+            soft_.add_area(foam_.network.left(leaving[k]), -across.dot(step));
             follow(film_of(leaving[k]), chords[k].squaredNorm(), (chords[k] - step).squaredNorm());
         }
     }
 
     Pull pull(HalfEdgeId h) const {
-        const Arc& arc = arcs_[film_of(h)];
+        const SoftFoam::Arc& arc = soft_.arc(film_of(h));
         if (foam_.network.is_outer(film_of(h))) {
             const double stiffness = arc.sine * arc.shape.segment / arc.shape.bulging;
             return {arc.cosine, 0.0, std::max(stiffness, kLeastStiffness)};
         }
-        return {arc.shape.length, segment_of(h), 0.0};
+        return {arc.shape.length, soft_.segment_of(h), 0.0};
     }
 
     Vec2 newton_step(const std::array<HalfEdgeId, 3>& leaving,
@@ -208,12 +125,12 @@ class Relaxation {
         Mat2 stiffness = Mat2::Zero();
         for (std::size_t k = 0; k < 3; ++k) {
             const std::size_t before = (k + 2) % 3;  // the film on the other side of the bubble
-            const SoftBubble& bubble = bubbles_[foam_.network.left(leaving[k])];
+            const BubbleId bubble = foam_.network.left(leaving[k]);
             const Vec2 growth = -0.5 * turned_left(chords[k] - chords[before]) -
                                 0.5 * pulls[k].segment * chords[k] +
                                 0.5 * pulls[before].segment * chords[before];
-            force += bubble.pressure() * growth;
-            stiffness += bubble.slope * growth * growth.transpose();
+            force += soft_.pressure(bubble) * growth;
+            stiffness += soft_.slope(bubble) * growth * growth.transpose();
             const double c = chords[k].norm();
             if (c > 0.0) {
                 const Vec2 u = chords[k] / c;
@@ -230,51 +147,31 @@ class Relaxation {
 
     // The arc of a film whose squared chord has changed.
     void follow(FilmId film, double before, double after) {
-        const double h = arcs_[film].shape.segment;
+        const SoftFoam::Arc& arc = soft_.arc(film);
         const double angle = foam_.network.is_outer(film) && after > 0.0
-                                 ? half_angle_of_segment(h * before / after)
-                                 : arcs_[film].half_angle;
-        set_arc(film, angle, before, after);
-    }
-
-    void set_arc(FilmId film, double angle, double squared_before, double squared_after) {
-        const HalfEdgeId h = forward_side(film);
-        const double before = squared_before * arcs_[film].shape.segment;
-        if (angle != arcs_[film].half_angle) {
-            bend_to(film, angle);
-        }
-        const double area = 0.25 * (squared_after * arcs_[film].shape.segment - before);
-        bubbles_[foam_.network.left(h)].area += area;
-        bubbles_[foam_.network.right(h)].area -= area;
-    }
-
-    // The half angle of an outer film is the foam's own.
-    void bend_to(FilmId film, double angle) {
-        if (foam_.network.is_outer(film)) {
-            set_half_angle(foam_, forward_side(film), angle);
-            arcs_[film] = arc_of(foam_.half_angles[film]);
-        } else {
-            arcs_[film] = arc_of(angle);
-        }
+                                 ? half_angle_of_segment(arc.shape.segment * before / after)
+                                 : arc.half_angle;
+        soft_.set_arc(film, angle, before, after);
     }
 
     // A Newton step of the half angle, with the junctions held.
     void bend(FilmId film) {
         const HalfEdgeId h = forward_side(film);
-        const SoftBubble& left = bubbles_[foam_.network.left(h)];
-        const SoftBubble& right = bubbles_[foam_.network.right(h)];
+        const BubbleId left = foam_.network.left(h);
+        const BubbleId right = foam_.network.right(h);
         const double squared = chord(foam_, h).squaredNorm();
         if (squared == 0.0) {
             return;
         }
-        const Arc& arc = arcs_[film];
+        const SoftFoam::Arc& arc = soft_.arc(film);
         const double growth = 0.5 * squared * arc.shape.bulging;
         const double tension = foam_.film_tension * std::sqrt(squared) * arc.shape.bulging;
-        const double force = growth * (left.pressure() - right.pressure()) - tension * arc.sine;
+        const double force =
+            growth * (soft_.pressure(left) - soft_.pressure(right)) - tension * arc.sine;
         const double stiffness = tension * std::max(arc.cosine, kLeastStiffness) +
-                                 growth * growth * (left.slope + right.slope);
+                                 growth * growth * (soft_.slope(left) + soft_.slope(right));
         const double step = std::clamp(force / stiffness, -kLargestBend, kLargestBend);
-        set_arc(film, held(film, arc.half_angle + step), squared, squared);
+        soft_.set_arc(film, held(film, arc.half_angle + step), squared, squared);
     }
 
     double held(FilmId film, double angle) const {
@@ -284,13 +181,13 @@ class Relaxation {
 
     void keep_pressures() {
         for (const BubbleId bubble : part_.bubbles) {
-            bubbles_[bubble].pressure_at_target = pressure(bubble);
+            soft_.keep_pressure(bubble);
         }
     }
 
     void publish_pressures() {
         for (const BubbleId bubble : part_.bubbles) {
-            foam_.pressures[bubble] = pressure(bubble);
+            foam_.pressures[bubble] = soft_.pressure(bubble);
         }
     }
 
@@ -307,31 +204,11 @@ class Relaxation {
 
     void renew_around(FilmId film, const FourBubbles& around, bool changed) {
         if (foam_.network.is_live(film)) {
-            take_arc(film);
+            soft_.take_arc(film);
         }
         for (const BubbleId bubble : around) {
-            if (is_free(bubble)) {
-                renew(bubble, changed);
-            }
-        }
-    }
-
-    // A film that tears may leave a bubble next to nothing.
-    void renew(BubbleId bubble, bool changed) {
-        take_outer_arcs(bubble);
-        measure(bubble);
-        if (changed && bubbles_[bubble].area < kEmptyShare * bubbles_[bubble].target) {
-            bulge_outer_films(foam_, bubble);
-            take_outer_arcs(bubble);
-            measure(bubble);
-        }
-    }
-
-    // Where films have been joined, that of the kept one has changed.
-    void take_outer_arcs(BubbleId bubble) {
-        for (const HalfEdgeId h : foam_.network.around(bubble)) {
-            if (foam_.network.is_outer(film_of(h))) {
-                take_arc(film_of(h));
+            if (foam_.network.is_live(bubble) && bubble != foam_.network.ghost()) {
+                soft_.renew(bubble, changed);
             }
         }
     }
@@ -339,8 +216,7 @@ class Relaxation {
     Foam& foam_;
     Unknowns part_;
     const RelaxationOptions& options_;
-    Indexed<BubbleId, SoftBubble> bubbles_;
-    Indexed<FilmId, Arc> arcs_;  // along forward sides
+    SoftFoam& soft_;
 };
 
 }  // namespace
@@ -350,7 +226,15 @@ RelaxationSummary relax(Foam& foam, const RelaxationOptions& options) {
 }
 
 RelaxationSummary relax(Foam& foam, Unknowns part, const RelaxationOptions& options) {
-    return Relaxation(foam, std::move(part), options).run();
+    SoftFoam soft(foam);
+    return relax(foam, std::move(part), options, soft);
+}
+
+RelaxationSummary relax(Foam& foam,
+                        Unknowns part,
+                        const RelaxationOptions& options,
+                        SoftFoam& memory) {
+    return Relaxation(foam, std::move(part), options, memory).run();
 }
 
 }  // namespace foam

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/equilibrium/soft_foam.h"
 #include "core/equilibrium/topology_thresholds.h"
 #include "core/equilibrium/unknowns.h"
 
@@ -28,5 +29,12 @@ RelaxationSummary relax(Foam& foam, const RelaxationOptions& options);
 
 /// The same for a part of the foam, all else held.
 RelaxationSummary relax(Foam& foam, Unknowns part, const RelaxationOptions& options);
+
+/// The same for one part after the other: in a large foam, memory for all of it is costly to clear.
+/// The memory is one of the same foam.
+RelaxationSummary relax(Foam& foam,
+                        Unknowns part,
+                        const RelaxationOptions& options,
+                        SoftFoam& memory);
 
 }  // namespace foam

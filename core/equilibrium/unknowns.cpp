@@ -12,13 +12,6 @@ void sort_once(std::vector<Id>& ids) {
     ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
 }
 
-template <class Id>
-void rank(const std::vector<Id>& ids, Indexed<Id, int>& ranks) {
-    for (std::size_t k = 0; k < ids.size(); ++k) {
-        ranks[ids[k]] = static_cast<int>(k);
-    }
-}
-
 void find_outer_films(const Network& network, Unknowns& unknowns) {
     if (network.ghost() == kNone<BubbleId>) {
         return;
@@ -28,16 +21,13 @@ void find_outer_films(const Network& network, Unknowns& unknowns) {
             unknowns.outer_films.push_back(film);
         }
     }
-    unknowns.outer_rank.resize(network.film_slots(), -1);
-    rank(unknowns.outer_films, unknowns.outer_rank);
+    unknowns.outer_rank = {unknowns.outer_films, network.film_slots()};
 }
 
 void rank_all(const Network& network, Unknowns& unknowns) {
     find_outer_films(network, unknowns);
-    unknowns.junction_rank.resize(network.junction_slots(), -1);
-    unknowns.bubble_rank.resize(network.bubble_slots(), -1);
-    rank(unknowns.junctions, unknowns.junction_rank);
-    rank(unknowns.bubbles, unknowns.bubble_rank);
+    unknowns.junction_rank = {unknowns.junctions, network.junction_slots()};
+    unknowns.bubble_rank = {unknowns.bubbles, network.bubble_slots()};
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/equilibrium/ranks.h"
 #include "core/foam/foam.h"
 
 #include <span>
@@ -13,11 +14,11 @@ namespace foam {
 struct Unknowns {
     std::vector<JunctionId> junctions;
     std::vector<BubbleId> bubbles;
-    std::vector<FilmId> films;               // of the free junctions and bubbles, by increasing id
-    std::vector<FilmId> outer_films;         // those of them whose half angle is free
-    Indexed<JunctionId, int> junction_rank;  // place in `junctions`, negative for one that is held
-    Indexed<BubbleId, int> bubble_rank;      // place in `bubbles`, likewise
-    Indexed<FilmId, int> outer_rank;         // place in `outer_films`, likewise; empty on a torus
+    std::vector<FilmId> films;        // of the free junctions and bubbles, by increasing id
+    std::vector<FilmId> outer_films;  // those of them whose half angle is free
+    Ranks<JunctionId> junction_rank;  // place in `junctions`, negative for one that is held
+    Ranks<BubbleId> bubble_rank;      // place in `bubbles`, likewise
+    Ranks<FilmId> outer_rank;         // place in `outer_films`, likewise
 
     int size() const { return first_angle_row() + static_cast<int>(outer_films.size()); }
     int first_pressure_row() const { return static_cast<int>(2 * junctions.size()); }

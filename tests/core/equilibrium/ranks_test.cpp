@@ -1,0 +1,45 @@
+#include "core/equilibrium/ranks.h"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace foam {
+namespace {
+
+// Every `spacing`-th id of so many, from 3 on.
+void expect_ranks(std::size_t slots, std::size_t spacing) {
+    std::vector<BubbleId> list;
+    for (std::size_t k = 3; k < slots; k += spacing) {
+        list.push_back(id_at<BubbleId>(k));
+    }
+    const Ranks<BubbleId> ranks(list, slots);
+    int next = 0;
+    for (std::size_t k = 0; k < slots; ++k) {
+        const bool is_in_list = k >= 3 && (k - 3) % spacing == 0;
+        EXPECT_EQ(ranks[id_at<BubbleId>(k)], is_in_list ? next++ : -1) << k << " of " << slots;
+    }
+    EXPECT_EQ(static_cast<std::size_t>(next), list.size());
+}
+
+TEST(Ranks, ArePlacesInListsOfManyIds) {
+    expect_ranks(1000, 1);
+    expect_ranks(1000, 7);
+}
+
+TEST(Ranks, ArePlacesInListsOfFewIds) {
+    expect_ranks(1000, 17);
+    expect_ranks(1000, 64);  // ids that a hash by remainder would put in one place
+    expect_ranks(1000, 999);
+    expect_ranks(100000, 4096);
+}
+
+TEST(Ranks, AreNegativeWithoutAList) {
+    const Ranks<FilmId> ranks({}, 50);
+    EXPECT_EQ(ranks[FilmId{0}], -1);
+    EXPECT_EQ(ranks[FilmId{49}], -1);
+}
+
+}  // namespace
+}  // namespace foam
