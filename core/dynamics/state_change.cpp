@@ -98,7 +98,7 @@ double safe_part(const Foam& foam,
         const double gain = live.driven.target_area - area;
         if (gain > 0.0) {
             part = std::min(part, kLargestGain * area / gain);
-        } else if (area > vanishing_area) {
+        } else if (gain < 0.0 && area > vanishing_area) {
             part = std::min(part, largest_loss * area / -gain);
         }
     }

@@ -65,6 +65,7 @@ TEST(SafePart, HoldsLossAndGainDown) {
     EXPECT_DOUBLE_EQ(part(0.1, 1.5), 1.0);  // small enough to vanish
     EXPECT_DOUBLE_EQ(part(4.0, 0.1), 1.0);
     EXPECT_DOUBLE_EQ(part(7.0, 0.1), 0.5);
+    EXPECT_DOUBLE_EQ(part(1.0, 0.1), 1.0);  // there already
 }
 
 // The driven bubble has the area it is given, whatever diffuses, and the step its time.
