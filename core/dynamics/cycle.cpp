@@ -1,0 +1,152 @@
+#include "core/dynamics/cycle.h"
+
+#include "core/dynamics/hold_rafts.h"
+#include "core/foam/random.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace foam {
+
+namespace {
+
+// Unwrapped from one of them.
+std::vector<Vec2> corners(const Foam& foam, BubbleId bubble) {
+    std::vector<Vec2> all;
+    Vec2 at = foam.positions[foam.network.tail(foam.network.first(bubble))];
+    for (const HalfEdgeId h : foam.network.around(bubble)) {
+        all.push_back(at);
+        at += chord(foam, h);
+    }
+    return all;
+}
+
+Vec2 mean(const std::vector<Vec2>& points) {
+    Vec2 sum = Vec2::Zero();
+    for (const Vec2& point : points) {
+        sum += point;
+    }
+    return sum / static_cast<double>(points.size());
+}
+
+// On a torus one of many copies.
+std::map<BubbleIdentity, Vec2> centres(const Foam& foam) {
+    if (foam.torus.is_plane()) {
+        return bubble_centres(foam);
+    }
+    std::map<BubbleIdentity, Vec2> all;
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        all[foam.identities[bubble]] = mean(corners(foam, bubble));
+    }
+    return all;
+}
+
+void move_all(Foam& torus, const Vec2& by) {
+    for (const JunctionId junction : torus.network.junctions()) {
+        place_junction(torus, junction, torus.positions[junction] + by);
+    }
+}
+
+// Of the corners of one bubble from the nearest of another, all in the places of their own foams.
+double farthest(const Torus& torus, const std::vector<Vec2>& from, const std::vector<Vec2>& to) {
+    double largest = 0.0;
+    for (const Vec2& a : from) {
+        double least = std::numeric_limits<double>::infinity();
+        for (const Vec2& b : to) {
+            least = std::min(least, torus.nearest_copy(a - b).norm());
+        }
+        largest = std::max(largest, least);
+    }
+    return largest;
+}
+
+double mean_diameter(const Foam& foam) {
+    double area = 0.0;
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        area += foam.target_areas[bubble];
+    }
+    const auto count = static_cast<double>(foam.network.bubble_count());
+    return 2.0 * std::sqrt(area / count * std::numbers::inv_pi);
+}
+
+}  // namespace
+
+Cycle::Cycle(const Foam& foam, const CycleOptions& options)
+    : options_(options), shear_(foam.torus.shear), centres_(centres(foam)) {
+    Random random(options.seed);
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        swings_.push_back({foam.identities[bubble], foam.target_areas[bubble], random.uniform()});
+    }
+    for (const LoneBubble& bubble : foam.lone_bubbles) {
+        swings_.push_back({bubble.identity, bubble.target_area, random.uniform()});
+    }
+}
+
+StepSummary Cycle::step_to(int place, Foam& foam, double time, const StepOptions& options) const {
+    StepOptions without_diffusion = options;
+    without_diffusion.coarsening.kappa = 0.0;
+    const StepSummary summary = step(foam, time, change_to(place, foam.torus), without_diffusion);
+    hold(foam);
+    return summary;
+}
+
+// Whole turns are taken off, so that every cycle has the same bits.
+StateChange Cycle::change_to(int place, const Torus& torus) const {
+    const auto swing = [&](double phase) {
+        const double turns = static_cast<double>(place % options_.steps) / options_.steps;
+        return std::sin(2.0 * std::numbers::pi * (turns + phase));
+    };
+    StateChange change;
+    for (const Swing& bubble : swings_) {
+        const double area = bubble.target_area * (1.0 + options_.breath * swing(bubble.phase));
+        change.driven.push_back({bubble.bubble, area, false});
+    }
+    if (options_.strain != 0.0) {
+        change.strain = options_.strain * swing(0.0) + (shear_ - torus.shear) / torus.height;
+    }
+    return change;
+}
+
+// The mean place on a torus, whatever happens in between; each raft of a patch in its own.
+void Cycle::hold(Foam& foam) const {
+    if (foam.torus.is_plane()) {
+        hold_rafts(foam, centres_);
+        return;
+    }
+    Vec2 sum = Vec2::Zero();
+    std::size_t count = 0;
+    for (const auto& [bubble, centre] : centres(foam)) {
+        if (const auto start = centres_.find(bubble); start != centres_.end()) {
+            sum += foam.torus.nearest_copy(centre - start->second);
+            ++count;
+        }
+    }
+    if (count > 0) {
+        move_all(foam, -sum / static_cast<double>(count));
+    }
+}
+
+double closing_error(const Foam& one, const Foam& other) {
+    constexpr double kApart = std::numeric_limits<double>::infinity();
+    std::map<BubbleIdentity, std::vector<Vec2>> bubbles;
+    for (const BubbleId bubble : other.network.bubbles()) {
+        bubbles[other.identities[bubble]] = corners(other, bubble);
+    }
+    if (bubbles.size() != one.network.bubble_count()) {
+        return kApart;
+    }
+    double largest = 0.0;
+    for (const BubbleId bubble : one.network.bubbles()) {
+        const auto found = bubbles.find(one.identities[bubble]);
+        const std::vector<Vec2> here = corners(one, bubble);
+        if (found == bubbles.end() || found->second.size() != here.size()) {
+            return kApart;
+        }
+        largest = std::max(largest, farthest(one.torus, here, found->second));
+    }
+    return largest / mean_diameter(one);
+}
+
+}  // namespace foam

@@ -1,0 +1,103 @@
+#include "core/dynamics/cycle.h"
+
+#include "core/foam/honeycomb.h"
+#include "core/foam/patch.h"
+#include "tests/core/foams.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace foam {
+namespace {
+
+constexpr double kClosed = 1e-9;  // mean diameters
+constexpr int kSteps = 24;
+
+Foam settled_patch() {
+    Foam patch = seed_patch(disc_outline(), {.bubbles = 40, .seed = 1});
+    EXPECT_TRUE(equilibrate(patch, {}).converged());
+    return patch;
+}
+
+// The foam at the start of a cycle, after so many of them.
+Foam after_cycles(const Cycle& cycle, Foam foam, int cycles) {
+    for (int place = 0; place <= cycles * kSteps; ++place) {
+        const StepSummary summary = cycle.step_to(place, foam, 0.0, {});
+        EXPECT_TRUE(summary.equilibrium.converged()) << place;
+    }
+    return foam;
+}
+
+void expect_closes(const Foam& start, const CycleOptions& options, int cycles) {
+    const Cycle cycle(start, options);
+    const Foam before = after_cycles(cycle, start, cycles);
+    Foam foam = before;
+    double largest = 0.0;
+    for (int place = 1; place <= kSteps; ++place) {
+        ASSERT_TRUE(cycle.step_to(place, foam, 0.0, {}).equilibrium.converged());
+        largest = std::max(largest, closing_error(before, foam));
+    }
+    EXPECT_LT(closing_error(before, foam), kClosed);
+    EXPECT_GT(largest, 1e-3);  // it did move
+}
+
+TEST(Cycle, BreathClosesFromTheFirstOn) {
+    expect_closes(test::settled_foam(60, 1), {.steps = kSteps, .breath = 0.1}, 0);
+}
+
+TEST(Cycle, DeepBreathClosesOnceItsT1AreThrough) {
+    expect_closes(test::settled_foam(60, 1), {.steps = kSteps, .breath = 0.35}, 3);
+}
+
+TEST(Cycle, ShearCloses) {
+    expect_closes(test::settled_foam(60, 1), {.steps = kSteps, .strain = 0.05}, 1);
+}
+
+TEST(Cycle, PatchCloses) {
+    expect_closes(settled_patch(), {.steps = kSteps, .breath = 0.1}, 1);
+}
+
+TEST(Cycle, ForgetsWhereItCameFrom) {
+    const Foam start = test::settled_foam(60, 1);
+    const Cycle cycle(start, {.steps = kSteps, .breath = 0.1});
+    const Foam once = after_cycles(cycle, start, 1);
+    EXPECT_LT(closing_error(once, after_cycles(cycle, once, 1)), kClosed);
+    EXPECT_EQ(once.target_areas.size(), start.target_areas.size());
+    EXPECT_NE(once.target_areas, start.target_areas);  // phases differ from 0
+}
+
+TEST(Cycle, NoGasDiffuses) {
+    const Foam start = test::settled_foam(60, 1);
+    const Cycle cycle(start, {.steps = kSteps, .breath = 0.0, .strain = 0.02});
+    Foam foam = start;
+    for (int place = 1; place <= kSteps; ++place) {
+        cycle.step_to(place, foam, 1.0, {.coarsening = {.kappa = 1.0}});
+    }
+    EXPECT_LT(closing_error(start, foam), kClosed);
+    EXPECT_EQ(foam.time, start.time + kSteps);
+}
+
+// A regular honeycomb moved by a little: every corner has gone that far.
+TEST(ClosingError, IsTheFarthestWayOfACorner) {
+    const Foam one = honeycomb(4, 4);
+    Foam other = one;
+    const Vec2 by(0.03, -0.04);
+    for (const JunctionId junction : other.network.junctions()) {
+        place_junction(other, junction, other.positions[junction] + by);
+    }
+    EXPECT_NEAR(closing_error(one, other), 0.05 / std::sqrt(4.0 * std::numbers::inv_pi), 1e-12);
+    EXPECT_EQ(closing_error(one, one), 0.0);
+}
+
+TEST(ClosingError, IsInfiniteWhereABubbleIsAnother) {
+    const Foam one = honeycomb(4, 4);
+    Foam other = one;
+    other.identities[BubbleId{3}] = 99;
+    EXPECT_EQ(closing_error(one, other), std::numeric_limits<double>::infinity());
+}
+
+}  // namespace
+}  // namespace foam
