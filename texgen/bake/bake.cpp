@@ -5,7 +5,8 @@
 #include "texgen/bake/simulate_frames.h"
 #include "texgen/image/file_io.h"
 #include "texgen/image/png.h"
-#include "texgen/maps/albedo.h"
+#include "texgen/maps/map.h"
+#include "texgen/maps/quantize.h"
 #include "texgen/preset/preset_io.h"
 
 #include <fmt/core.h>
@@ -33,11 +34,18 @@ int thread_count(const BakeOptions& options) {
 
 // What every file of a bake says about itself.
 PngMetadata metadata_of(const Preset& preset) {
-    return {.color = true,
+    return {.color = false,
             .text = {{"Title", preset.description},
                      {"Software", "foamtex " FOAMTEX_VERSION},
                      {"Seed", fmt::format("{}", preset.seeding.seed)},
                      {"Preset", to_toml(preset)}}};
+}
+
+NextFrames next_frames_for(const std::vector<std::string>& maps) {
+    const bool needed = std::any_of(maps.begin(), maps.end(), [](const std::string& name) {
+        return find_map(name).needs_next;
+    });
+    return needed ? NextFrames::HandedOut : NextFrames::LeftOut;
 }
 
 // Draws frames into files and tells of them; called from several threads.
@@ -59,17 +67,26 @@ class FrameWriter {
         return all;
     }
 
-    void write(const Frame& frame, const std::optional<View>& view, const FrameEffort& effort) {
+    void write(const SimulatedFrame& shown, const std::optional<View>& view) {
         const RasterGrid grid{preset_.image.width, preset_.image.height, 0, 0, view};
-        const Image<std::uint8_t> image = albedo(frame, grid, preset_.albedo, 1);
-        for (const std::filesystem::path& path : paths(frame.number)) {
-            make_folders(path.parent_path());
-            write_png(path, image.view(), metadata_);
+        FrameLayers layers({*shown.frame, *shown.record, shown.next.get()}, grid, 1);
+        for (const std::string& name : preset_.image.maps) {
+            const Map& map = find_map(name);
+            write_map(map, map.draw(layers, preset_.maps), shown.frame->number);
         }
-        report(frame, effort);
+        report(*shown.frame, shown.effort);
     }
 
   private:
+    void write_map(const Map& map, const MapImage& image, int frame) const {
+        const std::filesystem::path path = pattern_.path(preset_.name, map.name, frame);
+        const CodedImage coded = quantize(image, map.png_bits);
+        PngMetadata metadata = metadata_;
+        metadata.color = coded.color;
+        make_folders(path.parent_path());
+        write_png(path, std::get<Image<std::uint8_t>>(coded.codes).view(), metadata);
+    }
+
     void report(const Frame& frame, const FrameEffort& effort) {
         const std::scoped_lock lock(mutex_);
         ++progress_.done;
@@ -112,15 +129,14 @@ BakeSummary bake(const Preset& preset,
     BakeSummary summary;
     Simulation simulation(preset, options.threads);
     BoundedWorkers workers(thread_count(options) - 1);
-    const auto visit = [&](const std::shared_ptr<const Frame>& frame, const FrameEffort& effort) {
+    const auto visit = [&](const SimulatedFrame& shown) {
         if (on_frame) {
-            on_frame(frame, effort);
+            on_frame(shown);
         }
-        workers.submit([frame, view = simulation.view(), effort, &writer] {
-            writer.write(*frame, view, effort);
-        });
+        workers.submit([shown, view = simulation.view(), &writer] { writer.write(shown, view); });
     };
-    const bool complete = simulate_frames(simulation, options.frames, visit);
+    const bool complete =
+        simulate_frames(simulation, options.frames, next_frames_for(preset.image.maps), visit);
     workers.finish();
     if (!complete) {
         summary.status = BakeStatus::NoEquilibrium;

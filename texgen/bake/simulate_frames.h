@@ -2,6 +2,7 @@
 
 #include "core/foam/frame.h"
 #include "texgen/bake/simulation.h"
+#include "texgen/maps/foam_record.h"
 
 #include <functional>
 #include <memory>
@@ -18,13 +19,26 @@ struct FrameEffort {
     double seconds = 0.0;      // wall time of the steps
 };
 
-using FrameVisitor = std::function<void(const std::shared_ptr<const Frame>&, const FrameEffort&)>;
+/// A frame with all that is drawn or measured of it.
+struct SimulatedFrame {
+    std::shared_ptr<const Frame> frame;
+    FrameEffort effort;
+    std::shared_ptr<const FoamRecord> record;
+    std::shared_ptr<const Frame> next;  // the frame after it, where asked for
+};
+
+using FrameVisitor = std::function<void(const SimulatedFrame&)>;
+
+/// Whether frames come with those after them, for which the simulation goes on by one frame beyond
+/// the last.
+enum class NextFrames { LeftOut, HandedOut };
 
 /// Runs a simulation that has not begun to the last of the frames, and hands out each of them on
 /// the way, in increasing order. False where no equilibrium is found: simulation.number() is then
 /// the frame that failed.
 bool simulate_frames(Simulation& simulation,
                      std::vector<int> numbers,
+                     NextFrames next_frames,
                      const FrameVisitor& on_frame);
 
 }  // namespace foam::texgen

@@ -2,6 +2,9 @@
 
 #include "core/foam/measure.h"
 #include "texgen/bake/seed.h"
+#include "texgen/maps/albedo.h"
+
+#include <algorithm>
 
 namespace foam::texgen {
 
@@ -64,7 +67,16 @@ void Simulation::measure_diagram() {
 
 bool Simulation::settle() {
     equilibrium_ = equilibrate(foam_, options_.equilibrium);
-    return equilibrium_.converged() && step_by(frames_.warm_up, {});
+    if (!equilibrium_.converged() || !step_by(frames_.warm_up, {})) {
+        return false;
+    }
+    record_first_pressures();
+    return true;
+}
+
+void Simulation::record_first_pressures() {
+    record_.first_pressures = pressures_of(frame(), PressureUnit::Current);
+    std::sort(record_.first_pressures.begin(), record_.first_pressures.end());
 }
 
 bool Simulation::step_by(double time, const StateChange& change) {

@@ -4,6 +4,7 @@
 #include "core/foam/frame.h"
 #include "texgen/bake/camera.h"
 #include "texgen/bake/timeline.h"
+#include "texgen/maps/foam_record.h"
 #include "texgen/preset/preset.h"
 
 #include <optional>
@@ -28,6 +29,9 @@ class Simulation {
     /// What images of a patch show, from frame 1 on; nothing for a torus.
     const std::optional<View>& view() const { return view_; }
 
+    /// What the maps of the frame that was reached need to know of those before it.
+    const FoamRecord& record() const { return record_; }
+
     /// Number of the frame that was reached; 0 before the first.
     int number() const { return number_; }
 
@@ -37,7 +41,8 @@ class Simulation {
   private:
     bool reach_first_frame();
     void measure_diagram();
-    bool settle();                                         // equilibrium and the warm-up
+    bool settle();  // equilibrium and the warm-up
+    void record_first_pressures();
     bool step_by(double time, const StateChange& change);  // adds to what equilibrium_ counts
 
     FramesOptions frames_;
@@ -48,6 +53,7 @@ class Simulation {
     Foam foam_;
     Timeline timeline_;
     std::optional<View> view_;
+    FoamRecord record_;
     int number_ = 0;
     EquilibriumSummary equilibrium_;
 };

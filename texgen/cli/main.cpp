@@ -64,6 +64,7 @@ ExitCode parse_and_run(int argc, char** argv) {
     add_relax_command(app, action);
     add_stats_command(app, action);
     add_presets_command(app, action);
+    add_maps_command(app, action);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

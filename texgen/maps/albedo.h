@@ -2,10 +2,12 @@
 
 #include "core/foam/frame.h"
 #include "texgen/image/image.h"
-#include "texgen/raster/outlines.h"
+#include "texgen/maps/frame_layers.h"
+#include "texgen/maps/map_image.h"
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace foam::texgen {
 
@@ -34,8 +36,8 @@ struct AlbedoOptions {
     WidthUnit film_unit = WidthUnit::Pixels;
 };
 
-/// Three for a torus: red, green, blue; four for a patch, with an opacity.
-int albedo_channels(const Frame& frame);
+/// Of every bubble in the network and then of every lone one, in the unit.
+std::vector<double> pressures_of(const Frame& frame, PressureUnit unit);
 
 /// The whole width of a film in pixels.
 /// Throws std::invalid_argument as pixels_per_unit does.
@@ -43,21 +45,13 @@ double film_width_in_pixels(const AlbedoOptions& options,
                             const RasterGrid& grid,
                             const Torus& torus);
 
-/// Writes the colours of a frame's cells and films: sRGB in albedo_channels. Where a pixel is
-/// shared, colours are mixed as light, by exact area. What is around a patch is transparent: the
-/// opacity is the part of a pixel that the patch covers, its outer films to half their width
-/// outwards. Colours are not premultiplied, and where there is no opacity they are those of the
-/// opaque pixels around (bleed_colors). `cells` are the outlines of the frame for
-/// film_width_in_pixels. The same bits for any number of threads. Throws std::invalid_argument for
-/// a colour map or a colour that is not known, unless pressure_low < pressure_high, or as
-/// fill_cells does.
-void write_albedo(const Frame& frame,
-                  const CellOutlines& cells,
-                  const AlbedoOptions& options,
-                  int threads,
-                  ImageView<std::uint8_t> image);
+/// The colours of a frame's cells and films, as fill_colors mixes them. Throws
+/// std::invalid_argument for a colour map or a colour that is not known, and unless pressure_low <
+/// pressure_high.
+ColorPixels draw_albedo(FrameLayers& layers, const AlbedoOptions& options);
 
-/// The same as an image of its own, from outlines of its own. Throws as outline_cells does, too.
+/// The same as an sRGB image, from outlines of its own. The same bits for any number of threads.
+/// Throws as outline_cells does, too.
 Image<std::uint8_t> albedo(const Frame& frame,
                            const RasterGrid& grid,
                            const AlbedoOptions& options,

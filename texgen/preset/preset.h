@@ -3,7 +3,7 @@
 #include "core/dynamics/coarsening.h"
 #include "core/equilibrium/equilibrate.h"
 #include "core/foam/seeding.h"
-#include "texgen/maps/albedo.h"
+#include "texgen/maps/map_options.h"
 #include "texgen/preset/event.h"
 #include "texgen/preset/foam_shape.h"
 
@@ -69,7 +69,7 @@ struct Preset {
     std::vector<Event> events;  // in the order of the file
     ImageOptions image;
     CameraOptions camera;
-    AlbedoOptions albedo;
+    MapOptions maps;
     OutputOptions output;
 };
 

@@ -1,6 +1,7 @@
 #include "texgen/preset/preset_io.h"
 
 #include "texgen/preset/event_io.h"
+#include "texgen/preset/map_schema.h"
 #include "texgen/preset/nearest.h"
 #include "texgen/preset/refusal.h"
 #include "texgen/preset/schema.h"
@@ -49,24 +50,6 @@ void assign_one(Preset& preset, const Assignment& assignment) {
     }
     if (!key->read(assignment.value, preset)) {
         refuse(assignment, "must be " + key->allowed);
-    }
-}
-
-/// The assignments were good before this batch, so one of the batch is to blame: the last.
-void check_pressures(const Preset& preset, std::span<const Assignment> assignments) {
-    const AlbedoOptions& albedo = preset.albedo;
-    if (albedo.pressure_high > albedo.pressure_low) {
-        return;
-    }
-    for (auto last = assignments.rbegin(); last != assignments.rend(); ++last) {
-        if (last->key == "albedo.pressure_high") {
-            refuse(*last,
-                   fmt::format("must be above albedo.pressure_low = {}", albedo.pressure_low));
-        }
-        if (last->key == "albedo.pressure_low") {
-            refuse(*last,
-                   fmt::format("must be below albedo.pressure_high = {}", albedo.pressure_high));
-        }
     }
 }
 
@@ -120,7 +103,7 @@ void assign(Preset& preset, std::span<const Assignment> assignments) {
         assign_one(preset, assignment);
     }
     check_kind(preset, assignments);
-    check_pressures(preset, assignments);
+    check_maps(preset, assignments);
     check_aspect(preset, assignments);
     check_events(preset, assignments);
 }

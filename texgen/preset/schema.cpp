@@ -1,7 +1,9 @@
 #include "texgen/preset/schema.h"
 
-#include "texgen/image/colormap.h"
+#include "texgen/maps/map.h"
 #include "texgen/preset/domain.h"
+#include "texgen/preset/key_of_member.h"
+#include "texgen/preset/map_schema.h"
 
 #include <algorithm>
 #include <array>
@@ -17,15 +19,8 @@ constexpr std::int64_t kLargestSeed = std::numeric_limits<std::int64_t>::max(); 
 constexpr int kLargestExtent = 16384;                                            // 1 GB of RGBA
 constexpr bool kOrZero = true;
 constexpr double kLargestTime = 1e6;
-constexpr double kLargestPressure = 1e6;
-constexpr std::array<std::string_view, 1> kMapNames = {"albedo"};
 constexpr Choices<FoamKind> kFoamKinds = {
     {{{"torus", FoamKind::Torus}, {"patch", FoamKind::Patch}}}};
-constexpr Choices<PressureUnit> kPressureUnits = {
-    {{{"seed", PressureUnit::Seed}, {"current", PressureUnit::Current}}}};
-constexpr Choices<WidthUnit> kWidthUnits = {
-    {{{"px", WidthUnit::Pixels}, {"diameter", WidthUnit::Diameters}}}};
-
 constexpr Choices<FirstFrame> kFirstFrames = {
     {{{"equilibrium", FirstFrame::Equilibrium}, {"diagram", FirstFrame::Diagram}}}};
 constexpr Choices<Solver, 3> kSolvers = {{{{"newton", Solver::Newton},
@@ -33,24 +28,6 @@ constexpr Choices<Solver, 3> kSolvers = {{{{"newton", Solver::Newton},
                                            {"gauss-seidel-colored", Solver::ColoredGaussSeidel}}}};
 
 using P = Preset;
-
-/// object.*members[0].*members[1] and so on.
-template <class Object, class... Members>
-auto& at(Object& object, Members... members) {
-    return (object.*....*members);
-}
-
-/// The key whose value is kept at the end of the path of members.
-template <class Domain, class... Members>
-Key key(std::string_view path, Domain domain, std::string_view meaning, Members... members) {
-    return {path,
-            domain.allowed(),
-            meaning,
-            [=](const Value& value, Preset& preset) {
-                return domain.read(value, at(preset, members...));
-            },
-            [=](const Preset& preset) { return domain.write(at(preset, members...)); }};
-}
 
 /// One that only a kind of foam takes.
 template <class... Parts>
@@ -208,45 +185,6 @@ std::vector<Key> camera_keys() {
                    &Options::margin)};
 }
 
-std::vector<Key> albedo_keys() {
-    using Options = AlbedoOptions;
-    return {key("albedo.colormap",
-                Words{colormap_names()},
-                "colours of the bubbles by their pressure",
-                &P::albedo,
-                &Options::colormap),
-            key("albedo.pressure_low",
-                Reals{-kLargestPressure, kLargestPressure},
-                "pressure at the start of the colour map",
-                &P::albedo,
-                &Options::pressure_low),
-            key("albedo.pressure_high",
-                Reals{-kLargestPressure, kLargestPressure},
-                "pressure at its end; above pressure_low",
-                &P::albedo,
-                &Options::pressure_high),
-            key("albedo.pressure_unit",
-                kPressureUnits,
-                "film tension over the root of the mean area: of the seeded foam or of this frame",
-                &P::albedo,
-                &Options::pressure_unit),
-            key("albedo.film_color",
-                Colors{},
-                "sRGB colour of the films",
-                &P::albedo,
-                &Options::film_color),
-            key("albedo.film_width",
-                Reals{0.0, 1000.0},
-                "whole width of a film; 0 draws none",
-                &P::albedo,
-                &Options::film_width),
-            key("albedo.film_unit",
-                kWidthUnits,
-                "pixels, or diameters of a mean bubble of the seeded foam",
-                &P::albedo,
-                &Options::film_unit)};
-}
-
 std::vector<Key> output_keys() {
     return {key("output.pattern",
                 Text{},
@@ -264,7 +202,7 @@ std::vector<Key> all_keys() {
                              frames_keys(),
                              image_keys(),
                              camera_keys(),
-                             albedo_keys(),
+                             map_keys(),
                              output_keys()}) {
         all.insert(all.end(), keys.begin(), keys.end());
     }
@@ -293,10 +231,6 @@ bool is_table(std::string_view name) {
 
 std::string_view name_of(FoamKind kind) {
     return kFoamKinds.name_of(kind);
-}
-
-std::span<const std::string_view> map_names() {
-    return kMapNames;
 }
 
 }  // namespace foam::texgen

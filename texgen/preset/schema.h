@@ -36,7 +36,4 @@ bool is_table(std::string_view name);
 /// The word for a kind: "patch".
 std::string_view name_of(FoamKind kind);
 
-/// The maps `image.maps` may name.
-std::span<const std::string_view> map_names();
-
 }  // namespace foam::texgen

@@ -28,13 +28,13 @@ MeasureSummary measure_run(const Preset& preset,
     const int total = static_cast<int>(options.frames.size());
     Recorder recorder(preset);
     Simulation simulation(preset, options.threads);
-    const auto measure = [&](const std::shared_ptr<const Frame>& frame, const FrameEffort& effort) {
-        recorder.record(frame, effort);
+    const auto measure = [&](const SimulatedFrame& shown) {
+        recorder.record(shown.frame, shown.effort);
         if (on_progress) {
             on_progress(progress_of(recorder.run(), total, begin));
         }
     };
-    if (simulate_frames(simulation, options.frames, measure)) {
+    if (simulate_frames(simulation, options.frames, NextFrames::LeftOut, measure)) {
         return {BakeStatus::Complete, 0, recorder.run()};
     }
     return {BakeStatus::NoEquilibrium, simulation.number(), recorder.run()};

@@ -22,9 +22,7 @@ void Recorder::record(const std::shared_ptr<const Frame>& frame, const FrameEffo
 }
 
 FrameVisitor Recorder::visitor() {
-    return [this](const std::shared_ptr<const Frame>& frame, const FrameEffort& effort) {
-        record(frame, effort);
-    };
+    return [this](const SimulatedFrame& shown) { record(shown.frame, shown.effort); };
 }
 
 }  // namespace foam::texgen

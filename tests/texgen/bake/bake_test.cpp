@@ -3,11 +3,13 @@
 #include "tests/texgen/temporary_folder.h"
 #include "texgen/image/file_io.h"
 #include "texgen/image/png.h"
+#include "texgen/maps/map.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace foam::texgen {
@@ -78,6 +80,46 @@ TEST(Bake, ListsFilesInTheOrderAskedFor) {
     ASSERT_EQ(summary.files.size(), 2U);
     EXPECT_EQ(summary.files[0].filename(), "small_albedo.0003.png");
     EXPECT_EQ(summary.files[1].filename(), "small_albedo.0001.png");
+}
+
+// Colours say so, data does not, as their numbers mean nothing to the eye.
+TEST(Bake, WritesEveryMapOfAFrame) {
+    const TemporaryFolder folder;
+    Preset preset = small_preset(folder.path());
+    preset.image.maps = {"film", "albedo", "pressure"};
+    const BakeSummary summary = bake(preset, {.frames = {2, 1}, .threads = 2}, {});
+    std::vector<std::string> names;
+    std::vector<bool> colors;
+    for (const std::filesystem::path& path : summary.files) {
+        names.push_back(path.filename().string());
+        colors.push_back(read_png(path).metadata.color);
+    }
+    EXPECT_EQ(names,
+              (std::vector<std::string>{"small_film.0002.png",
+                                        "small_albedo.0002.png",
+                                        "small_pressure.0002.png",
+                                        "small_film.0001.png",
+                                        "small_albedo.0001.png",
+                                        "small_pressure.0001.png"}));
+    EXPECT_EQ(colors, (std::vector<bool>{false, true, false, false, true, false}));
+}
+
+// The scale of pressures is frame 1's, drawn or not.
+TEST(Bake, EveryMapOfAFrameIsTheSameWhetherOthersAreBakedOrNot) {
+    const TemporaryFolder folder;
+    Preset preset = small_preset(folder.path());
+    const auto names = map_names();
+    preset.image.maps.assign(names.begin(), names.end());
+    const BakeSummary all = bake(preset, {.frames = {1, 2, 3}, .threads = 2}, {});
+    std::vector<Bytes> third;
+    for (std::size_t k = 2 * names.size(); k < all.files.size(); ++k) {
+        third.push_back(read_file(all.files[k]));
+    }
+    const BakeSummary alone = bake(preset, {.frames = {3}, .threads = 1}, {});
+    ASSERT_EQ(alone.files.size(), names.size());
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        EXPECT_EQ(read_file(alone.files[k]), third[k]) << names[k];
+    }
 }
 
 TEST(Bake, FilesTellHowTheyWereMade) {

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+#include <vector>
+
 namespace foam::texgen {
 namespace {
 
@@ -22,11 +25,9 @@ std::vector<Visit> visits(const std::vector<int>& numbers) {
     Simulation simulation(small_preset(), 1);
     std::vector<Visit> all;
     EXPECT_TRUE(
-        simulate_frames(simulation,
-                        numbers,
-                        [&](const std::shared_ptr<const Frame>& frame, const FrameEffort& effort) {
-                            all.push_back({frame->number, frame->time, effort});
-                        }));
+        simulate_frames(simulation, numbers, NextFrames::LeftOut, [&](const SimulatedFrame& shown) {
+            all.push_back({shown.frame->number, shown.frame->time, shown.effort});
+        }));
     return all;
 }
 
@@ -53,6 +54,35 @@ TEST(SimulateFrames, EffortsAddUpOverFramesInBetween) {
     EXPECT_EQ(two[1].effort.area_error, each.back().effort.area_error);
     EXPECT_EQ(two[0].effort.t1, each[0].effort.t1);
     EXPECT_GT(two[0].effort.seconds, 0.0);
+}
+
+// Of frames 2, 3 and 5; the simulation goes on to 6.
+TEST(SimulateFrames, HandsOutTheFramesAfterThem) {
+    Simulation simulation(small_preset(), 1);
+    std::vector<std::pair<int, int>> pairs;
+    std::vector<std::shared_ptr<const Frame>> frames;
+    ASSERT_TRUE(simulate_frames(
+        simulation, {5, 2, 3}, NextFrames::HandedOut, [&](const SimulatedFrame& shown) {
+            pairs.emplace_back(shown.frame->number, shown.next->number);
+            frames.push_back(shown.frame);
+            frames.push_back(shown.next);
+        }));
+    EXPECT_EQ(pairs, (std::vector<std::pair<int, int>>{{2, 3}, {3, 4}, {5, 6}}));
+    EXPECT_EQ(frames[1], frames[2]);
+    EXPECT_EQ(simulation.number(), 6);
+}
+
+TEST(SimulateFrames, EffortsDoNotDependOnWhetherNextFramesAreHandedOut) {
+    const std::vector<Visit> usual = visits({1, 4, 6});
+    Simulation simulation(small_preset(), 1);
+    std::size_t k = 0;
+    ASSERT_TRUE(simulate_frames(
+        simulation, {1, 4, 6}, NextFrames::HandedOut, [&](const SimulatedFrame& shown) {
+            EXPECT_EQ(shown.effort.t1, usual[k].effort.t1);
+            EXPECT_EQ(shown.effort.t2, usual[k].effort.t2);
+            EXPECT_EQ(shown.effort.area_error, usual[k].effort.area_error);
+            ++k;
+        }));
 }
 
 }  // namespace

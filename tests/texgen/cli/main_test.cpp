@@ -1,4 +1,6 @@
 #include "tests/texgen/cli/run_program.h"
+#include "texgen/maps/map.h"
+#include "texgen/preset/schema.h"
 
 #include <gtest/gtest.h>
 
@@ -48,6 +50,18 @@ TEST(Main, ABadCommandLineIsOneLineAndCode2) {
     expect_refused("bake sea_foam -q -v", "--quiet excludes --verbose (see foamtex --help)");
 }
 
+TEST(Main, ListsEveryMap) {
+    const Outcome list = run("maps");
+    EXPECT_EQ(list.code, 0);
+    EXPECT_EQ(static_cast<std::size_t>(std::count(list.out.begin(), list.out.end(), '\n')),
+              all_maps().size());
+    for (const Map& map : all_maps()) {
+        EXPECT_NE(list.out.find(std::string(map.name) + " "), std::string::npos);
+        EXPECT_NE(list.out.find(map.meaning), std::string::npos);
+    }
+    EXPECT_EQ(run("maps --markdown").out, describe_maps_in_markdown());
+}
+
 TEST(Main, ABadPresetIsOneLineAndCode2) {
     expect_refused("bake none.toml", "cannot read 'none.toml': No such file or directory");
     expect_refused("bake beer",
@@ -68,8 +82,8 @@ TEST(Main, ABadOptionIsOneLineAndCode2) {
                    "--seed -1: key 'foam.seed' = -1: "
                    "must be an integer from 0 to 9223372036854775807");
     expect_refused("bake sea_foam --maps albedo,beer",
-                   "--maps albedo,beer: key 'image.maps' = [\"albedo\", \"beer\"]: "
-                   "must be a list, each word once, of \"albedo\"");
+                   "--maps albedo,beer: key 'image.maps' = [\"albedo\", \"beer\"]: must be " +
+                       find_key("image.maps")->allowed);
     expect_refused("bake sea_foam --frames 3-",
                    "frame range '3-': must be written as 5, 1-10, 1-10x2 or 1-10y3, "
                    "with commas between");

@@ -50,7 +50,7 @@ TEST(PresetIo, ReadsEveryKind) {
     EXPECT_DOUBLE_EQ(preset.coarsening.kappa, 2.0);
     EXPECT_EQ(preset.image.width, 64);
     EXPECT_EQ(preset.image.height, 32);
-    EXPECT_EQ(preset.albedo.pressure_unit, PressureUnit::Seed);
+    EXPECT_EQ(preset.maps.albedo.pressure_unit, PressureUnit::Seed);
     EXPECT_EQ(preset.frames.count, FramesOptions{}.count);
 }
 
@@ -152,8 +152,8 @@ RC_GTEST_PROP(PresetIo, WhatIsWrittenReadsBackToTheSame, ()) {
     preset.seeding.seed = *rc::gen::inRange<std::uint64_t>(0, std::uint64_t{1} << 63);
     preset.coarsening.kappa = *rc::gen::inRange(0, 1'000'000) / 1007.0;
     preset.image.width = *rc::gen::inRange(64, 16385);
-    preset.albedo.pressure_low = -*rc::gen::inRange(1, 1'000'000) / 3.0;
-    preset.albedo.film_unit = *rc::gen::element(WidthUnit::Pixels, WidthUnit::Diameters);
+    preset.maps.albedo.pressure_low = -*rc::gen::inRange(1, 1'000'000) / 3.0;
+    preset.maps.albedo.film_unit = *rc::gen::element(WidthUnit::Pixels, WidthUnit::Diameters);
 
     const Preset back = parse_preset(to_toml(preset), preset.name, "back");
     RC_ASSERT(back.description == preset.description);
@@ -161,8 +161,8 @@ RC_GTEST_PROP(PresetIo, WhatIsWrittenReadsBackToTheSame, ()) {
     RC_ASSERT(back.seeding.seed == preset.seeding.seed);
     RC_ASSERT(back.coarsening.kappa == preset.coarsening.kappa);
     RC_ASSERT(back.image.width == preset.image.width);
-    RC_ASSERT(back.albedo.pressure_low == preset.albedo.pressure_low);
-    RC_ASSERT(back.albedo.film_unit == preset.albedo.film_unit);
+    RC_ASSERT(back.maps.albedo.pressure_low == preset.maps.albedo.pressure_low);
+    RC_ASSERT(back.maps.albedo.film_unit == preset.maps.albedo.film_unit);
     RC_ASSERT(to_toml(back) == to_toml(preset));
 }
 

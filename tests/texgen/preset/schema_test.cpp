@@ -30,7 +30,7 @@ TEST(Schema, EveryKeyIsThereOnceWithAllItSays) {
         EXPECT_TRUE(is_table(key.table())) << key.path;
         EXPECT_EQ(find_key(key.path), &key);
     }
-    EXPECT_EQ(paths.size(), 32U);
+    EXPECT_EQ(paths.size(), 41U);
 }
 
 TEST(Schema, EveryDefaultIsAllowed) {
@@ -81,7 +81,10 @@ INSTANTIATE_TEST_SUITE_P(
                     Bounds{"camera.center", "[-11, 0]", "[-10, 10]", "[10, 0.5]", "[0, 10.1]"},
                     Bounds{"camera.margin", "-0.1", "0", "0.45", "0.46"},
                     Bounds{"albedo.pressure_low", "-1e7", "-1e6", "1e6", "1e7"},
-                    Bounds{"albedo.film_width", "-1", "0", "1000", "1001"}));
+                    Bounds{"albedo.film_width", "-1", "0", "1000", "1001"},
+                    Bounds{"pressure.percentile", "-1", "0", "49", "50"},
+                    Bounds{"pressure.exaggeration", "-1", "0", "1000", "1001"},
+                    Bounds{"area.full", "0", "0.001", "1e6", "1000001"}));
 
 TEST(Schema, RealsAreFiniteAndTakeIntegersButNotTheOtherWayRound) {
     EXPECT_TRUE(accepts("dynamics.kappa", "1"));
@@ -109,8 +112,8 @@ TEST(Schema, ChoicesReachTheirMembers) {
     Preset preset;
     EXPECT_TRUE(find_key("albedo.pressure_unit")->read(read_value("seed"), preset));
     EXPECT_TRUE(find_key("albedo.film_unit")->read(read_value("diameter"), preset));
-    EXPECT_EQ(preset.albedo.pressure_unit, PressureUnit::Seed);
-    EXPECT_EQ(preset.albedo.film_unit, WidthUnit::Diameters);
+    EXPECT_EQ(preset.maps.albedo.pressure_unit, PressureUnit::Seed);
+    EXPECT_EQ(preset.maps.albedo.film_unit, WidthUnit::Diameters);
     EXPECT_FALSE(find_key("albedo.film_unit")->read(read_value("mm"), preset));
 }
 

@@ -1,0 +1,202 @@
+// What holds for every map alike.
+#include "tests/texgen/maps/map_subjects.h"
+#include "texgen/image/file_io.h"
+#include "texgen/image/png.h"
+#include "texgen/maps/quantize.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <variant>
+
+namespace foam::texgen {
+namespace {
+
+constexpr int kSize = 96;
+
+class EveryMap : public testing::TestWithParam<std::string_view> {};
+
+template <class Sample>
+Image<Sample> shifted(const Image<Sample>& image, int shift_x, int shift_y) {
+    Image<Sample> result(image.width(), image.height(), image.channels());
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            const auto from =
+                image.pixel((x + shift_x) % image.width(), (y + shift_y) % image.height());
+            std::copy(from.begin(), from.end(), result.pixel(x, y).begin());
+        }
+    }
+    return result;
+}
+
+// Samples that differ.
+template <class Pixels>
+int differing(const Pixels& a, const MapImage& b) {
+    const auto& x = a.pixels.samples();
+    const auto& y = std::get<Pixels>(b).pixels.samples();
+    int count = x.size() == y.size() ? 0 : -1;
+    for (std::size_t k = 0; k < x.size(); ++k) {
+        count += x[k] == y[k] ? 0 : 1;
+    }
+    return count;
+}
+
+TEST_P(EveryMap, AShiftIsCyclicToTheBit) {
+    const MapImage still = draw(GetParam(), test::torus_subject(), test::torus_grid(kSize));
+    const MapImage moved = draw(GetParam(), test::torus_subject(), test::torus_grid(kSize, 37, 91));
+    std::visit(
+        [&](const auto& one) {
+            auto expected = one;
+            expected.pixels = shifted(one.pixels, 37, 91);
+            EXPECT_EQ(differing(expected, moved), 0);
+        },
+        still);
+}
+
+TEST_P(EveryMap, DoesNotDependOnThreads) {
+    for (const auto& [subject, grid] :
+         {std::pair(&test::torus_subject(), test::torus_grid(kSize)),
+          std::pair(&test::patch_subject(), test::patch_grid(kSize))}) {
+        const MapImage one = draw(GetParam(), *subject, grid, 1);
+        for (const int threads : {2, 3}) {
+            const MapImage many = draw(GetParam(), *subject, grid, threads);
+            std::visit([&](const auto& image) { EXPECT_EQ(differing(image, many), 0); }, one);
+        }
+    }
+}
+
+// The largest difference of a sample from the pixel to the left or below it.
+struct Steps {
+    double inside = 0.0;
+    double across_border = 0.0;
+};
+
+template <class Sample>
+Steps steps_of(const Image<Sample>& image) {
+    Steps steps;
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            const auto here = image.pixel(x, y);
+            const auto left = image.pixel((x + image.width() - 1) % image.width(), y);
+            const auto below = image.pixel(x, (y + image.height() - 1) % image.height());
+            for (std::size_t c = 0; c < here.size(); ++c) {
+                const double to_left = std::abs(double(here[c]) - double(left[c]));
+                const double to_below = std::abs(double(here[c]) - double(below[c]));
+                double& dx = x > 0 ? steps.inside : steps.across_border;
+                double& dy = y > 0 ? steps.inside : steps.across_border;
+                dx = std::max(dx, to_left);
+                dy = std::max(dy, to_below);
+            }
+        }
+    }
+    return steps;
+}
+
+// Ids apart, whose differences mean nothing.
+TEST_P(EveryMap, HasNoSeam) {
+    const MapImage image = draw(GetParam(), test::torus_subject(), test::torus_grid(kSize));
+    if (std::holds_alternative<IdPixels>(image)) {
+        GTEST_SKIP();
+    }
+    std::visit(
+        [](const auto& one) {
+            const Steps steps = steps_of(one.pixels);
+            EXPECT_LE(steps.across_border, steps.inside);
+        },
+        image);
+}
+
+// All samples 0, but for the colours that go on beyond the edge.
+TEST_P(EveryMap, IsNothingAroundAPatch) {
+    const MapImage image = draw(GetParam(), test::patch_subject(), test::patch_grid(kSize));
+    std::visit(
+        [](const auto& one) {
+            for (const int x : {0, kSize - 1}) {
+                EXPECT_EQ(one.pixels.pixel(x, kSize - 1).back(), 0);
+            }
+        },
+        image);
+}
+
+TEST_P(EveryMap, NumbersAreFinite) {
+    const MapImage image = draw(GetParam(), test::patch_subject(), test::patch_grid(kSize));
+    if (const auto* numbers = std::get_if<NumberPixels>(&image)) {
+        const auto samples = numbers->pixels.samples();
+        EXPECT_TRUE(
+            std::all_of(samples.begin(), samples.end(), [](float x) { return std::isfinite(x); }));
+        EXPECT_LT(numbers->low, numbers->high);
+    }
+}
+
+// A torus above a patch, against the picture under tests/data/golden/maps; made anew as those of
+// the presets.
+Image<std::uint8_t> golden_codes(std::string_view map) {
+    const auto codes = [&](const test::MapSubject& subject, const RasterGrid& grid) {
+        return std::get<Image<std::uint8_t>>(quantize(draw(map, subject, grid), 8).codes);
+    };
+    const Image<std::uint8_t> torus = codes(test::torus_subject(), test::torus_grid(kSize));
+    const Image<std::uint8_t> patch = codes(test::patch_subject(), test::patch_grid(kSize));
+    Image<std::uint8_t> both(kSize, 2 * kSize, patch.channels());
+    for (int y = 0; y < kSize; ++y) {
+        for (int x = 0; x < kSize; ++x) {
+            std::ranges::copy(patch.pixel(x, y), both.pixel(x, y).begin());
+            std::ranges::fill(both.pixel(x, y + kSize), std::uint8_t{255});
+            std::ranges::copy(torus.pixel(x, y), both.pixel(x, y + kSize).begin());
+        }
+    }
+    return both;
+}
+
+TEST_P(EveryMap, IsTheGoldenPicture) {
+    const Image<std::uint8_t> codes = golden_codes(GetParam());
+    const std::filesystem::path path = std::filesystem::path(FOAMTEX_TEST_DATA) / "golden" /
+                                       "maps" / (std::string(GetParam()) + ".png");
+    if (std::getenv("FOAMTEX_UPDATE_GOLDEN") != nullptr) {
+        make_folders(path.parent_path());
+        write_png(path, codes.view());
+        GTEST_SKIP() << "made " << path << " anew";
+    }
+    EXPECT_EQ(read_png(path).pixels, codes);
+}
+
+INSTANTIATE_TEST_SUITE_P(Maps,
+                         EveryMap,
+                         testing::ValuesIn(map_names().begin(), map_names().end()),
+                         [](const auto& tested) { return std::string(tested.param); });
+
+TEST(AllMaps, SayWhatTheyAre) {
+    for (const Map& map : all_maps()) {
+        EXPECT_FALSE(map.meaning.empty()) << map.name;
+        EXPECT_FALSE(map.unit.empty()) << map.name;
+        EXPECT_FALSE(map.channels.empty()) << map.name;
+        EXPECT_TRUE(map.png_bits == 8 || map.png_bits == 16) << map.name;
+        EXPECT_EQ(&find_map(map.name), &map);
+    }
+}
+
+TEST(AllMaps, AnUnknownOneIsRefusedWithThoseThereAre) {
+    try {
+        find_map("hieght");
+        FAIL();
+    } catch (const std::invalid_argument& error) {
+        EXPECT_NE(std::string(error.what()).find("albedo, pressure"), std::string::npos);
+    }
+}
+
+TEST(AllMaps, StandInTheReadme) {
+    std::ifstream file(FOAMTEX_README);
+    const std::string readme{std::istreambuf_iterator<char>(file), {}};
+    EXPECT_NE(readme.find(describe_maps_in_markdown()), std::string::npos)
+        << "print it with: foamtex maps --markdown";
+}
+
+}  // namespace
+}  // namespace foam::texgen

@@ -1,0 +1,59 @@
+#include "tests/texgen/maps/map_subjects.h"
+
+#include "core/dynamics/step.h"
+#include "tests/support/raster_frames.h"
+
+#include <algorithm>
+
+namespace foam::texgen::test {
+
+namespace {
+
+constexpr double kTime = 2.0;
+
+MapSubject subject_of(Foam foam) {
+    MapSubject subject;
+    subject.frame = snapshot(foam, 1);
+    subject.record.first_pressures = pressures_of(subject.frame, PressureUnit::Current);
+    std::sort(subject.record.first_pressures.begin(), subject.record.first_pressures.end());
+    step(foam, kTime, {});
+    subject.next = snapshot(foam, 2);
+    return subject;
+}
+
+Foam patch_with_a_lone_bubble() {
+    Foam foam =
+        foam::test::patch_foam(30, 3, "POLYGON((0 0, 6 0, 6 6, 0 6), (2 2, 2 5, 5 5, 5 2))");
+    foam.lone_bubbles.push_back({900, {-4.2, -4.2}, 1.5});
+    return foam;
+}
+
+}  // namespace
+
+const MapSubject& torus_subject() {
+    static const MapSubject subject = subject_of(foam::test::polydisperse_foam(24, 5));
+    return subject;
+}
+
+const MapSubject& patch_subject() {
+    static const MapSubject subject = subject_of(patch_with_a_lone_bubble());
+    return subject;
+}
+
+RasterGrid torus_grid(int size, int shift_x, int shift_y) {
+    return {size, size, shift_x, shift_y};
+}
+
+RasterGrid patch_grid(int size) {
+    return {size, size, 0, 0, View{Vec2::Zero(), size / 12.0}};
+}
+
+MapImage draw(std::string_view map,
+              const MapSubject& subject,
+              const RasterGrid& grid,
+              int threads) {
+    FrameLayers layers(subject.input(), grid, threads);
+    return find_map(map).draw(layers, {});
+}
+
+}  // namespace foam::texgen::test

@@ -1,0 +1,55 @@
+#include "texgen/cli/command.h"
+#include "texgen/maps/map.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr const char* kNotes =
+    R"(Colours are written as 8-bit sRGB, with an opacity in a patch; all else is data, 0 around a patch.
+Their options are keys of the preset: foamtex presets keys)";
+
+ExitCode list_maps() {
+    std::size_t name_width = 0;
+    std::size_t unit_width = 0;
+    for (const Map& map : all_maps()) {
+        name_width = std::max(name_width, map.name.size());
+        unit_width = std::max(unit_width, map.unit.size());
+    }
+    for (const Map& map : all_maps()) {
+        fmt::print("{:<{}}  {:<5}  {:>2} bit  {:<{}}  {}\n",
+                   map.name,
+                   name_width,
+                   map.channels,
+                   map.png_bits,
+                   map.unit,
+                   unit_width,
+                   map.meaning);
+    }
+    return ExitCode::Success;
+}
+
+ExitCode print_markdown() {
+    fmt::print("{}", describe_maps_in_markdown());
+    return ExitCode::Success;
+}
+
+}  // namespace
+
+void add_maps_command(CLI::App& app, Action& action) {
+    CLI::App* command = app.add_subcommand(
+        "maps", "List the maps: name, channels, bits in a PNG, unit and range, meaning");
+    const auto markdown = std::make_shared<bool>(false);
+    command->add_flag("--markdown", *markdown, "As a table in Markdown")->option_text(" ");
+    command->footer(kNotes);
+    command->callback([&action, markdown] { action = *markdown ? print_markdown : list_maps; });
+}
+
+}  // namespace foam::texgen

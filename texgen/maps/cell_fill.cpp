@@ -1,0 +1,157 @@
+#include "texgen/maps/cell_fill.h"
+
+#include "texgen/image/bleed.h"
+#include "texgen/raster/fill.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <utility>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr double kLargestValue = 65535.0;
+constexpr std::uint16_t kWhole = 65535;
+
+// One pixel's worth of a fill.
+using Texel = std::array<std::uint16_t, kMaxChannels>;
+
+// Values for the rasterizer: in a patch, what is around it comes between the bubbles and the lone
+// ones, and is 0.
+template <class TexelOf>
+CellValues cell_values(const FrameLayers& layers,
+                       std::size_t channels,
+                       std::size_t count,
+                       const TexelOf& texel_of) {
+    CellValues values{channels, {}, {}};
+    const auto append = [&](const Texel& texel) {
+        values.cells.insert(values.cells.end(),
+                            texel.begin(),
+                            texel.begin() + static_cast<std::ptrdiff_t>(channels));
+    };
+    for (std::size_t k = 0; k < count; ++k) {
+        if (layers.is_patch() && k == layers.frame().bubbles.size()) {
+            append({});
+        }
+        append(texel_of(k));
+    }
+    if (layers.is_patch() && count == layers.frame().bubbles.size()) {
+        append({});
+    }
+    return values;
+}
+
+std::uint16_t step_of(double x) {
+    return static_cast<std::uint16_t>(std::lround(x * kLargestValue));
+}
+
+Texel light_of(const LinearRgb& color) {
+    return {step_of(color.r), step_of(color.g), step_of(color.b), kWhole};
+}
+
+// From the smallest to the largest of some numbers in 65535 steps.
+class Steps {
+  public:
+    explicit Steps(const CellNumbers& numbers) {
+        const auto [low, high] =
+            std::minmax_element(numbers.bubbles.begin(), numbers.bubbles.end());
+        const bool any = low != numbers.bubbles.end();
+        low_ = any ? std::min(*low, numbers.film) : numbers.film;
+        range_ = (any ? std::max(*high, numbers.film) : numbers.film) - low_;
+    }
+    std::uint16_t step(double number) const {
+        return range_ > 0.0 ? step_of((number - low_) / range_) : std::uint16_t{0};
+    }
+    float number(std::uint16_t step) const {
+        return static_cast<float>(low_ + range_ * (step / kLargestValue));
+    }
+
+  private:
+    double low_ = 0.0;
+    double range_ = 0.0;
+};
+
+Image<float> numbers_of(const Image<std::uint16_t>& steps, const Steps& scale) {
+    Image<float> image(steps.width(), steps.height(), 1);
+    std::transform(steps.samples().begin(),
+                   steps.samples().end(),
+                   image.samples().begin(),
+                   [&](std::uint16_t step) { return scale.number(step); });
+    return image;
+}
+
+// The second channel is the opacity.
+Image<float> covered_numbers_of(const Image<std::uint16_t>& steps, const Steps& scale) {
+    Image<float> image(steps.width(), steps.height(), 1);
+    const std::span<const std::uint16_t> from = steps.samples();
+    const std::span<float> to = image.samples();
+    for (std::size_t k = 0; k < to.size(); ++k) {
+        to[k] = from[2 * k + 1] > 0 ? scale.number(from[2 * k]) : 0.0F;
+    }
+    return image;
+}
+
+}  // namespace
+
+ColorPixels fill_colors(FrameLayers& layers,
+                        const PerBubble<LinearRgb>& colors,
+                        const LinearRgb& film,
+                        double film_width) {
+    const std::size_t channels = layers.is_patch() ? 4 : 3;
+    CellValues values = cell_values(
+        layers, channels, colors.size(), [&](std::size_t k) { return light_of(colors[k]); });
+    values.film = light_of(film);
+    const CellOutlines& cells = layers.outlines(film_width);
+    const RasterGrid& grid = layers.grid();
+    Image<std::uint16_t> image(grid.width, grid.height, static_cast<int>(channels));
+    if (layers.is_patch()) {
+        fill_straight(cells, values, layers.threads(), image.view());
+        bleed_colors(image.view(), {values.film[0], values.film[1], values.film[2]});
+    } else {
+        fill_cells(cells, values, layers.threads(), image.view());
+    }
+    return {std::move(image)};
+}
+
+Image<float> fill_numbers(FrameLayers& layers, const CellNumbers& numbers, double film_width) {
+    const Steps scale(numbers);
+    const std::size_t channels = layers.is_patch() ? 2 : 1;
+    const auto texel_of = [&](double number) { return Texel{scale.step(number), kWhole, 0, 0}; };
+    CellValues values = cell_values(layers, channels, numbers.bubbles.size(), [&](std::size_t k) {
+        return texel_of(numbers.bubbles[k]);
+    });
+    values.film = texel_of(numbers.film);
+    const CellOutlines& cells = layers.outlines(film_width);
+    const RasterGrid& grid = layers.grid();
+    Image<std::uint16_t> steps(grid.width, grid.height, static_cast<int>(channels));
+    if (layers.is_patch()) {
+        fill_straight(cells, values, layers.threads(), steps.view());
+        return covered_numbers_of(steps, scale);
+    }
+    fill_cells(cells, values, layers.threads(), steps.view());
+    return numbers_of(steps, scale);
+}
+
+Image<float> fill_numbers(FrameLayers& layers, const PerBubble<double>& bubbles) {
+    const double film = bubbles.empty() ? 0.0 : bubbles.front();  // which no pixel shows
+    return fill_numbers(layers, {bubbles, film}, 0.0);
+}
+
+Image<float> fill_cover(FrameLayers& layers, Part part, double film_width) {
+    const std::uint16_t cell = part == Part::Foam ? kWhole : 0;
+    const std::size_t count = layers.frame().bubbles.size() + layers.frame().lone_bubbles.size();
+    CellValues values = cell_values(layers, 1, count, [&](std::size_t) {
+        return Texel{cell, 0, 0, 0};
+    });
+    values.film.front() = kWhole;
+    const RasterGrid& grid = layers.grid();
+    Image<std::uint16_t> steps(grid.width, grid.height, 1);
+    fill_cells(layers.outlines(film_width), values, layers.threads(), steps.view());
+    return numbers_of(steps, Steps({{0.0, 1.0}, 0.0}));
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,17 @@
+#include "texgen/maps/frame_layers.h"
+
+namespace foam::texgen {
+
+FrameLayers::FrameLayers(const FrameInput& input, const RasterGrid& grid, int threads)
+    : input_(input), grid_(grid), threads_(threads) {}
+
+const CellOutlines& FrameLayers::outlines(double film_width) {
+    const auto known = outlines_.find(film_width);
+    if (known != outlines_.end()) {
+        return known->second;
+    }
+    return outlines_.emplace(film_width, outline_cells(frame(), grid_, film_width, threads_))
+        .first->second;
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "core/foam/frame.h"
+#include "texgen/maps/foam_record.h"
+#include "texgen/raster/outlines.h"
+
+#include <map>
+
+namespace foam::texgen {
+
+/// What is drawn: a frame, and what maps ask for beyond it. All of it is borrowed.
+struct FrameInput {
+    const Frame& frame;
+    const FoamRecord& record;
+    const Frame* next = nullptr;  // the frame after it, for maps that need one
+};
+
+/// A frame on a raster grid, and what its maps have in common: made when the first of them asks for
+/// it, and then kept. For one thread at a time.
+class FrameLayers {
+  public:
+    /// `threads` is for the drawing of this one frame.
+    FrameLayers(const FrameInput& input, const RasterGrid& grid, int threads);
+
+    const Frame& frame() const { return input_.frame; }
+    const FoamRecord& record() const { return input_.record; }
+    const RasterGrid& grid() const { return grid_; }
+    int threads() const { return threads_; }
+    bool is_patch() const { return frame().torus.is_plane(); }
+
+    /// Outlines for a width of films in pixels. Throws as outline_cells.
+    const CellOutlines& outlines(double film_width);
+
+  private:
+    FrameInput input_;
+    RasterGrid grid_;
+    int threads_;
+    std::map<double, CellOutlines> outlines_;
+};
+
+}  // namespace foam::texgen

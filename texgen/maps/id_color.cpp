@@ -1,0 +1,58 @@
+#include "texgen/maps/id_color.h"
+
+#include "texgen/maps/cell_fill.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace foam::texgen {
+
+namespace {
+
+// The fractional parts of multiples of these are spread evenly, each for itself and both together:
+// inverse powers of the root of x³ = x + 1.
+constexpr double kHueStep = 0.7548776662466927;
+constexpr double kLightnessStep = 0.5698402909980532;
+
+// Every hue of these is within sRGB.
+constexpr double kDarkest = 0.59;
+constexpr double kLightest = 0.80;
+constexpr double kChroma = 0.10;
+
+double fraction(double x) {
+    return x - std::floor(x);
+}
+
+double cube(double x) {
+    return x * x * x;
+}
+
+// B. Ottosson, "A perceptual color space for image processing" (2020).
+LinearRgb oklab_to_linear(double lightness, double a, double b) {
+    const double l = cube(lightness + 0.3963377774 * a + 0.2158037573 * b);
+    const double m = cube(lightness - 0.1055613458 * a - 0.0638541728 * b);
+    const double s = cube(lightness - 0.0894841775 * a - 1.2914855480 * b);
+    return {4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s,
+            -1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s,
+            -0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s};
+}
+
+}  // namespace
+
+LinearRgb identity_color(BubbleIdentity identity) {
+    const double number = identity + 1.0;
+    const double hue = 2.0 * std::numbers::pi * fraction(number * kHueStep);
+    const double lightness = kDarkest + (kLightest - kDarkest) * fraction(number * kLightnessStep);
+    return oklab_to_linear(lightness, kChroma * std::cos(hue), kChroma * std::sin(hue));
+}
+
+ColorPixels draw_id_color(FrameLayers& layers) {
+    const Frame& frame = layers.frame();
+    const auto colors = per_bubble<LinearRgb>(
+        frame,
+        [&](BubbleId bubble) { return identity_color(frame.bubbles[bubble].identity); },
+        [](const LoneBubble& bubble) { return identity_color(bubble.identity); });
+    return fill_colors(layers, colors, {}, 0.0);
+}
+
+}  // namespace foam::texgen

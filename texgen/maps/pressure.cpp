@@ -1,0 +1,92 @@
+#include "texgen/maps/pressure.h"
+
+#include "texgen/image/colormap.h"
+#include "texgen/maps/cell_fill.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr double kMiddle = 0.5;
+
+double tone_in_range(double pressure, double low, double high) {
+    return low < high ? (pressure - low) / (high - low) : kMiddle;
+}
+
+// Of sorted numbers, between which it is interpolated. Precondition: there is one.
+double percentile_of(std::span<const double> sorted, double percentile) {
+    const double place = percentile / 100.0 * static_cast<double>(sorted.size() - 1);
+    const auto below = static_cast<std::size_t>(place);
+    const std::size_t above = std::min(below + 1, sorted.size() - 1);
+    return std::lerp(sorted[below], sorted[above], place - static_cast<double>(below));
+}
+
+// Where a pressure stands among sorted ones, 0 at the lowest and 1 at the highest; of equals, in
+// their middle.
+double rank_among(std::span<const double> sorted, double pressure) {
+    const auto [first, last] = std::equal_range(sorted.begin(), sorted.end(), pressure);
+    const auto lower = static_cast<double>(first - sorted.begin());
+    const auto not_higher = static_cast<double>(last - sorted.begin());
+    const auto steps = static_cast<double>(sorted.size() - 1);
+    if (first != last) {
+        return steps > 0.0 ? 0.5 * (lower + not_higher - 1.0) / steps : kMiddle;
+    }
+    if (first == sorted.begin() || first == sorted.end()) {
+        return first == sorted.begin() ? 0.0 : 1.0;
+    }
+    const double below = *(first - 1);
+    return (lower - 1.0 + (pressure - below) / (*first - below)) / steps;
+}
+
+double tone_of(double pressure, std::span<const double> scale, const PressureOptions& options) {
+    if (options.scaling == PressureScaling::Range) {
+        return tone_in_range(pressure, options.low, options.high);
+    }
+    if (scale.empty()) {
+        return kMiddle;
+    }
+    if (options.scaling == PressureScaling::Rank) {
+        return rank_among(scale, pressure);
+    }
+    return tone_in_range(pressure,
+                         percentile_of(scale, options.percentile),
+                         percentile_of(scale, 100.0 - options.percentile));
+}
+
+PerBubble<double> tones_of(const FrameLayers& layers, const PressureOptions& options) {
+    const bool own_unit = options.scaling == PressureScaling::Range;
+    PerBubble<double> tones =
+        pressures_of(layers.frame(), own_unit ? options.unit : PressureUnit::Current);
+    for (double& tone : tones) {
+        tone = tone_of(tone, layers.record().first_pressures, options);
+        tone = kMiddle + options.exaggeration * (tone - kMiddle);
+    }
+    return tones;
+}
+
+}  // namespace
+
+MapImage draw_pressure(FrameLayers& layers, const PressureOptions& options) {
+    if (!(options.low < options.high)) {
+        throw std::invalid_argument("the low end of the pressures must lie below the high end");
+    }
+    const PerBubble<double> tones = tones_of(layers, options);
+    if (options.colormap == "none") {
+        return NumberPixels{fill_numbers(layers, tones), 0.0, 1.0};
+    }
+    const ColorMap& colormap = find_colormap(options.colormap);
+    PerBubble<LinearRgb> colors;
+    for (const double tone : tones) {
+        colors.push_back(colormap.at(tone));
+    }
+    return fill_colors(layers, colors, {}, 0.0);
+}
+
+}  // namespace foam::texgen

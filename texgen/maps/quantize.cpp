@@ -1,0 +1,101 @@
+#include "texgen/maps/quantize.h"
+
+#include "texgen/image/color.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace foam::texgen {
+
+namespace {
+
+using Encoding = std::array<std::uint8_t, 65536>;
+
+// Code k stands for the light that rounds to it: up to where sRGB passes k + 1/2.
+Encoding make_srgb_encoding() {
+    constexpr double kLargestValue = 65535.0;
+    Encoding encoding{};
+    std::size_t value = 0;
+    for (int code = 0; code < 256; ++code) {
+        const double end =
+            code < 255 ? srgb_to_linear((code + 0.5) / 255.0) * kLargestValue : kLargestValue + 1.0;
+        for (; value < encoding.size() && static_cast<double>(value) < end; ++value) {
+            encoding[value] = static_cast<std::uint8_t>(code);
+        }
+    }
+    return encoding;
+}
+
+const Encoding& srgb_encoding() {
+    static const Encoding encoding = make_srgb_encoding();
+    return encoding;
+}
+
+std::uint8_t opacity_code(std::uint32_t opacity) {
+    return static_cast<std::uint8_t>((opacity + 128) / 257);
+}
+
+template <class Code>
+Image<Code> number_codes(const NumberPixels& numbers) {
+    constexpr double kLargest = std::numeric_limits<Code>::max();
+    const double scale = kLargest / (numbers.high - numbers.low);
+    const Image<float>& from = numbers.pixels;
+    Image<Code> codes(from.width(), from.height(), from.channels());
+    std::transform(
+        from.samples().begin(), from.samples().end(), codes.samples().begin(), [&](float number) {
+            const double code = (number - numbers.low) * scale;
+            return code > 0.0 ? static_cast<Code>(std::min(code, kLargest) + 0.5) : Code{0};
+        });
+    return codes;
+}
+
+template <class Code>
+Image<Code> id_codes(const IdPixels& ids) {
+    const Image<std::uint32_t>& from = ids.pixels;
+    Image<Code> codes(from.width(), from.height(), from.channels());
+    std::transform(from.samples().begin(),
+                   from.samples().end(),
+                   codes.samples().begin(),
+                   [](std::uint32_t id) { return static_cast<Code>(id); });
+    return codes;
+}
+
+template <class Code>
+CodedImage data_codes(const MapImage& map) {
+    if (const auto* numbers = std::get_if<NumberPixels>(&map)) {
+        return {number_codes<Code>(*numbers), false};
+    }
+    return {id_codes<Code>(std::get<IdPixels>(map)), false};
+}
+
+}  // namespace
+
+Image<std::uint8_t> srgb_codes(const ColorPixels& colors) {
+    const Encoding& encoding = srgb_encoding();
+    const Image<std::uint16_t>& from = colors.pixels;
+    Image<std::uint8_t> codes(from.width(), from.height(), from.channels());
+    const auto light = from.samples();
+    const auto coded = codes.samples();
+    std::transform(light.begin(), light.end(), coded.begin(), [&](std::uint16_t value) {
+        return encoding[value];
+    });
+    constexpr std::size_t kWithOpacity = 4;
+    if (static_cast<std::size_t>(from.channels()) == kWithOpacity) {
+        for (std::size_t k = kWithOpacity - 1; k < light.size(); k += kWithOpacity) {
+            coded[k] = opacity_code(light[k]);
+        }
+    }
+    return codes;
+}
+
+CodedImage quantize(const MapImage& map, int bits) {
+    if (const auto* colors = std::get_if<ColorPixels>(&map)) {
+        return {srgb_codes(*colors), true};
+    }
+    return bits == 8 ? data_codes<std::uint8_t>(map) : data_codes<std::uint16_t>(map);
+}
+
+}  // namespace foam::texgen

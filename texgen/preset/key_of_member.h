@@ -1,0 +1,28 @@
+#pragma once
+
+#include "texgen/preset/schema.h"
+
+#include <string_view>
+
+namespace foam::texgen {
+
+/// object.*members[0].*members[1] and so on.
+template <class Object, class... Members>
+auto& at(Object& object, Members... members) {
+    return (object.*....*members);
+}
+
+/// The key whose value is kept in the preset at the end of the path of members. A domain is one of
+/// the kinds of value of domain.h.
+template <class Domain, class... Members>
+Key key(std::string_view path, Domain domain, std::string_view meaning, Members... members) {
+    return {path,
+            domain.allowed(),
+            meaning,
+            [=](const Value& value, Preset& preset) {
+                return domain.read(value, at(preset, members...));
+            },
+            [=](const Preset& preset) { return domain.write(at(preset, members...)); }};
+}
+
+}  // namespace foam::texgen

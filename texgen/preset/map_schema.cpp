@@ -1,0 +1,167 @@
+#include "texgen/preset/map_schema.h"
+
+#include "texgen/image/colormap.h"
+#include "texgen/preset/domain.h"
+#include "texgen/preset/key_of_member.h"
+#include "texgen/preset/refusal.h"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <string_view>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr double kLargestPressure = 1e6;
+constexpr Choices<PressureUnit> kPressureUnits = {
+    {{{"seed", PressureUnit::Seed}, {"current", PressureUnit::Current}}}};
+constexpr Choices<WidthUnit> kWidthUnits = {
+    {{{"px", WidthUnit::Pixels}, {"diameter", WidthUnit::Diameters}}}};
+constexpr Choices<PressureScaling, 3> kPressureScalings = {
+    {{{"range", PressureScaling::Range},
+      {"percentile", PressureScaling::Percentile},
+      {"rank", PressureScaling::Rank}}}};
+constexpr Choices<AreaUnit> kAreaUnits = {
+    {{{"seed", AreaUnit::Seed}, {"current", AreaUnit::Current}}}};
+
+// Makes keys of one map's options: path, domain, meaning, member.
+template <class Options>
+auto keys_in(Options MapOptions::*map) {
+    return [map](std::string_view path, const auto& domain, std::string_view meaning, auto member) {
+        return key(path, domain, meaning, &Preset::maps, map, member);
+    };
+}
+
+std::span<const std::string_view> colormaps_and_none() {
+    static const std::vector<std::string_view> words = [] {
+        std::vector<std::string_view> all{"none"};
+        all.insert(all.end(), colormap_names().begin(), colormap_names().end());
+        return all;
+    }();
+    return words;
+}
+
+std::vector<Key> albedo_keys() {
+    using Options = AlbedoOptions;
+    const auto one = keys_in(&MapOptions::albedo);
+    return {one("albedo.colormap",
+                Words{colormap_names()},
+                "colours of the bubbles by their pressure",
+                &Options::colormap),
+            one("albedo.pressure_low",
+                Reals{-kLargestPressure, kLargestPressure},
+                "pressure at the start of the colour map",
+                &Options::pressure_low),
+            one("albedo.pressure_high",
+                Reals{-kLargestPressure, kLargestPressure},
+                "pressure at its end; above pressure_low",
+                &Options::pressure_high),
+            one("albedo.pressure_unit",
+                kPressureUnits,
+                "film tension over the root of the mean area: of the seeded foam or of this frame",
+                &Options::pressure_unit),
+            one("albedo.film_color", Colors{}, "sRGB colour of the films", &Options::film_color),
+            one("albedo.film_width",
+                Reals{0.0, 1000.0},
+                "whole width of a film; 0 draws none",
+                &Options::film_width),
+            one("albedo.film_unit",
+                kWidthUnits,
+                "pixels, or diameters of a mean bubble of the seeded foam",
+                &Options::film_unit)};
+}
+
+std::vector<Key> pressure_keys() {
+    using Options = PressureOptions;
+    const auto one = keys_in(&MapOptions::pressure);
+    return {
+        one("pressure.scaling",
+            kPressureScalings,
+            "tones by a range of pressures, by the range of most bubbles of the first frame, or "
+            "by the share of its bubbles with a lower pressure",
+            &Options::scaling),
+        one("pressure.percentile",
+            Reals{0.0, 49.0},
+            "of \"percentile\": percentage of the bubbles left out at either end",
+            &Options::percentile),
+        one("pressure.low",
+            Reals{-kLargestPressure, kLargestPressure},
+            "of \"range\": pressure of tone 0",
+            &Options::low),
+        one("pressure.high",
+            Reals{-kLargestPressure, kLargestPressure},
+            "of \"range\": pressure of tone 1; above low",
+            &Options::high),
+        one("pressure.unit",
+            kPressureUnits,
+            "of low and high: as albedo.pressure_unit",
+            &Options::unit),
+        one("pressure.exaggeration",
+            Reals{0.0, 1000.0},
+            "factor on what differs from the middle tone: a large one leaves only walls and "
+            "passages",
+            &Options::exaggeration),
+        one("pressure.colormap",
+            Words{colormaps_and_none()},
+            "colours of the tones; none leaves grey numbers",
+            &Options::colormap)};
+}
+
+std::vector<Key> area_keys() {
+    using Options = AreaOptions;
+    const auto one = keys_in(&MapOptions::area);
+    return {one("area.unit",
+                kAreaUnits,
+                "mean area of the seeded foam or of this frame",
+                &Options::unit),
+            one("area.full",
+                Reals{1e-3, 1e6},
+                "area that a PNG has as its largest code, in the unit",
+                &Options::full)};
+}
+
+// Two keys of which the one must be below the other.
+struct OrderedKeys {
+    std::string_view low;
+    std::string_view high;
+    double low_value;
+    double high_value;
+};
+
+// The assignments were good before this batch, so one of the batch is to blame: the last.
+void check_order(const OrderedKeys& keys, std::span<const Assignment> assignments) {
+    if (keys.low_value < keys.high_value) {
+        return;
+    }
+    for (auto last = assignments.rbegin(); last != assignments.rend(); ++last) {
+        if (last->key == keys.high) {
+            refuse(*last, fmt::format("must be above {} = {}", keys.low, keys.low_value));
+        }
+        if (last->key == keys.low) {
+            refuse(*last, fmt::format("must be below {} = {}", keys.high, keys.high_value));
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<Key> map_keys() {
+    std::vector<Key> all;
+    for (const auto& keys : {albedo_keys(), pressure_keys(), area_keys()}) {
+        all.insert(all.end(), keys.begin(), keys.end());
+    }
+    return all;
+}
+
+void check_maps(const Preset& preset, std::span<const Assignment> assignments) {
+    const AlbedoOptions& albedo = preset.maps.albedo;
+    const PressureOptions& pressure = preset.maps.pressure;
+    check_order(
+        {"albedo.pressure_low", "albedo.pressure_high", albedo.pressure_low, albedo.pressure_high},
+        assignments);
+    check_order({"pressure.low", "pressure.high", pressure.low, pressure.high}, assignments);
+}
+
+}  // namespace foam::texgen
