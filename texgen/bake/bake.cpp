@@ -135,15 +135,11 @@ BakeSummary bake(const Preset& preset,
         }
         workers.submit([shown, view = simulation.view(), &writer] { writer.write(shown, view); });
     };
-    const bool complete =
+    summary.outcome =
         simulate_frames(simulation, options.frames, next_frames_for(preset.image.maps), visit);
     workers.finish();
-    if (!complete) {
-        summary.status = BakeStatus::NoEquilibrium;
-        summary.failed_frame = simulation.number();
-    }
     for (const int frame : options.frames) {
-        if (summary.status == BakeStatus::Complete || frame < summary.failed_frame) {
+        if (summary.outcome.status == RunStatus::Complete || frame < summary.outcome.failed_frame) {
             const std::vector<std::filesystem::path> paths = writer.paths(frame);
             summary.files.insert(summary.files.end(), paths.begin(), paths.end());
         }

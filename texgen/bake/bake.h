@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace foam::texgen {
@@ -29,14 +30,8 @@ struct BakeProgress {
 /// Called from one thread at a time.
 using ProgressCallback = std::function<void(const BakeProgress&)>;
 
-enum class BakeStatus {
-    Complete,
-    NoEquilibrium,  // the frames before failed_frame were written
-};
-
 struct BakeSummary {
-    BakeStatus status = BakeStatus::Complete;
-    int failed_frame = 0;                      // whose foam found no equilibrium
+    RunOutcome outcome;                        // the frames before one that failed were written
     std::vector<std::filesystem::path> files;  // written, in the order of the frames asked for
 };
 

@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace foam::texgen {
@@ -33,12 +34,25 @@ using FrameVisitor = std::function<void(const SimulatedFrame&)>;
 /// the last.
 enum class NextFrames { LeftOut, HandedOut };
 
-/// Runs a simulation that has not begun to the last of the frames, and hands out each of them on
-/// the way, in increasing order. False where no equilibrium is found: simulation.number() is then
-/// the frame that failed.
-bool simulate_frames(Simulation& simulation,
-                     std::vector<int> numbers,
-                     NextFrames next_frames,
-                     const FrameVisitor& on_frame);
+enum class RunStatus {
+    Complete,
+    NoEquilibrium,
+    OpenLoop,  // no frame was handed out
+};
+
+/// How a run ended.
+struct RunOutcome {
+    RunStatus status = RunStatus::Complete;
+    int failed_frame = 0;                 // whose foam found no equilibrium, or whose loop is open
+    std::optional<double> closing_error;  // of a loop (Simulation::closing_error)
+};
+
+/// Runs a simulation that has not begun to the last of the frames, and hands out each of them as
+/// soon as it can: in increasing order, but in a pingpong, where a frame is shown on both ways, in
+/// the order in which the simulation comes by.
+RunOutcome simulate_frames(Simulation& simulation,
+                           const std::vector<int>& numbers,
+                           NextFrames next_frames,
+                           const FrameVisitor& on_frame);
 
 }  // namespace foam::texgen

@@ -1,6 +1,7 @@
 #include "texgen/bake/simulation.h"
 
 #include "core/foam/measure.h"
+#include "texgen/bake/loop_pose.h"
 #include "texgen/bake/seed.h"
 #include "texgen/maps/albedo.h"
 
@@ -9,6 +10,14 @@
 namespace foam::texgen {
 
 namespace {
+
+constexpr double kClosed = 1e-9;  // of a loop: diameters of a mean bubble
+
+CycleOptions cycle_options_of(const LoopOptions& loop, int steps, std::uint64_t seed) {
+    CycleOptions options{.steps = steps, .seed = seed};
+    (loop.kind == LoopKind::Breathe ? options.breath : options.strain) = loop.amplitude;
+    return options;
+}
 
 StepOptions step_options_of(const Preset& preset, int threads) {
     StepOptions options;
@@ -24,12 +33,14 @@ StepOptions step_options_of(const Preset& preset, int threads) {
 
 Simulation::Simulation(const Preset& preset, int threads)
     : frames_(preset.frames),
+      loop_(preset.loop),
       image_(preset.image),
       camera_(preset.camera),
       next_step_(preset.frames.time_step),
       options_(step_options_of(preset, threads)),
       foam_(seeded_foam(preset)),
-      timeline_(preset) {}
+      timeline_(preset),
+      seed_(preset.seeding.seed) {}
 
 bool Simulation::advance() {
     ++number_;
@@ -39,6 +50,12 @@ bool Simulation::advance() {
     equilibrium_.sweeps = equilibrium_.iterations = equilibrium_.t1 = equilibrium_.t2 = 0;
     if (number_ == 2 && frames_.first == FirstFrame::Diagram && !settle()) {
         return false;
+    }
+    if (cycle_) {
+        return step_cycle(number_ - 1);
+    }
+    if (loop_.kind == LoopKind::Drift) {
+        return true;
     }
     const double time = next_step_;
     next_step_ *= frames_.step_growth;
@@ -55,7 +72,50 @@ bool Simulation::reach_first_frame() {
         view_ = camera_view(frame(), image_, camera_);
         timeline_.set_view(*view_);
     }
-    return true;
+    return !loop_.is_cycle() || close_loop();
+}
+
+int Simulation::shown(int number) const {
+    return shown_frame(number, loop_, frames_.count);
+}
+
+Frame Simulation::frame() const {
+    if (!loop_.is_cycle() && loop_.kind != LoopKind::Drift) {
+        return snapshot(foam_, number_);
+    }
+    const int place = (number_ - 1) % frames_.count;
+    return snapshot(posed(foam_, loop_, static_cast<double>(place) / frames_.count), number_);
+}
+
+// Cycles until one ends where it began.
+bool Simulation::close_loop() {
+    cycle_.emplace(foam_, cycle_options_of(loop_, frames_.count, seed_));
+    bool found = step_cycle(0);
+    for (int cycle = 0; cycle < loop_.cycles && found; ++cycle) {
+        const Foam start = foam_;
+        for (int place = 1; place <= frames_.count && found; ++place) {
+            found = step_cycle(place);
+        }
+        closing_error_ = foam::closing_error(start, foam_);
+        if (found && *closing_error_ < kClosed) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool Simulation::step_cycle(int place) {
+    const EquilibriumSummary before = equilibrium_;
+    equilibrium_ = cycle_->step_to(place, foam_, frames_.time_step, options_).equilibrium;
+    add_effort(before);
+    return equilibrium_.converged();
+}
+
+void Simulation::add_effort(const EquilibriumSummary& before) {
+    equilibrium_.sweeps += before.sweeps;
+    equilibrium_.iterations += before.iterations;
+    equilibrium_.t1 += before.t1;
+    equilibrium_.t2 += before.t2;
 }
 
 void Simulation::measure_diagram() {
@@ -85,10 +145,7 @@ bool Simulation::step_by(double time, const StateChange& change) {
     }
     const EquilibriumSummary before = equilibrium_;
     equilibrium_ = step(foam_, time, change, options_).equilibrium;
-    equilibrium_.sweeps += before.sweeps;
-    equilibrium_.iterations += before.iterations;
-    equilibrium_.t1 += before.t1;
-    equilibrium_.t2 += before.t2;
+    add_effort(before);
     return equilibrium_.converged();
 }
 

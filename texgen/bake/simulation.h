@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/dynamics/cycle.h"
 #include "core/dynamics/step.h"
 #include "core/foam/frame.h"
 #include "texgen/bake/camera.h"
@@ -19,12 +20,20 @@ class Simulation {
     explicit Simulation(const Preset& preset, int threads = 0);
 
     /// Goes on to the next frame: to frame 1 by equilibrium and the warm-up (to frame 2, where
-    /// frame 1 shows the diagram), from frame to frame by a time step and the events of the preset.
-    /// False where no equilibrium is found; the foam is then of no more use.
+    /// frame 1 shows the diagram), and by as many cycles as a loop takes to close; from frame to
+    /// frame by a time step and the events of the preset, or by a step of the loop. False where no
+    /// equilibrium is found, or the loop stays open; the foam is then of no more use.
     bool advance();
 
-    /// The frame that was reached.
-    Frame frame() const { return snapshot(foam_, number_); }
+    /// The number of the frame that a frame of the animation shows (shown_frame).
+    int shown(int number) const;
+
+    /// The frame that was reached. A pingpong only goes forwards here.
+    Frame frame() const;
+
+    /// How far the end of a cycle is from its start, in diameters of a mean bubble (closing_error);
+    /// nothing where no loop was tried.
+    const std::optional<double>& closing_error() const { return closing_error_; }
 
     /// What images of a patch show, from frame 1 on; nothing for a torus.
     const std::optional<View>& view() const { return view_; }
@@ -42,16 +51,23 @@ class Simulation {
     bool reach_first_frame();
     void measure_diagram();
     bool settle();  // equilibrium and the warm-up
+    bool close_loop();
+    bool step_cycle(int place);
+    void add_effort(const EquilibriumSummary& before);
     void record_first_pressures();
     bool step_by(double time, const StateChange& change);  // adds to what equilibrium_ counts
 
     FramesOptions frames_;
+    LoopOptions loop_;
     ImageOptions image_;
     CameraOptions camera_;
     double next_step_;  // foam time to the next frame
     StepOptions options_;
     Foam foam_;
     Timeline timeline_;
+    std::uint64_t seed_;
+    std::optional<Cycle> cycle_;
+    std::optional<double> closing_error_;
     std::optional<View> view_;
     FoamRecord record_;
     int number_ = 0;

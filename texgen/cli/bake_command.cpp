@@ -91,8 +91,8 @@ ExitCode run_bake(const BakeArguments& arguments) {
     if (arguments.stats) {
         tables_and_charts = write_statistics(recorder.run(), statistics_folder(preset, pattern));
     }
-    if (summary.status == BakeStatus::NoEquilibrium) {
-        return report_no_equilibrium(summary.failed_frame);
+    if (summary.outcome.status != RunStatus::Complete) {
+        return report_failure(summary.outcome);
     }
     if (verbosity != Verbosity::Quiet) {
         print_images(preset, pattern, options.frames);

@@ -7,7 +7,7 @@ enum class ExitCode : int {
     Success = 0,
     InternalFailure = 1,  // a bug, or out of memory
     BadRequest = 2,       // the command line or a preset, a missing preset file too
-    NoEquilibrium = 3,    // the foam could not be brought to equilibrium
+    NoEquilibrium = 3,    // the foam could not be brought to equilibrium, or its loop not be closed
     BadInput = 4,         // an input file is unreadable or malformed
     OutputFailed = 5,     // an output could not be written
 };

@@ -27,7 +27,7 @@ Exit codes:
   0  success
   1  unexpected internal failure
   2  bad command line or preset
-  3  the foam could not be brought to equilibrium
+  3  the foam could not be brought to equilibrium, or its loop not be closed
   4  an input file is unreadable or malformed
   5  an output could not be written)";
 

@@ -12,8 +12,16 @@ void print_files(std::span<const std::filesystem::path> files) {
     }
 }
 
-ExitCode report_no_equilibrium(int frame) {
-    fmt::print(stderr, "foamtex: frame {}: the foam found no equilibrium\n", frame);
+ExitCode report_failure(const RunOutcome& outcome) {
+    if (outcome.status == RunStatus::OpenLoop) {
+        fmt::print(stderr,
+                   "foamtex: the loop does not close: the ends of its last cycle are {:.2g} mean "
+                   "bubble diameters apart; take a smaller loop.amplitude, or more loop.cycles\n",
+                   *outcome.closing_error);
+    } else {
+        fmt::print(
+            stderr, "foamtex: frame {}: the foam found no equilibrium\n", outcome.failed_frame);
+    }
     return ExitCode::NoEquilibrium;
 }
 

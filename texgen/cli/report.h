@@ -1,5 +1,6 @@
 #pragma once
 
+#include "texgen/bake/simulate_frames.h"
 #include "texgen/cli/exit_code.h"
 
 #include <filesystem>
@@ -10,7 +11,7 @@ namespace foam::texgen {
 /// One line a file, on stdout.
 void print_files(std::span<const std::filesystem::path> files);
 
-/// Says on stderr whose foam found no equilibrium; the code to leave with.
-ExitCode report_no_equilibrium(int frame);
+/// Says on stderr which frame failed and why; the code to leave with.
+ExitCode report_failure(const RunOutcome& outcome);
 
 }  // namespace foam::texgen

@@ -40,8 +40,8 @@ ExitCode run_stats(const StatsArguments& arguments) {
     const MeasureSummary summary = measure_run(preset, options, progress_reporter(verbosity));
     const std::vector<std::filesystem::path> files =
         write_statistics(summary.run, folder_of(arguments, preset));
-    if (summary.status == BakeStatus::NoEquilibrium) {
-        return report_no_equilibrium(summary.failed_frame);
+    if (summary.outcome.status != RunStatus::Complete) {
+        return report_failure(summary.outcome);
     }
     if (verbosity != Verbosity::Quiet) {
         print_files(files);

@@ -172,22 +172,4 @@ Value Sizes::write(const ImageOptions& member) const {
     return {Value::List{{std::int64_t{member.width}}, {std::int64_t{member.height}}}};
 }
 
-std::string Points::allowed() const {
-    return fmt::format("[x, y], each {}", coordinate.allowed());
-}
-
-bool Points::read(const Value& value, std::array<double, 2>& member) const {
-    const auto* list = get<Value::List>(value);
-    std::array<double, 2> point{};
-    const bool allowed = list != nullptr && list->size() == 2 &&
-                         coordinate.read(list->front(), point[0]) &&
-                         coordinate.read(list->back(), point[1]);
-    member = allowed ? point : member;
-    return allowed;
-}
-
-Value Points::write(const std::array<double, 2>& member) const {
-    return {Value::List{{member[0]}, {member[1]}}};
-}
-
 }  // namespace foam::texgen

@@ -132,14 +132,31 @@ struct IntegerLists {
     }
 };
 
-/// [x, y], each in the range of a coordinate.
-struct Points {
-    Reals coordinate{0.0, 1.0};
+/// [x, y], each as a coordinate may be.
+template <class Coordinate>
+struct Pairs {
+    Coordinate coordinate;
 
-    std::string allowed() const;
-    bool read(const Value& value, std::array<double, 2>& member) const;
-    Value write(const std::array<double, 2>& member) const;
+    std::string allowed() const { return "[x, y], each " + coordinate.allowed(); }
+
+    template <class Number>
+    bool read(const Value& value, std::array<Number, 2>& member) const {
+        const auto* list = std::get_if<Value::List>(&value.data);
+        std::array<Number, 2> pair{};
+        const bool allowed = list != nullptr && list->size() == 2 &&
+                             coordinate.read(list->front(), pair[0]) &&
+                             coordinate.read(list->back(), pair[1]);
+        member = allowed ? pair : member;
+        return allowed;
+    }
+    template <class Number>
+    Value write(const std::array<Number, 2>& member) const {
+        return {Value::List{coordinate.write(member[0]), coordinate.write(member[1])}};
+    }
 };
+
+using Points = Pairs<Reals>;
+using IntegerPairs = Pairs<Integers>;
 
 /// A value that may be left out.
 template <class Domain>

@@ -6,6 +6,7 @@
 #include "texgen/maps/map_options.h"
 #include "texgen/preset/event.h"
 #include "texgen/preset/foam_shape.h"
+#include "texgen/preset/loop.h"
 
 #include <array>
 #include <string>
@@ -66,6 +67,7 @@ struct Preset {
     CoarseningOptions coarsening;
     TopologyThresholds thresholds;
     FramesOptions frames;
+    LoopOptions loop;
     std::vector<Event> events;  // in the order of the file
     ImageOptions image;
     CameraOptions camera;

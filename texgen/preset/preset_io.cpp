@@ -1,6 +1,7 @@
 #include "texgen/preset/preset_io.h"
 
 #include "texgen/preset/event_io.h"
+#include "texgen/preset/loop_schema.h"
 #include "texgen/preset/map_schema.h"
 #include "texgen/preset/nearest.h"
 #include "texgen/preset/refusal.h"
@@ -106,6 +107,7 @@ void assign(Preset& preset, std::span<const Assignment> assignments) {
     check_maps(preset, assignments);
     check_aspect(preset, assignments);
     check_events(preset, assignments);
+    check_loop(preset, assignments);
 }
 
 Preset parse_preset(std::string_view toml, const std::string& name, const std::string& source) {

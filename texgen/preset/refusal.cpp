@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <variant>
@@ -32,6 +33,16 @@ void refuse(const Assignment& assignment, std::string_view reason) {
                                   assignment.key,
                                   shortened(to_toml(assignment.value)),
                                   reason));
+}
+
+void refuse_last(std::span<const Assignment> assignments,
+                 std::initializer_list<std::string_view> keys,
+                 std::string_view reason) {
+    const auto last =
+        std::find_if(assignments.rbegin(), assignments.rend(), [&](const Assignment& assignment) {
+            return std::find(keys.begin(), keys.end(), assignment.key) != keys.end();
+        });
+    refuse(last != assignments.rend() ? *last : assignments.back(), reason);
 }
 
 void refuse_unknown(const Assignment& assignment, std::string_view meant) {

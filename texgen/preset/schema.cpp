@@ -3,6 +3,7 @@
 #include "texgen/maps/map.h"
 #include "texgen/preset/domain.h"
 #include "texgen/preset/key_of_member.h"
+#include "texgen/preset/loop_schema.h"
 #include "texgen/preset/map_schema.h"
 
 #include <algorithm>
@@ -200,6 +201,7 @@ std::vector<Key> all_keys() {
                              foam_keys(),
                              dynamics_keys(),
                              frames_keys(),
+                             loop_keys(),
                              image_keys(),
                              camera_keys(),
                              map_keys(),

@@ -34,10 +34,9 @@ MeasureSummary measure_run(const Preset& preset,
             on_progress(progress_of(recorder.run(), total, begin));
         }
     };
-    if (simulate_frames(simulation, options.frames, NextFrames::LeftOut, measure)) {
-        return {BakeStatus::Complete, 0, recorder.run()};
-    }
-    return {BakeStatus::NoEquilibrium, simulation.number(), recorder.run()};
+    const RunOutcome outcome =
+        simulate_frames(simulation, options.frames, NextFrames::LeftOut, measure);
+    return {outcome, recorder.run()};
 }
 
 }  // namespace foam::texgen

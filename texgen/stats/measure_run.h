@@ -6,8 +6,7 @@
 namespace foam::texgen {
 
 struct MeasureSummary {
-    BakeStatus status = BakeStatus::Complete;
-    int failed_frame = 0;  // whose foam found no equilibrium; the record ends before it
+    RunOutcome outcome;  // the record ends before a frame that failed
     RunRecord run;
 };
 

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <vector>
+
 namespace foam::texgen {
 
 namespace {
@@ -128,6 +131,66 @@ TEST(Simulation, StandsStillWithoutTime) {
     const Frame first = simulation.frame();
     ASSERT_TRUE(simulation.advance());
     EXPECT_TRUE(simulation.frame().positions == first.positions);
+}
+
+// Positions of the junctions of two frames of one network.
+double largest_motion(const Frame& from, const Frame& to) {
+    double largest = 0.0;
+    for (const JunctionId junction : from.network.junctions()) {
+        const Vec2 motion = to.positions[junction] - from.positions[junction];
+        largest = std::max(largest, from.torus.nearest_copy(motion).norm());
+    }
+    return largest;
+}
+
+// Frames 1 to count + 1.
+std::vector<Frame> frames_of_loop(const Preset& preset) {
+    Simulation simulation(preset);
+    std::vector<Frame> frames;
+    for (int number = 1; number <= preset.frames.count + 1; ++number) {
+        EXPECT_TRUE(simulation.advance()) << number;
+        frames.push_back(simulation.frame());
+    }
+    EXPECT_LT(simulation.closing_error().value_or(0.0), 1e-9);
+    return frames;
+}
+
+TEST(Simulation, ALoopEndsWhereItBegan) {
+    for (const LoopKind kind : {LoopKind::Breathe, LoopKind::Shear}) {
+        Preset preset = small_preset();
+        preset.coarsening.kappa = 1.0;  // does nothing
+        preset.frames.count = 12;
+        preset.loop = {.kind = kind, .amplitude = 0.06};
+        const std::vector<Frame> frames = frames_of_loop(preset);
+        EXPECT_LT(largest_motion(frames.front(), frames.back()), 1e-9);
+        EXPECT_GT(largest_motion(frames[0], frames[3]), 0.01);
+        EXPECT_EQ(frames[3].torus.shear, 0.0);
+    }
+}
+
+// A quarter of the way after a quarter of the frames; nothing else moves.
+TEST(Simulation, DriftTravelsByWholePeriods) {
+    Preset preset = small_preset();
+    preset.frames.count = 8;
+    preset.loop = {.kind = LoopKind::Drift, .drift = {-2, 1}};
+    const std::vector<Frame> frames = frames_of_loop(preset);
+    const Torus& torus = frames[0].torus;
+    const Vec2 quarter(-0.5 * torus.width, 0.25 * torus.height);
+    for (const JunctionId junction : frames[0].network.junctions()) {
+        const Vec2 motion = frames[2].positions[junction] - frames[0].positions[junction];
+        EXPECT_LT(torus.nearest_copy(motion - quarter).norm(), 1e-12);
+    }
+    EXPECT_EQ(largest_motion(frames.front(), frames.back()), 0.0);
+}
+
+TEST(Simulation, APatchBreathes) {
+    Preset preset = small_preset();
+    preset.shape.kind = FoamKind::Patch;
+    preset.seeding.bubbles = 20;
+    preset.frames.count = 12;
+    preset.loop = {.kind = LoopKind::Breathe, .amplitude = 0.1};
+    const std::vector<Frame> frames = frames_of_loop(preset);
+    EXPECT_LT(largest_motion(frames.front(), frames.back()), 1e-8);
 }
 
 }  // namespace

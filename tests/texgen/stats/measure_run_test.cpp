@@ -26,7 +26,7 @@ MeasureSummary measure(const std::vector<int>& frames) {
 
 TEST(MeasureRun, HasARecordForEachFrameAskedForInOrder) {
     const MeasureSummary summary = measure({5, 1, 3});
-    EXPECT_EQ(summary.status, BakeStatus::Complete);
+    EXPECT_EQ(summary.outcome.status, RunStatus::Complete);
     ASSERT_EQ(summary.run.frames.size(), 3U);
     for (const int k : {0, 1, 2}) {
         const FrameRecord& record = summary.run.frames[static_cast<std::size_t>(k)];

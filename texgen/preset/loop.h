@@ -1,0 +1,29 @@
+#pragma once
+
+#include <array>
+
+namespace foam::texgen {
+
+/// What brings the foam back to where it was, so that the last frame leads into the first.
+enum class LoopKind {
+    None,      // nothing: the foam ages
+    Breathe,   // every bubble swells and shrinks, each in its own time (E9)
+    Shear,     // the torus shears to and fro; images ride with it, and stay tiles
+    Drift,     // the foam stands still, and travels as a whole
+    PingPong,  // the frames of an ageing foam, to the middle and back
+};
+
+/// Loops of frames.count frames. All kinds but PingPong close by themselves: the frame after the
+/// last is the first, and no gas diffuses once they have begun.
+struct LoopOptions {
+    LoopKind kind = LoopKind::None;
+    // Of Breathe the swing of every area, a part of it; of Shear that of the strain.
+    double amplitude = 0.15;
+    // Whole widths and heights of a torus that all travels in a loop, right and up.
+    std::array<int, 2> drift = {0, 0};
+    int cycles = 12;  // at most so many pass before frame 1, for the loop to settle
+
+    bool is_cycle() const { return kind == LoopKind::Breathe || kind == LoopKind::Shear; }
+};
+
+}  // namespace foam::texgen

@@ -1,0 +1,107 @@
+#include "texgen/preset/loop_schema.h"
+
+#include "texgen/preset/domain.h"
+#include "texgen/preset/key_of_member.h"
+#include "texgen/preset/refusal.h"
+
+#include <array>
+#include <string_view>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr double kLargestAmplitude = 0.9;
+constexpr double kLargestStrain = 0.4;
+constexpr int kMostPeriods = 100;
+
+constexpr Choices<LoopKind, 5> kLoopKinds = {{{{"none", LoopKind::None},
+                                               {"breathe", LoopKind::Breathe},
+                                               {"shear", LoopKind::Shear},
+                                               {"drift", LoopKind::Drift},
+                                               {"pingpong", LoopKind::PingPong}}}};
+
+void check_torus(const Preset& preset, std::span<const Assignment> assignments) {
+    const LoopOptions& loop = preset.loop;
+    if (preset.shape.kind == FoamKind::Torus) {
+        return;
+    }
+    if (loop.kind == LoopKind::Shear || loop.kind == LoopKind::Drift) {
+        refuse_last(
+            assignments, {"loop.kind", "foam.domain"}, "a patch has no torus to shear or travel");
+    }
+}
+
+void check_drift(const Preset& preset, std::span<const Assignment> assignments) {
+    const LoopOptions& loop = preset.loop;
+    const bool drifts = loop.drift != std::array{0, 0};
+    if (loop.kind == LoopKind::Drift && !drifts) {
+        refuse_last(
+            assignments, {"loop.kind", "loop.drift"}, "loop.drift says how far: [0, 1] is one up");
+    }
+    if (drifts && (loop.kind == LoopKind::None || loop.kind == LoopKind::PingPong)) {
+        refuse_last(assignments,
+                    {"loop.drift", "loop.kind"},
+                    "loop.drift is for loop.kind \"drift\", \"breathe\" and \"shear\"");
+    }
+}
+
+void check_frames(const Preset& preset, std::span<const Assignment> assignments) {
+    const bool is_pingpong = preset.loop.kind == LoopKind::PingPong;
+    if (is_pingpong && (preset.frames.count < 2 || preset.frames.count % 2 != 0)) {
+        refuse_last(assignments,
+                    {"frames.count", "loop.kind"},
+                    "of a pingpong, frames.count must be even: both ends are shown once");
+    }
+    if (!is_pingpong && preset.frames.first == FirstFrame::Diagram) {
+        refuse_last(
+            assignments, {"frames.first", "loop.kind"}, "a loop has no frame of the diagram");
+    }
+    if (!is_pingpong && !preset.events.empty()) {
+        refuse_last(assignments, {"loop.kind"}, "a loop that closes by itself has no events");
+    }
+}
+
+}  // namespace
+
+std::vector<Key> loop_keys() {
+    using Options = LoopOptions;
+    const auto one = [](std::string_view path, auto domain, std::string_view meaning, auto member) {
+        return key(path, domain, meaning, &Preset::loop, member);
+    };
+    std::vector<Key> keys = {
+        one("loop.kind",
+            kLoopKinds,
+            "what brings the foam back within frames.count frames: bubbles that swell and shrink, "
+            "shear to and fro, travel alone, or the frames shown backwards",
+            &Options::kind),
+        one("loop.amplitude",
+            Reals{0.0, kLargestAmplitude},
+            "of \"breathe\": how far areas swing, in parts of them; of \"shear\": how far the "
+            "strain does, at most 0.4",
+            &Options::amplitude),
+        one("loop.drift",
+            IntegerPairs{{-kMostPeriods, kMostPeriods}},
+            "whole images that the foam travels in a loop, to the right and up",
+            &Options::drift),
+        one("loop.cycles",
+            Integers{1, 1000},
+            "how many may pass before frame 1 until the loop closes",
+            &Options::cycles)};
+    keys[2].kind = FoamKind::Torus;
+    return keys;
+}
+
+void check_loop(const Preset& preset, std::span<const Assignment> assignments) {
+    check_drift(preset, assignments);
+    if (preset.loop.kind == LoopKind::None) {
+        return;
+    }
+    check_torus(preset, assignments);
+    check_frames(preset, assignments);
+    if (preset.loop.kind == LoopKind::Shear && preset.loop.amplitude > kLargestStrain) {
+        refuse_last(assignments, {"loop.amplitude", "loop.kind"}, "of a shear, at most 0.4");
+    }
+}
+
+}  // namespace foam::texgen
