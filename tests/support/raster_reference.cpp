@@ -25,10 +25,7 @@ struct FilmCopy {
     BubbleId right;
 };
 
-struct Nearest {
-    double distance = std::numeric_limits<double>::infinity();
-    BubbleId bubble{};
-};
+using Nearest = NearestFilms::Nearest;
 
 // In pixels.
 FilmCopy film_copy(const Vec2& tail, const FilmArc& arc, BubbleId left, BubbleId right) {
@@ -123,6 +120,11 @@ std::vector<FilmCopy> all_films(const Frame& frame, double scale, const Vec2& tr
     return films;
 }
 
+// What is added to a place to count from the image's lower left corner; foam units.
+Vec2 origin_of(const texgen::View& view, int width, int height) {
+    return 0.5 / view.pixels_per_unit * Vec2(width, height) - view.center;
+}
+
 // Those that can be nearest to some point of the pixel.
 std::vector<FilmCopy> candidates(const std::vector<FilmCopy>& films, const Vec2& center) {
     constexpr double kPixelDiameter = std::numbers::sqrt2;
@@ -200,13 +202,27 @@ SampledCoverage sample_coverage(const Frame& frame, int width, int height, doubl
 
 SampledCoverage sample_coverage(
     const Frame& frame, const texgen::View& view, int width, int height, double film_width) {
-    const double scale = view.pixels_per_unit;
-    const Vec2 translation = 0.5 / scale * Vec2(width, height) - view.center;
-    return sample_films(all_films(frame, scale, translation),
+    return sample_films(all_films(frame, view.pixels_per_unit, origin_of(view, width, height)),
                         width,
                         height,
                         film_width,
                         frame.network.bubble_slots() + frame.lone_bubbles.size());
+}
+
+struct NearestFilms::Films {
+    std::vector<FilmCopy> films;
+};
+
+NearestFilms::NearestFilms(const Frame& frame, int width)
+    : films_(new Films{all_copies(frame, width / frame.torus.width)}) {}
+
+NearestFilms::NearestFilms(const Frame& frame, const texgen::View& view, int width, int height)
+    : films_(new Films{all_films(frame, view.pixels_per_unit, origin_of(view, width, height))}) {}
+
+NearestFilms::~NearestFilms() = default;
+
+NearestFilms::Nearest NearestFilms::at(const Vec2& pixel) const {
+    return nearest(films_->films, pixel);
 }
 
 }  // namespace foam::test

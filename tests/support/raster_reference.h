@@ -3,6 +3,8 @@
 #include "core/foam/frame.h"
 #include "texgen/raster/view.h"
 
+#include <limits>
+#include <memory>
 #include <vector>
 
 namespace foam::test {
@@ -24,6 +26,26 @@ SampledCoverage sample_coverage(const Frame& frame, int width, int height, doubl
 /// The same of a part of the plane.
 SampledCoverage sample_coverage(
     const Frame& frame, const texgen::View& view, int width, int height, double film_width);
+
+/// All films of a frame, as pixels see them: where the nearest one is.
+class NearestFilms {
+  public:
+    NearestFilms(const Frame& frame, int width);  // of the image, pixels
+    NearestFilms(const Frame& frame, const texgen::View& view, int width, int height);
+    ~NearestFilms();
+    NearestFilms(const NearestFilms&) = delete;
+    NearestFilms& operator=(const NearestFilms&) = delete;
+
+    struct Nearest {
+        double distance = std::numeric_limits<double>::infinity();  // pixels
+        BubbleId bubble{};  // on the point's side, unless it is beyond the film's ends
+    };
+    Nearest at(const Vec2& pixel) const;
+
+  private:
+    struct Films;
+    std::unique_ptr<const Films> films_;
+};
 
 /// Samples per pixel that an edge crosses: a Fibonacci lattice, whose error along an edge is about
 /// 17711^-3/4 = 0.0007.

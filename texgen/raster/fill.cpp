@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <bit>
 #include <cstring>
 #include <limits>
@@ -177,17 +176,14 @@ class Filler {
           image_(image),
           bands_(cells, rows_per_band(image.width(), Channels)) {}
 
-    // Each worker takes every band that is free, with one buffer for all of them.
+    // Each worker has one buffer for all its bands.
     void fill(int threads) const {
         const int workers = std::clamp(threads, 1, bands_.count());
         const RowKind kind = cells_.grid.view ? RowKind::Line : RowKind::Ring;
         std::vector<BandCoverage> buffers(static_cast<std::size_t>(workers),
                                           BandCoverage(image_.width(), bands_.row_count(0), kind));
-        std::atomic<int> next{0};
-        parallel_for(workers, workers, [&](int worker) {
-            for (int band = next++; band < bands_.count(); band = next++) {
-                fill_band(band, buffers[static_cast<std::size_t>(worker)]);
-            }
+        parallel_for(bands_.count(), buffers, [&](BandCoverage& coverage, int band) {
+            fill_band(band, coverage);
         });
     }
 

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <atomic>
+#include <cstddef>
 #include <functional>
+#include <vector>
 
 namespace foam::texgen {
 
@@ -8,5 +11,18 @@ namespace foam::texgen {
 /// on the caller's. The calls come in no certain order. Returns when all are done; if some throw,
 /// calls not yet begun are left out and the first exception is thrown here.
 void parallel_for(int count, int threads, const std::function<void(int)>& body);
+
+/// The same on one thread per worker, each with a state of its own: calls call(worker, k). There is
+/// at least one worker.
+template <class Worker, class Call>
+void parallel_for(int count, std::vector<Worker>& workers, const Call& call) {
+    std::atomic<int> next{0};
+    const auto threads = static_cast<int>(workers.size());
+    parallel_for(threads, threads, [&](int worker) {
+        for (int k = next++; k < count; k = next++) {
+            call(workers[static_cast<std::size_t>(worker)], k);
+        }
+    });
+}
 
 }  // namespace foam::texgen

@@ -1,13 +1,12 @@
 #include "texgen/raster/patch_outlines.h"
 
-#include "core/foam/measure.h"
 #include "texgen/raster/clip.h"
 #include "texgen/raster/flatten.h"
 #include "texgen/raster/inset.h"
 #include "texgen/raster/outline_batch.h"
+#include "texgen/raster/patch_boundaries.h"
 
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace foam::texgen {
@@ -18,80 +17,6 @@ constexpr double kShortestSide = 1e-9;  // pixels; a shorter side has no directi
 // What lies this many pixels beyond the image is cut off, as coordinates have 32 bits; so far away
 // that the pixels do not depend on it.
 constexpr double kGuard = kLargestSide;
-
-// Closed loops of arcs, in pixels from the image's lower left corner.
-using Boundaries = ArcLoops;
-
-// A frame as the grid sees it.
-struct PixelPatch {
-    const Frame& frame;
-    const RasterGrid& grid;
-    double scale;
-
-    Vec2 pixel(const Vec2& position) const {
-        return scale * (position - grid.view->center) + 0.5 * Vec2(grid.width, grid.height);
-    }
-    ArcLoops::Arc arc(HalfEdgeId h) const {
-        const FilmArc arc = frame.arc(h);
-        return {pixel(frame.positions[frame.network.tail(h)]), {scale * arc.chord, arc.half_angle}};
-    }
-};
-
-void append_network_loop(const PixelPatch& pixels, HalfEdgeId first, Boundaries& to) {
-    HalfEdgeId h = first;
-    do {
-        to.arcs.push_back(pixels.arc(h));
-        h = pixels.frame.network.next(h);
-    } while (h != first);
-    to.loop_ends.push_back(to.arcs.size());
-}
-
-// Two halves; counter-clockwise for sign 1.
-void append_circle(const PixelPatch& pixels, const LoneBubble& bubble, int sign, Boundaries& to) {
-    const Vec2 radius(pixels.scale * lone_radius(bubble), 0.0);
-    const Vec2 center = pixels.pixel(bubble.centre);
-    const double half_angle = sign * 0.5 * std::numbers::pi;
-    to.arcs.push_back({center - radius, {2.0 * radius, half_angle}});
-    to.arcs.push_back({center + radius, {-2.0 * radius, half_angle}});
-    to.loop_ends.push_back(to.arcs.size());
-}
-
-Boundaries boundaries_of_ghost(const PixelPatch& pixels) {
-    const Network& network = pixels.frame.network;
-    Boundaries boundaries;
-    std::vector<bool> seen(network.film_slots(), false);
-    for (const FilmId film : network.films()) {
-        if (!network.is_outer(film) || seen[index_of(film)]) {
-            continue;
-        }
-        const HalfEdgeId forward = forward_side(film);
-        const HalfEdgeId first = network.left(forward) == network.ghost() ? forward : twin(forward);
-        append_network_loop(pixels, first, boundaries);
-        for (HalfEdgeId h = first; !seen[index_of(film_of(h))]; h = network.next(h)) {
-            seen[index_of(film_of(h))] = true;
-        }
-    }
-    for (const LoneBubble& bubble : pixels.frame.lone_bubbles) {
-        append_circle(pixels, bubble, -1, boundaries);
-    }
-    return boundaries;
-}
-
-// Of a bubble, of the ghost, or of a lone bubble, in the order of their values.
-Boundaries boundaries_of(const PixelPatch& pixels, BubbleId bubble) {
-    const Network& network = pixels.frame.network;
-    if (bubble == network.ghost()) {
-        return boundaries_of_ghost(pixels);
-    }
-    Boundaries boundaries;
-    if (index_of(bubble) < network.bubble_slots()) {
-        append_network_loop(pixels, network.first(bubble), boundaries);
-    } else {
-        const std::size_t k = index_of(bubble) - network.bubble_slots();
-        append_circle(pixels, pixels.frame.lone_bubbles[k], 1, boundaries);
-    }
-    return boundaries;
-}
 
 // Whether some of the loop may show: its arcs reach no farther than they are long.
 bool may_show(const RasterGrid& grid, std::span<const ArcLoops::Arc> loop) {
@@ -247,8 +172,8 @@ CellOutlines outline_patch(const Frame& frame,
                            double film_width,
                            int threads) {
     const PixelPatch pixels{frame, grid, pixels_per_unit(grid, frame.torus)};
-    const std::size_t count = frame.network.bubble_slots() + frame.lone_bubbles.size();
-    CellOutlines cells = outline_all(grid, count, PatchOutliner(pixels, film_width), threads);
+    CellOutlines cells =
+        outline_all(grid, region_count(frame), PatchOutliner(pixels, film_width), threads);
     cells.outside = frame.network.ghost();
     return cells;
 }

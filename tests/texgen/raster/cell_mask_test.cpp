@@ -1,0 +1,76 @@
+#include "texgen/raster/cell_mask.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace foam::texgen {
+namespace {
+
+// Rows from the top, as one reads.
+std::string picture(const CellMask& mask) {
+    std::string text;
+    for (int row = mask.rows() - 1; row >= 0; --row) {
+        for (int x = 0; x < mask.columns(); ++x) {
+            text += ((mask.eight(x / 8, row) >> (x % 8)) & 1) != 0 ? '#' : '.';
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+std::vector<SubpixelPoint> in_pixels(std::vector<SubpixelPoint> points) {
+    for (SubpixelPoint& point : points) {
+        point = {point.x * kSubpixel, point.y * kSubpixel};
+    }
+    return points;
+}
+
+TEST(CellMask, HoldsThePixelsWhoseCentresAreWithin) {
+    CellMask mask;
+    mask.reset(6, 4);
+    mask.fill(in_pixels({{0, 0}, {6, 0}, {0, 4}}), {});
+    // The edge is at x = 6 - 1.5 y: 0.75, 2.25, 3.75, 5.25 at the middles of the rows.
+    EXPECT_EQ(picture(mask), "#.....\n##....\n####..\n#####.\n");
+}
+
+// A square from centre to centre has the centres on its left and lower edges.
+TEST(CellMask, GivesEdgesToTheRight) {
+    constexpr std::int32_t kHalf = kSubpixel / 2;
+    const std::vector<SubpixelPoint> square{{kHalf, kHalf},
+                                            {kHalf + 2 * kSubpixel, kHalf},
+                                            {kHalf + 2 * kSubpixel, kHalf + 2 * kSubpixel},
+                                            {kHalf, kHalf + 2 * kSubpixel}};
+    CellMask mask;
+    mask.reset(4, 4);
+    mask.fill(square, {});
+    EXPECT_EQ(picture(mask), "....\n....\n##..\n##..\n");
+}
+
+TEST(CellMask, CutsOffWhatIsOutside) {
+    CellMask mask;
+    mask.reset(5, 3, 1);
+    mask.fill(in_pixels({{-9, -9}, {3, -9}, {3, 9}, {-9, 9}}), {});
+    EXPECT_EQ(picture(mask), "###..\n###..\n.....\n");
+    mask.reset(2, 2);
+    mask.fill(in_pixels({{-9, -9}, {90, -9}, {90, 9}, {-9, 9}}), {});
+    EXPECT_EQ(picture(mask), "##\n##\n");
+}
+
+TEST(CellMask, FindsRunsAcrossWords) {
+    for (const auto& [begin, end] : {std::pair{0, 200}, {3, 64}, {64, 128}, {63, 65}, {199, 200}}) {
+        CellMask mask;
+        mask.reset(200, 1);
+        mask.fill(in_pixels({{begin, 0}, {end, 0}, {end, 1}, {begin, 1}}), {});
+        mask.set(1, 0);
+        std::string runs;
+        mask.for_each_run(0, [&](int from, int to) {
+            runs += std::to_string(from) + "-" + std::to_string(to) + " ";
+        });
+        const std::string run = std::to_string(begin) + "-" + std::to_string(end) + " ";
+        EXPECT_EQ(runs, begin == 0 ? run : "1-2 " + run);
+    }
+}
+
+}  // namespace
+}  // namespace foam::texgen

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "texgen/raster/fixed_point.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace foam::texgen {
+
+/// Which pixels of a rectangle have their centre within a chain; a centre on an edge is on its
+/// right. Two chains that share an edge share no pixel along it and leave none out.
+class CellMask {
+  public:
+    /// An empty mask. Rows and columns in pixels; the first `unused_rows` stay empty.
+    void reset(int columns, int rows, int unused_rows = 0);
+
+    int columns() const { return columns_; }
+    int rows() const { return rows_; }
+
+    /// The pixels within a closed chain, which is relative to the mask's lower left corner. What of
+    /// it lies outside of the mask is left out. Precondition: the mask is empty.
+    void fill(std::span<const SubpixelPoint> chain, SubpixelPoint translation);
+
+    /// Adds one pixel.
+    void set(int column, int row) { word(column, row) |= bit(column); }
+
+    /// Eight pixels from column 8 k on, the first in the lowest bit.
+    std::uint8_t eight(int k, int row) const {
+        return static_cast<std::uint8_t>(words_[row_begin(row) + static_cast<std::size_t>(k / 8)] >>
+                                         (8 * (k % 8)));
+    }
+
+    /// Calls visit(begin, end) for the runs of columns in a row.
+    template <class Visit>
+    void for_each_run(int row, const Visit& visit) const;
+
+  private:
+    static constexpr int kBits = 64;
+
+    std::size_t row_begin(int row) const { return static_cast<std::size_t>(row) * stride_; }
+    std::uint64_t& word(int column, int row) {
+        return words_[row_begin(row) + static_cast<std::size_t>(column / kBits)];
+    }
+    static std::uint64_t bit(int column) { return std::uint64_t{1} << (column % kBits); }
+    int next_change(int row, int column) const;
+    void toggle_edge(SubpixelPoint low, SubpixelPoint high);
+
+    int columns_ = 0;
+    int rows_ = 0;
+    int unused_rows_ = 0;
+    std::size_t stride_ = 0;  // words
+    std::vector<std::uint64_t> words_;
+};
+
+template <class Visit>
+void CellMask::for_each_run(int row, const Visit& visit) const {
+    int column = (eight(0, row) & 1) != 0 ? 0 : next_change(row, 0);
+    while (column < columns_) {
+        const int end = next_change(row, column);
+        visit(column, end);
+        column = next_change(row, end);
+    }
+}
+
+}  // namespace foam::texgen

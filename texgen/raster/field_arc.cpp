@@ -1,0 +1,53 @@
+#include "texgen/raster/field_arc.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace foam::texgen {
+
+FieldArc field_arc(const FilmArc& arc, const Vec2& tail) {
+    const double chord = arc.chord.norm();
+    return {tail + 0.5 * arc.chord,
+            arc.chord / chord,
+            chord,
+            std::cos(arc.half_angle),
+            std::sin(arc.half_angle)};
+}
+
+// With e = c/4 - |q|²/c, which is 0 on the circle around the chord, and h = q's distance to the
+// left of the chord: both are 0 at the ends. Turned by the half angle they follow the arc.
+Pencil pencil_at(const FieldArc& arc, const Vec2& point) {
+    const Vec2 q = point - arc.middle;
+    const Vec2 normal = turned_left(arc.direction);
+    const double e = 0.25 * arc.chord - q.squaredNorm() / arc.chord;
+    const double h = normal.dot(q);
+    const Vec2 e_gradient = -2.0 / arc.chord * q;
+    return {{arc.sine * e + arc.cosine * h,
+             arc.sine * e_gradient + arc.cosine * normal,
+             2.0 * arc.sine / arc.chord},
+            {arc.cosine * e - arc.sine * h,
+             arc.cosine * e_gradient - arc.sine * normal,
+             2.0 * arc.cosine / arc.chord}};
+}
+
+EndNormals end_normals_at(const FieldArc& arc, const Vec2& point) {
+    const Vec2 q = point - arc.middle;
+    const Vec2 rise = arc.sine * turned_left(arc.direction);
+    const Vec2 from_tail = arc.cosine * arc.direction - rise;
+    const Vec2 to_head = -arc.cosine * arc.direction - rise;
+    const double reach = 0.5 * arc.chord * arc.cosine;
+    return {{from_tail.dot(q) + reach, from_tail, 0.0}, {to_head.dot(q) + reach, to_head, 0.0}};
+}
+
+double distance(const FieldArc& arc, const Vec2& point) {
+    const EndNormals ends = end_normals_at(arc, point);
+    if (std::min(ends.tail.value, ends.head.value) >= 0.0) {
+        const Quadratic across = pencil_at(arc, point).across;
+        return std::abs(2.0 * across.value) / (1.0 + across.gradient.norm());
+    }
+    const Vec2 q = point - arc.middle;
+    const Vec2 half_chord = 0.5 * arc.chord * arc.direction;
+    return std::sqrt(std::min((q - half_chord).squaredNorm(), (q + half_chord).squaredNorm()));
+}
+
+}  // namespace foam::texgen
