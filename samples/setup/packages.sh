@@ -3,8 +3,8 @@
 # The Debian 12 packages foamtex needs, and how the scripts install them. To be sourced.
 
 foam_build_packages=(
-    g++ cmake ninja-build
-    libeigen3-dev libboost-dev libpng-dev libcli11-dev libtomlplusplus-dev libfmt-dev
+    g++ cmake ninja-build pkg-config
+    libeigen3-dev libboost-dev libpng-dev zlib1g-dev libisal-dev libdeflate-dev libcli11-dev libtomlplusplus-dev libfmt-dev
     nlohmann-json3-dev
 )
 foam_test_packages=(libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev evolver)

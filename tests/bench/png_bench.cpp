@@ -1,27 +1,196 @@
+// Our PNG writer beside libpng, in one run and on one thread unless it is said otherwise: frames of
+// a foam as an albedo, as a distance to the films (16 bits) and as normals.
+//
+//     png_bench [SIDE [BUBBLES]]           1024 pixels and 1000 bubbles if not given
 #include "tests/bench/bench_foams.h"
 #include "texgen/image/png.h"
 #include "texgen/maps/albedo.h"
+#include "texgen/raster/fill.h"
 
-#include <benchmark/benchmark.h>
+#include <fmt/core.h>
+#include <png.h>
+
+#include <algorithm>
+#include <bit>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <limits>
+#include <string>
 
 namespace foam::bench {
 
 namespace {
 
-// An albedo as the bake encodes it, on one thread.
-void encoded_png(benchmark::State& state) {
-    const Frame frame = snapshot(settled_foam(static_cast<int>(state.range(0))), 1);
-    const int side = static_cast<int>(state.range(1));
-    const texgen::Image<std::uint8_t> image = texgen::albedo(frame, {side, side}, {}, 1);
+using texgen::Compression;
+using texgen::Image;
+using texgen::ImageView;
+using texgen::PngFilter;
+
+constexpr int kRepeats = 7;
+constexpr double kSlope = 2.0;  // of the normals, where the distance grows fastest
+
+struct Cost {
+    double milliseconds = std::numeric_limits<double>::infinity();
     std::size_t bytes = 0;
-    for ([[maybe_unused]] auto _ : state) {
-        bytes = texgen::encode_png(image.view(), {.color = true, .text = {}}).size();
+};
+
+Cost least_cost(const std::function<std::size_t()>& encode) {
+    using Clock = std::chrono::steady_clock;
+    Cost cost;
+    for (int k = 0; k < kRepeats; ++k) {
+        const Clock::time_point begin = Clock::now();
+        cost.bytes = encode();
+        const std::chrono::duration<double, std::milli> time = Clock::now() - begin;
+        cost.milliseconds = std::min(cost.milliseconds, time.count());
     }
-    state.counters["bytes"] = static_cast<double>(bytes);
+    return cost;
 }
 
-BENCHMARK(encoded_png)->ArgsProduct({{1000, 10000}, {1024, 2048}})->Unit(benchmark::kMillisecond);
+/// Distance to the nearest film in pixels, as 16 bits up to the largest: the sum of what is left
+/// of the cells by films of 0, 2, 4 ... pixels.
+Image<std::uint16_t> distance_map(const Frame& frame, int side) {
+    const texgen::RasterGrid grid{side, side};
+    const texgen::CellValues values{
+        1, std::vector<std::uint16_t>(frame.bubbles.size(), 65535), {0}};
+    Image<std::uint16_t> image(side, side, 1);
+    std::vector<std::uint64_t> sums(image.samples().size());
+    for (int reach = 0;; ++reach) {
+        const texgen::CellOutlines cells = texgen::outline_cells(frame, grid, 2.0 * reach, 1);
+        if (cells.outlines.empty()) {
+            break;
+        }
+        texgen::fill_cells(cells, values, 1, image.view());
+        std::ranges::transform(sums, image.samples(), sums.begin(), std::plus());
+    }
+    const std::uint64_t largest = std::ranges::max(sums);
+    std::ranges::transform(sums, image.samples().begin(), [&](std::uint64_t sum) {
+        return static_cast<std::uint16_t>(sum * 65535 / largest);
+    });
+    return image;
+}
+
+/// The normals of a height, as 8-bit RGB.
+Image<std::uint8_t> normal_map(const Image<std::uint16_t>& height) {
+    const int side = height.width();
+    const auto at = [&](int x, int y) {
+        return static_cast<double>(height.pixel((x + side) % side, (y + side) % side)[0]);
+    };
+    double steepest = 1.0;
+    for (int x = 0; x < side; ++x) {
+        steepest = std::max(steepest, std::abs(at(x + 1, 0) - at(x - 1, 0)));
+    }
+    const auto coded = [](double x) { return static_cast<std::uint8_t>(127.5 + 127.5 * x); };
+    Image<std::uint8_t> image(side, side, 3);
+    for (int y = 0; y < side; ++y) {
+        for (int x = 0; x < side; ++x) {
+            const double u = kSlope * (at(x - 1, y) - at(x + 1, y)) / steepest;
+            const double v = kSlope * (at(x, y - 1) - at(x, y + 1)) / steepest;
+            const double length = std::sqrt(u * u + v * v + 1.0);
+            const auto pixel = image.pixel(x, y);
+            pixel[0] = coded(u / length);
+            pixel[1] = coded(v / length);
+            pixel[2] = coded(1.0 / length);
+        }
+    }
+    return image;
+}
+
+void append(png_structp png, png_bytep data, std::size_t count) {
+    auto& stream = *static_cast<std::vector<png_byte>*>(png_get_io_ptr(png));
+    stream.insert(stream.end(), data, data + count);
+}
+
+/// The peer, into memory as ours; `stream` is used again.
+template <class Sample>
+std::size_t libpng_encode(ImageView<const Sample> image,
+                          PngFilter filter,
+                          int level,
+                          std::vector<png_byte>& stream) {
+    constexpr std::array<int, 3> kFilters = {PNG_FILTER_NONE, PNG_FILTER_SUB, PNG_FILTER_UP};
+    stream.clear();
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+    png_infop info = png_create_info_struct(png);
+    png_set_write_fn(png, &stream, append, nullptr);
+    png_set_IHDR(png,
+                 info,
+                 static_cast<png_uint_32>(image.width()),
+                 static_cast<png_uint_32>(image.height()),
+                 8 * static_cast<int>(sizeof(Sample)),
+                 image.channels() == 3 ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_GRAY,
+                 PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_BASE,
+                 PNG_FILTER_TYPE_BASE);
+    png_set_filter(png, PNG_FILTER_TYPE_BASE, kFilters.at(static_cast<std::size_t>(filter)));
+    png_set_compression_level(png, level);
+    png_write_info(png, info);
+    if (sizeof(Sample) == 2 && std::endian::native == std::endian::little) {
+        png_set_swap(png);
+    }
+    for (int y = image.height() - 1; y >= 0; --y) {
+        png_write_row(png, reinterpret_cast<png_const_bytep>(image.row(y).data()));
+    }
+    png_write_end(png, info);
+    png_destroy_write_struct(&png, &info);
+    return stream.size();
+}
+
+void print(const std::string& name, const Cost& cost, const Cost& peer) {
+    fmt::print("| {:24} | {:7.2f} | {:9} | {:6.2f} | {:6.3f} |\n",
+               name,
+               cost.milliseconds,
+               cost.bytes,
+               peer.milliseconds / cost.milliseconds,
+               static_cast<double>(cost.bytes) / static_cast<double>(peer.bytes));
+}
+
+template <class Sample>
+void print_map(const std::string& name, const Image<Sample>& image, PngFilter filter) {
+    fmt::print(
+        "\n| {:24} | ms      | bytes     | faster | larger |\n"
+        "|--------------------------|---------|-----------|--------|--------|\n",
+        name);
+    std::vector<png_byte> stream;
+    const auto libpng = [&](int level) {
+        return least_cost([&] { return libpng_encode(image.view(), filter, level, stream); });
+    };
+    texgen::PngEncoder encoder;
+    const auto ours = [&](Compression compression, int threads) {
+        return least_cost([&] {
+            const texgen::PngEncoding encoding{
+                .filter = filter, .compression = compression, .threads = threads};
+            return encoder.encode(image.view(), {}, encoding).size();
+        });
+    };
+    const Cost peer = libpng(1);
+    print("libpng, level 1", peer, peer);
+    print("fast", ours(Compression::Fast, 1), peer);
+    print("fast, two threads", ours(Compression::Fast, 2), peer);
+    print("small", ours(Compression::Small, 1), peer);
+    print("libpng, level 6", libpng(6), peer);
+    print("libpng, level 9", libpng(9), peer);
+}
+
+void run(int side, int bubbles) {
+    const Frame frame = snapshot(settled_foam(bubbles), 1);
+    const Image<std::uint16_t> distance = distance_map(frame, side);
+    fmt::print("{} x {} pixels, {} bubbles; least of {} runs\n", side, side, bubbles, kRepeats);
+    print_map("albedo", texgen::albedo(frame, {side, side}, {}, 1), PngFilter::None);
+    print_map("distance, 16 bits", distance, PngFilter::Up);
+    print_map("normal", normal_map(distance), PngFilter::Up);
+}
 
 }  // namespace
 
 }  // namespace foam::bench
+
+int main(int argc, char** argv) {
+    try {
+        foam::bench::run(argc > 1 ? std::atoi(argv[1]) : 1024,
+                         argc > 2 ? std::atoi(argv[2]) : 1000);
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "png_bench: {}\n", error.what());
+        return EXIT_FAILURE;
+    }
+}

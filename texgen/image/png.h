@@ -1,11 +1,13 @@
 #pragma once
 
+#include "texgen/image/deflate.h"
 #include "texgen/image/file_io.h"
 #include "texgen/image/image.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <utility>
@@ -22,26 +24,57 @@ struct PngMetadata {
     std::vector<std::pair<std::string, std::string>> text;
 };
 
-/// How each row is predicted before compression. None is smallest for flat cells, Up for distance
-/// and height; Adaptive tries all per row and is slow.
-enum class PngFilter { None, Sub, Up, Average, Paeth, Adaptive };
+/// How each row is predicted before compression; the numbers are PNG's.
+enum class PngFilter : std::uint8_t { None, Sub, Up, Average, Paeth };
 
 /// How the samples are packed; the pixels are the same whatever it says.
 struct PngEncoding {
-    PngFilter filter = PngFilter::None;
-    int compression_level = 6;  // of zlib: 0 stores, 1 is fast, 9 is small
+    PngFilter filter = PngFilter::None;  // flat cells; Up for distance, height, normals
+    Compression compression = Compression::Fast;
+    /// 8-bit RGB and RGBA of at most 256 colours are written as numbers of colours: smaller, and
+    /// decoded to the same pixels. More colours are written as they are.
+    bool palette = false;
+    int threads = 1;  // that compress, with Compression::Fast; the bytes are the same
 };
 
-/// A picture and what its file said about it.
-struct PngImage {
-    Image<std::uint8_t> pixels;
+/// A picture and what its file said about it; 8-bit samples, or 16-bit.
+template <class Sample>
+struct PngPicture {
+    Image<Sample> pixels;
     PngMetadata metadata;
 };
+using PngImage = PngPicture<std::uint8_t>;
+using PngImage16 = PngPicture<std::uint16_t>;
 
-/// 1 channel is grey, 2 grey and alpha, 3 RGB, 4 RGBA (alpha not premultiplied). The rows of a view
-/// run upward, those of a PNG downward: they are turned over here and nowhere else. Throws
-/// std::invalid_argument for an empty view, another number of channels or a keyword PNG forbids.
+/// Encodes one picture after the other with the same buffers.
+class PngEncoder {
+  public:
+    PngEncoder();
+    ~PngEncoder();
+    PngEncoder(PngEncoder&&) noexcept;
+    PngEncoder& operator=(PngEncoder&&) noexcept;
+
+    /// 1 channel is grey, 2 grey and alpha, 3 RGB, 4 RGBA (alpha not premultiplied). The rows of a
+    /// view run upward, those of a PNG downward: they are turned over here and nowhere else. Valid
+    /// until the next call. Throws std::invalid_argument for an empty view, another number of
+    /// channels or a keyword PNG forbids.
+    std::span<const std::byte> encode(ImageView<const std::uint8_t> pixels,
+                                      const PngMetadata& metadata = {},
+                                      const PngEncoding& encoding = {});
+    std::span<const std::byte> encode(ImageView<const std::uint16_t> pixels,
+                                      const PngMetadata& metadata = {},
+                                      const PngEncoding& encoding = {});
+
+  private:
+    struct Buffers;
+    std::unique_ptr<Buffers> buffers_;
+};
+
+/// As PngEncoder::encode, for one picture.
 Bytes encode_png(ImageView<const std::uint8_t> pixels,
+                 const PngMetadata& metadata = {},
+                 const PngEncoding& encoding = {});
+Bytes encode_png(ImageView<const std::uint16_t> pixels,
                  const PngMetadata& metadata = {},
                  const PngEncoding& encoding = {});
 
@@ -49,13 +82,21 @@ Bytes encode_png(ImageView<const std::uint8_t> pixels,
 /// becomes an alpha channel. Throws InputError for a malformed stream and for 16 bits per sample.
 PngImage decode_png(std::span<const std::byte> content);
 
+/// The same for any depth: 0 stays 0 and the largest sample becomes 65535.
+PngImage16 decode_png16(std::span<const std::byte> content);
+
 /// As encode_png and write_file together; throws as they do.
 void write_png(const std::filesystem::path& path,
                ImageView<const std::uint8_t> pixels,
                const PngMetadata& metadata = {},
                const PngEncoding& encoding = {});
+void write_png(const std::filesystem::path& path,
+               ImageView<const std::uint16_t> pixels,
+               const PngMetadata& metadata = {},
+               const PngEncoding& encoding = {});
 
-/// As read_file and decode_png together; the InputError names the file.
+/// As read_file and the decoders together; the InputError names the file.
 PngImage read_png(const std::filesystem::path& path);
+PngImage16 read_png16(const std::filesystem::path& path);
 
 }  // namespace foam::texgen

@@ -3,8 +3,7 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <new>
+#include <bit>
 
 namespace foam::texgen {
 
@@ -25,35 +24,54 @@ void take(png_structp png, png_bytep data, std::size_t count) {
     source = source.subspan(count);
 }
 
-/// Reads up to the pixels and asks for 8-bit samples of 1 to 4 channels.
-void read_header(const PngSession& session, Source& source) {
-    png_structp png = session.png();
-    png_set_read_fn(png, &source, take);
-    png_read_info(png, session.info());
-    if (png_get_bit_depth(png, session.info()) > 8) {
-        png_error(png, "16 bits per sample are not supported");
+void refuse_promises(const PngSession& session, std::size_t left) {
+    const std::size_t promised = png_get_rowbytes(session.png(), session.info()) *
+                                 png_get_image_height(session.png(), session.info());
+    if (promised / kLargestRatio > left) {
+        png_error(session.png(), "the stream is too short for its pixels");
     }
-    const std::size_t promised =
-        png_get_rowbytes(png, session.info()) * png_get_image_height(png, session.info());
-    if (promised / kLargestRatio > source.size()) {
-        png_error(png, "the stream is too short for its pixels");
-    }
-    png_set_expand(png);
-    png_set_interlace_handling(png);
-    png_read_update_info(png, session.info());
 }
 
-Image<std::uint8_t> blank_image(const PngSession& session) {
+/// Asks for samples of 1 to 4 channels as they stand in an Image.
+template <class Sample>
+void ask_for_samples(const PngSession& session) {
+    png_structp png = session.png();
+    if (sizeof(Sample) == 1 && png_get_bit_depth(png, session.info()) > 8) {
+        png_error(png, "16 bits per sample are not supported");
+    }
+    png_set_expand(png);
+    if (sizeof(Sample) == 2) {
+        png_set_expand_16(png);
+        if (std::endian::native == std::endian::little) {
+            png_set_swap(png);
+        }
+    }
+    png_set_interlace_handling(png);
+}
+
+/// Reads up to the pixels.
+template <class Sample>
+void read_header(const PngSession& session, Source& source) {
+    png_set_read_fn(session.png(), &source, take);
+    png_read_info(session.png(), session.info());
+    refuse_promises(session, source.size());
+    ask_for_samples<Sample>(session);
+    png_read_update_info(session.png(), session.info());
+}
+
+template <class Sample>
+Image<Sample> blank_image(const PngSession& session) {
     return {static_cast<int>(png_get_image_width(session.png(), session.info())),
             static_cast<int>(png_get_image_height(session.png(), session.info())),
             png_get_channels(session.png(), session.info())};
 }
 
 /// The rows of a view as libpng wants them, the top one first.
-std::vector<png_bytep> rows_from_top(ImageView<std::uint8_t> view) {
+template <class Sample>
+std::vector<png_bytep> rows_from_top(ImageView<Sample> view) {
     std::vector<png_bytep> rows;
     for (int y = view.height() - 1; y >= 0; --y) {
-        rows.push_back(view.row(y).data());
+        rows.push_back(reinterpret_cast<png_bytep>(view.row(y).data()));
     }
     return rows;
 }
@@ -96,13 +114,12 @@ void check(const PngSession& session, bool survived) {
     }
 }
 
-}  // namespace
-
-PngImage decode_png(std::span<const std::byte> content) {
+template <class Sample>
+PngPicture<Sample> decode(std::span<const std::byte> content) {
     Source source = content;
     PngSession session(PngDirection::Read);
-    check(session, session.run([&] { read_header(session, source); }));
-    Image<std::uint8_t> pixels = blank_image(session);
+    check(session, session.run([&] { read_header<Sample>(session, source); }));
+    Image<Sample> pixels = blank_image<Sample>(session);
     std::vector<png_bytep> rows = rows_from_top(pixels.view());
     check(session, session.run([&] {
         png_read_image(session.png(), rows.data());
@@ -111,13 +128,32 @@ PngImage decode_png(std::span<const std::byte> content) {
     return {std::move(pixels), metadata_of(session)};
 }
 
-PngImage read_png(const std::filesystem::path& path) {
+template <class Sample>
+PngPicture<Sample> read(const std::filesystem::path& path) {
     const Bytes content = read_file(path);
     try {
-        return decode_png(content);
+        return decode<Sample>(content);
     } catch (const InputError& error) {
         throw InputError(fmt::format("cannot read '{}': {}", path.string(), error.what()));
     }
+}
+
+}  // namespace
+
+PngImage decode_png(std::span<const std::byte> content) {
+    return decode<std::uint8_t>(content);
+}
+
+PngImage16 decode_png16(std::span<const std::byte> content) {
+    return decode<std::uint16_t>(content);
+}
+
+PngImage read_png(const std::filesystem::path& path) {
+    return read<std::uint8_t>(path);
+}
+
+PngImage16 read_png16(const std::filesystem::path& path) {
+    return read<std::uint16_t>(path);
 }
 
 }  // namespace foam::texgen

@@ -1,4 +1,6 @@
 #include "texgen/image/png.h"
+#include "texgen/image/png_data.h"
+#include "texgen/image/png_palette.h"
 #include "texgen/image/png_session.h"
 
 #include <fmt/core.h>
@@ -6,35 +8,12 @@
 #include <algorithm>
 #include <array>
 #include <new>
+#include <optional>
 #include <stdexcept>
 
 namespace foam::texgen {
 
 namespace {
-
-/// The samples of a picture, of any depth, as libpng takes them.
-struct Rows {
-    const png_byte* bottom;
-    std::size_t stride;  // bytes
-    int width;
-    int height;
-    int channels;
-    int bit_depth;
-
-    const png_byte* from_top(int y) const {
-        return bottom + static_cast<std::size_t>(height - 1 - y) * stride;
-    }
-};
-
-template <class Sample>
-Rows rows_of(ImageView<const Sample> view) {
-    return {reinterpret_cast<const png_byte*>(view.data()),
-            view.row_samples() * sizeof(Sample),
-            view.width(),
-            view.height(),
-            view.channels(),
-            8 * static_cast<int>(sizeof(Sample))};
-}
 
 void append(png_structp png, png_bytep data, std::size_t count) {
     auto& stream = *static_cast<Bytes*>(png_get_io_ptr(png));
@@ -83,66 +62,108 @@ std::vector<png_text> text_chunks(const PngMetadata& metadata) {
     return chunks;
 }
 
-int filter_flags(PngFilter filter) {
-    constexpr std::array<int, 6> kFlags = {PNG_FILTER_NONE,
-                                           PNG_FILTER_SUB,
-                                           PNG_FILTER_UP,
-                                           PNG_FILTER_AVG,
-                                           PNG_FILTER_PAETH,
-                                           PNG_ALL_FILTERS};
-    return kFlags.at(static_cast<std::size_t>(filter));
-}
-
-int color_type(int channels) {
+int color_type(const PngRows& rows, const IndexedImage* indexed) {
     constexpr std::array<int, 4> kTypes = {
         PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB, PNG_COLOR_TYPE_RGBA};
-    return kTypes.at(static_cast<std::size_t>(channels - 1));
+    return indexed != nullptr ? PNG_COLOR_TYPE_PALETTE
+                              : kTypes.at(static_cast<std::size_t>(rows.channels() - 1));
 }
 
-void write_header(png_structp png, png_infop info, const Rows& rows, bool color) {
+/// A picture as it goes into the file.
+struct Content {
+    explicit Content(PngRows picture) : rows(picture) {}
+    Content(const IndexedImage& image, int channels)
+        : rows(image.indices.view()), indexed(&image), has_alpha(channels == 4) {}
+
+    PngRows rows;
+    const IndexedImage* indexed = nullptr;  // whose indices the rows are
+    bool has_alpha = false;                 // in the palette
+};
+
+void set_palette(png_structp png, png_infop info, const Content& content) {
+    std::array<png_color, kMaxPalette> colors{};
+    std::array<png_byte, kMaxPalette> opacities{};
+    const auto count = static_cast<int>(content.indexed->palette.size());
+    for (std::size_t k = 0; k < content.indexed->palette.size(); ++k) {
+        const PaletteColor& color = content.indexed->palette[k];
+        colors.at(k) = {color[0], color[1], color[2]};
+        opacities.at(k) = color[3];
+    }
+    png_set_PLTE(png, info, colors.data(), count);
+    if (content.has_alpha) {
+        png_set_tRNS(png, info, opacities.data(), count, nullptr);
+    }
+}
+
+void set_header(png_structp png, png_infop info, const Content& content, bool color) {
     png_set_IHDR(png,
                  info,
-                 static_cast<png_uint_32>(rows.width),
-                 static_cast<png_uint_32>(rows.height),
-                 rows.bit_depth,
-                 color_type(rows.channels),
+                 static_cast<png_uint_32>(content.rows.width()),
+                 static_cast<png_uint_32>(content.rows.height()),
+                 content.rows.bit_depth(),
+                 color_type(content.rows, content.indexed),
                  PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_BASE,
                  PNG_FILTER_TYPE_BASE);
+    if (content.indexed != nullptr) {
+        set_palette(png, info, content);
+    }
     if (color) {
         png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
     }
 }
 
-void write_rows(png_structp png, png_infop info, const Rows& rows) {
-    png_write_info(png, info);
-    for (int y = 0; y < rows.height; ++y) {
-        png_write_row(png, rows.from_top(y));
-    }
-    png_write_end(png, info);
+void write_bytes(png_structp png, std::span<const std::byte> bytes) {
+    png_write_chunk_data(png, reinterpret_cast<png_const_bytep>(bytes.data()), bytes.size());
 }
 
-Bytes encode(const Rows& rows, const PngMetadata& metadata, const PngEncoding& encoding) {
-    const std::vector<png_text> texts = text_chunks(metadata);
-    const int flags = filter_flags(encoding.filter);
-    Bytes stream;
-    PngSession session(PngDirection::Write);
-    const bool written = session.run([&] {
-        png_structp png = session.png();
-        png_set_write_fn(png, &stream, append, nullptr);
-        png_set_filter(png, PNG_FILTER_TYPE_BASE, flags);
-        png_set_compression_level(png, encoding.compression_level);
-        write_header(png, session.info(), rows, metadata.color);
-        png_set_text(png, session.info(), texts.data(), static_cast<int>(texts.size()));
-        write_rows(png, session.info(), rows);
-    });
-    if (!written) {
+void write_chunk(png_structp png, const PngData::Chunk& chunk) {
+    constexpr std::array<png_byte, 5> kType = {'I', 'D', 'A', 'T', 0};
+    const std::size_t size = chunk.begin.size() + chunk.middle.size() + chunk.end.size();
+    png_write_chunk_start(png, kType.data(), static_cast<png_uint_32>(size));
+    write_bytes(png, chunk.begin);
+    write_bytes(png, chunk.middle);
+    write_bytes(png, chunk.end);
+    png_write_chunk_end(png);
+}
+
+void write_end(png_structp png) {
+    constexpr std::array<png_byte, 5> kType = {'I', 'E', 'N', 'D', 0};
+    png_write_chunk(png, kType.data(), nullptr, 0);
+}
+
+void check(const PngSession& session, bool survived) {
+    if (!survived) {
         throw OutputError(fmt::format("cannot encode a PNG: {}", session.error()));
     }
-    return stream;
 }
 
-void check_encodable(ImageView<const std::uint8_t> pixels) {
+void write_stream(const Content& content,
+                  const PngMetadata& metadata,
+                  PngData& data,
+                  Bytes& stream) {
+    std::vector<png_text> texts = text_chunks(metadata);
+    PngSession session(PngDirection::Write);
+    png_structp png = session.png();
+    check(session, session.run([&] {
+        png_set_write_fn(png, &stream, append, nullptr);
+        set_header(png, session.info(), content, metadata.color);
+        png_set_text(png, session.info(), texts.data(), static_cast<int>(texts.size()));
+        png_write_info(png, session.info());
+    }));
+    while (!data.complete()) {
+        const std::span<const PngData::Chunk> chunks = data.next_chunks();
+        check(session, session.run([&] {
+            for (const PngData::Chunk& chunk : chunks) {
+                write_chunk(png, chunk);
+            }
+        }));
+    }
+    check(session, session.run([&] { write_end(png); }));
+}
+
+template <class Sample>
+void check_encodable(ImageView<const Sample> pixels) {
     if (pixels.width() < 1 || pixels.height() < 1) {
         throw std::invalid_argument("a PNG needs at least one pixel");
     }
@@ -152,26 +173,94 @@ void check_encodable(ImageView<const std::uint8_t> pixels) {
     }
 }
 
+template <class Sample>
+Bytes encode_once(ImageView<const Sample> pixels,
+                  const PngMetadata& metadata,
+                  const PngEncoding& encoding) {
+    PngEncoder encoder;
+    const std::span<const std::byte> stream = encoder.encode(pixels, metadata, encoding);
+    return {stream.begin(), stream.end()};
+}
+
+template <class Sample>
+void write_once(const std::filesystem::path& path,
+                ImageView<const Sample> pixels,
+                const PngMetadata& metadata,
+                const PngEncoding& encoding) {
+    PngEncoder encoder;
+    std::span<const std::byte> stream;
+    try {
+        stream = encoder.encode(pixels, metadata, encoding);
+    } catch (const OutputError& error) {
+        throw OutputError(fmt::format("cannot write '{}': {}", path.string(), error.what()));
+    }
+    write_file(path, stream);
+}
+
 }  // namespace
+
+struct PngEncoder::Buffers {
+    Bytes stream;
+    std::vector<PngPart> parts;
+
+    std::span<const std::byte> encode(const Content& content,
+                                      const PngMetadata& metadata,
+                                      const PngEncoding& encoding) {
+        stream.clear();
+        PngData data(content.rows, encoding, parts);
+        write_stream(content, metadata, data, stream);
+        return stream;
+    }
+};
+
+PngEncoder::PngEncoder() : buffers_(std::make_unique<Buffers>()) {}
+PngEncoder::~PngEncoder() = default;
+PngEncoder::PngEncoder(PngEncoder&&) noexcept = default;
+PngEncoder& PngEncoder::operator=(PngEncoder&&) noexcept = default;
+
+std::span<const std::byte> PngEncoder::encode(ImageView<const std::uint8_t> pixels,
+                                              const PngMetadata& metadata,
+                                              const PngEncoding& encoding) {
+    check_encodable(pixels);
+    if (encoding.palette && pixels.channels() >= 3) {
+        if (const std::optional<IndexedImage> indexed = with_palette(pixels)) {
+            return buffers_->encode(Content(*indexed, pixels.channels()), metadata, encoding);
+        }
+    }
+    return buffers_->encode(Content(PngRows(pixels)), metadata, encoding);
+}
+
+std::span<const std::byte> PngEncoder::encode(ImageView<const std::uint16_t> pixels,
+                                              const PngMetadata& metadata,
+                                              const PngEncoding& encoding) {
+    check_encodable(pixels);
+    return buffers_->encode(Content(PngRows(pixels)), metadata, encoding);
+}
 
 Bytes encode_png(ImageView<const std::uint8_t> pixels,
                  const PngMetadata& metadata,
                  const PngEncoding& encoding) {
-    check_encodable(pixels);
-    return encode(rows_of(pixels), metadata, encoding);
+    return encode_once(pixels, metadata, encoding);
+}
+
+Bytes encode_png(ImageView<const std::uint16_t> pixels,
+                 const PngMetadata& metadata,
+                 const PngEncoding& encoding) {
+    return encode_once(pixels, metadata, encoding);
 }
 
 void write_png(const std::filesystem::path& path,
                ImageView<const std::uint8_t> pixels,
                const PngMetadata& metadata,
                const PngEncoding& encoding) {
-    Bytes stream;
-    try {
-        stream = encode_png(pixels, metadata, encoding);
-    } catch (const OutputError& error) {
-        throw OutputError(fmt::format("cannot write '{}': {}", path.string(), error.what()));
-    }
-    write_file(path, stream);
+    write_once(path, pixels, metadata, encoding);
+}
+
+void write_png(const std::filesystem::path& path,
+               ImageView<const std::uint16_t> pixels,
+               const PngMetadata& metadata,
+               const PngEncoding& encoding) {
+    write_once(path, pixels, metadata, encoding);
 }
 
 }  // namespace foam::texgen

@@ -1,12 +1,14 @@
 #include "texgen/image/png.h"
 
+#include "tests/support/raster_frames.h"
+#include "tests/texgen/image/png_chunks.h"
 #include "tests/texgen/temporary_folder.h"
+#include "texgen/maps/albedo.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -17,31 +19,6 @@ namespace {
 
 using Text = std::vector<std::pair<std::string, std::string>>;
 
-/// Type and content of the chunks of a stream, read as the PNG specification (section 5.3) lays
-/// them out: 4 bytes length, 4 bytes type, content, 4 bytes check sum, after 8 bytes of signature.
-std::vector<std::pair<std::string, std::string>> chunks_of(const Bytes& stream) {
-    const std::string bytes(reinterpret_cast<const char*>(stream.data()), stream.size());
-    std::vector<std::pair<std::string, std::string>> chunks;
-    for (std::size_t at = 8; at < bytes.size();) {
-        std::size_t length = 0;
-        for (std::size_t i = 0; i < 4; ++i) {
-            length = length * 256 + static_cast<unsigned char>(bytes[at + i]);
-        }
-        chunks.emplace_back(bytes.substr(at + 4, 4), bytes.substr(at + 8, length));
-        at += length + 12;
-    }
-    return chunks;
-}
-
-std::string chunk(const Bytes& stream, const std::string& type) {
-    for (const auto& [name, content] : chunks_of(stream)) {
-        if (name == type) {
-            return content;
-        }
-    }
-    return "none";
-}
-
 Image<std::uint8_t> numbered(int width, int height, int channels) {
     Image<std::uint8_t> image(width, height, channels);
     std::uint8_t value = 0;
@@ -51,22 +28,36 @@ Image<std::uint8_t> numbered(int width, int height, int channels) {
     return image;
 }
 
-RC_GTEST_PROP(Png, PixelsAndTextsComeBack, ()) {
+template <class Sample>
+Image<Sample> any_image() {
     const int width = *rc::gen::inRange(1, 20);
     const int height = *rc::gen::inRange(1, 20);
-    const int channels = *rc::gen::inRange(1, 5);
-    Image<std::uint8_t> image(width, height, channels);
-    for (std::uint8_t& sample : image.samples()) {
-        sample = *rc::gen::arbitrary<std::uint8_t>();
+    Image<Sample> image(width, height, *rc::gen::inRange(1, 5));
+    for (Sample& sample : image.samples()) {
+        sample = *rc::gen::arbitrary<Sample>();
     }
-    const PngMetadata metadata{.color = *rc::gen::arbitrary<bool>(), .text = {{"Seed", "1"}}};
-    const PngEncoding encoding{.filter = static_cast<PngFilter>(*rc::gen::inRange(0, 6)),
-                               .compression_level = *rc::gen::inRange(0, 10)};
+    return image;
+}
 
-    const PngImage back = decode_png(encode_png(image.view(), metadata, encoding));
+PngEncoding any_encoding() {
+    return {.filter = static_cast<PngFilter>(*rc::gen::inRange(0, 5)),
+            .compression = static_cast<Compression>(*rc::gen::inRange(0, 3)),
+            .palette = *rc::gen::arbitrary<bool>()};
+}
+
+RC_GTEST_PROP(Png, PixelsAndTextsComeBack, ()) {
+    const auto image = any_image<std::uint8_t>();
+    const PngMetadata metadata{.color = *rc::gen::arbitrary<bool>(), .text = {{"Seed", "1"}}};
+    const PngImage back = decode_png(encode_png(image.view(), metadata, any_encoding()));
     RC_ASSERT(back.pixels == image);
     RC_ASSERT(back.metadata.color == metadata.color);
     RC_ASSERT(back.metadata.text == metadata.text);
+}
+
+RC_GTEST_PROP(Png, SixteenBitPixelsComeBack, ()) {
+    const auto image = any_image<std::uint16_t>();
+    const Bytes stream = encode_png(image.view(), {}, any_encoding());
+    RC_ASSERT(decode_png16(stream).pixels == image);
 }
 
 // Stored without compression or filter, the rows stand in the stream as they are: the top one
@@ -77,9 +68,61 @@ TEST(Png, TheTopRowComesFirstInTheFile) {
     image.row(0)[1] = 'b';
     image.row(1)[0] = 'y';  // top
     image.row(1)[1] = 'z';
-    const std::string data = chunk(encode_png(image.view(), {}, {.compression_level = 0}), "IDAT");
+    const std::string data =
+        chunk(encode_png(image.view(), {}, {.compression = Compression::None}), "IDAT");
     // A zlib header of 2 bytes, a stored block's of 5, then a filter byte 0 before each row.
     EXPECT_EQ(data.substr(7, 6), std::string("\0yz\0ab", 6));
+}
+
+TEST(Png, SixteenBitSamplesHaveTheirHighByteFirst) {
+    Image<std::uint16_t> image(2, 1, 1);
+    image.row(0)[0] = 0x1234;
+    image.row(0)[1] = 0x00ff;
+    const Bytes stream = encode_png(image.view(), {}, {.compression = Compression::None});
+    EXPECT_EQ(chunk(stream, "IDAT").substr(8, 4), std::string("\x12\x34\x00\xff", 4));
+    EXPECT_EQ(chunk(stream, "IHDR"), (std::string{0, 0, 0, 2, 0, 0, 0, 1, 16, 0, 0, 0, 0}));
+}
+
+TEST(Png, EightBitsAreReadAsSixteenAndNotTheOtherWayRound) {
+    Image<std::uint8_t> image(3, 1, 1);
+    image.row(0)[0] = 255;
+    image.row(0)[1] = 1;
+    const PngImage16 wide = decode_png16(encode_png(image.view()));
+    EXPECT_EQ(wide.pixels.row(0)[0], 65535);
+    EXPECT_EQ(wide.pixels.row(0)[1], 257);
+    EXPECT_EQ(wide.pixels.row(0)[2], 0);
+    EXPECT_THROW(decode_png(encode_png(wide.pixels.view())), InputError);
+}
+
+// 900 x 700 RGB pixels are compressed in four parts: each its own IDAT chunk.
+TEST(Png, TheBytesDoNotDependOnTheNumberOfThreads) {
+    Image<std::uint8_t> image(900, 700, 3);
+    unsigned state = 1;
+    for (std::uint8_t& sample : image.samples()) {
+        state = state * 1664525 + 1013904223;
+        sample = static_cast<std::uint8_t>(state >> 30);
+    }
+    const Bytes one = encode_png(image.view());
+    const auto chunks = chunks_of(one);
+    EXPECT_EQ(std::ranges::count(chunks, "IDAT", &decltype(chunks)::value_type::first), 4);
+    EXPECT_EQ(decode_png(one).pixels, image);
+    for (const int threads : {0, 2, 3, 7}) {
+        EXPECT_EQ(encode_png(image.view(), {}, {.threads = threads}), one) << threads;
+    }
+}
+
+// A picture of another size, depth and palette in between leaves nothing behind.
+TEST(Png, AnEncoderGivesTheSameBytesAgain) {
+    PngEncoder encoder;
+    const Image<std::uint8_t> image = numbered(300, 200, 3);
+    const PngMetadata metadata{.color = true, .text = {{"Seed", "1"}}};
+    const std::span<const std::byte> first = encoder.encode(image.view(), metadata);
+    const Bytes expected(first.begin(), first.end());
+    encoder.encode(Image<std::uint16_t>(900, 700, 2).view(), {}, {.filter = PngFilter::Paeth});
+    encoder.encode(numbered(5, 5, 4).view(), {}, {.palette = true});
+    const std::span<const std::byte> again = encoder.encode(image.view(), metadata);
+    EXPECT_TRUE(std::ranges::equal(again, expected));
+    EXPECT_EQ(encode_png(image.view(), metadata), expected);
 }
 
 TEST(Png, HeaderSaysSizeDepthAndKind) {
@@ -124,7 +167,7 @@ TEST(Png, RefusesKeywordsThatPngForbids) {
 }
 
 TEST(Png, RefusesPicturesThatPngCannotHold) {
-    EXPECT_THROW(encode_png({}), std::invalid_argument);
+    EXPECT_THROW(encode_png(ImageView<const std::uint8_t>()), std::invalid_argument);
     EXPECT_THROW(encode_png(Image<std::uint8_t>(1, 1, 5).view()), std::invalid_argument);
 }
 
@@ -193,37 +236,38 @@ TEST(Png, AMalformedFileIsNamed) {
     }
 }
 
-/// The nearest of 60 sites gives a pixel its flat colour: the cells of a foam without films.
-Image<std::uint8_t> flat_cells() {
-    const auto site = [](int i, int k) { return (i * (k == 0 ? 97 : 61) + i * i * 31) % 256; };
-    Image<std::uint8_t> image(256, 256, 3);
-    for (int y = 0; y < 256; ++y) {
-        for (int x = 0; x < 256; ++x) {
-            int best = 0;
-            const auto distance = [&](int i) { return std::hypot(site(i, 0) - x, site(i, 1) - y); };
-            for (int i = 1; i < 60; ++i) {
-                best = distance(i) < distance(best) ? i : best;
-            }
-            for (const int channel : {0, 1, 2}) {
-                image.pixel(x, y)[static_cast<std::size_t>(channel)] =
-                    static_cast<std::uint8_t>(best * (7 + 13 * channel));
-            }
-        }
+/// Flat cells with and without films between them, as a bake draws them.
+std::vector<Image<std::uint8_t>> flat_cells() {
+    const Frame frame = test::fitted_frame(test::bent_foam(100, 0.3, 1), 256, 256);
+    std::vector<Image<std::uint8_t>> images;
+    for (const double film_width : {0.0, 2.0}) {
+        images.push_back(albedo(frame, {256, 256}, {.film_width = film_width}, 1));
     }
-    return image;
+    return images;
+}
+
+std::size_t encoded_size(const Image<std::uint8_t>& image,
+                         PngFilter filter,
+                         Compression compression = Compression::Fast) {
+    return encode_png(image.view(), {}, {.filter = filter, .compression = compression}).size();
 }
 
 // Why None is the default.
 TEST(Png, FlatCellsAreSmallestWithoutFilter) {
-    const Image<std::uint8_t> image = flat_cells();
-    const std::size_t none = encode_png(image.view()).size();
-    for (const PngFilter filter : {PngFilter::Sub,
-                                   PngFilter::Up,
-                                   PngFilter::Average,
-                                   PngFilter::Paeth,
-                                   PngFilter::Adaptive}) {
-        EXPECT_LT(none, encode_png(image.view(), {}, {.filter = filter}).size())
-            << static_cast<int>(filter);
+    for (const Image<std::uint8_t>& image : flat_cells()) {
+        const std::size_t none = encoded_size(image, PngFilter::None);
+        for (const PngFilter filter :
+             {PngFilter::Sub, PngFilter::Up, PngFilter::Average, PngFilter::Paeth}) {
+            EXPECT_LT(none, encoded_size(image, filter)) << static_cast<int>(filter);
+        }
+    }
+}
+
+TEST(Png, MoreWorkMakesASmallerFile) {
+    for (const Image<std::uint8_t>& image : flat_cells()) {
+        const std::size_t fast = encoded_size(image, PngFilter::None);
+        EXPECT_LT(encoded_size(image, PngFilter::None, Compression::Small), fast);
+        EXPECT_LT(3 * fast, encoded_size(image, PngFilter::None, Compression::None));
     }
 }
 

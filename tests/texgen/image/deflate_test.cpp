@@ -1,0 +1,94 @@
+#include "texgen/image/deflate.h"
+
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include <cstdint>
+#include <random>
+#include <string_view>
+
+namespace foam::texgen {
+namespace {
+
+std::uint8_t* raw(std::span<const std::byte> bytes) {
+    return const_cast<std::uint8_t*>(reinterpret_cast<const std::uint8_t*>(bytes.data()));
+}
+
+/// What zlib makes of a deflate stream without header; empty if it finds it malformed.
+Bytes inflated(std::span<const std::byte> stream, std::size_t size) {
+    Bytes data(size);
+    z_stream state{};
+    state.next_in = raw(stream);
+    state.avail_in = static_cast<unsigned>(stream.size());
+    state.next_out = raw(data);
+    state.avail_out = static_cast<unsigned>(size);
+    inflateInit2(&state, -MAX_WBITS);
+    const int result = inflate(&state, Z_FINISH);
+    const bool whole = result == Z_STREAM_END && state.avail_in == 0 && state.avail_out == 0;
+    inflateEnd(&state);
+    return whole ? data : Bytes();
+}
+
+Bytes noise(std::size_t size) {
+    std::mt19937 random(1);
+    Bytes data(size);
+    for (std::byte& byte : data) {
+        byte = static_cast<std::byte>(random() >> 24);
+    }
+    return data;
+}
+
+Bytes runs(std::size_t size) {
+    Bytes data(size);
+    for (std::size_t k = 0; k < size; ++k) {
+        data[k] = static_cast<std::byte>(k / 50 % 7);
+    }
+    return data;
+}
+
+Bytes joined(std::span<const std::byte> first, std::span<const std::byte> second) {
+    Bytes both(first.begin(), first.end());
+    both.insert(both.end(), second.begin(), second.end());
+    return both;
+}
+
+class DeflateTest : public testing::TestWithParam<Compression> {};
+
+// Noise does not shrink: the most that can come out.
+TEST_P(DeflateTest, ZlibUndoesIt) {
+    Deflater deflater;
+    for (const std::size_t size : {0U, 1U, 1000U, 70'000U, 600'000U}) {
+        for (const Bytes& data : {noise(size), runs(size)}) {
+            const Bytes back = inflated(deflater.deflate(GetParam(), data), size);
+            EXPECT_EQ(back, data) << size;
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Compressions,
+                         DeflateTest,
+                         testing::Values(Compression::None, Compression::Fast, Compression::Small));
+
+TEST(Deflate, PartsInARowAreOneStream) {
+    const Bytes data = runs(100'000);
+    const std::span<const std::byte> all(data);
+    Deflater one;
+    Deflater other;
+    const auto first = one.deflate(Compression::Fast, all.first(60'001), false);
+    const auto second = other.deflate(Compression::Fast, all.subspan(60'001), true);
+    EXPECT_EQ(inflated(joined(first, second), data.size()), data);
+}
+
+// From RFC 1950: s1 = 1 + the sum of the bytes, s2 = the sum of the s1; "ab": s1 = 1 + 97 + 98 =
+// 196, s2 = 98 + 196 = 294.
+TEST(Deflate, CheckSumIsAdlers) {
+    const std::string_view text = "ab";
+    const auto bytes = std::as_bytes(std::span(text));
+    EXPECT_EQ(adler32_of(bytes), 294U << 16 | 196U);
+    EXPECT_EQ(adler32_of({}), 1U);
+    EXPECT_EQ(joined_adler32(adler32_of(bytes.first(1)), adler32_of(bytes.subspan(1)), 1),
+              adler32_of(bytes));
+}
+
+}  // namespace
+}  // namespace foam::texgen

@@ -1,0 +1,116 @@
+#include "texgen/image/png_filter.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <vector>
+
+namespace foam::texgen {
+namespace {
+
+std::vector<int> numbers(std::span<const std::byte> bytes) {
+    std::vector<int> all;
+    for (const std::byte byte : bytes) {
+        all.push_back(std::to_integer<int>(byte));
+    }
+    return all;
+}
+
+/// 2 x 2 grey pixels: 10 20 above 30 25.
+Image<std::uint8_t> four() {
+    Image<std::uint8_t> image(2, 2, 1);
+    image.row(1)[0] = 10;
+    image.row(1)[1] = 20;
+    image.row(0)[0] = 30;
+    image.row(0)[1] = 25;
+    return image;
+}
+
+std::vector<int> filtered(PngFilter filter, int first, int last) {
+    const Image<std::uint8_t> image = four();
+    RowFilter filters;
+    return numbers(filters.filter(PngRows(image.view()), filter, first, last));
+}
+
+// By hand from PNG's section 9: what is left of or above the picture counts as 0, differences are
+// modulo 256. Paeth of 25: left 30, above 20, above left 10, so 30 + 20 - 10 = 40 and left is
+// nearest.
+TEST(PngFilter, PredictsAsPngSays) {
+    EXPECT_EQ(filtered(PngFilter::None, 0, 2), (std::vector<int>{0, 10, 20, 0, 30, 25}));
+    EXPECT_EQ(filtered(PngFilter::Sub, 0, 2), (std::vector<int>{1, 10, 10, 1, 30, 251}));
+    EXPECT_EQ(filtered(PngFilter::Up, 0, 2), (std::vector<int>{2, 10, 20, 2, 20, 5}));
+    EXPECT_EQ(filtered(PngFilter::Average, 0, 2), (std::vector<int>{3, 10, 15, 3, 25, 0}));
+    EXPECT_EQ(filtered(PngFilter::Paeth, 0, 2), (std::vector<int>{4, 10, 10, 4, 20, 251}));
+}
+
+TEST(PngFilter, RowsOfALaterPartKnowTheOneAbove) {
+    EXPECT_EQ(filtered(PngFilter::Up, 1, 2), (std::vector<int>{2, 20, 5}));
+    EXPECT_EQ(filtered(PngFilter::Paeth, 1, 2), (std::vector<int>{4, 20, 251}));
+}
+
+TEST(PngFilter, SixteenBitsAreTwoBytesTheHighOneFirst) {
+    Image<std::uint16_t> image(2, 1, 1);
+    image.row(0)[0] = 0x0102;
+    image.row(0)[1] = 0x0405;
+    RowFilter filters;
+    const auto rows = filters.filter(PngRows(image.view()), PngFilter::Sub, 0, 1);
+    EXPECT_EQ(numbers(rows), (std::vector<int>{1, 1, 2, 3, 3}));
+}
+
+/// The byte at x, or 0 to the left of the row or above the picture.
+int byte_at(const std::vector<std::vector<int>>& rows, int y, int x) {
+    return y < 0 || x < 0 ? 0 : rows[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)];
+}
+
+int predicted(int filter, int left, int above, int above_left) {
+    const int guess = left + above - above_left;
+    switch (filter) {
+        case 0:
+            return 0;
+        case 1:
+            return left;
+        case 2:
+            return above;
+        case 3:
+            return (left + above) / 2;
+        default:
+            break;
+    }
+    int best = left;
+    best = std::abs(guess - above) < std::abs(guess - best) ? above : best;
+    return std::abs(guess - above_left) < std::abs(guess - best) ? above_left : best;
+}
+
+// Undone byte by byte, from the definition, every filter gives the rows back.
+RC_GTEST_PROP(PngFilter, IsUndoneFromLeftToRight, ()) {
+    const int channels = *rc::gen::inRange(1, 5);
+    Image<std::uint8_t> image(*rc::gen::inRange(1, 40), *rc::gen::inRange(1, 5), channels);
+    for (std::uint8_t& sample : image.samples()) {
+        sample = *rc::gen::arbitrary<std::uint8_t>();
+    }
+    const int filter = *rc::gen::inRange(0, 5);
+    RowFilter filters;
+    const auto stream = numbers(
+        filters.filter(PngRows(image.view()), static_cast<PngFilter>(filter), 0, image.height()));
+    const int width = image.width() * channels;
+    std::size_t at = 0;
+    std::vector<std::vector<int>> rows(static_cast<std::size_t>(image.height()));
+    for (int y = 0; y < image.height(); ++y) {
+        ++at;  // the byte that names the filter
+        for (int x = 0; x < width; ++x) {
+            const int guess = predicted(filter,
+                                        byte_at(rows, y, x - channels),
+                                        byte_at(rows, y - 1, x),
+                                        byte_at(rows, y - 1, x - channels));
+            rows[static_cast<std::size_t>(y)].push_back((stream[at++] + guess) % 256);
+        }
+        const auto expected = image.row(image.height() - 1 - y);
+        RC_ASSERT(std::equal(
+            expected.begin(), expected.end(), rows[static_cast<std::size_t>(y)].begin()));
+    }
+}
+
+}  // namespace
+}  // namespace foam::texgen

@@ -1,0 +1,102 @@
+#include "texgen/image/deflate.h"
+
+#include <isa-l/igzip_lib.h>
+#include <libdeflate.h>
+#include <zlib.h>
+
+#include <cassert>
+#include <new>
+#include <stdexcept>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr int kFastLevel = 2;   // of ISA-L, 0 to 3: 3 gains 1 % in 2 to 6 times the time
+constexpr int kSmallLevel = 7;  // of libdeflate, 1 to 12: 9 gains 1 % in 2 to 4 times the time
+
+// Where data does not shrink, blocks that store it cost 5 bytes in 65,535, those of a code of
+// their own below 1/8; a stream's begin and end add less than 4096.
+std::size_t largest_size(std::size_t size) {
+    return size + size / 8 + 4096;
+}
+
+// The C libraries' bytes; they write through no pointer to input.
+std::uint8_t* input_of(std::span<const std::byte> data) {
+    return const_cast<std::uint8_t*>(reinterpret_cast<const std::uint8_t*>(data.data()));
+}
+
+struct FreeCompressor {
+    void operator()(libdeflate_compressor* compressor) const {
+        libdeflate_free_compressor(compressor);
+    }
+};
+using Compressor = std::unique_ptr<libdeflate_compressor, FreeCompressor>;
+
+}  // namespace
+
+Deflater::Deflater() = default;
+Deflater::~Deflater() = default;
+Deflater::Deflater(Deflater&&) noexcept = default;
+Deflater& Deflater::operator=(Deflater&&) noexcept = default;
+
+std::span<const std::byte> Deflater::deflate(Compression compression,
+                                             std::span<const std::byte> data,
+                                             bool last) {
+    if (compression == Compression::Fast) {
+        return deflate_fast(data, last);
+    }
+    assert(last);
+    return deflate_whole(compression == Compression::Small ? kSmallLevel : 0, data);
+}
+
+std::span<const std::byte> Deflater::deflate_fast(std::span<const std::byte> data, bool last) {
+    if (stream_ == nullptr) {
+        stream_ = std::make_unique<isal_zstream>();
+        level_buffer_.resize(ISAL_DEF_LVL2_EXTRA_LARGE);
+    }
+    make_room(largest_size(data.size()));
+    isal_deflate_init(stream_.get());
+    stream_->level = kFastLevel;
+    stream_->level_buf = reinterpret_cast<std::uint8_t*>(level_buffer_.data());
+    stream_->level_buf_size = static_cast<std::uint32_t>(level_buffer_.size());
+    stream_->flush = last ? NO_FLUSH : FULL_FLUSH;
+    stream_->end_of_stream = last ? 1 : 0;
+    stream_->next_in = input_of(data);
+    stream_->avail_in = static_cast<std::uint32_t>(data.size());
+    stream_->next_out = reinterpret_cast<std::uint8_t*>(deflated_.data());
+    stream_->avail_out = static_cast<std::uint32_t>(deflated_.size());
+    if (isal_deflate(stream_.get()) != COMP_OK || stream_->avail_in != 0 ||
+        stream_->avail_out == 0) {
+        throw std::logic_error("the data did not deflate into the room for it");
+    }
+    return std::span(deflated_).first(stream_->total_out);
+}
+
+std::span<const std::byte> Deflater::deflate_whole(int level, std::span<const std::byte> data) {
+    const Compressor compressor(libdeflate_alloc_compressor(level));
+    if (compressor == nullptr) {
+        throw std::bad_alloc();
+    }
+    make_room(libdeflate_deflate_compress_bound(compressor.get(), data.size()));
+    const std::size_t size = libdeflate_deflate_compress(
+        compressor.get(), data.data(), data.size(), deflated_.data(), deflated_.size());
+    return std::span(deflated_).first(size);
+}
+
+void Deflater::make_room(std::size_t size) {
+    if (deflated_.size() < size) {
+        deflated_.resize(size);
+    }
+}
+
+std::uint32_t adler32_of(std::span<const std::byte> data) {
+    return isal_adler32(1, input_of(data), data.size());
+}
+
+std::uint32_t joined_adler32(std::uint32_t first, std::uint32_t second, std::size_t second_size) {
+    return static_cast<std::uint32_t>(
+        adler32_combine(first, second, static_cast<z_off_t>(second_size)));
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,83 @@
+#include "texgen/image/png_data.h"
+
+#include "core/parallel/parallel_for.h"
+
+#include <algorithm>
+
+namespace foam::texgen {
+
+namespace {
+
+// What is filtered and compressed at a time: it fits a second-level cache, and files grow by less
+// than 1 % for it.
+constexpr std::size_t kPartBytes = std::size_t{1} << 19;
+
+// The begin of a zlib stream (RFC 1950): deflate with a window of 32 KiB.
+constexpr std::array<std::byte, 2> kZlibHeader = {std::byte{0x78}, std::byte{0x01}};
+
+int rows_per_part(const PngRows& rows, Compression compression) {
+    if (compression != Compression::Fast) {
+        return rows.height();
+    }
+    const auto height = static_cast<std::size_t>(rows.height());
+    return static_cast<int>(std::clamp<std::size_t>(kPartBytes / rows.row_bytes(), 1, height));
+}
+
+std::array<std::byte, 4> big_endian(std::uint32_t number) {
+    return {static_cast<std::byte>(number >> 24),
+            static_cast<std::byte>(number >> 16),
+            static_cast<std::byte>(number >> 8),
+            static_cast<std::byte>(number)};
+}
+
+}  // namespace
+
+PngData::PngData(const PngRows& rows, const PngEncoding& encoding, std::vector<PngPart>& parts)
+    : rows_(rows),
+      encoding_(encoding),
+      parts_(parts),
+      rows_per_part_(rows_per_part(rows, encoding.compression)) {
+    const int count = (rows.height() + rows_per_part_ - 1) / rows_per_part_;
+    const int at_once = std::clamp(threads_meant(encoding.threads), 1, count);
+    chunks_.resize(static_cast<std::size_t>(at_once));
+    parts_.resize(std::max(parts_.size(), chunks_.size()));
+}
+
+std::span<const PngData::Chunk> PngData::next_chunks() {
+    std::size_t count = 0;
+    while (count < chunks_.size() && first_row(count) < rows_.height()) {
+        ++count;
+    }
+    parallel_for(0, count, 1, encoding_.threads, [this](std::size_t k, std::size_t) {
+        make(parts_[k], first_row(k), first_row(k + 1));
+    });
+    for (std::size_t k = 0; k < count; ++k) {
+        chunks_[k] = chunk_of(parts_[k], first_row(k) == 0, first_row(k + 1) == rows_.height());
+    }
+    next_row_ = first_row(count);
+    return std::span(chunks_).first(count);
+}
+
+int PngData::first_row(std::size_t part) const {
+    const std::size_t row =
+        static_cast<std::size_t>(next_row_) + part * static_cast<std::size_t>(rows_per_part_);
+    return static_cast<int>(std::min(row, static_cast<std::size_t>(rows_.height())));
+}
+
+void PngData::make(PngPart& part, int first, int last) const {
+    const std::span<const std::byte> filtered =
+        part.filter.filter(rows_, encoding_.filter, first, last);
+    part.size = filtered.size();
+    part.adler32 = adler32_of(filtered);
+    part.deflated = part.deflater.deflate(encoding_.compression, filtered, last == rows_.height());
+}
+
+PngData::Chunk PngData::chunk_of(const PngPart& part, bool first, bool last) {
+    adler32_ = joined_adler32(adler32_, part.adler32, part.size);
+    check_ = big_endian(adler32_);
+    return {std::span(kZlibHeader).first(first ? kZlibHeader.size() : 0),
+            part.deflated,
+            std::span(check_).first(last ? check_.size() : 0)};
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "texgen/image/file_io.h"
+#include "texgen/image/image.h"
+#include "texgen/image/png.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace foam::texgen {
+
+/// Borrows the samples of a picture of any depth and hands them out as rows of PNG: the top one
+/// first, 16-bit samples with their high byte first.
+class PngRows {
+  public:
+    explicit PngRows(ImageView<const std::uint8_t> view) : PngRows(view, 1) {}
+    explicit PngRows(ImageView<const std::uint16_t> view) : PngRows(view, 2) {}
+
+    int width() const { return width_; }
+    int height() const { return height_; }
+    int channels() const { return channels_; }
+    int bit_depth() const { return 8 * static_cast<int>(sample_bytes_); }
+    std::size_t pixel_bytes() const { return sample_bytes_ * static_cast<std::size_t>(channels_); }
+    std::size_t row_bytes() const { return pixel_bytes() * static_cast<std::size_t>(width_); }
+
+    /// `row` counts from the top and takes row_bytes.
+    void copy_row(int row, std::span<std::byte> to) const;
+
+  private:
+    template <class View>
+    PngRows(View view, std::size_t sample_bytes)
+        : bottom_(reinterpret_cast<const std::byte*>(view.data())),
+          width_(view.width()),
+          height_(view.height()),
+          channels_(view.channels()),
+          sample_bytes_(sample_bytes) {}
+
+    const std::byte* bottom_;
+    int width_;
+    int height_;
+    int channels_;
+    std::size_t sample_bytes_;
+};
+
+/// Filters rows as PNG lays them down (its section 9), with the same buffers time and again.
+class RowFilter {
+  public:
+    /// Rows first, first + 1, ..., last - 1 from the top, each after a byte that names the filter.
+    /// Valid until the next call.
+    std::span<const std::byte> filter(const PngRows& rows, PngFilter filter, int first, int last);
+
+  private:
+    Bytes above_;  // a row, after a pixel of zeros
+    Bytes current_;
+    Bytes filtered_;
+};
+
+}  // namespace foam::texgen
