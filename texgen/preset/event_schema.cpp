@@ -187,7 +187,7 @@ std::vector<EventKey> choice_keys() {
                 kOfBubbles,
                 &Event::bubbles),
             key("at",
-                Maybe<Points>{},
+                Maybe<Points>{{{0.0, 1.0}}},
                 "the bubble, junction or film at this place, in parts of the image from its lower "
                 "left; where there is no foam nothing happens",
                 kAtPlaces,

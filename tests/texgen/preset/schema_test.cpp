@@ -30,7 +30,6 @@ TEST(Schema, EveryKeyIsThereOnceWithAllItSays) {
         EXPECT_TRUE(is_table(key.table())) << key.path;
         EXPECT_EQ(find_key(key.path), &key);
     }
-    EXPECT_EQ(paths.size(), 41U);
 }
 
 TEST(Schema, EveryDefaultIsAllowed) {
