@@ -1,0 +1,248 @@
+// Our rasterizer beside others, as a Markdown table: the least of several runs that take turns;
+// processor time on one thread but where it is said. Leaves out programs that were not there when
+// this was built.
+#include "tests/bench/bench_foams.h"
+#include "tests/bench/raster_peers/peers.h"
+#include "tests/bench/raster_peers/race.h"
+#include "tests/support/raster_frames.h"
+#include "tests/support/raster_reference.h"
+#include "texgen/raster/distance.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace foam::bench {
+
+namespace {
+
+using texgen::CellOutlines;
+using texgen::DistanceField;
+using texgen::Image;
+
+constexpr int kSide = 2048;
+constexpr int kLargeSide = 4096;
+constexpr int kRounds = 7;
+
+const texgen::Encoding<std::uint8_t>& high_bytes() {
+    static const auto encoding = [] {
+        auto codes = std::make_unique<texgen::Encoding<std::uint8_t>>();
+        for (std::size_t k = 0; k < codes->size(); ++k) {
+            (*codes)[k] = static_cast<std::uint8_t>((k + 128) / 257);
+        }
+        return codes;
+    }();
+    return *encoding;
+}
+
+// Our own rasterizer, from a frame to an image of 3 channels of 8 bits, in memory used before.
+class Foamtex {
+  public:
+    Foamtex(const Frame& frame, const Scene& scene)
+        : frame_(frame),
+          grid_{scene.side, scene.side},
+          values_(values_of(scene)),
+          image_(scene.side, scene.side, 3) {}
+
+    void fill(double film_width, int threads) {
+        const CellOutlines cells = texgen::outline_cells(frame_, grid_, film_width, threads);
+        texgen::fill_cells(cells, values_, high_bytes(), threads, image_.view());
+    }
+    void measure(int threads) { texgen::write_distance_field(frame_, grid_, {}, threads, field_); }
+    const Image<std::uint8_t>& image() const { return image_; }
+    const DistanceField& field() const { return field_; }
+
+  private:
+    const Frame& frame_;
+    texgen::RasterGrid grid_;
+    texgen::CellValues values_;
+    Image<std::uint8_t> image_;
+    DistanceField field_;
+};
+
+void print_row(const std::string& work,
+               const Contender& ours,
+               const Contender& other,
+               double target) {
+    fmt::print("| {} | {:.1f} ms | {}: {:.1f} ms | {:.2f} | {} |\n",
+               work,
+               1e3 * ours.seconds,
+               other.name,
+               1e3 * other.seconds,
+               other.seconds / ours.seconds,
+               target > 0.0 ? fmt::format("≥ {}", target) : "");
+}
+
+// The first contender beside all others.
+void print_race(const std::string& work,
+                std::vector<Contender> contenders,
+                const std::vector<double>& targets,
+                Clock clock = Clock::Processor) {
+    race(contenders, kRounds, clock);
+    for (std::size_t k = 1; k < contenders.size(); ++k) {
+        print_row(work, contenders[0], contenders[k], k <= targets.size() ? targets[k - 1] : 0.0);
+    }
+}
+
+std::string name_of(const std::string& work, int side, int bubbles) {
+    return fmt::format("{}, {}², {} bubbles", work, side, bubbles);
+}
+
+void compare_fills(int side, int bubbles) {
+    const Frame frame = snapshot(settled_foam(bubbles), 1);
+    const Scene scene = scene_of(frame, side);
+    Foamtex ours(frame, scene);
+    std::vector<Contender> contenders{{"foamtex", [&] { ours.fill(0.0, 1); }}};
+    const std::vector<Painter> others = painters(side);
+    for (const Painter& other : others) {
+        contenders.push_back({other.name, [&] { other.fill(scene); }});
+    }
+    print_race(name_of("fill", side, bubbles), contenders, {10.0, 0.0, 6.0});
+}
+
+void compare_strokes(int side, int bubbles, bool with_distance) {
+    const Frame frame = snapshot(settled_foam(bubbles), 1);
+    const Scene scene = scene_of(frame, side);
+    Foamtex ours(frame, scene);
+    const auto draw = [&] {
+        ours.fill(kFilmWidth, 1);
+        if (with_distance) {
+            ours.measure(1);
+        }
+    };
+    std::vector<Contender> contenders{{"foamtex", draw}};
+    const std::vector<Painter> others = painters(side);
+    for (const Painter& other : others) {
+        if (other.fill_and_films) {
+            contenders.push_back({other.name, [&] { other.fill_and_films(scene); }});
+        }
+    }
+    const std::string work = with_distance ? "fill + films + ids + distance" : "fill + films";
+    print_race(name_of(work, side, bubbles), contenders, {6.0});
+}
+
+// 0 where the next bubble begins, which others measure the distance from.
+Image<std::uint8_t> films_of(const DistanceField& field) {
+    const int side = field.ids.width();
+    Image<std::uint8_t> mask(side, side, 1);
+    for (int y = 0; y < side; ++y) {
+        for (int x = 0; x < side; ++x) {
+            const std::uint32_t id = field.ids.pixel(x, y)[0];
+            const bool inside = id == field.ids.pixel((x + 1) % side, y)[0] &&
+                                id == field.ids.pixel(x, (y + 1) % side)[0];
+            mask.pixel(x, y)[0] = inside ? 255 : 0;
+        }
+    }
+    return mask;
+}
+
+void compare_distances(const Frame& frame, int side, double target) {
+    const Scene scene = scene_of(frame, side);
+    Foamtex ours(frame, scene);
+    ours.measure(1);
+    const Image<std::uint8_t> mask = films_of(ours.field());
+    std::vector<Contender> contenders{{"foamtex", [&] { ours.measure(1); }}};
+    const std::vector<DistanceTransform> others = distance_transforms(side);
+    for (const DistanceTransform& other : others) {
+        contenders.push_back({other.name, [&] { other.transform(mask); }});
+    }
+    print_race(name_of("ids + distance", side, static_cast<int>(frame.bubbles.size())),
+               contenders,
+               {target});
+}
+
+void compare_threads(int side, int bubbles) {
+    const Frame frame = snapshot(settled_foam(bubbles), 1);
+    Foamtex ours(frame, scene_of(frame, side));
+    const auto compare = [&](const std::string& work, const std::function<void(int)>& run) {
+        print_race(name_of(work + " on two threads", side, bubbles),
+                   {{"two", [&] { run(2); }}, {"one thread", [&] { run(1); }}},
+                   {1.8},
+                   Clock::Wall);
+    };
+    compare("fill", [&](int threads) { ours.fill(0.0, threads); });
+    compare("fill + films", [&](int threads) { ours.fill(kFilmWidth, threads); });
+    compare("ids + distance", [&](int threads) { ours.measure(threads); });
+}
+
+void compare_with_writing(int side, int bubbles) {
+    const Frame frame = snapshot(settled_foam(bubbles), 1);
+    Foamtex ours(frame, scene_of(frame, side));
+    Image<std::uint8_t> image(side, side, 3);
+    std::uint8_t level = 0;
+    print_race(name_of("fill", side, bubbles),
+               {{"foamtex", [&] { ours.fill(0.0, 1); }},
+                {"writing alone", [&] { std::ranges::fill(image.samples(), ++level); }}},
+               {0.25});
+}
+
+// The mean of the values in each pixel, by point samples.
+std::vector<double> reference(const Frame& frame, const Scene& scene, double film_width) {
+    const test::SampledCoverage sampled =
+        test::sample_coverage(frame, scene.side, scene.side, film_width);
+    std::vector<double> means;
+    for (const std::vector<double>& parts : sampled.parts) {
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            double mean = 255.0;
+            for (std::size_t k = 0; k < parts.size(); ++k) {
+                mean += parts[k] * (scene.colors[k][channel] - 255.0);
+            }
+            means.push_back(mean);
+        }
+    }
+    return means;
+}
+
+double largest_error(const Image<std::uint8_t>& image, const std::vector<double>& means) {
+    double largest = 0.0;
+    for (std::size_t k = 0; k < means.size(); ++k) {
+        largest = std::max(largest, std::abs(image.samples()[k] - means[k]));
+    }
+    return largest;
+}
+
+void print_errors() {
+    constexpr int kSmallSide = 64;
+    const Frame frame = test::fitted_frame(test::polydisperse_foam(24, 5), kSmallSide, kSmallSide);
+    const Scene scene = scene_of(frame, kSmallSide);
+    Foamtex ours(frame, scene);
+    fmt::print("\n| largest error of a pixel, of 255 | fill | fill + films |\n|---|---|---|\n");
+    const std::vector<double> cells = reference(frame, scene, 0.0);
+    const std::vector<double> films = reference(frame, scene, kFilmWidth);
+    ours.fill(0.0, 1);
+    const double fill_error = largest_error(ours.image(), cells);
+    ours.fill(kFilmWidth, 1);
+    fmt::print("| foamtex | {:.2f} | {:.2f} |\n", fill_error, largest_error(ours.image(), films));
+    for (const Painter& other : painters(kSmallSide)) {
+        other.fill(scene);
+        fmt::print("| {} | {:.2f} | ", other.name, largest_error(other.image(), cells));
+        if (other.fill_and_films) {
+            other.fill_and_films(scene);
+            fmt::print("{:.2f} ", largest_error(other.image(), films));
+        }
+        fmt::print("|\n");
+    }
+}
+
+void run() {
+    fmt::print("| work | foamtex | beside it | ratio | target |\n|---|---|---|---|---|\n");
+    compare_fills(kSide, 10000);
+    compare_strokes(kSide, 10000, true);
+    compare_strokes(kSide, 1000, false);
+    compare_strokes(kLargeSide, 1000, false);
+    compare_distances(snapshot(settled_foam(10000), 1), kSide, 3.0);
+    compare_distances(snapshot(test::bent_foam(100000, 0.3, 1), 1), kSide, 1.3);
+    compare_threads(kSide, 10000);
+    compare_with_writing(kLargeSide, 1000);
+    print_errors();
+}
+
+}  // namespace
+
+}  // namespace foam::bench
+
+int main() {
+    foam::bench::run();
+}
