@@ -2,7 +2,9 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
 #include <cstdio>
+#include <string>
 
 namespace foam::texgen {
 
@@ -14,10 +16,15 @@ void print_files(std::span<const std::filesystem::path> files) {
 
 ExitCode report_failure(const RunOutcome& outcome) {
     if (outcome.status == RunStatus::OpenLoop) {
-        fmt::print(stderr,
-                   "foamtex: the loop does not close: the ends of its last cycle are {:.2g} mean "
-                   "bubble diameters apart; take a smaller loop.amplitude, or more loop.cycles\n",
-                   *outcome.closing_error);
+        const double error = *outcome.closing_error;
+        const std::string apart = std::isfinite(error)
+                                      ? fmt::format("lie {:.2g} mean diameters elsewhere", error)
+                                      : "have other neighbours";
+        fmt::print(
+            stderr,
+            "foamtex: the loop does not close: bubbles at the end of its last cycle {} than at "
+            "its start; take a smaller loop.amplitude, or more loop.cycles\n",
+            apart);
     } else {
         fmt::print(
             stderr, "foamtex: frame {}: the foam found no equilibrium\n", outcome.failed_frame);
