@@ -2,7 +2,7 @@
 
 #include "texgen/bake/frame_range.h"
 #include "texgen/preset/preset_io.h"
-#include "texgen/preset/shipped_presets.h"
+#include "texgen/preset/load_preset.h"
 
 #include <CLI/CLI.hpp>
 

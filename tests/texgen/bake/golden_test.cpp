@@ -1,6 +1,7 @@
 #include "tests/texgen/temporary_folder.h"
 #include "texgen/bake/bake.h"
 #include "texgen/image/png.h"
+#include "texgen/preset/load_preset.h"
 #include "texgen/preset/shipped_presets.h"
 
 #include <gtest/gtest.h>

@@ -1,0 +1,117 @@
+#include "texgen/preset/load_preset.h"
+
+#include "tests/texgen/temporary_folder.h"
+#include "texgen/image/file_io.h"
+#include "texgen/preset/assignment.h"
+#include "texgen/preset/shipped_presets.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <string>
+#include <vector>
+
+namespace foam::texgen {
+namespace {
+
+std::string failure(const std::string& name_or_path) {
+    try {
+        load_preset(name_or_path);
+    } catch (const PresetError& error) {
+        return error.what();
+    }
+    return "no failure";
+}
+
+void write_text(const std::filesystem::path& path, std::string_view text) {
+    write_file(path, std::as_bytes(std::span(text)));
+}
+
+TEST(ShippedPresets, AllLoadUnderTheirNameAndSayWhatTheyShow) {
+    EXPECT_EQ(shipped_presets().size(), 7U);
+    for (const ShippedPreset& shipped : shipped_presets()) {
+        const Preset preset = load_preset(std::string(shipped.name));
+        EXPECT_EQ(preset.name, shipped.name);
+        EXPECT_FALSE(preset.description.empty()) << shipped.name;
+    }
+}
+
+TEST(ShippedPresets, AnUnknownNameListsTheKnownAndSuggestsTheNearest) {
+    EXPECT_EQ(failure("sea_form"),
+              "preset 'sea_form': must be a .toml file or one of sea_foam, labyrinth, coarsening, "
+              "collapse, shear, relax, soap_raft; "
+              "did you mean 'sea_foam'?");
+    EXPECT_EQ(failure("beer"),
+              "preset 'beer': must be a .toml file or one of sea_foam, labyrinth, coarsening, "
+              "collapse, shear, relax, soap_raft");
+}
+
+TEST(LoadPreset, APathIsAFileAndItsStemTheName) {
+    const TemporaryFolder folder;
+    const auto path = folder.path() / "mine.toml";
+    write_text(path, "[foam]\nbubbles = 77\n");
+    const Preset preset = load_preset(path.string());
+    EXPECT_EQ(preset.name, "mine");
+    EXPECT_EQ(preset.seeding.bubbles, 77);
+}
+
+TEST(LoadPreset, AnExtensionChangesOnlyWhatItSays) {
+    const TemporaryFolder folder;
+    write_text(folder.path() / "base.toml",
+               "[foam]\nbubbles = 50\nseed = 4\n[[event]]\nkind = 'collapse'\nsides = 5\n"
+               "frame = 3\n");
+    const auto path = folder.path() / "mine.toml";
+    write_text(path, "extends = 'base.toml'\n[foam]\nseed = 9\n");
+    const Preset preset = load_preset(path.string());
+    EXPECT_EQ(preset.name, "mine");
+    EXPECT_EQ(preset.seeding.bubbles, 50);
+    EXPECT_EQ(preset.seeding.seed, 9U);
+    EXPECT_EQ(preset.events.size(), 1U);
+}
+
+TEST(LoadPreset, EventsOfAnExtensionStandForThoseOfTheOther) {
+    const TemporaryFolder folder;
+    const auto path = folder.path() / "mine.toml";
+    write_text(path, "extends = 'collapse'\n[[event]]\nkind = 'collapse'\nsides = 5\nframe = 3\n");
+    const Preset preset = load_preset(path.string());
+    EXPECT_NE(load_preset("collapse").events.front().sides, std::vector<int>{5});
+    ASSERT_EQ(preset.events.size(), 1U);
+    EXPECT_EQ(preset.events.front().sides, std::vector<int>{5});
+    EXPECT_EQ(preset.seeding.bubbles, load_preset("collapse").seeding.bubbles);
+}
+
+TEST(LoadPreset, ABadExtensionNamesTheLineThatSaysIt) {
+    const TemporaryFolder folder;
+    const std::string mine = (folder.path() / "mine.toml").string();
+    const std::string yours = (folder.path() / "yours.toml").string();
+    write_text(mine, "extends = 'yours.toml'\n");
+    write_text(yours, "extends = 'mine.toml'\n");
+    EXPECT_EQ(failure(mine),
+              yours + ":1: key 'extends' = \"mine.toml\": a circle: " + mine + " -> " + yours +
+                  " -> " + mine);
+    write_text(mine, "extends = 'none.toml'\n");
+    EXPECT_EQ(failure(mine),
+              mine + ":1: key 'extends' = \"none.toml\": cannot read '" +
+                  (folder.path() / "none.toml").string() + "': No such file or directory");
+    write_text(mine, "extends = 3\n");
+    EXPECT_EQ(failure(mine),
+              mine +
+                  ":1: key 'extends' = 3: must be the name of a preset or a .toml file, in "
+                  "quotes");
+    write_text(mine, "extends = 'yours.toml'\n");
+    write_text(yours, "[foam]\nbubbles = -3\n");
+    EXPECT_EQ(failure(mine),
+              yours + ":2: key 'foam.bubbles' = -3: must be an integer from 4 to 1000000");
+}
+
+TEST(LoadPreset, AMissingOrBadFileIsNamed) {
+    const TemporaryFolder folder;
+    const std::string missing = (folder.path() / "none.toml").string();
+    EXPECT_EQ(failure(missing), "cannot read '" + missing + "': No such file or directory");
+    const auto bad = folder.path() / "bad.toml";
+    write_text(bad, "[foam]\nbubbles = 1\n");
+    EXPECT_EQ(failure(bad.string()).find(bad.string() + ":2: key 'foam.bubbles' = 1: "), 0U);
+}
+
+}  // namespace
+}  // namespace foam::texgen

@@ -1,0 +1,115 @@
+#include "texgen/preset/load_preset.h"
+
+#include "texgen/image/file_io.h"
+#include "texgen/preset/event_io.h"
+#include "texgen/preset/preset_io.h"
+#include "texgen/preset/refusal.h"
+#include "texgen/preset/shipped_presets.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr std::string_view kExtends = "extends";
+
+bool is_path(std::string_view argument) {
+    return argument.ends_with(".toml") || argument.find('/') != std::string_view::npos;
+}
+
+struct Document {
+    std::string name;
+    std::string source;  // as errors name it
+    std::string toml;
+    std::filesystem::path folder;  // from which it names others
+};
+
+Document read_document(const std::string& path) {
+    try {
+        const Bytes content = read_file(path);
+        return {std::filesystem::path(path).stem().string(),
+                path,
+                std::string(reinterpret_cast<const char*>(content.data()), content.size()),
+                std::filesystem::path(path).parent_path()};
+    } catch (const InputError& error) {
+        throw PresetError(error.what());
+    }
+}
+
+Document find_document(const std::string& name_or_path) {
+    if (is_path(name_or_path)) {
+        return read_document(name_or_path);
+    }
+    const ShippedPreset& shipped = find_shipped_preset(name_or_path);
+    return {
+        name_or_path, fmt::format("presets/{}.toml", name_or_path), std::string(shipped.toml), {}};
+}
+
+// Loads a preset and those that it extends.
+class Loader {
+  public:
+    Preset load(const Document& document) {
+        sources_.push_back(document.source);
+        std::vector<Assignment> assignments = read_assignments(document.toml, document.source);
+        Preset preset = take_extended(assignments, document);
+        preset.name = document.name;
+        if (std::any_of(assignments.begin(), assignments.end(), [](const Assignment& one) {
+                return is_event_key(one.key);
+            })) {
+            preset.events.clear();
+        }
+        assign(preset, assignments);
+        return preset;
+    }
+
+  private:
+    // The preset to go on from: the one that is extended, and the default where none is.
+    Preset take_extended(std::vector<Assignment>& assignments, const Document& document) {
+        const auto found = std::find_if(assignments.begin(),
+                                        assignments.end(),
+                                        [](const Assignment& one) { return one.key == kExtends; });
+        if (found == assignments.end()) {
+            return {};
+        }
+        const Assignment extends = *found;
+        assignments.erase(found);
+        const auto* name = std::get_if<std::string>(&extends.value.data);
+        if (name == nullptr) {
+            refuse(extends, "must be the name of a preset or a .toml file, in quotes");
+        }
+        const Document other = find_extended(*name, extends, document);
+        if (std::find(sources_.begin(), sources_.end(), other.source) != sources_.end()) {
+            refuse(extends,
+                   fmt::format("a circle: {} -> {}", fmt::join(sources_, " -> "), other.source));
+        }
+        return load(other);
+    }
+
+    static Document find_extended(const std::string& name,
+                                  const Assignment& extends,
+                                  const Document& document) {
+        try {
+            return find_document(
+                is_path(name) ? (document.folder / name).lexically_normal().string() : name);
+        } catch (const PresetError& error) {
+            refuse(extends, error.what());
+        }
+    }
+
+    std::vector<std::string> sources_;
+};
+
+}  // namespace
+
+Preset load_preset(const std::string& name_or_path) {
+    return Loader().load(find_document(name_or_path));
+}
+
+}  // namespace foam::texgen
