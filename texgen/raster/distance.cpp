@@ -7,57 +7,118 @@
 #include "texgen/raster/region_field.h"
 
 #include <algorithm>
-#include <bit>
+#include <cstddef>
 #include <vector>
 
 namespace foam::texgen {
 
 namespace {
 
-constexpr int kSide = DistanceTile::kSide;
-constexpr int kRowsPerBand = 8 * kSide;
+constexpr int kTile = RegionField::kTile;
+constexpr int kRowsPerBand = 8 * kTile;
+constexpr double kShortestSide = 1e-9;  // pixels; a shorter side has no direction to speak of
+constexpr int kFilmsPerTask = 4096;
 
-// A frame's regions as the grid sees them.
-struct PixelRegions {
-    const Frame& frame;
-    const CellOutlines& cells;
-    double scale;  // pixels per foam unit
-
-    Boundaries of_patch(BubbleId bubble) const {
-        return boundaries_of({frame, cells.grid, scale}, bubble);
+// The films of a frame as the grid sees them; each arc is relative to its tail.
+class PixelFilms {
+  public:
+    PixelFilms(const Frame& frame, double scale, int threads) : arcs_(frame.network.film_slots()) {
+        const auto count = static_cast<int>(arcs_.size());
+        parallel_for((count + kFilmsPerTask - 1) / kFilmsPerTask, threads, [&](int task) {
+            const int end = std::min((task + 1) * kFilmsPerTask, count);
+            for (int k = task * kFilmsPerTask; k < end; ++k) {
+                const auto film = static_cast<std::size_t>(k);
+                const FilmArc& arc = frame.arcs[id_at<FilmId>(film)];
+                arcs_[film] = field_arc({scale * arc.chord, arc.half_angle}, Vec2::Zero());
+            }
+        });
     }
 
-    // Relative to the first point of the bubble's outline; that was rounded to a subpixel, which
-    // the arcs are not.
-    Boundaries of_torus(BubbleId bubble) const {
-        const Network& network = frame.network;
-        const HalfEdgeId first = network.first(bubble);
-        const Vec2& position = frame.positions[network.tail(first)];
-        const SubpixelPoint snapped = snap(cells.grid, frame.torus, position);
-        Vec2 tail = scale * position - Vec2(snapped.x, snapped.y) / kSubpixel;
-        Boundaries boundaries;
-        HalfEdgeId h = first;
-        do {
-            const FilmArc arc = frame.arc(h);
-            boundaries.arcs.push_back({tail, {scale * arc.chord, arc.half_angle}});
-            tail += boundaries.arcs.back().arc.chord;
-            h = network.next(h);
-        } while (h != first);
-        boundaries.loop_ends.push_back(boundaries.arcs.size());
-        return boundaries;
-    }
+    const FieldArc& of(FilmId film) const { return arcs_[index_of(film)]; }
 
-    bool is_circle(BubbleId bubble) const {
-        return index_of(bubble) >= frame.network.bubble_slots();
-    }
+  private:
+    std::vector<FieldArc> arcs_;
 };
 
-// A rectangle of the image that holds a region; around a torus it is unwrapped. The mask has those
-// of its rows that are in the band.
+// A frame's regions as the grid sees them.
+class PixelRegions {
+  public:
+    PixelRegions(const Frame& frame, const CellOutlines& cells, int threads)
+        : frame_(frame),
+          cells_(cells),
+          scale_(pixels_per_unit(cells.grid, frame.torus)),
+          films_(frame, scale_, threads) {}
+
+    // The boundaries of a region, relative to a pixel's corner.
+    void place(const Outline& outline,
+               SubpixelPoint translation,
+               SubpixelPoint corner,
+               RegionField& field) const {
+        if (cells_.outside) {
+            place_in_plane(outline.bubble, Vec2(corner.x, corner.y) / kSubpixel, field);
+        } else {
+            const SubpixelPoint first = cells_.chain(outline).front() + translation - corner;
+            place_on_torus(outline.bubble, Vec2(first.x, first.y) / kSubpixel, field);
+        }
+    }
+
+    void place_ghost(RegionField& field) const {
+        place_in_plane(*cells_.outside, Vec2::Zero(), field);
+    }
+
+  private:
+    void place_in_plane(BubbleId bubble, const Vec2& corner, RegionField& field) const {
+        const bool is_circle = index_of(bubble) >= frame_.network.bubble_slots();
+        field.clear(bubble == *cells_.outside ? RegionField::Kind::Around
+                    : is_circle               ? RegionField::Kind::Circle
+                                              : RegionField::Kind::Bubble);
+        const Boundaries boundaries = boundaries_of({frame_, cells_.grid, scale_}, bubble);
+        std::size_t k = 0;
+        for (const std::size_t end : boundaries.loop_ends) {
+            for (; k < end; ++k) {
+                const ArcLoops::Arc& side = boundaries.arcs[k];
+                if (side.arc.chord.norm() > kShortestSide) {
+                    field.add_side(field_arc(side.arc, side.tail - corner));
+                }
+            }
+            field.close_boundary();
+        }
+    }
+
+    // The outline begins at `first`; that was rounded to a subpixel, which the arcs are not.
+    void place_on_torus(BubbleId bubble, const Vec2& first, RegionField& field) const {
+        field.clear(RegionField::Kind::Bubble);
+        const Network& network = frame_.network;
+        const HalfEdgeId begin = network.first(bubble);
+        const Vec2& position = frame_.positions[network.tail(begin)];
+        const SubpixelPoint snapped = snap(cells_.grid, frame_.torus, position);
+        Vec2 tail = first + scale_ * position - Vec2(snapped.x, snapped.y) / kSubpixel;
+        HalfEdgeId h = begin;
+        do {
+            const FieldArc& film = films_.of(film_of(h));
+            FieldArc side = is_forward(h) ? film : reversed(film);
+            const Vec2 half = 0.5 * side.chord * side.direction;
+            side.middle = tail + half;
+            if (side.chord > kShortestSide) {
+                field.add_side(side);
+            }
+            tail += 2.0 * half;
+            h = network.next(h);
+        } while (h != begin);
+        field.close_boundary();
+    }
+
+    const Frame& frame_;
+    const CellOutlines& cells_;
+    double scale_;  // pixels per foam unit
+    PixelFilms films_;
+};
+
+// A rectangle of the image that holds a region; around a torus it is unwrapped.
 struct Window {
     int column = 0;  // of its lower left pixel
     int row = 0;
-    int first_row = 0;  // where the mask begins, above `row`; a multiple of kSide
+    RegionField::Extent extent;
 
     SubpixelPoint corner() const { return {column * kSubpixel, row * kSubpixel}; }
 };
@@ -65,14 +126,14 @@ struct Window {
 // Paints the bands of a field, one after the other.
 class FieldPainter {
   public:
-    FieldPainter(const PixelRegions& regions,
+    FieldPainter(const CellOutlines& cells,
+                 const PixelRegions& regions,
                  const Bands& bands,
                  DistanceNeeds needs,
                  DistanceField& field)
-        : regions_(regions), cells_(regions.cells), bands_(bands), needs_(needs), field_(field) {
+        : cells_(cells), regions_(regions), bands_(bands), needs_(needs), field_(field) {
         if (cells_.outside) {
-            around_.place(
-                regions_.of_patch(*cells_.outside), Vec2::Zero(), RegionField::Kind::Around);
+            regions_.place_ghost(around_);
         }
     }
 
@@ -102,7 +163,7 @@ class FieldPainter {
         }
     }
 
-    // Rows of a band begin with a multiple of kSide.
+    // A band begins at a multiple of kTile.
     void paint_around() {
         mask_.reset(field_.ids.width(), end_ - begin_);
         for (int row = begin_; row < end_; ++row) {
@@ -113,7 +174,7 @@ class FieldPainter {
                 }
             }
         }
-        measure(around_, {0, 0, begin_});
+        measure(around_, {0, 0, {field_.ids.width(), field_.ids.height(), begin_}});
     }
 
     void paint_bubble(const Outline& outline, SubpixelPoint translation) {
@@ -121,41 +182,30 @@ class FieldPainter {
         if (mask_.columns() <= 0) {
             return;
         }
-        const std::span<const SubpixelPoint> chain = cells_.chain(outline);
-        const SubpixelPoint moved = translation - window.corner();
-        mask_.fill(chain, moved - SubpixelPoint{0, window.first_row * kSubpixel});
+        const SubpixelPoint up{0, window.extent.first_row * kSubpixel};
+        mask_.fill(cells_.chain(outline), translation - window.corner() - up);
         write_ids(window, static_cast<std::uint32_t>(index_of(outline.bubble)));
-        const auto kind = regions_.is_circle(outline.bubble) ? RegionField::Kind::Circle
-                                                             : RegionField::Kind::Bubble;
-        if (cells_.outside) {
-            bubble_.place(
-                regions_.of_patch(outline.bubble), -Vec2(window.column, window.row), kind);
-        } else {
-            const SubpixelPoint first = chain.front() + moved;
-            bubble_.place(
-                regions_.of_torus(outline.bubble), Vec2(first.x, first.y) / kSubpixel, kind);
-        }
+        regions_.place(outline, translation, window.corner(), bubble_);
         measure(bubble_, window);
     }
 
-    // Around an outline, with an empty mask.
+    // Around an outline, with an empty mask of those of its rows that are in the band.
     Window open_window(const Outline& outline, SubpixelPoint translation) {
         const auto [left, right] = std::ranges::minmax_element(
             cells_.chain(outline), {}, [](SubpixelPoint point) { return point.x; });
-        Window window{
-            pixel_of(left->x + translation.x), pixel_of(outline.lowest + translation.y), 0};
+        int column = pixel_of(left->x + translation.x);
         int end_column = pixel_of(right->x + translation.x) + 1;
         if (cells_.grid.view) {
-            window.column = std::max(window.column, 0);
+            column = std::max(column, 0);
             end_column = std::min(end_column, cells_.grid.width);
         }
-        const int wanted = std::max(begin_ - window.row, 0);
-        const int end_row = std::min(pixel_of(outline.highest + translation.y) + 1, end_);
-        window.first_row = wanted / kSide * kSide;
-        mask_.reset(end_column - window.column,
-                    end_row - window.row - window.first_row,
-                    wanted - window.first_row);
-        return window;
+        const int row = pixel_of(outline.lowest + translation.y);
+        const int end_row = pixel_of(outline.highest + translation.y) + 1;
+        const int wanted = std::max(begin_ - row, 0);
+        const int first_row = wanted / kTile * kTile;
+        mask_.reset(
+            end_column - column, std::min(end_row, end_) - row - first_row, wanted - first_row);
+        return {column, row, {end_column - column, end_row - row, first_row}};
     }
 
     // Calls write(x, begin, end) for the pieces of a run of the window's columns, with the column
@@ -174,7 +224,7 @@ class FieldPainter {
     void write_ids(const Window& window, std::uint32_t id) {
         for (int row = 0; row < mask_.rows(); ++row) {
             mask_.for_each_run(row, [&](int begin, int end) {
-                const auto ids = field_.ids.row(window.row + window.first_row + row);
+                const auto ids = field_.ids.row(window.row + window.extent.first_row + row);
                 wrapped(window.column + begin, end - begin, [&](int x, int, int count) {
                     std::fill_n(&ids[static_cast<std::size_t>(x)], count, id);
                 });
@@ -183,72 +233,55 @@ class FieldPainter {
     }
 
     void measure(RegionField& region, const Window& window) {
-        const auto visit = [&](const RegionTile& at, std::span<const SideSearch::Side> sides) {
-            RegionField::measure(at, sides, tile_);
-            if (needs_.gradient || needs_.smooth) {
-                tile_.normalize_gradients();
-            }
-            if (needs_.smooth) {
-                region.measure_smooth(at, tile_);
-            }
-            write_tile(window, at);
-        };
-        region.for_each_tile(mask_, window.first_row, visit);
-    }
-
-    void write_tile(const Window& window, const RegionTile& at) {
-        for (int k = 0; k < kSide; ++k) {
-            const unsigned pixels = at.pixels[static_cast<std::size_t>(k)];
-            const int row = window.row + window.first_row + at.row + k;
-            for (unsigned rest = pixels; rest != 0;) {
-                const int begin = std::countr_zero(rest);
-                const int count = std::countr_one(rest >> begin);
-                wrapped(window.column + at.column + begin, count, [&](int x, int done, int piece) {
-                    write_run(row, x, k * kSide + begin + done, piece);
+        region.measure(mask_, window.extent, needs_, [&](const PixelBatch& batch) {
+            for (const PixelBatch::Run& run : batch.runs()) {
+                const auto count = static_cast<int>(run.count);
+                wrapped(window.column + run.column, count, [&](int x, int done, int piece) {
+                    write_run(batch,
+                              {window.row + run.row,
+                               x,
+                               run.first + static_cast<std::size_t>(done),
+                               static_cast<std::size_t>(piece)});
                 });
-                rest &= ~(((1U << count) - 1) << begin);
             }
-        }
-    }
-
-    // Pixels of the tile, from one of them on, to the images.
-    void write_run(int row, int x, int from, int count) {
-        const Pixels pixels{
-            row, x, static_cast<std::size_t>(from), static_cast<std::size_t>(count)};
-        write(tile_.distance(), pixels, field_.distance);
-        if (needs_.gradient) {
-            write(tile_.gradient_x(), tile_.gradient_y(), pixels, field_.gradient);
-        }
-        if (needs_.smooth) {
-            write(tile_.smooth(), pixels, field_.smooth);
-            write(tile_.smooth_x(), tile_.smooth_y(), pixels, field_.smooth_gradient);
-        }
+        });
     }
 
     struct Pixels {
         int row;
         int x;
-        std::size_t from;  // in the tile
+        std::size_t first;  // in the batch
         std::size_t count;
     };
 
-    static void write(const DistanceTile::Values& values, const Pixels& at, Image<float>& image) {
-        std::copy_n(&values[at.from], at.count, image.pixel(at.x, at.row).data());
+    void write_run(const PixelBatch& batch, const Pixels& at) {
+        write(batch.distance(), at, field_.distance);
+        if (needs_.gradient) {
+            write(batch.gradient_x(), batch.gradient_y(), at, field_.gradient);
+        }
+        if (needs_.smooth) {
+            write(batch.smooth(), at, field_.smooth);
+            write(batch.smooth_x(), batch.smooth_y(), at, field_.smooth_gradient);
+        }
     }
 
-    static void write(const DistanceTile::Values& xs,
-                      const DistanceTile::Values& ys,
+    static void write(const PixelBatch::Values& values, const Pixels& at, Image<float>& image) {
+        std::copy_n(&values[at.first], at.count, image.pixel(at.x, at.row).data());
+    }
+
+    static void write(const PixelBatch::Values& xs,
+                      const PixelBatch::Values& ys,
                       const Pixels& at,
                       Image<float>& image) {
         float* sample = image.pixel(at.x, at.row).data();
-        for (std::size_t k = at.from; k < at.from + at.count; ++k) {
+        for (std::size_t k = at.first; k < at.first + at.count; ++k) {
             *sample++ = xs[k];
             *sample++ = ys[k];
         }
     }
 
-    const PixelRegions& regions_;
     const CellOutlines& cells_;
+    const PixelRegions& regions_;
     const Bands& bands_;
     DistanceNeeds needs_;
     DistanceField& field_;
@@ -257,7 +290,6 @@ class FieldPainter {
     CellMask mask_;
     RegionField bubble_;
     RegionField around_;  // the patch
-    DistanceTile tile_;
 };
 
 template <class Sample>
@@ -278,7 +310,7 @@ void write_distance_field(const Frame& frame,
                           int threads,
                           DistanceField& field) {
     const CellOutlines cells = outline_cells(frame, grid, 0.0, threads);
-    const PixelRegions regions{frame, cells, pixels_per_unit(grid, frame.torus)};
+    const PixelRegions regions(frame, cells, threads);
     ask_for(true, grid, 1, field.ids);
     ask_for(true, grid, 1, field.distance);
     ask_for(needs.gradient, grid, 2, field.gradient);
@@ -287,7 +319,7 @@ void write_distance_field(const Frame& frame,
     const Bands bands(cells, kRowsPerBand);
     std::vector<FieldPainter> painters(
         static_cast<std::size_t>(std::clamp(threads, 1, bands.count())),
-        FieldPainter(regions, bands, needs, field));
+        FieldPainter(cells, regions, bands, needs, field));
     parallel_for(
         bands.count(), painters, [](FieldPainter& painter, int band) { painter.paint(band); });
 }

@@ -30,23 +30,43 @@ Pencil pencil_at(const FieldArc& arc, const Vec2& point) {
              2.0 * arc.cosine / arc.chord}};
 }
 
-EndNormals end_normals_at(const FieldArc& arc, const Vec2& point) {
-    const Vec2 q = point - arc.middle;
-    const Vec2 rise = arc.sine * turned_left(arc.direction);
-    const Vec2 from_tail = arc.cosine * arc.direction - rise;
-    const Vec2 to_head = -arc.cosine * arc.direction - rise;
-    const double reach = 0.5 * arc.chord * arc.cosine;
-    return {{from_tail.dot(q) + reach, from_tail, 0.0}, {to_head.dot(q) + reach, to_head, 0.0}};
+Vec2 tail_tangent(const FieldArc& arc) {
+    return arc.cosine * arc.direction - arc.sine * turned_left(arc.direction);
+}
+
+Vec2 head_tangent(const FieldArc& arc) {
+    return arc.cosine * arc.direction + arc.sine * turned_left(arc.direction);
+}
+
+FieldArc reversed(const FieldArc& arc) {
+    return {arc.middle, -arc.direction, arc.chord, arc.cosine, -arc.sine};
+}
+
+// The middle of the arc lies the sagitta, c/2 tan(half of the half angle), right of the chord.
+std::array<FieldArc, 2> halves(const FieldArc& arc) {
+    const double cosine = std::sqrt(0.5 * (1.0 + arc.cosine));
+    const double sine = 0.5 * arc.sine / cosine;
+    const Vec2 normal = turned_left(arc.direction);
+    const double chord = 0.5 * arc.chord / cosine;
+    const Vec2 quarter = 0.25 * arc.chord * arc.direction;
+    const Vec2 out = -0.25 * arc.chord * sine / cosine * normal;
+    return {
+        {{arc.middle - quarter + out, cosine * arc.direction - sine * normal, chord, cosine, sine},
+         {arc.middle + quarter + out,
+          cosine * arc.direction + sine * normal,
+          chord,
+          cosine,
+          sine}}};
 }
 
 double distance(const FieldArc& arc, const Vec2& point) {
-    const EndNormals ends = end_normals_at(arc, point);
-    if (std::min(ends.tail.value, ends.head.value) >= 0.0) {
+    const Vec2 q = point - arc.middle;
+    const Vec2 half_chord = 0.5 * arc.chord * arc.direction;
+    if (tail_tangent(arc).dot(q + half_chord) >= 0.0 &&
+        head_tangent(arc).dot(q - half_chord) <= 0.0) {
         const Quadratic across = pencil_at(arc, point).across;
         return std::abs(2.0 * across.value) / (1.0 + across.gradient.norm());
     }
-    const Vec2 q = point - arc.middle;
-    const Vec2 half_chord = 0.5 * arc.chord * arc.direction;
     return std::sqrt(std::min((q - half_chord).squaredNorm(), (q + half_chord).squaredNorm()));
 }
 

@@ -2,6 +2,8 @@
 
 #include "core/geometry/film_arc.h"
 
+#include <array>
+
 namespace foam::texgen {
 
 /// A function of the plane: at p + d it is value + gradient d - curvature / 2 d², seen from p. If
@@ -35,14 +37,15 @@ struct Pencil {
 };
 Pencil pencil_at(const FieldArc& arc, const Vec2& point);
 
-/// The distances from the normals at the arc's ends, positive on the arc's side. A point faces an
-/// arc that turns by no more than 180 degrees, so that the nearest point of its circle is on the
-/// arc, if none of these is negative.
-struct EndNormals {
-    Quadratic tail;
-    Quadratic head;
-};
-EndNormals end_normals_at(const FieldArc& arc, const Vec2& point);
+/// The tangents at the ends.
+Vec2 tail_tangent(const FieldArc& arc);
+Vec2 head_tangent(const FieldArc& arc);
+
+/// The arc walked from its head to its tail.
+FieldArc reversed(const FieldArc& arc);
+
+/// Its two halves, of equal length; the first begins at the tail.
+std::array<FieldArc, 2> halves(const FieldArc& arc);
 
 /// From a point to the nearest point of an arc that turns by no more than 180 degrees.
 double distance(const FieldArc& arc, const Vec2& point);

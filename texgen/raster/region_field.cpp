@@ -1,79 +1,143 @@
 #include "texgen/raster/region_field.h"
 
+#include <bit>
 #include <cmath>
+#include <limits>
 
 namespace foam::texgen {
 
 namespace {
 
+constexpr double kLeastCosine = 0.5;  // of the half angle of a side
+// What the floats of a batch may be wrong by, pixels.
+constexpr double kMargin = 0.01;
 // A film of a chord below this part of its distance adds less than 1e-8 to a smooth distance, and
 // its functions might leave the range of floats.
 constexpr double kLeastChord = 1e-4;
+// Where a circle is cut off.
+constexpr float kNowhere = 1e15F;
 
-// A circle is cut off nowhere.
-Pencil whole_circle_at(const FieldArc& arc, const Vec2& point) {
-    constexpr double kEverywhere = 1e15;
-    return {pencil_at(arc, point).across, {kEverywhere, Vec2::Zero(), 0.0}};
+FloatQuadratic in_floats(const Quadratic& q) {
+    return {static_cast<float>(2.0 * q.value),
+            static_cast<float>(q.gradient.x()),
+            static_cast<float>(q.gradient.y()),
+            static_cast<float>(q.curvature)};
+}
+
+bool turns_right(const FieldArc& before, const FieldArc& after) {
+    return cross(head_tangent(before), tail_tangent(after)) < 0.0;
 }
 
 }  // namespace
 
-void RegionField::place(const ArcLoops& boundaries, const Vec2& translation, Kind kind) {
+void RegionField::clear(Kind kind) {
     kind_ = kind;
-    boundaries_ = boundaries;
-    for (ArcLoops::Arc& side : boundaries_.arcs) {
-        side.tail += translation;
-    }
     sides_.clear();
-    std::size_t begin = 0;
-    for (const std::size_t end : boundaries_.loop_ends) {
-        sides_.add_loop(std::span(boundaries_.arcs).subspan(begin, end - begin));
-        begin = end;
-    }
-    place_films();
-}
-
-void RegionField::place_films() {
     films_.clear();
-    if (kind_ == Kind::Around) {
+    boundary_ = 0;
+}
+
+void RegionField::add_side(const FieldArc& arc) {
+    if (kind_ == Kind::Bubble || (kind_ == Kind::Circle && films_.empty())) {
+        films_.push_back(arc);
+    }
+    if (arc.cosine >= kLeastCosine) {
+        sides_.push_back({arc, false});
         return;
     }
-    for (const ArcLoops::Arc& side : boundaries_.arcs) {
-        if (side.arc.chord.norm() > 0.0 && (kind_ != Kind::Circle || films_.empty())) {
-            films_.push_back(field_arc(side.arc, side.tail));
+    const auto [first, second] = halves(arc);
+    const Kind kind = std::exchange(kind_, Kind::Around);  // halves are no films
+    add_side(first);
+    add_side(second);
+    kind_ = kind;
+}
+
+void RegionField::close_boundary() {
+    for (std::size_t k = boundary_; k < sides_.size(); ++k) {
+        const RegionSide& before = k == boundary_ ? sides_.back() : sides_[k - 1];
+        sides_[k].corner = turns_right(before.arc, sides_[k].arc);
+    }
+    boundary_ = sides_.size();
+}
+
+void RegionField::start() {
+    near_.resize(sides_.size());
+    for (std::size_t k = 0; k < near_.size(); ++k) {
+        near_[k] = static_cast<std::uint32_t>(k);
+    }
+}
+
+// Appends those of a range that may be nearest to some point within reach of the middle.
+void RegionField::narrow(std::size_t begin, std::size_t end, const Vec2& middle, double reach) {
+    distances_.clear();
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = begin; k < end; ++k) {
+        distances_.push_back(distance(sides_[near_[k]].arc, middle));
+        least = std::min(least, distances_.back());
+    }
+    for (std::size_t k = begin; k < end; ++k) {
+        if (distances_[k - begin] <= least + 2.0 * reach + kMargin) {
+            near_.push_back(near_[k]);
         }
     }
 }
 
-void RegionField::measure(const RegionTile& at,
-                          std::span<const SideSearch::Side> sides,
-                          DistanceTile& tile) {
-    tile.reset(at.rows);
-    for (const SideSearch::Side& side : sides) {
-        tile.add_arc(pencil_at(side.arc, at.middle).across, end_normals_at(side.arc, at.middle));
-        if (side.corner) {
-            tile.add_point(side.tail - at.middle);
-        }
-    }
-    if (!tile.is_unresolved()) {
-        return;
-    }
-    for (const SideSearch::Side& side : sides) {  // a pixel a little out of a sharp corner
-        tile.add_point(side.tail - at.middle);
-        tile.add_point(side.head - at.middle);
+void RegionField::take_sides(std::size_t begin) {
+    few_.clear();
+    for (std::size_t k = begin; k < near_.size(); ++k) {
+        few_.add(sides_[near_[k]]);
     }
 }
 
-void RegionField::measure_smooth(const RegionTile& at, DistanceTile& tile) const {
+void RegionField::take_all(const CellMask& mask, int first_row) {
+    batch_.clear(Vec2::Constant(0.5 * kSmall));
+    for (int row = 0; row < mask.rows(); ++row) {
+        mask.for_each_run(
+            row, [&](int begin, int end) { batch_.add_run(begin, first_row + row, end - begin); });
+    }
+}
+
+void RegionField::take_tile(const CellMask& mask, int first_row, int x, int y) {
+    const int column = x * kTile;
+    const int row = y * kTile;
+    batch_.clear(Vec2(column, first_row + row) + Vec2::Constant(0.5 * kTile));
+    if (column >= mask.columns()) {
+        return;
+    }
+    for (int k = row; k < std::min(row + kTile, mask.rows()); ++k) {
+        for (unsigned pixels = mask.eight(x, k); pixels != 0;) {
+            const int begin = std::countr_zero(pixels);
+            const int count = std::countr_one(pixels >> begin);
+            batch_.add_run(column + begin, first_row + k, count);
+            pixels &= ~(((1U << count) - 1) << begin);
+        }
+    }
+}
+
+void RegionField::measure_batch(double reach, DistanceNeeds needs) {
+    few_.measure(reach, needs.gradient || needs.smooth, batch_);
+    if (needs.gradient || needs.smooth) {
+        batch_.normalize_gradients();
+    }
+    if (needs.smooth) {
+        measure_smooth();
+    }
+}
+
+void RegionField::measure_smooth() {
+    batch_.begin_smooth();
     for (const FieldArc& film : films_) {
-        const double far = (at.middle - film.middle).norm() + DistanceTile::kReach;
-        if (film.chord > kLeastChord * far) {
-            tile.add_film(kind_ == Kind::Circle ? whole_circle_at(film, at.middle)
-                                                : pencil_at(film, at.middle),
-                          film.chord);
+        const double far = (batch_.middle() - film.middle).norm() + kSmallReach;
+        if (film.chord <= kLeastChord * far) {
+            continue;
         }
+        const Pencil pencil = pencil_at(film, batch_.middle());
+        batch_.add_film(in_floats(pencil.across),
+                        kind_ == Kind::Circle ? FloatQuadratic{kNowhere, 0.0F, 0.0F, 0.0F}
+                                              : in_floats(pencil.along),
+                        static_cast<float>(film.chord));
     }
-    tile.finish_smooth();
+    batch_.finish_smooth();
 }
 
 }  // namespace foam::texgen

@@ -1,13 +1,22 @@
 #pragma once
 
-#include "texgen/raster/side_search.h"
+#include "texgen/raster/cell_mask.h"
+#include "texgen/raster/distance.h"
+#include "texgen/raster/near_sides.h"
 
+#include <algorithm>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace foam::texgen {
 
 /// What the pixels of a region, as a bubble or what is around a patch, are measured from. Keeps its
 /// working memory from one region to the next.
+///
+/// Pixels are measured in batches: those of a small region all at once, others by tiles. Which
+/// sides may be nearest is found by halving a region with many sides again and again; what is too
+/// far from the middle of a part is dropped.
 class RegionField {
   public:
     enum class Kind {
@@ -16,30 +25,117 @@ class RegionField {
         Around,  // without smooth distances of its own
     };
 
-    /// The boundaries, each with the region on its left, moved by `translation` (pixels).
-    void place(const ArcLoops& boundaries, const Vec2& translation, Kind kind);
+    /// The rectangle that holds a region, of which the mask shows some rows.
+    struct Extent {
+        int columns = 0;
+        int rows = 0;
+        int first_row = 0;  // the mask's first; a multiple of kTile
+    };
+    static constexpr int kTile = 8;  // pixels
 
-    /// As SideSearch does.
+    void clear(Kind kind);
+
+    /// The next side of a boundary, in pixels; boundaries have the region on their left.
+    void add_side(const FieldArc& arc);
+    void close_boundary();
+
+    /// Calls visit(batch) for batches of all pixels of the mask, measured.
     template <class Visit>
-    void for_each_tile(const CellMask& mask, int first_row, const Visit& visit) {
-        sides_.for_each_tile(mask, first_row, visit);
-    }
-
-    /// Measures the pixels of a tile that for_each_tile has found.
-    static void measure(const RegionTile& at,
-                        std::span<const SideSearch::Side> sides,
-                        DistanceTile& tile);
-
-    /// Adds smooth distances to a tile that was measured.
-    void measure_smooth(const RegionTile& at, DistanceTile& tile) const;
+    void measure(const CellMask& mask,
+                 const Extent& extent,
+                 DistanceNeeds needs,
+                 const Visit& visit);
 
   private:
-    void place_films();
+    static constexpr int kSmall = 16;
+    // From the middle of a tile, and of a small region, to the farthest pixel's centre.
+    static constexpr double kTileReach = 3.5 * 1.4142135623730951;
+    static constexpr double kSmallReach = 7.5 * 1.4142135623730951;
+    static constexpr std::size_t kFewSides = 24;
+
+    struct Block {
+        int x;  // in tiles
+        int y;
+        int tiles;  // of a side, a power of two
+    };
+
+    void start();
+    template <class Visit>
+    void halve(
+        const CellMask& mask, int first_row, Block block, std::size_t begin, const Visit& visit);
+    void narrow(std::size_t begin, std::size_t end, const Vec2& middle, double reach);
+    void take_sides(std::size_t begin);
+    void take_all(const CellMask& mask, int first_row);
+    void take_tile(const CellMask& mask, int first_row, int x, int y);
+    void measure_batch(double reach, DistanceNeeds needs);
+    void measure_smooth();
 
     Kind kind_ = Kind::Bubble;
-    ArcLoops boundaries_;
-    SideSearch sides_;
+    std::vector<RegionSide> sides_;
     std::vector<FieldArc> films_;
+    std::size_t boundary_ = 0;         // its first side
+    std::vector<std::uint32_t> near_;  // those of a block after those of the one that holds it
+    std::vector<double> distances_;
+    NearSides few_;
+    PixelBatch batch_;
 };
+
+template <class Visit>
+void RegionField::measure(const CellMask& mask,
+                          const Extent& extent,
+                          DistanceNeeds needs,
+                          const Visit& visit) {
+    const auto visit_batch = [&](double reach) {
+        if (!batch_.is_empty()) {
+            measure_batch(reach, needs);
+            visit(std::as_const(batch_));
+        }
+    };
+    start();
+    if (extent.columns <= kSmall && extent.rows <= kSmall) {
+        take_sides(0);
+        take_all(mask, extent.first_row);
+        visit_batch(kSmallReach);
+        return;
+    }
+    const auto visit_tiles = [&](Block block) {
+        for (int y = block.y; y < block.y + block.tiles; ++y) {
+            for (int x = block.x; x < block.x + block.tiles; ++x) {
+                take_tile(mask, extent.first_row, x, y);
+                visit_batch(kTileReach);
+            }
+        }
+    };
+    int tiles = 1;
+    while (tiles * kTile < std::max(mask.columns(), mask.rows())) {
+        tiles *= 2;
+    }
+    halve(mask, extent.first_row, {0, 0, tiles}, 0, visit_tiles);
+}
+
+// Visits the parts of a block that have few sides near, or are one tile, with these sides taken.
+template <class Visit>
+void RegionField::halve(
+    const CellMask& mask, int first_row, Block block, std::size_t begin, const Visit& visit) {
+    const int columns = std::min(mask.columns() - block.x * kTile, block.tiles * kTile);
+    const int rows = std::min(mask.rows() - block.y * kTile, block.tiles * kTile);
+    if (columns <= 0 || rows <= 0) {
+        return;
+    }
+    const std::size_t end = near_.size();
+    if (block.tiles == 1 || end - begin <= kFewSides) {
+        take_sides(begin);
+        visit(block);
+        return;
+    }
+    const Vec2 size(columns, rows);
+    const Vec2 corner(block.x * kTile, first_row + block.y * kTile);
+    narrow(begin, end, corner + 0.5 * size, 0.5 * size.norm());
+    const int half = block.tiles / 2;
+    for (const auto& [x, y] : {std::pair{0, 0}, {half, 0}, {0, half}, {half, half}}) {
+        halve(mask, first_row, {block.x + x, block.y + y, half}, end, visit);
+    }
+    near_.resize(end);
+}
 
 }  // namespace foam::texgen

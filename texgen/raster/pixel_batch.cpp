@@ -1,0 +1,201 @@
+#include "texgen/raster/pixel_batch.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr std::size_t kLanes = 8;
+constexpr float kFar = std::numeric_limits<float>::infinity();
+// Pixels that are so little past the end of an arc still face it, so that rounding leaves no gap
+// where two arcs go on smoothly.
+constexpr float kPastEnd = 1e-3F;
+// Squares of distances below this, of pixels, count as this: their inverse has to be a float.
+constexpr float kLeastSquare = 1e-12F;
+// At an end of a film, where 0 over 0 would come up.
+constexpr float kLeastRoot = 1e-18F;
+// Sums below this have lost all films: that of a smooth distance of a million pixels.
+constexpr float kLeastSum = 1e-12F;
+
+// Unlike std::min and std::max these are of values, which compilers take several of at once.
+float least(float a, float b) {
+    return a < b ? a : b;
+}
+float most(float a, float b) {
+    return a > b ? a : b;
+}
+
+// The first where all bits of the mask are set, the second where none is: without a branch, for the
+// same reason.
+std::uint32_t mask_if(bool condition) {
+    return condition ? ~std::uint32_t{0} : 0;
+}
+float chosen(std::uint32_t mask, float first, float second) {
+    return std::bit_cast<float>((std::bit_cast<std::uint32_t>(first) & mask) |
+                                (std::bit_cast<std::uint32_t>(second) & ~mask));
+}
+
+}  // namespace
+
+void PixelBatch::clear(const Vec2& middle) {
+    middle_ = middle;
+    count_ = 0;
+    padded_ = 0;
+    run_count_ = 0;
+}
+
+void PixelBatch::add_run(int column, int row, int count) {
+    const auto size = static_cast<std::size_t>(count);
+    runs_[run_count_++] = {column, row, count_, size};
+    const auto x = static_cast<float>(column + 0.5 - middle_.x());
+    const auto y = static_cast<float>(row + 0.5 - middle_.y());
+    for (std::size_t k = 0; k < size; ++k) {
+        x_[count_ + k] = x + static_cast<float>(k);
+        y_[count_ + k] = y;
+    }
+    count_ += size;
+}
+
+void PixelBatch::begin() {
+    padded_ = (count_ + kLanes - 1) / kLanes * kLanes;
+    for (std::size_t k = count_; k < padded_; ++k) {
+        x_[k] = x_[0];
+        y_[k] = y_[0];
+    }
+    std::fill_n(distance_.begin(), padded_, kFar);
+}
+
+void PixelBatch::add_arc(const FloatQuadratic& across,
+                         const FloatLine& tail,
+                         const FloatLine& head) {
+    const FloatQuadratic f = across;
+    const FloatLine t = tail;
+    const FloatLine h = head;
+    for (std::size_t k = 0; k < padded_; ++k) {
+        const float x = x_[k];
+        const float y = y_[k];
+        const float slope_x = f.x - f.curvature * x;
+        const float slope_y = f.y - f.curvature * y;
+        const float twice = f.twice_value + x * (f.x + slope_x) + y * (f.y + slope_y);
+        const float length = std::sqrt(slope_x * slope_x + slope_y * slope_y);
+        const float distance = std::abs(twice) / (1.0F + length);
+        const float past_tail = t.value + x * t.x + y * t.y;
+        const float before_head = h.value + x * h.x + y * h.y;
+        const float here = least(past_tail, before_head) >= -kPastEnd ? distance : kFar;
+        distance_[k] = least(here, distance_[k]);
+    }
+}
+
+void PixelBatch::add_arc_and_gradient(const FloatQuadratic& across,
+                                      const FloatLine& tail,
+                                      const FloatLine& head) {
+    const FloatQuadratic f = across;
+    const FloatLine t = tail;
+    const FloatLine h = head;
+    for (std::size_t k = 0; k < padded_; ++k) {
+        const float x = x_[k];
+        const float y = y_[k];
+        const float slope_x = f.x - f.curvature * x;
+        const float slope_y = f.y - f.curvature * y;
+        const float twice = f.twice_value + x * (f.x + slope_x) + y * (f.y + slope_y);
+        const float length = std::sqrt(slope_x * slope_x + slope_y * slope_y);
+        const float distance = std::abs(twice) / (1.0F + length);
+        const float past_tail = t.value + x * t.x + y * t.y;
+        const float before_head = h.value + x * h.x + y * h.y;
+        const float here = least(past_tail, before_head) >= -kPastEnd ? distance : kFar;
+        const float sign = std::copysign(1.0F, twice);
+        const std::uint32_t nearest = mask_if(here < distance_[k]);
+        gradient_x_[k] = chosen(nearest, sign * slope_x, gradient_x_[k]);
+        gradient_y_[k] = chosen(nearest, sign * slope_y, gradient_y_[k]);
+        distance_[k] = least(here, distance_[k]);
+    }
+}
+
+void PixelBatch::add_point(const Vec2& point) {
+    const auto point_x = static_cast<float>(point.x());
+    const auto point_y = static_cast<float>(point.y());
+    for (std::size_t k = 0; k < padded_; ++k) {
+        const float x = x_[k] - point_x;
+        const float y = y_[k] - point_y;
+        const float distance = std::sqrt(x * x + y * y);
+        const std::uint32_t nearest = mask_if(distance < distance_[k]);
+        gradient_x_[k] = chosen(nearest, x, gradient_x_[k]);
+        gradient_y_[k] = chosen(nearest, y, gradient_y_[k]);
+        distance_[k] = least(distance, distance_[k]);
+    }
+}
+
+bool PixelBatch::is_unresolved() const {
+    std::uint32_t any = 0;
+    for (std::size_t k = 0; k < padded_; ++k) {
+        any |= mask_if(distance_[k] == kFar);
+    }
+    return any != 0;
+}
+
+void PixelBatch::normalize_gradients() {
+    for (std::size_t k = 0; k < padded_; ++k) {
+        const float x = gradient_x_[k];
+        const float y = gradient_y_[k];
+        const float length = std::sqrt(x * x + y * y);
+        const float scale = length > 0.0F ? 1.0F / length : 0.0F;
+        gradient_x_[k] = scale * x;
+        gradient_y_[k] = scale * y;
+    }
+}
+
+void PixelBatch::begin_smooth() {
+    std::fill_n(smooth_.begin(), padded_, 0.0F);
+    std::fill_n(smooth_x_.begin(), padded_, 0.0F);
+    std::fill_n(smooth_y_.begin(), padded_, 0.0F);
+}
+
+// phi² = f² + r², r = (root - t) / 2, root = sqrt(t² + f^4 / c²), f being the function across the
+// film, t the one along it, c its chord; r grad r = r (f³ / c² grad f - r grad t) / root.
+void PixelBatch::add_film(const FloatQuadratic& across, const FloatQuadratic& along, float chord) {
+    const FloatQuadratic a = across;
+    const FloatQuadratic b = along;
+    const float over_chord = 1.0F / chord;
+    for (std::size_t k = 0; k < padded_; ++k) {
+        const float x = x_[k];
+        const float y = y_[k];
+        const float fx = a.x - a.curvature * x;
+        const float fy = a.y - a.curvature * y;
+        const float tx = b.x - b.curvature * x;
+        const float ty = b.y - b.curvature * y;
+        const float f = 0.5F * (a.twice_value + x * (a.x + fx) + y * (a.y + fy));
+        const float t = 0.5F * (b.twice_value + x * (b.x + tx) + y * (b.y + ty));
+        const float bend = f * f * over_chord;
+        const float root = most(std::sqrt(t * t + bend * bend), kLeastRoot);
+        const float sum = root + std::abs(t);
+        const float inside = 0.5F * bend * (bend / sum);
+        const float r = t > 0.0F ? inside : 0.5F * sum;
+        const float weight = 1.0F / most(f * f + r * r, kLeastSquare);
+        const float part = r / root;  // at most 1
+        const float from_f = f + part * (f * over_chord) * bend;
+        const float from_t = -part * r;
+        const float scale = weight * weight;
+        smooth_[k] += weight;
+        smooth_x_[k] += scale * (from_f * fx + from_t * tx);
+        smooth_y_[k] += scale * (from_f * fy + from_t * ty);
+    }
+}
+
+// s = S^-1/2, and grad s = s³ sum of phi^-4 (f grad f + r grad r).
+void PixelBatch::finish_smooth() {
+    for (std::size_t k = 0; k < padded_; ++k) {
+        const float s = 1.0F / std::sqrt(smooth_[k]);
+        const float scale = s * s * s;
+        const std::uint32_t is_lost = mask_if(!(smooth_[k] > kLeastSum));
+        smooth_[k] = chosen(is_lost, distance_[k], s);
+        smooth_x_[k] = chosen(is_lost, gradient_x_[k], scale * smooth_x_[k]);
+        smooth_y_[k] = chosen(is_lost, gradient_y_[k], scale * smooth_y_[k]);
+    }
+}
+
+}  // namespace foam::texgen
