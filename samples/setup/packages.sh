@@ -4,10 +4,14 @@
 
 foam_build_packages=(
     g++ cmake ninja-build pkg-config
-    libeigen3-dev libboost-dev libpng-dev zlib1g-dev libisal-dev libdeflate-dev libcli11-dev libtomlplusplus-dev libfmt-dev
+    libeigen3-dev libboost-dev libpng-dev zlib1g-dev libisal-dev libdeflate-dev libopenexr-dev
+    libcli11-dev libtomlplusplus-dev libfmt-dev
     nlohmann-json3-dev
 )
-foam_test_packages=(libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev evolver)
+foam_test_packages=(
+    libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev evolver
+    pngcheck imagemagick openexr openimageio-tools
+)
 foam_check_packages=(clang clang-format clang-tidy)
 
 say() {

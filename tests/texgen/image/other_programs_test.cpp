@@ -1,0 +1,215 @@
+// Our files, read by programs that share none of our code. Where one is not installed its test is
+// left out; tests/run.sh installs them all.
+#include "tests/texgen/cli/run_program.h"
+#include "tests/texgen/temporary_folder.h"
+#include "texgen/image/exr.h"
+#include "texgen/image/png.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+namespace foam::texgen {
+namespace {
+
+/// The first of these programs that is not there, or nothing.
+std::string missing(const std::vector<std::string>& programs) {
+    for (const std::string& program : programs) {
+        if (std::system(("command -v " + program + " >/dev/null").c_str()) != 0) {
+            return program;
+        }
+    }
+    return {};
+}
+
+/// What a command in a folder prints; its exit code has to be 0.
+std::string output_of(const std::string& command, const TemporaryFolder& folder) {
+    const std::string out = (folder.path() / "printed").string();
+    const std::string line =
+        "cd " + folder.path().string() + " && " + command + " >" + out + " 2>&1";
+    EXPECT_EQ(std::system(line.c_str()), 0) << command << "\n" << file_content(out);
+    return file_content(out);
+}
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+template <class Sample>
+Image<Sample> numbered(int width, int height, int channels) {
+    Image<Sample> image(width, height, channels);
+    unsigned k = 1;
+    for (Sample& sample : image.samples()) {
+        sample = static_cast<Sample>(k);
+        k = k * 40'503 + 12'345;
+    }
+    return image;
+}
+
+/// The samples as raw bytes, the top row first, 16 bits with the high byte first.
+template <class Sample>
+std::string raw_bytes(const Image<Sample>& image) {
+    std::string bytes;
+    for (int y = image.height() - 1; y >= 0; --y) {
+        for (const Sample sample : image.row(y)) {
+            for (int shift = 8 * static_cast<int>(sizeof(Sample)) - 8; shift >= 0; shift -= 8) {
+                bytes += static_cast<char>(static_cast<unsigned>(sample) >> shift);
+            }
+        }
+    }
+    return bytes;
+}
+
+struct PngCase {
+    int width;
+    int height;
+    int channels;
+    bool palette;
+    const char* kind;        // in pngcheck's words, of 8 bits
+    const char* conversion;  // ImageMagick's name for raw samples
+};
+
+constexpr std::array<PngCase, 7> kPngCases = {{{1, 1, 1, false, "grayscale", "GRAY"},
+                                               {7, 300, 1, false, "grayscale", "GRAY"},
+                                               {1, 9, 2, false, "grayscale+alpha", "GRAYA"},
+                                               {333, 5, 3, false, "RGB", "RGB"},
+                                               {31, 1, 4, false, "RGB+alpha", "RGBA"},
+                                               {3, 2, 3, true, "palette", "RGB"},
+                                               {900, 700, 3, false, "RGB", "RGB"}}};
+
+template <class Sample>
+void expect_png_is_read(const PngCase& tested, const PngMetadata& metadata) {
+    const TemporaryFolder folder;
+    const auto image = numbered<Sample>(tested.width, tested.height, tested.channels);
+    write_png(folder.path() / "a.png", image.view(), metadata, {.palette = tested.palette});
+    const std::string checked = output_of("pngcheck -v a.png", folder);
+    EXPECT_TRUE(contains(checked, "No errors detected")) << checked;
+    const int depth = 8 * static_cast<int>(sizeof(Sample));
+    const std::string bits = std::to_string(depth * (tested.palette ? 1 : image.channels()));
+    const std::string header = std::to_string(tested.width) + " x " +
+                               std::to_string(tested.height) + " image, " + bits + "-bit";
+    EXPECT_TRUE(contains(checked, header)) << header << "\n" << checked;
+    EXPECT_TRUE(contains(checked, tested.kind)) << checked;
+    for (const std::string chunk : {"sRGB", "gAMA", "cHRM"}) {
+        EXPECT_EQ(contains(checked, "chunk " + chunk), metadata.color) << chunk;
+    }
+    output_of("convert a.png -depth " + std::to_string(depth) + " -endian MSB " +
+                  tested.conversion + ":raw",
+              folder);
+    EXPECT_EQ(file_content(folder.path() / "raw"), raw_bytes(image));
+}
+
+TEST(OtherPrograms, PngcheckAndImageMagickReadOurPngs) {
+    if (const std::string program = missing({"pngcheck", "convert"}); !program.empty()) {
+        GTEST_SKIP() << "there is no " << program;
+    }
+    for (const PngCase& tested : kPngCases) {
+        SCOPED_TRACE(testing::Message() << tested.width << " x " << tested.height);
+        expect_png_is_read<std::uint8_t>(tested, {.color = true, .text = {{"Seed", "1"}}});
+        expect_png_is_read<std::uint8_t>(tested, {});
+        if (!tested.palette) {
+            expect_png_is_read<std::uint16_t>(tested, {});
+        }
+    }
+}
+
+TEST(OtherPrograms, OurTextsAreRead) {
+    if (const std::string program = missing({"identify", "pngcheck"}); !program.empty()) {
+        GTEST_SKIP() << "there is no " << program;
+    }
+    const TemporaryFolder folder;
+    const PngMetadata metadata{.color = false, .text = {{"Seed", "1234"}, {"Author", "Zoë"}}};
+    write_png(folder.path() / "a.png", numbered<std::uint8_t>(2, 2, 3).view(), metadata);
+    const std::string identified = output_of("identify -verbose a.png", folder);
+    EXPECT_TRUE(contains(identified, "Seed: 1234")) << identified;
+    const std::string checked = output_of("pngcheck -vt a.png", folder);
+    EXPECT_TRUE(contains(checked, "keyword: Author")) << checked;
+    EXPECT_TRUE(contains(checked, "UTF-8 text")) << checked;
+}
+
+/// Layers of several types, in a file of rows or of mip levels.
+void write_layers(const std::filesystem::path& path, bool mip_levels) {
+    Image<float> image(67, 35, 3);
+    for (std::size_t k = 0; k < image.samples().size(); ++k) {
+        image.samples()[k] = static_cast<float>(k % 200) / 16.0F - 3.0F;
+    }
+    const auto ids = numbered<std::uint32_t>(67, 35, 1);
+    const std::vector<ExrChannel> channels = {{"albedo.R", ExrType::Half, image.view(), 0},
+                                              {"albedo.G", ExrType::Half, image.view(), 1},
+                                              {"albedo.B", ExrType::Half, image.view(), 2},
+                                              {"height.Y", ExrType::Float, image.view(), 1},
+                                              {"id.Y", ExrType::Uint, ids.view()}};
+    const ExrMetadata metadata{.color = true,
+                               .periodic = true,
+                               .frame_rate = FrameRate{30000, 1001},
+                               .text = {{"Seed", "1234"}}};
+    write_exr(path, channels, metadata, {.mip_levels = mip_levels});
+}
+
+TEST(OtherPrograms, ExrheaderFindsWhatOurExrsPromise) {
+    if (const std::string program = missing({"exrheader"}); !program.empty()) {
+        GTEST_SKIP() << "there is no " << program;
+    }
+    const TemporaryFolder folder;
+    write_layers(folder.path() / "a.exr", false);
+    const std::string said = output_of("exrheader a.exr", folder);
+    for (const std::string part : {"albedo.R, 16-bit floating-point, sampling 1 1",
+                                   "height.Y, 32-bit floating-point, sampling 1 1",
+                                   "id.Y, 32-bit unsigned integer, sampling 1 1",
+                                   "compression (type compression): zip",
+                                   "dataWindow (type box2i): (0 0) - (66 34)",
+                                   "wrapmodes (type string): \"periodic\"",
+                                   "framesPerSecond (type rational): 30000/1001",
+                                   "Seed (type string): \"1234\"",
+                                   "red   (0.64 0.33)",
+                                   "white (0.3127 0.329)"}) {
+        EXPECT_TRUE(contains(said, part)) << part << "\n" << said;
+    }
+    EXPECT_FALSE(contains(said, "capDate")) << said;
+    write_layers(folder.path() / "b.exr", true);
+    const std::string tiled = output_of("exrheader b.exr", folder);
+    EXPECT_TRUE(contains(tiled, "tile size 64 by 64 pixels")) << tiled;
+    EXPECT_TRUE(contains(tiled, "mip-map")) << tiled;
+}
+
+TEST(OtherPrograms, OpenImageIoReadsOurExrs) {
+    if (const std::string program = missing({"oiiotool"}); !program.empty()) {
+        GTEST_SKIP() << "there is no " << program;
+    }
+    const TemporaryFolder folder;
+    write_layers(folder.path() / "a.exr", false);
+    write_layers(folder.path() / "b.exr", true);
+    const std::string said = output_of("oiiotool --info -v a.exr", folder);
+    EXPECT_TRUE(contains(said, "67 x   35, 5 channel")) << said;
+    EXPECT_TRUE(contains(said, "wrapmodes: \"periodic\"")) << said;
+    EXPECT_TRUE(contains(said, "framesPerSecond: 30000/1001")) << said;
+    output_of("idiff a.exr b.exr", folder);  // the same pixels
+    const std::string tiled = output_of("oiiotool --info -v b.exr", folder);
+    EXPECT_TRUE(contains(tiled, "MIP-map levels: 67x35 33x17 16x8 8x4 4x2 2x1 1x1")) << tiled;
+}
+
+// Alone as "Y", a map is grey; the samples as text: "Pixel (x, y): value".
+TEST(OtherPrograms, OpenImageIoFindsOurValues) {
+    if (const std::string program = missing({"oiiotool"}); !program.empty()) {
+        GTEST_SKIP() << "there is no " << program;
+    }
+    const TemporaryFolder folder;
+    Image<float> image(2, 2, 1);
+    image.row(1)[0] = -2.5F;  // top left
+    image.row(1)[1] = 1.0F;
+    image.row(0)[0] = 700.0F;
+    image.row(0)[1] = 0.25F;
+    const ExrChannel channel{"Y", ExrType::Half, image.view()};
+    write_exr(folder.path() / "a.exr", std::span(&channel, 1));
+    const std::string said = output_of("oiiotool --dumpdata a.exr", folder);
+    EXPECT_TRUE(contains(said, "Pixel (0, 0): -2.5")) << said;
+    EXPECT_TRUE(contains(said, "Pixel (1, 0): 1.0")) << said;
+    EXPECT_TRUE(contains(said, "Pixel (0, 1): 700.0")) << said;
+    EXPECT_TRUE(contains(said, "Pixel (1, 1): 0.25")) << said;
+}
+
+}  // namespace
+}  // namespace foam::texgen

@@ -1,0 +1,182 @@
+#include "texgen/image/exr.h"
+#include "texgen/image/exr_stream.h"
+
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfStandardAttributes.h>
+#include <OpenEXR/ImfStringAttribute.h>
+#include <OpenEXR/ImfTiledInputFile.h>
+#include <OpenEXR/ImfVersion.h>
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <string_view>
+
+namespace foam::texgen {
+
+namespace {
+
+// Deflate shrinks nothing further than this, so a header cannot make us allocate what never comes.
+constexpr std::size_t kLargestRatio = 1032;
+
+// Strings that the library gives a meaning to.
+constexpr std::array<std::string_view, 4> kNoTexts = {"wrapmodes", "name", "type", "view"};
+
+ExrType type_of(const Imf::Channel& channel) {
+    constexpr std::array<ExrType, Imf::NUM_PIXELTYPES> kTypes = {
+        ExrType::Uint, ExrType::Half, ExrType::Float};
+    return kTypes.at(static_cast<std::size_t>(channel.type));
+}
+
+struct Extent {
+    int width;
+    int height;
+};
+
+/// Of the pixels in a window, as the bytes there are allow.
+Extent extent_of(const Imath::Box2i& window, const Imf::Header& header, std::size_t bytes) {
+    const auto width = std::int64_t{window.max.x} - window.min.x + 1;
+    const auto height = std::int64_t{window.max.y} - window.min.y + 1;
+    std::size_t channels = 0;
+    for (auto channel = header.channels().begin(); channel != header.channels().end(); ++channel) {
+        ++channels;
+        if (channel.channel().xSampling != 1 || channel.channel().ySampling != 1) {
+            throw InputError(fmt::format("the channel '{}' is subsampled", channel.name()));
+        }
+    }
+    if (channels == 0) {
+        throw InputError("there is no channel");
+    }
+    const auto area = static_cast<double>(width) * static_cast<double>(height);
+    const auto most = static_cast<double>(bytes) * static_cast<double>(kLargestRatio);
+    if (area * static_cast<double>(2 * channels) > most) {
+        throw InputError("the stream is too short for its pixels");
+    }
+    return {static_cast<int>(width), static_cast<int>(height)};
+}
+
+std::vector<ExrPlane> blank_planes(const Imf::Header& header, const Extent& extent) {
+    std::vector<ExrPlane> planes;
+    for (auto channel = header.channels().begin(); channel != header.channels().end(); ++channel) {
+        const ExrType type = type_of(channel.channel());
+        planes.push_back({channel.name(), type, {}});
+        if (type == ExrType::Uint) {
+            planes.back().pixels = Image<std::uint32_t>(extent.width, extent.height, 1);
+        } else {
+            planes.back().pixels = Image<float>(extent.width, extent.height, 1);
+        }
+    }
+    return planes;
+}
+
+Imf::FrameBuffer buffer_of(std::vector<ExrPlane>& planes, const Imath::Box2i& window) {
+    Imf::FrameBuffer buffer;
+    for (ExrPlane& plane : planes) {
+        const Imf::PixelType type = plane.type == ExrType::Uint ? Imf::UINT : Imf::FLOAT;
+        void* const first =
+            std::visit([](auto& pixels) -> void* { return pixels.samples().data(); }, plane.pixels);
+        buffer.insert(plane.name, Imf::Slice::Make(type, first, window));
+    }
+    return buffer;
+}
+
+/// The rows of an image run upward, those of a file downward.
+template <class Sample>
+void turn_over(Image<Sample>& image) {
+    for (int y = 0; 2 * y + 1 < image.height(); ++y) {
+        std::ranges::swap_ranges(image.row(y), image.row(image.height() - 1 - y));
+    }
+}
+
+/// Planes of a window, filled by read(buffer).
+template <class Read>
+std::vector<ExrPlane> read_planes(const Imf::Header& header,
+                                  const Imath::Box2i& window,
+                                  std::size_t bytes,
+                                  const Read& read) {
+    std::vector<ExrPlane> planes = blank_planes(header, extent_of(window, header, bytes));
+    read(buffer_of(planes, window));
+    for (ExrPlane& plane : planes) {
+        std::visit([](auto& pixels) { turn_over(pixels); }, plane.pixels);
+    }
+    return planes;
+}
+
+std::vector<ExrPlane> read_rows(Imf::InputFile& file, std::size_t bytes) {
+    const Imath::Box2i window = file.header().dataWindow();
+    return read_planes(file.header(), window, bytes, [&](const Imf::FrameBuffer& buffer) {
+        file.setFrameBuffer(buffer);
+        file.readPixels(window.min.y, window.max.y);
+    });
+}
+
+std::vector<ExrPlane> read_tiles(std::span<const std::byte> content, int level) {
+    ExrInput stream(content);
+    Imf::TiledInputFile file(stream, 0);
+    if (!file.isValidLevel(level, level)) {
+        throw InputError(fmt::format("there is no mip level {}", level));
+    }
+    const Imath::Box2i window = file.dataWindowForLevel(level);
+    return read_planes(file.header(), window, content.size(), [&](const Imf::FrameBuffer& buffer) {
+        file.setFrameBuffer(buffer);
+        file.readTiles(0, file.numXTiles(level) - 1, 0, file.numYTiles(level) - 1, level);
+    });
+}
+
+ExrMetadata metadata_of(const Imf::Header& header) {
+    ExrMetadata metadata;
+    metadata.color = Imf::hasChromaticities(header);
+    metadata.periodic = Imf::hasWrapmodes(header) && Imf::wrapmodes(header) == "periodic";
+    if (Imf::hasFramesPerSecond(header)) {
+        const Imf::Rational& rate = Imf::framesPerSecond(header);
+        metadata.frame_rate = FrameRate{rate.n, static_cast<int>(rate.d)};
+    }
+    for (auto entry = header.begin(); entry != header.end(); ++entry) {
+        const auto* text = dynamic_cast<const Imf::StringAttribute*>(&entry.attribute());
+        if (text != nullptr && std::ranges::find(kNoTexts, entry.name()) == kNoTexts.end()) {
+            metadata.text.emplace_back(entry.name(), text->value());
+        }
+    }
+    return metadata;
+}
+
+ExrImage decode(std::span<const std::byte> content, int level) {
+    ExrInput stream(content);
+    Imf::InputFile file(stream, 0);
+    const bool tiled = file.header().hasTileDescription();
+    if (Imf::isMultiPart(file.version())) {
+        throw InputError("files of several parts are not supported");
+    }
+    if (!tiled && level != 0) {
+        throw InputError(fmt::format("there is no mip level {}", level));
+    }
+    return {tiled ? read_tiles(content, level) : read_rows(file, content.size()),
+            metadata_of(file.header())};
+}
+
+}  // namespace
+
+ExrImage decode_exr(std::span<const std::byte> content, int level) {
+    try {
+        return decode(content, level);
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("unreadable EXR: {}", error.what()));
+    } catch (const std::exception& error) {
+        throw InputError(fmt::format("malformed EXR: {}", error.what()));
+    }
+}
+
+ExrImage read_exr(const std::filesystem::path& path, int level) {
+    const Bytes content = read_file(path);
+    try {
+        return decode_exr(content, level);
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("cannot read '{}': {}", path.string(), error.what()));
+    }
+}
+
+}  // namespace foam::texgen

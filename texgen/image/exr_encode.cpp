@@ -1,0 +1,189 @@
+#include "texgen/image/exr.h"
+#include "texgen/image/exr_planes.h"
+#include "texgen/image/exr_stream.h"
+
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfStandardAttributes.h>
+#include <OpenEXR/ImfStringAttribute.h>
+#include <OpenEXR/ImfThreading.h>
+#include <OpenEXR/ImfTiledOutputFile.h>
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <mutex>
+#include <set>
+#include <string_view>
+#include <thread>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr int kTileSide = 64;
+constexpr std::size_t kLongestName = 31;  // beyond it old readers refuse the file
+
+// What the library gives a meaning to where it is there; all else that it needs is in a header
+// from the beginning.
+constexpr std::array<std::string_view, 7> kReservedNames = {
+    "chromaticities", "wrapmodes", "framesPerSecond", "name", "type", "view", "chunkCount"};
+
+int channels_of(const ExrChannel& channel) {
+    return std::visit([](const auto& view) { return view.channels(); }, channel.pixels);
+}
+
+void check_channel(const ExrChannel& channel, const ExrSize& size) {
+    const bool integers = std::holds_alternative<ImageView<const std::uint32_t>>(channel.pixels);
+    if (channel.name.empty()) {
+        refuse_exr("a channel has no name");
+    }
+    if (size_of(channel) != size) {
+        refuse_exr(fmt::format("channel '{}' has another size", channel.name));
+    }
+    if (channel.channel < 0 || channel.channel >= channels_of(channel)) {
+        refuse_exr(fmt::format("channel '{}' lies outside of its pixels", channel.name));
+    }
+    if (integers != (channel.type == ExrType::Uint)) {
+        refuse_exr(fmt::format("channel '{}' has samples of another type", channel.name));
+    }
+}
+
+void check_channels(std::span<const ExrChannel> channels) {
+    if (channels.empty() || size_of(channels.front()).width < 1) {
+        refuse_exr("there is no pixel");
+    }
+    std::set<std::string> names;
+    for (const ExrChannel& channel : channels) {
+        check_channel(channel, size_of(channels.front()));
+        if (!names.insert(channel.name).second) {
+            refuse_exr(fmt::format("two channels are named '{}'", channel.name));
+        }
+    }
+}
+
+Imf::Compression compression_of(ExrCompression compression) {
+    constexpr std::array<Imf::Compression, 5> kKinds = {Imf::NO_COMPRESSION,
+                                                        Imf::RLE_COMPRESSION,
+                                                        Imf::ZIPS_COMPRESSION,
+                                                        Imf::ZIP_COMPRESSION,
+                                                        Imf::PIZ_COMPRESSION};
+    return kKinds.at(static_cast<std::size_t>(compression));
+}
+
+bool is_text_name(const Imf::Header& header, const std::string& name) {
+    return !name.empty() && name.size() <= kLongestName && header.find(name) == header.end() &&
+           std::ranges::find(kReservedNames, name) == kReservedNames.end();
+}
+
+void add_texts(Imf::Header& header, const ExrMetadata& metadata) {
+    for (const auto& [name, text] : metadata.text) {
+        if (!is_text_name(header, name)) {
+            refuse_exr(fmt::format("'{}' is no name for a text", name));
+        }
+        header.insert(name, Imf::StringAttribute(text));
+    }
+}
+
+Imf::Header header_of(std::span<const ExrChannel> channels,
+                      const ExrMetadata& metadata,
+                      const ExrEncoding& encoding) {
+    const ExrSize size = size_of(channels.front());
+    Imf::Header header(size.width, size.height);
+    header.compression() = compression_of(encoding.compression);
+    header.zipCompressionLevel() = encoding.zip_level;
+    for (const ExrChannel& channel : channels) {
+        header.channels().insert(channel.name, Imf::Channel(pixel_type(channel.type)));
+    }
+    if (encoding.mip_levels) {
+        header.setTileDescription({kTileSide, kTileSide, Imf::MIPMAP_LEVELS, Imf::ROUND_DOWN});
+    }
+    if (metadata.color) {
+        Imf::addChromaticities(header, Imf::Chromaticities());
+    }
+    if (metadata.periodic) {
+        Imf::addWrapmodes(header, "periodic");
+    }
+    if (const auto& rate = metadata.frame_rate) {
+        Imf::addFramesPerSecond(header, Imf::Rational(rate->frames, rate->seconds));
+    }
+    add_texts(header, metadata);
+    return header;
+}
+
+/// How many threads of the library's pool a file may use; the pool only grows.
+int library_threads(int threads) {
+    static std::mutex mutex;
+    if (threads == 1) {
+        return 0;
+    }
+    const int wanted =
+        threads > 1 ? threads : static_cast<int>(std::thread::hardware_concurrency());
+    const std::scoped_lock lock(mutex);
+    if (Imf::globalThreadCount() < wanted) {
+        Imf::setGlobalThreadCount(wanted);
+    }
+    return wanted;
+}
+
+void write_rows(std::span<const ExrChannel> channels,
+                const Imf::Header& header,
+                int threads,
+                Imf::OStream& stream) {
+    const ExrPlanes planes(channels);
+    Imf::OutputFile file(stream, header, threads);
+    file.setFrameBuffer(planes.buffer());
+    file.writePixels(header.dataWindow().max.y + 1);
+}
+
+void write_levels(std::span<const ExrChannel> channels,
+                  const Imf::Header& header,
+                  int threads,
+                  Imf::OStream& stream) {
+    ExrLevels levels(channels);
+    Imf::TiledOutputFile file(stream, header, threads);
+    for (int level = 0; level < file.numLevels(); ++level) {
+        const ExrPlanes planes(levels.channels());
+        file.setFrameBuffer(planes.buffer());
+        file.writeTiles(0, file.numXTiles(level) - 1, 0, file.numYTiles(level) - 1, level);
+        levels.advance();
+    }
+}
+
+}  // namespace
+
+Bytes encode_exr(std::span<const ExrChannel> channels,
+                 const ExrMetadata& metadata,
+                 const ExrEncoding& encoding) {
+    check_channels(channels);
+    const Imf::Header header = header_of(channels, metadata, encoding);
+    const int threads = library_threads(encoding.threads);
+    Bytes bytes;
+    ExrOutput stream(bytes);
+    try {
+        if (encoding.mip_levels) {
+            write_levels(channels, header, threads, stream);
+        } else {
+            write_rows(channels, header, threads, stream);
+        }
+    } catch (const Iex::BaseExc& error) {
+        throw OutputError(fmt::format("cannot encode an EXR: {}", error.what()));
+    }
+    return bytes;
+}
+
+void write_exr(const std::filesystem::path& path,
+               std::span<const ExrChannel> channels,
+               const ExrMetadata& metadata,
+               const ExrEncoding& encoding) {
+    Bytes stream;
+    try {
+        stream = encode_exr(channels, metadata, encoding);
+    } catch (const OutputError& error) {
+        throw OutputError(fmt::format("cannot write '{}': {}", path.string(), error.what()));
+    }
+    write_file(path, stream);
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,114 @@
+#include "texgen/image/exr_planes.h"
+
+#include "texgen/image/mip_level.h"
+
+#include <Imath/half.h>
+#include <fmt/core.h>
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+#include <utility>
+
+namespace foam::texgen {
+
+namespace {
+
+/// A number as a file stores it.
+template <class Stored>
+Stored stored_number(float number, const std::string& channel) {
+    const Stored stored(number);
+    if (!std::isfinite(static_cast<float>(stored))) {
+        refuse_exr(fmt::format("channel '{}' cannot hold {}", channel, number));
+    }
+    return stored;
+}
+
+/// The samples of a channel, those of the top row first, each turned into what is stored.
+template <class Sample, class Convert>
+Bytes stored_rows(ImageView<const Sample> view, int channel, const Convert& convert) {
+    using Stored = decltype(convert(Sample()));
+    const auto step = static_cast<std::size_t>(view.channels());
+    const auto width = static_cast<std::size_t>(view.width());
+    Bytes rows(width * static_cast<std::size_t>(view.height()) * sizeof(Stored));
+    std::byte* to = rows.data();
+    for (int y = view.height() - 1; y >= 0; --y) {
+        const Sample* from = &view.row(y)[static_cast<std::size_t>(channel)];
+        for (std::size_t x = 0; x < width; ++x, to += sizeof(Stored)) {
+            const Stored stored = convert(from[x * step]);
+            std::memcpy(to, &stored, sizeof(Stored));
+        }
+    }
+    return rows;
+}
+
+Bytes stored_rows(const ExrChannel& channel) {
+    if (channel.type == ExrType::Uint) {
+        return stored_rows(std::get<ImageView<const std::uint32_t>>(channel.pixels),
+                           channel.channel,
+                           [](std::uint32_t id) { return id; });
+    }
+    const auto view = std::get<ImageView<const float>>(channel.pixels);
+    if (channel.type == ExrType::Half) {
+        return stored_rows(view, channel.channel, [&](float number) {
+            return stored_number<half>(number, channel.name);
+        });
+    }
+    return stored_rows(view, channel.channel, [&](float number) {
+        return stored_number<float>(number, channel.name);
+    });
+}
+
+using Level = std::variant<Image<float>, Image<std::uint32_t>>;
+
+Level smaller_level(const ExrChannel& channel) {
+    if (const auto* view = std::get_if<ImageView<const float>>(&channel.pixels)) {
+        return mean_level(*view, channel.channel);
+    }
+    return central_level(std::get<ImageView<const std::uint32_t>>(channel.pixels), channel.channel);
+}
+
+}  // namespace
+
+ExrSize size_of(const ExrChannel& channel) {
+    return std::visit(
+        [](const auto& view) {
+            return ExrSize{view.width(), view.height()};
+        },
+        channel.pixels);
+}
+
+Imf::PixelType pixel_type(ExrType type) {
+    constexpr std::array<Imf::PixelType, 3> kTypes = {Imf::HALF, Imf::FLOAT, Imf::UINT};
+    return kTypes.at(static_cast<std::size_t>(type));
+}
+
+void refuse_exr(const std::string& why) {
+    throw std::invalid_argument("cannot make an EXR: " + why);
+}
+
+ExrPlanes::ExrPlanes(std::span<const ExrChannel> channels) {
+    for (const ExrChannel& channel : channels) {
+        rows_.push_back(stored_rows(channel));
+        const ExrSize size = size_of(channel);
+        const std::size_t row = rows_.back().size() / static_cast<std::size_t>(size.height);
+        const std::size_t pixel = row / static_cast<std::size_t>(size.width);
+        auto* const first = reinterpret_cast<char*>(rows_.back().data());
+        buffer_.insert(channel.name, Imf::Slice(pixel_type(channel.type), first, pixel, row));
+    }
+}
+
+void ExrLevels::advance() {
+    std::vector<Level> smaller;
+    for (const ExrChannel& channel : channels_) {
+        smaller.push_back(smaller_level(channel));
+    }
+    levels_ = std::move(smaller);
+    for (std::size_t k = 0; k < levels_.size(); ++k) {
+        channels_[k].channel = 0;
+        std::visit([&](const auto& level) { channels_[k].pixels = level.view(); }, levels_[k]);
+    }
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,59 @@
+#pragma once
+
+// Shared by exr_encode.cpp and exr_decode.cpp: OpenEXR's streams in memory.
+
+#include "texgen/image/file_io.h"
+
+#include <OpenEXR/Iex.h>
+#include <OpenEXR/ImfIO.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+
+namespace foam::texgen {
+
+/// Writes into bytes, which are borrowed.
+class ExrOutput : public Imf::OStream {
+  public:
+    explicit ExrOutput(Bytes& bytes) : Imf::OStream("EXR"), bytes_(bytes) {}
+
+    void write(const char data[], int count) override {
+        const auto end = at_ + static_cast<std::size_t>(count);
+        bytes_.resize(std::max(bytes_.size(), end));
+        std::copy_n(reinterpret_cast<const std::byte*>(data), count, &bytes_[at_]);
+        at_ = end;
+    }
+    std::uint64_t tellp() override { return at_; }
+    void seekp(std::uint64_t place) override { at_ = place; }
+
+  private:
+    Bytes& bytes_;
+    std::size_t at_ = 0;
+};
+
+/// Reads from bytes, which are borrowed.
+class ExrInput : public Imf::IStream {
+  public:
+    explicit ExrInput(std::span<const std::byte> bytes) : Imf::IStream("EXR"), bytes_(bytes) {}
+
+    bool read(char data[], int count) override {
+        const auto size = static_cast<std::size_t>(count);
+        if (count < 0 || at_ > bytes_.size() || size > bytes_.size() - at_) {
+            throw Iex::InputExc("the stream ends too early");
+        }
+        std::copy_n(bytes_.begin() + static_cast<std::ptrdiff_t>(at_),
+                    count,
+                    reinterpret_cast<std::byte*>(data));
+        at_ += size;
+        return at_ < bytes_.size();
+    }
+    std::uint64_t tellg() override { return at_; }
+    void seekg(std::uint64_t place) override { at_ = place; }
+
+  private:
+    std::span<const std::byte> bytes_;
+    std::size_t at_ = 0;
+};
+
+}  // namespace foam::texgen

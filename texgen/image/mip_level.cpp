@@ -1,0 +1,78 @@
+#include "texgen/image/mip_level.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace foam::texgen {
+
+namespace {
+
+int half_of(int extent) {
+    return std::max(1, extent / 2);
+}
+
+/// What a pixel of the smaller level covers along one axis, in parts of 1 / `to` of a larger pixel.
+struct Footprint {
+    int from;  // extent of the larger level
+    int to;    // and of the smaller one
+    int pixel;
+
+    int first() const { return pixel * from / to; }
+    int last() const { return ((pixel + 1) * from + to - 1) / to; }  // excluded
+
+    /// The part of it that lies in a larger pixel; over all of them they add up to 1.
+    double weight(int larger) const {
+        const int begin = std::max(pixel * from, larger * to);
+        const int end = std::min((pixel + 1) * from, (larger + 1) * to);
+        return static_cast<double>(end - begin) / from;
+    }
+    int middle() const { return (2 * pixel + 1) * from / (2 * to); }
+};
+
+/// Adds weight times the means along a row.
+void add_means(
+    ImageView<const float> pixels, int channel, int y, double weight, std::vector<double>& sums) {
+    const int width = static_cast<int>(sums.size());
+    for (int x = 0; x < width; ++x) {
+        const Footprint covered{pixels.width(), width, x};
+        double mean = 0.0;
+        for (int from = covered.first(); from < covered.last(); ++from) {
+            mean += covered.weight(from) * pixels.pixel(from, y)[static_cast<std::size_t>(channel)];
+        }
+        sums[static_cast<std::size_t>(x)] += weight * mean;
+    }
+}
+
+}  // namespace
+
+Image<float> mean_level(ImageView<const float> pixels, int channel) {
+    Image<float> level(half_of(pixels.width()), half_of(pixels.height()), 1);
+    std::vector<double> sums;
+    for (int y = 0; y < level.height(); ++y) {
+        const Footprint covered{pixels.height(), level.height(), y};
+        sums.assign(static_cast<std::size_t>(level.width()), 0.0);
+        for (int from = covered.first(); from < covered.last(); ++from) {
+            add_means(pixels, channel, from, covered.weight(from), sums);
+        }
+        std::transform(sums.begin(), sums.end(), level.row(y).begin(), [](double sum) {
+            return static_cast<float>(sum);
+        });
+    }
+    return level;
+}
+
+Image<std::uint32_t> central_level(ImageView<const std::uint32_t> pixels, int channel) {
+    Image<std::uint32_t> level(half_of(pixels.width()), half_of(pixels.height()), 1);
+    for (int y = 0; y < level.height(); ++y) {
+        const int from_y = Footprint{pixels.height(), level.height(), y}.middle();
+        for (int x = 0; x < level.width(); ++x) {
+            const int from_x = Footprint{pixels.width(), level.width(), x}.middle();
+            level.row(y)[static_cast<std::size_t>(x)] =
+                pixels.pixel(from_x, from_y)[static_cast<std::size_t>(channel)];
+        }
+    }
+    return level;
+}
+
+}  // namespace foam::texgen
