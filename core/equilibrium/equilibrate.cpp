@@ -27,7 +27,8 @@ constexpr int kSpotSweeps = 30;  // of relaxation
 constexpr int kRelaxedRings = 3;
 constexpr double kWorstShare = 0.2;
 constexpr int kMostLocalRelaxations = 4;     // one after another, before all is relaxed
-constexpr int kMostFurtherRelaxations = 10;  // of a patch that is still far from equilibrium
+constexpr int kFewAtLimit = 10;              // films, as around a bubble of two sides
+constexpr int kMostFurtherRelaxations = 10;  // of a foam that is still far from equilibrium
 // Where T1s in spots have led nowhere in so many rounds, the foam is relaxed and goes on without.
 constexpr int kRoundsWithSpots = 20;
 
@@ -228,14 +229,19 @@ class Equilibration {
     }
 
     void relax_all(bool begins_anew = false) {
-        begins_anew =
-            untangle(foam_) > 0 || begins_anew || films_at_limit(foam_) > 0 || is_far_all_over();
+        begins_anew = untangle(foam_) > 0 || begins_anew || is_far();
         relax_whole(std::max(1, options_.relaxation_sweeps >> (2 * (relaxations_++ % 4))),
                     begins_anew);
-        for (int k = 0; k < kMostFurtherRelaxations && is_far_all_over(); ++k) {
+        const bool is_crooked = films_at_limit(foam_) > kFewAtLimit;
+        const auto goes_on = [&] {
+            return is_far_all_over() || (is_crooked && films_at_limit(foam_) > 0);
+        };
+        for (int k = 0; k < kMostFurtherRelaxations && goes_on(); ++k) {
             relax_whole(options_.relaxation_sweeps, false);
         }
     }
+
+    bool is_far() const { return films_at_limit(foam_) > 0 || is_far_all_over(); }
 
     void relax_whole(int sweeps, bool begins_anew) {
         const RelaxationSummary relaxation =

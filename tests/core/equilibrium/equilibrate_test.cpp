@@ -77,6 +77,14 @@ TEST(Equilibrate, SettlesAreasSpreadByAHundred) {
     }
 }
 
+// Equal cells are to differ a hundredfold: films are at the limit of their arcs after all sweeps of
+// one relaxation, and to begin anew each time leads nowhere.
+TEST(Equilibrate, SettlesEqualCellsWhoseAreasAreToSpread) {
+    Foam foam =
+        seed_foam({.bubbles = 1000, .lloyd_iterations = 5, .area_ratio = 100.0, .seed = 19});
+    EXPECT_TRUE(equilibrate(foam, {}).converged());
+}
+
 TEST(Equilibrate, SettlesEqualAreas) {
     SeedingOptions seeding;
     seeding.area_ratio = 1.0;
