@@ -1,6 +1,7 @@
 #include "texgen/raster/bands.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace foam::texgen {
 
@@ -20,22 +21,20 @@ SubpixelPoint into_columns(const RasterGrid& grid, SubpixelPoint first, Subpixel
 
 }  // namespace
 
-Bands::Bands(const CellOutlines& cells, int rows_per_band)
-    : rows_(rows_per_band),
-      grid_(cells.grid),
-      ends_(static_cast<std::size_t>((grid_.height + rows_ - 1) / rows_) + 1) {
-    for_each_entry(cells, [&](std::size_t band, const Entry&) { ++ends_[band + 1]; });
-    for (std::size_t band = 1; band < ends_.size(); ++band) {
-        ends_[band] += ends_[band - 1];
+Bands::Bands(const CellOutlines& cells, int rows_per_band, Entries kind)
+    : grid_(cells.grid),
+      row_bits_(static_cast<int>(std::bit_width(static_cast<unsigned>(rows_per_band))) - 1),
+      kind_(kind),
+      ends_(static_cast<std::size_t>((grid_.height - 1) >> row_bits_) + 2) {
+    Found found;
+    for (std::size_t k = 0; k < cells.outlines.size(); ++k) {
+        find_copies(cells, k, found);
     }
-    entries_.resize(ends_.back());
-    std::vector<std::size_t> next(ends_.begin(), ends_.end() - 1);
-    for_each_entry(cells,
-                   [&](std::size_t band, const Entry& entry) { entries_[next[band]++] = entry; });
+    sort(found);
 }
 
 int Bands::row_count(int band) const {
-    return std::min(rows_, grid_.height - first_row(band));
+    return std::min(1 << row_bits_, grid_.height - first_row(band));
 }
 
 std::span<const Bands::Entry> Bands::entries(int band) const {
@@ -43,39 +42,80 @@ std::span<const Bands::Entry> Bands::entries(int band) const {
     return std::span(entries_).subspan(ends_[k], ends_[k + 1] - ends_[k]);
 }
 
-template <class Visit>
-void Bands::for_each_entry(const CellOutlines& cells, Visit visit) const {
-    for (std::size_t k = 0; k < cells.outlines.size(); ++k) {
-        const Outline& outline = cells.outlines[k];
-        if (grid_.view) {
-            visit_rows(k, outline, {}, visit);
-            continue;
-        }
-        const SubpixelPoint first_point = cells.chain(outline).front();
-        const SubpixelPoint shift = shift_of(grid_);
-        const int low = pixel_of(outline.lowest + shift.y);
-        const int high = pixel_of(outline.highest + shift.y);
-        for (int period = floor_div(low, grid_.height); period * grid_.height <= high; ++period) {
-            const std::int32_t base = period * grid_.height * kSubpixel;
-            const SubpixelPoint moved{shift.x - period * cells.shear, shift.y - base};
-            visit_rows(k, outline, into_columns(grid_, first_point, moved), visit);
-        }
+// By bands, within each as they were found.
+void Bands::sort(const Found& found) {
+    for (const BandEntry& one : found) {
+        ++ends_[one.band + 1];
+    }
+    for (std::size_t band = 1; band < ends_.size(); ++band) {
+        ends_[band] += ends_[band - 1];
+    }
+    entries_.resize(ends_.back());
+    std::vector<std::size_t> next(ends_.begin(), ends_.end() - 1);
+    for (const BandEntry& one : found) {
+        entries_[next[one.band]++] = one.entry;
     }
 }
 
-template <class Visit>
-void Bands::visit_rows(std::size_t index,
-                       const Outline& outline,
-                       SubpixelPoint translation,
-                       Visit visit) const {
-    const int low = std::max(pixel_of(outline.lowest + translation.y), 0);
-    const int high = std::min(pixel_of(outline.highest + translation.y), grid_.height - 1);
-    if (low > high) {
+void Bands::find_copies(const CellOutlines& cells, std::size_t index, Found& found) const {
+    const Outline& outline = cells.outlines[index];
+    if (grid_.view) {
+        find_bands(cells, {index, {}, 0, outline.point_count}, found);
         return;
     }
-    for (int band = low / rows_; band <= high / rows_; ++band) {
-        visit(static_cast<std::size_t>(band), Entry{index, translation});
+    const SubpixelPoint first_point = cells.chain(outline).front();
+    const SubpixelPoint shift = shift_of(grid_);
+    const int low = pixel_of(outline.lowest + shift.y);
+    const int high = pixel_of(outline.highest + shift.y);
+    for (int period = floor_div(low, grid_.height); period * grid_.height <= high; ++period) {
+        const std::int32_t base = period * grid_.height * kSubpixel;
+        const SubpixelPoint moved{shift.x - period * cells.shear, shift.y - base};
+        const SubpixelPoint translation = into_columns(grid_, first_point, moved);
+        find_bands(cells, {index, translation, 0, outline.point_count}, found);
     }
+}
+
+void Bands::find_bands(const CellOutlines& cells, const Entry& whole, Found& found) const {
+    const Outline& outline = cells.outlines[whole.outline];
+    const int low = std::max(band_of(outline.lowest + whole.translation.y), 0);
+    const int high = std::min(band_of(outline.highest + whole.translation.y), count() - 1);
+    if (kind_ == Entries::Stretches && low < high) {
+        find_stretches(cells, whole, low, high, found);
+        return;
+    }
+    for (int band = low; band <= high; ++band) {
+        found.push_back({static_cast<std::size_t>(band), whole});
+    }
+}
+
+void Bands::find_stretches(const CellOutlines& cells,
+                           const Entry& whole,
+                           int low_band,
+                           int high_band,
+                           Found& found) const {
+    const std::span<const SubpixelPoint> chain = cells.chain(cells.outlines[whole.outline]);
+    const auto band_at = [&](std::size_t k) { return band_of(chain[k].y + whole.translation.y); };
+    int from = band_at(chain.size() - 1);
+    int low = std::min(from, band_at(0));  // bands of the edges since `begin`
+    int high = std::max(from, band_at(0));
+    std::size_t begin = 0;
+    const auto close = [&](std::size_t end) {
+        for (int band = std::max(low, low_band); band <= std::min(high, high_band); ++band) {
+            found.push_back(
+                {static_cast<std::size_t>(band), {whole.outline, whole.translation, begin, end}});
+        }
+        begin = end;
+    };
+    for (std::size_t k = 0; k < chain.size(); ++k) {
+        const int to = band_at(k);
+        if (std::min(from, to) != low || std::max(from, to) != high) {
+            close(k);
+            low = std::min(from, to);
+            high = std::max(from, to);
+        }
+        from = to;
+    }
+    close(chain.size());
 }
 
 }  // namespace foam::texgen

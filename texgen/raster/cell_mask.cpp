@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 
 namespace foam::texgen {
 
@@ -14,11 +13,6 @@ std::uint64_t parities(std::uint64_t bits) {
         bits ^= bits << shift;
     }
     return bits;
-}
-
-// The first row or column whose middle is at or beyond a place.
-std::int32_t first_middle_from(std::int32_t subpixel) {
-    return pixel_of(subpixel + kSubpixel / 2 - 1);
 }
 
 }  // namespace
@@ -33,14 +27,17 @@ void CellMask::reset(int columns, int rows, int unused_rows) {
 
 void CellMask::fill(std::span<const SubpixelPoint> chain, SubpixelPoint translation) {
     SubpixelPoint from = chain.back() + translation;
+    int from_row = first_middle_from(from.y);
     for (const SubpixelPoint point : chain) {
         const SubpixelPoint to = point + translation;
-        if (from.y < to.y) {
-            toggle_edge(from, to);
-        } else if (to.y < from.y) {
-            toggle_edge(to, from);
+        const int to_row = first_middle_from(to.y);
+        if (from_row < to_row) {
+            toggle(from, to, from_row, to_row);
+        } else if (to_row < from_row) {
+            toggle(to, from, to_row, from_row);
         }
         from = to;
+        from_row = to_row;
     }
     for (int row = unused_rows_; row < rows_; ++row) {
         bool odd = false;
@@ -51,16 +48,17 @@ void CellMask::fill(std::span<const SubpixelPoint> chain, SubpixelPoint translat
     }
 }
 
-// The quotient of integers below 2^53 is never rounded across a whole number.
-void CellMask::toggle_edge(SubpixelPoint low, SubpixelPoint high) {
-    const int begin = std::max(first_middle_from(low.y), unused_rows_);
-    const int end = std::min(first_middle_from(high.y), rows_);
+// Where an edge crosses the middles of rows. The quotient of integers below 2^53 is never rounded
+// across a whole number.
+void CellMask::toggle(SubpixelPoint low, SubpixelPoint high, int begin, int end) {
     const double across = high.x - low.x;
     const double up = high.y - low.y;
-    for (int row = begin; row < end; ++row) {
+    for (int row = std::max(begin, unused_rows_); row < std::min(end, rows_); ++row) {
         const std::int32_t y = row * kSubpixel + kSubpixel / 2 - low.y;
-        const auto x = low.x + static_cast<std::int32_t>(std::ceil(across * y / up));
-        const int column = std::clamp(first_middle_from(x), 0, columns_);
+        const double x = across * y / up;
+        const auto toward_zero = static_cast<std::int32_t>(x);
+        const std::int32_t next = low.x + toward_zero + (x > toward_zero ? 1 : 0);
+        const int column = std::clamp(first_middle_from(next), 0, columns_);
         word(column, row) ^= bit(column);
     }
 }

@@ -26,10 +26,10 @@ class CellMask {
     /// Adds one pixel.
     void set(int column, int row) { word(column, row) |= bit(column); }
 
-    /// Eight pixels from column 8 k on, the first in the lowest bit.
-    std::uint8_t eight(int k, int row) const {
-        return static_cast<std::uint8_t>(words_[row_begin(row) + static_cast<std::size_t>(k / 8)] >>
-                                         (8 * (k % 8)));
+    /// 16 pixels from column 16 k on, the first in the lowest bit.
+    std::uint16_t sixteen(int k, int row) const {
+        return static_cast<std::uint16_t>(
+            words_[row_begin(row) + static_cast<std::size_t>(k / 4)] >> (16 * (k % 4)));
     }
 
     /// Calls visit(begin, end) for the runs of columns in a row.
@@ -45,7 +45,11 @@ class CellMask {
     }
     static std::uint64_t bit(int column) { return std::uint64_t{1} << (column % kBits); }
     int next_change(int row, int column) const;
-    void toggle_edge(SubpixelPoint low, SubpixelPoint high);
+    // The first row or column whose middle is at or beyond a place.
+    static std::int32_t first_middle_from(std::int32_t subpixel) {
+        return pixel_of(subpixel + kSubpixel / 2 - 1);
+    }
+    void toggle(SubpixelPoint low, SubpixelPoint high, int begin, int end);
 
     int columns_ = 0;
     int rows_ = 0;
@@ -56,7 +60,7 @@ class CellMask {
 
 template <class Visit>
 void CellMask::for_each_run(int row, const Visit& visit) const {
-    int column = (eight(0, row) & 1) != 0 ? 0 : next_change(row, 0);
+    int column = (sixteen(0, row) & 1) != 0 ? 0 : next_change(row, 0);
     while (column < columns_) {
         const int end = next_change(row, column);
         visit(column, end);

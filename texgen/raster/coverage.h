@@ -30,14 +30,16 @@ enum class RowKind { Ring, Line };
 /// row's start. In the plane, an edge on the left of the row adds its height to the whole of it,
 /// and one on the right nothing.
 ///
-/// All sums are of integers and exact: they do not depend on the order of the outlines. An edge is
+/// All sums are of integers and exact: they do not depend on the order of the outlines. They are
+/// held as doubles, which processors take several of at once, and stay below 2^53. An edge is
 /// split into pixels the same way in both directions and in every place, so that two outlines that
 /// share one leave neither gap nor overlap.
 template <std::size_t Channels>
 class Coverage {
   public:
     using Value = std::array<std::int32_t, Channels>;
-    using Sum = std::array<std::int64_t, Channels>;
+    /// Of each channel; rounded up to a power of two, the others being 0.
+    using Sum = std::array<double, std::bit_ceil(Channels)>;
 
     /// All differences are zero. Width and rows in pixels.
     Coverage(int width, int rows, RowKind kind = RowKind::Ring);
@@ -45,7 +47,16 @@ class Coverage {
     /// A closed chain, on a torus unwrapped in x, its y relative to the lower end of the band;
     /// counter-clockwise chains add, the others subtract. What lies above or below the band is left
     /// out.
-    void add(std::span<const SubpixelPoint> chain, SubpixelPoint translation, const Value& value);
+    void add(std::span<const SubpixelPoint> chain, SubpixelPoint translation, const Value& value) {
+        add(chain, 0, chain.size(), translation, value);
+    }
+
+    /// Of a closed chain the edges that lead to the points [begin, end).
+    void add(std::span<const SubpixelPoint> chain,
+             std::size_t begin,
+             std::size_t end,
+             SubpixelPoint translation,
+             const Value& value);
 
     /// Walks along a row, left to right: writer.write(from, to) for each stretch of pixels [from,
     /// to) of one sum, writer.add(difference) where the sum changes, beginning with the difference
@@ -54,8 +65,9 @@ class Coverage {
     void take_row(int row, Writer& writer);
 
   private:
-    void add_part(const PixelPart& part, const Value& value);
-    void add_past_border(std::int32_t row, std::int64_t height, const Value& value);
+    void add_part(const PixelPart& part, const Sum& value);
+    std::int32_t wrap_part(const PixelPart& part, const Sum& value);
+    void add_past_border(std::int32_t row, double height, const Sum& value);
     void touch_two(std::size_t row_words, std::size_t x);
 
     int width_;

@@ -15,7 +15,7 @@ namespace foam::texgen {
 namespace {
 
 constexpr int kTile = RegionField::kTile;
-constexpr int kRowsPerBand = 8 * kTile;
+constexpr int kRowsPerBand = 4 * kTile;
 constexpr double kShortestSide = 1e-9;  // pixels; a shorter side has no direction to speak of
 constexpr int kFilmsPerTask = 4096;
 
@@ -118,7 +118,7 @@ class PixelRegions {
 struct Window {
     int column = 0;  // of its lower left pixel
     int row = 0;
-    RegionField::Extent extent;
+    int first_row = 0;  // of those in the mask, above `row`; a multiple of kTile
 
     SubpixelPoint corner() const { return {column * kSubpixel, row * kSubpixel}; }
 };
@@ -174,7 +174,7 @@ class FieldPainter {
                 }
             }
         }
-        measure(around_, {0, 0, {field_.ids.width(), field_.ids.height(), begin_}});
+        measure(around_, {0, 0, begin_});
     }
 
     void paint_bubble(const Outline& outline, SubpixelPoint translation) {
@@ -182,7 +182,7 @@ class FieldPainter {
         if (mask_.columns() <= 0) {
             return;
         }
-        const SubpixelPoint up{0, window.extent.first_row * kSubpixel};
+        const SubpixelPoint up{0, window.first_row * kSubpixel};
         mask_.fill(cells_.chain(outline), translation - window.corner() - up);
         write_ids(window, static_cast<std::uint32_t>(index_of(outline.bubble)));
         regions_.place(outline, translation, window.corner(), bubble_);
@@ -205,7 +205,7 @@ class FieldPainter {
         const int first_row = wanted / kTile * kTile;
         mask_.reset(
             end_column - column, std::min(end_row, end_) - row - first_row, wanted - first_row);
-        return {column, row, {end_column - column, end_row - row, first_row}};
+        return {column, row, first_row};
     }
 
     // Calls write(x, begin, end) for the pieces of a run of the window's columns, with the column
@@ -224,7 +224,7 @@ class FieldPainter {
     void write_ids(const Window& window, std::uint32_t id) {
         for (int row = 0; row < mask_.rows(); ++row) {
             mask_.for_each_run(row, [&](int begin, int end) {
-                const auto ids = field_.ids.row(window.row + window.extent.first_row + row);
+                const auto ids = field_.ids.row(window.row + window.first_row + row);
                 wrapped(window.column + begin, end - begin, [&](int x, int, int count) {
                     std::fill_n(&ids[static_cast<std::size_t>(x)], count, id);
                 });
@@ -233,7 +233,7 @@ class FieldPainter {
     }
 
     void measure(RegionField& region, const Window& window) {
-        region.measure(mask_, window.extent, needs_, [&](const PixelBatch& batch) {
+        region.measure(mask_, window.first_row, needs_, [&](const PixelBatch& batch) {
             for (const PixelBatch::Run& run : batch.runs()) {
                 const auto count = static_cast<int>(run.count);
                 wrapped(window.column + run.column, count, [&](int x, int done, int piece) {
@@ -316,7 +316,7 @@ void write_distance_field(const Frame& frame,
     ask_for(needs.gradient, grid, 2, field.gradient);
     ask_for(needs.smooth, grid, 1, field.smooth);
     ask_for(needs.smooth, grid, 2, field.smooth_gradient);
-    const Bands bands(cells, kRowsPerBand);
+    const Bands bands(cells, kRowsPerBand, Bands::Entries::Outlines);
     std::vector<FieldPainter> painters(
         static_cast<std::size_t>(std::clamp(threads, 1, bands.count())),
         FieldPainter(cells, regions, bands, needs, field));

@@ -3,6 +3,7 @@
 #include "texgen/raster/fixed_point.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -13,13 +14,13 @@ namespace foam::texgen {
 struct PixelPart {
     std::int32_t row = -1;
     std::int32_t column = 0;
-    std::int32_t height =
-        0;  // subpixels; positive on the way down, where a counter-clockwise outline begins
-    std::int64_t area = 0;  // on its left, in half square subpixels, with the sign of the height
+    // Subpixels; positive on the way down, where a counter-clockwise outline begins.
+    std::int32_t height = 0;
+    std::int32_t area = 0;  // on its left, in half square subpixels, with the sign of the height
 };
 
-/// Splits chains into pixel parts, for rows [0, rows), and hands them to a sink, consecutive ones
-/// of a pixel as one. An edge is split the same way in both directions and wherever whole pixels
+/// Splits chains into pixel parts, for rows [0, rows), and hands them to a sink, any number of them
+/// for a pixel. An edge is split the same way in both directions and wherever whole pixels
 /// move it, so that the parts of two chains that share it cancel.
 template <class Sink>
 class EdgeWalk {
@@ -27,7 +28,15 @@ class EdgeWalk {
     EdgeWalk(int rows, Sink sink) : top_(rows * kSubpixel), sink_(sink) {}
 
     /// A closed chain.
-    void walk(std::span<const SubpixelPoint> chain, SubpixelPoint translation);
+    void walk(std::span<const SubpixelPoint> chain, SubpixelPoint translation) {
+        walk(chain, 0, chain.size(), translation);
+    }
+
+    /// Of a closed chain the edges that lead to the points [begin, end).
+    void walk(std::span<const SubpixelPoint> chain,
+              std::size_t begin,
+              std::size_t end,
+              SubpixelPoint translation);
 
   private:
     // What lies of an edge within one row; y from the row's lower end, y0 < y1.
@@ -47,24 +56,21 @@ class EdgeWalk {
 
     void add_edge(SubpixelPoint low, SubpixelPoint high, std::int32_t sign);
     void add_in_row(std::int32_t row, const RowEdge& edge, std::int32_t sign);
-    void add_in_pixel(std::int32_t row,
-                      std::int32_t column,
-                      std::int32_t height,
-                      std::int32_t x_sum);
-    void flush();
 
     std::int32_t top_;  // subpixels
     Sink sink_;
-    PixelPart part_;
 };
 
 template <class Sink>
-void EdgeWalk<Sink>::walk(std::span<const SubpixelPoint> chain, SubpixelPoint translation) {
-    if (chain.empty()) {
+void EdgeWalk<Sink>::walk(std::span<const SubpixelPoint> chain,
+                          std::size_t begin,
+                          std::size_t end,
+                          SubpixelPoint translation) {
+    if (begin == end) {
         return;
     }
-    SubpixelPoint from = chain.back() + translation;
-    for (const SubpixelPoint point : chain) {
+    SubpixelPoint from = (begin == 0 ? chain.back() : chain[begin - 1]) + translation;
+    for (const SubpixelPoint point : chain.subspan(begin, end - begin)) {
         const SubpixelPoint to = point + translation;
         const bool in_rows = std::max(from.y, to.y) > 0 && std::min(from.y, to.y) < top_;
         if (in_rows && from.y < to.y) {
@@ -74,11 +80,10 @@ void EdgeWalk<Sink>::walk(std::span<const SubpixelPoint> chain, SubpixelPoint tr
         }
         from = to;
     }
-    flush();
 }
 
 template <class Sink>
-void EdgeWalk<Sink>::add_edge(SubpixelPoint low, SubpixelPoint high, std::int32_t sign) {
+inline void EdgeWalk<Sink>::add_edge(SubpixelPoint low, SubpixelPoint high, std::int32_t sign) {
     const std::int32_t end = std::min(high.y, top_);
     std::int32_t row = std::max(pixel_of(low.y), 0);
     std::int32_t base = row * kSubpixel;
@@ -103,44 +108,24 @@ template <class Sink>
 void EdgeWalk<Sink>::add_in_row(std::int32_t row, const RowEdge& edge, std::int32_t sign) {
     std::int32_t column = pixel_of(edge.x0);
     const std::int32_t last = pixel_of(edge.x1);
-    if (column == last) {
-        const std::int32_t x_sum = within_pixel(edge.x0) + within_pixel(edge.x1);
-        add_in_pixel(row, column, sign * (edge.y1 - edge.y0), x_sum);
-        return;
-    }
-    const double steepness = static_cast<double>(edge.y1 - edge.y0) / (edge.x1 - edge.x0);
-    const std::int32_t step = column < last ? 1 : -1;
     std::int32_t x = edge.x0;
     std::int32_t y = edge.y0;
-    for (; column != last; column += step) {
-        const std::int32_t border = (step > 0 ? column + 1 : column) * kSubpixel;
-        const std::int32_t next_y = edge.y0 + rounded(steepness * (border - edge.x0));
-        add_in_pixel(row, column, sign * (next_y - y), x + border - 2 * column * kSubpixel);
-        x = border;
-        y = next_y;
+    if (column != last) {
+        const double steepness = static_cast<double>(edge.y1 - edge.y0) / (edge.x1 - edge.x0);
+        const std::int32_t step = column < last ? 1 : -1;
+        const std::int32_t far_side = column < last ? kSubpixel : 0;
+        for (; column != last; column += step) {
+            const std::int32_t left = column * kSubpixel;
+            const std::int32_t border = left + far_side;
+            const std::int32_t next_y = edge.y0 + rounded(steepness * (border - edge.x0));
+            const std::int32_t height = sign * (next_y - y);
+            sink_(PixelPart{row, column, height, height * (x + border - 2 * left)});
+            x = border;
+            y = next_y;
+        }
     }
-    add_in_pixel(row, last, sign * (edge.y1 - y), x + edge.x1 - 2 * last * kSubpixel);
-}
-
-template <class Sink>
-void EdgeWalk<Sink>::add_in_pixel(std::int32_t row,
-                                  std::int32_t column,
-                                  std::int32_t height,
-                                  std::int32_t x_sum) {
-    if (row != part_.row || column != part_.column) {
-        flush();
-        part_ = {row, column, 0, 0};
-    }
-    part_.height += height;
-    part_.area += std::int64_t{height} * x_sum;
-}
-
-template <class Sink>
-void EdgeWalk<Sink>::flush() {
-    if (part_.height != 0 || part_.area != 0) {
-        sink_(part_);
-        part_ = {};
-    }
+    const std::int32_t height = sign * (edge.y1 - y);
+    sink_(PixelPart{row, last, height, height * (x + edge.x1 - 2 * last * kSubpixel)});
 }
 
 }  // namespace foam::texgen

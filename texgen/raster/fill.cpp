@@ -17,16 +17,25 @@ namespace foam::texgen {
 
 namespace {
 
-// The sums of a band should stay in cache, yet a band should be as high as a bubble or two, as an
-// outline is walked once for every band that it reaches. At 2048 x 2048 with 10,000 bubbles, 1 MB a
-// band took 50 ms, 1/4 MB 63 ms.
-constexpr std::size_t kBandBytes = std::size_t{1} << 20;
+// The sums of a band should stay in the cache of a core: of a pixel that edges touch, and of the
+// one on its right, they are written again and again.
+constexpr std::size_t kBandBytes = std::size_t{1} << 18;
+constexpr std::size_t kLargestBandBytes = std::size_t{1} << 21;  // with what is not touched
+constexpr std::size_t kTouchedPerRow = 8;                        // pixels, by an outline
 constexpr int kFewestRows = 4;
 constexpr int kMostRows = 64;
 
-int rows_per_band(int width, std::size_t channels) {
-    const std::size_t row_bytes = static_cast<std::size_t>(width) * channels * sizeof(std::int64_t);
-    return std::clamp(static_cast<int>(kBandBytes / row_bytes), kFewestRows, kMostRows);
+int rows_per_band(const CellOutlines& cells, std::size_t sum_bytes) {
+    std::size_t rows_of_outlines = 1;
+    for (const Outline& outline : cells.outlines) {
+        rows_of_outlines +=
+            static_cast<std::size_t>(pixel_of(outline.highest - outline.lowest)) + 1;
+    }
+    const auto height = static_cast<std::size_t>(cells.grid.height);
+    const std::size_t all = static_cast<std::size_t>(cells.grid.width) * sum_bytes;
+    const std::size_t touched = rows_of_outlines * kTouchedPerRow * sum_bytes / height + 1;
+    const std::size_t rows = std::min(kBandBytes / std::min(touched, all), kLargestBandBytes / all);
+    return std::clamp(static_cast<int>(rows), kFewestRows, kMostRows);
 }
 
 template <class Sample>
@@ -59,15 +68,13 @@ using UnsignedOfSize = std::conditional_t<
                        std::conditional_t<Bytes == 4, std::uint32_t, std::uint64_t>>>;
 
 // Sums as Coverage counts them, of 16-bit values.
-constexpr std::int64_t kHalf = std::int64_t{1} << (kCoverageBits - 1);
+constexpr double kFull = std::int64_t{1} << kCoverageBits;
 constexpr std::int64_t kLargest = std::numeric_limits<std::uint16_t>::max();
 
-std::uint16_t rounded_mean(std::int64_t sum) {
-    const std::int64_t mean = (sum + kHalf) >> kCoverageBits;
-    if (mean < 0 || mean > kLargest) [[unlikely]] {
-        return mean < 0 ? 0 : kLargest;  // outlines of an invalid foam may overlap
-    }
-    return static_cast<std::uint16_t>(mean);
+// Outlines of an invalid foam may overlap.
+std::uint16_t rounded_mean(double sum) {
+    const auto mean = static_cast<std::int32_t>(sum * (1.0 / kFull) + 0.5);
+    return static_cast<std::uint16_t>(std::clamp<std::int32_t>(mean, 0, kLargest));
 }
 
 // Each mean, encoded.
@@ -76,7 +83,7 @@ struct Means {
     Encode encode;
 
     template <std::size_t Channels>
-    auto operator()(const std::array<std::int64_t, Channels>& sum) const {
+    auto samples_of(const typename Coverage<Channels>::Sum& sum) const {
         std::array<decltype(encode(std::uint16_t{})), Channels> samples{};
         for (std::size_t c = 0; c < Channels; ++c) {
             samples[c] = encode(rounded_mean(sum[c]));
@@ -88,18 +95,19 @@ struct Means {
 // The last mean, and the others over it.
 struct StraightMeans {
     template <std::size_t Channels>
-    std::array<std::uint16_t, Channels> operator()(
-        const std::array<std::int64_t, Channels>& sum) const {
+    std::array<std::uint16_t, Channels> samples_of(
+        const typename Coverage<Channels>::Sum& sum) const {
         std::array<std::uint16_t, Channels> samples{};
-        const std::int64_t opacity = sum[Channels - 1];
+        const auto opacity = static_cast<std::int64_t>(sum[Channels - 1]);
         if (opacity <= 0) {
             return samples;
         }
         for (std::size_t c = 0; c + 1 < Channels; ++c) {
-            const std::int64_t color = (sum[c] * kLargest + opacity / 2) / opacity;
+            const auto whole = static_cast<std::int64_t>(sum[c]);
+            const std::int64_t color = (whole * kLargest + opacity / 2) / opacity;
             samples[c] = static_cast<std::uint16_t>(std::clamp<std::int64_t>(color, 0, kLargest));
         }
-        samples[Channels - 1] = rounded_mean(opacity);
+        samples[Channels - 1] = rounded_mean(sum[Channels - 1]);
         return samples;
     }
 };
@@ -118,15 +126,15 @@ class RowWriter {
               std::span<Sample> row)
         : to_samples_(to_samples), row_(row.data()), width_(row.size() / Channels) {
         for (std::size_t c = 0; c < Channels; ++c) {
-            sum_[c] = std::int64_t{base[c]} << kCoverageBits;
+            sum_[c] = base[c] * kFull;
         }
     }
 
     void add(const Sum& difference) {
-        for (std::size_t c = 0; c < Channels; ++c) {
+        for (std::size_t c = 0; c < sum_.size(); ++c) {
             sum_[c] += difference[c];
         }
-        const std::array<Sample, Channels> samples = to_samples_(sum_);
+        const auto samples = to_samples_.template samples_of<Channels>(sum_);
         pixel_ = 0;
         for (std::size_t c = 0; c < Channels; ++c) {
             pixel_ |= std::uint64_t{samples[c]} << shift(c);
@@ -174,14 +182,18 @@ class Filler {
           values_(values),
           to_samples_(to_samples),
           image_(image),
-          bands_(cells, rows_per_band(image.width(), Channels)) {}
+          bands_(cells,
+                 rows_per_band(cells, sizeof(typename BandCoverage::Sum)),
+                 Bands::Entries::Stretches) {}
 
     // Each worker has one buffer for all its bands.
     void fill(int threads) const {
         const int workers = std::clamp(threads, 1, bands_.count());
         const RowKind kind = cells_.grid.view ? RowKind::Line : RowKind::Ring;
-        std::vector<BandCoverage> buffers(static_cast<std::size_t>(workers),
-                                          BandCoverage(image_.width(), bands_.row_count(0), kind));
+        std::vector<BandCoverage> buffers;
+        for (int k = 0; k < workers; ++k) {
+            buffers.emplace_back(image_.width(), bands_.row_count(0), kind);
+        }
         parallel_for(bands_.count(), buffers, [&](BandCoverage& coverage, int band) {
             fill_band(band, coverage);
         });
@@ -193,8 +205,11 @@ class Filler {
         const SubpixelPoint origin{0, first_row * kSubpixel};
         for (const Bands::Entry& entry : bands_.entries(band)) {
             const Outline& outline = cells_.outlines[entry.outline];
-            coverage.add(
-                cells_.chain(outline), entry.translation - origin, over_film(outline.bubble));
+            coverage.add(cells_.chain(outline),
+                         entry.begin,
+                         entry.end,
+                         entry.translation - origin,
+                         over_film(outline.bubble));
         }
         for (int row = 0; row < bands_.row_count(band); ++row) {
             RowWriter<Channels, Sample, ToSamples> writer(

@@ -1,5 +1,7 @@
 #include "texgen/raster/near_sides.h"
 
+#include "texgen/raster/vector_clones.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,8 +11,8 @@ namespace foam::texgen {
 namespace {
 
 // What the floats of a batch may be wrong by, pixels.
-constexpr float kMargin = 0.01F;
-constexpr float kFar = std::numeric_limits<float>::infinity();
+constexpr double kMargin = 0.01;
+constexpr double kFar = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -44,7 +46,7 @@ void NearSides::add(const RegionSide& side) {
 
 void NearSides::measure(double reach, bool gradient, PixelBatch& batch) {
     look_from(batch.middle());
-    const float farthest = horizon(reach);
+    const double farthest = horizon(reach);
     batch.begin();
     for (std::size_t k = 0; k < size(); ++k) {
         if (!(at_least_[k] <= farthest)) {
@@ -66,13 +68,12 @@ void NearSides::measure(double reach, bool gradient, PixelBatch& batch) {
 
 // As pencil_at and end_normals_at (field_arc.h). A point behind an end is at least as far from the
 // arc as from the line there.
-void NearSides::look_from(const Vec2& point) {
+FOAMTEX_VECTOR_CLONES void NearSides::look_from(const Vec2& point) {
     const std::size_t count = size();
-    for (Doubles* column : {&twice_, &slope_x_, &slope_y_, &past_tail_, &before_head_}) {
+    for (Doubles* column :
+         {&twice_, &slope_x_, &slope_y_, &past_tail_, &before_head_, &at_least_, &facing_}) {
         column->resize(count);
     }
-    at_least_.resize(count);
-    facing_.resize(count);
     const double x = point.x();
     const double y = point.y();
     for (std::size_t k = 0; k < count; ++k) {
@@ -92,18 +93,18 @@ void NearSides::look_from(const Vec2& point) {
     for (std::size_t k = 0; k < count; ++k) {
         const double length = std::sqrt(slope_x_[k] * slope_x_[k] + slope_y_[k] * slope_y_[k]);
         const double distance = std::abs(twice_[k]) / (1.0 + length);
-        const double end = std::min(past_tail_[k], before_head_[k]);
-        facing_[k] = end >= 0.0 ? static_cast<float>(distance) : kFar;
-        at_least_[k] = static_cast<float>(std::max(distance, -end));
+        const double end = past_tail_[k] < before_head_[k] ? past_tail_[k] : before_head_[k];
+        facing_[k] = end >= 0.0 ? distance : kFar;
+        at_least_[k] = distance > -end ? distance : -end;
     }
 }
 
-float NearSides::horizon(double reach) const {
-    float nearest = kFar;
-    for (const float distance : facing_) {
+double NearSides::horizon(double reach) const {
+    double nearest = kFar;
+    for (const double distance : facing_) {
         nearest = std::min(nearest, distance);
     }
-    return nearest + 2.0F * static_cast<float>(reach) + kMargin;
+    return nearest + 2.0 * reach + kMargin;
 }
 
 FloatQuadratic NearSides::across(std::size_t k) const {
@@ -130,7 +131,7 @@ Vec2 NearSides::end(std::size_t k, double sign) const {
     return {middle_x_[k] + half * direction_x_[k], middle_y_[k] + half * direction_y_[k]};
 }
 
-void NearSides::add_corners(float farthest, bool all, PixelBatch& batch) const {
+void NearSides::add_corners(double farthest, bool all, PixelBatch& batch) const {
     for (std::size_t k = 0; k < size(); ++k) {
         if (!(at_least_[k] <= farthest)) {
             continue;

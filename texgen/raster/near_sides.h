@@ -30,15 +30,14 @@ class NearSides {
     // The functions of all sides at a point, and how far each side is from there at least.
     void look_from(const Vec2& point);
     // No side farther than this is nearest to a point within reach.
-    float horizon(double reach) const;
+    double horizon(double reach) const;
     FloatQuadratic across(std::size_t k) const;
     FloatLine tail_line(std::size_t k) const;
     FloatLine head_line(std::size_t k) const;
     Vec2 end(std::size_t k, double sign) const;  // -1 for the tail, 1 for the head
-    void add_corners(float farthest, bool all, PixelBatch& batch) const;
+    void add_corners(double farthest, bool all, PixelBatch& batch) const;
 
     using Doubles = std::vector<double>;
-    using Floats = std::vector<float>;
 
     // Of each side.
     Doubles middle_x_, middle_y_, direction_x_, direction_y_;
@@ -47,8 +46,7 @@ class NearSides {
     bool any_corner_ = false;
 
     // At the point that was looked from; lines are normal to the arc at its ends.
-    Doubles twice_, slope_x_, slope_y_, past_tail_, before_head_;
-    Floats at_least_, facing_;
+    Doubles twice_, slope_x_, slope_y_, past_tail_, before_head_, at_least_, facing_;
 };
 
 }  // namespace foam::texgen

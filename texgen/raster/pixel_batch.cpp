@@ -1,5 +1,7 @@
 #include "texgen/raster/pixel_batch.h"
 
+#include "texgen/raster/vector_clones.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -70,9 +72,9 @@ void PixelBatch::begin() {
     std::fill_n(distance_.begin(), padded_, kFar);
 }
 
-void PixelBatch::add_arc(const FloatQuadratic& across,
-                         const FloatLine& tail,
-                         const FloatLine& head) {
+FOAMTEX_VECTOR_CLONES void PixelBatch::add_arc(const FloatQuadratic& across,
+                                               const FloatLine& tail,
+                                               const FloatLine& head) {
     const FloatQuadratic f = across;
     const FloatLine t = tail;
     const FloatLine h = head;
@@ -91,9 +93,9 @@ void PixelBatch::add_arc(const FloatQuadratic& across,
     }
 }
 
-void PixelBatch::add_arc_and_gradient(const FloatQuadratic& across,
-                                      const FloatLine& tail,
-                                      const FloatLine& head) {
+FOAMTEX_VECTOR_CLONES void PixelBatch::add_arc_and_gradient(const FloatQuadratic& across,
+                                                            const FloatLine& tail,
+                                                            const FloatLine& head) {
     const FloatQuadratic f = across;
     const FloatLine t = tail;
     const FloatLine h = head;
@@ -116,7 +118,7 @@ void PixelBatch::add_arc_and_gradient(const FloatQuadratic& across,
     }
 }
 
-void PixelBatch::add_point(const Vec2& point) {
+FOAMTEX_VECTOR_CLONES void PixelBatch::add_point(const Vec2& point) {
     const auto point_x = static_cast<float>(point.x());
     const auto point_y = static_cast<float>(point.y());
     for (std::size_t k = 0; k < padded_; ++k) {
@@ -130,7 +132,7 @@ void PixelBatch::add_point(const Vec2& point) {
     }
 }
 
-bool PixelBatch::is_unresolved() const {
+FOAMTEX_VECTOR_CLONES bool PixelBatch::is_unresolved() const {
     std::uint32_t any = 0;
     for (std::size_t k = 0; k < padded_; ++k) {
         any |= mask_if(distance_[k] == kFar);
@@ -138,7 +140,7 @@ bool PixelBatch::is_unresolved() const {
     return any != 0;
 }
 
-void PixelBatch::normalize_gradients() {
+FOAMTEX_VECTOR_CLONES void PixelBatch::normalize_gradients() {
     for (std::size_t k = 0; k < padded_; ++k) {
         const float x = gradient_x_[k];
         const float y = gradient_y_[k];
@@ -157,7 +159,9 @@ void PixelBatch::begin_smooth() {
 
 // phi² = f² + r², r = (root - t) / 2, root = sqrt(t² + f^4 / c²), f being the function across the
 // film, t the one along it, c its chord; r grad r = r (f³ / c² grad f - r grad t) / root.
-void PixelBatch::add_film(const FloatQuadratic& across, const FloatQuadratic& along, float chord) {
+FOAMTEX_VECTOR_CLONES void PixelBatch::add_film(const FloatQuadratic& across,
+                                                const FloatQuadratic& along,
+                                                float chord) {
     const FloatQuadratic a = across;
     const FloatQuadratic b = along;
     const float over_chord = 1.0F / chord;
@@ -187,7 +191,7 @@ void PixelBatch::add_film(const FloatQuadratic& across, const FloatQuadratic& al
 }
 
 // s = S^-1/2, and grad s = s³ sum of phi^-4 (f grad f + r grad r).
-void PixelBatch::finish_smooth() {
+FOAMTEX_VECTOR_CLONES void PixelBatch::finish_smooth() {
     for (std::size_t k = 0; k < padded_; ++k) {
         const float s = 1.0F / std::sqrt(smooth_[k]);
         const float scale = s * s * s;

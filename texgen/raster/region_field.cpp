@@ -89,23 +89,12 @@ void RegionField::take_sides(std::size_t begin) {
     }
 }
 
-void RegionField::take_all(const CellMask& mask, int first_row) {
-    batch_.clear(Vec2::Constant(0.5 * kSmall));
-    for (int row = 0; row < mask.rows(); ++row) {
-        mask.for_each_run(
-            row, [&](int begin, int end) { batch_.add_run(begin, first_row + row, end - begin); });
-    }
-}
-
 void RegionField::take_tile(const CellMask& mask, int first_row, int x, int y) {
     const int column = x * kTile;
     const int row = y * kTile;
     batch_.clear(Vec2(column, first_row + row) + Vec2::Constant(0.5 * kTile));
-    if (column >= mask.columns()) {
-        return;
-    }
     for (int k = row; k < std::min(row + kTile, mask.rows()); ++k) {
-        for (unsigned pixels = mask.eight(x, k); pixels != 0;) {
+        for (unsigned pixels = mask.sixteen(x, k); pixels != 0;) {
             const int begin = std::countr_zero(pixels);
             const int count = std::countr_one(pixels >> begin);
             batch_.add_run(column + begin, first_row + k, count);
@@ -114,8 +103,8 @@ void RegionField::take_tile(const CellMask& mask, int first_row, int x, int y) {
     }
 }
 
-void RegionField::measure_batch(double reach, DistanceNeeds needs) {
-    few_.measure(reach, needs.gradient || needs.smooth, batch_);
+void RegionField::measure_batch(DistanceNeeds needs) {
+    few_.measure(kReach, needs.gradient || needs.smooth, batch_);
     if (needs.gradient || needs.smooth) {
         batch_.normalize_gradients();
     }
@@ -127,7 +116,7 @@ void RegionField::measure_batch(double reach, DistanceNeeds needs) {
 void RegionField::measure_smooth() {
     batch_.begin_smooth();
     for (const FieldArc& film : films_) {
-        const double far = (batch_.middle() - film.middle).norm() + kSmallReach;
+        const double far = (batch_.middle() - film.middle).norm() + kReach;
         if (film.chord <= kLeastChord * far) {
             continue;
         }

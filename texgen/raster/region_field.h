@@ -14,9 +14,8 @@ namespace foam::texgen {
 /// What the pixels of a region, as a bubble or what is around a patch, are measured from. Keeps its
 /// working memory from one region to the next.
 ///
-/// Pixels are measured in batches: those of a small region all at once, others by tiles. Which
-/// sides may be nearest is found by halving a region with many sides again and again; what is too
-/// far from the middle of a part is dropped.
+/// Pixels are measured in batches, by tiles. Which sides may be nearest is found by halving a
+/// region with many sides again and again; what is too far from the middle of a part is dropped.
 class RegionField {
   public:
     enum class Kind {
@@ -25,13 +24,7 @@ class RegionField {
         Around,  // without smooth distances of its own
     };
 
-    /// The rectangle that holds a region, of which the mask shows some rows.
-    struct Extent {
-        int columns = 0;
-        int rows = 0;
-        int first_row = 0;  // the mask's first; a multiple of kTile
-    };
-    static constexpr int kTile = 8;  // pixels
+    static constexpr int kTile = 16;  // pixels
 
     void clear(Kind kind);
 
@@ -39,18 +32,14 @@ class RegionField {
     void add_side(const FieldArc& arc);
     void close_boundary();
 
-    /// Calls visit(batch) for batches of all pixels of the mask, measured.
+    /// Calls visit(batch) for batches of all pixels of the mask, measured. The mask's first row is
+    /// that of the region's pixels, a multiple of kTile.
     template <class Visit>
-    void measure(const CellMask& mask,
-                 const Extent& extent,
-                 DistanceNeeds needs,
-                 const Visit& visit);
+    void measure(const CellMask& mask, int first_row, DistanceNeeds needs, const Visit& visit);
 
   private:
-    static constexpr int kSmall = 16;
-    // From the middle of a tile, and of a small region, to the farthest pixel's centre.
-    static constexpr double kTileReach = 3.5 * 1.4142135623730951;
-    static constexpr double kSmallReach = 7.5 * 1.4142135623730951;
+    // From the middle of a tile to the centre of its farthest pixel.
+    static constexpr double kReach = 7.5 * 1.4142135623730951;
     static constexpr std::size_t kFewSides = 24;
 
     struct Block {
@@ -65,9 +54,8 @@ class RegionField {
         const CellMask& mask, int first_row, Block block, std::size_t begin, const Visit& visit);
     void narrow(std::size_t begin, std::size_t end, const Vec2& middle, double reach);
     void take_sides(std::size_t begin);
-    void take_all(const CellMask& mask, int first_row);
     void take_tile(const CellMask& mask, int first_row, int x, int y);
-    void measure_batch(double reach, DistanceNeeds needs);
+    void measure_batch(DistanceNeeds needs);
     void measure_smooth();
 
     Kind kind_ = Kind::Bubble;
@@ -82,35 +70,26 @@ class RegionField {
 
 template <class Visit>
 void RegionField::measure(const CellMask& mask,
-                          const Extent& extent,
+                          int first_row,
                           DistanceNeeds needs,
                           const Visit& visit) {
-    const auto visit_batch = [&](double reach) {
-        if (!batch_.is_empty()) {
-            measure_batch(reach, needs);
-            visit(std::as_const(batch_));
-        }
-    };
-    start();
-    if (extent.columns <= kSmall && extent.rows <= kSmall) {
-        take_sides(0);
-        take_all(mask, extent.first_row);
-        visit_batch(kSmallReach);
-        return;
-    }
     const auto visit_tiles = [&](Block block) {
-        for (int y = block.y; y < block.y + block.tiles; ++y) {
-            for (int x = block.x; x < block.x + block.tiles; ++x) {
-                take_tile(mask, extent.first_row, x, y);
-                visit_batch(kTileReach);
+        const int columns = std::min(block.tiles, (mask.columns() - 1) / kTile + 1 - block.x);
+        const int rows = std::min(block.tiles, (mask.rows() - 1) / kTile + 1 - block.y);
+        for (int k = 0; k < rows * columns; ++k) {
+            take_tile(mask, first_row, block.x + k % columns, block.y + k / columns);
+            if (!batch_.is_empty()) {
+                measure_batch(needs);
+                visit(std::as_const(batch_));
             }
         }
     };
+    start();
     int tiles = 1;
     while (tiles * kTile < std::max(mask.columns(), mask.rows())) {
         tiles *= 2;
     }
-    halve(mask, extent.first_row, {0, 0, tiles}, 0, visit_tiles);
+    halve(mask, first_row, {0, 0, tiles}, 0, visit_tiles);
 }
 
 // Visits the parts of a block that have few sides near, or are one tile, with these sides taken.

@@ -12,7 +12,7 @@ std::string picture(const CellMask& mask) {
     std::string text;
     for (int row = mask.rows() - 1; row >= 0; --row) {
         for (int x = 0; x < mask.columns(); ++x) {
-            text += ((mask.eight(x / 8, row) >> (x % 8)) & 1) != 0 ? '#' : '.';
+            text += ((mask.sixteen(x / 16, row) >> (x % 16)) & 1) != 0 ? '#' : '.';
         }
         text += '\n';
     }

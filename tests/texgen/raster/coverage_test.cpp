@@ -12,7 +12,9 @@ class Row {
   public:
     explicit Row(int width) : values_(static_cast<std::size_t>(width), -1) {}
 
-    void add(const Coverage<1>::Sum& difference) { sum_ += difference[0]; }
+    void add(const Coverage<1>::Sum& difference) {
+        sum_ += static_cast<std::int64_t>(difference[0]);
+    }
     void write(std::size_t from, std::size_t to) {
         for (std::size_t x = from; x < to; ++x) {
             EXPECT_EQ(values_.at(x), -1) << "written twice: " << x;
@@ -118,7 +120,7 @@ TEST(Coverage, OrderDoesNotMatter) {
     struct Sums {
         void add(const Coverage<3>::Sum& difference) { differences.push_back(difference); }
         void write(std::size_t from, std::size_t to) {
-            differences.push_back({0, 0, std::int64_t(to - from)});
+            differences.push_back({0, 0, static_cast<double>(to - from)});
         }
         std::vector<Coverage<3>::Sum> differences;
     };
