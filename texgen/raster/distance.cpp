@@ -14,8 +14,8 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr int kTile = RegionField::kTile;
-constexpr int kRowsPerBand = 4 * kTile;
+constexpr int kTileRows = RegionField::kTileRows;
+constexpr int kRowsPerBand = 8 * kTileRows;
 constexpr double kShortestSide = 1e-9;  // pixels; a shorter side has no direction to speak of
 constexpr int kFilmsPerTask = 4096;
 
@@ -118,7 +118,7 @@ class PixelRegions {
 struct Window {
     int column = 0;  // of its lower left pixel
     int row = 0;
-    int first_row = 0;  // of those in the mask, above `row`; a multiple of kTile
+    int first_row = 0;  // of those in the mask, above `row`; a multiple of kTileRows
 
     SubpixelPoint corner() const { return {column * kSubpixel, row * kSubpixel}; }
 };
@@ -163,7 +163,7 @@ class FieldPainter {
         }
     }
 
-    // A band begins at a multiple of kTile.
+    // A band begins at a multiple of kTileRows.
     void paint_around() {
         mask_.reset(field_.ids.width(), end_ - begin_);
         for (int row = begin_; row < end_; ++row) {
@@ -202,7 +202,7 @@ class FieldPainter {
         const int row = pixel_of(outline.lowest + translation.y);
         const int end_row = pixel_of(outline.highest + translation.y) + 1;
         const int wanted = std::max(begin_ - row, 0);
-        const int first_row = wanted / kTile * kTile;
+        const int first_row = wanted / kTileRows * kTileRows;
         mask_.reset(
             end_column - column, std::min(end_row, end_) - row - first_row, wanted - first_row);
         return {column, row, first_row};

@@ -90,10 +90,10 @@ void RegionField::take_sides(std::size_t begin) {
 }
 
 void RegionField::take_tile(const CellMask& mask, int first_row, int x, int y) {
-    const int column = x * kTile;
-    const int row = y * kTile;
-    batch_.clear(Vec2(column, first_row + row) + Vec2::Constant(0.5 * kTile));
-    for (int k = row; k < std::min(row + kTile, mask.rows()); ++k) {
+    const int column = x * kTileColumns;
+    const int row = y * kTileRows;
+    batch_.clear(Vec2(column + 0.5 * kTileColumns, first_row + row + 0.5 * kTileRows));
+    for (int k = row; k < std::min(row + kTileRows, mask.rows()); ++k) {
         for (unsigned pixels = mask.sixteen(x, k); pixels != 0;) {
             const int begin = std::countr_zero(pixels);
             const int count = std::countr_one(pixels >> begin);

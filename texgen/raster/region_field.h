@@ -24,7 +24,8 @@ class RegionField {
         Around,  // without smooth distances of its own
     };
 
-    static constexpr int kTile = 16;  // pixels
+    static constexpr int kTileColumns = 16;  // pixels
+    static constexpr int kTileRows = 8;
 
     void clear(Kind kind);
 
@@ -33,13 +34,13 @@ class RegionField {
     void close_boundary();
 
     /// Calls visit(batch) for batches of all pixels of the mask, measured. The mask's first row is
-    /// that of the region's pixels, a multiple of kTile.
+    /// that of the region's pixels, a multiple of kTileRows.
     template <class Visit>
     void measure(const CellMask& mask, int first_row, DistanceNeeds needs, const Visit& visit);
 
   private:
     // From the middle of a tile to the centre of its farthest pixel.
-    static constexpr double kReach = 7.5 * 1.4142135623730951;
+    static constexpr double kReach = 8.276472678623424;  // sqrt(7.5² + 3.5²)
     static constexpr std::size_t kFewSides = 24;
 
     struct Block {
@@ -74,8 +75,9 @@ void RegionField::measure(const CellMask& mask,
                           DistanceNeeds needs,
                           const Visit& visit) {
     const auto visit_tiles = [&](Block block) {
-        const int columns = std::min(block.tiles, (mask.columns() - 1) / kTile + 1 - block.x);
-        const int rows = std::min(block.tiles, (mask.rows() - 1) / kTile + 1 - block.y);
+        const int columns =
+            std::min(block.tiles, (mask.columns() - 1) / kTileColumns + 1 - block.x);
+        const int rows = std::min(block.tiles, (mask.rows() - 1) / kTileRows + 1 - block.y);
         for (int k = 0; k < rows * columns; ++k) {
             take_tile(mask, first_row, block.x + k % columns, block.y + k / columns);
             if (!batch_.is_empty()) {
@@ -86,7 +88,7 @@ void RegionField::measure(const CellMask& mask,
     };
     start();
     int tiles = 1;
-    while (tiles * kTile < std::max(mask.columns(), mask.rows())) {
+    while (tiles * kTileColumns < mask.columns() || tiles * kTileRows < mask.rows()) {
         tiles *= 2;
     }
     halve(mask, first_row, {0, 0, tiles}, 0, visit_tiles);
@@ -96,8 +98,9 @@ void RegionField::measure(const CellMask& mask,
 template <class Visit>
 void RegionField::halve(
     const CellMask& mask, int first_row, Block block, std::size_t begin, const Visit& visit) {
-    const int columns = std::min(mask.columns() - block.x * kTile, block.tiles * kTile);
-    const int rows = std::min(mask.rows() - block.y * kTile, block.tiles * kTile);
+    const int columns =
+        std::min(mask.columns() - block.x * kTileColumns, block.tiles * kTileColumns);
+    const int rows = std::min(mask.rows() - block.y * kTileRows, block.tiles * kTileRows);
     if (columns <= 0 || rows <= 0) {
         return;
     }
@@ -108,7 +111,7 @@ void RegionField::halve(
         return;
     }
     const Vec2 size(columns, rows);
-    const Vec2 corner(block.x * kTile, first_row + block.y * kTile);
+    const Vec2 corner(block.x * kTileColumns, first_row + block.y * kTileRows);
     narrow(begin, end, corner + 0.5 * size, 0.5 * size.norm());
     const int half = block.tiles / 2;
     for (const auto& [x, y] : {std::pair{0, 0}, {half, 0}, {0, half}, {half, half}}) {
