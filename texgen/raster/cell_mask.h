@@ -32,10 +32,6 @@ class CellMask {
             words_[row_begin(row) + static_cast<std::size_t>(k / 4)] >> (16 * (k % 4)));
     }
 
-    /// Calls visit(begin, end) for the runs of columns in a row.
-    template <class Visit>
-    void for_each_run(int row, const Visit& visit) const;
-
   private:
     static constexpr int kBits = 64;
 
@@ -44,7 +40,6 @@ class CellMask {
         return words_[row_begin(row) + static_cast<std::size_t>(column / kBits)];
     }
     static std::uint64_t bit(int column) { return std::uint64_t{1} << (column % kBits); }
-    int next_change(int row, int column) const;
     // The first row or column whose middle is at or beyond a place.
     static std::int32_t first_middle_from(std::int32_t subpixel) {
         return pixel_of(subpixel + kSubpixel / 2 - 1);
@@ -57,15 +52,5 @@ class CellMask {
     std::size_t stride_ = 0;  // words
     std::vector<std::uint64_t> words_;
 };
-
-template <class Visit>
-void CellMask::for_each_run(int row, const Visit& visit) const {
-    int column = (sixteen(0, row) & 1) != 0 ? 0 : next_change(row, 0);
-    while (column < columns_) {
-        const int end = next_change(row, column);
-        visit(column, end);
-        column = next_change(row, end);
-    }
-}
 
 }  // namespace foam::texgen

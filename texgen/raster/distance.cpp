@@ -174,7 +174,7 @@ class FieldPainter {
                 }
             }
         }
-        measure(around_, {0, 0, begin_});
+        measure(around_, {0, 0, begin_}, ghost());
     }
 
     void paint_bubble(const Outline& outline, SubpixelPoint translation) {
@@ -184,9 +184,8 @@ class FieldPainter {
         }
         const SubpixelPoint up{0, window.first_row * kSubpixel};
         mask_.fill(cells_.chain(outline), translation - window.corner() - up);
-        write_ids(window, static_cast<std::uint32_t>(index_of(outline.bubble)));
         regions_.place(outline, translation, window.corner(), bubble_);
-        measure(bubble_, window);
+        measure(bubble_, window, static_cast<std::uint32_t>(index_of(outline.bubble)));
     }
 
     // Around an outline, with an empty mask of those of its rows that are in the band.
@@ -208,41 +207,10 @@ class FieldPainter {
         return {column, row, first_row};
     }
 
-    // Calls write(x, begin, end) for the pieces of a run of the window's columns, with the column
-    // of the image that `begin` is in.
-    template <class Write>
-    void wrapped(int column, int count, const Write& write) const {
-        int x = wrap(column, field_.ids.width());
-        for (int done = 0; done < count;) {
-            const int piece = std::min(count - done, field_.ids.width() - x);
-            write(x, done, piece);
-            done += piece;
-            x = 0;
-        }
-    }
-
-    void write_ids(const Window& window, std::uint32_t id) {
-        for (int row = 0; row < mask_.rows(); ++row) {
-            mask_.for_each_run(row, [&](int begin, int end) {
-                const auto ids = field_.ids.row(window.row + window.first_row + row);
-                wrapped(window.column + begin, end - begin, [&](int x, int, int count) {
-                    std::fill_n(&ids[static_cast<std::size_t>(x)], count, id);
-                });
-            });
-        }
-    }
-
-    void measure(RegionField& region, const Window& window) {
+    void measure(RegionField& region, const Window& window, std::uint32_t id) {
         region.measure(mask_, window.first_row, needs_, [&](const PixelBatch& batch) {
             for (const PixelBatch::Run& run : batch.runs()) {
-                const auto count = static_cast<int>(run.count);
-                wrapped(window.column + run.column, count, [&](int x, int done, int piece) {
-                    write_run(batch,
-                              {window.row + run.row,
-                               x,
-                               run.first + static_cast<std::size_t>(done),
-                               static_cast<std::size_t>(piece)});
-                });
+                write_run(batch, run, window, id);
             }
         });
     }
@@ -254,7 +222,26 @@ class FieldPainter {
         std::size_t count;
     };
 
-    void write_run(const PixelBatch& batch, const Pixels& at) {
+    // Around a torus in two pieces or more.
+    void write_run(const PixelBatch& batch,
+                   const PixelBatch::Run& run,
+                   const Window& window,
+                   std::uint32_t id) {
+        const auto width = static_cast<std::size_t>(field_.ids.width());
+        Pixels at{window.row + run.row,
+                  wrap(window.column + run.column, field_.ids.width()),
+                  run.first,
+                  run.count};
+        for (std::size_t left = run.count; left > 0; left -= at.count) {
+            at.count = std::min(left, width - static_cast<std::size_t>(at.x));
+            write_pixels(batch, at, id);
+            at.first += at.count;
+            at.x = 0;
+        }
+    }
+
+    void write_pixels(const PixelBatch& batch, const Pixels& at, std::uint32_t id) {
+        std::fill_n(field_.ids.pixel(at.x, at.row).data(), at.count, id);
         write(batch.distance(), at, field_.distance);
         if (needs_.gradient) {
             write(batch.gradient_x(), batch.gradient_y(), at, field_.gradient);

@@ -142,6 +142,9 @@ class RowWriter {
     }
 
     void write(std::size_t from, std::size_t to) {
+        if (to - from >= 2 * kBlockPixels) {
+            from = write_blocks(from, to);
+        }
         const auto word = static_cast<Word>(pixel_);
         for (std::size_t x = from; x < std::min(to, width_ - 1); ++x) {
             std::memcpy(row_ + x * Channels, &word, sizeof(word));
@@ -154,6 +157,21 @@ class RowWriter {
   private:
     static constexpr std::size_t kSlots = std::bit_ceil(Channels);
     using Word = UnsignedOfSize<kSlots * sizeof(Sample)>;
+    static constexpr std::size_t kBlockPixels = 8;
+
+    // Long stretches, several pixels at a stroke. Returns where it ended.
+    std::size_t write_blocks(std::size_t from, std::size_t to) {
+        std::array<Sample, kBlockPixels * Channels + kSlots - Channels> block{};
+        const auto word = static_cast<Word>(pixel_);
+        for (std::size_t k = 0; k < kBlockPixels; ++k) {
+            std::memcpy(&block[k * Channels], &word, sizeof(word));
+        }
+        for (; from + kBlockPixels <= to; from += kBlockPixels) {
+            std::memcpy(
+                row_ + from * Channels, block.data(), kBlockPixels * Channels * sizeof(Sample));
+        }
+        return from;
+    }
 
     // Where a channel stands in the word so that it is the c-th in memory.
     static constexpr std::size_t shift(std::size_t c) {

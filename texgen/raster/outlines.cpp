@@ -3,8 +3,10 @@
 #include "texgen/raster/flatten.h"
 #include "texgen/raster/inset.h"
 #include "texgen/raster/outline_batch.h"
+#include "texgen/raster/parallel_for.h"
 #include "texgen/raster/patch_outlines.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -34,25 +36,42 @@ struct PixelFrame {
     }
 };
 
-// The inner points of all films, each relative to the tail of its forward side.
+// The points of a torus' junctions and films, each once. Those of a film are its inner ones,
+// relative to the tail of its forward side.
 class FilmChains {
   public:
-    explicit FilmChains(const PixelFrame& pixels) {
-        ends_.reserve(pixels.frame.network.film_slots());
-        for (const FilmId film : pixels.frame.network.films()) {
-            append_inner_points(pixels.arc(forward_side(film)), Vec2::Zero(), {}, points_);
-            ends_.push_back(points_.size());
+    FilmChains(const PixelFrame& pixels, int threads)
+        : ends_(pixels.frame.network.film_slots()),
+          tasks_((ends_.size() + kFilmsPerTask - 1) / kFilmsPerTask) {
+        junctions_.reserve(pixels.frame.positions.size());
+        for (const Vec2& position : pixels.frame.positions) {
+            junctions_.push_back(snap(pixels.grid, pixels.frame.torus, position));
         }
+        parallel_for(static_cast<int>(tasks_.size()), threads, [&](int task) {
+            const std::size_t begin = static_cast<std::size_t>(task) * kFilmsPerTask;
+            std::vector<SubpixelPoint>& points = tasks_[static_cast<std::size_t>(task)];
+            for (std::size_t k = begin; k < std::min(begin + kFilmsPerTask, ends_.size()); ++k) {
+                const HalfEdgeId side = forward_side(id_at<FilmId>(k));
+                append_inner_points(pixels.arc(side), Vec2::Zero(), {}, points);
+                ends_[k] = points.size();
+            }
+        });
     }
 
+    SubpixelPoint junction(JunctionId junction) const { return junctions_[index_of(junction)]; }
+
     std::span<const SubpixelPoint> of(FilmId film) const {
-        const std::size_t begin = index_of(film) == 0 ? 0 : ends_[index_of(film) - 1];
-        return std::span(points_).subspan(begin, ends_[index_of(film)] - begin);
+        const std::size_t k = index_of(film);
+        const std::size_t begin = k % kFilmsPerTask == 0 ? 0 : ends_[k - 1];
+        return std::span(tasks_[k / kFilmsPerTask]).subspan(begin, ends_[k] - begin);
     }
 
   private:
-    std::vector<SubpixelPoint> points_;
-    std::vector<std::size_t> ends_;
+    static constexpr std::size_t kFilmsPerTask = 2048;
+
+    std::vector<SubpixelPoint> junctions_;
+    std::vector<std::size_t> ends_;  // of each film's points among those of its task
+    std::vector<std::vector<SubpixelPoint>> tasks_;
 };
 
 // Outlines of bubbles whose films have no width: the films' own chains, the same on both sides.
@@ -65,18 +84,22 @@ class SharedOutliner {
         const Network& network = pixels_.frame.network;
         const std::size_t first_point = batch.points.size();
         LatticeOffset lift;
-        for (const HalfEdgeId h : network.around(bubble)) {
-            const SubpixelPoint tail = lifted(network.tail(h), lift);
+        HalfEdgeId h = network.first(bubble);
+        SubpixelPoint tail = lifted(network.tail(h), lift);
+        do {
             lift = lift + network.offset(h);
+            const SubpixelPoint head = lifted(network.head(h), lift);
             batch.points.push_back(tail);
-            append_side(h, tail, lifted(network.head(h), lift), batch.points);
-        }
+            append_side(h, tail, head, batch.points);
+            tail = head;
+            h = network.next(h);
+        } while (h != network.first(bubble));
         close_outline(batch, bubble, first_point);
     }
 
   private:
     SubpixelPoint lifted(JunctionId junction, LatticeOffset lift) const {
-        return pixels_.junction(junction) + pixels_.translation(lift);
+        return chains_.junction(junction) + pixels_.translation(lift);
     }
 
     void append_side(HalfEdgeId h,
@@ -155,7 +178,7 @@ class InsetOutliner {
 };
 
 CellOutlines shared_outlines(const PixelFrame& pixels, int threads) {
-    const FilmChains chains(pixels);
+    const FilmChains chains(pixels, threads);
     const std::size_t bubbles = pixels.frame.network.bubble_slots();
     return outline_all(pixels.grid, bubbles, SharedOutliner(pixels, chains), threads);
 }

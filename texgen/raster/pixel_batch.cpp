@@ -51,18 +51,6 @@ void PixelBatch::clear(const Vec2& middle) {
     run_count_ = 0;
 }
 
-void PixelBatch::add_run(int column, int row, int count) {
-    const auto size = static_cast<std::size_t>(count);
-    runs_[run_count_++] = {column, row, count_, size};
-    const auto x = static_cast<float>(column + 0.5 - middle_.x());
-    const auto y = static_cast<float>(row + 0.5 - middle_.y());
-    for (std::size_t k = 0; k < size; ++k) {
-        x_[count_ + k] = x + static_cast<float>(k);
-        y_[count_ + k] = y;
-    }
-    count_ += size;
-}
-
 void PixelBatch::begin() {
     padded_ = (count_ + kLanes - 1) / kLanes * kLanes;
     for (std::size_t k = count_; k < padded_; ++k) {

@@ -43,7 +43,17 @@ class PixelBatch {
     /// Begins anew, with no pixels; the middle lies at whole or half pixels.
     void clear(const Vec2& middle);
     /// Precondition: there is room.
-    void add_run(int column, int row, int count);
+    void add_run(int column, int row, int count) {
+        const auto size = static_cast<std::size_t>(count);
+        runs_[run_count_++] = {column, row, count_, size};
+        const auto x = static_cast<float>(column + 0.5 - middle_.x());
+        const auto y = static_cast<float>(row + 0.5 - middle_.y());
+        for (std::size_t k = 0; k < size; ++k) {
+            x_[count_ + k] = x + static_cast<float>(k);
+            y_[count_ + k] = y;
+        }
+        count_ += size;
+    }
 
     const Vec2& middle() const { return middle_; }
     std::span<const Run> runs() const { return std::span(runs_).first(run_count_); }
