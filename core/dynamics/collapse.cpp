@@ -34,11 +34,22 @@ void share_out(Foam& foam, double gas, const std::vector<BubbleId>& neighbours) 
     }
 }
 
+// Where its first side is: it is small.
+void note_t2(Foam& foam, BubbleId bubble) {
+    std::vector<BubbleId> bubbles{bubble};
+    for (const HalfEdgeId h : foam.network.around(bubble)) {
+        bubbles.push_back(foam.network.right(h));
+    }
+    const FilmId film = film_of(foam.network.first(bubble));
+    note_event(foam, TopologyEventKind::T2, middle_of(foam, film), bubbles);
+}
+
 void apply_t2(Foam& foam, BubbleId bubble) {
     if (foam.network.sides(bubble) == 3) {
         move_to_mean(foam, bubble);
     }
     const double gas = foam.target_areas[bubble];
+    note_t2(foam, bubble);
     const Vanished vanished = vanish(foam.network, bubble);
     share_out(foam, gas, vanished.neighbours);
     if (vanished.film != kNone<FilmId>) {
@@ -63,6 +74,7 @@ void vanish_from_raft_of_two(Foam& foam, BubbleId bubble, FilmId film) {
     const bool is_left = foam.network.left(h) == bubble;
     const BubbleId other = is_left ? foam.network.right(h) : foam.network.left(h);
     const BubbleIdentity gone = foam.identities[bubble];
+    note_t2(foam, bubble);
     foam.target_areas[other] += 0.5 * foam.target_areas[bubble];
     tear_film(foam, film);
     std::erase_if(foam.lone_bubbles, [&](const LoneBubble& b) { return b.identity == gone; });
@@ -150,9 +162,8 @@ TopologyCounts collapse_due(Foam& foam, const TopologyThresholds& thresholds) {
             collapse_or_keep(foam, bubble, least, counts);
         }
     }
-    counts.t2 += static_cast<int>(std::erase_if(foam.lone_bubbles, [&](const LoneBubble& bubble) {
-        return bubble.target_area <= thresholds.t2_area;
-    }));
+    counts.t2 += collapse_lone(
+        foam, [&](const LoneBubble& bubble) { return bubble.target_area <= thresholds.t2_area; });
     // The debts of those that vanished with a negative target can starve the ones that had enough.
     for (int before = -1; counts.t2 != before;) {
         before = counts.t2;

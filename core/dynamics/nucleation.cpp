@@ -78,6 +78,13 @@ void cut_film(Foam& foam, HalfEdgeId h, double whole_half_angle, double part_lef
     }
 }
 
+// The bubble takes part of the place of those around it.
+void note_birth(Foam& foam, BubbleId bubble, const Vec2& place, const std::set<BubbleId>& around) {
+    std::vector<BubbleId> bubbles{bubble};
+    bubbles.insert(bubbles.end(), around.begin(), around.end());
+    note_event(foam, TopologyEventKind::Birth, place, bubbles);
+}
+
 void fit_films_around(Foam& foam, BubbleId bubble) {
     for (const HalfEdgeId h : foam.network.around(bubble)) {
         fit_half_angle(foam, film_of(h));
@@ -104,8 +111,10 @@ std::optional<BubbleId> nucleate_at_junction(Foam& foam, JunctionId junction, do
         return std::nullopt;
     }
     const double pressure = mean_pressure(foam, around) + foam.film_tension / side;
+    const Vec2 middle = foam.positions[junction];
     const BubbleId bubble = insert_triangle(foam.network, junction);
     complete(foam, area, pressure);
+    note_birth(foam, bubble, middle, around);
     const std::vector<HalfEdgeId> loop = foam.network.around(bubble);
     for (std::size_t k = 0; k < 3; ++k) {
         place_junction(foam, foam.network.tail(loop[k]), corners[k]);
@@ -129,6 +138,7 @@ std::optional<BubbleId> nucleate_on_film(Foam& foam, FilmId film, double area) {
         mean_pressure(foam, beside) + std::numbers::sqrt3 * foam.film_tension / chord_length;
     const BubbleId bubble = insert_lens(foam.network, h);
     complete(foam, area, pressure);
+    note_birth(foam, bubble, tail + point_at(arc, 0.5), beside);
     const HalfEdgeId first = foam.network.first(bubble);
     place_junction(foam, foam.network.head(first), tail + point_at(arc, 0.5 - half));
     place_junction(foam, foam.network.tail(first), tail + point_at(arc, 0.5 + half));

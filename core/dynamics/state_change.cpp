@@ -112,10 +112,10 @@ TopologyCounts collapse_forced(Foam& foam, const StateChange& change) {
             collapse(foam, live.bubble, counts);
         }
     }
-    counts.t2 += static_cast<int>(std::erase_if(foam.lone_bubbles, [&](const LoneBubble& bubble) {
+    counts.t2 += collapse_lone(foam, [&](const LoneBubble& bubble) {
         const DrivenBubble* driven = find_driven(change, bubble.identity);
         return driven != nullptr && driven->vanishes;
-    }));
+    });
     return counts;
 }
 

@@ -119,6 +119,7 @@ void tear_film(Foam& foam, FilmId film) {
                                         torn_side(foam, site.before_right, site.after_right)};
     const std::array<BubbleId, 2> bubbles{foam.network.left(site.film),
                                           foam.network.right(site.film)};
+    note_t1(foam, film);
     split(foam.network, film);
     for (std::size_t k = 0; k < 2; ++k) {
         if (foam.network.is_live(bubbles[k])) {
@@ -153,6 +154,11 @@ bool close_hole(Foam& foam, FilmId film) {
     for (const HalfEdgeId h : boundary) {
         mean += foam.positions[foam.network.tail(h)] / static_cast<double>(boundary.size());
     }
+    std::vector<BubbleId> bubbles;
+    for (const HalfEdgeId h : boundary) {
+        bubbles.push_back(foam.network.right(h));
+    }
+    note_event(foam, TopologyEventKind::T1, mean, bubbles);
     const Vanished vanished = close(foam.network, boundary);
     if (vanished.junction != kNone<JunctionId>) {
         place_junction(foam, vanished.junction, mean);

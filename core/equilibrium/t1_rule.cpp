@@ -86,11 +86,6 @@ bool shrink_hole(Foam& foam, FilmId film) {
     return flips;
 }
 
-Vec2 middle_of(const Foam& foam, FilmId film) {
-    const HalfEdgeId h = forward_side(film);
-    return foam.positions[foam.network.tail(h)] + 0.5 * chord(foam, h);
-}
-
 }  // namespace
 
 double t1_length(const Foam& foam, FilmId film, const TopologyThresholds& thresholds) {
@@ -112,6 +107,7 @@ bool flipped_pulls_apart(const Foam& foam, FilmId film, Tangents tangents) {
 void flip_film(Foam& foam, FilmId film) {
     const Vec2 right_to_left = turned_left(chord(foam, forward_side(film)));
     const Vec2 middle = middle_of(foam, film);
+    note_t1(foam, film);
     flip(foam.network, film);
     lay_film(foam, film, middle, -right_to_left);  // its tail is now on the left side
     fit_half_angle(foam, film);
@@ -124,6 +120,7 @@ bool reopen_film(Foam& foam, FilmId film, double length, Tangents tangents) {
     const bool flips =
         pull.flipped.squaredNorm() > pull.present.squaredNorm() && can_flip(foam.network, film);
     if (flips) {
+        note_t1(foam, film);
         flip(foam.network, film);
         foam.t1_armed[film] = 0;
     }

@@ -40,6 +40,11 @@ Vec2 chord(const Foam& foam, HalfEdgeId h) {
            foam.positions[network.tail(h)];
 }
 
+Vec2 middle_of(const Foam& foam, FilmId film) {
+    const HalfEdgeId h = forward_side(film);
+    return foam.positions[foam.network.tail(h)] + 0.5 * chord(foam, h);
+}
+
 double pressure_difference(const Foam& foam, HalfEdgeId h) {
     return foam.pressures[foam.network.left(h)] - foam.pressures[foam.network.right(h)];
 }

@@ -1,16 +1,13 @@
 #pragma once
 
+#include "core/foam/topology_event.h"
 #include "core/geometry/film_arc.h"
 #include "core/geometry/torus.h"
 #include "core/network/network.h"
 
-#include <cstdint>
 #include <vector>
 
 namespace foam {
-
-/// The number under which a bubble is known from its birth to its end; never used again.
-using BubbleIdentity = std::uint32_t;
 
 /// A bubble of a patch that touches no other: a circle, outside of the network.
 struct LoneBubble {
@@ -43,10 +40,16 @@ struct Foam {
     // of other films follow from the pressures, and have a place here without a meaning.
     Indexed<FilmId, double> half_angles;
     std::vector<LoneBubble> lone_bubbles;  // of a patch, by increasing identity
+    // Since they were last cleared, which is up to whoever reads them; in their order. No part of
+    // the physical state.
+    std::vector<TopologyEvent> events;
 };
 
 /// Head minus tail, around the torus.
 Vec2 chord(const Foam& foam, HalfEdgeId h);
+
+/// Of the film's chord, unwrapped from its forward tail.
+Vec2 middle_of(const Foam& foam, FilmId film);
 
 /// Pressure on the left less pressure on the right.
 double pressure_difference(const Foam& foam, HalfEdgeId h);

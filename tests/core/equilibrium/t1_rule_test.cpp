@@ -21,11 +21,6 @@ using test::is_valid;
 
 constexpr double kRounding = 1e-14;
 
-Vec2 middle_of(const Foam& foam, FilmId film) {
-    const HalfEdgeId h = forward_side(film);
-    return foam.positions[foam.network.tail(h)] + 0.5 * chord(foam, h);
-}
-
 // The difference of two points of the torus.
 double distance(const Torus& torus, const Vec2& a, const Vec2& b) {
     const Vec2 apart = a - b;
