@@ -2,14 +2,8 @@
 
 #include "texgen/bake/bounded_workers.h"
 #include "texgen/bake/file_pattern.h"
+#include "texgen/bake/map_files.h"
 #include "texgen/bake/simulate_frames.h"
-#include "texgen/image/file_io.h"
-#include "texgen/image/png.h"
-#include "texgen/maps/map.h"
-#include "texgen/maps/quantize.h"
-#include "texgen/preset/preset_io.h"
-
-#include <fmt/core.h>
 
 #include <algorithm>
 #include <chrono>
@@ -32,61 +26,25 @@ int thread_count(const BakeOptions& options) {
     return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-// What every file of a bake says about itself.
-PngMetadata metadata_of(const Preset& preset) {
-    return {.color = false,
-            .text = {{"Title", preset.description},
-                     {"Software", "foamtex " FOAMTEX_VERSION},
-                     {"Seed", fmt::format("{}", preset.seeding.seed)},
-                     {"Preset", to_toml(preset)}}};
-}
-
-NextFrames next_frames_for(const std::vector<std::string>& maps) {
-    const bool needed = std::any_of(maps.begin(), maps.end(), [](const std::string& name) {
-        return find_map(name).needs_next;
-    });
-    return needed ? NextFrames::HandedOut : NextFrames::LeftOut;
-}
-
 // Draws frames into files and tells of them; called from several threads.
 class FrameWriter {
   public:
     FrameWriter(const Preset& preset, int total, const ProgressCallback& on_progress)
-        : preset_(preset),
-          pattern_(preset.output.pattern),
-          metadata_(metadata_of(preset)),
-          on_progress_(on_progress) {
+        : image_(preset.image), files_(preset), on_progress_(on_progress) {
         progress_.total = total;
     }
 
-    std::vector<std::filesystem::path> paths(int frame) const {
-        std::vector<std::filesystem::path> all;
-        for (const std::string& map : preset_.image.maps) {
-            all.push_back(pattern_.path(preset_.name, map, frame));
-        }
-        return all;
-    }
+    const MapFiles& files() const { return files_; }
 
     void write(const SimulatedFrame& shown, const std::optional<View>& view) {
-        const RasterGrid grid{preset_.image.width, preset_.image.height, 0, 0, view};
-        FrameLayers layers({*shown.frame, *shown.record, shown.next.get()}, grid, 1);
-        for (const std::string& name : preset_.image.maps) {
-            const Map& map = find_map(name);
-            write_map(map, map.draw(layers, preset_.maps), shown.frame->number);
-        }
+        const RasterGrid grid{image_.width, image_.height, 0, 0, view};
+        FrameLayers layers(
+            {*shown.frame, *shown.record, shown.next.get(), files_.distance()}, grid, 1);
+        files_.write(layers, shown.frame->number);
         report(*shown.frame, shown.effort);
     }
 
   private:
-    void write_map(const Map& map, const MapImage& image, int frame) const {
-        const std::filesystem::path path = pattern_.path(preset_.name, map.name, frame);
-        const CodedImage coded = quantize(image, map.png_bits);
-        PngMetadata metadata = metadata_;
-        metadata.color = coded.color;
-        make_folders(path.parent_path());
-        write_png(path, std::get<Image<std::uint8_t>>(coded.codes).view(), metadata);
-    }
-
     void report(const Frame& frame, const FrameEffort& effort) {
         const std::scoped_lock lock(mutex_);
         ++progress_.done;
@@ -100,9 +58,8 @@ class FrameWriter {
         }
     }
 
-    const Preset& preset_;
-    FilePattern pattern_;
-    PngMetadata metadata_;
+    const ImageOptions& image_;
+    MapFiles files_;
     const ProgressCallback& on_progress_;
     std::mutex mutex_;
     BakeProgress progress_;
@@ -135,12 +92,13 @@ BakeSummary bake(const Preset& preset,
         }
         workers.submit([shown, view = simulation.view(), &writer] { writer.write(shown, view); });
     };
-    summary.outcome =
-        simulate_frames(simulation, options.frames, next_frames_for(preset.image.maps), visit);
+    const NextFrames next =
+        writer.files().needs_next() ? NextFrames::HandedOut : NextFrames::LeftOut;
+    summary.outcome = simulate_frames(simulation, options.frames, next, visit);
     workers.finish();
     for (const int frame : options.frames) {
         if (summary.outcome.status == RunStatus::Complete || frame < summary.outcome.failed_frame) {
-            const std::vector<std::filesystem::path> paths = writer.paths(frame);
+            const std::vector<std::filesystem::path> paths = writer.files().paths(frame);
             summary.files.insert(summary.files.end(), paths.begin(), paths.end());
         }
     }

@@ -4,19 +4,33 @@
 
 namespace foam::texgen {
 
+namespace {
+
+// Travelled by drift.
+Vec2 way(const Torus& torus, const LoopOptions& loop, double passed) {
+    return {passed * loop.drift[0] * torus.width, passed * loop.drift[1] * torus.height};
+}
+
+}  // namespace
+
 Foam posed(Foam foam, const LoopOptions& loop, double passed) {
     if (loop.kind == LoopKind::Shear) {
         shear(foam, -foam.torus.shear / foam.torus.height);
         foam.torus.shear = 0.0;  // but for rounding it is
     }
     if (loop.drift != std::array{0, 0}) {
-        const Vec2 by(passed * loop.drift[0] * foam.torus.width,
-                      passed * loop.drift[1] * foam.torus.height);
+        const Vec2 by = way(foam.torus, loop, passed);
         for (const JunctionId junction : foam.network.junctions()) {
             place_junction(foam, junction, foam.positions[junction] + by);
         }
     }
     return foam;
+}
+
+Vec2 posed(const Vec2& place, const Torus& torus, const LoopOptions& loop, double passed) {
+    const double sheared =
+        loop.kind == LoopKind::Shear ? torus.shear * place.y() / torus.height : 0.0;
+    return place - Vec2(sheared, 0.0) + way(torus, loop, passed);
 }
 
 int shown_frame(int number, const LoopOptions& loop, int count) {

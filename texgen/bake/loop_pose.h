@@ -11,6 +11,9 @@ namespace foam::texgen {
 /// strain.
 Foam posed(Foam foam, const LoopOptions& loop, double passed);
 
+/// Where a place of that foam, which is on a torus as given, is then; in the plane.
+Vec2 posed(const Vec2& place, const Torus& torus, const LoopOptions& loop, double passed);
+
 /// The frame of the simulation that a frame of the animation shows: of a pingpong of `count` frames
 /// it comes back from the middle, of all else it is the same.
 int shown_frame(int number, const LoopOptions& loop, int count);

@@ -3,9 +3,6 @@
 #include "core/foam/measure.h"
 #include "texgen/bake/loop_pose.h"
 #include "texgen/bake/seed.h"
-#include "texgen/maps/albedo.h"
-
-#include <algorithm>
 
 namespace foam::texgen {
 
@@ -40,10 +37,17 @@ Simulation::Simulation(const Preset& preset, int threads)
       options_(step_options_of(preset, threads)),
       foam_(seeded_foam(preset)),
       timeline_(preset),
+      history_(foam_),
       seed_(preset.seeding.seed) {}
 
 bool Simulation::advance() {
     ++number_;
+    const bool found = reach_frame();
+    history_.take_events(foam_, number_);
+    return found;
+}
+
+bool Simulation::reach_frame() {
     if (number_ == 1) {
         return reach_first_frame();
     }
@@ -68,6 +72,8 @@ bool Simulation::reach_first_frame() {
     } else if (!settle()) {
         return false;
     }
+    history_.take_events(foam_, number_);
+    history_.forget_events();
     if (foam_.torus.is_plane()) {
         view_ = camera_view(frame(), image_, camera_);
         timeline_.set_view(*view_);
@@ -83,8 +89,19 @@ Frame Simulation::frame() const {
     if (!loop_.is_cycle() && loop_.kind != LoopKind::Drift) {
         return snapshot(foam_, number_);
     }
-    const int place = (number_ - 1) % frames_.count;
-    return snapshot(posed(foam_, loop_, static_cast<double>(place) / frames_.count), number_);
+    return snapshot(posed(foam_, loop_, passed()), number_);
+}
+
+FoamRecord Simulation::record() const {
+    FoamRecord record = history_.record();
+    for (RecordedEvent& event : record.events) {
+        event.place = posed(event.place, foam_.torus, loop_, passed());
+    }
+    return record;
+}
+
+double Simulation::passed() const {
+    return static_cast<double>((number_ - 1) % frames_.count) / frames_.count;
 }
 
 // Cycles until one ends where it began.
@@ -93,8 +110,10 @@ bool Simulation::close_loop() {
     bool found = step_cycle(0);
     for (int cycle = 0; cycle < loop_.cycles && found; ++cycle) {
         const Foam start = foam_;
+        history_.renumber(-frames_.count);
         for (int place = 1; place <= frames_.count && found; ++place) {
             found = step_cycle(place);
+            history_.take_events(foam_, 1 + place - frames_.count);
         }
         closing_error_ = foam::closing_error(start, foam_);
         if (found && *closing_error_ < kClosed) {
@@ -130,13 +149,8 @@ bool Simulation::settle() {
     if (!equilibrium_.converged() || !step_by(frames_.warm_up, {})) {
         return false;
     }
-    record_first_pressures();
+    history_.take_pressures(foam_);
     return true;
-}
-
-void Simulation::record_first_pressures() {
-    record_.first_pressures = pressures_of(frame(), PressureUnit::Current);
-    std::sort(record_.first_pressures.begin(), record_.first_pressures.end());
 }
 
 bool Simulation::step_by(double time, const StateChange& change) {

@@ -4,8 +4,8 @@
 #include "core/dynamics/step.h"
 #include "core/foam/frame.h"
 #include "texgen/bake/camera.h"
+#include "texgen/bake/history.h"
 #include "texgen/bake/timeline.h"
-#include "texgen/maps/foam_record.h"
 #include "texgen/preset/preset.h"
 
 #include <optional>
@@ -39,7 +39,7 @@ class Simulation {
     const std::optional<View>& view() const { return view_; }
 
     /// What the maps of the frame that was reached need to know of those before it.
-    const FoamRecord& record() const { return record_; }
+    FoamRecord record() const;
 
     /// Number of the frame that was reached; 0 before the first.
     int number() const { return number_; }
@@ -48,13 +48,14 @@ class Simulation {
     const EquilibriumSummary& equilibrium() const { return equilibrium_; }
 
   private:
+    bool reach_frame();
     bool reach_first_frame();
     void measure_diagram();
     bool settle();  // equilibrium and the warm-up
     bool close_loop();
     bool step_cycle(int place);
+    double passed() const;  // of a loop, the part of it before the frame that was reached
     void add_effort(const EquilibriumSummary& before);
-    void record_first_pressures();
     bool step_by(double time, const StateChange& change);  // adds to what equilibrium_ counts
 
     FramesOptions frames_;
@@ -65,11 +66,11 @@ class Simulation {
     StepOptions options_;
     Foam foam_;
     Timeline timeline_;
+    History history_;
     std::uint64_t seed_;
     std::optional<Cycle> cycle_;
     std::optional<double> closing_error_;
     std::optional<View> view_;
-    FoamRecord record_;
     int number_ = 0;
     EquilibriumSummary equilibrium_;
 };

@@ -31,6 +31,7 @@ Keys for --set: foamtex presets keys)";
 struct BakeArguments {
     RunArguments run;
     std::optional<std::string> maps;
+    std::optional<std::string> normal_y;
     std::optional<std::string> out;
     bool stats = false;
 };
@@ -49,6 +50,10 @@ std::vector<Assignment> image_assignments_of(const BakeArguments& arguments) {
     if (arguments.maps) {
         assignments.push_back(
             {"--maps " + *arguments.maps, "image.maps", list_value(*arguments.maps)});
+    }
+    if (arguments.normal_y) {
+        assignments.push_back(
+            {"--normal-y " + *arguments.normal_y, "normal.y", {*arguments.normal_y}});
     }
     if (arguments.out) {
         assignments.push_back({"--out " + *arguments.out, "output.pattern", {*arguments.out}});
@@ -103,6 +108,8 @@ ExitCode run_bake(const BakeArguments& arguments) {
 
 void add_image_options(CLI::App& command, BakeArguments& arguments) {
     command.add_option("--maps", arguments.maps, "Maps to draw, with commas")->option_text("A,B");
+    command.add_option("--normal-y", arguments.normal_y, "Green of normals: gl (up), dx (down)")
+        ->option_text("gl|dx");
     command.add_option("--out", arguments.out, "File names; {preset} {map} #### are filled in")
         ->option_text("PATTERN");
     command.add_flag("--stats", arguments.stats, "Statistics too, in {preset}_stats beside")

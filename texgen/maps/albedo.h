@@ -2,14 +2,16 @@
 
 #include "core/foam/frame.h"
 #include "texgen/image/image.h"
-#include "texgen/maps/frame_layers.h"
 #include "texgen/maps/map_image.h"
+#include "texgen/raster/raster_grid.h"
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
 namespace foam::texgen {
+
+class FrameLayers;
 
 /// What a pressure is measured in before the colour map is applied.
 enum class PressureUnit {

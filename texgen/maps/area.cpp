@@ -1,14 +1,12 @@
 #include "texgen/maps/area.h"
 
-#include "core/foam/statistics.h"
 #include "texgen/maps/cell_fill.h"
 
 namespace foam::texgen {
 
 NumberPixels draw_area(FrameLayers& layers, const AreaOptions& options) {
     const Frame& frame = layers.frame();
-    const double mean = mean_area(frame);
-    const double unit = options.unit == AreaUnit::Current && mean > 0.0 ? mean : 1.0;
+    const double unit = area_of(options.unit, frame);
     const auto areas = per_bubble<double>(
         frame,
         [&](BubbleId bubble) { return frame.bubbles[bubble].area / unit; },

@@ -1,15 +1,14 @@
 #pragma once
 
-#include "texgen/maps/frame_layers.h"
 #include "texgen/maps/map_image.h"
+#include "texgen/maps/mean_bubble.h"
 
 namespace foam::texgen {
 
-/// What areas are measured in: the mean area of the seeded foam, which is 1, or that of the frame.
-enum class AreaUnit { Seed, Current };
+class FrameLayers;
 
 struct AreaOptions {
-    AreaUnit unit = AreaUnit::Current;
+    MeanBubble unit = MeanBubble::Current;
     double full = 4.0;  // what the largest code of a PNG stands for, in the unit
 };
 

@@ -141,6 +141,15 @@ Image<float> fill_numbers(FrameLayers& layers, const PerBubble<double>& bubbles)
     return fill_numbers(layers, {bubbles, film}, 0.0);
 }
 
+IdPixels paint_ids(FrameLayers& layers, const PerBubble<std::uint32_t>& ids) {
+    const std::vector<std::uint32_t> by_id = by_cell_id(layers, ids, 0U);
+    IdPixels image{layers.distance().ids};
+    for (std::uint32_t& id : image.pixels.samples()) {
+        id = by_id[id];
+    }
+    return image;
+}
+
 Image<float> fill_cover(FrameLayers& layers, Part part, double film_width) {
     const std::uint16_t cell = part == Part::Foam ? kWhole : 0;
     const std::size_t count = layers.frame().bubbles.size() + layers.frame().lone_bubbles.size();

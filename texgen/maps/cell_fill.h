@@ -4,6 +4,8 @@
 #include "texgen/maps/frame_layers.h"
 #include "texgen/maps/map_image.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace foam::texgen {
@@ -49,6 +51,20 @@ Image<float> fill_numbers(FrameLayers& layers, const CellNumbers& numbers, doubl
 
 /// The same with films of no width.
 Image<float> fill_numbers(FrameLayers& layers, const PerBubble<double>& bubbles);
+
+/// Values by the ids of a DistanceField: those of bubbles, with that of what is around a patch in
+/// between.
+template <class Value>
+std::vector<Value> by_cell_id(const FrameLayers& layers, PerBubble<Value> values, Value around) {
+    if (layers.is_patch()) {
+        const auto bubbles = static_cast<std::ptrdiff_t>(layers.frame().bubbles.size());
+        values.insert(values.begin() + bubbles, around);
+    }
+    return values;
+}
+
+/// Gives every pixel the integer of the bubble at its middle; 0 around a patch. One channel.
+IdPixels paint_ids(FrameLayers& layers, const PerBubble<std::uint32_t>& ids);
 
 enum class Part { Films, Foam };
 

@@ -1,9 +1,25 @@
 #include "texgen/maps/frame_layers.h"
 
+#include <stdexcept>
+
 namespace foam::texgen {
 
 FrameLayers::FrameLayers(const FrameInput& input, const RasterGrid& grid, int threads)
     : input_(input), grid_(grid), threads_(threads) {}
+
+const Frame& FrameLayers::next() const {
+    if (input_.next == nullptr) {
+        throw std::invalid_argument("the map needs the next frame");
+    }
+    return *input_.next;
+}
+
+const DistanceField& FrameLayers::distance() {
+    if (!distance_) {
+        distance_ = distance_field(frame(), grid_, input_.distance, threads_);
+    }
+    return *distance_;
+}
 
 const CellOutlines& FrameLayers::outlines(double film_width) {
     const auto known = outlines_.find(film_width);

@@ -2,9 +2,11 @@
 
 #include "core/foam/frame.h"
 #include "texgen/maps/foam_record.h"
+#include "texgen/raster/distance.h"
 #include "texgen/raster/outlines.h"
 
 #include <map>
+#include <optional>
 
 namespace foam::texgen {
 
@@ -13,6 +15,7 @@ struct FrameInput {
     const Frame& frame;
     const FoamRecord& record;
     const Frame* next = nullptr;  // the frame after it, for maps that need one
+    DistanceNeeds distance{};     // what maps ask of distances, if they ask for any
 };
 
 /// A frame on a raster grid, and what its maps have in common: made when the first of them asks for
@@ -24,18 +27,24 @@ class FrameLayers {
 
     const Frame& frame() const { return input_.frame; }
     const FoamRecord& record() const { return input_.record; }
+    /// Throws std::invalid_argument where there is none.
+    const Frame& next() const;
     const RasterGrid& grid() const { return grid_; }
     int threads() const { return threads_; }
     bool is_patch() const { return frame().torus.is_plane(); }
 
     /// Outlines for a width of films in pixels. Throws as outline_cells.
     const CellOutlines& outlines(double film_width);
+    const DistanceField& distance();
+    /// Whether an id of it stands for what is around a patch.
+    bool is_around(std::uint32_t id) const { return is_patch() && id == frame().bubbles.size(); }
 
   private:
     FrameInput input_;
     RasterGrid grid_;
     int threads_;
     std::map<double, CellOutlines> outlines_;
+    std::optional<DistanceField> distance_;
 };
 
 }  // namespace foam::texgen

@@ -1,6 +1,7 @@
 #include "texgen/maps/id_color.h"
 
 #include "texgen/maps/cell_fill.h"
+#include "texgen/maps/identity_number.h"
 
 #include <cmath>
 #include <numbers>
@@ -9,19 +10,10 @@ namespace foam::texgen {
 
 namespace {
 
-// The fractional parts of multiples of these are spread evenly, each for itself and both together:
-// inverse powers of the root of x³ = x + 1.
-constexpr double kHueStep = 0.7548776662466927;
-constexpr double kLightnessStep = 0.5698402909980532;
-
 // Every hue of these is within sRGB.
 constexpr double kDarkest = 0.59;
 constexpr double kLightest = 0.80;
 constexpr double kChroma = 0.10;
-
-double fraction(double x) {
-    return x - std::floor(x);
-}
 
 double cube(double x) {
     return x * x * x;
@@ -40,9 +32,9 @@ LinearRgb oklab_to_linear(double lightness, double a, double b) {
 }  // namespace
 
 LinearRgb identity_color(BubbleIdentity identity) {
-    const double number = identity + 1.0;
-    const double hue = 2.0 * std::numbers::pi * fraction(number * kHueStep);
-    const double lightness = kDarkest + (kLightest - kDarkest) * fraction(number * kLightnessStep);
+    const double hue = 2.0 * std::numbers::pi * identity_number(identity, IdentityStream::First);
+    const double lightness =
+        std::lerp(kDarkest, kLightest, identity_number(identity, IdentityStream::Second));
     return oklab_to_linear(lightness, kChroma * std::cos(hue), kChroma * std::sin(hue));
 }
 

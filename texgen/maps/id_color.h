@@ -2,10 +2,11 @@
 
 #include "core/foam/foam.h"
 #include "texgen/image/color.h"
-#include "texgen/maps/frame_layers.h"
 #include "texgen/maps/map_image.h"
 
 namespace foam::texgen {
+
+class FrameLayers;
 
 /// The colour of a bubble, its own for life. Identities that follow each other have hues that lie
 /// far apart, and different lightnesses: a sequence of low discrepancy in OKLCh (Ottosson 2020),

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "texgen/image/png.h"
 #include "texgen/maps/frame_layers.h"
 #include "texgen/maps/map_image.h"
 #include "texgen/maps/map_options.h"
@@ -17,7 +18,11 @@ struct Map {
     std::string_view unit;      // of its values, and what a PNG's codes stand for
     std::string_view channels;  // of a torus, "R G B"; colours of a patch have A as well
     int png_bits = 8;           // of a sample
-    bool needs_next = false;    // whether it asks for the frame after the one it shows
+    PngFilter png_filter = PngFilter::None;  // none for flat cells, up for what is smooth
+    bool needs_next = false;                 // whether it asks for the frame after the one it shows
+    DistanceNeeds distance{};                // what it asks of distances
+    double around = 0.0;                     // in its last channel, around a patch
+    std::string (*note)(const MapOptions& options) = nullptr;  // for its files, beside the unit
     MapImage (*draw)(FrameLayers& layers, const MapOptions& options) = nullptr;
 };
 
@@ -29,6 +34,9 @@ std::span<const std::string_view> map_names();
 
 /// Throws std::invalid_argument that lists the names there are.
 const Map& find_map(std::string_view name);
+
+/// What several maps together ask of distances.
+DistanceNeeds distance_needs(std::span<const std::string> names);
 
 /// The table of all maps in Markdown, as the README shows it.
 std::string describe_maps_in_markdown();

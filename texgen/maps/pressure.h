@@ -1,12 +1,13 @@
 #pragma once
 
 #include "texgen/maps/albedo.h"
-#include "texgen/maps/frame_layers.h"
 #include "texgen/maps/map_image.h"
 
 #include <string>
 
 namespace foam::texgen {
+
+class FrameLayers;
 
 /// What a pressure becomes a number from 0 to 1 by.
 enum class PressureScaling {

@@ -42,13 +42,18 @@ template <class Code>
 Image<Code> number_codes(const NumberPixels& numbers) {
     constexpr double kLargest = std::numeric_limits<Code>::max();
     const double scale = kLargest / (numbers.high - numbers.low);
+    const auto code_of = [&](float number) {
+        const double code = (static_cast<double>(number) - numbers.low) * scale;
+        return code > 0.0 ? static_cast<Code>(std::min(code, kLargest) + 0.5) : Code{0};
+    };
     const Image<float>& from = numbers.pixels;
-    Image<Code> codes(from.width(), from.height(), from.channels());
-    std::transform(
-        from.samples().begin(), from.samples().end(), codes.samples().begin(), [&](float number) {
-            const double code = (number - numbers.low) * scale;
-            return code > 0.0 ? static_cast<Code>(std::min(code, kLargest) + 0.5) : Code{0};
-        });
+    const auto channels = static_cast<std::size_t>(from.channels());
+    Image<Code> codes(from.width(), from.height(), from.channels() == 2 ? 3 : from.channels());
+    auto to = codes.samples().begin();
+    for (auto pixel = from.samples(); !pixel.empty(); pixel = pixel.subspan(channels)) {
+        std::transform(pixel.begin(), pixel.begin() + from.channels(), to, code_of);
+        to += codes.channels();
+    }
     return codes;
 }
 

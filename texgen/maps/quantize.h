@@ -18,7 +18,8 @@ Image<std::uint8_t> srgb_codes(const ColorPixels& colors);
 
 /// A map as integers of 8 or 16 bits. Colours become srgb_codes, whatever the bits. Of numbers,
 /// `low` becomes 0 and `high` the largest code, what lies beyond these is held at them, and NaN
-/// becomes 0. Ids keep their lowest bits.
+/// becomes 0; two channels get a third one of 0, as PNG would take the second for an opacity.
+/// Ids keep their lowest bits.
 CodedImage quantize(const MapImage& map, int bits);
 
 }  // namespace foam::texgen

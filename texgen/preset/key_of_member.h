@@ -25,4 +25,12 @@ Key key(std::string_view path, Domain domain, std::string_view meaning, Members.
             [=](const Preset& preset) { return domain.write(at(preset, members...)); }};
 }
 
+/// Makes keys of the options of one map: path, domain, meaning, member.
+template <class Options>
+auto keys_in(Options MapOptions::*map) {
+    return [map](std::string_view path, const auto& domain, std::string_view meaning, auto member) {
+        return key(path, domain, meaning, &Preset::maps, map, member);
+    };
+}
+
 }  // namespace foam::texgen

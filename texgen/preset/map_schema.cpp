@@ -1,6 +1,7 @@
 #include "texgen/preset/map_schema.h"
 
 #include "texgen/image/colormap.h"
+#include "texgen/maps/foam_record.h"
 #include "texgen/preset/domain.h"
 #include "texgen/preset/key_of_member.h"
 #include "texgen/preset/refusal.h"
@@ -23,16 +24,10 @@ constexpr Choices<PressureScaling, 3> kPressureScalings = {
     {{{"range", PressureScaling::Range},
       {"percentile", PressureScaling::Percentile},
       {"rank", PressureScaling::Rank}}}};
-constexpr Choices<AreaUnit> kAreaUnits = {
-    {{{"seed", AreaUnit::Seed}, {"current", AreaUnit::Current}}}};
-
-// Makes keys of one map's options: path, domain, meaning, member.
-template <class Options>
-auto keys_in(Options MapOptions::*map) {
-    return [map](std::string_view path, const auto& domain, std::string_view meaning, auto member) {
-        return key(path, domain, meaning, &Preset::maps, map, member);
-    };
-}
+constexpr Choices<AgeSince> kAgeSince = {
+    {{{"birth", AgeSince::Birth}, {"change", AgeSince::Change}}}};
+constexpr Choices<MeanBubble> kMeanBubbles = {
+    {{{"seed", MeanBubble::Seed}, {"current", MeanBubble::Current}}}};
 
 std::span<const std::string_view> colormaps_and_none() {
     static const std::vector<std::string_view> words = [] {
@@ -113,13 +108,61 @@ std::vector<Key> area_keys() {
     using Options = AreaOptions;
     const auto one = keys_in(&MapOptions::area);
     return {one("area.unit",
-                kAreaUnits,
+                kMeanBubbles,
                 "mean area of the seeded foam or of this frame",
                 &Options::unit),
             one("area.full",
                 Reals{1e-3, 1e6},
                 "area that a PNG has as its largest code, in the unit",
                 &Options::full)};
+}
+
+std::vector<Key> roughness_keys() {
+    using Options = RoughnessOptions;
+    const auto one = keys_in(&MapOptions::roughness);
+    constexpr Reals kParts{0.0, 1.0};
+    return {one("roughness.cell", kParts, "of bubbles; 0 is a mirror", &Options::cell),
+            one("roughness.film", kParts, "of films, as wide as albedo.film_width", &Options::film),
+            one("roughness.variation",
+                kParts,
+                "width of the range around roughness.cell that bubbles have",
+                &Options::variation)};
+}
+
+std::vector<Key> age_keys() {
+    using Options = AgeOptions;
+    const auto one = keys_in(&MapOptions::age);
+    return {one("age.since",
+                kAgeSince,
+                "a bubble's birth, of the seeded ones at time 0, or when its neighbours last "
+                "changed",
+                &Options::since),
+            one("age.full",
+                Reals{1e-6, 1e9},
+                "age that a PNG has as its largest code, foam time",
+                &Options::full)};
+}
+
+std::vector<Key> growth_keys() {
+    const auto one = keys_in(&MapOptions::growth);
+    return {one("growth.full",
+                Reals{1e-9, 1e6},
+                "growth that a PNG has as its largest code, area per foam time; its negative is 0",
+                &GrowthOptions::full)};
+}
+
+// "event" is taken by what happens to the foam.
+std::vector<Key> event_map_keys() {
+    using Options = EventMapOptions;
+    const auto one = keys_in(&MapOptions::event_map);
+    return {one("event_map.radius",
+                Reals{0.01, 100.0},
+                "of the spots of map event, in diameters of a mean bubble of the seeded foam",
+                &Options::radius),
+            one("event_map.fade",
+                Integers{1, kRecordedFrames},
+                "frames until a spot is gone",
+                &Options::fade)};
 }
 
 // Two keys of which the one must be below the other.
@@ -149,7 +192,14 @@ void check_order(const OrderedKeys& keys, std::span<const Assignment> assignment
 
 std::vector<Key> map_keys() {
     std::vector<Key> all;
-    for (const auto& keys : {albedo_keys(), pressure_keys(), area_keys()}) {
+    for (const auto& keys : {albedo_keys(),
+                             pressure_keys(),
+                             area_keys(),
+                             roughness_keys(),
+                             age_keys(),
+                             growth_keys(),
+                             event_map_keys(),
+                             place_map_keys()}) {
         all.insert(all.end(), keys.begin(), keys.end());
     }
     return all;

@@ -11,6 +11,9 @@ namespace foam::texgen {
 /// The keys that say how maps are drawn: a table for every map that has some.
 std::vector<Key> map_keys();
 
+/// Those of them for maps of what is at a place, not of a whole bubble.
+std::vector<Key> place_map_keys();
+
 /// What ties keys of maps together: low ends are below high ends. Blames the assignments that were
 /// made last. Throws PresetError.
 void check_maps(const Preset& preset, std::span<const Assignment> assignments);

@@ -7,9 +7,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace foam::texgen {
@@ -92,7 +94,7 @@ TEST(Bake, WritesEveryMapOfAFrame) {
     std::vector<bool> colors;
     for (const std::filesystem::path& path : summary.files) {
         names.push_back(path.filename().string());
-        colors.push_back(read_png(path).metadata.color);
+        colors.push_back(read_png16(path).metadata.color);
     }
     EXPECT_EQ(names,
               (std::vector<std::string>{"small_film.0002.png",
@@ -139,6 +141,23 @@ TEST(Bake, FilesTellHowTheyWereMade) {
     EXPECT_EQ(text("Seed"), "12");
     EXPECT_EQ(text("Software"), "foamtex " FOAMTEX_VERSION);
     EXPECT_NE(text("Preset").find("bubbles = 40"), std::string::npos);
+}
+
+TEST(Bake, FilesOfMapsTellWhatTheirNumbersAre) {
+    const TemporaryFolder folder;
+    Preset preset = small_preset(folder.path());
+    preset.image.maps = {"normal", "height"};
+    preset.maps.normal.y = NormalY::Down;
+    const BakeSummary summary = bake(preset, {.frames = {1}, .threads = 1}, {});
+    const auto texts = read_png(summary.files.front()).metadata.text;
+    const auto has = [&](const std::string& key, const std::string& value) {
+        return std::find(texts.begin(), texts.end(), std::pair(key, value)) != texts.end();
+    };
+    EXPECT_TRUE(has("Map", "normal"));
+    EXPECT_TRUE(has("Note", "y down (DirectX)"));
+    EXPECT_TRUE(has("Unit", std::string(find_map("normal").unit)));
+    EXPECT_NO_THROW(read_png16(summary.files.back()));
+    EXPECT_THROW(read_png(summary.files.back()), InputError);  // 16 bits a sample
 }
 
 TEST(Bake, TellsItsProgressOnceAFrame) {

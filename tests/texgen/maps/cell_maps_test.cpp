@@ -1,4 +1,5 @@
 // Maps that have one value per bubble, and masks: values by hand.
+#include "core/dynamics/step.h"
 #include "core/foam/honeycomb.h"
 #include "tests/support/raster_frames.h"
 #include "tests/texgen/maps/map_subjects.h"
@@ -6,11 +7,15 @@
 #include "texgen/maps/film.h"
 #include "texgen/maps/id_color.h"
 #include "texgen/maps/opacity.h"
+#include "texgen/maps/sides.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace foam::texgen {
 namespace {
@@ -85,9 +90,92 @@ TEST(CellMaps, AreaIsInMeanAreas) {
     const auto at_middle = [&](const AreaOptions& options) {
         return draw_area(circle.layers, options).pixels.pixel(32, 32)[0];
     };
-    EXPECT_NEAR(at_middle({.unit = AreaUnit::Seed}), std::numbers::pi, 1e-6);
-    EXPECT_NEAR(at_middle({.unit = AreaUnit::Current}), 1.0, 1e-6);
+    EXPECT_NEAR(at_middle({.unit = MeanBubble::Seed}), std::numbers::pi, 1e-6);
+    EXPECT_NEAR(at_middle({.unit = MeanBubble::Current}), 1.0, 1e-6);
     EXPECT_EQ(draw_area(circle.layers, {.full = 9.0}).high, 9.0);
+}
+
+TEST(CellMaps, AgeIsSinceBirthOrChange) {
+    Circle circle;
+    circle.frame.time = 10.0;
+    circle.record.births.assign(8, 4.0);
+    circle.record.changes.assign(8, 9.0);
+    const auto at_middle = [&](const AgeOptions& options) {
+        return draw_age(circle.layers, options).pixels.pixel(32, 32)[0];
+    };
+    EXPECT_NEAR(at_middle({}), 6.0, 1e-6);
+    EXPECT_NEAR(at_middle({.since = AgeSince::Change}), 1.0, 1e-6);
+    circle.record.changes[7] = 0.0;  // before it was born
+    EXPECT_NEAR(at_middle({.since = AgeSince::Change}), 6.0, 1e-6);
+}
+
+// From pi to pi + 0.5 in a time of 2; then it is gone.
+TEST(CellMaps, GrowthIsTheChangeOverTheTime) {
+    const Circle circle;
+    Frame next = snapshot(foam::test::circles({{7, {0.1, 0.0}, std::numbers::pi + 0.5}}), 2);
+    next.time = 2.0;
+    const auto at_middle = [&] {
+        FrameLayers layers({circle.frame, circle.record, &next}, circle.layers.grid(), 1);
+        return draw_growth(layers, {}).pixels.pixel(32, 32)[0];
+    };
+    EXPECT_NEAR(at_middle(), 0.25, 1e-6);
+    next.lone_bubbles.clear();
+    EXPECT_NEAR(at_middle(), -0.5 * std::numbers::pi, 1e-6);
+    next.time = 0.0;
+    EXPECT_EQ(at_middle(), 0.0F);
+}
+
+// Without T1 and T2 between two frames every area follows von Neumann's law (E6).
+TEST(CellMaps, GrowthIsVonNeumannsLaw) {
+    Foam foam = foam::test::polydisperse_foam(24, 5);
+    const Frame frame = snapshot(foam, 1);
+    foam.events.clear();
+    step(foam, 1e-3, {});
+    ASSERT_TRUE(foam.events.empty());
+    const Frame next = snapshot(foam, 2);
+    const FoamRecord record;
+    FrameLayers layers({frame, record, &next}, {64, 64}, 1);
+    const NumberPixels growth = draw_growth(layers, {});
+    FrameLayers again({frame, record}, {64, 64}, 1);
+    const IdPixels sides = draw_sides(again);
+    const double rate = std::numbers::pi / 3.0 * frame.film_tension * CoarseningOptions{}.kappa;
+    int checked = 0;
+    for (int x = 2; x < 62; ++x) {
+        const auto near = {sides.pixels.pixel(x - 2, 20)[0], sides.pixels.pixel(x + 2, 20)[0]};
+        const std::uint32_t here = sides.pixels.pixel(x, 20)[0];
+        if (std::all_of(near.begin(), near.end(), [&](std::uint32_t n) { return n == here; })) {
+            EXPECT_NEAR(growth.pixels.pixel(x, 20)[0], rate * (double(here) - 6.0), 1e-4);
+            ++checked;
+        }
+    }
+    EXPECT_GT(checked, 20);
+}
+
+// A spot of radius 8 pixels in its third frame of 4: half as high; (1 - 1/4)² of it half way out.
+TEST(CellMaps, ASpotFadesInTimeAndSpace) {
+    Circle circle;
+    circle.record.frame = 5;
+    circle.record.events = {{TopologyEventKind::T2, 3, {0.025, 0.025}},
+                            {TopologyEventKind::T1, 1, {0.025, 0.025}}};
+    const double diameter = 2.0 * std::numbers::inv_sqrtpi;
+    const NumberPixels image =
+        draw_event(circle.layers, {.radius = 8.0 / (20.0 * diameter), .fade = 4});
+    EXPECT_EQ(image.pixels.pixel(32, 32)[1], 0.5F);
+    EXPECT_NEAR(image.pixels.pixel(36, 32)[1], 0.5 * 0.5625, 1e-6);
+    EXPECT_EQ(image.pixels.pixel(32, 41)[1], 0.0F);
+    EXPECT_EQ(image.pixels.pixel(32, 32)[0], 0.0F);  // over
+    EXPECT_EQ(image.pixels.pixel(32, 32)[2], 0.0F);
+}
+
+TEST(CellMaps, RoughnessIsThatOfCellsAndFilms) {
+    Circle circle;
+    const auto at = [&](int x, const RoughnessOptions& options) {
+        return draw_roughness(circle.layers, options, films_of(4.0)).pixels.pixel(x, 32)[0];
+    };
+    EXPECT_NEAR(at(32, {.cell = 0.3, .film = 0.6, .variation = 0.0}), 0.3, 1e-5);
+    EXPECT_NEAR(at(51, {.cell = 0.3, .film = 0.6, .variation = 0.0}), 0.6, 1e-5);
+    EXPECT_NEAR(at(32, {.cell = 0.3, .film = 0.6, .variation = 0.2}), 0.3, 0.1);
+    EXPECT_EQ(at(1, {}), 0.0F);
 }
 
 TEST(CellMaps, ARangeOfPressuresIsMeasured) {

@@ -43,6 +43,12 @@ TEST(Quantize, NumbersBeyondTheEndsAreHeldAtThem) {
     EXPECT_EQ(codes_of<std::uint8_t>(numbers, 8), (std::vector<std::uint8_t>{0, 255, 0, 255, 0}));
 }
 
+TEST(Quantize, TwoChannelsGetAThird) {
+    const auto numbers = row_of<NumberPixels>(std::vector<float>{0.0F, 1.0F, 1.0F, 0.2F}, 2);
+    EXPECT_EQ(codes_of<std::uint8_t>(numbers, 8),
+              (std::vector<std::uint8_t>{0, 255, 0, 255, 51, 0}));
+}
+
 TEST(Quantize, ColoursAreSrgbAndOpacityIsNot) {
     // Light 0.5 is code 188 of sRGB; opacity 0.5 is code 128.
     const auto colors = row_of<ColorPixels>(std::vector<std::uint16_t>{0, 32768, 65535, 32768}, 4);

@@ -10,6 +10,7 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace foam::texgen {
 namespace {
@@ -83,7 +84,49 @@ INSTANTIATE_TEST_SUITE_P(
                     Bounds{"albedo.film_width", "-1", "0", "1000", "1001"},
                     Bounds{"pressure.percentile", "-1", "0", "49", "50"},
                     Bounds{"pressure.exaggeration", "-1", "0", "1000", "1001"},
-                    Bounds{"area.full", "0", "0.001", "1e6", "1000001"}));
+                    Bounds{"area.full", "0", "0.001", "1e6", "1000001"},
+                    Bounds{"roughness.cell", "-0.1", "0", "1", "1.1"},
+                    Bounds{"roughness.film", "-0.1", "0", "1", "1.1"},
+                    Bounds{"roughness.variation", "-0.1", "0", "1", "1.1"},
+                    Bounds{"age.full", "0", "1e-6", "1e9", "1e10"},
+                    Bounds{"growth.full", "0", "1e-9", "1e6", "1e7"},
+                    Bounds{"event_map.radius", "0", "0.01", "100", "101"},
+                    Bounds{"event_map.fade", "0", "1", "100", "101"},
+                    Bounds{"motion.multiplier", "0", "1e-6", "10", "11"},
+                    Bounds{"distance.full", "0", "1e-6", "1e6", "1e7"},
+                    Bounds{"relief.angle", "0.9", "1", "85", "86"},
+                    Bounds{"relief.width", "0", "0.001", "10", "11"},
+                    Bounds{"relief.strength", "-1", "0", "100", "101"},
+                    Bounds{"height.full", "0", "1e-6", "1e6", "1e7"},
+                    Bounds{"occlusion.strength", "-1", "0", "100", "101"},
+                    Bounds{"curvature.radius", "0", "0.001", "10", "11"},
+                    Bounds{"curvature.full", "0", "1e-6", "1e6", "1e7"},
+                    Bounds{"thin_film.thickness", "-1", "0", "3000", "3001"},
+                    Bounds{"thin_film.variation", "-1", "0", "2", "2.1"},
+                    Bounds{"thin_film.drainage", "-1", "0", "10", "11"},
+                    Bounds{"thin_film.exposure", "-1", "0", "100", "101"}));
+
+TEST(Schema, EveryChoiceOfAMapHasItsWord) {
+    for (const auto& [path, words] : std::vector<std::pair<std::string, std::vector<std::string>>>{
+             {"pressure.scaling", {"range", "percentile", "rank"}},
+             {"pressure.colormap", {"none", "magma"}},
+             {"area.unit", {"seed", "current"}},
+             {"age.since", {"birth", "change"}},
+             {"motion.unit", {"image", "px"}},
+             {"motion.y", {"up", "down"}},
+             {"distance.kind", {"plain", "signed"}},
+             {"distance.unit", {"foam", "px"}},
+             {"relief.profile", {"dome", "ridge", "wet"}},
+             {"relief.mean_bubble", {"seed", "current"}},
+             {"normal.y", {"gl", "dx"}}}) {
+        for (const std::string& word : words) {
+            Preset preset;
+            EXPECT_TRUE(find_key(path)->read(read_value(word), preset)) << path;
+            EXPECT_EQ(to_toml(find_key(path)->write(preset)), '"' + word + '"');
+        }
+        EXPECT_FALSE(accepts(path, "beer")) << path;
+    }
+}
 
 TEST(Schema, RealsAreFiniteAndTakeIntegersButNotTheOtherWayRound) {
     EXPECT_TRUE(accepts("dynamics.kappa", "1"));

@@ -1,0 +1,49 @@
+#include "texgen/maps/thin_film.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace foam::texgen {
+namespace {
+
+double luminance(const LinearRgb& color) {
+    return 0.2126 * color.r + 0.7152 * color.g + 0.0722 * color.b;
+}
+
+TEST(ThinFilm, OfNoThicknessIsBlack) {
+    const LinearRgb color = film_reflectance(0.0);
+    EXPECT_EQ(luminance(color), 0.0);
+}
+
+// Both surfaces reflect R = (0.33 / 2.33)² of the light; in phase, at a quarter of a wave in the
+// liquid, that makes 4 R / (1 + R)² = 0.0771. At 555 nm, where the eye is most sensitive, a quarter
+// is 104 nm; other waves reflect a little less.
+TEST(ThinFilm, OfAQuarterWaveIsBrightest) {
+    const double single = std::pow(0.33 / 2.33, 2);
+    const double most = 4.0 * single / std::pow(1.0 + single, 2);
+    EXPECT_NEAR(luminance(film_reflectance(104.0)), most, 0.04 * most);
+    EXPECT_GT(luminance(film_reflectance(104.0)), luminance(film_reflectance(80.0)));
+    EXPECT_GT(luminance(film_reflectance(104.0)), luminance(film_reflectance(130.0)));
+}
+
+// At half a wave of green in the liquid, 207 nm, green is missing: the first purple of Newton's
+// series. Then come blue, green, yellow.
+TEST(ThinFilm, HasNewtonsColours) {
+    const LinearRgb purple = film_reflectance(207.0);
+    EXPECT_GT(purple.r, 2.0 * purple.g);
+    EXPECT_GT(purple.b, 2.0 * purple.g);
+    const LinearRgb blue = film_reflectance(245.0);
+    EXPECT_GT(blue.b, blue.r);
+    EXPECT_GT(blue.b, blue.g);
+    const LinearRgb green = film_reflectance(285.0);
+    EXPECT_GT(green.g, green.r);
+    EXPECT_GT(green.g, green.b);
+    const LinearRgb yellow = film_reflectance(330.0);
+    EXPECT_GT(yellow.r, yellow.b);
+    EXPECT_GT(yellow.g, yellow.b);
+}
+
+}  // namespace
+}  // namespace foam::texgen

@@ -1,0 +1,38 @@
+#include "texgen/maps/boundary_motion.h"
+
+#include <cmath>
+#include <cstddef>
+
+namespace foam::texgen {
+
+Vec2 motion_at(const BoundaryMotion& boundary, const Vec2& point) {
+    Vec2 sum = Vec2::Zero();
+    double weights = 0.0;
+    std::size_t k = boundary.points.size() - 1;
+    Vec2 from = boundary.points[k] - point;
+    double from_length = from.norm();
+    for (std::size_t next = 0; next < boundary.points.size(); k = next++) {
+        const Vec2 to = boundary.points[next] - point;
+        const double to_length = to.norm();
+        if (to_length == 0.0) {
+            return boundary.ways[next];
+        }
+        const double twice_area = cross(from, to);
+        const double lengths = from_length * to_length;
+        if (twice_area == 0.0 && from.dot(to) < 0.0) {  // on the side
+            return (to_length * boundary.ways[k] + from_length * boundary.ways[next]) /
+                   (from_length + to_length);
+        }
+        if (twice_area != 0.0) {
+            const double tangent = (lengths - from.dot(to)) / twice_area;  // of half the angle
+            sum += tangent / from_length * boundary.ways[k] +
+                   tangent / to_length * boundary.ways[next];
+            weights += tangent / from_length + tangent / to_length;
+        }
+        from = to;
+        from_length = to_length;
+    }
+    return weights != 0.0 ? Vec2(sum / weights) : Vec2(Vec2::Zero());
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,38 @@
+#include "texgen/maps/curvature.h"
+
+#include "texgen/maps/relief.h"
+
+#include <cstddef>
+#include <utility>
+
+namespace foam::texgen {
+
+namespace {
+
+// In the section's own unit.
+double bend(const ReliefSection& section, double smooth, double radius) {
+    const double way = section.way(smooth);
+    const double outside = section.height_along(way - radius) + section.height_along(way + radius);
+    return (2.0 * section.height_along(way) - outside) / (radius * radius);
+}
+
+}  // namespace
+
+NumberPixels draw_curvature(FrameLayers& layers,
+                            const ReliefOptions& relief_options,
+                            const CurvatureOptions& options) {
+    const Relief relief(layers, relief_options);
+    const double radius = options.radius * relief.diameter();
+    Image<float> image(layers.grid().width, layers.grid().height, 1);
+    for (std::size_t k = 0; k < image.samples().size(); ++k) {
+        const double unit = relief.unit(k);
+        if (unit > 0.0) {
+            const double bent = bend(relief.section(), relief.smooth(k), radius / unit) / unit;
+            image.samples()[k] =
+                static_cast<float>(relief_options.strength * bent * relief.diameter());
+        }
+    }
+    return {std::move(image), -options.full, options.full};
+}
+
+}  // namespace foam::texgen

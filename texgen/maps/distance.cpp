@@ -1,0 +1,30 @@
+#include "texgen/maps/distance.h"
+
+#include "texgen/maps/frame_layers.h"
+
+#include <cstddef>
+#include <utility>
+
+namespace foam::texgen {
+
+NumberPixels draw_distance(FrameLayers& layers,
+                           const DistanceOptions& options,
+                           const AlbedoOptions& films) {
+    const DistanceField& field = layers.distance();
+    const Torus& torus = layers.frame().torus;
+    const bool is_signed = options.kind == DistanceKind::Signed;
+    const double edge = is_signed ? 0.5 * film_width_in_pixels(films, layers.grid(), torus) : 0.0;
+    const double unit =
+        options.unit == DistanceUnit::Foam ? pixels_per_unit(layers.grid(), torus) : 1.0;
+    const double outwards = is_signed ? -1.0 : 0.0;
+    Image<float> image(layers.grid().width, layers.grid().height, 1);
+    for (std::size_t k = 0; k < image.samples().size(); ++k) {
+        const double distance = static_cast<double>(field.distance.samples()[k]);
+        const bool around = layers.is_around(field.ids.samples()[k]);
+        image.samples()[k] =
+            static_cast<float>(((around ? outwards * distance : distance) - edge) / unit);
+    }
+    return {std::move(image), is_signed ? -options.full : 0.0, options.full};
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,65 @@
+#include "texgen/maps/event.h"
+
+#include "texgen/maps/frame_layers.h"
+#include "texgen/maps/grid_places.h"
+#include "texgen/maps/mean_bubble.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace foam::texgen {
+
+namespace {
+
+// A round spot on a grid.
+struct Spot {
+    double radius;  // pixels
+    float height;
+    std::size_t channel;
+};
+
+// Of its pixels, those of a copy whose middle is at a place of the image.
+void paint_copy(const Spot& spot, SubpixelPoint middle, ImageView<float> image) {
+    const auto reach = static_cast<std::int32_t>(std::ceil(spot.radius));
+    const int left = std::max(pixel_of(middle.x) - reach, 0);
+    const int right = std::min(pixel_of(middle.x) + reach, image.width() - 1);
+    const int bottom = std::max(pixel_of(middle.y) - reach, 0);
+    const int top = std::min(pixel_of(middle.y) + reach, image.height() - 1);
+    const double squared_radius = spot.radius * spot.radius * kSubpixel * kSubpixel;
+    for (int y = bottom; y <= top; ++y) {
+        for (int x = left; x <= right; ++x) {
+            const SubpixelPoint from = pixel_centre(x, y) - middle;
+            const double squared =
+                static_cast<double>(from.x) * from.x + static_cast<double>(from.y) * from.y;
+            const double inside = std::max(1.0 - squared / squared_radius, 0.0);
+            float& value = image.pixel(x, y)[spot.channel];
+            value = std::max(value, spot.height * static_cast<float>(inside * inside));
+        }
+    }
+}
+
+}  // namespace
+
+NumberPixels draw_event(FrameLayers& layers, const EventMapOptions& options) {
+    const Frame& frame = layers.frame();
+    const RasterGrid& grid = layers.grid();
+    const double diameter = diameter_of(MeanBubble::Seed, frame);
+    const double radius = options.radius * diameter * pixels_per_unit(grid, frame.torus);
+    Image<float> image(grid.width, grid.height, 3);
+    for (const RecordedEvent& event : layers.record().events) {
+        const int since = layers.record().frame - event.frame;
+        if (since >= options.fade) {
+            continue;
+        }
+        const float height = 1.0F - static_cast<float>(since) / static_cast<float>(options.fade);
+        const Spot spot{radius, height, static_cast<std::size_t>(event.kind)};
+        for_each_copy(grid, frame.torus, event.place, radius, [&](SubpixelPoint middle) {
+            paint_copy(spot, middle, image.view());
+        });
+    }
+    return {std::move(image), 0.0, 1.0};
+}
+
+}  // namespace foam::texgen

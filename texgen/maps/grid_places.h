@@ -1,0 +1,54 @@
+#pragma once
+
+#include "core/geometry/torus.h"
+#include "texgen/raster/raster_grid.h"
+
+#include <cmath>
+#include <cstdint>
+
+namespace foam::texgen {
+
+/// The middle of a pixel, in subpixels of the grid as it is shifted.
+inline SubpixelPoint pixel_centre(int x, int y) {
+    return {x * kSubpixel + kSubpixel / 2, y * kSubpixel + kSubpixel / 2};
+}
+
+/// Calls visit(point) with each copy of a place that is at most a reach (pixels) away from the
+/// image: one in the plane, all around a torus; to the nearest subpixel of the grid as it is
+/// shifted. Shifts of the grid move all of them by whole pixels.
+template <class Visit>
+void for_each_copy(const RasterGrid& grid,
+                   const Torus& torus,
+                   const Vec2& place,
+                   double reach,
+                   const Visit& visit) {
+    const Vec2 size(grid.width, grid.height);
+    const auto is_near = [&](const Vec2& at) {
+        return (at.array() >= -reach).all() && (at.array() <= size.array() + reach).all();
+    };
+    if (torus.is_plane()) {
+        const Vec2 at = (place - grid.view->center) * grid.view->pixels_per_unit + 0.5 * size;
+        if (is_near(at)) {
+            visit(to_subpixel(at));
+        }
+        return;
+    }
+    const Vec2 home = place - torus.translation(torus.cell_of(place));
+    const SubpixelPoint shift{grid.shift_x * kSubpixel, grid.shift_y * kSubpixel};
+    const SubpixelPoint first = snap(grid, torus, home) - shift;
+    const Vec2 scale(size.x() / torus.width, size.y() / torus.height);
+    const Vec2 middle = 0.5 * size + Vec2(grid.shift_x, grid.shift_y);
+    const Vec2 from_middle = middle.cwiseQuotient(scale) - home;
+    const double far = reach + 0.5 * size.maxCoeff() + 1.0;
+    for (const LatticeOffset offset : torus.offsets_near(from_middle, far / scale.minCoeff())) {
+        const SubpixelPoint copy =
+            first + SubpixelPoint{offset.i * grid.width * kSubpixel +
+                                      offset.j * shear_in_subpixels(grid, torus),
+                                  offset.j * grid.height * kSubpixel};
+        if (is_near(Vec2(copy.x, copy.y) / kSubpixel)) {
+            visit(copy);
+        }
+    }
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,43 @@
+#include "texgen/maps/growth.h"
+
+#include "texgen/maps/cell_fill.h"
+
+#include <cmath>
+#include <unordered_map>
+
+namespace foam::texgen {
+
+namespace {
+
+// By identity, of all bubbles.
+std::unordered_map<BubbleIdentity, double> areas_of(const Frame& frame) {
+    std::unordered_map<BubbleIdentity, double> areas;
+    for (const FrameBubble& bubble : frame.bubbles) {
+        areas[bubble.identity] = bubble.area;
+    }
+    for (const LoneBubble& bubble : frame.lone_bubbles) {
+        areas[bubble.identity] = bubble.target_area;
+    }
+    return areas;
+}
+
+}  // namespace
+
+NumberPixels draw_growth(FrameLayers& layers, const GrowthOptions& options) {
+    const Frame& frame = layers.frame();
+    const double time = std::abs(layers.next().time - frame.time);  // a pingpong goes back
+    const auto next_areas = areas_of(layers.next());
+    const auto rate_of = [&](BubbleIdentity bubble, double area) {
+        const auto next = next_areas.find(bubble);
+        return time > 0.0 ? ((next != next_areas.end() ? next->second : 0.0) - area) / time : 0.0;
+    };
+    const auto rates = per_bubble<double>(
+        frame,
+        [&](BubbleId bubble) {
+            return rate_of(frame.bubbles[bubble].identity, frame.bubbles[bubble].area);
+        },
+        [&](const LoneBubble& bubble) { return rate_of(bubble.identity, bubble.target_area); });
+    return {fill_numbers(layers, rates), -options.full, options.full};
+}
+
+}  // namespace foam::texgen

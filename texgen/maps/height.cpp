@@ -1,0 +1,20 @@
+#include "texgen/maps/height.h"
+
+#include "texgen/maps/relief.h"
+
+#include <utility>
+
+namespace foam::texgen {
+
+NumberPixels draw_height(FrameLayers& layers,
+                         const ReliefOptions& relief_options,
+                         const HeightOptions& options) {
+    const Relief relief(layers, relief_options);
+    Image<float> image(layers.grid().width, layers.grid().height, 1);
+    for (std::size_t k = 0; k < image.samples().size(); ++k) {
+        image.samples()[k] = static_cast<float>(relief.height(k) / relief.diameter());
+    }
+    return {std::move(image), 0.0, options.full};
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,113 @@
+#include "texgen/maps/junction_motion.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace foam::texgen {
+
+namespace {
+
+using Corner = std::array<BubbleIdentity, 3>;
+using Motion = Indexed<JunctionId, std::optional<Vec2>>;
+
+// The ghost's is one that no bubble has.
+BubbleIdentity identity_of(const Frame& frame, BubbleId bubble) {
+    return bubble == frame.network.ghost() ? kNoIndex : frame.bubbles[bubble].identity;
+}
+
+// Clockwise, the smallest first.
+Corner corner_at(const Frame& frame, JunctionId junction) {
+    Corner corner{};
+    const auto leaving = frame.network.leaving(junction);
+    std::transform(leaving.begin(), leaving.end(), corner.begin(), [&](HalfEdgeId h) {
+        return identity_of(frame, frame.network.left(h));
+    });
+    std::rotate(corner.begin(), std::min_element(corner.begin(), corner.end()), corner.end());
+    return corner;
+}
+
+std::map<Corner, std::vector<Vec2>> places_of(const Frame& frame) {
+    std::map<Corner, std::vector<Vec2>> places;
+    for (const JunctionId junction : frame.network.junctions()) {
+        places[corner_at(frame, junction)].push_back(frame.positions[junction]);
+    }
+    return places;
+}
+
+std::optional<Vec2> shortest_way(const Torus& torus,
+                                 const Vec2& from,
+                                 const std::vector<Vec2>& places) {
+    std::optional<Vec2> shortest;
+    for (const Vec2& place : places) {
+        const Vec2 way = torus.nearest_copy(place - from);
+        if (!shortest || way.squaredNorm() < shortest->squaredNorm()) {
+            shortest = way;
+        }
+    }
+    return shortest;
+}
+
+Motion motion_of_kept(const Frame& frame, const Frame& next) {
+    const std::map<Corner, std::vector<Vec2>> places = places_of(next);
+    Motion motion;
+    for (const JunctionId junction : frame.network.junctions()) {
+        const auto found = places.find(corner_at(frame, junction));
+        motion.push_back(found == places.end()
+                             ? std::nullopt
+                             : shortest_way(next.torus, frame.positions[junction], found->second));
+    }
+    return motion;
+}
+
+// In the mean of the neighbours whose motion is known.
+std::optional<Vec2> motion_beside(const Network& network,
+                                  const Motion& motion,
+                                  JunctionId junction) {
+    Vec2 sum = Vec2::Zero();
+    int known = 0;
+    for (const HalfEdgeId h : network.leaving(junction)) {
+        if (const std::optional<Vec2>& beside = motion[network.head(h)]) {
+            sum += *beside;
+            ++known;
+        }
+    }
+    return known > 0 ? std::optional<Vec2>(sum / known) : std::nullopt;
+}
+
+// One more ring around what is known; false where nothing was added.
+bool spread(const Network& network, Motion& motion) {
+    const Motion before = motion;
+    bool added = false;
+    for (const JunctionId junction : network.junctions()) {
+        if (!before[junction]) {
+            motion[junction] = motion_beside(network, before, junction);
+            added = added || motion[junction];
+        }
+    }
+    return added;
+}
+
+}  // namespace
+
+Indexed<JunctionId, Vec2> junction_motion(const Frame& frame, const Frame& next) {
+    Motion motion = motion_of_kept(frame, next);
+    while (spread(frame.network, motion)) {
+    }
+    Indexed<JunctionId, Vec2> ways;
+    for (const std::optional<Vec2>& way : motion) {
+        ways.push_back(way.value_or(Vec2::Zero()));
+    }
+    return ways;
+}
+
+double shear_motion(const Frame& frame, const Frame& next) {
+    return frame.torus.is_plane()
+               ? 0.0
+               : std::remainder(next.torus.shear - frame.torus.shear, frame.torus.width);
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,206 @@
+#include "texgen/maps/motion.h"
+
+#include "core/foam/measure.h"
+#include "texgen/maps/boundary_motion.h"
+#include "texgen/maps/frame_layers.h"
+#include "texgen/maps/grid_places.h"
+#include "texgen/maps/junction_motion.h"
+#include "texgen/raster/bands.h"
+#include "texgen/raster/cell_mask.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr double kLargestTurn = 0.17;  // of a piece of a film that stands for its arc; 10 degrees
+
+// The motion of a frame's bubbles, in pixels.
+class FoamMotion {
+  public:
+    FoamMotion(FrameLayers& layers)
+        : frame_(layers.frame()),
+          scale_(pixels_per_unit(layers.grid(), frame_.torus)),
+          junctions_(junction_motion(frame_, layers.next())),
+          shear_(shear_motion(frame_, layers.next())) {}
+
+    // Relative to the bubble's first junction.
+    BoundaryMotion around(BubbleId bubble) const {
+        BoundaryMotion boundary;
+        Vec2 tail = Vec2::Zero();
+        LatticeOffset lift;
+        for (const HalfEdgeId h : frame_.network.around(bubble)) {
+            const Vec2 from = lifted(frame_.network.tail(h), lift);
+            lift = lift + frame_.network.offset(h);
+            const Vec2 to = lifted(frame_.network.head(h), lift);
+            const FilmArc arc = frame_.arc(h);
+            const int pieces =
+                std::max(1, static_cast<int>(2.0 * std::abs(arc.half_angle) / kLargestTurn));
+            for (int k = 0; k < pieces; ++k) {
+                const double part = static_cast<double>(k) / pieces;
+                const Vec2 at = part > 0.0 ? Vec2(tail + point_at(arc, part)) : tail;
+                boundary.points.push_back(scale_ * at);
+                boundary.ways.push_back(scale_ * (from + part * (to - from)));
+            }
+            tail += arc.chord;
+        }
+        return boundary;
+    }
+
+  private:
+    Vec2 lifted(JunctionId junction, LatticeOffset lift) const {
+        return junctions_[junction] + Vec2(lift.j * shear_, 0.0);
+    }
+
+    const Frame& frame_;
+    double scale_;
+    Indexed<JunctionId, Vec2> junctions_;
+    double shear_;
+};
+
+// The motion of the circles of lone bubbles: those that are still circles in the next frame go
+// there, and grow with it.
+class CircleMotion {
+  public:
+    CircleMotion(const LoneBubble& bubble, const Frame& next, double scale) : scale_(scale) {
+        for (const LoneBubble& later : next.lone_bubbles) {
+            if (later.identity == bubble.identity) {
+                way_ = later.centre - bubble.centre;
+                growth_ = lone_radius(later) / lone_radius(bubble) - 1.0;
+            }
+        }
+    }
+
+    // Both in pixels.
+    Vec2 at(const Vec2& from_centre) const { return scale_ * way_ + growth_ * from_centre; }
+
+  private:
+    double scale_;
+    Vec2 way_{0.0, 0.0};
+    double growth_ = 0.0;  // of the radius, a part of it
+};
+
+// Paints motion into the pixels whose middle an outline goes around.
+class MotionPainter {
+  public:
+    MotionPainter(FrameLayers& layers, const MotionOptions& options)
+        : layers_(layers),
+          cells_(layers.outlines(0.0)),
+          foam_(layers),
+          scale_(pixels_per_unit(layers.grid(), layers.frame().torus)),
+          unit_(options.unit == MotionUnit::Image ? layers.grid().width : 1.0),
+          up_(options.y == MotionY::Up ? 1.0 : -1.0) {}
+
+    Image<float> paint() {
+        const RasterGrid& grid = layers_.grid();
+        Image<float> image(grid.width, grid.height, 2);
+        const Bands bands(cells_, grid.height);
+        for (const Bands::Entry& entry : bands.entries(0)) {
+            const Outline& outline = cells_.outlines[entry.outline];
+            if (!layers_.is_around(static_cast<std::uint32_t>(index_of(outline.bubble)))) {
+                paint_cell(outline, entry.translation, image.view());
+            }
+        }
+        return image;
+    }
+
+  private:
+    void paint_cell(const Outline& outline, SubpixelPoint translation, ImageView<float> image) {
+        const std::size_t bubbles = layers_.frame().bubbles.size();
+        const std::size_t index = index_of(outline.bubble);
+        if (index < bubbles) {
+            const BoundaryMotion boundary = foam_.around(outline.bubble);
+            const Vec2 first = first_junction(outline, translation);
+            paint_pixels(outline, translation, image, [&](const Vec2& at) {
+                return motion_at(boundary, at - first);
+            });
+        } else {
+            const LoneBubble& lone = layers_.frame().lone_bubbles[index - bubbles - 1];
+            const CircleMotion circle(lone, layers_.next(), scale_);
+            const Vec2 centre = point_in_plane(lone.centre);
+            paint_pixels(outline, translation, image, [&](const Vec2& at) {
+                return circle.at(at - centre);
+            });
+        }
+    }
+
+    Vec2 point_in_plane(const Vec2& point) const {
+        const RasterGrid& grid = layers_.grid();
+        return scale_ * (point - grid.view->center) + 0.5 * Vec2(grid.width, grid.height);
+    }
+
+    // Around a torus an outline begins with it, rounded.
+    Vec2 first_junction(const Outline& outline, SubpixelPoint translation) const {
+        if (layers_.is_patch()) {
+            const Network& network = layers_.frame().network;
+            return point_in_plane(
+                layers_.frame().positions[network.tail(network.first(outline.bubble))]);
+        }
+        const SubpixelPoint first = cells_.chain(outline).front() + translation;
+        return Vec2(first.x, first.y) / kSubpixel;
+    }
+
+    template <class MotionOf>
+    void paint_pixels(const Outline& outline,
+                      SubpixelPoint translation,
+                      ImageView<float> image,
+                      const MotionOf& motion_of) {
+        const auto [left, right] = std::ranges::minmax_element(
+            cells_.chain(outline), {}, [](SubpixelPoint point) { return point.x; });
+        const int column = pixel_of(left->x + translation.x);
+        const int row = pixel_of(outline.lowest + translation.y);
+        mask_.reset(pixel_of(right->x + translation.x) + 1 - column,
+                    pixel_of(outline.highest + translation.y) + 1 - row);
+        mask_.fill(cells_.chain(outline),
+                   translation - SubpixelPoint{column * kSubpixel, row * kSubpixel});
+        for (int y = std::max(-row, 0); y < std::min(mask_.rows(), image.height() - row); ++y) {
+            mask_.for_each_run(y, [&](int begin, int end) {
+                for (int x = begin; x < end; ++x) {
+                    write(image, column + x, row + y, motion_of);
+                }
+            });
+        }
+    }
+
+    template <class MotionOf>
+    void write(ImageView<float> image, int x, int y, const MotionOf& motion_of) const {
+        if (layers_.is_patch() && (x < 0 || x >= image.width())) {
+            return;
+        }
+        const Vec2 motion = motion_of(Vec2(x + 0.5, y + 0.5)) / unit_;
+        const auto pixel = image.pixel(wrap(x, image.width()), y);
+        pixel[0] = static_cast<float>(motion.x());
+        pixel[1] = static_cast<float>(up_ * motion.y());
+    }
+
+    FrameLayers& layers_;
+    const CellOutlines& cells_;
+    FoamMotion foam_;
+    double scale_;
+    double unit_;
+    double up_;
+    CellMask mask_;
+};
+
+}  // namespace
+
+NumberPixels draw_motion(FrameLayers& layers, const MotionOptions& options) {
+    const double width = options.unit == MotionUnit::Image ? 1.0 : layers.grid().width;
+    return {MotionPainter(layers, options).paint(),
+            -options.multiplier * width,
+            options.multiplier * width};
+}
+
+std::string note_on_motion(const MotionOptions& options) {
+    return fmt::format("y {}; a PNG's largest code is {} of the image's width",
+                       options.y == MotionY::Up ? "up" : "down",
+                       options.multiplier);
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,90 @@
+#include "texgen/maps/occlusion.h"
+
+#include "texgen/maps/relief.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <iterator>
+#include <numbers>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr int kSteps = 128;  // in a section's unit
+
+// The sky that is visible at places of a section, all heights times a factor.
+class VisibleSky {
+  public:
+    VisibleSky(const ReliefSection& section, double strength) {
+        const int reach = static_cast<int>(section.reach() * kSteps);
+        const int end = reach + kSteps;
+        std::vector<double> heights;  // from -end to end
+        for (int k = -end; k <= end; ++k) {
+            heights.push_back(strength * section.height_along(place(k)));
+        }
+        for (int k = 0; k <= reach; ++k) {
+            sky_.push_back(visible(heights, k + end, strength * slope_at(section, place(k))));
+        }
+    }
+
+    // Between the steps it is interpolated.
+    double at(double way) const {
+        const double last = static_cast<double>(sky_.size() - 1);
+        const double step = std::min(way * kSteps, last);
+        const auto below = std::min(static_cast<std::size_t>(step), sky_.size() - 2);
+        return std::lerp(sky_[below], sky_[below + 1], step - static_cast<double>(below));
+    }
+
+  private:
+    static double slope_at(const ReliefSection& section, double way) {
+        const double smooth = section.smooth(way);
+        const double ways_of_smooth = section.smooth(1.0) < 1.0 ? 1.0 - way : 1.0;  // ds/dx
+        return section.slope(smooth) * ways_of_smooth;
+    }
+
+    static double place(int step) { return static_cast<double>(step) / kSteps; }
+
+    // Of a furrow, (sin a + sin b) / 2 with the angles from the normal to its two horizons.
+    static double visible(std::span<const double> heights, int here, double slope) {
+        const auto steepest = [&](int step) {
+            double steepness = step * slope;
+            const double height = heights[static_cast<std::size_t>(here)];
+            for (int k = here + step; k >= 0 && k < std::ssize(heights); k += step) {
+                const double rise = heights[static_cast<std::size_t>(k)] - height;
+                steepness = std::max(steepness, rise / place(std::abs(k - here)));
+            }
+            return steepness;
+        };
+        constexpr double kRight = 0.5 * std::numbers::pi;
+        const double tilt = std::atan(slope);  // of the normal, to the left
+        const double left = kRight - std::atan(steepest(-1)) - tilt;
+        const double right = kRight - std::atan(steepest(1)) + tilt;
+        return 0.5 * (std::sin(left) + std::sin(right));
+    }
+
+    std::vector<double> sky_;
+};
+
+}  // namespace
+
+NumberPixels draw_occlusion(FrameLayers& layers,
+                            const ReliefOptions& relief_options,
+                            const OcclusionOptions& options) {
+    const Relief relief(layers, relief_options);
+    const VisibleSky sky(relief.section(), relief_options.strength);
+    Image<float> image(layers.grid().width, layers.grid().height, 1);
+    for (std::size_t k = 0; k < image.samples().size(); ++k) {
+        const double visible =
+            relief.unit(k) > 0.0 ? sky.at(relief.section().way(relief.smooth(k))) : 1.0;
+        image.samples()[k] = static_cast<float>(std::pow(visible, options.strength));
+    }
+    return {std::move(image), 0.0, 1.0};
+}
+
+}  // namespace foam::texgen

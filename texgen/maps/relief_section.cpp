@@ -1,0 +1,72 @@
+#include "texgen/maps/relief_section.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr double kRidgeHeight = 0.5;
+// A film of no width would have a knife's edge between its fillets; up to here it is a parabola.
+constexpr double kCrest = 0.1;
+
+// Of a fillet of radius 1 that touches the ground at 1, and its slope: 0 < x <= 1.
+double fillet_height(double x) {
+    return 1.0 - std::sqrt(x * (2.0 - x));
+}
+
+double fillet_slope(double x) {
+    return (x - 1.0) / std::sqrt(x * (2.0 - x));
+}
+
+}  // namespace
+
+ReliefSection::ReliefSection(ReliefProfile profile, double angle)
+    : profile_(profile), cotangent_(1.0 / std::tan(angle)) {}
+
+// A cap over a circle of radius 1 at r from its middle: sqrt(1/sin² - r²) - cot, r² = 1 - 2 s.
+double ReliefSection::height(double smooth) const {
+    switch (profile_) {
+        case ReliefProfile::Dome:
+            return std::sqrt(cotangent_ * cotangent_ + 2.0 * smooth) - cotangent_;
+        case ReliefProfile::Ridge: {
+            const double inside = std::max(1.0 - smooth * smooth, 0.0);
+            return kRidgeHeight * inside * inside;
+        }
+        default: {
+            const double outside = std::clamp(smooth, kCrest, 1.0);
+            const double inside = std::min(smooth, kCrest);
+            return fillet_height(outside) +
+                   0.5 * fillet_slope(kCrest) * (inside * inside / kCrest - kCrest);
+        }
+    }
+}
+
+double ReliefSection::slope(double smooth) const {
+    switch (profile_) {
+        case ReliefProfile::Dome:
+            return 1.0 / std::sqrt(cotangent_ * cotangent_ + 2.0 * smooth);
+        case ReliefProfile::Ridge:
+            return -4.0 * kRidgeHeight * smooth * std::max(1.0 - smooth * smooth, 0.0);
+        default:
+            return fillet_slope(std::clamp(smooth, kCrest, 1.0)) * std::min(smooth / kCrest, 1.0);
+    }
+}
+
+double ReliefSection::way(double smooth) const {
+    const bool dome = profile_ == ReliefProfile::Dome;
+    return dome ? 1.0 - std::sqrt(std::max(1.0 - 2.0 * smooth, 0.0)) : smooth;
+}
+
+double ReliefSection::smooth(double way) const {
+    return profile_ == ReliefProfile::Dome ? way - 0.5 * way * way : way;
+}
+
+double ReliefSection::height_along(double x) const {
+    const double way = std::abs(x);
+    const bool beyond = profile_ == ReliefProfile::Dome && way > 1.0;
+    return height(smooth(beyond ? 2.0 - way : way));
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,216 @@
+#include "texgen/maps/thin_film.h"
+
+#include "core/foam/measure.h"
+#include "texgen/image/bleed.h"
+#include "texgen/maps/cell_fill.h"
+#include "texgen/maps/identity_number.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr double kIndex = 1.33;       // of soapy water
+constexpr double kFirstWave = 380.0;  // nanometres
+constexpr double kWaveStep = 5.0;
+constexpr int kWaves = 81;       // up to 780
+constexpr int kThickest = 4000;  // nanometres; beyond it films are as good as white
+constexpr double kLargestValue = 65535.0;
+
+struct Xyz {
+    double x = 0.0;
+    double y = 0.0;
+    double z = 0.0;
+};
+
+double lobe(double wave, double height, double middle, double below, double above) {
+    const double t = (wave - middle) / (wave < middle ? below : above);
+    return height * std::exp(-0.5 * t * t);
+}
+
+Xyz color_matching(double wave) {
+    return {lobe(wave, 1.056, 599.8, 37.9, 31.0) + lobe(wave, 0.362, 442.0, 16.0, 26.7) +
+                lobe(wave, -0.065, 501.1, 20.4, 26.2),
+            lobe(wave, 0.821, 568.8, 46.9, 40.5) + lobe(wave, 0.286, 530.9, 16.3, 31.1),
+            lobe(wave, 1.217, 437.0, 11.8, 36.0) + lobe(wave, 0.681, 459.0, 26.0, 13.8)};
+}
+
+LinearRgb to_rgb(const Xyz& c) {
+    return {3.2404542 * c.x - 1.5371385 * c.y - 0.4985314 * c.z,
+            -0.9692660 * c.x + 1.8760108 * c.y + 0.0415560 * c.z,
+            0.0556434 * c.x - 0.2040259 * c.y + 1.0572252 * c.z};
+}
+
+double reflectance(double thickness, double wave) {
+    const double at_surface = (kIndex - 1.0) / (kIndex + 1.0);
+    const double once = at_surface * at_surface;
+    const double half_phase = 2.0 * std::numbers::pi * kIndex * thickness / wave;
+    const double interference = 4.0 * once * std::sin(half_phase) * std::sin(half_phase);
+    return interference / ((1.0 - once) * (1.0 - once) + interference);
+}
+
+// What a spectrum between 0 and 1 looks like, without regard to white.
+template <class Spectrum>
+LinearRgb seen(const Spectrum& spectrum) {
+    Xyz sum;
+    for (int k = 0; k < kWaves; ++k) {
+        const double wave = kFirstWave + kWaveStep * k;
+        const Xyz matching = color_matching(wave);
+        const double value = spectrum(wave);
+        sum.x += value * matching.x;
+        sum.y += value * matching.y;
+        sum.z += value * matching.z;
+    }
+    return to_rgb(sum);
+}
+
+// Of every nanometre up to the thickest.
+std::vector<LinearRgb> make_reflectances() {
+    std::vector<LinearRgb> all;
+    for (int thickness = 0; thickness <= kThickest; ++thickness) {
+        all.push_back(film_reflectance(thickness));
+    }
+    return all;
+}
+
+LinearRgb tabled_reflectance(double thickness) {
+    static const std::vector<LinearRgb> table = make_reflectances();
+    const double place = std::clamp(thickness, 0.0, static_cast<double>(kThickest));
+    const std::size_t below = std::min(static_cast<std::size_t>(place), table.size() - 2);
+    const double part = place - static_cast<double>(below);
+    const LinearRgb& a = table[below];
+    const LinearRgb& b = table[below + 1];
+    return {std::lerp(a.r, b.r, part), std::lerp(a.g, b.g, part), std::lerp(a.b, b.b, part)};
+}
+
+// Towards the grey of the same luminance until it is within [0, 1].
+LinearRgb within_srgb(const LinearRgb& color) {
+    const double grey =
+        std::clamp(0.2126 * color.r + 0.7152 * color.g + 0.0722 * color.b, 0.0, 1.0);
+    const auto [low, high] = std::minmax({color.r, color.g, color.b});
+    double part = 1.0;
+    part = low < 0.0 ? std::min(part, grey / (grey - low)) : part;
+    part = high > 1.0 ? std::min(part, (1.0 - grey) / (high - grey)) : part;
+    const auto mixed = [&](double x) { return std::clamp(std::lerp(grey, x, part), 0.0, 1.0); };
+    return {mixed(color.r), mixed(color.g), mixed(color.b)};
+}
+
+// A bubble's film: in its middle of a thickness, at its rim thicker.
+struct Film {
+    double thickness = 0.0;
+    double radius = 0.0;  // pixels; 0 around a patch
+};
+
+std::vector<Film> films_of(FrameLayers& layers, const ThinFilmOptions& options) {
+    const Frame& frame = layers.frame();
+    const double scale = pixels_per_unit(layers.grid(), frame.torus);
+    const auto thickness_of = [&](BubbleIdentity bubble) {
+        const double number = identity_number(bubble, IdentityStream::Second) - 0.5;
+        return options.thickness * (1.0 + options.variation * number);
+    };
+    const auto films = per_bubble<Film>(
+        frame,
+        [&](BubbleId bubble) {
+            const FrameBubble& one = frame.bubbles[bubble];
+            return Film{thickness_of(one.identity), scale * std::sqrt(one.area / std::numbers::pi)};
+        },
+        [&](const LoneBubble& bubble) {
+            return Film{thickness_of(bubble.identity), scale * lone_radius(bubble)};
+        });
+    return by_cell_id(layers, films, Film{});
+}
+
+// At a smooth distance from the rim: in the middle of a circle of radius R it is R / 2.
+double thickness_at(const Film& film, double smooth, double drainage) {
+    const double rim = 1.0 - std::min(2.0 * smooth / film.radius, 1.0);
+    return film.thickness * (1.0 + drainage * rim * rim);
+}
+
+LinearRgb mixed(const LinearRgb& a, const LinearRgb& b, double part) {
+    return {std::lerp(a.r, b.r, part), std::lerp(a.g, b.g, part), std::lerp(a.b, b.b, part)};
+}
+
+// The interference colours of bubbles at the middle of pixels.
+class FilmColors {
+  public:
+    FilmColors(FrameLayers& layers, const ThinFilmOptions& options)
+        : options_(options), field_(layers.distance()), films_(films_of(layers, options)) {}
+
+    // Nothing around a patch.
+    std::optional<LinearRgb> at(std::size_t index) const {
+        const Film& film = films_[field_.ids.samples()[index]];
+        if (!(film.radius > 0.0)) {
+            return std::nullopt;
+        }
+        const auto smooth = static_cast<double>(field_.smooth.samples()[index]);
+        const LinearRgb light = tabled_reflectance(thickness_at(film, smooth, options_.drainage));
+        const double exposure = options_.exposure;
+        return within_srgb({exposure * light.r, exposure * light.g, exposure * light.b});
+    }
+
+  private:
+    const ThinFilmOptions& options_;
+    const DistanceField& field_;
+    std::vector<Film> films_;
+};
+
+std::uint16_t step_of(double x) {
+    return static_cast<std::uint16_t>(std::lround(x * kLargestValue));
+}
+
+// The opacity where there is a channel for it.
+void write_pixel(const LinearRgb& color, double opacity, std::span<std::uint16_t> pixel) {
+    pixel[0] = step_of(color.r);
+    pixel[1] = step_of(color.g);
+    pixel[2] = step_of(color.b);
+    if (pixel.size() > 3) {
+        pixel[3] = step_of(opacity);
+    }
+}
+
+}  // namespace
+
+LinearRgb film_reflectance(double nanometres) {
+    const LinearRgb white = seen([](double) { return 1.0; });
+    const LinearRgb color = seen([&](double wave) { return reflectance(nanometres, wave); });
+    return {color.r / white.r, color.g / white.g, color.b / white.b};
+}
+
+ColorPixels draw_thin_film(FrameLayers& layers,
+                           const ThinFilmOptions& options,
+                           const AlbedoOptions& albedo) {
+    const RasterGrid& grid = layers.grid();
+    const double width = film_width_in_pixels(albedo, grid, layers.frame().torus);
+    const LinearRgb line = to_linear(parse_color(albedo.film_color));
+    const Image<float> lines = fill_cover(layers, Part::Films, width);
+    const Image<float> covered = fill_cover(layers, Part::Foam, width);
+    const FilmColors films(layers, options);
+    const std::size_t channels = layers.is_patch() ? 4 : 3;
+    Image<std::uint16_t> image(grid.width, grid.height, static_cast<int>(channels));
+    for (std::size_t k = 0; k < covered.samples().size(); ++k) {
+        const auto whole = static_cast<double>(covered.samples()[k]);
+        if (whole == 0.0) {
+            continue;
+        }
+        const double part = static_cast<double>(lines.samples()[k]) / whole;
+        write_pixel(mixed(films.at(k).value_or(line), line, part),
+                    whole,
+                    image.samples().subspan(channels * k, channels));
+    }
+    if (layers.is_patch()) {
+        bleed_colors(image.view(), {step_of(line.r), step_of(line.g), step_of(line.b)});
+    }
+    return {std::move(image)};
+}
+
+}  // namespace foam::texgen
