@@ -25,7 +25,9 @@ void BoundedWorkers::submit(std::function<void()> job) {
         return;
     }
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return failure_ || waiting_.size() < threads_.size(); });
+    while (waiting_.size() >= threads_.size()) {
+        run_first(lock);
+    }
     rethrow_failure();
     waiting_.push(std::move(job));
     changed_.notify_all();
@@ -33,7 +35,10 @@ void BoundedWorkers::submit(std::function<void()> job) {
 
 void BoundedWorkers::finish() {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return waiting_.empty() && running_ == 0; });
+    while (!waiting_.empty()) {
+        run_first(lock);
+    }
+    changed_.wait(lock, [this] { return running_ == 0; });
     rethrow_failure();
 }
 
@@ -50,15 +55,19 @@ void BoundedWorkers::work() {
         if (waiting_.empty()) {
             return;
         }
-        const std::function<void()> job = std::move(waiting_.front());
-        waiting_.pop();
-        ++running_;
-        lock.unlock();
-        run(job);
-        lock.lock();
-        --running_;
-        changed_.notify_all();
+        run_first(lock);
     }
+}
+
+void BoundedWorkers::run_first(std::unique_lock<std::mutex>& lock) {
+    const std::function<void()> job = std::move(waiting_.front());
+    waiting_.pop();
+    ++running_;
+    lock.unlock();
+    run(job);
+    lock.lock();
+    --running_;
+    changed_.notify_all();
 }
 
 void BoundedWorkers::run(const std::function<void()>& job) {

@@ -12,7 +12,8 @@
 namespace foam::texgen {
 
 /// Threads that work off jobs beside the caller's thread. No more jobs wait than there are threads,
-/// so that what the jobs hold, such as frames, stays bounded.
+/// so that what the jobs hold, such as frames, stays bounded; the caller lends a hand rather than
+/// wait for room.
 class BoundedWorkers {
   public:
     /// With no threads, every job runs at once on the caller's.
@@ -24,15 +25,17 @@ class BoundedWorkers {
     BoundedWorkers(const BoundedWorkers&) = delete;
     BoundedWorkers& operator=(const BoundedWorkers&) = delete;
 
-    /// Hands in a job, once there is room. Throws the first exception that an earlier job threw;
+    /// Hands in a job. Where as many wait as may, the first of them runs on the caller's thread, to
+    /// make room. Throws the first exception that an earlier job threw;
     /// later jobs are then dropped.
     void submit(std::function<void()> job);
 
-    /// Waits until all jobs are done. Throws as submit does.
+    /// Works until no job waits, and waits until all are done. Throws as submit does.
     void finish();
 
   private:
     void work();
+    void run_first(std::unique_lock<std::mutex>& lock);
     void run(const std::function<void()>& job);
     void rethrow_failure();
 

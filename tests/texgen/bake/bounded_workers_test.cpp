@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <memory>
 #include <stdexcept>
+#include <thread>
 
 namespace foam::texgen {
 
@@ -66,6 +68,25 @@ TEST(BoundedWorkers, HoldsNoMoreJobsThanItsThreadsRunAndAwait) {
     // As many as run and as wait, and the one in the caller's hand.
     EXPECT_LE(most, 2 * kThreads + 1);
     EXPECT_GT(most, 0);
+}
+
+// Were the caller to wait for room, nobody would ever let the one worker go on.
+TEST(BoundedWorkers, TheCallerLendsAHand) {
+    const std::thread::id caller = std::this_thread::get_id();
+    std::atomic<bool> helped{false};
+    BoundedWorkers workers(1);
+    for (int k = 0; k < 4; ++k) {
+        workers.submit([&] {
+            if (std::this_thread::get_id() == caller) {
+                helped = true;
+                helped.notify_all();
+            } else {
+                helped.wait(false);
+            }
+        });
+    }
+    workers.finish();
+    EXPECT_TRUE(helped);
 }
 
 }  // namespace
