@@ -2,7 +2,7 @@
 
 #include "texgen/bake/bounded_workers.h"
 #include "texgen/bake/file_pattern.h"
-#include "texgen/bake/map_files.h"
+#include "texgen/bake/frame_files.h"
 #include "texgen/bake/simulate_frames.h"
 
 #include <algorithm>
@@ -30,17 +30,17 @@ int thread_count(const BakeOptions& options) {
 class FrameWriter {
   public:
     FrameWriter(const Preset& preset, int total, const ProgressCallback& on_progress)
-        : image_(preset.image), files_(preset), on_progress_(on_progress) {
+        : preset_(preset), files_(preset), on_progress_(on_progress) {
         progress_.total = total;
     }
 
-    const MapFiles& files() const { return files_; }
+    const FrameFiles& files() const { return files_; }
 
     void write(const SimulatedFrame& shown, const std::optional<View>& view) {
-        const RasterGrid grid{image_.width, image_.height, 0, 0, view};
+        const RasterGrid grid{preset_.image.width, preset_.image.height, 0, 0, view};
         FrameLayers layers(
             {*shown.frame, *shown.record, shown.next.get(), files_.distance()}, grid, 1);
-        files_.write(layers, shown.frame->number);
+        files_.write(layers);
         report(*shown.frame, shown.effort);
     }
 
@@ -58,8 +58,8 @@ class FrameWriter {
         }
     }
 
-    const ImageOptions& image_;
-    MapFiles files_;
+    const Preset& preset_;
+    FrameFiles files_;
     const ProgressCallback& on_progress_;
     std::mutex mutex_;
     BakeProgress progress_;

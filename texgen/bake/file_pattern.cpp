@@ -30,8 +30,8 @@ std::string padded(int number, int digits) {
 }  // namespace
 
 FilePattern::FilePattern(std::string_view pattern) : pattern_(pattern) {
-    if (!pattern.ends_with(".png")) {
-        refuse("must end in .png");
+    if (!pattern.ends_with(".png") && !pattern.ends_with(".exr")) {
+        refuse("must end in .png or .exr");
     }
     for (std::string_view rest = pattern; !rest.empty();) {
         pieces_.push_back(take_piece(rest));
@@ -94,11 +94,19 @@ bool FilePattern::has() const {
     });
 }
 
+FileFormat FilePattern::format() const {
+    return pattern_.ends_with(".exr") ? FileFormat::Exr : FileFormat::Png;
+}
+
+bool FilePattern::joins_maps() const {
+    return format() == FileFormat::Exr && !has<MapName>();
+}
+
 void FilePattern::check_distinct(std::size_t frames, std::size_t maps) const {
     if (frames > 1 && !has<FrameNumber>()) {
         refuse(fmt::format("must contain ####, @@@@ or %04d, to tell {} frames apart", frames));
     }
-    if (maps > 1 && !has<MapName>()) {
+    if (maps > 1 && !has<MapName>() && !joins_maps()) {
         refuse(fmt::format("must contain {{map}}, to tell {} maps apart", maps));
     }
 }

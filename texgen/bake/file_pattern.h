@@ -10,6 +10,8 @@
 
 namespace foam::texgen {
 
+enum class FileFormat { Png, Exr };
+
 /// Names the image files of a bake. In the pattern stand for
 ///
 ///     {preset}  the name of the preset
@@ -22,10 +24,16 @@ namespace foam::texgen {
 class FilePattern {
   public:
     /// Throws std::invalid_argument for a placeholder not listed above and unless it ends in
-    /// ".png".
+    /// ".png" or ".exr".
     explicit FilePattern(std::string_view pattern);
 
-    /// Throws std::invalid_argument if two of this many frames and maps would share a file.
+    FileFormat format() const;
+
+    /// Whether all maps of a frame go into one file, as only an EXR without {map} has it.
+    bool joins_maps() const;
+
+    /// Throws std::invalid_argument if two of this many frames would share a file, or two of this
+    /// many maps would that cannot.
     void check_distinct(std::size_t frames, std::size_t maps) const;
 
     std::filesystem::path path(std::string_view preset, std::string_view map, int frame) const;

@@ -26,6 +26,7 @@ constexpr const char* kExamples = R"(Examples:
   foamtex bake sea_foam
   foamtex bake sea_foam --size 2048 --seed 7 --out 'foam/{map}.####.png'
   foamtex bake my.toml --frames 1-120x2 --set albedo.colormap=magma
+  foamtex bake sea_foam --maps albedo,film --out 'out/layers.####.exr'
 Keys for --set: foamtex presets keys)";
 
 struct BakeArguments {
@@ -61,7 +62,8 @@ std::vector<Assignment> image_assignments_of(const BakeArguments& arguments) {
     return assignments;
 }
 
-/// One line a map: the file, or the sequence and its frames, as image viewers take them.
+/// One line a map, or one for all: the file, or the sequence and its frames, as image viewers take
+/// them.
 void print_images(const Preset& preset,
                   const FilePattern& pattern,
                   const std::vector<int>& frames) {
@@ -70,6 +72,9 @@ void print_images(const Preset& preset,
             fmt::print("{}\n", pattern.path(preset.name, map, frames.front()).string());
         } else {
             fmt::print("{} {}\n", pattern.sequence(preset.name, map), format_frame_range(frames));
+        }
+        if (pattern.joins_maps()) {
+            return;
         }
     }
 }
@@ -110,7 +115,9 @@ void add_image_options(CLI::App& command, BakeArguments& arguments) {
     command.add_option("--maps", arguments.maps, "Maps to draw, with commas")->option_text("A,B");
     command.add_option("--normal-y", arguments.normal_y, "Green of normals: gl (up), dx (down)")
         ->option_text("gl|dx");
-    command.add_option("--out", arguments.out, "File names; {preset} {map} #### are filled in")
+    command
+        .add_option(
+            "--out", arguments.out, "File names, .png or .exr; {preset} {map} #### are filled in")
         ->option_text("PATTERN");
     command.add_flag("--stats", arguments.stats, "Statistics too, in {preset}_stats beside")
         ->option_text(" ");

@@ -3,6 +3,8 @@
 #include "core/dynamics/coarsening.h"
 #include "core/equilibrium/equilibrate.h"
 #include "core/foam/seeding.h"
+#include "texgen/image/deflate.h"
+#include "texgen/image/exr.h"
 #include "texgen/maps/map_options.h"
 #include "texgen/preset/event.h"
 #include "texgen/preset/foam_shape.h"
@@ -50,9 +52,22 @@ struct CameraOptions {
     std::array<double, 2> center = {0.5, 0.5};
 };
 
-/// Where the images go.
+/// Whether files carry texts about how they were made.
+enum class FileTexts { Written, LeftOut };
+
+/// How the pixels of an EXR lie in the file.
+enum class ExrLayout { Rows, MipLevels };
+
+/// Where the images go, and in what form; none of it changes a pixel.
 struct OutputOptions {
     std::string pattern = "out/{preset}_{map}.####.png";  // as FilePattern reads it
+    FileTexts texts = FileTexts::Written;
+    int frames_per_second = 24;  // as an EXR says
+    Compression png_compression = Compression::Fast;
+    ExrCompression exr_compression = ExrCompression::Zip;
+    int exr_level = 2;                     // of zip and zips, 1 to 9
+    ExrType exr_numbers = ExrType::Float;  // or Half
+    ExrLayout exr_layout = ExrLayout::Rows;
 };
 
 /// Everything that decides the pixels of a bake. Each value the user may set is one key of the

@@ -5,6 +5,7 @@
 #include "texgen/preset/key_of_member.h"
 #include "texgen/preset/loop_schema.h"
 #include "texgen/preset/map_schema.h"
+#include "texgen/preset/output_schema.h"
 
 #include <algorithm>
 #include <array>
@@ -184,14 +185,6 @@ std::vector<Key> camera_keys() {
                    "left free around the patch at zoom 1, in parts of the image's shorter side",
                    &P::camera,
                    &Options::margin)};
-}
-
-std::vector<Key> output_keys() {
-    return {key("output.pattern",
-                Text{},
-                "file names: {preset} and {map} are filled in, #### is the frame",
-                &P::output,
-                &OutputOptions::pattern)};
 }
 
 std::vector<Key> all_keys() {

@@ -1,6 +1,7 @@
 #include "texgen/bake/bake.h"
 
 #include "tests/texgen/temporary_folder.h"
+#include "texgen/image/exr.h"
 #include "texgen/image/file_io.h"
 #include "texgen/image/png.h"
 #include "texgen/maps/map.h"
@@ -12,6 +13,7 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace foam::texgen {
@@ -122,6 +124,78 @@ TEST(Bake, EveryMapOfAFrameIsTheSameWhetherOthersAreBakedOrNot) {
     for (std::size_t k = 0; k < names.size(); ++k) {
         EXPECT_EQ(read_file(alone.files[k]), third[k]) << names[k];
     }
+}
+
+std::vector<std::string> channel_names(const ExrImage& image) {
+    std::vector<std::string> names;
+    for (const ExrPlane& plane : image.channels) {
+        names.push_back(plane.name);
+    }
+    return names;
+}
+
+// Without {map} in its name, an EXR holds every map as a layer, in the order of their names.
+TEST(Bake, AnExrHoldsAllMapsOfAFrame) {
+    const TemporaryFolder folder;
+    Preset preset = small_preset(folder.path());
+    preset.image.maps = {"film", "albedo"};
+    preset.output.pattern = (folder.path() / "layers.####.exr").string();
+    preset.output.frames_per_second = 30;
+    const BakeSummary summary = bake(preset, {.frames = {1, 2}, .threads = 2}, {});
+    ASSERT_EQ(summary.files.size(), 2U);
+    EXPECT_EQ(folder.files(), (std::vector<std::string>{"layers.0001.exr", "layers.0002.exr"}));
+    const ExrImage image = read_exr(summary.files[1]);
+    EXPECT_EQ(channel_names(image),
+              (std::vector<std::string>{"albedo.B", "albedo.G", "albedo.R", "film.Y"}));
+    EXPECT_TRUE(image.metadata.periodic);
+    EXPECT_TRUE(image.metadata.color);
+    EXPECT_EQ(image.metadata.frame_rate, (FrameRate{30, 1}));
+    EXPECT_EQ(image.metadata.text.size(), 4U);
+    EXPECT_EQ(read_file(summary.files[1]), baked_files(preset, 1)[1]);
+}
+
+// What is drawn for a PNG of 8 bits, an EXR has in its own unit: the mask from 0 to 1.
+TEST(Bake, AMapAloneIsAnExrWithoutLayers) {
+    const TemporaryFolder folder;
+    Preset preset = small_preset(folder.path());
+    preset.image.maps = {"film"};
+    const BakeSummary coded = bake(preset, {.frames = {1}, .threads = 1}, {});
+    preset.output.pattern = (folder.path() / "{map}.exr").string();
+    const BakeSummary whole = bake(preset, {.frames = {1}, .threads = 1}, {});
+    const ExrImage image = read_exr(whole.files.front());
+    EXPECT_EQ(channel_names(image), std::vector<std::string>{"Y"});
+    EXPECT_FALSE(image.metadata.color);
+    const auto& numbers = std::get<Image<float>>(image.channels.front().pixels);
+    const Image<std::uint8_t> codes = read_png(coded.files.front()).pixels;
+    for (std::size_t k = 0; k < codes.samples().size(); ++k) {
+        EXPECT_NEAR(numbers.samples()[k], codes.samples()[k] / 255.0, 0.5001 / 255.0);
+    }
+}
+
+TEST(Bake, FilesTellNothingWhereTextsAreLeftOut) {
+    const TemporaryFolder folder;
+    Preset preset = small_preset(folder.path());
+    preset.output.texts = FileTexts::LeftOut;
+    const BakeSummary summary = bake(preset, {.frames = {1}, .threads = 1}, {});
+    EXPECT_TRUE(read_png(summary.files.front()).metadata.text.empty());
+}
+
+TEST(Bake, CompressionChangesNoPixel) {
+    const TemporaryFolder folder;
+    Preset preset = small_preset(folder.path());
+    std::vector<std::size_t> sizes;
+    std::vector<Image<std::uint8_t>> pictures;
+    for (const Compression compression :
+         {Compression::None, Compression::Fast, Compression::Small}) {
+        preset.output.png_compression = compression;
+        const BakeSummary summary = bake(preset, {.frames = {1}, .threads = 1}, {});
+        sizes.push_back(read_file(summary.files.front()).size());
+        pictures.push_back(read_png(summary.files.front()).pixels);
+    }
+    EXPECT_GT(sizes[0], sizes[1]);
+    EXPECT_GT(sizes[1], sizes[2]);
+    EXPECT_EQ(pictures[0], pictures[1]);
+    EXPECT_EQ(pictures[0], pictures[2]);
 }
 
 TEST(Bake, FilesTellHowTheyWereMade) {

@@ -59,7 +59,7 @@ TEST(FilePattern, RefusesUnknownPlaceholdersAndOtherFormats) {
     for (const char* pattern : {"%s.png", "%4d.png", "%.png", "%012d.png", "a%.png", "%0xd.png"}) {
         EXPECT_NE(failure(pattern), "no failure") << pattern;
     }
-    EXPECT_EQ(failure("a.####.exr"), "output pattern 'a.####.exr': must end in .png");
+    EXPECT_EQ(failure("a.####.jpg"), "output pattern 'a.####.jpg': must end in .png or .exr");
 }
 
 TEST(FilePattern, TwoImagesMayNotShareAFile) {
@@ -70,6 +70,18 @@ TEST(FilePattern, TwoImagesMayNotShareAFile) {
     EXPECT_EQ(failure("####.png", 48, 2),
               "output pattern '####.png': must contain {map}, to tell 2 maps apart");
     EXPECT_EQ(failure("{map}.@.png", 48, 2), "no failure");
+}
+
+// Channels of an EXR have names, so that maps may share a file; those of a PNG have not.
+TEST(FilePattern, OnlyAnExrHoldsSeveralMaps) {
+    EXPECT_EQ(FilePattern("a.exr").format(), FileFormat::Exr);
+    EXPECT_EQ(FilePattern("a.png").format(), FileFormat::Png);
+    EXPECT_TRUE(FilePattern("a.exr").joins_maps());
+    EXPECT_FALSE(FilePattern("a_{map}.exr").joins_maps());
+    EXPECT_FALSE(FilePattern("a.png").joins_maps());
+    EXPECT_NO_THROW(FilePattern("a.exr").check_distinct(1, 3));
+    EXPECT_THROW(FilePattern("a.exr").check_distinct(2, 3), std::invalid_argument);
+    EXPECT_THROW(FilePattern("a.png").check_distinct(1, 3), std::invalid_argument);
 }
 
 }  // namespace

@@ -1,0 +1,157 @@
+#include "texgen/bake/frame_files.h"
+
+#include "texgen/image/file_io.h"
+#include "texgen/maps/exr_layers.h"
+#include "texgen/maps/quantize.h"
+#include "texgen/preset/preset_io.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+namespace foam::texgen {
+
+namespace {
+
+using Texts = std::vector<std::pair<std::string, std::string>>;
+
+// What every file of a bake says about itself.
+Texts texts_of(const Preset& preset) {
+    if (preset.output.texts == FileTexts::LeftOut) {
+        return {};
+    }
+    return {{"Title", preset.description},
+            {"Software", "foamtex " FOAMTEX_VERSION},
+            {"Seed", fmt::format("{}", preset.seeding.seed)},
+            {"Preset", to_toml(preset)}};
+}
+
+std::vector<const Map*> maps_of(const Preset& preset) {
+    std::vector<const Map*> maps;
+    for (const std::string& name : preset.image.maps) {
+        maps.push_back(&find_map(name));
+    }
+    return maps;
+}
+
+}  // namespace
+
+FrameFiles::FrameFiles(const Preset& preset)
+    : preset_(preset),
+      pattern_(preset.output.pattern),
+      maps_(maps_of(preset)),
+      png_{.color = false, .text = texts_of(preset)},
+      exr_{.periodic = preset.shape.kind == FoamKind::Torus,
+           .frame_rate = FrameRate{preset.output.frames_per_second, 1},
+           .text = texts_of(preset)} {}
+
+std::filesystem::path FrameFiles::path(const Map& map, int frame) const {
+    return pattern_.path(preset_.name, map.name, frame);
+}
+
+std::vector<std::filesystem::path> FrameFiles::paths(int frame) const {
+    std::vector<std::filesystem::path> all;
+    for (const Map* map : maps_) {
+        all.push_back(path(*map, frame));
+    }
+    if (pattern_.joins_maps()) {
+        all.resize(1);
+    }
+    return all;
+}
+
+void FrameFiles::write(FrameLayers& layers) {
+    const int frame = layers.frame().number;
+    if (pattern_.joins_maps()) {
+        write_exr(maps_, layers, path(*maps_.front(), frame));
+        return;
+    }
+    for (const Map* map : maps_) {
+        if (pattern_.format() == FileFormat::Exr) {
+            write_exr(std::span(&map, 1), layers, path(*map, frame));
+        } else {
+            write_png(*map, map->draw(layers, preset_.maps), path(*map, frame));
+        }
+    }
+}
+
+DistanceNeeds FrameFiles::distance() const {
+    return distance_needs(preset_.image.maps);
+}
+
+bool FrameFiles::needs_next() const {
+    return std::any_of(maps_.begin(), maps_.end(), [](const Map* map) { return map->needs_next; });
+}
+
+void FrameFiles::write_png(const Map& map,
+                           const MapImage& image,
+                           const std::filesystem::path& path) {
+    const CodedImage coded = quantize(image, map.png_bits);
+    const PngMetadata metadata = png_metadata(map, coded.color);
+    const PngEncoding encoding{.filter = map.png_filter,
+                               .compression = preset_.output.png_compression};
+    std::unique_ptr<PngEncoder> encoder = take_encoder();
+    const std::span<const std::byte> stream = std::visit(
+        [&](const auto& codes) { return encoder->encode(codes.view(), metadata, encoding); },
+        coded.codes);
+    make_folders(path.parent_path());
+    write_file(path, stream);
+    give_back(std::move(encoder));
+}
+
+// With what the map's codes stand for, which EXR files of floats need not say.
+PngMetadata FrameFiles::png_metadata(const Map& map, bool color) const {
+    PngMetadata metadata = png_;
+    metadata.color = color;
+    if (!metadata.text.empty()) {
+        metadata.text.emplace_back("Map", map.name);
+        metadata.text.emplace_back("Unit", map.unit);
+    }
+    if (!metadata.text.empty() && map.note != nullptr) {
+        metadata.text.emplace_back("Note", map.note(preset_.maps));
+    }
+    return metadata;
+}
+
+// A lone map lies in no layer.
+void FrameFiles::write_exr(std::span<const Map* const> maps,
+                           FrameLayers& layers,
+                           const std::filesystem::path& path) const {
+    ExrLayers channels(preset_.output.exr_numbers);
+    for (const Map* map : maps) {
+        channels.add(maps.size() > 1 ? map->name : std::string_view(),
+                     map->channels,
+                     map->draw(layers, preset_.maps));
+    }
+    ExrMetadata metadata = exr_;
+    metadata.color = channels.has_colors();
+    const OutputOptions& output = preset_.output;
+    make_folders(path.parent_path());
+    texgen::write_exr(path,
+                      channels.channels(),
+                      metadata,
+                      {.compression = output.exr_compression,
+                       .zip_level = output.exr_level,
+                       .mip_levels = output.exr_layout == ExrLayout::MipLevels});
+}
+
+std::unique_ptr<PngEncoder> FrameFiles::take_encoder() {
+    const std::scoped_lock lock(mutex_);
+    if (idle_encoders_.empty()) {
+        return std::make_unique<PngEncoder>();
+    }
+    std::unique_ptr<PngEncoder> encoder = std::move(idle_encoders_.back());
+    idle_encoders_.pop_back();
+    return encoder;
+}
+
+void FrameFiles::give_back(std::unique_ptr<PngEncoder> encoder) {
+    const std::scoped_lock lock(mutex_);
+    idle_encoders_.push_back(std::move(encoder));
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "texgen/bake/file_pattern.h"
+#include "texgen/image/exr.h"
+#include "texgen/image/png.h"
+#include "texgen/maps/frame_layers.h"
+#include "texgen/maps/map.h"
+#include "texgen/preset/preset.h"
+
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <vector>
+
+namespace foam::texgen {
+
+/// The image files of a bake. Its functions may be called from several threads at once.
+class FrameFiles {
+  public:
+    /// Keeps the preset in hand.
+    explicit FrameFiles(const Preset& preset);
+
+    /// Of one frame.
+    std::vector<std::filesystem::path> paths(int frame) const;
+
+    /// Draws every map of a frame and writes it; folders are made as needed. Throws OutputError.
+    void write(FrameLayers& layers);
+
+    /// What the maps ask of distances, and whether of the next frame.
+    DistanceNeeds distance() const;
+    bool needs_next() const;
+
+  private:
+    void write_png(const Map& map, const MapImage& image, const std::filesystem::path& path);
+    void write_exr(std::span<const Map* const> maps,
+                   FrameLayers& layers,
+                   const std::filesystem::path& path) const;
+    std::filesystem::path path(const Map& map, int frame) const;
+
+    std::unique_ptr<PngEncoder> take_encoder();
+    void give_back(std::unique_ptr<PngEncoder> encoder);
+
+    PngMetadata png_metadata(const Map& map, bool color) const;
+
+    const Preset& preset_;
+    FilePattern pattern_;
+    std::vector<const Map*> maps_;
+    PngMetadata png_;
+    ExrMetadata exr_;
+    std::mutex mutex_;
+    std::vector<std::unique_ptr<PngEncoder>> idle_encoders_;  // at most one for every thread
+};
+
+}  // namespace foam::texgen
