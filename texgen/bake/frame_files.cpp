@@ -117,6 +117,17 @@ PngMetadata FrameFiles::png_metadata(const Map& map, bool color) const {
     return metadata;
 }
 
+ExrMetadata FrameFiles::exr_metadata(std::span<const Map* const> maps, bool color) const {
+    ExrMetadata metadata = exr_;
+    metadata.color = color;
+    for (const Map* map : maps) {
+        if (!metadata.text.empty() && map->note != nullptr) {
+            metadata.text.emplace_back(fmt::format("Note {}", map->name), map->note(preset_.maps));
+        }
+    }
+    return metadata;
+}
+
 // A lone map lies in no layer.
 void FrameFiles::write_exr(std::span<const Map* const> maps,
                            FrameLayers& layers,
@@ -127,8 +138,7 @@ void FrameFiles::write_exr(std::span<const Map* const> maps,
                      map->channels,
                      map->draw(layers, preset_.maps));
     }
-    ExrMetadata metadata = exr_;
-    metadata.color = channels.has_colors();
+    const ExrMetadata metadata = exr_metadata(maps, channels.has_colors());
     const OutputOptions& output = preset_.output;
     make_folders(path.parent_path());
     texgen::write_exr(path,

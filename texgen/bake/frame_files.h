@@ -42,6 +42,7 @@ class FrameFiles {
     void give_back(std::unique_ptr<PngEncoder> encoder);
 
     PngMetadata png_metadata(const Map& map, bool color) const;
+    ExrMetadata exr_metadata(std::span<const Map* const> maps, bool color) const;
 
     const Preset& preset_;
     FilePattern pattern_;
