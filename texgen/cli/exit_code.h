@@ -2,7 +2,8 @@
 
 namespace foam::texgen {
 
-/// What the program returns to the shell; the help of the program lists the same.
+/// What the program returns to the shell; the help of the program lists the same. `compare` returns
+/// its Verdict instead, and BadInput, as idiff does.
 enum class ExitCode : int {
     Success = 0,
     InternalFailure = 1,  // a bug, or out of memory

@@ -63,6 +63,7 @@ ExitCode parse_and_run(int argc, char** argv) {
     add_bake_command(app, action);
     add_relax_command(app, action);
     add_stats_command(app, action);
+    add_compare_command(app, action);
     add_presets_command(app, action);
     add_maps_command(app, action);
     try {

@@ -5,11 +5,13 @@
 #include "texgen/image/exr.h"
 #include "texgen/image/png.h"
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cstdlib>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace foam::texgen {
@@ -209,6 +211,33 @@ TEST(OtherPrograms, OpenImageIoFindsOurValues) {
     EXPECT_TRUE(contains(said, "Pixel (1, 0): 1.0")) << said;
     EXPECT_TRUE(contains(said, "Pixel (0, 1): 700.0")) << said;
     EXPECT_TRUE(contains(said, "Pixel (1, 1): 0.25")) << said;
+}
+
+// Where idiff follows its own table of exit codes: of a warning and of another size it may say that
+// all is well.
+TEST(OtherPrograms, IdiffComparesAsWeDo) {
+    if (const std::string program = missing({"idiff"}); !program.empty()) {
+        GTEST_SKIP() << "there is no " << program;
+    }
+    const TemporaryFolder folder;
+    Image<std::uint8_t> image(4, 2, 3);
+    write_png(folder.path() / "a.png", image.view());
+    image.pixel(3, 1)[1] = 51;  // 0.2
+    write_png(folder.path() / "b.png", image.view());
+    for (const auto& [limit, file] : {std::pair("0.3", "b.png"),
+                                      std::pair("0.1", "b.png"),
+                                      std::pair("0", "a.png"),
+                                      std::pair("0", "none.png")}) {
+        const std::string idiff =
+            fmt::format("cd {0} && idiff -warn {1} -fail {1} a.png {2} >out 2>&1",
+                        folder.path().string(),
+                        limit,
+                        file);
+        const int status = std::system(idiff.c_str());
+        const Outcome ours = run_program(
+            fmt::format("compare --warn {0} --fail {0} a.png {1}", limit, file), folder);
+        EXPECT_EQ(ours.code, WEXITSTATUS(status)) << limit << " " << file;
+    }
 }
 
 }  // namespace

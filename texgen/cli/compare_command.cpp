@@ -1,0 +1,134 @@
+#include "texgen/bake/file_pattern.h"
+#include "texgen/bake/frame_range.h"
+#include "texgen/cli/command.h"
+#include "texgen/image/compare.h"
+#include "texgen/image/png.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr const char* kExamples = R"(Examples:
+  foamtex compare golden.png out/sea_foam_albedo.0001.png
+  foamtex compare 'old/a.####.exr' 'new/a.####.exr' --frames 1-48 --warn 1e-4 --fail 1e-3
+Samples of a PNG count from 0 to 1, those of an EXR as they are.
+Exit codes: 0 same, 1 warning, 2 failure, 3 other size or channels, 4 unreadable)";
+
+struct CompareArguments {
+    std::string a;
+    std::string b;
+    std::optional<std::string> frames;
+    std::optional<std::string> difference;
+    CompareLimits limits;
+    bool quiet = false;
+};
+
+using Paths = std::pair<std::filesystem::path, std::filesystem::path>;
+
+/// What is compared with what.
+std::vector<Paths> pairs_of(const CompareArguments& arguments) {
+    if (!arguments.frames) {
+        return {{arguments.a, arguments.b}};
+    }
+    const FilePattern a(arguments.a);
+    const FilePattern b(arguments.b);
+    std::vector<Paths> pairs;
+    for (const int frame : parse_frame_range(*arguments.frames)) {
+        pairs.emplace_back(a.path({}, {}, frame), b.path({}, {}, frame));
+    }
+    return pairs;
+}
+
+const char* word_of(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::Same:
+            return "same";
+        case Verdict::Warning:
+            return "warning";
+        case Verdict::Failure:
+            return "failure";
+        default:
+            return "other size or channels";
+    }
+}
+
+void print_line(const Paths& paths, const Comparison& found) {
+    fmt::print("{}: {}", paths.second.string(), word_of(found.verdict));
+    if (found.largest > 0.0) {
+        fmt::print(", largest {:.6g} in {} at {},{}, mean {:.3g}, {} samples beyond the limits",
+                   found.largest,
+                   found.channel,
+                   found.x,
+                   found.y,
+                   found.mean,
+                   std::max(found.warnings, found.failures));
+    }
+    fmt::print("\n");
+}
+
+Verdict compare_files(const Paths& paths, const CompareArguments& arguments) {
+    const Picture a = read_picture(paths.first);
+    const Picture b = read_picture(paths.second);
+    const Comparison found = compare(a, b, arguments.limits);
+    if (!arguments.quiet) {
+        print_line(paths, found);
+    }
+    if (arguments.difference && found.verdict != Verdict::OtherSize) {
+        write_png(
+            *arguments.difference, difference_picture(a, b).view(), {}, {.filter = PngFilter::Up});
+    }
+    return found.verdict;
+}
+
+/// The worst verdict of all decides.
+ExitCode run_compare(const CompareArguments& arguments) {
+    Verdict worst = Verdict::Same;
+    for (const Paths& paths : pairs_of(arguments)) {
+        worst = std::max(worst, compare_files(paths, arguments));
+    }
+    return static_cast<ExitCode>(worst);
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& app, Action& action) {
+    CLI::App* command = app.add_subcommand("compare", "Compare images, or sequences of images");
+    const auto arguments = std::make_shared<CompareArguments>();
+    const CLI::Range any_distance(0.0, std::numeric_limits<double>::max());
+    command->add_option("A", arguments->a, "An image, .png or .exr, or with --frames their pattern")
+        ->required()
+        ->option_text(" ");
+    command->add_option("B", arguments->b, "What is compared with it")
+        ->required()
+        ->option_text(" ");
+    command->add_option("--fail", arguments->limits.fail, "Fails beyond this difference (1e-6)")
+        ->check(any_distance)
+        ->option_text("T");
+    command->add_option("--warn", arguments->limits.warn, "Warns beyond this difference (1e-6)")
+        ->check(any_distance)
+        ->option_text("T");
+    command->add_option("--frames", arguments->frames, "Frames of the sequences, as 1-10x2")
+        ->option_text("RANGE");
+    command->add_option("--diff", arguments->difference, "A grey PNG of where they differ")
+        ->excludes("--frames")
+        ->option_text("FILE");
+    command->add_flag("-q,--quiet", arguments->quiet, "Say nothing; only the exit code tells")
+        ->option_text(" ");
+    command->footer(kExamples);
+    command->callback(
+        [&action, arguments] { action = [arguments] { return run_compare(*arguments); }; });
+}
+
+}  // namespace foam::texgen

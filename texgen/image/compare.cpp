@@ -1,0 +1,93 @@
+#include "texgen/image/compare.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr double kWhite = 65535.0;
+
+/// Two that are no numbers are the same.
+double difference(double a, double b) {
+    if (a == b || (std::isnan(a) && std::isnan(b))) {
+        return 0.0;
+    }
+    const double apart = std::abs(a - b);
+    return std::isnan(apart) ? std::numeric_limits<double>::infinity() : apart;
+}
+
+bool have_one_form(const Picture& a, const Picture& b) {
+    return a.width() == b.width() && a.height() == b.height() &&
+           std::ranges::equal(
+               a.channels, b.channels, {}, &PictureChannel::name, &PictureChannel::name);
+}
+
+/// Calls visit(channel, x, y, difference) for every sample.
+template <class Visit>
+void visit_differences(const Picture& a, const Picture& b, const Visit& visit) {
+    for (std::size_t k = 0; k < a.channels.size(); ++k) {
+        const Image<double>& left = a.channels[k].numbers;
+        const Image<double>& right = b.channels[k].numbers;
+        for (int y = 0; y < left.height(); ++y) {
+            for (int x = 0; x < left.width(); ++x) {
+                visit(k, x, y, difference(left.pixel(x, y)[0], right.pixel(x, y)[0]));
+            }
+        }
+    }
+}
+
+Verdict verdict_of(const Comparison& comparison) {
+    if (comparison.failures > 0) {
+        return Verdict::Failure;
+    }
+    return comparison.warnings > 0 ? Verdict::Warning : Verdict::Same;
+}
+
+}  // namespace
+
+Comparison compare(const Picture& a, const Picture& b, const CompareLimits& limits) {
+    Comparison found;
+    if (!have_one_form(a, b)) {
+        found.verdict = Verdict::OtherSize;
+        return found;
+    }
+    double sum = 0.0;
+    std::size_t count = 0;
+    visit_differences(a, b, [&](std::size_t channel, int x, int y, double apart) {
+        sum += apart;
+        ++count;
+        found.warnings += apart > limits.warn ? 1U : 0U;
+        found.failures += apart > limits.fail ? 1U : 0U;
+        if (apart > found.largest) {
+            found.largest = apart;
+            found.channel = a.channels[channel].name;
+            found.x = x;
+            found.y = a.height() - 1 - y;
+        }
+    });
+    found.mean = sum / static_cast<double>(count);
+    found.verdict = verdict_of(found);
+    return found;
+}
+
+Image<std::uint16_t> difference_picture(const Picture& a, const Picture& b) {
+    assert(have_one_form(a, b));
+    Image<double> most(a.width(), a.height(), 1);
+    double largest = 0.0;
+    visit_differences(a, b, [&](std::size_t, int x, int y, double apart) {
+        const double finite = std::min(apart, std::numeric_limits<double>::max());
+        most.pixel(x, y)[0] = std::max(most.pixel(x, y)[0], finite);
+        largest = std::max(largest, finite);
+    });
+    Image<std::uint16_t> picture(a.width(), a.height(), 1);
+    std::ranges::transform(most.samples(), picture.samples().begin(), [&](double apart) {
+        return static_cast<std::uint16_t>(largest > 0.0 ? apart / largest * kWhite + 0.5 : 0.0);
+    });
+    return picture;
+}
+
+}  // namespace foam::texgen
