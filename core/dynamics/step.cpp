@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 #include <utility>
+#include <vector>
 
 namespace foam {
 
@@ -134,15 +135,19 @@ double advance(Foam& foam,
                const StepOptions& options,
                StepSummary& summary,
                const Substep& substep_of) {
+    std::vector<TopologyEvent> events = std::exchange(foam.events, {});  // not to copy them
     for (int halvings = 0;; ++halvings, length *= 0.5) {
         Foam next = foam;
         const EquilibriumSummary part = substep_of(next, length);
         if (part.converged()) {
+            events.insert(events.end(), next.events.begin(), next.events.end());
             foam = std::move(next);
+            foam.events = std::move(events);
             add(summary, part);
             return length;
         }
         if (halvings == options.max_halvings) {
+            foam.events = std::move(events);
             summary.equilibrium.status = part.status;
             return 0.0;
         }

@@ -71,6 +71,10 @@ TEST(TopologyEvent, AStepNotesAsManyAsItCounts) {
     EXPECT_GT(summary.equilibrium.t2, 0);
     EXPECT_EQ(count(foam, TopologyEventKind::T1), summary.equilibrium.t1);
     EXPECT_EQ(count(foam, TopologyEventKind::T2), summary.equilibrium.t2);
+    const std::vector<TopologyEvent> before = foam.events;
+    step(foam, 5.0, {});
+    ASSERT_GT(foam.events.size(), before.size());
+    EXPECT_TRUE(std::equal(before.begin(), before.end(), foam.events.begin()));
     EXPECT_TRUE(std::is_sorted(foam.events.begin(),
                                foam.events.end(),
                                [](const auto& a, const auto& b) { return a.time < b.time; }));
