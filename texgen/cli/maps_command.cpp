@@ -13,8 +13,9 @@ namespace foam::texgen {
 namespace {
 
 constexpr const char* kNotes =
-    R"(Colours are written as 8-bit sRGB, with an opacity in a patch; all else is data, 0 around a patch.
-Their options are keys of the preset: foamtex presets keys)";
+    R"(Every map is written as PNG or EXR, as the end of --out says. In a PNG colours are 8-bit sRGB,
+with an opacity in a patch; all else is data, 0 around a patch, where normals point up and occlusion
+is 1. Their options are keys of the preset: foamtex presets keys)";
 
 ExitCode list_maps() {
     std::size_t name_width = 0;
