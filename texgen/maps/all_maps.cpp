@@ -180,6 +180,7 @@ constexpr std::array kMaps = {
 
 std::vector<std::string_view> names_of_maps() {
     std::vector<std::string_view> names;
+    names.reserve(kMaps.size());
     for (const Map& map : kMaps) {
         names.push_back(map.name);
     }

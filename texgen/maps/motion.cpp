@@ -11,6 +11,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -100,7 +101,8 @@ class MotionPainter {
     Image<float> paint() {
         const RasterGrid& grid = layers_.grid();
         Image<float> image(grid.width, grid.height, 2);
-        const Bands bands(cells_, grid.height);
+        const auto rows = std::bit_ceil(static_cast<unsigned>(grid.height));  // all in one band
+        const Bands bands(cells_, static_cast<int>(rows), Bands::Entries::Outlines);
         for (const Bands::Entry& entry : bands.entries(0)) {
             const Outline& outline = cells_.outlines[entry.outline];
             if (!layers_.is_around(static_cast<std::uint32_t>(index_of(outline.bubble)))) {
@@ -160,11 +162,11 @@ class MotionPainter {
         mask_.fill(cells_.chain(outline),
                    translation - SubpixelPoint{column * kSubpixel, row * kSubpixel});
         for (int y = std::max(-row, 0); y < std::min(mask_.rows(), image.height() - row); ++y) {
-            mask_.for_each_run(y, [&](int begin, int end) {
-                for (int x = begin; x < end; ++x) {
-                    write(image, column + x, row + y, motion_of);
+            for (int k = 0; 16 * k < mask_.columns(); ++k) {
+                for (unsigned rest = mask_.sixteen(k, y); rest != 0; rest &= rest - 1) {
+                    write(image, column + 16 * k + std::countr_zero(rest), row + y, motion_of);
                 }
-            });
+            }
         }
     }
 
