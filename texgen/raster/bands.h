@@ -37,8 +37,8 @@ class Bands {
 
   private:
     struct BandEntry {
-        std::size_t band;
-        Entry entry;
+        std::size_t band = 0;
+        Entry entry{};
     };
     using Found = std::vector<BandEntry>;
 

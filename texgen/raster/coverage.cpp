@@ -9,6 +9,18 @@ namespace {
 constexpr std::size_t kFlagsPerWord = 64;
 constexpr std::int32_t kFullWidth = 2 * kSubpixel;  // of a pixel, as areas count
 
+// Reads all before it writes any, so that the channels are taken several at once.
+template <std::size_t Lanes>
+void add_times(double factor,
+               const std::array<double, Lanes>& value,
+               std::array<double, Lanes>& to) {
+    std::array<double, Lanes> sum = to;
+    for (std::size_t c = 0; c < Lanes; ++c) {
+        sum[c] += factor * value[c];
+    }
+    to = sum;
+}
+
 }  // namespace
 
 template <std::size_t Channels>
@@ -46,12 +58,8 @@ inline void Coverage<Channels>::add_part(const PixelPart& part, const Sum& value
     const double here = part.height * kFullWidth - part.area;
     const double right = part.area;
     Sum* differences = &differences_[row * stride_ + x];
-    for (std::size_t c = 0; c < value.size(); ++c) {
-        differences[0][c] += here * value[c];
-    }
-    for (std::size_t c = 0; c < value.size(); ++c) {
-        differences[1][c] += right * value[c];
-    }
+    add_times(here, value, differences[0]);
+    add_times(right, value, differences[1]);
     touch_two(row * words_, x);
 }
 

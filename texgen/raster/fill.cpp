@@ -122,9 +122,11 @@ class RowWriter {
     }
 
     void add(const Sum& difference) {
-        for (std::size_t c = 0; c < sum_.size(); ++c) {
-            sum_[c] += difference[c];
+        Sum sum = difference;  // reads all before it writes any, to take several at once
+        for (std::size_t c = 0; c < sum.size(); ++c) {
+            sum[c] += sum_[c];
         }
+        sum_ = sum;
         const auto samples = to_samples_.template samples_of<Channels>(sum_);
         pixel_ = 0;
         for (std::size_t c = 0; c < Channels; ++c) {
