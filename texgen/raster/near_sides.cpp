@@ -90,11 +90,12 @@ FOAMTEX_VECTOR_CLONES void NearSides::look_from(const Vec2& point) {
         past_tail_[k] = reach + cosine_[k] * along;
         before_head_[k] = reach - cosine_[k] * along;
     }
+    const double far = kFar;
     for (std::size_t k = 0; k < count; ++k) {
         const double length = std::sqrt(slope_x_[k] * slope_x_[k] + slope_y_[k] * slope_y_[k]);
         const double distance = std::abs(twice_[k]) / (1.0 + length);
         const double end = past_tail_[k] < before_head_[k] ? past_tail_[k] : before_head_[k];
-        facing_[k] = end >= 0.0 ? distance : kFar;
+        facing_[k] = end >= 0.0 ? distance : far;
         at_least_[k] = distance > -end ? distance : -end;
     }
 }

@@ -66,6 +66,7 @@ FOAMTEX_VECTOR_CLONES void PixelBatch::add_arc(const FloatQuadratic& across,
     const FloatQuadratic f = across;
     const FloatLine t = tail;
     const FloatLine h = head;
+    const float far = kFar;
     for (std::size_t k = 0; k < padded_; ++k) {
         const float x = x_[k];
         const float y = y_[k];
@@ -76,7 +77,7 @@ FOAMTEX_VECTOR_CLONES void PixelBatch::add_arc(const FloatQuadratic& across,
         const float distance = std::abs(twice) / (1.0F + length);
         const float past_tail = t.value + x * t.x + y * t.y;
         const float before_head = h.value + x * h.x + y * h.y;
-        const float here = least(past_tail, before_head) >= -kPastEnd ? distance : kFar;
+        const float here = least(past_tail, before_head) >= -kPastEnd ? distance : far;
         distance_[k] = least(here, distance_[k]);
     }
 }
@@ -87,6 +88,7 @@ FOAMTEX_VECTOR_CLONES void PixelBatch::add_arc_and_gradient(const FloatQuadratic
     const FloatQuadratic f = across;
     const FloatLine t = tail;
     const FloatLine h = head;
+    const float far = kFar;
     for (std::size_t k = 0; k < padded_; ++k) {
         const float x = x_[k];
         const float y = y_[k];
@@ -97,7 +99,7 @@ FOAMTEX_VECTOR_CLONES void PixelBatch::add_arc_and_gradient(const FloatQuadratic
         const float distance = std::abs(twice) / (1.0F + length);
         const float past_tail = t.value + x * t.x + y * t.y;
         const float before_head = h.value + x * h.x + y * h.y;
-        const float here = least(past_tail, before_head) >= -kPastEnd ? distance : kFar;
+        const float here = least(past_tail, before_head) >= -kPastEnd ? distance : far;
         const float sign = std::copysign(1.0F, twice);
         const std::uint32_t nearest = mask_if(here < distance_[k]);
         gradient_x_[k] = chosen(nearest, sign * slope_x, gradient_x_[k]);
