@@ -11,7 +11,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -101,8 +100,7 @@ class MotionPainter {
     Image<float> paint() {
         const RasterGrid& grid = layers_.grid();
         Image<float> image(grid.width, grid.height, 2);
-        const auto rows = std::bit_ceil(static_cast<unsigned>(grid.height));  // all in one band
-        const Bands bands(cells_, static_cast<int>(rows), Bands::Entries::Outlines);
+        const Bands bands(cells_, grid.height, Bands::Entries::Outlines);
         for (const Bands::Entry& entry : bands.entries(0)) {
             const Outline& outline = cells_.outlines[entry.outline];
             if (!layers_.is_around(static_cast<std::uint32_t>(index_of(outline.bubble)))) {

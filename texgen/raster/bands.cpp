@@ -23,7 +23,7 @@ SubpixelPoint into_columns(const RasterGrid& grid, SubpixelPoint first, Subpixel
 
 Bands::Bands(const CellOutlines& cells, int rows_per_band, Entries kind)
     : grid_(cells.grid),
-      row_bits_(static_cast<int>(std::bit_width(static_cast<unsigned>(rows_per_band))) - 1),
+      row_bits_(static_cast<int>(std::bit_width(static_cast<unsigned>(rows_per_band - 1)))),
       kind_(kind),
       ends_(static_cast<std::size_t>((grid_.height - 1) >> row_bits_) + 2) {
     Found found;

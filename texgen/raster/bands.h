@@ -27,7 +27,7 @@ class Bands {
     /// What an entry of a band is: a whole outline, or each stretch of one that reaches into it.
     enum class Entries { Outlines, Stretches };
 
-    /// The rows are rounded down to a power of two.
+    /// The rows are rounded up to a power of two.
     Bands(const CellOutlines& cells, int rows_per_band, Entries kind);
 
     int count() const { return static_cast<int>(ends_.size()) - 1; }

@@ -1,6 +1,7 @@
 #include "texgen/raster/cell_mask.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace foam::texgen {
 
@@ -60,6 +61,22 @@ void CellMask::toggle(SubpixelPoint low, SubpixelPoint high, int begin, int end)
         const int column = std::clamp(first_middle_from(next), 0, columns_);
         word(column, row) ^= bit(column);
     }
+}
+
+// The end of the run of equal pixels that holds the column; no more than columns().
+int CellMask::next_change(int row, int column) const {
+    if (column >= columns_) {
+        return columns_;
+    }
+    std::size_t k = row_begin(row) + static_cast<std::size_t>(column / kBits);
+    const std::uint64_t same = (words_[k] & bit(column)) != 0 ? ~std::uint64_t{0} : 0;
+    std::uint64_t others = (words_[k] ^ same) & ~(bit(column) - 1);
+    int begin = column / kBits * kBits;
+    while (others == 0 && begin + kBits < columns_) {
+        others = words_[++k] ^ same;
+        begin += kBits;
+    }
+    return others == 0 ? columns_ : std::min(columns_, begin + std::countr_zero(others));
 }
 
 }  // namespace foam::texgen

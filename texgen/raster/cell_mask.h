@@ -32,6 +32,17 @@ class CellMask {
             words_[row_begin(row) + static_cast<std::size_t>(k / 4)] >> (16 * (k % 4)));
     }
 
+    /// Calls visit(begin, end) for the runs of columns in a row.
+    template <class Visit>
+    void for_each_run(int row, const Visit& visit) const {
+        int column = (sixteen(0, row) & 1) != 0 ? 0 : next_change(row, 0);
+        while (column < columns_) {
+            const int end = next_change(row, column);
+            visit(column, end);
+            column = next_change(row, end);
+        }
+    }
+
   private:
     static constexpr int kBits = 64;
 
@@ -44,6 +55,7 @@ class CellMask {
     static std::int32_t first_middle_from(std::int32_t subpixel) {
         return pixel_of(subpixel + kSubpixel / 2 - 1);
     }
+    int next_change(int row, int column) const;
     void toggle(SubpixelPoint low, SubpixelPoint high, int begin, int end);
 
     int columns_ = 0;

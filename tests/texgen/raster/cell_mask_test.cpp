@@ -70,6 +70,11 @@ TEST(CellMask, GoesOnFromWordToWord) {
                     static_cast<std::size_t>(end - begin),
                     '#');
         EXPECT_EQ(picture(mask), row + '\n');
+        std::string runs;
+        mask.for_each_run(0, [&](int from, int to) {
+            runs += std::to_string(from) + "-" + std::to_string(to) + " ";
+        });
+        EXPECT_EQ(runs, std::to_string(begin) + "-" + std::to_string(end) + " ");
     }
 }
 
