@@ -38,6 +38,11 @@ std::vector<const Map*> maps_of(const Preset& preset) {
     return maps;
 }
 
+// Under shear, only where the torus is that of a rectangle again.
+bool tiles(const Torus& torus) {
+    return !torus.is_plane() && torus.shear == 0.0;
+}
+
 }  // namespace
 
 FrameFiles::FrameFiles(const Preset& preset)
@@ -45,9 +50,7 @@ FrameFiles::FrameFiles(const Preset& preset)
       pattern_(preset.output.pattern),
       maps_(maps_of(preset)),
       png_{.color = false, .text = texts_of(preset)},
-      exr_{.periodic = preset.shape.kind == FoamKind::Torus,
-           .frame_rate = FrameRate{preset.output.frames_per_second, 1},
-           .text = texts_of(preset)} {}
+      exr_{.frame_rate = FrameRate{preset.output.frames_per_second, 1}, .text = texts_of(preset)} {}
 
 std::filesystem::path FrameFiles::path(const Map& map, int frame) const {
     return pattern_.path(preset_.name, map.name, frame);
@@ -138,7 +141,8 @@ void FrameFiles::write_exr(std::span<const Map* const> maps,
                      map->channels,
                      map->draw(layers, preset_.maps));
     }
-    const ExrMetadata metadata = exr_metadata(maps, channels.has_colors());
+    ExrMetadata metadata = exr_metadata(maps, channels.has_colors());
+    metadata.periodic = tiles(layers.frame().torus);
     const OutputOptions& output = preset_.output;
     make_folders(path.parent_path());
     texgen::write_exr(path,

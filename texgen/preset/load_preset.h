@@ -11,9 +11,9 @@ namespace foam::texgen {
 ///
 ///     extends = "sea_foam"    # or a file, beside the one that says so
 ///
-/// It then has all keys of the other but those that it sets itself, and the other's events unless it
-/// has some. Throws PresetError, also for a file that is missing or unreadable, and where presets
-/// extend each other in a circle.
+/// It then has all keys of the other but those that it sets itself, and the other's events unless
+/// it has some. Throws PresetError, also for a file that is missing or unreadable, and where
+/// presets extend each other in a circle.
 Preset load_preset(const std::string& name_or_path);
 
 }  // namespace foam::texgen
