@@ -1,6 +1,6 @@
 #include "texgen/cli/command.h"
-#include "texgen/preset/preset_io.h"
 #include "texgen/preset/load_preset.h"
+#include "texgen/preset/preset_io.h"
 #include "texgen/preset/shipped_presets.h"
 
 #include <CLI/CLI.hpp>

@@ -1,8 +1,8 @@
 #include "texgen/cli/run_arguments.h"
 
 #include "texgen/bake/frame_range.h"
-#include "texgen/preset/preset_io.h"
 #include "texgen/preset/load_preset.h"
+#include "texgen/preset/preset_io.h"
 
 #include <CLI/CLI.hpp>
 
