@@ -155,6 +155,7 @@ bool close_hole(Foam& foam, FilmId film) {
         mean += foam.positions[foam.network.tail(h)] / static_cast<double>(boundary.size());
     }
     std::vector<BubbleId> bubbles;
+    bubbles.reserve(boundary.size());
     for (const HalfEdgeId h : boundary) {
         bubbles.push_back(foam.network.right(h));
     }

@@ -41,10 +41,11 @@ std::uint8_t opacity_code(std::uint32_t opacity) {
 template <class Code>
 Image<Code> number_codes(const NumberPixels& numbers) {
     constexpr double kLargest = std::numeric_limits<Code>::max();
+    constexpr double kHalf = 0.5;  // added to what is not negative, to round it to the nearest
     const double scale = kLargest / (numbers.high - numbers.low);
     const auto code_of = [&](float number) {
         const double code = (static_cast<double>(number) - numbers.low) * scale;
-        return code > 0.0 ? static_cast<Code>(std::min(code, kLargest) + 0.5) : Code{0};
+        return code > 0.0 ? static_cast<Code>(std::min(code, kLargest) + kHalf) : Code{0};
     };
     const Image<float>& from = numbers.pixels;
     const auto channels = static_cast<std::size_t>(from.channels());

@@ -29,6 +29,6 @@ LinearRgb film_reflectance(double nanometres);
 /// a patch.
 ColorPixels draw_thin_film(FrameLayers& layers,
                            const ThinFilmOptions& options,
-                           const AlbedoOptions& films);
+                           const AlbedoOptions& albedo);
 
 }  // namespace foam::texgen

@@ -62,9 +62,10 @@ using UnsignedOfSize = std::conditional_t<
 constexpr double kFull = std::int64_t{1} << kCoverageBits;
 constexpr std::int64_t kLargest = std::numeric_limits<std::uint16_t>::max();
 
-// Outlines of an invalid foam may overlap.
+// Outlines of an invalid foam may overlap: a mean may then lie out of range.
 std::uint16_t rounded_mean(double sum) {
-    const auto mean = static_cast<std::int32_t>(sum * (1.0 / kFull) + 0.5);
+    constexpr double kHalf = 0.5;  // makes truncation the nearest
+    const auto mean = static_cast<std::int32_t>(sum * (1.0 / kFull) + kHalf);
     return static_cast<std::uint16_t>(std::clamp<std::int32_t>(mean, 0, kLargest));
 }
 
@@ -202,6 +203,7 @@ class Filler {
         const int workers = std::clamp(threads, 1, bands_.count());
         const RowKind kind = cells_.grid.view ? RowKind::Line : RowKind::Ring;
         std::vector<BandCoverage> buffers;
+        buffers.reserve(static_cast<std::size_t>(workers));
         for (int k = 0; k < workers; ++k) {
             buffers.emplace_back(image_.width(), bands_.row_count(0), kind);
         }
