@@ -86,7 +86,7 @@ int Simulation::shown(int number) const {
 }
 
 Frame Simulation::frame() const {
-    if (!loop_.is_cycle() && loop_.kind != LoopKind::Drift) {
+    if (!loop_.closes_itself()) {
         return snapshot(foam_, number_);
     }
     return snapshot(posed(foam_, loop_, passed()), number_);

@@ -23,6 +23,8 @@ struct LoopOptions {
     std::array<int, 2> drift = {0, 0};
     int cycles = 12;  // at most so many pass before frame 1, for the loop to settle
 
+    /// The foam itself returns: the frame after the last is the first, wherever the loop is cut.
+    bool closes_itself() const { return is_cycle() || kind == LoopKind::Drift; }
     bool is_cycle() const { return kind == LoopKind::Breathe || kind == LoopKind::Shear; }
 };
 

@@ -39,7 +39,7 @@ void check_drift(const Preset& preset, std::span<const Assignment> assignments) 
         refuse_last(
             assignments, {"loop.kind", "loop.drift"}, "loop.drift says how far: [0, 1] is one up");
     }
-    if (drifts && (loop.kind == LoopKind::None || loop.kind == LoopKind::PingPong)) {
+    if (drifts && !loop.closes_itself()) {
         refuse_last(assignments,
                     {"loop.drift", "loop.kind"},
                     "loop.drift is for loop.kind \"drift\", \"breathe\" and \"shear\"");

@@ -86,14 +86,10 @@ void check_kind(const Preset& preset, std::span<const Assignment> assignments) {
 void check_aspect(const Preset& preset, std::span<const Assignment> assignments) {
     const int shorter = std::min(preset.image.width, preset.image.height);
     const int longer = std::max(preset.image.width, preset.image.height);
-    if (longer <= kLargestAspect * shorter) {
-        return;
-    }
-    for (auto last = assignments.rbegin(); last != assignments.rend(); ++last) {
-        if (last->key == "image.size") {
-            refuse(*last,
-                   fmt::format("one side must be at most {} times the other", kLargestAspect));
-        }
+    if (longer > kLargestAspect * shorter) {
+        refuse_last(assignments,
+                    {"image.size"},
+                    fmt::format("one side must be at most {} times the other", kLargestAspect));
     }
 }
 

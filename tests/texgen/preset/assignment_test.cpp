@@ -1,5 +1,7 @@
 #include "texgen/preset/assignment.h"
 
+#include "tests/texgen/preset/refused.h"
+
 #include <gtest/gtest.h>
 
 #include <string>
@@ -18,12 +20,7 @@ std::string flat(const std::vector<Assignment>& assignments) {
 }
 
 std::string failure(const std::string& toml) {
-    try {
-        read_assignments(toml, "a.toml");
-    } catch (const PresetError& error) {
-        return error.what();
-    }
-    return "no failure";
+    return test::refused([&] { read_assignments(toml, "a.toml"); });
 }
 
 TEST(Assignment, TablesAreFlattenedInTheOrderOfTheFile) {

@@ -1,6 +1,7 @@
 #include "texgen/preset/event_io.h"
 
 #include "tests/texgen/preset/bounds.h"
+#include "tests/texgen/preset/refused.h"
 #include "texgen/preset/event_schema.h"
 #include "texgen/preset/preset_io.h"
 
@@ -16,15 +17,12 @@ namespace {
 using test::Bounds;
 
 std::string failure(const std::string& toml, const std::vector<std::string>& set = {}) {
-    try {
+    return test::refused([&] {
         Preset preset = parse_preset(toml, "a", "a.toml");
         for (const std::string& argument : set) {
             assign(preset, std::vector{read_set_argument(argument)});
         }
-    } catch (const PresetError& error) {
-        return error.what();
-    }
-    return "no failure";
+    });
 }
 
 std::vector<Event> events(const std::string& toml) {
@@ -136,16 +134,13 @@ TEST(EventIo, ATimeTakesTheFramesBack) {
 
 TEST(EventIo, WhatNoLongerFitsAnEventIsToBlame) {
     Preset preset = parse_preset("[[event]]\nkind = \"shear\"\nframe = 3\n", "a", "a.toml");
-    try {
-        assign(preset,
-               std::vector{read_set_argument("foam.domain=patch"),
-                           read_set_argument("output.pattern=b.png")});
-        FAIL();
-    } catch (const PresetError& error) {
-        EXPECT_STREQ(error.what(),
-                     "--set foam.domain=patch: key 'foam.domain' = \"patch\": event[1].kind = "
-                     "\"shear\" is only for foam.domain = \"torus\"");
-    }
+    EXPECT_EQ(test::refused([&] {
+                  assign(preset,
+                         std::vector{read_set_argument("foam.domain=patch"),
+                                     read_set_argument("output.pattern=b.png")});
+              }),
+              "--set foam.domain=patch: key 'foam.domain' = \"patch\": event[1].kind = "
+              "\"shear\" is only for foam.domain = \"torus\"");
 }
 
 TEST(EventIo, AKeyOfAnotherKindIsRefused) {

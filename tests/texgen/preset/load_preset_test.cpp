@@ -1,5 +1,6 @@
 #include "texgen/preset/load_preset.h"
 
+#include "tests/texgen/preset/refused.h"
 #include "tests/texgen/temporary_folder.h"
 #include "texgen/image/file_io.h"
 #include "texgen/preset/assignment.h"
@@ -15,12 +16,7 @@ namespace foam::texgen {
 namespace {
 
 std::string failure(const std::string& name_or_path) {
-    try {
-        load_preset(name_or_path);
-    } catch (const PresetError& error) {
-        return error.what();
-    }
-    return "no failure";
+    return test::refused([&] { load_preset(name_or_path); });
 }
 
 void write_text(const std::filesystem::path& path, std::string_view text) {

@@ -1,5 +1,6 @@
 #include "texgen/preset/loop_schema.h"
 
+#include "tests/texgen/preset/refused.h"
 #include "texgen/preset/preset_io.h"
 
 #include <gtest/gtest.h>
@@ -10,46 +11,41 @@ namespace foam::texgen {
 
 namespace {
 
-// What is wrong with a preset; empty if nothing is.
-std::string complaint(const std::string& toml) {
-    try {
-        parse_preset(toml, "test", "test.toml");
-        return "";
-    } catch (const PresetError& error) {
-        return error.what();
-    }
+std::string failure(const std::string& toml) {
+    return test::refused([&] { parse_preset(toml, "test", "test.toml"); });
 }
 
 TEST(LoopSchema, LoopsThatCloseAreAccepted) {
-    EXPECT_EQ(complaint("[loop]\nkind = 'breathe'\namplitude = 0.2\ndrift = [1, -2]\n"), "");
-    EXPECT_EQ(complaint("[loop]\nkind = 'shear'\namplitude = 0.1\n"), "");
-    EXPECT_EQ(complaint("[loop]\nkind = 'drift'\ndrift = [0, 1]\n"), "");
-    EXPECT_EQ(complaint("[frames]\ncount = 24\n[loop]\nkind = 'pingpong'\n"), "");
-    EXPECT_EQ(complaint("[foam]\ndomain = 'patch'\n[loop]\nkind = 'breathe'\n"), "");
+    EXPECT_EQ(failure("[loop]\nkind = 'breathe'\namplitude = 0.2\ndrift = [1, -2]\n"),
+              "no failure");
+    EXPECT_EQ(failure("[loop]\nkind = 'shear'\namplitude = 0.1\n"), "no failure");
+    EXPECT_EQ(failure("[loop]\nkind = 'drift'\ndrift = [0, 1]\n"), "no failure");
+    EXPECT_EQ(failure("[frames]\ncount = 24\n[loop]\nkind = 'pingpong'\n"), "no failure");
+    EXPECT_EQ(failure("[foam]\ndomain = 'patch'\n[loop]\nkind = 'breathe'\n"), "no failure");
 }
 
 TEST(LoopSchema, WhatCannotCloseIsRefused) {
     EXPECT_EQ(
-        complaint("[loop]\nkind = 'drift'\n"),
+        failure("[loop]\nkind = 'drift'\n"),
         "test.toml:2: key 'loop.kind' = \"drift\": loop.drift says how far: [0, 1] is one up");
-    EXPECT_EQ(complaint("[loop]\ndrift = [0, 1]\n"),
+    EXPECT_EQ(failure("[loop]\ndrift = [0, 1]\n"),
               "test.toml:2: key 'loop.drift' = [0, 1]: loop.drift is for loop.kind \"drift\", "
               "\"breathe\" and \"shear\"");
     EXPECT_EQ(
-        complaint("[frames]\ncount = 25\n[loop]\nkind = 'pingpong'\n"),
+        failure("[frames]\ncount = 25\n[loop]\nkind = 'pingpong'\n"),
         "test.toml:4: key 'loop.kind' = \"pingpong\": of a pingpong, frames.count must be even: "
         "both ends are shown once");
-    EXPECT_EQ(complaint("[loop]\nkind = 'shear'\namplitude = 0.5\n"),
+    EXPECT_EQ(failure("[loop]\nkind = 'shear'\namplitude = 0.5\n"),
               "test.toml:3: key 'loop.amplitude' = 0.5: of a shear, at most 0.4");
-    EXPECT_EQ(complaint("[foam]\ndomain = 'patch'\n[loop]\nkind = 'shear'\n"),
+    EXPECT_EQ(failure("[foam]\ndomain = 'patch'\n[loop]\nkind = 'shear'\n"),
               "test.toml:4: key 'loop.kind' = \"shear\": a patch has no torus to shear or travel");
-    EXPECT_EQ(complaint("[frames]\nfirst = 'diagram'\n[loop]\nkind = 'breathe'\n"),
+    EXPECT_EQ(failure("[frames]\nfirst = 'diagram'\n[loop]\nkind = 'breathe'\n"),
               "test.toml:4: key 'loop.kind' = \"breathe\": a loop has no frame of the diagram");
-    EXPECT_EQ(complaint("[loop]\nkind = 'breathe'\n[[event]]\nkind = 'collapse'\nsides = 5\n"
-                        "frame = 3\n"),
+    EXPECT_EQ(failure("[loop]\nkind = 'breathe'\n[[event]]\nkind = 'collapse'\nsides = 5\n"
+                      "frame = 3\n"),
               "test.toml:2: key 'loop.kind' = \"breathe\": a loop that closes by itself has no "
               "events");
-    EXPECT_EQ(complaint("[loop]\ndrift = [0.5, 1]\n"),
+    EXPECT_EQ(failure("[loop]\ndrift = [0.5, 1]\n"),
               "test.toml:2: key 'loop.drift' = [0.5, 1]: must be [x, y], each an integer from -100 "
               "to 100");
 }

@@ -1,5 +1,6 @@
 #include "texgen/preset/preset_io.h"
 
+#include "tests/texgen/preset/refused.h"
 #include "texgen/preset/schema.h"
 
 #include <fmt/core.h>
@@ -13,12 +14,7 @@ namespace foam::texgen {
 namespace {
 
 std::string failure(const std::string& toml) {
-    try {
-        parse_preset(toml, "a", "a.toml");
-    } catch (const PresetError& error) {
-        return error.what();
-    }
-    return "no failure";
+    return test::refused([&] { parse_preset(toml, "a", "a.toml"); });
 }
 
 std::string set_failure(const std::vector<std::string>& arguments) {
@@ -28,12 +24,7 @@ std::string set_failure(const std::vector<std::string>& arguments) {
     for (const std::string& argument : arguments) {
         assignments.push_back(read_set_argument(argument));
     }
-    try {
-        assign(preset, assignments);
-    } catch (const PresetError& error) {
-        return error.what();
-    }
-    return "no failure";
+    return test::refused([&] { assign(preset, assignments); });
 }
 
 TEST(PresetIo, ReadsEveryKind) {
@@ -122,14 +113,10 @@ TEST(PresetIo, KeysOfTheOtherKindOfFoamAreRefused) {
 
 TEST(PresetIo, AKindThatDoesNotFitTheRestIsToBlameItself) {
     Preset preset = parse_preset("[foam]\ndomain = \"patch\"\n[camera]\nzoom = 4\n", "a", "a.toml");
-    try {
-        assign(preset, std::vector{read_set_argument("foam.domain=torus")});
-        FAIL();
-    } catch (const PresetError& error) {
-        EXPECT_STREQ(error.what(),
-                     "--set foam.domain=torus: key 'foam.domain' = \"torus\": "
-                     "camera.zoom is only for foam.domain = \"patch\"");
-    }
+    EXPECT_EQ(
+        test::refused([&] { assign(preset, std::vector{read_set_argument("foam.domain=torus")}); }),
+        "--set foam.domain=torus: key 'foam.domain' = \"torus\": "
+        "camera.zoom is only for foam.domain = \"patch\"");
 }
 
 TEST(PresetIo, TheLaterAssignmentWins) {

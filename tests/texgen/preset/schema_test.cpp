@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <limits>
 #include <set>
 #include <string>
@@ -16,6 +17,8 @@ namespace foam::texgen {
 namespace {
 
 using test::Bounds;
+
+constexpr std::size_t kKeys = 80;
 
 bool accepts(const std::string& path, const std::string& value) {
     Preset preset;
@@ -31,6 +34,7 @@ TEST(Schema, EveryKeyIsThereOnceWithAllItSays) {
         EXPECT_TRUE(is_table(key.table())) << key.path;
         EXPECT_EQ(find_key(key.path), &key);
     }
+    EXPECT_EQ(paths.size(), kKeys);
 }
 
 TEST(Schema, EveryDefaultIsAllowed) {
@@ -77,6 +81,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Bounds{"frames.time_step", "-1", "0", "1e6", "1000001"},
                     Bounds{"frames.warm_up", "-1", "0", "1e6", "1000001"},
                     Bounds{"image.size", "[0, 4]", "[1, 1]", "[16384, 16384]", "[4, 16385]"},
+                    Bounds{"loop.amplitude", "-0.1", "0", "0.9", "1"},
+                    Bounds{"loop.cycles", "0", "1", "1000", "1001"},
+                    Bounds{"loop.drift", "[-101, 0]", "[-100, 100]", "[100, -1]", "[0, 101]"},
                     Bounds{"camera.zoom", "0.009", "0.01", "1000", "1001"},
                     Bounds{"camera.center", "[-11, 0]", "[-10, 10]", "[10, 0.5]", "[0, 10.1]"},
                     Bounds{"camera.margin", "-0.1", "0", "0.45", "0.46"},
