@@ -43,12 +43,6 @@ std::map<BubbleIdentity, Vec2> centres(const Foam& foam) {
     return all;
 }
 
-void move_all(Foam& torus, const Vec2& by) {
-    for (const JunctionId junction : torus.network.junctions()) {
-        place_junction(torus, junction, torus.positions[junction] + by);
-    }
-}
-
 // Of the corners of one bubble from the nearest of another, all in the places of their own foams.
 double farthest(const Torus& torus, const std::vector<Vec2>& from, const std::vector<Vec2>& to) {
     double largest = 0.0;
@@ -124,7 +118,7 @@ void Cycle::hold(Foam& foam) const {
         }
     }
     if (count > 0) {
-        move_all(foam, -sum / static_cast<double>(count));
+        translate(foam, -sum / static_cast<double>(count));
     }
 }
 

@@ -28,11 +28,8 @@ void undo_drift(Foam& foam, const Positions& before) {
         return;
     }
     const Vec2 drift(median(along_x), median(along_y));
-    if (drift == Vec2::Zero()) {
-        return;
-    }
-    for (const JunctionId junction : foam.network.junctions()) {
-        place_junction(foam, junction, foam.positions[junction] - drift);
+    if (drift != Vec2::Zero()) {
+        translate(foam, -drift);
     }
 }
 

@@ -31,8 +31,7 @@ std::vector<SolverNode> solver_nodes(const Foam& foam, const Unknowns& unknowns)
         nodes.push_back({middle_of(foam, bubble), 1});
     }
     for (const FilmId film : unknowns.outer_films) {
-        const HalfEdgeId h = forward_side(film);
-        nodes.push_back({foam.positions[foam.network.tail(h)] + 0.5 * chord(foam, h), 1});
+        nodes.push_back({middle_of(foam, film), 1});
     }
     return nodes;
 }

@@ -90,6 +90,12 @@ void place_junction(Foam& foam, JunctionId junction, const Vec2& point) {
     }
 }
 
+void translate(Foam& foam, const Vec2& by) {
+    for (const JunctionId junction : foam.network.junctions()) {
+        place_junction(foam, junction, foam.positions[junction] + by);
+    }
+}
+
 void compact(Foam& foam) {
     if (is_compact(foam.network)) {
         return;

@@ -71,6 +71,9 @@ void complete_patch(Foam& foam);
 /// Moves the junction to a point anywhere in the plane, in its present frame, and wraps it.
 void place_junction(Foam& foam, JunctionId junction, const Vec2& point);
 
+/// Moves all junctions by the same. Lone bubbles stay.
+void translate(Foam& foam, const Vec2& by);
+
 /// Closes the gaps that vanished bubbles leave in every vector of the foam.
 void compact(Foam& foam);
 

@@ -63,4 +63,8 @@ Vec2 Torus::nearest_copy(const Vec2& vector) const {
     return nearest;
 }
 
+double Torus::shear_since(const Torus& earlier) const {
+    return is_plane() ? 0.0 : std::remainder(shear - earlier.shear, width);
+}
+
 }  // namespace foam

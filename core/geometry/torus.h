@@ -52,6 +52,10 @@ struct Torus {
 
     /// The shortest of a vector's copies.
     Vec2 nearest_copy(const Vec2& vector) const;
+
+    /// How far the upper neighbour has moved to the right since an earlier shear of this torus: the
+    /// least, as shears are known up to whole widths. 0 in the plane.
+    double shear_since(const Torus& earlier) const;
 };
 
 inline constexpr Torus kPlane{0.0, 0.0};

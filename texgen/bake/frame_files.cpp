@@ -50,7 +50,7 @@ FrameFiles::FrameFiles(const Preset& preset)
       pattern_(preset.output.pattern),
       maps_(maps_of(preset)),
       png_{.color = false, .text = texts_of(preset)},
-      exr_{.frame_rate = FrameRate{preset.output.frames_per_second, 1}, .text = texts_of(preset)} {}
+      exr_{.frame_rate = FrameRate{preset.output.frames_per_second, 1}, .text = png_.text} {}
 
 std::filesystem::path FrameFiles::path(const Map& map, int frame) const {
     return pattern_.path(preset_.name, map.name, frame);

@@ -4,7 +4,6 @@
 #include "texgen/maps/albedo.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace foam::texgen {
 
@@ -34,12 +33,12 @@ void History::renumber(int frames) {
     }
 }
 
-// A shear is known up to whole widths, and is small from frame to frame.
+// A shear is small from frame to frame.
 void History::carry_events(const Torus& torus) {
     if (torus.is_plane()) {
         return;
     }
-    const double shear = std::remainder(torus.shear - torus_.shear, torus.width);
+    const double shear = torus.shear_since(torus_);
     for (RecordedEvent& event : record_.events) {
         event.place.x() += shear * event.place.y() / torus.height;
     }

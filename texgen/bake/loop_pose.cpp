@@ -19,10 +19,7 @@ Foam posed(Foam foam, const LoopOptions& loop, double passed) {
         foam.torus.shear = 0.0;  // but for rounding it is
     }
     if (loop.drift != std::array{0, 0}) {
-        const Vec2 by = way(foam.torus, loop, passed);
-        for (const JunctionId junction : foam.network.junctions()) {
-            place_junction(foam, junction, foam.positions[junction] + by);
-        }
+        translate(foam, way(foam.torus, loop, passed));
     }
     return foam;
 }

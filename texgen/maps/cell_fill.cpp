@@ -14,7 +14,6 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr double kLargestValue = 65535.0;
 constexpr std::uint16_t kWhole = 65535;
 
 // One pixel's worth of a fill.
@@ -45,12 +44,8 @@ CellValues cell_values(const FrameLayers& layers,
     return values;
 }
 
-std::uint16_t step_of(double x) {
-    return static_cast<std::uint16_t>(std::lround(x * kLargestValue));
-}
-
 Texel light_of(const LinearRgb& color) {
-    return {step_of(color.r), step_of(color.g), step_of(color.b), kWhole};
+    return {light_step(color.r), light_step(color.g), light_step(color.b), kWhole};
 }
 
 // From the smallest to the largest of some numbers in 65535 steps.
@@ -64,10 +59,10 @@ class Steps {
         range_ = (any ? std::max(*high, numbers.film) : numbers.film) - low_;
     }
     std::uint16_t step(double number) const {
-        return range_ > 0.0 ? step_of((number - low_) / range_) : std::uint16_t{0};
+        return range_ > 0.0 ? light_step((number - low_) / range_) : std::uint16_t{0};
     }
     float number(std::uint16_t step) const {
-        return static_cast<float>(low_ + range_ * (step / kLargestValue));
+        return static_cast<float>(low_ + range_ * (step / kWhite));
     }
 
   private:

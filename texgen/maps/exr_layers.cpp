@@ -8,7 +8,6 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr float kWhite = 65535.0F;
 constexpr int kWithOpacity = 4;
 
 /// The first word, or nothing.
@@ -59,7 +58,7 @@ Image<float> premultiplied(const ColorPixels& colors) {
     const Image<std::uint16_t>& from = colors.pixels;
     Image<float> light(from.width(), from.height(), from.channels());
     std::ranges::transform(from.samples(), light.samples().begin(), [](std::uint16_t value) {
-        return static_cast<float>(value) / kWhite;
+        return static_cast<float>(value) / static_cast<float>(kWhite);
     });
     if (from.channels() == kWithOpacity) {
         const auto samples = light.samples();

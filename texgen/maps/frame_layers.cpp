@@ -16,7 +16,8 @@ const Frame& FrameLayers::next() const {
 
 const DistanceField& FrameLayers::distance() {
     if (!distance_) {
-        distance_ = distance_field(frame(), grid_, input_.distance, threads_);
+        write_distance_field(
+            frame(), outlines(0.0), input_.distance, threads_, distance_.emplace());
     }
     return *distance_;
 }

@@ -27,7 +27,7 @@ void for_each_copy(const RasterGrid& grid,
         return (at.array() >= -reach).all() && (at.array() <= size.array() + reach).all();
     };
     if (torus.is_plane()) {
-        const Vec2 at = (place - grid.view->center) * grid.view->pixels_per_unit + 0.5 * size;
+        const Vec2 at = pixel_in_view(grid, place);
         if (is_near(at)) {
             visit(to_subpixel(at));
         }

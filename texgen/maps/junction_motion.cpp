@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 #include <optional>
 #include <vector>
@@ -102,12 +101,6 @@ Indexed<JunctionId, Vec2> junction_motion(const Frame& frame, const Frame& next)
         ways.push_back(way.value_or(Vec2::Zero()));
     }
     return ways;
-}
-
-double shear_motion(const Frame& frame, const Frame& next) {
-    return frame.torus.is_plane()
-               ? 0.0
-               : std::remainder(next.torus.shear - frame.torus.shear, frame.torus.width);
 }
 
 }  // namespace foam::texgen

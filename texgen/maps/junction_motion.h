@@ -9,8 +9,4 @@ namespace foam::texgen {
 /// between, by T1 or T2, moves as those it is joined to do, in the mean.
 Indexed<JunctionId, Vec2> junction_motion(const Frame& frame, const Frame& next);
 
-/// How much farther to the right a copy one period up moves, because the torus is sheared; 0 in the
-/// plane.
-double shear_motion(const Frame& frame, const Frame& next);
-
 }  // namespace foam::texgen

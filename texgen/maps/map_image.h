@@ -2,16 +2,24 @@
 
 #include "texgen/image/image.h"
 
+#include <cmath>
 #include <cstdint>
 #include <variant>
 
 namespace foam::texgen {
 
-/// Colours as light, 65535 being white, primaries of sRGB: red, green, blue and, of a patch, an
+/// Colours as light, kWhite being white, primaries of sRGB: red, green, blue and, of a patch, an
 /// opacity. Colours are straight: not premultiplied.
 struct ColorPixels {
     Image<std::uint16_t> pixels;
 };
+
+inline constexpr double kWhite = 65535.0;
+
+/// Light from 0 to 1 as ColorPixels has it.
+inline std::uint16_t light_step(double light) {
+    return static_cast<std::uint16_t>(std::lround(light * kWhite));
+}
 
 /// Numbers in the map's own unit, and those that the ends of a PNG's codes stand for. A file of
 /// floats takes them as they are, beyond that range too.

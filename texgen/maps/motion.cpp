@@ -11,7 +11,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -29,7 +28,7 @@ class FoamMotion {
         : frame_(layers.frame()),
           scale_(pixels_per_unit(layers.grid(), frame_.torus)),
           junctions_(junction_motion(frame_, layers.next())),
-          shear_(shear_motion(frame_, layers.next())) {}
+          shear_(layers.next().torus.shear_since(frame_.torus)) {}
 
     // Relative to the bubble's first junction.
     BoundaryMotion around(BubbleId bubble) const {
@@ -124,23 +123,19 @@ class MotionPainter {
         } else {
             const LoneBubble& lone = layers_.frame().lone_bubbles[index - bubbles - 1];
             const CircleMotion circle(lone, layers_.next(), scale_);
-            const Vec2 centre = point_in_plane(lone.centre);
+            const Vec2 centre = pixel_in_view(layers_.grid(), lone.centre);
             paint_pixels(outline, translation, image, [&](const Vec2& at) {
                 return circle.at(at - centre);
             });
         }
     }
 
-    Vec2 point_in_plane(const Vec2& point) const {
-        const RasterGrid& grid = layers_.grid();
-        return scale_ * (point - grid.view->center) + 0.5 * Vec2(grid.width, grid.height);
-    }
-
     // Around a torus an outline begins with it, rounded.
     Vec2 first_junction(const Outline& outline, SubpixelPoint translation) const {
         if (layers_.is_patch()) {
             const Network& network = layers_.frame().network;
-            return point_in_plane(
+            return pixel_in_view(
+                layers_.grid(),
                 layers_.frame().positions[network.tail(network.first(outline.bubble))]);
         }
         const SubpixelPoint first = cells_.chain(outline).front() + translation;
@@ -152,20 +147,17 @@ class MotionPainter {
                       SubpixelPoint translation,
                       ImageView<float> image,
                       const MotionOf& motion_of) {
-        const auto [left, right] = std::ranges::minmax_element(
-            cells_.chain(outline), {}, [](SubpixelPoint point) { return point.x; });
-        const int column = pixel_of(left->x + translation.x);
-        const int row = pixel_of(outline.lowest + translation.y);
-        mask_.reset(pixel_of(right->x + translation.x) + 1 - column,
-                    pixel_of(outline.highest + translation.y) + 1 - row);
+        const PixelBox box = box_around(cells_, outline, translation);
+        mask_.reset(box.columns(), box.rows());
         mask_.fill(cells_.chain(outline),
-                   translation - SubpixelPoint{column * kSubpixel, row * kSubpixel});
-        for (int y = std::max(-row, 0); y < std::min(mask_.rows(), image.height() - row); ++y) {
-            for (int k = 0; 16 * k < mask_.columns(); ++k) {
-                for (unsigned rest = mask_.sixteen(k, y); rest != 0; rest &= rest - 1) {
-                    write(image, column + 16 * k + std::countr_zero(rest), row + y, motion_of);
+                   translation - SubpixelPoint{box.left * kSubpixel, box.bottom * kSubpixel});
+        const int top = std::min(box.top, image.height());
+        for (int y = std::max(box.bottom, 0); y < top; ++y) {
+            mask_.for_each_run(y - box.bottom, [&](int begin, int end) {
+                for (int x = box.left + begin; x < box.left + end; ++x) {
+                    write(image, x, y, motion_of);
                 }
-            }
+            });
         }
     }
 

@@ -16,12 +16,11 @@ using Encoding = std::array<std::uint8_t, 65536>;
 
 // Code k stands for the light that rounds to it: up to where sRGB passes k + 1/2.
 Encoding make_srgb_encoding() {
-    constexpr double kLargestValue = 65535.0;
     Encoding encoding{};
     std::size_t value = 0;
     for (int code = 0; code < 256; ++code) {
         const double end =
-            code < 255 ? srgb_to_linear((code + 0.5) / 255.0) * kLargestValue : kLargestValue + 1.0;
+            code < 255 ? srgb_to_linear((code + 0.5) / 255.0) * kWhite : kWhite + 1.0;
         for (; value < encoding.size() && static_cast<double>(value) < end; ++value) {
             encoding[value] = static_cast<std::uint8_t>(code);
         }

@@ -25,7 +25,6 @@ constexpr double kFirstWave = 380.0;  // nanometres
 constexpr double kWaveStep = 5.0;
 constexpr int kWaves = 81;       // up to 780
 constexpr int kThickest = 4000;  // nanometres; beyond it films are as good as white
-constexpr double kLargestValue = 65535.0;
 
 struct Xyz {
     double x = 0.0;
@@ -164,17 +163,13 @@ class FilmColors {
     std::vector<Film> films_;
 };
 
-std::uint16_t step_of(double x) {
-    return static_cast<std::uint16_t>(std::lround(x * kLargestValue));
-}
-
 // The opacity where there is a channel for it.
 void write_pixel(const LinearRgb& color, double opacity, std::span<std::uint16_t> pixel) {
-    pixel[0] = step_of(color.r);
-    pixel[1] = step_of(color.g);
-    pixel[2] = step_of(color.b);
+    pixel[0] = light_step(color.r);
+    pixel[1] = light_step(color.g);
+    pixel[2] = light_step(color.b);
     if (pixel.size() > 3) {
-        pixel[3] = step_of(opacity);
+        pixel[3] = light_step(opacity);
     }
 }
 
@@ -208,7 +203,7 @@ ColorPixels draw_thin_film(FrameLayers& layers,
                     image.samples().subspan(channels * k, channels));
     }
     if (layers.is_patch()) {
-        bleed_colors(image.view(), {step_of(line.r), step_of(line.g), step_of(line.b)});
+        bleed_colors(image.view(), {light_step(line.r), light_step(line.g), light_step(line.b)});
     }
     return {std::move(image)};
 }

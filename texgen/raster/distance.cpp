@@ -1,7 +1,6 @@
 #include "texgen/raster/distance.h"
 
 #include "texgen/raster/bands.h"
-#include "texgen/raster/outlines.h"
 #include "texgen/raster/parallel_for.h"
 #include "texgen/raster/patch_boundaries.h"
 #include "texgen/raster/region_field.h"
@@ -190,21 +189,16 @@ class FieldPainter {
 
     // Around an outline, with an empty mask of those of its rows that are in the band.
     Window open_window(const Outline& outline, SubpixelPoint translation) {
-        const auto [left, right] = std::ranges::minmax_element(
-            cells_.chain(outline), {}, [](SubpixelPoint point) { return point.x; });
-        int column = pixel_of(left->x + translation.x);
-        int end_column = pixel_of(right->x + translation.x) + 1;
+        PixelBox box = box_around(cells_, outline, translation);
         if (cells_.grid.view) {
-            column = std::max(column, 0);
-            end_column = std::min(end_column, cells_.grid.width);
+            box.left = std::max(box.left, 0);
+            box.right = std::min(box.right, cells_.grid.width);
         }
-        const int row = pixel_of(outline.lowest + translation.y);
-        const int end_row = pixel_of(outline.highest + translation.y) + 1;
-        const int wanted = std::max(begin_ - row, 0);
+        box.top = std::min(box.top, end_);
+        const int wanted = std::max(begin_ - box.bottom, 0);
         const int first_row = wanted / kTileRows * kTileRows;
-        mask_.reset(
-            end_column - column, std::min(end_row, end_) - row - first_row, wanted - first_row);
-        return {column, row, first_row};
+        mask_.reset(box.columns(), box.rows() - first_row, wanted - first_row);
+        return {box.left, box.bottom, first_row};
     }
 
     void measure(RegionField& region, const Window& window, std::uint32_t id) {
@@ -292,11 +286,11 @@ void ask_for(bool needed, const RasterGrid& grid, int channels, Image<Sample>& i
 }  // namespace
 
 void write_distance_field(const Frame& frame,
-                          const RasterGrid& grid,
+                          const CellOutlines& cells,
                           DistanceNeeds needs,
                           int threads,
                           DistanceField& field) {
-    const CellOutlines cells = outline_cells(frame, grid, 0.0, threads);
+    const RasterGrid& grid = cells.grid;
     const PixelRegions regions(frame, cells, threads);
     ask_for(true, grid, 1, field.ids);
     ask_for(true, grid, 1, field.distance);
@@ -309,6 +303,14 @@ void write_distance_field(const Frame& frame,
         FieldPainter(cells, regions, bands, needs, field));
     parallel_for(
         bands.count(), painters, [](FieldPainter& painter, int band) { painter.paint(band); });
+}
+
+void write_distance_field(const Frame& frame,
+                          const RasterGrid& grid,
+                          DistanceNeeds needs,
+                          int threads,
+                          DistanceField& field) {
+    write_distance_field(frame, outline_cells(frame, grid, 0.0, threads), needs, threads, field);
 }
 
 DistanceField distance_field(const Frame& frame,

@@ -190,6 +190,15 @@ CellOutlines inset_outlines(const PixelFrame& pixels, double film_width, int thr
 
 }  // namespace
 
+PixelBox box_around(const CellOutlines& cells, const Outline& outline, SubpixelPoint translation) {
+    const auto [left, right] = std::ranges::minmax_element(
+        cells.chain(outline), {}, [](SubpixelPoint point) { return point.x; });
+    return {pixel_of(left->x + translation.x),
+            pixel_of(right->x + translation.x) + 1,
+            pixel_of(outline.lowest + translation.y),
+            pixel_of(outline.highest + translation.y) + 1};
+}
+
 CellOutlines outline_cells(const Frame& frame,
                            const RasterGrid& grid,
                            double film_width,

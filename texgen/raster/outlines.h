@@ -43,6 +43,20 @@ struct CellOutlines {
     }
 };
 
+/// Some columns and rows of pixels, the ends left out; around a torus it is unwrapped.
+struct PixelBox {
+    int left = 0;
+    int right = 0;
+    int bottom = 0;
+    int top = 0;
+
+    int columns() const { return right - left; }
+    int rows() const { return top - bottom; }
+};
+
+/// The pixels that an outline reaches into, moved by a translation.
+PixelBox box_around(const CellOutlines& cells, const Outline& outline, SubpixelPoint translation);
+
 /// film_width is the whole width in pixels. The result is the same for any number of threads, and
 /// apart from `grid` itself for any shift. Throws std::invalid_argument as pixels_per_unit does, or
 /// for a width that is negative or not finite.

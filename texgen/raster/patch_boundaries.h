@@ -15,9 +15,7 @@ struct PixelPatch {
     const RasterGrid& grid;
     double scale;  // pixels per foam unit
 
-    Vec2 pixel(const Vec2& position) const {
-        return scale * (position - grid.view->center) + 0.5 * Vec2(grid.width, grid.height);
-    }
+    Vec2 pixel(const Vec2& position) const { return pixel_in_view(grid, position); }
     ArcLoops::Arc arc(HalfEdgeId h) const {
         const FilmArc arc = frame.arc(h);
         return {pixel(frame.positions[frame.network.tail(h)]), {scale * arc.chord, arc.half_angle}};

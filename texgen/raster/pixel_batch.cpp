@@ -42,6 +42,33 @@ float chosen(std::uint32_t mask, float first, float second) {
                                 (std::bit_cast<std::uint32_t>(second) & ~mask));
 }
 
+// Copies, so that compilers know that no pixel changes them.
+struct PlacedArc {
+    FloatQuadratic across;
+    FloatLine tail;
+    FloatLine head;
+};
+
+struct SeenArc {
+    float distance;  // infinite where the pixel does not face the arc
+    float twice;     // the function across it, and its gradient
+    float slope_x;
+    float slope_y;
+};
+
+inline SeenArc seen_from(const PlacedArc& arc, float x, float y) {
+    const FloatQuadratic& f = arc.across;
+    const float slope_x = f.x - f.curvature * x;
+    const float slope_y = f.y - f.curvature * y;
+    const float twice = f.twice_value + x * (f.x + slope_x) + y * (f.y + slope_y);
+    const float length = std::sqrt(slope_x * slope_x + slope_y * slope_y);
+    const float distance = std::abs(twice) / (1.0F + length);
+    const float past_tail = arc.tail.value + x * arc.tail.x + y * arc.tail.y;
+    const float before_head = arc.head.value + x * arc.head.x + y * arc.head.y;
+    const float here = least(past_tail, before_head) >= -kPastEnd ? distance : kFar;
+    return {here, twice, slope_x, slope_y};
+}
+
 }  // namespace
 
 void PixelBatch::clear(const Vec2& middle) {
@@ -63,48 +90,23 @@ void PixelBatch::begin() {
 FOAMTEX_VECTOR_CLONES void PixelBatch::add_arc(const FloatQuadratic& across,
                                                const FloatLine& tail,
                                                const FloatLine& head) {
-    const FloatQuadratic f = across;
-    const FloatLine t = tail;
-    const FloatLine h = head;
-    const float far = kFar;
+    const PlacedArc arc{across, tail, head};
     for (std::size_t k = 0; k < padded_; ++k) {
-        const float x = x_[k];
-        const float y = y_[k];
-        const float slope_x = f.x - f.curvature * x;
-        const float slope_y = f.y - f.curvature * y;
-        const float twice = f.twice_value + x * (f.x + slope_x) + y * (f.y + slope_y);
-        const float length = std::sqrt(slope_x * slope_x + slope_y * slope_y);
-        const float distance = std::abs(twice) / (1.0F + length);
-        const float past_tail = t.value + x * t.x + y * t.y;
-        const float before_head = h.value + x * h.x + y * h.y;
-        const float here = least(past_tail, before_head) >= -kPastEnd ? distance : far;
-        distance_[k] = least(here, distance_[k]);
+        distance_[k] = least(seen_from(arc, x_[k], y_[k]).distance, distance_[k]);
     }
 }
 
 FOAMTEX_VECTOR_CLONES void PixelBatch::add_arc_and_gradient(const FloatQuadratic& across,
                                                             const FloatLine& tail,
                                                             const FloatLine& head) {
-    const FloatQuadratic f = across;
-    const FloatLine t = tail;
-    const FloatLine h = head;
-    const float far = kFar;
+    const PlacedArc arc{across, tail, head};
     for (std::size_t k = 0; k < padded_; ++k) {
-        const float x = x_[k];
-        const float y = y_[k];
-        const float slope_x = f.x - f.curvature * x;
-        const float slope_y = f.y - f.curvature * y;
-        const float twice = f.twice_value + x * (f.x + slope_x) + y * (f.y + slope_y);
-        const float length = std::sqrt(slope_x * slope_x + slope_y * slope_y);
-        const float distance = std::abs(twice) / (1.0F + length);
-        const float past_tail = t.value + x * t.x + y * t.y;
-        const float before_head = h.value + x * h.x + y * h.y;
-        const float here = least(past_tail, before_head) >= -kPastEnd ? distance : far;
-        const float sign = std::copysign(1.0F, twice);
-        const std::uint32_t nearest = mask_if(here < distance_[k]);
-        gradient_x_[k] = chosen(nearest, sign * slope_x, gradient_x_[k]);
-        gradient_y_[k] = chosen(nearest, sign * slope_y, gradient_y_[k]);
-        distance_[k] = least(here, distance_[k]);
+        const SeenArc seen = seen_from(arc, x_[k], y_[k]);
+        const float sign = std::copysign(1.0F, seen.twice);
+        const std::uint32_t nearest = mask_if(seen.distance < distance_[k]);
+        gradient_x_[k] = chosen(nearest, sign * seen.slope_x, gradient_x_[k]);
+        gradient_y_[k] = chosen(nearest, sign * seen.slope_y, gradient_y_[k]);
+        distance_[k] = least(seen.distance, distance_[k]);
     }
 }
 

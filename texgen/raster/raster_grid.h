@@ -31,6 +31,12 @@ double pixels_per_unit(const RasterGrid& grid, const Torus& torus);
 /// outlines around it would be torn.
 SubpixelPoint snap(const RasterGrid& grid, const Torus& torus, const Vec2& position);
 
+/// A position in the plane in pixels, from the lower left corner of a grid with a view.
+inline Vec2 pixel_in_view(const RasterGrid& grid, const Vec2& position) {
+    return grid.view->pixels_per_unit * (position - grid.view->center) +
+           0.5 * Vec2(grid.width, grid.height);
+}
+
 /// How far the copy of a point one period up lies to the right, in subpixels: a sheared torus
 /// covers the plane with grids whose rows are moved against each other.
 std::int32_t shear_in_subpixels(const RasterGrid& grid, const Torus& torus);

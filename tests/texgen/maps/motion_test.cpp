@@ -58,7 +58,7 @@ TEST(Motion, OfAShearIsLinear) {
             ASSERT_NEAR(image.pixels.pixel(x, y)[1], 0.0, 1e-3) << x << " " << y;
         }
     }
-    EXPECT_NEAR(shear_motion(frame, snapshot(foam, 2)) * scale, 0.05 * kSize, 1e-9);
+    EXPECT_NEAR(snapshot(foam, 2).torus.shear_since(frame.torus) * scale, 0.05 * kSize, 1e-9);
 }
 
 TEST(Motion, UnitsAndDirectionsAreTheOnesAskedFor) {

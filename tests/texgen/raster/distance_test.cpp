@@ -117,10 +117,10 @@ TEST(Distance, IsTheSameForAnyThreadsAndInUsedMemory) {
     expect_equal(one, distance_field(frame, {300, 300}, kAll, 5));
     DistanceField used = distance_field(frame, {300, 300, 7, 5}, kAll, 1);
     const float* memory = used.distance.samples().data();
-    write_distance_field(frame, {300, 300}, kAll, 1, used);
+    write_distance_field(frame, RasterGrid{300, 300}, kAll, 1, used);
     expect_equal(one, used);
     EXPECT_EQ(used.distance.samples().data(), memory);
-    write_distance_field(frame, {300, 300}, {}, 1, used);
+    write_distance_field(frame, RasterGrid{300, 300}, {}, 1, used);
     EXPECT_EQ(used.distance, one.distance);
     EXPECT_TRUE(used.gradient.samples().empty());
     EXPECT_TRUE(used.smooth.samples().empty());
