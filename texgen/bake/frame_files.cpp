@@ -83,7 +83,7 @@ void FrameFiles::write(FrameLayers& layers) {
 }
 
 DistanceNeeds FrameFiles::distance() const {
-    return distance_needs(preset_.image.maps);
+    return distance_needs(preset_.image.maps, preset_.maps);
 }
 
 bool FrameFiles::needs_next() const {

@@ -43,6 +43,10 @@ LinearRgb to_linear(Srgb8 color) {
             srgb_to_linear(color.b / 255.0)};
 }
 
+LinearRgb mixed(const LinearRgb& a, const LinearRgb& b, double part) {
+    return {std::lerp(a.r, b.r, part), std::lerp(a.g, b.g, part), std::lerp(a.b, b.b, part)};
+}
+
 Srgb8 to_srgb8(const LinearRgb& color) {
     return {to_code(color.r), to_code(color.g), to_code(color.b)};
 }

@@ -30,6 +30,9 @@ double linear_to_srgb(double linear);
 
 LinearRgb to_linear(Srgb8 color);
 
+/// a and b by 1 - part and part.
+LinearRgb mixed(const LinearRgb& a, const LinearRgb& b, double part);
+
 /// Rounded to the nearest code; light beyond [0, 1] is clamped to it, NaN becomes 0.
 Srgb8 to_srgb8(const LinearRgb& color);
 

@@ -3,13 +3,14 @@
 #include "core/foam/measure.h"
 #include "core/foam/statistics.h"
 #include "texgen/image/color.h"
-#include "texgen/image/colormap.h"
+#include "texgen/maps/cell_color.h"
 #include "texgen/maps/cell_fill.h"
+#include "texgen/maps/film_look.h"
 #include "texgen/maps/quantize.h"
 
 #include <cmath>
+#include <cstddef>
 #include <numbers>
-#include <stdexcept>
 
 namespace foam::texgen {
 
@@ -22,28 +23,50 @@ std::vector<double> pressures_of(const Frame& frame, PressureUnit unit) {
         [&](const LoneBubble& bubble) { return frame.film_tension / lone_radius(bubble) * scale; });
 }
 
+double diameters_in_pixels(double diameters, const RasterGrid& grid, const Torus& torus) {
+    const double diameter = 2.0 * std::numbers::inv_sqrtpi;  // of a circle of area 1
+    return diameters * diameter * pixels_per_unit(grid, torus);
+}
+
 double film_width_in_pixels(const AlbedoOptions& options,
                             const RasterGrid& grid,
                             const Torus& torus) {
     if (options.film_unit == WidthUnit::Pixels) {
         return options.film_width;
     }
-    const double diameter = 2.0 * std::numbers::inv_sqrtpi;  // of a circle of area 1
-    return options.film_width * diameter * pixels_per_unit(grid, torus);
+    return diameters_in_pixels(options.film_width, grid, torus);
 }
 
-ColorPixels draw_albedo(FrameLayers& layers, const AlbedoOptions& options) {
-    if (!(options.pressure_low < options.pressure_high)) {
-        throw std::invalid_argument("the low end of the pressures must lie below the high end");
-    }
-    const ColorMap& colormap = find_colormap(options.colormap);
-    const double range = options.pressure_high - options.pressure_low;
-    PerBubble<LinearRgb> colors;
-    for (const double pressure : pressures_of(layers.frame(), options.pressure_unit)) {
-        colors.push_back(colormap.at((pressure - options.pressure_low) / range));
-    }
+namespace {
+
+ColorPixels draw_flat(FrameLayers& layers, const AlbedoOptions& options) {
     const double width = film_width_in_pixels(options, layers.grid(), layers.frame().torus);
-    return fill_colors(layers, colors, to_linear(parse_color(options.film_color)), width);
+    return fill_colors(layers,
+                       cell_colors(layers.frame(), options),
+                       to_linear(parse_color(options.film_color)),
+                       width);
+}
+
+// Pixels that bubbles share are mixed first; then come their shade, and films over it.
+ColorPixels draw_shaded(FrameLayers& layers, const AlbedoOptions& options) {
+    const LinearRgb film = to_linear(parse_color(options.film_color));
+    const LinearRgb shade = to_linear(parse_color(options.shade_color));
+    const ColorPixels cells = fill_colors(layers, cell_colors(layers.frame(), options), film, 0.0);
+    const FilmLook look = film_look(layers, options);
+    const auto channels = static_cast<std::size_t>(cells.pixels.channels());
+    return paint_films(layers, look, film, [&](std::size_t k) {
+        const auto pixel = cells.pixels.samples().subspan(channels * k, 3);
+        const LinearRgb color{pixel[0] / kWhite, pixel[1] / kWhite, pixel[2] / kWhite};
+        const bool shaded = !look.shade.samples().empty();
+        return shaded ? mixed(color, shade, static_cast<double>(look.shade.samples()[k])) : color;
+    });
+}
+
+}  // namespace
+
+ColorPixels draw_albedo(FrameLayers& layers, const AlbedoOptions& options) {
+    return distance_of_look(options).smooth ? draw_shaded(layers, options)
+                                            : draw_flat(layers, options);
 }
 
 Image<std::uint8_t> albedo(const Frame& frame,
@@ -51,7 +74,7 @@ Image<std::uint8_t> albedo(const Frame& frame,
                            const AlbedoOptions& options,
                            int threads) {
     const FoamRecord record;
-    FrameLayers layers({frame, record}, grid, threads);
+    FrameLayers layers({frame, record, nullptr, distance_of_look(options)}, grid, threads);
     return srgb_codes(draw_albedo(layers, options));
 }
 

@@ -1,6 +1,8 @@
 #include "texgen/maps/film.h"
+#include "texgen/maps/film_look.h"
 #include "texgen/maps/id.h"
 #include "texgen/maps/id_color.h"
+#include "texgen/maps/lit.h"
 #include "texgen/maps/map.h"
 #include "texgen/maps/opacity.h"
 #include "texgen/maps/sides.h"
@@ -16,11 +18,20 @@ namespace foam::texgen {
 
 namespace {
 
+DistanceNeeds smooth_distance(const MapOptions& /*options*/) {
+    return {.smooth = true};
+}
+
+DistanceNeeds distance_of_films(const MapOptions& options) {
+    return distance_of_look(options.albedo);
+}
+
 constexpr std::array kMaps = {
     Map{.name = "albedo",
         .meaning = "colours of bubbles by their pressure, and of films",
         .unit = "light",
         .channels = "R G B",
+        .distance = distance_of_films,
         .draw = [](FrameLayers& layers, const MapOptions& options) -> MapImage {
             return draw_albedo(layers, options.albedo);
         }},
@@ -29,14 +40,23 @@ constexpr std::array kMaps = {
         .unit = "light",
         .channels = "R G B",
         .png_filter = PngFilter::Up,
-        .distance = {.smooth = true},
+        .distance = smooth_distance,
         .draw = [](FrameLayers& layers, const MapOptions& options) -> MapImage {
             return draw_thin_film(layers, options.thin_film, options.albedo);
+        }},
+    Map{.name = "lit",
+        .meaning = "albedo or thin_film on the relief, under a light",
+        .unit = "light",
+        .channels = "R G B",
+        .png_filter = PngFilter::Up,
+        .draw = [](FrameLayers& layers, const MapOptions& options) -> MapImage {
+            return draw_lit(layers, options);
         }},
     Map{.name = "opacity",
         .meaning = "what foam covers, albedo's alpha; all of a torus",
         .unit = "part of the pixel, 0 to 1",
         .channels = "Y",
+        .distance = distance_of_films,
         .draw = [](FrameLayers& layers, const MapOptions& options) -> MapImage {
             return draw_opacity(layers, options.albedo);
         }},
@@ -44,6 +64,7 @@ constexpr std::array kMaps = {
         .meaning = "mask of the films, as wide as those of albedo",
         .unit = "part of the pixel, 0 to 1",
         .channels = "Y",
+        .distance = distance_of_films,
         .draw = [](FrameLayers& layers, const MapOptions& options) -> MapImage {
             return draw_film(layers, options.albedo);
         }},
@@ -62,7 +83,7 @@ constexpr std::array kMaps = {
         .channels = "Y",
         .png_bits = 16,
         .png_filter = PngFilter::Up,
-        .distance = {.smooth = true},
+        .distance = smooth_distance,
         .draw = [](FrameLayers& layers, const MapOptions& options) -> MapImage {
             return draw_height(layers, options.relief, options.height);
         }},
@@ -71,7 +92,7 @@ constexpr std::array kMaps = {
         .unit = "-1 to 1; PNG: 0.5 is 0",
         .channels = "X Y Z",
         .png_filter = PngFilter::Up,
-        .distance = {.smooth = true},
+        .distance = smooth_distance,
         .around = 1.0,
         .note = [](const MapOptions& options) { return note_on_normals(options.normal); },
         .draw = [](FrameLayers& layers, const MapOptions& options) -> MapImage {
@@ -82,7 +103,7 @@ constexpr std::array kMaps = {
         .unit = "0 to 1",
         .channels = "Y",
         .png_filter = PngFilter::Up,
-        .distance = {.smooth = true},
+        .distance = smooth_distance,
         .around = 1.0,
         .draw = [](FrameLayers& layers, const MapOptions& options) -> MapImage {
             return draw_occlusion(layers, options.relief, options.occlusion);
@@ -93,7 +114,7 @@ constexpr std::array kMaps = {
         .channels = "Y",
         .png_bits = 16,
         .png_filter = PngFilter::Up,
-        .distance = {.smooth = true},
+        .distance = smooth_distance,
         .draw = [](FrameLayers& layers, const MapOptions& options) -> MapImage {
             return draw_curvature(layers, options.relief, options.curvature);
         }},
@@ -101,6 +122,7 @@ constexpr std::array kMaps = {
         .meaning = "of a surface: bubbles are smoother than films, and differ a little",
         .unit = "0 to 1",
         .channels = "Y",
+        .distance = distance_of_films,
         .draw = [](FrameLayers& layers, const MapOptions& options) -> MapImage {
             return draw_roughness(layers, options.roughness, options.albedo);
         }},
@@ -211,10 +233,12 @@ const Map& find_map(std::string_view name) {
     throw std::invalid_argument(fmt::format("there is no map '{}'; there are {}", name, known));
 }
 
-DistanceNeeds distance_needs(std::span<const std::string> names) {
+DistanceNeeds distance_needs(std::span<const std::string> names, const MapOptions& options) {
     DistanceNeeds needs;
     for (const std::string& name : names) {
-        const DistanceNeeds& more = find_map(name).distance;
+        const Map& map = find_map(name);
+        const DistanceNeeds more =
+            map.distance != nullptr ? map.distance(options) : DistanceNeeds();
         needs.gradient = needs.gradient || more.gradient;
         needs.smooth = needs.smooth || more.smooth;
     }

@@ -20,8 +20,8 @@ struct Map {
     int png_bits = 8;           // of a sample
     PngFilter png_filter = PngFilter::None;  // none for flat cells, up for what is smooth
     bool needs_next = false;                 // whether it asks for the frame after the one it shows
-    DistanceNeeds distance{};                // what it asks of distances
-    double around = 0.0;                     // in its last channel, around a patch
+    DistanceNeeds (*distance)(const MapOptions& options) = nullptr;  // what it asks of them, if any
+    double around = 0.0;  // in its last channel, around a patch
     std::string (*note)(const MapOptions& options) = nullptr;  // for its files, beside the unit
     MapImage (*draw)(FrameLayers& layers, const MapOptions& options) = nullptr;
 };
@@ -36,7 +36,7 @@ std::span<const std::string_view> map_names();
 const Map& find_map(std::string_view name);
 
 /// What several maps together ask of distances.
-DistanceNeeds distance_needs(std::span<const std::string> names);
+DistanceNeeds distance_needs(std::span<const std::string> names, const MapOptions& options);
 
 /// The table of all maps in Markdown, as the README shows it.
 std::string describe_maps_in_markdown();

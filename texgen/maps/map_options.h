@@ -8,6 +8,7 @@
 #include "texgen/maps/event.h"
 #include "texgen/maps/growth.h"
 #include "texgen/maps/height.h"
+#include "texgen/maps/lit.h"
 #include "texgen/maps/motion.h"
 #include "texgen/maps/normal.h"
 #include "texgen/maps/occlusion.h"
@@ -35,6 +36,7 @@ struct MapOptions {
     OcclusionOptions occlusion;
     CurvatureOptions curvature;
     ThinFilmOptions thin_film;
+    LitOptions lit;
 };
 
 }  // namespace foam::texgen

@@ -1,9 +1,13 @@
 #include "texgen/maps/roughness.h"
 
 #include "texgen/maps/cell_fill.h"
+#include "texgen/maps/film_look.h"
 #include "texgen/maps/identity_number.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
 
 namespace foam::texgen {
 
@@ -19,8 +23,18 @@ NumberPixels draw_roughness(FrameLayers& layers,
         frame,
         [&](BubbleId bubble) { return roughness_of(frame.bubbles[bubble].identity); },
         [&](const LoneBubble& bubble) { return roughness_of(bubble.identity); });
-    const double width = film_width_in_pixels(films, layers.grid(), frame.torus);
-    return {fill_numbers(layers, {cells, options.film}, width), 0.0, 1.0};
+    if (films.film_profile == FilmProfile::Even) {
+        const double width = film_width_in_pixels(films, layers.grid(), frame.torus);
+        return {fill_numbers(layers, {cells, options.film}, width), 0.0, 1.0};
+    }
+    Image<float> image = fill_numbers(layers, cells);
+    const FilmLook look = film_look(layers, films);
+    for (std::size_t k = 0; k < image.samples().size(); ++k) {
+        const float whole = look.foam.samples()[k];
+        const float part = whole > 0.0F ? look.films.samples()[k] / whole : 0.0F;
+        image.samples()[k] = std::lerp(image.samples()[k], static_cast<float>(options.film), part);
+    }
+    return {std::move(image), 0.0, 1.0};
 }
 
 }  // namespace foam::texgen

@@ -1,19 +1,16 @@
 #include "texgen/maps/thin_film.h"
 
 #include "core/foam/measure.h"
-#include "texgen/image/bleed.h"
 #include "texgen/maps/cell_fill.h"
+#include "texgen/maps/film_look.h"
 #include "texgen/maps/identity_number.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <numbers>
 #include <optional>
-#include <span>
-#include <utility>
 #include <vector>
 
 namespace foam::texgen {
@@ -87,9 +84,7 @@ LinearRgb tabled_reflectance(double thickness) {
     const double place = std::clamp(thickness, 0.0, static_cast<double>(kThickest));
     const std::size_t below = std::min(static_cast<std::size_t>(place), table.size() - 2);
     const double part = place - static_cast<double>(below);
-    const LinearRgb& a = table[below];
-    const LinearRgb& b = table[below + 1];
-    return {std::lerp(a.r, b.r, part), std::lerp(a.g, b.g, part), std::lerp(a.b, b.b, part)};
+    return mixed(table[below], table[below + 1], part);
 }
 
 // Towards the grey of the same luminance until it is within [0, 1].
@@ -100,8 +95,8 @@ LinearRgb within_srgb(const LinearRgb& color) {
     double part = 1.0;
     part = low < 0.0 ? std::min(part, grey / (grey - low)) : part;
     part = high > 1.0 ? std::min(part, (1.0 - grey) / (high - grey)) : part;
-    const auto mixed = [&](double x) { return std::clamp(std::lerp(grey, x, part), 0.0, 1.0); };
-    return {mixed(color.r), mixed(color.g), mixed(color.b)};
+    const auto inside = [&](double x) { return std::clamp(std::lerp(grey, x, part), 0.0, 1.0); };
+    return {inside(color.r), inside(color.g), inside(color.b)};
 }
 
 // A bubble's film: in its middle of a thickness, at its rim thicker.
@@ -135,10 +130,6 @@ double thickness_at(const Film& film, double smooth, double drainage) {
     return film.thickness * (1.0 + drainage * rim * rim);
 }
 
-LinearRgb mixed(const LinearRgb& a, const LinearRgb& b, double part) {
-    return {std::lerp(a.r, b.r, part), std::lerp(a.g, b.g, part), std::lerp(a.b, b.b, part)};
-}
-
 // The interference colours of bubbles at the middle of pixels.
 class FilmColors {
   public:
@@ -163,16 +154,6 @@ class FilmColors {
     std::vector<Film> films_;
 };
 
-// The opacity where there is a channel for it.
-void write_pixel(const LinearRgb& color, double opacity, std::span<std::uint16_t> pixel) {
-    pixel[0] = light_step(color.r);
-    pixel[1] = light_step(color.g);
-    pixel[2] = light_step(color.b);
-    if (pixel.size() > 3) {
-        pixel[3] = light_step(opacity);
-    }
-}
-
 }  // namespace
 
 LinearRgb film_reflectance(double nanometres) {
@@ -184,28 +165,11 @@ LinearRgb film_reflectance(double nanometres) {
 ColorPixels draw_thin_film(FrameLayers& layers,
                            const ThinFilmOptions& options,
                            const AlbedoOptions& albedo) {
-    const RasterGrid& grid = layers.grid();
-    const double width = film_width_in_pixels(albedo, grid, layers.frame().torus);
     const LinearRgb line = to_linear(parse_color(albedo.film_color));
-    const Image<float> lines = fill_cover(layers, Part::Films, width);
-    const Image<float> covered = fill_cover(layers, Part::Foam, width);
     const FilmColors films(layers, options);
-    const std::size_t channels = layers.is_patch() ? 4 : 3;
-    Image<std::uint16_t> image(grid.width, grid.height, static_cast<int>(channels));
-    for (std::size_t k = 0; k < covered.samples().size(); ++k) {
-        const auto whole = static_cast<double>(covered.samples()[k]);
-        if (whole == 0.0) {
-            continue;
-        }
-        const double part = static_cast<double>(lines.samples()[k]) / whole;
-        write_pixel(mixed(films.at(k).value_or(line), line, part),
-                    whole,
-                    image.samples().subspan(channels * k, channels));
-    }
-    if (layers.is_patch()) {
-        bleed_colors(image.view(), {light_step(line.r), light_step(line.g), light_step(line.b)});
-    }
-    return {std::move(image)};
+    return paint_films(layers, film_look(layers, albedo), line, [&](std::size_t k) {
+        return films.at(k).value_or(line);
+    });
 }
 
 }  // namespace foam::texgen

@@ -65,6 +65,14 @@ std::string quoted(std::span<const std::string_view> words) {
     return list;
 }
 
+Value list_of(const std::vector<std::string>& words) {
+    Value::List list;
+    for (const std::string& word : words) {
+        list.push_back({word});
+    }
+    return {std::move(list)};
+}
+
 }  // namespace
 
 std::string Integers::allowed() const {
@@ -104,6 +112,26 @@ std::string Colors::allowed() const {
 
 bool Colors::read(const Value& value, std::string& member) const {
     return read_text(value, member, is_color);
+}
+
+std::string ColorLists::allowed() const {
+    return "a list of colours \"#rrggbb\"";
+}
+
+bool ColorLists::read(const Value& value, std::vector<std::string>& member) const {
+    const auto* list = get<Value::List>(value);
+    std::vector<std::string> found;
+    for (const Value& item : list != nullptr ? *list : Value::List{value}) {
+        if (!Colors().read(item, found.emplace_back())) {
+            return false;
+        }
+    }
+    member = std::move(found);
+    return true;
+}
+
+Value ColorLists::write(const std::vector<std::string>& member) const {
+    return list_of(member);
 }
 
 std::string Outlines::allowed() const {
@@ -146,11 +174,7 @@ bool WordLists::read(const Value& value, std::vector<std::string>& member) const
 }
 
 Value WordLists::write(const std::vector<std::string>& member) const {
-    Value::List list;
-    for (const std::string& word : member) {
-        list.push_back({word});
-    }
-    return {std::move(list)};
+    return list_of(member);
 }
 
 std::string Sizes::allowed() const {

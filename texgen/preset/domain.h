@@ -67,6 +67,13 @@ struct Colors {
     Value write(const std::string& member) const { return {member}; }
 };
 
+/// A list of colours; empty if there are none.
+struct ColorLists {
+    std::string allowed() const;
+    bool read(const Value& value, std::vector<std::string>& member) const;
+    Value write(const std::vector<std::string>& member) const;
+};
+
 /// Where a patch is seeded: "disc", "rectangle", or a polygon as WKT.
 struct Outlines {
     std::string allowed() const;

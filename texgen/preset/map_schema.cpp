@@ -4,6 +4,7 @@
 #include "texgen/maps/foam_record.h"
 #include "texgen/preset/domain.h"
 #include "texgen/preset/key_of_member.h"
+#include "texgen/preset/map_choices.h"
 #include "texgen/preset/refusal.h"
 
 #include <fmt/core.h>
@@ -15,19 +16,12 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr double kLargestPressure = 1e6;
-constexpr Choices<PressureUnit> kPressureUnits = {
-    {{{"seed", PressureUnit::Seed}, {"current", PressureUnit::Current}}}};
-constexpr Choices<WidthUnit> kWidthUnits = {
-    {{{"px", WidthUnit::Pixels}, {"diameter", WidthUnit::Diameters}}}};
 constexpr Choices<PressureScaling, 3> kPressureScalings = {
     {{{"range", PressureScaling::Range},
       {"percentile", PressureScaling::Percentile},
       {"rank", PressureScaling::Rank}}}};
 constexpr Choices<AgeSince> kAgeSince = {
     {{{"birth", AgeSince::Birth}, {"change", AgeSince::Change}}}};
-constexpr Choices<MeanBubble> kMeanBubbles = {
-    {{{"seed", MeanBubble::Seed}, {"current", MeanBubble::Current}}}};
 
 std::span<const std::string_view> colormaps_and_none() {
     static const std::vector<std::string_view> words = [] {
@@ -36,36 +30,6 @@ std::span<const std::string_view> colormaps_and_none() {
         return all;
     }();
     return words;
-}
-
-std::vector<Key> albedo_keys() {
-    using Options = AlbedoOptions;
-    const auto one = keys_in(&MapOptions::albedo);
-    return {one("albedo.colormap",
-                Words{colormap_names()},
-                "colours of the bubbles by their pressure",
-                &Options::colormap),
-            one("albedo.pressure_low",
-                Reals{-kLargestPressure, kLargestPressure},
-                "pressure at the start of the colour map",
-                &Options::pressure_low),
-            one("albedo.pressure_high",
-                Reals{-kLargestPressure, kLargestPressure},
-                "pressure at its end; above pressure_low",
-                &Options::pressure_high),
-            one("albedo.pressure_unit",
-                kPressureUnits,
-                "film tension over the root of the mean area: of the seeded foam or of this frame",
-                &Options::pressure_unit),
-            one("albedo.film_color", Colors{}, "sRGB colour of the films", &Options::film_color),
-            one("albedo.film_width",
-                Reals{0.0, 1000.0},
-                "whole width of a film; 0 draws none",
-                &Options::film_width),
-            one("albedo.film_unit",
-                kWidthUnits,
-                "pixels, or diameters of a mean bubble of the seeded foam",
-                &Options::film_unit)};
 }
 
 std::vector<Key> pressure_keys() {
@@ -192,7 +156,7 @@ void check_order(const OrderedKeys& keys, std::span<const Assignment> assignment
 
 std::vector<Key> map_keys() {
     std::vector<Key> all;
-    for (const auto& keys : {albedo_keys(),
+    for (const auto& keys : {look_keys(),
                              pressure_keys(),
                              area_keys(),
                              roughness_keys(),

@@ -11,6 +11,9 @@ namespace foam::texgen {
 /// The keys that say how maps are drawn: a table for every map that has some.
 std::vector<Key> map_keys();
 
+/// Those of them for what bubbles and films look like, in albedo and under a light.
+std::vector<Key> look_keys();
+
 /// Those of them for maps of what is at a place, not of a whole bubble.
 std::vector<Key> place_map_keys();
 

@@ -1,5 +1,6 @@
 #include "texgen/preset/domain.h"
 #include "texgen/preset/key_of_member.h"
+#include "texgen/preset/map_choices.h"
 #include "texgen/preset/map_schema.h"
 
 namespace foam::texgen {
@@ -17,8 +18,6 @@ constexpr Choices<ReliefProfile, 3> kReliefProfiles = {{{{"dome", ReliefProfile:
                                                          {"ridge", ReliefProfile::Ridge},
                                                          {"wet", ReliefProfile::Wet}}}};
 constexpr Choices<NormalY> kNormalY = {{{{"gl", NormalY::Up}, {"dx", NormalY::Down}}}};
-constexpr Choices<MeanBubble> kMeanBubbles = {
-    {{{"seed", MeanBubble::Seed}, {"current", MeanBubble::Current}}}};
 
 std::vector<Key> motion_keys() {
     using Options = MotionOptions;

@@ -2,6 +2,7 @@
 #include "tests/texgen/maps/map_subjects.h"
 #include "texgen/image/file_io.h"
 #include "texgen/image/png.h"
+#include "texgen/maps/map_options.h"
 #include "texgen/maps/quantize.h"
 
 #include <gtest/gtest.h>
@@ -12,17 +13,72 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <ostream>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <variant>
+#include <vector>
 
 namespace foam::texgen {
 namespace {
 
 constexpr int kSize = 96;
 
-class EveryMap : public testing::TestWithParam<std::string_view> {};
+// A map, and the look it is drawn with.
+struct MapCase {
+    std::string map;
+    std::string look{};  // none: the options as they are by default
+    MapOptions options{};
+
+    std::string name() const { return look.empty() ? map : map + "_" + look; }
+};
+
+void PrintTo(const MapCase& one, std::ostream* out) {
+    *out << one.name();
+}
+
+MapOptions wet_and_shaded() {
+    MapOptions options;
+    options.albedo.color_by = ColorBy::Area;
+    options.albedo.colors = {"#102040", "#f0d080"};
+    options.albedo.variation = 0.2;
+    options.albedo.film_width = 3.0;
+    options.albedo.film_profile = FilmProfile::Wet;
+    options.albedo.shade_color = "#c02010";
+    options.albedo.shade = 0.8;
+    options.lit.glow = 0.7;
+    options.lit.rim = 0.3;
+    return options;
+}
+
+MapOptions lit_thin_film() {
+    MapOptions options;
+    options.lit.colors = LitColors::ThinFilm;
+    options.lit.samples = 3;
+    return options;
+}
+
+std::vector<MapCase> all_cases() {
+    std::vector<MapCase> cases;
+    for (const std::string_view map : map_names()) {
+        cases.push_back({std::string(map)});
+    }
+    for (const char* map : {"albedo", "thin_film", "lit", "film", "opacity", "roughness"}) {
+        cases.push_back({map, "wet", wet_and_shaded()});
+    }
+    cases.push_back({"lit", "thin_film", lit_thin_film()});
+    return cases;
+}
+
+class EveryMap : public testing::TestWithParam<MapCase> {};
+
+MapImage draw_case(const MapCase& one,
+                   const test::MapSubject& subject,
+                   const RasterGrid& grid,
+                   int threads = 1) {
+    return draw(one.map, subject, grid, threads, one.options);
+}
 
 template <class Sample>
 Image<Sample> shifted(const Image<Sample>& image, int shift_x, int shift_y) {
@@ -50,8 +106,9 @@ int differing(const Pixels& a, const MapImage& b) {
 }
 
 TEST_P(EveryMap, AShiftIsCyclicToTheBit) {
-    const MapImage still = draw(GetParam(), test::torus_subject(), test::torus_grid(kSize));
-    const MapImage moved = draw(GetParam(), test::torus_subject(), test::torus_grid(kSize, 37, 91));
+    const MapImage still = draw_case(GetParam(), test::torus_subject(), test::torus_grid(kSize));
+    const MapImage moved =
+        draw_case(GetParam(), test::torus_subject(), test::torus_grid(kSize, 37, 91));
     std::visit(
         [&](const auto& one) {
             auto expected = one;
@@ -65,9 +122,9 @@ TEST_P(EveryMap, DoesNotDependOnThreads) {
     for (const auto& [subject, grid] :
          {std::pair(&test::torus_subject(), test::torus_grid(kSize)),
           std::pair(&test::patch_subject(), test::patch_grid(kSize))}) {
-        const MapImage one = draw(GetParam(), *subject, grid, 1);
+        const MapImage one = draw_case(GetParam(), *subject, grid, 1);
         for (const int threads : {2, 3}) {
-            const MapImage many = draw(GetParam(), *subject, grid, threads);
+            const MapImage many = draw_case(GetParam(), *subject, grid, threads);
             std::visit([&](const auto& image) { EXPECT_EQ(differing(image, many), 0); }, one);
         }
     }
@@ -102,7 +159,7 @@ Steps steps_of(const Image<Sample>& image) {
 
 // Ids apart, whose differences mean nothing.
 TEST_P(EveryMap, HasNoSeam) {
-    const MapImage image = draw(GetParam(), test::torus_subject(), test::torus_grid(kSize));
+    const MapImage image = draw_case(GetParam(), test::torus_subject(), test::torus_grid(kSize));
     if (std::holds_alternative<IdPixels>(image)) {
         GTEST_SKIP();
     }
@@ -116,8 +173,8 @@ TEST_P(EveryMap, HasNoSeam) {
 
 // The opacity of colours, whose other samples go on beyond the edge; else its last number.
 TEST_P(EveryMap, IsNothingAroundAPatch) {
-    const MapImage image = draw(GetParam(), test::patch_subject(), test::patch_grid(kSize));
-    const double around = find_map(GetParam()).around;
+    const MapImage image = draw_case(GetParam(), test::patch_subject(), test::patch_grid(kSize));
+    const double around = find_map(GetParam().map).around;
     std::visit(
         [&](const auto& one) {
             for (const int x : {0, kSize - 1}) {
@@ -128,7 +185,7 @@ TEST_P(EveryMap, IsNothingAroundAPatch) {
 }
 
 TEST_P(EveryMap, NumbersAreFinite) {
-    const MapImage image = draw(GetParam(), test::patch_subject(), test::patch_grid(kSize));
+    const MapImage image = draw_case(GetParam(), test::patch_subject(), test::patch_grid(kSize));
     if (const auto* numbers = std::get_if<NumberPixels>(&image)) {
         const auto samples = numbers->pixels.samples();
         EXPECT_TRUE(
@@ -139,9 +196,9 @@ TEST_P(EveryMap, NumbersAreFinite) {
 
 // A torus above a patch, against the picture under tests/data/golden/maps; made anew as those of
 // the presets.
-Image<std::uint8_t> golden_codes(std::string_view map) {
+Image<std::uint8_t> golden_codes(const MapCase& one) {
     const auto codes = [&](const test::MapSubject& subject, const RasterGrid& grid) {
-        return std::get<Image<std::uint8_t>>(quantize(draw(map, subject, grid), 8).codes);
+        return std::get<Image<std::uint8_t>>(quantize(draw_case(one, subject, grid), 8).codes);
     };
     const Image<std::uint8_t> torus = codes(test::torus_subject(), test::torus_grid(kSize));
     const Image<std::uint8_t> patch = codes(test::patch_subject(), test::patch_grid(kSize));
@@ -158,8 +215,8 @@ Image<std::uint8_t> golden_codes(std::string_view map) {
 
 TEST_P(EveryMap, IsTheGoldenPicture) {
     const Image<std::uint8_t> codes = golden_codes(GetParam());
-    const std::filesystem::path path = std::filesystem::path(FOAMTEX_TEST_DATA) / "golden" /
-                                       "maps" / (std::string(GetParam()) + ".png");
+    const std::filesystem::path path =
+        std::filesystem::path(FOAMTEX_TEST_DATA) / "golden" / "maps" / (GetParam().name() + ".png");
     if (std::getenv("FOAMTEX_UPDATE_GOLDEN") != nullptr) {
         make_folders(path.parent_path());
         write_png(path, codes.view());
@@ -168,10 +225,9 @@ TEST_P(EveryMap, IsTheGoldenPicture) {
     EXPECT_EQ(read_png(path).pixels, codes);
 }
 
-INSTANTIATE_TEST_SUITE_P(Maps,
-                         EveryMap,
-                         testing::ValuesIn(map_names().begin(), map_names().end()),
-                         [](const auto& tested) { return std::string(tested.param); });
+INSTANTIATE_TEST_SUITE_P(Maps, EveryMap, testing::ValuesIn(all_cases()), [](const auto& tested) {
+    return tested.param.name();
+});
 
 TEST(AllMaps, SayWhatTheyAre) {
     for (const Map& map : all_maps()) {

@@ -4,6 +4,8 @@
 #include "tests/support/raster_frames.h"
 
 #include <algorithm>
+#include <array>
+#include <string>
 
 namespace foam::texgen::test {
 
@@ -59,11 +61,13 @@ RasterGrid patch_grid(int size) {
 MapImage draw(std::string_view map,
               const MapSubject& subject,
               const RasterGrid& grid,
-              int threads) {
+              int threads,
+              const MapOptions& options) {
     FrameInput input = subject.input();
-    input.distance = find_map(map).distance;
+    const std::array names{std::string(map)};
+    input.distance = distance_needs(names, options);
     FrameLayers layers(input, grid, threads);
-    return find_map(map).draw(layers, {});
+    return find_map(map).draw(layers, options);
 }
 
 }  // namespace foam::texgen::test

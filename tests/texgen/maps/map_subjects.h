@@ -3,6 +3,7 @@
 #include "core/foam/frame.h"
 #include "texgen/maps/frame_layers.h"
 #include "texgen/maps/map.h"
+#include "texgen/maps/map_options.h"
 
 #include <string_view>
 
@@ -27,10 +28,11 @@ const MapSubject& patch_subject();
 RasterGrid torus_grid(int size, int shift_x = 0, int shift_y = 0);
 RasterGrid patch_grid(int size);
 
-/// A map of a subject with the options as they are by default.
+/// A map of a subject.
 MapImage draw(std::string_view map,
               const MapSubject& subject,
               const RasterGrid& grid,
-              int threads = 1);
+              int threads = 1,
+              const MapOptions& options = {});
 
 }  // namespace foam::texgen::test

@@ -18,7 +18,7 @@ namespace {
 
 using test::Bounds;
 
-constexpr std::size_t kKeys = 80;
+constexpr std::size_t kKeys = 97;
 
 bool accepts(const std::string& path, const std::string& value) {
     Preset preset;
@@ -89,6 +89,17 @@ INSTANTIATE_TEST_SUITE_P(
                     Bounds{"camera.margin", "-0.1", "0", "0.45", "0.46"},
                     Bounds{"albedo.pressure_low", "-1e7", "-1e6", "1e6", "1e7"},
                     Bounds{"albedo.film_width", "-1", "0", "1000", "1001"},
+                    Bounds{"albedo.variation", "-0.1", "0", "1", "1.1"},
+                    Bounds{"albedo.shade", "-0.1", "0", "1", "1.1"},
+                    Bounds{"albedo.shade_width", "0", "0.001", "10", "11"},
+                    Bounds{"lit.azimuth", "-361", "-360", "360", "361"},
+                    Bounds{"lit.elevation", "0.9", "1", "90", "91"},
+                    Bounds{"lit.ambient", "-0.1", "0", "1", "1.1"},
+                    Bounds{"lit.gloss", "-0.1", "0", "1000", "1001"},
+                    Bounds{"lit.shininess", "0.9", "1", "10000", "10001"},
+                    Bounds{"lit.rim", "-0.1", "0", "1000", "1001"},
+                    Bounds{"lit.glow", "-0.1", "0", "1", "1.1"},
+                    Bounds{"lit.samples", "0", "1", "8", "9"},
                     Bounds{"pressure.percentile", "-1", "0", "49", "50"},
                     Bounds{"pressure.exaggeration", "-1", "0", "1000", "1001"},
                     Bounds{"area.full", "0", "0.001", "1e6", "1000001"},
@@ -123,6 +134,10 @@ TEST(Schema, EveryChoiceOfAMapHasItsWord) {
              {"motion.y", {"up", "down"}},
              {"distance.kind", {"plain", "signed"}},
              {"distance.unit", {"foam", "px"}},
+             {"albedo.color_by", {"pressure", "area", "sides", "random"}},
+             {"albedo.color_mix", {"blend", "pick"}},
+             {"albedo.film_profile", {"even", "wet"}},
+             {"lit.colors", {"albedo", "thin_film"}},
              {"relief.profile", {"dome", "ridge", "wet"}},
              {"relief.mean_bubble", {"seed", "current"}},
              {"normal.y", {"gl", "dx"}}}) {

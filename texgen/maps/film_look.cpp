@@ -1,0 +1,115 @@
+#include "texgen/maps/film_look.h"
+
+#include "texgen/image/bleed.h"
+#include "texgen/maps/cell_fill.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+
+namespace foam::texgen {
+
+namespace {
+
+// Slopes below this are those of summits, where no film ends.
+constexpr double kFlattest = 0.05;
+
+Image<float> foam_cover(FrameLayers& layers, double width) {
+    if (layers.is_patch()) {
+        return fill_cover(layers, Part::Foam, width);
+    }
+    Image<float> whole(layers.grid().width, layers.grid().height, 1);
+    std::fill(whole.samples().begin(), whole.samples().end(), 1.0F);
+    return whole;
+}
+
+Image<float> wet_films(FrameLayers& layers, double width) {
+    const DistanceField& field = layers.distance();
+    Image<float> films(layers.grid().width, layers.grid().height, 1);
+    for (std::size_t k = 0; k < films.samples().size(); ++k) {
+        const auto slope = field.smooth_gradient.samples().subspan(2 * k, 2);
+        const double steepness =
+            std::hypot(static_cast<double>(slope[0]), static_cast<double>(slope[1]));
+        const double inside = 0.5 * width - static_cast<double>(field.smooth.samples()[k]);
+        const double part = 0.5 + inside / std::max(steepness, kFlattest);
+        films.samples()[k] = static_cast<float>(std::clamp(part, 0.0, 1.0));
+    }
+    return films;
+}
+
+Image<float> shade_beside_films(FrameLayers& layers, double width, double most) {
+    const DistanceField& field = layers.distance();
+    Image<float> shade(layers.grid().width, layers.grid().height, 1);
+    std::transform(field.smooth.samples().begin(),
+                   field.smooth.samples().end(),
+                   shade.samples().begin(),
+                   [&](float smooth) {
+                       const double way = std::min(static_cast<double>(smooth) / width, 1.0);
+                       return static_cast<float>(most * (1.0 - way * way * (3.0 - 2.0 * way)));
+                   });
+    return shade;
+}
+
+// The opacity where there is a channel for it.
+void write_pixel(const LinearRgb& color, double opacity, std::span<std::uint16_t> pixel) {
+    pixel[0] = light_step(color.r);
+    pixel[1] = light_step(color.g);
+    pixel[2] = light_step(color.b);
+    if (pixel.size() > 3) {
+        pixel[3] = light_step(opacity);
+    }
+}
+
+}  // namespace
+
+FilmLook film_look(FrameLayers& layers, const AlbedoOptions& options) {
+    const Torus& torus = layers.frame().torus;
+    const double width = film_width_in_pixels(options, layers.grid(), torus);
+    FilmLook look;
+    if (options.film_profile == FilmProfile::Even) {
+        look.films = fill_cover(layers, Part::Films, width);
+        look.foam = foam_cover(layers, width);
+    } else {
+        look.films = wet_films(layers, width);
+        look.foam = foam_cover(layers, 0.0);
+        std::transform(look.foam.samples().begin(),
+                       look.foam.samples().end(),
+                       look.films.samples().begin(),
+                       look.foam.samples().begin(),
+                       [](float foam, float film) { return std::max(foam, film); });
+    }
+    if (options.shade > 0.0) {
+        const double reach = diameters_in_pixels(options.shade_width, layers.grid(), torus);
+        look.shade = shade_beside_films(layers, reach, options.shade);
+    }
+    return look;
+}
+
+DistanceNeeds distance_of_look(const AlbedoOptions& options) {
+    return {.smooth = options.film_profile == FilmProfile::Wet || options.shade > 0.0};
+}
+
+ColorPixels paint_films(FrameLayers& layers,
+                        const FilmLook& look,
+                        const LinearRgb& film,
+                        const std::function<LinearRgb(std::size_t)>& color_at) {
+    const std::size_t channels = layers.is_patch() ? 4 : 3;
+    const RasterGrid& grid = layers.grid();
+    Image<std::uint16_t> image(grid.width, grid.height, static_cast<int>(channels));
+    for (std::size_t k = 0; k < look.foam.samples().size(); ++k) {
+        const auto whole = static_cast<double>(look.foam.samples()[k]);
+        if (whole == 0.0) {
+            continue;
+        }
+        const double part = static_cast<double>(look.films.samples()[k]) / whole;
+        write_pixel(
+            mixed(color_at(k), film, part), whole, image.samples().subspan(channels * k, channels));
+    }
+    if (layers.is_patch()) {
+        bleed_colors(image.view(), {light_step(film.r), light_step(film.g), light_step(film.b)});
+    }
+    return {std::move(image)};
+}
+
+}  // namespace foam::texgen
