@@ -4,7 +4,6 @@
 #include "texgen/preset/nearest.h"
 
 #include <fmt/core.h>
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <vector>
@@ -19,10 +18,10 @@ std::string unknown_preset(std::string_view name) {
         names.push_back(preset.name);
     }
     const std::string_view meant = nearest(name, names);
-    return fmt::format("preset '{}': must be a .toml file or one of {}{}",
+    return fmt::format("preset '{}': must be a .toml file or a name; {}",
                        name,
-                       fmt::join(names, ", "),
-                       meant.empty() ? "" : fmt::format("; did you mean '{}'?", meant));
+                       meant.empty() ? "'foamtex presets' lists all there are"
+                                     : fmt::format("did you mean '{}'?", meant));
 }
 
 }  // namespace

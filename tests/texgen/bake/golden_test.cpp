@@ -36,6 +36,7 @@ std::filesystem::path baked_path(const GoldenCase& golden, const TemporaryFolder
     Preset preset = load_preset(golden.preset);
     preset.image.width = 256;
     preset.image.height = 256;
+    preset.image.maps.resize(1);
     preset.output.pattern = (folder.path() / "{preset}.png").string();
     return bake(preset, {.frames = {golden.frame}, .threads = 2}, {}).files.front();
 }
@@ -66,6 +67,23 @@ TEST_P(GoldenTest, PresetGivesThePicture) {
 INSTANTIATE_TEST_SUITE_P(Presets,
                          GoldenTest,
                          testing::Values(GoldenCase{"sea_foam", 3},
+                                         GoldenCase{"beer_head", 1},
+                                         GoldenCase{"bath_bubbles", 1},
+                                         GoldenCase{"iridescent", 1},
+                                         GoldenCase{"caustics", 9},
+                                         GoldenCase{"sea_ice", 1},
+                                         GoldenCase{"lava", 2},
+                                         GoldenCase{"pebbles", 1},
+                                         GoldenCase{"basalt", 1},
+                                         GoldenCase{"dried_mud", 1},
+                                         GoldenCase{"dragon_skin", 1},
+                                         GoldenCase{"giraffe", 1},
+                                         GoldenCase{"leather", 1},
+                                         GoldenCase{"cell_tissue", 1},
+                                         GoldenCase{"honeycomb", 30},
+                                         GoldenCase{"stained_glass", 5},
+                                         GoldenCase{"toon_bubbles", 1},
+                                         GoldenCase{"force_field", 12},
                                          GoldenCase{"labyrinth", 1},
                                          GoldenCase{"coarsening", 2},
                                          GoldenCase{"collapse", 24},

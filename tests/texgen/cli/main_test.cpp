@@ -64,9 +64,9 @@ TEST(Main, ListsEveryMap) {
 
 TEST(Main, ABadPresetIsOneLineAndCode2) {
     expect_refused("bake none.toml", "cannot read 'none.toml': No such file or directory");
-    expect_refused("bake beer",
-                   "preset 'beer': must be a .toml file or one of sea_foam, labyrinth, coarsening, "
-                   "collapse, shear, relax, soap_raft");
+    expect_refused("bake marzipan",
+                   "preset 'marzipan': must be a .toml file or a name; 'foamtex presets' lists all "
+                   "there are");
     expect_refused("bake sea_foam --set foam.bubbles=-3",
                    "--set foam.bubbles=-3: key 'foam.bubbles' = -3: "
                    "must be an integer from 4 to 1000000");
