@@ -9,7 +9,6 @@
 #include <chrono>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <stdexcept>
 #include <thread>
 
@@ -26,47 +25,60 @@ int thread_count(const BakeOptions& options) {
     return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
+double seconds_since(Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
 // Draws frames into files and tells of them; called from several threads.
 class FrameWriter {
   public:
-    FrameWriter(const Preset& preset, int total, const ProgressCallback& on_progress)
-        : preset_(preset), files_(preset), on_progress_(on_progress) {
+    FrameWriter(const Preset& preset, int total, const BakeCallbacks& callbacks)
+        : preset_(preset), files_(preset), callbacks_(callbacks) {
         progress_.total = total;
     }
 
     const FrameFiles& files() const { return files_; }
 
-    void write(const SimulatedFrame& shown, const std::optional<View>& view) {
-        const RasterGrid grid{preset_.image.width, preset_.image.height, 0, 0, view};
+    void write(const SimulatedFrame& shown) {
+        const Clock::time_point begin = Clock::now();
+        const RasterGrid grid{preset_.image.width, preset_.image.height, 0, 0, shown.view};
         FrameLayers layers(
             {*shown.frame, *shown.record, shown.next.get(), files_.distance()}, grid, 1);
-        files_.write(layers);
-        report(*shown.frame, shown.effort);
+        BakedFrame baked{shown, files_.write(layers), 0.0};
+        baked.seconds = seconds_since(begin);
+        report(baked);
     }
 
   private:
-    void report(const Frame& frame, const FrameEffort& effort) {
+    void report(const BakedFrame& baked) {
+        const Frame& frame = *baked.shown.frame;
+        const FrameEffort& effort = baked.shown.effort;
         const std::scoped_lock lock(mutex_);
+        if (callbacks_.on_baked) {
+            callbacks_.on_baked(baked);
+        }
         ++progress_.done;
         progress_.frame = frame.number;
         progress_.bubbles = static_cast<int>(frame.bubbles.size() + frame.lone_bubbles.size());
         progress_.area_error = effort.area_error;
         progress_.angle_error = effort.angle_error;
-        progress_.seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
-        if (on_progress_) {
-            on_progress_(progress_);
+        progress_.seconds = seconds_since(begin_);
+        if (callbacks_.on_progress) {
+            callbacks_.on_progress(progress_);
         }
     }
 
     const Preset& preset_;
     FrameFiles files_;
-    const ProgressCallback& on_progress_;
+    const BakeCallbacks& callbacks_;
     std::mutex mutex_;
     BakeProgress progress_;
     Clock::time_point begin_ = Clock::now();
 };
 
-void check(const Preset& preset, const BakeOptions& options) {
+}  // namespace
+
+void check_bake(const Preset& preset, const BakeOptions& options) {
     if (options.frames.empty() ||
         *std::min_element(options.frames.begin(), options.frames.end()) < 1) {
         throw std::invalid_argument("a bake needs frames, numbered from 1");
@@ -75,22 +87,17 @@ void check(const Preset& preset, const BakeOptions& options) {
         .check_distinct(options.frames.size(), preset.image.maps.size());
 }
 
-}  // namespace
-
-BakeSummary bake(const Preset& preset,
-                 const BakeOptions& options,
-                 const ProgressCallback& on_progress,
-                 const FrameVisitor& on_frame) {
-    check(preset, options);
-    FrameWriter writer(preset, static_cast<int>(options.frames.size()), on_progress);
+BakeSummary bake(const Preset& preset, const BakeOptions& options, const BakeCallbacks& callbacks) {
+    check_bake(preset, options);
+    FrameWriter writer(preset, static_cast<int>(options.frames.size()), callbacks);
     BakeSummary summary;
     Simulation simulation(preset, options.threads);
     BoundedWorkers workers(thread_count(options) - 1);
     const auto visit = [&](const SimulatedFrame& shown) {
-        if (on_frame) {
-            on_frame(shown);
+        if (callbacks.on_frame) {
+            callbacks.on_frame(shown);
         }
-        workers.submit([shown, view = simulation.view(), &writer] { writer.write(shown, view); });
+        workers.submit([shown, &writer] { writer.write(shown); });
     };
     const NextFrames next =
         writer.files().needs_next() ? NextFrames::HandedOut : NextFrames::LeftOut;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "texgen/bake/simulate_frames.h"
+#include "texgen/bake/written_file.h"
 #include "texgen/preset/preset.h"
 
 #include <filesystem>
@@ -35,13 +36,30 @@ struct BakeSummary {
     std::vector<std::filesystem::path> files;  // written, in the order of the frames asked for
 };
 
-/// Simulates the foam, draws the frames and writes every map of each; folders are made as needed.
-/// Each frame is handed to `on_frame`, if there is one, before it is drawn, in increasing order.
+/// A frame whose files have been written.
+struct BakedFrame {
+    SimulatedFrame shown;
+    std::vector<WrittenFile> files;
+    double seconds = 0.0;  // of drawing, encoding and writing
+};
+
+/// What is told of a bake while it runs; any of them may be empty. `on_frame` is called before a
+/// frame is drawn, in the order of simulate_frames; the others after it has been written, in any
+/// order. None is called from two threads at once.
+struct BakeCallbacks {
+    ProgressCallback on_progress = {};
+    FrameVisitor on_frame = {};
+    std::function<void(const BakedFrame&)> on_baked = {};
+};
+
 /// Throws std::invalid_argument for options out of range and a pattern under which two images would
-/// share a file, OutputError where a file cannot be written.
+/// share a file.
+void check_bake(const Preset& preset, const BakeOptions& options);
+
+/// Simulates the foam, draws the frames and writes every map of each; folders are made as needed.
+/// Throws as check_bake, and OutputError where a file cannot be written.
 BakeSummary bake(const Preset& preset,
                  const BakeOptions& options,
-                 const ProgressCallback& on_progress,
-                 const FrameVisitor& on_frame = {});
+                 const BakeCallbacks& callbacks = {});
 
 }  // namespace foam::texgen

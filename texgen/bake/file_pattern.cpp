@@ -117,6 +117,21 @@ std::filesystem::path FilePattern::path(std::string_view preset,
     return fill(preset, map, frame);
 }
 
+std::filesystem::path FilePattern::folder(std::string_view preset) const {
+    std::string filled;
+    for (const Piece& piece : pieces_) {
+        if (const auto* text = std::get_if<std::string>(&piece)) {
+            filled += *text;
+        } else if (std::holds_alternative<PresetName>(piece)) {
+            filled += preset;
+        } else {
+            filled += '_';  // whatever stands there
+            break;
+        }
+    }
+    return std::filesystem::path(filled).parent_path();
+}
+
 std::string FilePattern::sequence(std::string_view preset, std::string_view map) const {
     return fill(preset, map, std::nullopt);
 }

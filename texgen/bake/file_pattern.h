@@ -38,6 +38,9 @@ class FilePattern {
 
     std::filesystem::path path(std::string_view preset, std::string_view map, int frame) const;
 
+    /// The deepest folder that holds the files of all maps and frames.
+    std::filesystem::path folder(std::string_view preset) const;
+
     /// The path with the frame's placeholder left as the pattern has it.
     std::string sequence(std::string_view preset, std::string_view map) const;
 

@@ -1,6 +1,7 @@
 #include "texgen/bake/frame_files.h"
 
 #include "texgen/image/file_io.h"
+#include "texgen/image/pixel_hash.h"
 #include "texgen/maps/exr_layers.h"
 #include "texgen/maps/quantize.h"
 #include "texgen/preset/preset_io.h"
@@ -38,12 +39,11 @@ std::vector<const Map*> maps_of(const Preset& preset) {
     return maps;
 }
 
-// Under shear, only where the torus is that of a rectangle again.
+}  // namespace
+
 bool tiles(const Torus& torus) {
     return !torus.is_plane() && torus.shear == 0.0;
 }
-
-}  // namespace
 
 FrameFiles::FrameFiles(const Preset& preset)
     : preset_(preset),
@@ -67,19 +67,20 @@ std::vector<std::filesystem::path> FrameFiles::paths(int frame) const {
     return all;
 }
 
-void FrameFiles::write(FrameLayers& layers) {
+std::vector<WrittenFile> FrameFiles::write(FrameLayers& layers) {
     const int frame = layers.frame().number;
     if (pattern_.joins_maps()) {
-        write_exr(maps_, layers, path(*maps_.front(), frame));
-        return;
+        return {write_exr(maps_, layers, path(*maps_.front(), frame))};
     }
+    std::vector<WrittenFile> written;
     for (const Map* map : maps_) {
         if (pattern_.format() == FileFormat::Exr) {
-            write_exr(std::span(&map, 1), layers, path(*map, frame));
+            written.push_back(write_exr(std::span(&map, 1), layers, path(*map, frame)));
         } else {
-            write_png(*map, map->draw(layers, preset_.maps), path(*map, frame));
+            written.push_back(write_png(*map, map->draw(layers, preset_.maps), path(*map, frame)));
         }
     }
+    return written;
 }
 
 DistanceNeeds FrameFiles::distance() const {
@@ -90,9 +91,9 @@ bool FrameFiles::needs_next() const {
     return std::any_of(maps_.begin(), maps_.end(), [](const Map* map) { return map->needs_next; });
 }
 
-void FrameFiles::write_png(const Map& map,
-                           const MapImage& image,
-                           const std::filesystem::path& path) {
+WrittenFile FrameFiles::write_png(const Map& map,
+                                  const MapImage& image,
+                                  const std::filesystem::path& path) {
     const CodedImage coded = quantize(image, map.png_bits);
     const PngMetadata metadata = png_metadata(map, coded.color);
     const PngEncoding encoding{.filter = map.png_filter,
@@ -103,7 +104,12 @@ void FrameFiles::write_png(const Map& map,
         coded.codes);
     make_folders(path.parent_path());
     write_file(path, stream);
+    const std::uint64_t bytes = stream.size();
     give_back(std::move(encoder));
+    return {path,
+            {{&map, samples_in_png(map, image, map.png_bits)}},
+            bytes,
+            std::visit([](const auto& codes) { return pixel_hash(codes.view()); }, coded.codes)};
 }
 
 // With what the map's codes stand for, which EXR files of floats need not say.
@@ -132,25 +138,30 @@ ExrMetadata FrameFiles::exr_metadata(std::span<const Map* const> maps, bool colo
 }
 
 // A lone map lies in no layer.
-void FrameFiles::write_exr(std::span<const Map* const> maps,
-                           FrameLayers& layers,
-                           const std::filesystem::path& path) const {
-    ExrLayers channels(preset_.output.exr_numbers);
+WrittenFile FrameFiles::write_exr(std::span<const Map* const> maps,
+                                  FrameLayers& layers,
+                                  const std::filesystem::path& path) const {
+    const OutputOptions& output = preset_.output;
+    ExrLayers channels(output.exr_numbers);
+    WrittenFile written{.path = path, .maps = {}, .bytes = 0, .pixels = {}};
     for (const Map* map : maps) {
-        channels.add(maps.size() > 1 ? map->name : std::string_view(),
-                     map->channels,
-                     map->draw(layers, preset_.maps));
+        MapImage image = map->draw(layers, preset_.maps);
+        written.maps.emplace_back(map, samples_in_exr(*map, image, output.exr_numbers));
+        channels.add(
+            maps.size() > 1 ? map->name : std::string_view(), map->channels, std::move(image));
     }
     ExrMetadata metadata = exr_metadata(maps, channels.has_colors());
     metadata.periodic = tiles(layers.frame().torus);
-    const OutputOptions& output = preset_.output;
+    const Bytes stream = encode_exr(channels.channels(),
+                                    metadata,
+                                    {.compression = output.exr_compression,
+                                     .zip_level = output.exr_level,
+                                     .mip_levels = output.exr_layout == ExrLayout::MipLevels});
     make_folders(path.parent_path());
-    texgen::write_exr(path,
-                      channels.channels(),
-                      metadata,
-                      {.compression = output.exr_compression,
-                       .zip_level = output.exr_level,
-                       .mip_levels = output.exr_layout == ExrLayout::MipLevels});
+    write_file(path, stream);
+    written.bytes = stream.size();
+    written.pixels = pixel_hash(channels.channels());
+    return written;
 }
 
 std::unique_ptr<PngEncoder> FrameFiles::take_encoder() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "texgen/bake/file_pattern.h"
+#include "texgen/bake/written_file.h"
 #include "texgen/image/exr.h"
 #include "texgen/image/png.h"
 #include "texgen/maps/frame_layers.h"
@@ -15,6 +16,9 @@
 
 namespace foam::texgen {
 
+/// Whether images of a torus tile: under shear, only where it is that of a rectangle again.
+bool tiles(const Torus& torus);
+
 /// The image files of a bake. Its functions may be called from several threads at once.
 class FrameFiles {
   public:
@@ -24,18 +28,19 @@ class FrameFiles {
     /// Of one frame.
     std::vector<std::filesystem::path> paths(int frame) const;
 
-    /// Draws every map of a frame and writes it; folders are made as needed. Throws OutputError.
-    void write(FrameLayers& layers);
+    /// Draws every map of a frame and writes it; folders are made as needed. The files are those of
+    /// `paths`, in that order. Throws OutputError.
+    std::vector<WrittenFile> write(FrameLayers& layers);
 
     /// What the maps ask of distances, and whether of the next frame.
     DistanceNeeds distance() const;
     bool needs_next() const;
 
   private:
-    void write_png(const Map& map, const MapImage& image, const std::filesystem::path& path);
-    void write_exr(std::span<const Map* const> maps,
-                   FrameLayers& layers,
-                   const std::filesystem::path& path) const;
+    WrittenFile write_png(const Map& map, const MapImage& image, const std::filesystem::path& path);
+    WrittenFile write_exr(std::span<const Map* const> maps,
+                          FrameLayers& layers,
+                          const std::filesystem::path& path) const;
     std::filesystem::path path(const Map& map, int frame) const;
 
     std::unique_ptr<PngEncoder> take_encoder();

@@ -63,7 +63,9 @@ class Run {
             made_[number] = {std::make_shared<const Frame>(simulation_.frame()),
                              total_,
                              std::make_shared<const FoamRecord>(simulation_.record()),
-                             nullptr};
+                             nullptr,
+                             {},
+                             {}};
         }
         return true;
     }
@@ -83,6 +85,8 @@ class Run {
     SimulatedFrame answer(const Request& request) {
         SimulatedFrame answer = made_.at(request.shown);
         answer.effort = effort_since_last(answer.effort);
+        answer.view = simulation_.view();
+        answer.closing_error = simulation_.closing_error();
         if (request.number != request.shown) {
             Frame renumbered = *answer.frame;
             renumbered.number = request.number;

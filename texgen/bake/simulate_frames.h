@@ -25,7 +25,9 @@ struct SimulatedFrame {
     std::shared_ptr<const Frame> frame;
     FrameEffort effort;
     std::shared_ptr<const FoamRecord> record;
-    std::shared_ptr<const Frame> next;  // the frame after it, where asked for
+    std::shared_ptr<const Frame> next;         // the frame after it, where asked for
+    std::optional<View> view = {};             // what images of a patch show, in all frames
+    std::optional<double> closing_error = {};  // of a loop (Simulation::closing_error)
 };
 
 using FrameVisitor = std::function<void(const SimulatedFrame&)>;

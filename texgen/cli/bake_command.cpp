@@ -4,6 +4,7 @@
 #include "texgen/cli/command.h"
 #include "texgen/cli/report.h"
 #include "texgen/cli/run_arguments.h"
+#include "texgen/manifest/recorded_bake.h"
 #include "texgen/preset/assignment.h"
 #include "texgen/stats/files.h"
 #include "texgen/stats/record.h"
@@ -93,10 +94,11 @@ ExitCode run_bake(const BakeArguments& arguments) {
 
     const Verbosity verbosity = verbosity_of(arguments.run);
     Recorder recorder(preset);
-    const BakeSummary summary = bake(preset,
-                                     options,
-                                     progress_reporter(verbosity),
-                                     arguments.stats ? recorder.visitor() : FrameVisitor());
+    const BakeSummary summary =
+        bake_recorded(preset,
+                      options,
+                      {.on_progress = progress_reporter(verbosity),
+                       .on_frame = arguments.stats ? recorder.visitor() : FrameVisitor()});
     std::vector<std::filesystem::path> tables_and_charts;
     if (arguments.stats) {
         tables_and_charts = write_statistics(recorder.run(), statistics_folder(preset, pattern));

@@ -18,11 +18,6 @@ namespace {
 
 constexpr double kLargestSample = 65535.0;
 
-std::string_view png_names(int channels) {
-    constexpr std::array<std::string_view, 4> kNames = {"Y", "YA", "RGB", "RGBA"};
-    return kNames.at(static_cast<std::size_t>(channels - 1));
-}
-
 template <class Sample>
 Image<double> numbers_of(ImageView<const Sample> view, int channel, double scale) {
     Image<double> numbers(view.width(), view.height(), 1);
@@ -37,7 +32,7 @@ Image<double> numbers_of(ImageView<const Sample> view, int channel, double scale
 
 Picture picture_of(const PngImage16& image) {
     Picture picture;
-    const std::string_view names = png_names(image.pixels.channels());
+    const std::string_view names = png_channel_names(image.pixels.channels());
     for (int k = 0; k < image.pixels.channels(); ++k) {
         picture.channels.push_back({std::string(1, names[static_cast<std::size_t>(k)]),
                                     numbers_of(image.pixels.view(), k, kLargestSample)});
@@ -58,6 +53,11 @@ Picture picture_of(const ExrImage& image) {
 }
 
 }  // namespace
+
+std::string_view png_channel_names(int channels) {
+    constexpr std::array<std::string_view, 4> kNames = {"Y", "YA", "RGB", "RGBA"};
+    return kNames.at(static_cast<std::size_t>(channels - 1));
+}
 
 Picture read_picture(const std::filesystem::path& path) {
     if (path.extension() == ".png") {

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace foam::texgen {
@@ -21,6 +22,9 @@ struct Picture {
     int width() const { return channels.front().numbers.width(); }
     int height() const { return channels.front().numbers.height(); }
 };
+
+/// The names of the channels of a PNG, a letter each: "Y", "YA", "RGB" or "RGBA".
+std::string_view png_channel_names(int channels);
 
 /// Reads a .png, of which the largest sample is 1 and nothing else is changed, with the channels
 /// Y or R, G, B, and A; or an .exr as it is. Throws InputError, for a file of another name too.

@@ -11,6 +11,7 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace foam::texgen {
@@ -45,6 +46,9 @@ struct PngPicture {
 };
 using PngImage = PngPicture<std::uint8_t>;
 using PngImage16 = PngPicture<std::uint16_t>;
+
+/// Samples in the depth of their file.
+using PngSamples = std::variant<Image<std::uint8_t>, Image<std::uint16_t>>;
 
 /// Encodes one picture after the other with the same buffers.
 class PngEncoder {
@@ -85,6 +89,9 @@ PngImage decode_png(std::span<const std::byte> content);
 /// The same for any depth: 0 stays 0 and the largest sample becomes 65535.
 PngImage16 decode_png16(std::span<const std::byte> content);
 
+/// Whichever of the two keeps every sample as it is.
+PngSamples decode_png_samples(std::span<const std::byte> content);
+
 /// As encode_png and write_file together; throws as they do.
 void write_png(const std::filesystem::path& path,
                ImageView<const std::uint8_t> pixels,
@@ -98,5 +105,6 @@ void write_png(const std::filesystem::path& path,
 /// As read_file and the decoders together; the InputError names the file.
 PngImage read_png(const std::filesystem::path& path);
 PngImage16 read_png16(const std::filesystem::path& path);
+PngSamples read_png_samples(const std::filesystem::path& path);
 
 }  // namespace foam::texgen

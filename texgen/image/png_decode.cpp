@@ -128,11 +128,11 @@ PngPicture<Sample> decode(std::span<const std::byte> content) {
     return {std::move(pixels), metadata_of(session)};
 }
 
-template <class Sample>
-PngPicture<Sample> read(const std::filesystem::path& path) {
+template <class Decode>
+auto read(const std::filesystem::path& path, const Decode& decode_content) {
     const Bytes content = read_file(path);
     try {
-        return decode<Sample>(content);
+        return decode_content(content);
     } catch (const InputError& error) {
         throw InputError(fmt::format("cannot read '{}': {}", path.string(), error.what()));
     }
@@ -148,12 +148,24 @@ PngImage16 decode_png16(std::span<const std::byte> content) {
     return decode<std::uint16_t>(content);
 }
 
+PngSamples decode_png_samples(std::span<const std::byte> content) {
+    constexpr std::size_t kDepth = 24;  // where the header has the bits of a sample
+    if (content.size() > kDepth && content[kDepth] == std::byte{16}) {
+        return decode_png16(content).pixels;
+    }
+    return decode_png(content).pixels;
+}
+
 PngImage read_png(const std::filesystem::path& path) {
-    return read<std::uint8_t>(path);
+    return read(path, decode_png);
 }
 
 PngImage16 read_png16(const std::filesystem::path& path) {
-    return read<std::uint16_t>(path);
+    return read(path, decode_png16);
+}
+
+PngSamples read_png_samples(const std::filesystem::path& path) {
+    return read(path, decode_png_samples);
 }
 
 }  // namespace foam::texgen

@@ -239,11 +239,11 @@ TEST(Bake, TellsItsProgressOnceAFrame) {
     std::vector<int> done;
     bake(small_preset(folder.path()),
          {.frames = {1, 2, 3}, .threads = 2},
-         [&](const BakeProgress& p) {
+         {.on_progress = [&](const BakeProgress& p) {
              done.push_back(p.done);
              EXPECT_EQ(p.total, 3);
              EXPECT_LT(p.angle_error, 1e-9);
-         });
+         }});
     EXPECT_EQ(done, (std::vector<int>{1, 2, 3}));
 }
 

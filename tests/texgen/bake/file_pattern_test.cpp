@@ -84,5 +84,18 @@ TEST(FilePattern, OnlyAnExrHoldsSeveralMaps) {
     EXPECT_THROW(FilePattern("a.png").check_distinct(1, 3), std::invalid_argument);
 }
 
+// Whatever the maps and frames.
+TEST(FilePattern, FilesLieInTheDeepestFolderThatHoldsThemAll) {
+    const auto folder = [](const char* pattern) {
+        return FilePattern(pattern).folder("foam").string();
+    };
+    EXPECT_EQ(folder("out/{preset}_{map}.####.png"), "out");
+    EXPECT_EQ(folder("out/{preset}/{map}/####.png"), "out/foam");
+    EXPECT_EQ(folder("/a/b####/{map}.png"), "/a");
+    EXPECT_EQ(folder("/####.png"), "/");
+    EXPECT_EQ(folder("####.png"), "");
+    EXPECT_EQ(folder("deep/a.png"), "deep");
+}
+
 }  // namespace
 }  // namespace foam::texgen

@@ -100,7 +100,8 @@ TEST(Main, BakesTheFramesAskedFor) {
     EXPECT_EQ(outcome.out, "out/sea_foam_albedo.####.png 3,1\n");
     EXPECT_EQ(
         outcome.written,
-        (std::vector<std::string>{"out/sea_foam_albedo.0001.png", "out/sea_foam_albedo.0003.png"}));
+        (std::vector<std::string>{
+            "out/manifest.json", "out/sea_foam_albedo.0001.png", "out/sea_foam_albedo.0003.png"}));
 }
 
 TEST(Main, BakesAndMeasuresAPatch) {
@@ -109,7 +110,7 @@ TEST(Main, BakesAndMeasuresAPatch) {
         " --set camera.zoom=2 --frames 1-2 --size 24x16";
     const Outcome baked = run("bake" + patch);
     EXPECT_EQ(baked.code, 0) << baked.err;
-    EXPECT_EQ(baked.written.size(), 2U);
+    EXPECT_EQ(baked.written.size(), 2U + 1U);
     const Outcome measured = run("stats" + patch);
     EXPECT_EQ(measured.code, 0) << measured.err;
     EXPECT_EQ(measured.written.size(), 8U);
@@ -174,7 +175,7 @@ TEST(Main, ABakeWritesItsStatisticsBesideTheImages) {
         run("bake sea_foam --set foam.bubbles=16 --frames 1-2 --size 8 --out a/####.png --stats");
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(outcome.out.find("a/####.png 1-2\na/sea_foam_stats/stats.csv\n"), 0U);
-    EXPECT_EQ(outcome.written.size(), 2U + 8U);
+    EXPECT_EQ(outcome.written.size(), 2U + 1U + 8U);
     EXPECT_EQ(outcome.written.back(), "a/sea_foam_stats/stats.csv");
 }
 
@@ -183,7 +184,7 @@ TEST(Main, AnOutputThatCannotBeWrittenIsCode5) {
         run("bake sea_foam --set foam.bubbles=16 --frames 1 --size 8 --out /proc/self/none.png");
     EXPECT_EQ(outcome.code, static_cast<int>(ExitCode::OutputFailed));
     EXPECT_EQ(outcome.err,
-              "foamtex: cannot write '/proc/self/none.png': No such file or directory\n");
+              "foamtex: cannot write '/proc/self/manifest.json.lock': No such file or directory\n");
     EXPECT_EQ(run("presets list >/dev/full 2>/dev/null #").code,
               static_cast<int>(ExitCode::OutputFailed));
 }
@@ -193,7 +194,7 @@ TEST(Main, APresetThatIsShownCanBeBaked) {
         run("presets show labyrinth > mine.toml && '" FOAMTEX_EXECUTABLE
             "' bake mine.toml --set foam.bubbles=16 --frames 1 --size 8 --out a.png");
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_EQ(outcome.written, (std::vector<std::string>{"a.png", "mine.toml"}));
+    EXPECT_EQ(outcome.written, (std::vector<std::string>{"a.png", "manifest.json", "mine.toml"}));
 }
 
 TEST(Main, ListsPresetsAndKeys) {

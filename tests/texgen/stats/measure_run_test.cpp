@@ -84,7 +84,7 @@ TEST(MeasureRun, ABakeMeasuresTheSame) {
     Preset preset = small_preset();
     preset.output.pattern = (folder.path() / "####.png").string();
     Recorder recorder(preset);
-    bake(preset, {.frames = {3, 2}, .threads = 2}, {}, recorder.visitor());
+    bake(preset, {.frames = {3, 2}, .threads = 2}, {.on_frame = recorder.visitor()});
     const std::vector<FrameRecord>& baked = recorder.run().frames;
     const std::vector<FrameRecord> measured = measure({2, 3}).run.frames;
     ASSERT_EQ(baked.size(), 2U);

@@ -1,0 +1,115 @@
+#include "texgen/image/pixel_hash.h"
+
+#include "texgen/image/png.h"
+
+#include <gtest/gtest.h>
+#include <xxhash.h>
+
+#include <array>
+#include <cstdio>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace foam::texgen {
+namespace {
+
+/// 2 x 2 pixels; row 0 is the bottom row.
+template <class Sample>
+Image<Sample> small_image(int channels) {
+    Image<Sample> image(2, 2, channels);
+    for (std::size_t k = 0; k < image.samples().size(); ++k) {
+        image.samples()[k] = static_cast<Sample>(10 * k + 1);
+    }
+    return image;
+}
+
+std::string hash_of(const std::string& bytes) {
+    const XXH128_hash_t hash = XXH3_128bits(bytes.data(), bytes.size());
+    std::array<char, 33> digits{};
+    std::snprintf(digits.data(),
+                  digits.size(),
+                  "%016llx%016llx",
+                  static_cast<unsigned long long>(hash.high64),
+                  static_cast<unsigned long long>(hash.low64));
+    return digits.data();
+}
+
+// As the header says: a line, then the samples from the top row on.
+TEST(PixelHash, IsOfALineAndTheSamplesFromTheTop) {
+    const Image<std::uint8_t> grey = small_image<std::uint8_t>(1);  // 1 11 below, 21 31 above
+    EXPECT_EQ(pixel_hash(grey.view()), hash_of("Y u8 2x2\n\x15\x1f\x01\x0b"));
+    Image<std::uint16_t> deep(1, 2, 1);
+    deep.row(0)[0] = 0x0102;
+    deep.row(1)[0] = 0x0304;
+    EXPECT_EQ(pixel_hash(deep.view()), hash_of("Y u16 1x2\n\x04\x03\x02\x01"));
+}
+
+TEST(PixelHash, OfAnExrIsABlockPerChannelInTheOrderOfNames) {
+    Image<float> numbers(1, 1, 2);
+    numbers.samples()[0] = 1.0F;  // 0x3f800000
+    numbers.samples()[1] = 0.5F;  // 0x3800 as a half
+    Image<std::uint32_t> ids(1, 1, 1);
+    ids.samples()[0] = 0x01020304U;
+    const std::vector<ExrChannel> channels{{"id.Y", ExrType::Uint, ids.view(), 0},
+                                           {"b", ExrType::Half, numbers.view(), 1},
+                                           {"a", ExrType::Float, numbers.view(), 0}};
+    std::string expected = "a f32 1x1\n";
+    expected += std::string("\x00\x00\x80\x3f", 4);
+    expected += "b f16 1x1\n";
+    expected += std::string("\x00\x38", 2);
+    expected += "id.Y u32 1x1\n\x04\x03\x02\x01";
+    EXPECT_EQ(pixel_hash(channels), hash_of(expected));
+}
+
+// The pixels count, not how they are packed or what is said beside them.
+TEST(PixelHash, OfAPngIsThatOfWhatWasEncoded) {
+    for (int channels = 1; channels <= 4; ++channels) {
+        const auto image = small_image<std::uint16_t>(channels);
+        const PngSamples read = decode_png_samples(
+            encode_png(image.view(), {.color = true, .text = {{"Seed", "3"}}}, {}));
+        EXPECT_EQ(std::visit([](const auto& it) { return pixel_hash(it.view()); }, read),
+                  pixel_hash(image.view()));
+        const auto small = small_image<std::uint8_t>(channels);
+        const PngSamples packed =
+            decode_png_samples(encode_png(small.view(), {}, {.filter = PngFilter::Up}));
+        EXPECT_EQ(std::visit([](const auto& it) { return pixel_hash(it.view()); }, packed),
+                  pixel_hash(small.view()));
+    }
+}
+
+// A third is no half: what is stored counts, before it is written and after it was read.
+TEST(PixelHash, OfAnExrIsThatOfWhatWasEncoded) {
+    Image<float> numbers(3, 2, 1);
+    for (std::size_t k = 0; k < numbers.samples().size(); ++k) {
+        numbers.samples()[k] = static_cast<float>(k) / 3.0F;
+    }
+    const Image<std::uint32_t> ids(3, 2, 1);
+    for (const ExrType type : {ExrType::Half, ExrType::Float}) {
+        const std::vector<ExrChannel> channels{{"z.Y", type, numbers.view(), 0},
+                                               {"id.Y", ExrType::Uint, ids.view(), 0}};
+        for (const bool mip_levels : {false, true}) {
+            const ExrImage read = decode_exr(encode_exr(channels, {}, {.mip_levels = mip_levels}));
+            EXPECT_EQ(pixel_hash(read), pixel_hash(channels));
+        }
+    }
+}
+
+TEST(PixelHash, TellsEverySampleEveryExtentAndEveryType) {
+    const Image<std::uint8_t> image = small_image<std::uint8_t>(1);
+    Image<std::uint8_t> other = image;
+    other.samples()[3] ^= 1U;
+    Image<std::uint8_t> wide(4, 1, 1);
+    Image<std::uint8_t> turned(2, 2, 1);
+    for (std::size_t k = 0; k < 4; ++k) {
+        wide.samples()[k] = image.samples()[k];
+        turned.samples()[k] = image.samples()[(k + 2) % 4];
+    }
+    EXPECT_NE(pixel_hash(other.view()), pixel_hash(image.view()));
+    EXPECT_NE(pixel_hash(wide.view()), pixel_hash(image.view()));
+    EXPECT_NE(pixel_hash(turned.view()), pixel_hash(image.view()));
+    EXPECT_EQ(pixel_hash(image.view()).size(), 32U);
+}
+
+}  // namespace
+}  // namespace foam::texgen

@@ -1,0 +1,81 @@
+#include "texgen/manifest/manifest_file.h"
+
+#include "tests/texgen/manifest/small_set.h"
+#include "tests/texgen/temporary_folder.h"
+#include "texgen/image/file_io.h"
+
+#include <gtest/gtest.h>
+
+#include <span>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace foam::texgen {
+namespace {
+
+TEST(ManifestFile, StandsInItsFolderAloneAndIsReadFromThere) {
+    const TemporaryFolder folder;
+    const std::filesystem::path deep = folder.path() / "a" / "b";
+    update_manifest(deep, [](Manifest& manifest) { merge(manifest, small_set("a", {1}, {1})); });
+    update_manifest(deep, [](Manifest& manifest) { merge(manifest, small_set("b", {1}, {1})); });
+    EXPECT_EQ(folder.files(), std::vector<std::string>{"a/b/manifest.json"});
+    EXPECT_EQ(read_manifest(deep).sets.size(), 2U);
+    EXPECT_EQ(read_manifest(deep), read_manifest(deep / kManifestName));
+    EXPECT_THROW(read_manifest(folder.path()), InputError);
+}
+
+// Of many writers at once none gets lost.
+TEST(ManifestFile, OneChangeGoesOnAtATime) {
+    const TemporaryFolder folder;
+    constexpr int kThreads = 4;
+    constexpr int kFrames = 10;
+    {
+        std::vector<std::jthread> threads;
+        for (int thread = 0; thread < kThreads; ++thread) {
+            threads.emplace_back([&folder, thread] {
+                for (int k = 0; k < kFrames; ++k) {
+                    const int frame = 1 + thread * kFrames + k;
+                    update_manifest(folder.path(), [frame](Manifest& manifest) {
+                        merge(manifest, small_set("a", {frame}, {frame}));
+                    });
+                }
+            });
+        }
+    }
+    const Manifest manifest = read_manifest(folder.path());
+    ASSERT_EQ(manifest.sets.size(), 1U);
+    EXPECT_EQ(manifest.sets.front().files.size(), std::size_t{kThreads * kFrames});
+    EXPECT_EQ(folder.files(), std::vector<std::string>{"manifest.json"});
+}
+
+TEST(ManifestFile, AnotherProgramsFileIsLeftAlone) {
+    const TemporaryFolder folder;
+    const std::string other = R"({"name": "a web app"})";
+    write_file(folder.path() / "manifest.json", std::as_bytes(std::span(other)));
+    EXPECT_THROW(check_manifest(folder.path()), InputError);
+    EXPECT_THROW(update_manifest(folder.path(), [](Manifest&) {}), InputError);
+    EXPECT_EQ(read_file(folder.path() / "manifest.json").size(), other.size());
+    EXPECT_EQ(folder.files().size(), 1U);
+    EXPECT_NO_THROW(check_manifest(folder.path() / "none"));
+}
+
+TEST(ManifestFile, ASetIsChosenByItsPresetWhereThereAreSeveral) {
+    Manifest manifest{{small_set("a", {1}, {1})}};
+    EXPECT_EQ(&choose_set(manifest, "", "out"), &manifest.sets[0]);
+    manifest.sets.push_back(small_set("b", {1}, {1}));
+    EXPECT_EQ(&choose_set(manifest, "b", "out"), &manifest.sets[1]);
+    try {
+        choose_set(manifest, "", "out");
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_STREQ(error.what(),
+                     "'out' has several sets of any preset; there are: "
+                     "a (seed 12, 64 x 32), b (seed 12, 64 x 32)");
+    }
+    EXPECT_THROW(choose_set(manifest, "c", "out"), InputError);
+    EXPECT_THROW(choose_set({}, "", "out"), InputError);
+}
+
+}  // namespace
+}  // namespace foam::texgen

@@ -1,0 +1,80 @@
+#include "texgen/manifest/manifest.h"
+
+#include "tests/texgen/manifest/small_set.h"
+
+#include <gtest/gtest.h>
+
+namespace foam::texgen {
+namespace {
+
+TEST(Manifest, ASetIsCompleteOnceEveryFrameOfEveryMapIsThere) {
+    EXPECT_TRUE(small_set("a", {1, 2}, {1, 2}).complete());
+    EXPECT_FALSE(small_set("a", {1, 2}, {2}).complete());
+    BakedSet set = small_set("a", {1}, {1});
+    set.maps.push_back({"film", "mask", "0 to 1", "", {1}, {}});
+    EXPECT_FALSE(set.complete());
+    set.files.front().maps = {"height", "film"};  // layers of an EXR
+    EXPECT_TRUE(set.complete());
+    EXPECT_EQ(set.find_file("film", 1), &set.files.front());
+    EXPECT_EQ(set.find_file("film", 2), nullptr);
+    EXPECT_EQ(set.find_map("age"), nullptr);
+}
+
+// As several machines bake one preset's frames into one folder.
+TEST(Manifest, FramesOfTheSameParametersBecomeOneSet) {
+    Manifest manifest;
+    merge(manifest, small_set("a", {3, 4}, {3, 4}));
+    merge(manifest, small_set("a", {1, 2}, {1}));
+    ASSERT_EQ(manifest.sets.size(), 1U);
+    EXPECT_FALSE(manifest.sets.front().complete());
+    merge(manifest, small_set("a", {1, 2}, {1, 2}));
+    EXPECT_EQ(manifest.sets, std::vector{small_set("a", {1, 2, 3, 4}, {1, 2, 3, 4})});
+}
+
+TEST(Manifest, MapsOfTheSameParametersBecomeOneSet) {
+    Manifest manifest;
+    merge(manifest, small_set("a", {1, 2}, {1, 2}));
+    BakedSet film = small_set("a", {2}, {2});
+    film.maps.front().name = "film";
+    film.files.front().maps = {"film"};
+    film.files.front().path = "a_film.2.png";
+    merge(manifest, film);
+    ASSERT_EQ(manifest.sets.size(), 1U);
+    const BakedSet& set = manifest.sets.front();
+    EXPECT_TRUE(set.complete());
+    EXPECT_EQ(set.frames(), (std::vector{1, 2}));
+    EXPECT_EQ(set.files.size(), 3U);
+    EXPECT_EQ(set.foam.size(), 2U);
+    EXPECT_EQ(set.find_file("film", 2)->path, "a_film.2.png");
+}
+
+// What was baked over belongs to nobody else, and a set without files is none.
+TEST(Manifest, FilesBelongToWhoWroteThemLast) {
+    Manifest manifest;
+    merge(manifest, small_set("a", {1, 2}, {1, 2}));
+    merge(manifest, small_set("b", {1}, {1}));
+    EXPECT_EQ(manifest.sets.size(), 2U);
+    BakedSet other = small_set("a", {1}, {1});
+    other.parameters = "other";
+    merge(manifest, other);
+    ASSERT_EQ(manifest.sets.size(), 3U);
+    EXPECT_EQ(manifest.sets.front().files.size(), 1U);
+    EXPECT_FALSE(manifest.sets.front().complete());
+    other = small_set("a", {1, 2}, {1, 2});
+    other.parameters = "other";
+    merge(manifest, other);
+    EXPECT_EQ(manifest.sets.size(), 2U);
+}
+
+TEST(Manifest, AFailureStandsUntilTheSetIsComplete) {
+    Manifest manifest;
+    BakedSet broken = small_set("a", {1, 2}, {1});
+    broken.failure = "frame 2: the foam found no equilibrium";
+    merge(manifest, broken);
+    EXPECT_EQ(manifest.sets.front().failure, broken.failure);
+    merge(manifest, small_set("a", {2}, {2}));
+    EXPECT_EQ(manifest.sets.front().failure, "");
+}
+
+}  // namespace
+}  // namespace foam::texgen

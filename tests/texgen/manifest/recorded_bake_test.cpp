@@ -1,0 +1,172 @@
+#include "texgen/manifest/recorded_bake.h"
+
+#include "tests/texgen/temporary_folder.h"
+#include "texgen/image/exr.h"
+#include "texgen/image/file_io.h"
+#include "texgen/image/pixel_hash.h"
+#include "texgen/image/png.h"
+#include "texgen/manifest/manifest_file.h"
+#include "texgen/maps/map.h"
+#include "texgen/preset/preset_io.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace foam::texgen {
+namespace {
+
+Preset small_preset(const std::filesystem::path& folder) {
+    Preset preset;
+    preset.name = "small";
+    preset.description = "a small foam";
+    preset.seeding.bubbles = 40;
+    preset.seeding.seed = 12;
+    preset.image.width = 64;
+    preset.image.height = 64;
+    preset.output.pattern = (folder / "{map}" / "{preset}.####.png").string();
+    return preset;
+}
+
+BakedSet only_set(const std::filesystem::path& folder) {
+    return choose_set(read_manifest(folder), "", folder);
+}
+
+std::string hash_of_file(const std::filesystem::path& path) {
+    if (path.extension() == ".exr") {
+        return pixel_hash(read_exr(path));
+    }
+    return std::visit([](const auto& samples) { return pixel_hash(samples.view()); },
+                      read_png_samples(path));
+}
+
+// In the folder above those of the maps.
+TEST(RecordedBake, TellsOfEveryFile) {
+    const TemporaryFolder folder;
+    Preset preset = small_preset(folder.path());
+    const auto names = map_names();
+    preset.image.maps.assign(names.begin(), names.end());
+    bake_recorded(preset, {.frames = {2, 1}, .threads = 2}, {});
+    const BakedSet set = only_set(folder.path());
+    EXPECT_TRUE(set.complete());
+    EXPECT_EQ(set.frames(), (std::vector{1, 2}));
+    EXPECT_EQ(set.toml, to_toml(preset));
+    EXPECT_EQ(set.seed, 12U);
+    ASSERT_EQ(set.files.size(), 2 * names.size());
+    for (const ManifestFile& file : set.files) {
+        const std::filesystem::path path = folder.path() / file.path;
+        EXPECT_EQ(file.path,
+                  file.maps.front() + "/small.000" + std::to_string(file.frame) + ".png");
+        EXPECT_EQ(file.bytes, std::filesystem::file_size(path));
+        EXPECT_EQ(file.pixels, hash_of_file(path)) << file.path;
+    }
+    EXPECT_EQ(set.files.front().maps.front(), names.front());
+    EXPECT_EQ(set.files.front().frame, 1);
+}
+
+TEST(RecordedBake, TellsWhatSamplesAre) {
+    const TemporaryFolder folder;
+    Preset preset = small_preset(folder.path());
+    preset.image.maps = {"albedo", "height", "motion", "id", "sides"};
+    preset.maps.normal.y = NormalY::Down;
+    bake_recorded(preset, {.frames = {1}, .threads = 1}, {});
+    const BakedSet set = only_set(folder.path());
+    const auto samples = [&](const char* map) { return *set.find_map(map)->samples; };
+    EXPECT_EQ(samples("albedo"), (MapSamples{"color", "R G B", "uint8", "sRGB", "none", {}}));
+    EXPECT_EQ(samples("height").type, "uint16");
+    EXPECT_EQ(samples("height").range, (std::array{0.0, preset.maps.height.full}));
+    EXPECT_EQ(samples("motion").channels, "X Y 0");
+    EXPECT_EQ(samples("id"), (MapSamples{"id", "Y", "uint16", "data", "none", {}}));
+    EXPECT_EQ(set.conventions.normal_y, "down");
+    EXPECT_EQ(set.conventions.motion_multiplier, preset.maps.motion.multiplier);
+}
+
+TEST(RecordedBake, TellsOfTheLayersOfAnExr) {
+    const TemporaryFolder folder;
+    Preset preset = small_preset(folder.path());
+    preset.shape.kind = FoamKind::Patch;
+    preset.image.maps = {"film", "albedo", "id"};
+    preset.output.pattern = (folder.path() / "layers.####.exr").string();
+    preset.output.exr_layout = ExrLayout::MipLevels;
+    bake_recorded(preset, {.frames = {1}, .threads = 1}, {});
+    const BakedSet set = only_set(folder.path());
+    ASSERT_EQ(set.files.size(), 1U);
+    EXPECT_EQ(set.files.front().maps, (std::vector<std::string>{"film", "albedo", "id"}));
+    EXPECT_EQ(set.files.front().pixels, hash_of_file(folder.path() / "layers.0001.exr"));
+    EXPECT_EQ(*set.find_map("albedo")->samples,
+              (MapSamples{"color", "R G B A", "half", "linear sRGB", "premultiplied", {}}));
+    EXPECT_EQ(set.find_map("film")->samples->type, "float");
+    EXPECT_EQ(set.find_map("id")->samples->type, "uint32");
+    EXPECT_FALSE(set.find_frame(1)->tiles);
+}
+
+TEST(RecordedBake, TellsOfTheFoamAndTheLoop) {
+    const TemporaryFolder folder;
+    Preset preset = small_preset(folder.path());
+    preset.frames.count = 6;
+    preset.loop.kind = LoopKind::Breathe;
+    bake_recorded(preset, {.frames = {1, 2}, .threads = 1}, {});
+    const BakedSet set = only_set(folder.path());
+    EXPECT_EQ(set.loop.kind, "breathe");
+    EXPECT_EQ(set.loop.period, 6);
+    EXPECT_FALSE(set.loop.cross_faded);
+    EXPECT_LT(set.loop.closing_error.value_or(1.0), 1e-9);
+    ASSERT_NE(set.find_frame(2), nullptr);
+    EXPECT_EQ(set.find_frame(2)->bubbles, 40);
+    EXPECT_TRUE(set.find_frame(2)->tiles);
+    EXPECT_NEAR(set.find_frame(2)->mean_area, 1.0, 1e-9);
+    EXPECT_LT(set.find_frame(2)->area_error, 1e-9);
+    EXPECT_GT(set.find_frame(2)->drawing, 0.0);
+}
+
+// Other maps and frames of the same foam join it, another seed does not.
+TEST(RecordedBake, TheSameParametersAreOneSet) {
+    const TemporaryFolder folder;
+    Preset preset = small_preset(folder.path());
+    bake_recorded(preset, {.frames = {1, 2}, .threads = 1}, {});
+    preset.image.maps = {"film"};
+    bake_recorded(preset, {.frames = {2, 3}, .threads = 1}, {});
+    EXPECT_EQ(only_set(folder.path()).files.size(), 4U);
+    EXPECT_TRUE(only_set(folder.path()).complete());
+    preset.seeding.seed = 13;
+    bake_recorded(preset, {.frames = {2}, .threads = 1}, {});
+    const Manifest manifest = read_manifest(folder.path());
+    ASSERT_EQ(manifest.sets.size(), 2U);
+    EXPECT_EQ(manifest.sets[0].files.size(), 3U);
+    EXPECT_FALSE(manifest.sets[0].complete());
+    EXPECT_TRUE(manifest.sets[1].complete());
+}
+
+TEST(RecordedBake, ABakeThatFailsSaysSoAndListsWhatIsThere) {
+    const TemporaryFolder folder;
+    const Preset preset = small_preset(folder.path());
+    const auto stop = [](const BakedFrame& baked) {
+        if (baked.shown.frame->number == 2) {
+            throw OutputError("no space left");
+        }
+    };
+    EXPECT_THROW(bake_recorded(preset, {.frames = {1, 2, 3}, .threads = 1}, {.on_baked = stop}),
+                 OutputError);
+    const BakedSet set = only_set(folder.path());
+    EXPECT_FALSE(set.complete());
+    EXPECT_EQ(set.failure, "no space left");
+    EXPECT_EQ(set.files.size(), 2U);
+    EXPECT_EQ(set.frames(), (std::vector{1, 2, 3}));
+}
+
+TEST(RecordedBake, ABakeThatIsRefusedWritesNothing) {
+    const TemporaryFolder folder;
+    EXPECT_THROW(bake_recorded(small_preset(folder.path()), {.frames = {}, .threads = 1}, {}),
+                 std::invalid_argument);
+    Preset preset = small_preset(folder.path());
+    preset.shape.kind = FoamKind::Patch;
+    preset.shape.outline = "POLYGON((0 0, 1 0, 1 0.0001, 0 0.0001))";
+    EXPECT_THROW(bake_recorded(preset, {.frames = {1}, .threads = 1}, {}), std::exception);
+    EXPECT_TRUE(folder.files().empty());
+}
+
+}  // namespace
+}  // namespace foam::texgen

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "texgen/manifest/manifest.h"
+
+#include <string>
+#include <vector>
+
+namespace foam::texgen {
+
+/// A set of one map, "height", of which these frames were asked for and those are there.
+inline BakedSet small_set(const std::string& preset,
+                          const std::vector<int>& asked,
+                          const std::vector<int>& there) {
+    BakedSet set{.version = "1.2.3",
+                 .preset = preset,
+                 .description = "a \"small\" foam",
+                 .toml = "[foam]\nbubbles = 40\n",
+                 .parameters = "of " + preset,
+                 .seed = 12,
+                 .width = 64,
+                 .height = 32,
+                 .frames_per_second = 24,
+                 .loop = {"breathe", "a loop", 48, false, 1.5e-12},
+                 .conventions = {"top to bottom", "down", "pixels", "up", 0.005},
+                 .maps = {},
+                 .files = {},
+                 .foam = {},
+                 .failure = {}};
+    set.maps.push_back(
+        {"height",
+         "relief",
+         "diameters",
+         "y up",
+         asked,
+         MapSamples{"number", "Y", "uint16", "data", "none", std::array{-0.5, 1.0 / 3.0}}});
+    for (const int frame : there) {
+        set.files.push_back({preset + "_height." + std::to_string(frame) + ".png",
+                             {"height"},
+                             frame,
+                             1234,
+                             std::string(32, 'a')});
+        set.foam.push_back({frame, true, 0.1 * frame, 40, 1.0, 2, 1, 1e-12, 2e-13, 0.25, 0.5});
+    }
+    return set;
+}
+
+}  // namespace foam::texgen

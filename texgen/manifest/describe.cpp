@@ -1,0 +1,140 @@
+#include "texgen/manifest/describe.h"
+
+#include "core/foam/statistics.h"
+#include "texgen/bake/frame_files.h"
+#include "texgen/image/pixel_hash.h"
+#include "texgen/maps/map.h"
+#include "texgen/preset/preset_io.h"
+#include "texgen/preset/schema.h"
+
+#include <algorithm>
+#include <variant>
+
+namespace foam::texgen {
+
+namespace {
+
+const char* called(LoopKind kind) {
+    switch (kind) {
+        case LoopKind::Breathe:
+            return "a loop of the foam itself: its bubbles swell and shrink, and all return";
+        case LoopKind::Shear:
+            return "a loop of the foam itself: it shears to and fro, and returns";
+        case LoopKind::Drift:
+            return "a loop of the foam itself: it travels by whole images";
+        case LoopKind::PingPong:
+            return "half of the frames, and the same backwards";
+        case LoopKind::None:
+            break;
+    }
+    return "no loop: the foam ages";
+}
+
+ManifestLoop loop_of(const Preset& preset) {
+    const LoopKind kind = preset.loop.kind;
+    return {.kind = std::get<std::string>(find_key("loop.kind")->write(preset).data),
+            .called = called(kind),
+            .period = kind == LoopKind::None ? 0 : preset.frames.count,
+            .cross_faded = false,
+            .closing_error = {}};
+}
+
+ManifestConventions conventions_of(const MapOptions& maps) {
+    return {
+        .normal_y = maps.normal.y == NormalY::Up ? "up" : "down",
+        .motion_unit = maps.motion.unit == MotionUnit::Image ? "image widths" : "pixels",
+        .motion_y = maps.motion.y == MotionY::Up ? "up" : "down",
+        .motion_multiplier = maps.motion.multiplier,
+    };
+}
+
+/// Bakes of different maps belong together.
+std::string parameters_of(Preset preset) {
+    preset.image.maps = Preset().image.maps;
+    return text_hash(FOAMTEX_VERSION "\n" + preset.name + "\n" + to_toml(preset));
+}
+
+std::vector<ManifestMap> maps_of(const Preset& preset, std::vector<int> frames) {
+    std::ranges::sort(frames);
+    std::vector<ManifestMap> maps;
+    for (const std::string& name : preset.image.maps) {
+        const Map& map = find_map(name);
+        maps.push_back({.name = name,
+                        .meaning = std::string(map.meaning),
+                        .unit = std::string(map.unit),
+                        .note = map.note != nullptr ? map.note(preset.maps) : "",
+                        .frames = frames,
+                        .samples = {}});
+    }
+    return maps;
+}
+
+ManifestFrame numbers_of(const BakedFrame& baked) {
+    const Frame& frame = *baked.shown.frame;
+    const FrameEffort& effort = baked.shown.effort;
+    return {.frame = frame.number,
+            .tiles = tiles(frame.torus),
+            .time = frame.time,
+            .bubbles = static_cast<int>(frame.bubbles.size() + frame.lone_bubbles.size()),
+            .mean_area = mean_area(frame),
+            .t1 = effort.t1,
+            .t2 = effort.t2,
+            .area_error = effort.area_error,
+            .angle_error = effort.angle_error,
+            .simulating = effort.seconds,
+            .drawing = baked.seconds};
+}
+
+ManifestFile file_of(const WrittenFile& written, int frame, const std::filesystem::path& folder) {
+    ManifestFile file{.path = relative_path(written.path, folder),
+                      .maps = {},
+                      .frame = frame,
+                      .bytes = written.bytes,
+                      .pixels = written.pixels};
+    for (const auto& [map, samples] : written.maps) {
+        file.maps.emplace_back(map->name);
+    }
+    return file;
+}
+
+void note_samples(BakedSet& set, const WrittenFile& written) {
+    for (const auto& [map, samples] : written.maps) {
+        std::ranges::find(set.maps, map->name, &ManifestMap::name)->samples = samples;
+    }
+}
+
+}  // namespace
+
+BakedSet describe(const Preset& preset, const std::vector<int>& frames) {
+    return {.version = FOAMTEX_VERSION,
+            .preset = preset.name,
+            .description = preset.description,
+            .toml = to_toml(preset),
+            .parameters = parameters_of(preset),
+            .seed = preset.seeding.seed,
+            .width = preset.image.width,
+            .height = preset.image.height,
+            .frames_per_second = preset.output.frames_per_second,
+            .loop = loop_of(preset),
+            .conventions = conventions_of(preset.maps),
+            .maps = maps_of(preset, frames),
+            .files = {},
+            .foam = {},
+            .failure = {}};
+}
+
+void add_frame(BakedSet& set, const BakedFrame& baked, const std::filesystem::path& folder) {
+    const int frame = baked.shown.frame->number;
+    for (const WrittenFile& written : baked.files) {
+        note_samples(set, written);
+        set.files.push_back(file_of(written, frame, folder));
+    }
+    set.foam.push_back(numbers_of(baked));
+    set.loop.closing_error = baked.shown.closing_error;
+}
+
+std::string relative_path(const std::filesystem::path& path, const std::filesystem::path& folder) {
+    return path.lexically_relative(folder).generic_string();
+}
+
+}  // namespace foam::texgen

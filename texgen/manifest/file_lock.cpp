@@ -1,0 +1,60 @@
+#include "texgen/manifest/file_lock.h"
+
+#include "texgen/image/file_io.h"
+
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr mode_t kMode = 0666;  // less the user's mask
+
+/// Whoever held the lock before may have taken the file away in the meantime.
+bool is_file_at(int file, const std::filesystem::path& path) {
+    struct stat held {};
+    struct stat there {};
+    return fstat(file, &held) == 0 && stat(path.c_str(), &there) == 0 &&
+           held.st_ino == there.st_ino && held.st_dev == there.st_dev;
+}
+
+void wait_for_lock(int file) {
+    while (flock(file, LOCK_EX) != 0 && errno == EINTR) {
+    }
+}
+
+}  // namespace
+
+FileLock::FileLock(std::filesystem::path path) : path_(std::move(path)) {
+    while (!try_lock()) {
+    }
+}
+
+FileLock::~FileLock() {
+    unlink(path_.c_str());
+    close(file_);
+}
+
+bool FileLock::try_lock() {
+    file_ = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, kMode);
+    if (file_ < 0) {
+        throw OutputError(fmt::format(
+            "cannot write '{}': {}", path_.string(), std::generic_category().message(errno)));
+    }
+    wait_for_lock(file_);
+    if (is_file_at(file_, path_)) {
+        return true;
+    }
+    close(file_);
+    return false;
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,128 @@
+#include "texgen/manifest/manifest.h"
+
+#include <algorithm>
+#include <set>
+
+namespace foam::texgen {
+
+namespace {
+
+template <class Range, class Member, class Value>
+auto* find_by(Range& range, Member member, const Value& value) {
+    const auto found = std::ranges::find(range, value, member);
+    return found != range.end() ? &*found : nullptr;
+}
+
+bool is_of(const ManifestFile& file, std::string_view map) {
+    return std::ranges::find(file.maps, map) != file.maps.end();
+}
+
+void merge_numbers(std::vector<int>& into, const std::vector<int>& more) {
+    std::set<int> all(into.begin(), into.end());
+    all.insert(more.begin(), more.end());
+    into.assign(all.begin(), all.end());
+}
+
+void merge_maps(BakedSet& into, const std::vector<ManifestMap>& more) {
+    for (const ManifestMap& map : more) {
+        ManifestMap* const old = find_by(into.maps, &ManifestMap::name, map.name);
+        if (old == nullptr) {
+            into.maps.push_back(map);
+            continue;
+        }
+        merge_numbers(old->frames, map.frames);
+        old->samples = map.samples ? map.samples : old->samples;
+    }
+}
+
+// Where a map stands in the list of maps, for sorting.
+auto place_of(const BakedSet& set, const ManifestFile& file) {
+    const auto map = std::ranges::find(set.maps, file.maps.front(), &ManifestMap::name);
+    return std::pair(file.frame, map - set.maps.begin());
+}
+
+void merge_into(BakedSet& into, const BakedSet& more) {
+    into.toml = more.toml;
+    into.loop = more.loop;
+    merge_maps(into, more.maps);
+    for (const ManifestFrame& frame : more.foam) {
+        std::erase_if(into.foam, [&](const auto& old) { return old.frame == frame.frame; });
+    }
+    into.foam.insert(into.foam.end(), more.foam.begin(), more.foam.end());
+    into.files.insert(into.files.end(), more.files.begin(), more.files.end());
+    std::ranges::sort(into.foam, {}, &ManifestFrame::frame);
+    std::ranges::sort(into.files, {}, [&](const auto& file) { return place_of(into, file); });
+    into.failure = into.complete() ? "" : more.failure;
+}
+
+}  // namespace
+
+bool BakedSet::complete() const {
+    std::set<std::pair<std::string, int>> there;
+    for (const ManifestFile& file : files) {
+        for (const std::string& map : file.maps) {
+            there.emplace(map, file.frame);
+        }
+    }
+    return std::ranges::all_of(maps, [&](const ManifestMap& map) {
+        return std::ranges::all_of(map.frames, [&](int frame) {
+            return there.contains({map.name, frame});
+        });
+    });
+}
+
+std::vector<int> BakedSet::frames() const {
+    std::vector<int> all;
+    for (const ManifestMap& map : maps) {
+        merge_numbers(all, map.frames);
+    }
+    return all;
+}
+
+const ManifestMap* BakedSet::find_map(std::string_view name) const {
+    return find_by(maps, &ManifestMap::name, name);
+}
+
+const ManifestFile* BakedSet::find_file(std::string_view map, int frame) const {
+    const auto found = std::ranges::find_if(
+        files, [&](const auto& file) { return file.frame == frame && is_of(file, map); });
+    return found != files.end() ? &*found : nullptr;
+}
+
+const ManifestFrame* BakedSet::find_frame(int frame) const {
+    return find_by(foam, &ManifestFrame::frame, frame);
+}
+
+BakedSet* find_same_set(Manifest& manifest, const BakedSet& set) {
+    return find_by(manifest.sets, &BakedSet::parameters, set.parameters);
+}
+
+const BakedSet* find_same_set(const Manifest& manifest, const BakedSet& set) {
+    return find_by(manifest.sets, &BakedSet::parameters, set.parameters);
+}
+
+void merge(Manifest& manifest, const BakedSet& set) {
+    std::vector<std::string> paths;
+    for (const ManifestFile& file : set.files) {
+        paths.push_back(file.path);
+    }
+    remove_files(manifest, paths);
+    BakedSet* const same = find_same_set(manifest, set);
+    if (same != nullptr) {
+        merge_into(*same, set);
+    } else {
+        manifest.sets.push_back(set);
+    }
+    std::erase_if(manifest.sets, [&](const BakedSet& other) {
+        return other.files.empty() && other.parameters != set.parameters;
+    });
+}
+
+void remove_files(Manifest& manifest, const std::vector<std::string>& paths) {
+    const std::set<std::string> gone(paths.begin(), paths.end());
+    for (BakedSet& set : manifest.sets) {
+        std::erase_if(set.files, [&](const auto& file) { return gone.contains(file.path); });
+    }
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,77 @@
+#include "texgen/manifest/manifest_file.h"
+
+#include "texgen/image/file_io.h"
+#include "texgen/manifest/file_lock.h"
+#include "texgen/manifest/manifest_json.h"
+
+#include <fmt/core.h>
+
+#include <span>
+#include <string>
+
+namespace foam::texgen {
+
+namespace {
+
+std::filesystem::path file_of(const std::filesystem::path& path) {
+    return std::filesystem::is_directory(path) ? path / kManifestName : path;
+}
+
+bool is_wanted(const BakedSet& set, std::string_view preset) {
+    return preset.empty() || set.preset == preset;
+}
+
+Manifest present_manifest(const std::filesystem::path& file) {
+    return std::filesystem::exists(file) ? read_manifest(file) : Manifest{};
+}
+
+std::string line_of(const BakedSet& set) {
+    return fmt::format("{} (seed {}, {} x {})", set.preset, set.seed, set.width, set.height);
+}
+
+}  // namespace
+
+Manifest read_manifest(const std::filesystem::path& path) {
+    const std::filesystem::path file = file_of(path);
+    const Bytes bytes = read_file(file);
+    return parse_manifest({reinterpret_cast<const char*>(bytes.data()), bytes.size()},
+                          file.string());
+}
+
+const BakedSet& choose_set(const Manifest& manifest,
+                           std::string_view preset,
+                           const std::filesystem::path& path) {
+    const BakedSet* chosen = nullptr;
+    std::string there;
+    int count = 0;
+    for (const BakedSet& set : manifest.sets) {
+        there += fmt::format("{}{}", there.empty() ? "" : ", ", line_of(set));
+        chosen = is_wanted(set, preset) ? &set : chosen;
+        count += is_wanted(set, preset) ? 1 : 0;
+    }
+    if (count != 1) {
+        throw InputError(fmt::format("'{}' has {} of {}; there are: {}",
+                                     file_of(path).string(),
+                                     count == 0 ? "no images" : "several sets",
+                                     preset.empty() ? "any preset" : preset,
+                                     there.empty() ? "none" : there));
+    }
+    return *chosen;
+}
+
+void check_manifest(const std::filesystem::path& folder) {
+    present_manifest(folder / kManifestName);
+}
+
+void update_manifest(const std::filesystem::path& folder,
+                     const std::function<void(Manifest&)>& change) {
+    make_folders(folder);
+    const std::filesystem::path file = folder / kManifestName;
+    const FileLock lock(file.string() + ".lock");
+    Manifest manifest = present_manifest(file);
+    change(manifest);
+    const std::string text = to_json(manifest);
+    write_file(file, std::as_bytes(std::span(text)));
+}
+
+}  // namespace foam::texgen

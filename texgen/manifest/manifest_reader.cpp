@@ -1,0 +1,192 @@
+#include "texgen/bake/frame_range.h"
+#include "texgen/image/file_io.h"
+#include "texgen/manifest/json_value.h"
+#include "texgen/manifest/manifest_json.h"
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+
+namespace foam::texgen {
+
+namespace {
+
+using Words = std::array<std::string_view, 3>;
+
+constexpr Words kKinds = {"color", "number", "id"};
+constexpr std::array<std::string_view, 5> kTypes = {"uint8", "uint16", "half", "float", "uint32"};
+constexpr Words kColorSpaces = {"sRGB", "linear sRGB", "data"};
+constexpr Words kAlphas = {"none", "straight", "premultiplied"};
+constexpr std::array<std::string_view, 2> kDirections = {"up", "down"};
+constexpr int kLargestExtent = 1 << 20;
+
+std::vector<int> frames_in(const JsonValue& value) {
+    try {
+        std::vector<int> frames = parse_frame_range(value.text());
+        std::ranges::sort(frames);
+        return frames;
+    } catch (const std::invalid_argument&) {
+        value.refuse("frames as 1-10 or 1-10x2");
+    }
+}
+
+/// Numbers that are not finite are null.
+double number_in(const std::optional<JsonValue>& value) {
+    return value ? value->number() : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::optional<MapSamples> samples_in(const JsonValue& value) {
+    if (!value.find("kind")) {
+        return std::nullopt;
+    }
+    MapSamples samples{.kind = value["kind"].word(kKinds),
+                       .channels = value["channels"].text(),
+                       .type = value["type"].word(kTypes),
+                       .color_space = value["color_space"].word(kColorSpaces),
+                       .alpha = value["alpha"].word(kAlphas),
+                       .range = {}};
+    if (const auto range = value.find("range")) {
+        const std::vector<JsonValue> ends = range->items();
+        if (ends.size() != 2) {
+            range->refuse("[low, high]");
+        }
+        samples.range = {ends[0].number(), ends[1].number()};
+    }
+    return samples;
+}
+
+ManifestMap map_in(const JsonValue& value) {
+    const auto note = value.find("note");
+    return {.name = value["name"].text(),
+            .meaning = value["meaning"].text(),
+            .unit = value["unit"].text(),
+            .note = note ? note->text() : "",
+            .frames = frames_in(value["frames"]),
+            .samples = samples_in(value)};
+}
+
+ManifestFile file_in(const JsonValue& value) {
+    ManifestFile file{.path = value["path"].text(),
+                      .maps = {},
+                      .frame = value["frame"].count(),
+                      .bytes = static_cast<std::uint64_t>(
+                          value["bytes"].integer(0, std::numeric_limits<std::int64_t>::max())),
+                      .pixels = value["pixels"].text()};
+    for (const JsonValue& map : value["maps"].items()) {
+        file.maps.push_back(map.text());
+    }
+    if (file.maps.empty()) {
+        value["maps"].refuse("at least one map");
+    }
+    return file;
+}
+
+ManifestFrame frame_in(const JsonValue& value) {
+    return {.frame = value["frame"].count(),
+            .tiles = value["tiles"].flag(),
+            .time = value["time"].number(),
+            .bubbles = value["bubbles"].count(),
+            .mean_area = value["mean_area"].number(),
+            .t1 = value["t1"].count(),
+            .t2 = value["t2"].count(),
+            .area_error = number_in(value.find("area_error")),
+            .angle_error = number_in(value.find("angle_error")),
+            .simulating = value["simulating"].number(),
+            .drawing = value["drawing"].number()};
+}
+
+ManifestLoop loop_in(const JsonValue& value) {
+    const auto closing_error = value.find("closing_error");
+    return {.kind = value["kind"].text(),
+            .called = value["called"].text(),
+            .period = value["period"].count(),
+            .cross_faded = value["cross_faded"].flag(),
+            .closing_error = closing_error ? std::optional(closing_error->number()) : std::nullopt};
+}
+
+ManifestConventions conventions_in(const JsonValue& value) {
+    return {.rows = value["rows"].text(),
+            .normal_y = value["normal_y"].word(kDirections),
+            .motion_unit = value["motion_unit"].text(),
+            .motion_y = value["motion_y"].word(kDirections),
+            .motion_multiplier = value["motion_multiplier"].number()};
+}
+
+int extent_in(const JsonValue& size, std::size_t index) {
+    const std::vector<JsonValue> extents = size.items();
+    if (extents.size() != 2) {
+        size.refuse("[width, height]");
+    }
+    return static_cast<int>(extents[index].integer(1, kLargestExtent));
+}
+
+template <class Item>
+std::vector<Item> list_in(const JsonValue& list, Item (*item_in)(const JsonValue&)) {
+    std::vector<Item> items;
+    for (const JsonValue& value : list.items()) {
+        items.push_back(item_in(value));
+    }
+    return items;
+}
+
+/// Every map of a file has to be described.
+void check_maps(const BakedSet& set, const JsonValue& files) {
+    const std::vector<JsonValue> items = files.items();
+    for (std::size_t k = 0; k < set.files.size(); ++k) {
+        for (const std::string& map : set.files[k].maps) {
+            if (set.find_map(map) == nullptr) {
+                items[k]["maps"].refuse("maps that are described in 'maps'");
+            }
+        }
+    }
+}
+
+BakedSet set_in(const JsonValue& value) {
+    const auto failure = value.find("failure");
+    BakedSet set{.version = value["foamtex"].text(),
+                 .preset = value["preset"].text(),
+                 .description = value["description"].text(),
+                 .toml = value["toml"].text(),
+                 .parameters = value["parameters"].text(),
+                 .seed = static_cast<std::uint64_t>(
+                     value["seed"].integer(0, std::numeric_limits<std::int64_t>::max())),
+                 .width = extent_in(value["size"], 0),
+                 .height = extent_in(value["size"], 1),
+                 .frames_per_second = value["frames_per_second"].count(),
+                 .loop = loop_in(value["loop"]),
+                 .conventions = conventions_in(value["conventions"]),
+                 .maps = list_in(value["maps"], map_in),
+                 .files = list_in(value["files"], file_in),
+                 .foam = list_in(value["foam"], frame_in),
+                 .failure = failure ? failure->text() : ""};
+    check_maps(set, value["files"]);
+    return set;
+}
+
+nlohmann::json tree_of(std::string_view text, const std::string& file) {
+    try {
+        return nlohmann::json::parse(text);
+    } catch (const nlohmann::json::exception& error) {
+        throw InputError(fmt::format("cannot read '{}': {}", file, error.what()));
+    }
+}
+
+}  // namespace
+
+Manifest parse_manifest(std::string_view text, const std::string& file) {
+    const nlohmann::json tree = tree_of(text, file);
+    const JsonValue root(tree, file);
+    if (!tree.is_object() || !tree.contains("format") || tree["format"] != kManifestFormat) {
+        root.refuse(fmt::format("a manifest, with \"format\": \"{}\"", kManifestFormat));
+    }
+    root["version"].integer(1, kManifestVersion);
+    return {list_in(root["sets"], set_in)};
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,134 @@
+#include "texgen/bake/frame_range.h"
+#include "texgen/manifest/manifest_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <utility>
+
+namespace foam::texgen {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// JSON has no word for a number that is not finite.
+Json number_or_null(const std::optional<double>& number) {
+    return number && std::isfinite(*number) ? Json(*number) : Json(nullptr);
+}
+
+Json to_value(const ManifestMap& map) {
+    Json value{{"name", map.name}, {"meaning", map.meaning}, {"unit", map.unit}};
+    if (!map.note.empty()) {
+        value["note"] = map.note;
+    }
+    value["frames"] = format_frame_range(map.frames);
+    if (map.samples) {
+        value["kind"] = map.samples->kind;
+        value["channels"] = map.samples->channels;
+        value["type"] = map.samples->type;
+        value["color_space"] = map.samples->color_space;
+        value["alpha"] = map.samples->alpha;
+    }
+    if (map.samples && map.samples->range) {
+        value["range"] = *map.samples->range;
+    }
+    return value;
+}
+
+Json to_value(const ManifestFile& file) {
+    return {{"path", file.path},
+            {"maps", file.maps},
+            {"frame", file.frame},
+            {"bytes", file.bytes},
+            {"pixels", file.pixels}};
+}
+
+Json to_value(const ManifestFrame& frame) {
+    return {{"frame", frame.frame},
+            {"tiles", frame.tiles},
+            {"time", frame.time},
+            {"bubbles", frame.bubbles},
+            {"mean_area", frame.mean_area},
+            {"t1", frame.t1},
+            {"t2", frame.t2},
+            {"area_error", number_or_null(frame.area_error)},
+            {"angle_error", number_or_null(frame.angle_error)},
+            {"simulating", frame.simulating},
+            {"drawing", frame.drawing}};
+}
+
+Json to_value(const ManifestLoop& loop) {
+    return {{"kind", loop.kind},
+            {"called", loop.called},
+            {"period", loop.period},
+            {"cross_faded", loop.cross_faded},
+            {"closing_error", number_or_null(loop.closing_error)}};
+}
+
+Json to_value(const ManifestConventions& conventions) {
+    return {{"rows", conventions.rows},
+            {"normal_y", conventions.normal_y},
+            {"motion_unit", conventions.motion_unit},
+            {"motion_y", conventions.motion_y},
+            {"motion_multiplier", conventions.motion_multiplier}};
+}
+
+Json time_used(const std::vector<ManifestFrame>& frames) {
+    double simulating = 0.0;
+    double drawing = 0.0;
+    for (const ManifestFrame& frame : frames) {
+        simulating += frame.simulating;
+        drawing += frame.drawing;
+    }
+    return {{"simulating", simulating}, {"drawing", drawing}};
+}
+
+/// A list with a line for each item.
+template <class Item>
+std::string lines_of(const std::vector<Item>& items) {
+    std::string lines;
+    for (const Item& item : items) {
+        lines += (lines.empty() ? "\n        " : ",\n        ") + to_value(item).dump();
+    }
+    return "[" + lines + "]";
+}
+
+std::string to_text(const BakedSet& set) {
+    const std::vector<std::pair<const char*, std::string>> members{
+        {"foamtex", Json(set.version).dump()},
+        {"preset", Json(set.preset).dump()},
+        {"description", Json(set.description).dump()},
+        {"seed", Json(set.seed).dump()},
+        {"parameters", Json(set.parameters).dump()},
+        {"complete", Json(set.complete()).dump()},
+        {"failure", set.failure.empty() ? "null" : Json(set.failure).dump()},
+        {"size", Json({set.width, set.height}).dump()},
+        {"frames_per_second", Json(set.frames_per_second).dump()},
+        {"loop", to_value(set.loop).dump()},
+        {"conventions", to_value(set.conventions).dump()},
+        {"seconds", time_used(set.foam).dump()},
+        {"maps", lines_of(set.maps)},
+        {"files", lines_of(set.files)},
+        {"foam", lines_of(set.foam)},
+        {"toml", Json(set.toml).dump()}};
+    std::string text;
+    for (const auto& [name, value] : members) {
+        text += (text.empty() ? "      \"" : ",\n      \"") + std::string(name) + "\": " + value;
+    }
+    return "    {\n" + text + "\n    }";
+}
+
+}  // namespace
+
+std::string to_json(const Manifest& manifest) {
+    std::string sets;
+    for (const BakedSet& set : manifest.sets) {
+        sets += (sets.empty() ? "\n" : ",\n") + to_text(set);
+    }
+    return "{\n  \"format\": \"" + std::string(kManifestFormat) +
+           "\",\n  \"version\": " + std::to_string(kManifestVersion) + ",\n  \"sets\": [" + sets +
+           "\n  ]\n}\n";
+}
+
+}  // namespace foam::texgen

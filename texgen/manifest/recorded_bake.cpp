@@ -1,0 +1,145 @@
+#include "texgen/manifest/recorded_bake.h"
+
+#include "texgen/bake/file_pattern.h"
+#include "texgen/bake/frame_files.h"
+#include "texgen/manifest/describe.h"
+#include "texgen/manifest/manifest_file.h"
+
+#include <fmt/core.h>
+
+#include <chrono>
+#include <exception>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace foam::texgen {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Writing manifests takes no more than about this part of a bake.
+constexpr double kShare = 0.05;
+
+// The manifest of a bake that runs.
+class ManifestWriter {
+  public:
+    /// Writes nothing yet.
+    ManifestWriter(const Preset& preset, const std::vector<int>& frames)
+        : folder_(manifest_folder(preset)),
+          set_(describe(preset, frames)),
+          paths_(paths_of(preset, frames)) {
+        check_manifest(folder_);
+    }
+
+    /// Takes the files that are to come out of the manifest.
+    void begin() {
+        if (!begun_) {
+            begun_ = true;
+            update_manifest(folder_, [&](Manifest& manifest) {
+                remove_files(manifest, paths_);
+                merge(manifest, set_);
+            });
+        }
+    }
+
+    void add(const BakedFrame& baked) {
+        add_frame(set_, baked, folder_);
+        if (Clock::now() >= next_save_) {
+            save();
+        }
+    }
+
+    void close(const std::string& failure) {
+        begin();
+        set_.failure = failure;
+        save();
+    }
+
+    bool begun() const { return begun_; }
+
+  private:
+    std::vector<std::string> paths_of(const Preset& preset, const std::vector<int>& frames) const {
+        const FrameFiles files(preset);
+        std::vector<std::string> paths;
+        for (const int frame : frames) {
+            for (const std::filesystem::path& path : files.paths(frame)) {
+                paths.push_back(relative_path(path, folder_));
+            }
+        }
+        return paths;
+    }
+
+    void save() {
+        const Clock::time_point begin = Clock::now();
+        update_manifest(folder_, [&](Manifest& manifest) { merge(manifest, set_); });
+        const Clock::time_point end = Clock::now();
+        next_save_ = end + std::chrono::duration_cast<Clock::duration>((end - begin) / kShare);
+    }
+
+    std::filesystem::path folder_;
+    BakedSet set_;
+    std::vector<std::string> paths_;
+    bool begun_ = false;
+    Clock::time_point next_save_{};
+};
+
+std::string failure_of(const RunOutcome& outcome) {
+    switch (outcome.status) {
+        case RunStatus::NoEquilibrium:
+            return fmt::format("frame {}: the foam found no equilibrium", outcome.failed_frame);
+        case RunStatus::OpenLoop:
+            return "the loop does not close";
+        case RunStatus::Complete:
+            break;
+    }
+    return "";
+}
+
+// What went wrong first is what counts; before the first frame nothing is written.
+void close_anyway(ManifestWriter& writer, const std::string& failure) {
+    try {
+        if (writer.begun()) {
+            writer.close(failure);
+        }
+    } catch (const std::exception&) {
+        return;
+    }
+}
+
+}  // namespace
+
+std::filesystem::path manifest_folder(const Preset& preset) {
+    return FilePattern(preset.output.pattern).folder(preset.name);
+}
+
+BakeSummary bake_recorded(const Preset& preset,
+                          const BakeOptions& options,
+                          const BakeCallbacks& callbacks) {
+    check_bake(preset, options);
+    ManifestWriter writer(preset, options.frames);
+    BakeCallbacks recording = callbacks;
+    recording.on_frame = [&](const SimulatedFrame& shown) {
+        writer.begin();
+        if (callbacks.on_frame) {
+            callbacks.on_frame(shown);
+        }
+    };
+    recording.on_baked = [&](const BakedFrame& baked) {
+        writer.add(baked);
+        if (callbacks.on_baked) {
+            callbacks.on_baked(baked);
+        }
+    };
+    try {
+        BakeSummary summary = bake(preset, options, recording);
+        writer.close(failure_of(summary.outcome));
+        return summary;
+    } catch (const std::exception& error) {
+        close_anyway(writer, error.what());
+        throw;
+    }
+}
+
+}  // namespace foam::texgen
