@@ -20,5 +20,6 @@ void add_maps_command(CLI::App& app, Action& action);
 void add_presets_command(CLI::App& app, Action& action);
 void add_relax_command(CLI::App& app, Action& action);
 void add_stats_command(CLI::App& app, Action& action);
+void add_verify_command(CLI::App& app, Action& action);
 
 }  // namespace foam::texgen

@@ -11,6 +11,7 @@ enum class ExitCode : int {
     NoEquilibrium = 3,    // the foam could not be brought to equilibrium, or its loop not be closed
     BadInput = 4,         // an input file is unreadable or malformed
     OutputFailed = 5,     // an output could not be written
+    CheckFailed = 6,      // verify: something does not hold
 };
 
 }  // namespace foam::texgen

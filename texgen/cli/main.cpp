@@ -23,13 +23,9 @@ constexpr const char* kFooter = R"(Examples:
   foamtex relax torus.fe -o relaxed.fe         a Surface Evolver foam, to equilibrium
   foamtex stats coarsening                     tables and charts of how a foam coarsens
 
-Exit codes:
-  0  success
-  1  unexpected internal failure
-  2  bad command line or preset
-  3  the foam could not be brought to equilibrium, or its loop not be closed
-  4  an input file is unreadable or malformed
-  5  an output could not be written)";
+Exit codes: 0 success, 1 unexpected internal failure, 2 bad command line or preset,
+  3 the foam could not be brought to equilibrium, or its loop not be closed, 4 an input file
+  is unreadable or malformed, 5 an output could not be written, 6 verify: something does not hold)";
 
 /// One line on stderr, whatever the message.
 ExitCode report(std::string message, ExitCode code) {
@@ -63,6 +59,7 @@ ExitCode parse_and_run(int argc, char** argv) {
     add_bake_command(app, action);
     add_relax_command(app, action);
     add_stats_command(app, action);
+    add_verify_command(app, action);
     add_compare_command(app, action);
     add_presets_command(app, action);
     add_maps_command(app, action);

@@ -1,0 +1,78 @@
+#include "texgen/verify/steps.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace foam::texgen {
+namespace {
+
+using Blocks = std::vector<const SampleBlock*>;
+
+SampleBlock row_block(const std::vector<std::uint8_t>& samples) {
+    Image<std::uint8_t> image(static_cast<int>(samples.size()), 1, 1);
+    std::copy(samples.begin(), samples.end(), image.samples().begin());
+    return {"", std::move(image)};
+}
+
+Seam seam_of_row(const std::vector<std::uint8_t>& samples, Difference difference) {
+    const SampleBlock block = row_block(samples);
+    return tile_seam(Blocks{&block}, difference);
+}
+
+TEST(Steps, ASeamIsTheStepFromTheLastColumnToTheFirst) {
+    const Seam seam = seam_of_row({10, 12, 15, 16}, Difference::Numbers);
+    EXPECT_EQ(seam.across, 6.0);
+    EXPECT_EQ(seam.largest_within, 3.0);
+    EXPECT_EQ(seam.ratio(), 2.0);
+    EXPECT_EQ(seam_of_row({1, 5, 1}, Difference::Numbers).ratio(), 0.0);
+}
+
+TEST(Steps, IdsAreTheSameOrNot) {
+    const Seam seam = seam_of_row({1, 1, 200, 90}, Difference::Ids);
+    EXPECT_EQ(seam.across, 1.0);
+    EXPECT_EQ(seam.largest_within, 1.0);
+}
+
+TEST(Steps, AStepWhereThereIsNoOtherIsBeyondAllMeasure) {
+    EXPECT_TRUE(std::isinf(Seam({1.0, 0.0}).ratio()));
+    EXPECT_EQ(Seam().ratio(), 0.0);
+}
+
+// Rows count as columns do: the worse of both is the seam. 0 and 9 are far apart above and below.
+TEST(Steps, ASeamBetweenRowsCountsToo) {
+    Image<std::uint8_t> image(2, 4, 1);
+    for (int y = 0; y < 4; ++y) {
+        image.row(y)[0] = image.row(y)[1] = static_cast<std::uint8_t>(3 * y);
+    }
+    const SampleBlock block{"", std::move(image)};
+    const Seam seam = tile_seam(Blocks{&block}, Difference::Numbers);
+    EXPECT_EQ(seam.across, 9.0);
+    EXPECT_EQ(seam.largest_within, 3.0);
+}
+
+// Channels of an EXR are blocks of their own: the mean is over all.
+TEST(Steps, AreMeansOverAllChannels) {
+    const SampleBlock a = row_block({0, 4});
+    const SampleBlock b = row_block({0, 0});
+    EXPECT_EQ(tile_seam(Blocks{&a, &b}, Difference::Numbers).across, 2.0);
+    EXPECT_EQ(step_between(Blocks{&a, &b}, Blocks{&b, &b}, Difference::Numbers), 1.0);
+    EXPECT_EQ(step_between(Blocks{&a}, Blocks{&b}, Difference::Ids), 0.5);
+    EXPECT_EQ(step_between(Blocks{&a}, Blocks{&a}, Difference::Ids), 0.0);
+}
+
+TEST(Steps, ImagesOfOtherFormsAreFarApart) {
+    const SampleBlock a = row_block({0, 4});
+    const SampleBlock b = row_block({0, 4, 4});
+    const SampleBlock c{"", Image<float>(2, 1, 1)};
+    for (const SampleBlock* other : {&b, &c}) {
+        EXPECT_TRUE(std::isinf(step_between(Blocks{&a}, Blocks{other}, Difference::Numbers)));
+    }
+    EXPECT_TRUE(std::isinf(step_between(Blocks{&a}, Blocks{&a, &a}, Difference::Numbers)));
+}
+
+}  // namespace
+}  // namespace foam::texgen

@@ -1,0 +1,214 @@
+#include "texgen/verify/verify.h"
+
+#include "tests/texgen/temporary_folder.h"
+#include "texgen/image/file_io.h"
+#include "texgen/image/png.h"
+#include "texgen/manifest/manifest_file.h"
+#include "texgen/manifest/recorded_bake.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <numeric>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace foam::texgen {
+namespace {
+
+Preset small_preset(const std::filesystem::path& folder) {
+    Preset preset;
+    preset.name = "small";
+    preset.seeding.bubbles = 40;
+    preset.image.width = 64;
+    preset.image.height = 64;
+    preset.image.maps = {"albedo", "height", "id"};
+    preset.frames.count = 8;
+    preset.loop.kind = LoopKind::Breathe;
+    preset.output.pattern = (folder / "{map}.####.png").string();
+    return preset;
+}
+
+std::vector<int> frames_to(int last) {
+    std::vector<int> frames(static_cast<std::size_t>(last));
+    std::iota(frames.begin(), frames.end(), 1);
+    return frames;
+}
+
+void bake_small(const Preset& preset, const std::vector<int>& frames) {
+    bake_recorded(preset, {.frames = frames, .threads = 1}, {});
+}
+
+/// The only set of a folder.
+VerifiedSet verified(const std::filesystem::path& folder) {
+    Verification found = verify(folder);
+    EXPECT_EQ(found.sets.size(), 1U);
+    return std::move(found.sets.front());
+}
+
+using Change = void (*)(Image<std::uint8_t>&);
+
+/// Changes an image, and the manifest as if it had been baked so.
+void change_as_baked(const std::filesystem::path& folder, const std::string& name, Change change) {
+    PngImage image = read_png(folder / name);
+    change(image.pixels);
+    write_png(folder / name, image.pixels.view());
+    update_manifest(folder, [&](Manifest& manifest) {
+        for (ManifestFile& file : manifest.sets.front().files) {
+            file.pixels = file.path == name ? decode_file(folder / name).pixels : file.pixels;
+        }
+    });
+}
+
+TEST(Verify, ALoopThatWasBakedHolds) {
+    const TemporaryFolder folder;
+    bake_small(small_preset(folder.path()), frames_to(8));
+    const VerifiedSet found = verified(folder.path());
+    EXPECT_EQ(found.problems, std::vector<std::string>{});
+    EXPECT_EQ(found.files_same, 24);
+    ASSERT_EQ(found.maps.size(), 3U);
+    for (const VerifiedMap& map : found.maps) {
+        ASSERT_TRUE(map.tile && map.loop) << map.name;
+        EXPECT_GT(map.tile->ratio(), 0.1) << map.name;
+        EXPECT_GT(map.loop->ratio(), 0.1) << map.name;
+        EXPECT_LE(map.loop->ratio(), 1.1) << map.name;
+    }
+}
+
+TEST(Verify, LayersOfAnExrAreChecked) {
+    const TemporaryFolder folder;
+    Preset preset = small_preset(folder.path());
+    preset.output.pattern = (folder.path() / "all.####.exr").string();
+    bake_small(preset, frames_to(8));
+    const VerifiedSet found = verified(folder.path());
+    EXPECT_TRUE(found.holds());
+    EXPECT_EQ(found.files_same, 8);
+    ASSERT_EQ(found.maps.size(), 3U);
+    EXPECT_NE(found.maps[0].tile->across, found.maps[1].tile->across);
+    EXPECT_TRUE(found.maps[2].loop);
+}
+
+TEST(Verify, SaysWhichFilesAreGoneDamagedOrChanged) {
+    const TemporaryFolder folder;
+    bake_small(small_preset(folder.path()), {1, 2, 3});
+    std::filesystem::remove(folder.path() / "id.0001.png");
+    write_file(folder.path() / "id.0002.png", {});
+    PngImage image = read_png(folder.path() / "albedo.0003.png");
+    image.pixels.samples()[100] ^= 1U;
+    write_png(folder.path() / "albedo.0003.png", image.pixels.view());
+    const VerifiedSet found = verified(folder.path());
+    EXPECT_EQ(found.files_same, 6);
+    ASSERT_EQ(found.problems.size(), 3U);
+    EXPECT_NE(found.problems[0].find("id.0001.png': No such file"), std::string::npos);
+    EXPECT_NE(found.problems[1].find("id.0002.png': malformed PNG"), std::string::npos);
+    EXPECT_EQ(found.problems[2], "albedo.0003.png: has other pixels than were baked");
+}
+
+// Packed anew, with other texts, the pixels are those that were baked.
+TEST(Verify, APictureThatWasPackedAnewHolds) {
+    const TemporaryFolder folder;
+    bake_small(small_preset(folder.path()), {1});
+    const std::filesystem::path path = folder.path() / "albedo.0001.png";
+    write_png(path, read_png(path).pixels.view(), {}, {.compression = Compression::Small});
+    EXPECT_TRUE(verified(folder.path()).holds());
+}
+
+// Half a tile beside its mirror image: what comes to the border was not made for it.
+TEST(Verify, FindsAnImageThatDoesNotTile) {
+    const TemporaryFolder folder;
+    bake_small(small_preset(folder.path()), {1, 2});
+    change_as_baked(folder.path(), "albedo.0002.png", [](Image<std::uint8_t>& image) {
+        const int width = image.width();
+        for (int y = 0; y < image.height(); ++y) {
+            for (int x = 0; 2 * x < width; ++x) {
+                std::ranges::copy(image.pixel((x + 20) % width, y),
+                                  image.pixel(width - 1 - x, y).begin());
+            }
+        }
+    });
+    const VerifiedSet found = verified(folder.path());
+    EXPECT_EQ(found.maps.front().tile_frame, 2);
+    ASSERT_EQ(found.problems.size(), 1U);
+    EXPECT_EQ(found.problems[0].find("albedo: frame 2 does not tile: "), 0U);
+}
+
+// Half of a period is no loop.
+TEST(Verify, FindsALoopThatJumps) {
+    const TemporaryFolder folder;
+    Preset preset = small_preset(folder.path());
+    preset.frames.count = 16;
+    bake_small(preset, frames_to(8));
+    EXPECT_TRUE(verified(folder.path()).holds());
+    update_manifest(folder.path(),
+                    [](Manifest& manifest) { manifest.sets.front().loop.period = 8; });
+    const VerifiedSet found = verified(folder.path());
+    for (const VerifiedMap& map : found.maps) {
+        EXPECT_GT(map.loop->ratio(), 1.5) << map.name;
+    }
+    ASSERT_EQ(found.problems.size(), 3U);
+    EXPECT_EQ(found.problems[0].find("albedo: does not loop: "), 0U);
+}
+
+TEST(Verify, ALoopIsCheckedOnlyAsAWhole) {
+    const TemporaryFolder folder;
+    bake_small(small_preset(folder.path()), {1, 2, 3, 4, 5, 6, 7});
+    const VerifiedSet found = verified(folder.path());
+    EXPECT_TRUE(found.holds());
+    EXPECT_FALSE(found.maps.front().loop);
+    EXPECT_NE(to_text(verify(folder.path())).find("not checked: that takes frames 1 to 8"),
+              std::string::npos);
+}
+
+TEST(Verify, SaysWhatABakeLeftOut) {
+    const TemporaryFolder folder;
+    bake_small(small_preset(folder.path()), {1, 2, 3});
+    update_manifest(folder.path(), [](Manifest& manifest) {
+        BakedSet& set = manifest.sets.front();
+        std::erase_if(set.files, [](const ManifestFile& file) { return file.frame > 1; });
+        set.failure = "no space left";
+    });
+    EXPECT_EQ(
+        verified(folder.path()).problems,
+        std::vector<std::string>{"albedo, height, id: frames 2-3 were not baked: no space left"});
+}
+
+TEST(Verify, APatchIsNoTile) {
+    const TemporaryFolder folder;
+    Preset preset = small_preset(folder.path());
+    preset.shape.kind = FoamKind::Patch;
+    preset.loop.kind = LoopKind::None;
+    bake_small(preset, {1, 2});
+    const VerifiedSet found = verified(folder.path());
+    EXPECT_TRUE(found.holds());
+    EXPECT_FALSE(found.maps.front().tile);
+}
+
+TEST(Verify, AFolderWithoutImagesDoesNotHold) {
+    const TemporaryFolder folder;
+    EXPECT_THROW(verify(folder.path()), InputError);
+    update_manifest(folder.path(), [](Manifest&) {});
+    EXPECT_FALSE(verify(folder.path()).holds());
+}
+
+TEST(Verify, ReportsForPersonsAndPrograms) {
+    const TemporaryFolder folder;
+    bake_small(small_preset(folder.path()), frames_to(8));
+    std::filesystem::remove(folder.path() / "id.0005.png");
+    const Verification found = verify(folder.path() / kManifestName);
+    const std::string text = to_text(found);
+    EXPECT_NE(text.find("files    23 of 24 have the pixels that were baked"), std::string::npos);
+    EXPECT_NE(text.find("FAILED   cannot read '"), std::string::npos);
+    const auto report = nlohmann::json::parse(to_json(found));
+    EXPECT_EQ(report["status"], "failed");
+    EXPECT_EQ(report["sets"][0]["files_same"], 23);
+    EXPECT_EQ(report["sets"][0]["problems"].size(), 1U);
+    EXPECT_EQ(report["sets"][0]["maps"][0]["name"], "albedo");
+    EXPECT_LT(report["sets"][0]["maps"][0]["loop"]["ratio"], 1.1);
+    EXPECT_TRUE(report["sets"][0]["maps"][2]["loop"].is_null());  // a frame lacks
+}
+
+}  // namespace
+}  // namespace foam::texgen

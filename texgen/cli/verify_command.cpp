@@ -1,0 +1,55 @@
+#include "texgen/cli/command.h"
+#include "texgen/verify/verify.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+#include <memory>
+#include <string>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr const char* kExamples = R"(Examples:
+  foamtex verify out
+  foamtex verify out --json > report.json
+Checks what the manifest says: every file has the pixels that were baked, images of a torus tile,
+and the last frame of a loop leads into the first.
+Exit codes: 0 all of it holds, 6 something does not, 4 the manifest cannot be read)";
+
+struct VerifyArguments {
+    std::string path;
+    bool json = false;
+    bool quiet = false;
+};
+
+ExitCode run_verify(const VerifyArguments& arguments) {
+    const Verification found = verify(arguments.path);
+    if (arguments.json) {
+        fmt::print("{}", to_json(found));
+    } else if (!arguments.quiet) {
+        fmt::print("{}", to_text(found));
+    }
+    return found.holds() ? ExitCode::Success : ExitCode::CheckFailed;
+}
+
+}  // namespace
+
+void add_verify_command(CLI::App& app, Action& action) {
+    CLI::App* command =
+        app.add_subcommand("verify", "Check baked images: pixels, tiling, the loop");
+    const auto arguments = std::make_shared<VerifyArguments>();
+    command->add_option("DIR", arguments->path, "The folder with manifest.json, or the file")
+        ->required()
+        ->option_text(" ");
+    command->add_flag("--json", arguments->json, "Print one JSON object of the results")
+        ->option_text(" ");
+    command->add_flag("-q,--quiet", arguments->quiet, "Say nothing; only the exit code tells")
+        ->option_text(" ");
+    command->footer(kExamples);
+    command->callback(
+        [&action, arguments] { action = [arguments] { return run_verify(*arguments); }; });
+}
+
+}  // namespace foam::texgen

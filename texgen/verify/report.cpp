@@ -1,0 +1,137 @@
+#include "texgen/verify/verify.h"
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <optional>
+
+namespace foam::texgen {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using SeamOf = std::optional<Seam> VerifiedMap::*;
+
+/// "albedo 0.93, height 0.88".
+std::string ratios(const VerifiedSet& found, SeamOf seam) {
+    std::string list;
+    for (const VerifiedMap& map : found.maps) {
+        if (map.*seam) {
+            list += fmt::format(
+                "{}{} {:.3f}", list.empty() ? "" : ", ", map.name, (map.*seam)->ratio());
+        }
+    }
+    return list;
+}
+
+std::string tile_line(const VerifiedSet& found) {
+    const std::string list = ratios(found, &VerifiedMap::tile);
+    if (list.empty()) {
+        return "not to be checked: no frame tiles";
+    }
+    return fmt::format("{}  (step across the border over the largest within, at most {})",
+                       list,
+                       kLargestTileRatio);
+}
+
+std::string loop_line(const VerifiedSet& found) {
+    const ManifestLoop& loop = found.set.loop;
+    if (loop.period == 0) {
+        return loop.called;
+    }
+    const std::string list = ratios(found, &VerifiedMap::loop);
+    const std::string measured =
+        list.empty() ? fmt::format("not checked: that takes frames 1 to {}", loop.period)
+                     : fmt::format(
+                           "{}  (step from last to first frame over the largest from frame "
+                           "to frame, at most {})",
+                           list,
+                           kLargestLoopRatio);
+    const std::string closing =
+        loop.closing_error ? fmt::format("; closed to {:.1e} diameters", *loop.closing_error) : "";
+    return fmt::format("{}\n           {}{}{}",
+                       measured,
+                       loop.called,
+                       loop.cross_faded ? ", cross-faded" : "",
+                       closing);
+}
+
+std::string text_of(const VerifiedSet& found) {
+    const BakedSet& set = found.set;
+    std::string text = fmt::format("{}: seed {}, {} x {}, foamtex {}\n",
+                                   set.preset,
+                                   set.seed,
+                                   set.width,
+                                   set.height,
+                                   set.version);
+    text += fmt::format("  files    {} of {} have the pixels that were baked\n",
+                        found.files_same,
+                        set.files.size());
+    text += "  tile     " + tile_line(found) + "\n";
+    text += "  loop     " + loop_line(found) + "\n";
+    for (const std::string& problem : found.problems) {
+        text += "  FAILED   " + problem + "\n";
+    }
+    return text + (found.holds() ? "  all of it holds\n" : "");
+}
+
+Json value_of(const std::optional<Seam>& seam) {
+    if (!seam) {
+        return nullptr;
+    }
+    const double ratio = seam->ratio();
+    return {{"ratio", std::isfinite(ratio) ? Json(ratio) : Json(nullptr)},
+            {"across", seam->across},
+            {"largest_within", seam->largest_within}};
+}
+
+Json value_of(const VerifiedMap& map) {
+    return {{"name", map.name},
+            {"holds", map.holds()},
+            {"tile", value_of(map.tile)},
+            {"tile_frame", map.tile ? Json(map.tile_frame) : Json(nullptr)},
+            {"loop", value_of(map.loop)}};
+}
+
+Json value_of(const VerifiedSet& found) {
+    Json maps = Json::array();
+    for (const VerifiedMap& map : found.maps) {
+        maps.push_back(value_of(map));
+    }
+    const BakedSet& set = found.set;
+    return {{"preset", set.preset},
+            {"seed", set.seed},
+            {"holds", found.holds()},
+            {"complete", set.complete()},
+            {"files", set.files.size()},
+            {"files_same", found.files_same},
+            {"loop", {{"kind", set.loop.kind}, {"called", set.loop.called}}},
+            {"maps", maps},
+            {"problems", found.problems}};
+}
+
+}  // namespace
+
+std::string to_text(const Verification& found) {
+    std::string text;
+    for (const VerifiedSet& set : found.sets) {
+        text += text_of(set);
+    }
+    return text.empty() ? "no images\n" : text;
+}
+
+std::string to_json(const Verification& found) {
+    Json sets = Json::array();
+    for (const VerifiedSet& set : found.sets) {
+        sets.push_back(value_of(set));
+    }
+    const Json report{{"status", found.holds() ? "holds" : "failed"},
+                      {"folder", found.folder.string()},
+                      {"largest_tile_ratio", kLargestTileRatio},
+                      {"largest_loop_ratio", kLargestLoopRatio},
+                      {"sets", sets}};
+    return report.dump() + "\n";
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,145 @@
+#include "texgen/verify/steps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+/// The sum of the differences of two rows of samples, or of parts of them.
+template <class Sample>
+double sum_of_differences(std::span<const Sample> a,
+                          std::span<const Sample> b,
+                          Difference difference) {
+    double sum = 0.0;
+    if (difference == Difference::Ids) {
+        for (std::size_t k = 0; k < a.size(); ++k) {
+            sum += a[k] != b[k] ? 1.0 : 0.0;
+        }
+        return sum;
+    }
+    for (std::size_t k = 0; k < a.size(); ++k) {
+        sum += std::abs(static_cast<double>(a[k]) - static_cast<double>(b[k]));
+    }
+    return sum;
+}
+
+/// Adds what each column differs from the one before it, the first from the last.
+template <class Sample>
+void add_column_steps(const Image<Sample>& image,
+                      Difference difference,
+                      std::vector<double>& steps) {
+    const auto channels = static_cast<std::size_t>(image.channels());
+    for (int y = 0; y < image.height(); ++y) {
+        const std::span<const Sample> row = image.row(y);
+        std::span<const Sample> before = row.last(channels);
+        for (std::size_t x = 0; x < steps.size(); ++x) {
+            const std::span<const Sample> pixel = row.subspan(x * channels, channels);
+            steps[x] += sum_of_differences(before, pixel, difference);
+            before = pixel;
+        }
+    }
+}
+
+/// The same of rows.
+template <class Sample>
+void add_row_steps(const Image<Sample>& image, Difference difference, std::vector<double>& steps) {
+    std::span<const Sample> before = image.row(image.height() - 1);
+    for (int y = 0; y < image.height(); ++y) {
+        steps[static_cast<std::size_t>(y)] += sum_of_differences(before, image.row(y), difference);
+        before = image.row(y);
+    }
+}
+
+/// Of the steps, the first is that across the border. Each is a sum over so many samples.
+Seam seam_of(const std::vector<double>& steps, double samples) {
+    Seam seam{steps.front() / samples, 0.0};
+    for (std::size_t k = 1; k < steps.size(); ++k) {
+        seam.largest_within = std::max(seam.largest_within, steps[k] / samples);
+    }
+    return seam;
+}
+
+int width_of(const SampleBlock& block) {
+    return std::visit([](const auto& image) { return image.width(); }, block.samples);
+}
+
+int height_of(const SampleBlock& block) {
+    return std::visit([](const auto& image) { return image.height(); }, block.samples);
+}
+
+int channels_of(std::span<const SampleBlock* const> blocks) {
+    int channels = 0;
+    for (const SampleBlock* block : blocks) {
+        channels += std::visit([](const auto& image) { return image.channels(); }, block->samples);
+    }
+    return channels;
+}
+
+/// The sum of the differences of all samples; infinite for blocks of other forms.
+double block_difference(const SampleBlock& a, const SampleBlock& b, Difference difference) {
+    return std::visit(
+        [&](const auto& left) {
+            using SameImage = std::remove_cvref_t<decltype(left)>;
+            const auto* right = std::get_if<SameImage>(&b.samples);
+            if (right == nullptr || left.width() != right->width() ||
+                left.samples().size() != right->samples().size()) {
+                return kInfinite;
+            }
+            return sum_of_differences(left.samples(), right->samples(), difference);
+        },
+        a.samples);
+}
+
+}  // namespace
+
+double Seam::ratio() const {
+    if (across == 0.0) {
+        return 0.0;
+    }
+    return largest_within > 0.0 ? across / largest_within : kInfinite;
+}
+
+Seam tile_seam(std::span<const SampleBlock* const> blocks, Difference difference) {
+    if (blocks.empty()) {
+        return {};
+    }
+    const int width = width_of(*blocks.front());
+    const int height = height_of(*blocks.front());
+    std::vector<double> columns(static_cast<std::size_t>(width), 0.0);
+    std::vector<double> rows(static_cast<std::size_t>(height), 0.0);
+    for (const SampleBlock* block : blocks) {
+        std::visit(
+            [&](const auto& image) {
+                add_column_steps(image, difference, columns);
+                add_row_steps(image, difference, rows);
+            },
+            block->samples);
+    }
+    const int channels = channels_of(blocks);
+    const Seam vertical = seam_of(columns, static_cast<double>(height) * channels);
+    const Seam horizontal = seam_of(rows, static_cast<double>(width) * channels);
+    return vertical.ratio() > horizontal.ratio() ? vertical : horizontal;
+}
+
+double step_between(std::span<const SampleBlock* const> a,
+                    std::span<const SampleBlock* const> b,
+                    Difference difference) {
+    if (a.size() != b.size() || a.empty()) {
+        return kInfinite;
+    }
+    double sum = 0.0;
+    for (std::size_t k = 0; k < a.size(); ++k) {
+        sum += block_difference(*a[k], *b[k], difference);
+    }
+    const SampleBlock& first = *a.front();
+    return sum / (static_cast<double>(width_of(first)) * height_of(first) * channels_of(a));
+}
+
+}  // namespace foam::texgen

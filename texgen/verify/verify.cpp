@@ -1,0 +1,185 @@
+#include "texgen/verify/verify.h"
+
+#include "texgen/bake/frame_range.h"
+#include "texgen/image/file_io.h"
+#include "texgen/manifest/manifest_file.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <memory>
+#include <utility>
+
+namespace foam::texgen {
+
+namespace {
+
+using File = std::shared_ptr<const DecodedFile>;
+
+Difference difference_of(const ManifestMap& map) {
+    return map.samples && map.samples->kind == "id" ? Difference::Ids : Difference::Numbers;
+}
+
+/// One map, frame after frame.
+class MapCheck {
+  public:
+    explicit MapCheck(const ManifestMap& map)
+        : difference_(difference_of(map)), found_{map.name, {}, 0, {}} {}
+
+    void add(const File& file, int frame, bool tiles) {
+        if (tiles) {
+            add_tile(tile_seam(blocks_of(*file, found_.name), difference_), frame);
+        }
+        if (last_ && frame == last_frame_ + 1) {
+            loop_.largest_within = std::max(loop_.largest_within, step(*last_, *file));
+            ++steps_;
+        }
+        if (!last_) {
+            first_ = file;
+            first_frame_ = frame;
+        }
+        last_ = file;
+        last_frame_ = frame;
+    }
+
+    /// Of a loop of so many frames; 0 for none.
+    VerifiedMap finish(int period) {
+        const bool all =
+            period > 1 && first_frame_ == 1 && steps_ >= period - 1 && last_frame_ == period;
+        if (all) {
+            loop_.across = step(*last_, *first_);
+            found_.loop = loop_;
+        }
+        return found_;
+    }
+
+  private:
+    void add_tile(const Seam& seam, int frame) {
+        if (!found_.tile || seam.ratio() > found_.tile->ratio()) {
+            found_.tile = seam;
+            found_.tile_frame = frame;
+        }
+    }
+
+    double step(const DecodedFile& a, const DecodedFile& b) const {
+        return step_between(blocks_of(a, found_.name), blocks_of(b, found_.name), difference_);
+    }
+
+    Difference difference_;
+    VerifiedMap found_;
+    File first_;
+    File last_;
+    int first_frame_ = 0;
+    int last_frame_ = 0;
+    int steps_ = 0;
+    Seam loop_;
+};
+
+/// The file as it was baked; nothing, and a problem more, where it is not.
+File read_baked(const ManifestFile& file,
+                const std::filesystem::path& folder,
+                std::vector<std::string>& problems) {
+    try {
+        auto read = std::make_shared<const DecodedFile>(decode_file(folder / file.path));
+        if (read->pixels == file.pixels) {
+            return read;
+        }
+        problems.push_back(fmt::format("{}: has other pixels than were baked", file.path));
+    } catch (const InputError& error) {
+        problems.emplace_back(error.what());
+    }
+    return nullptr;
+}
+
+/// One line for all maps that lack the same frames.
+void note_missing(const BakedSet& set, std::vector<std::string>& problems) {
+    std::map<std::vector<int>, std::string> maps_by_missing;
+    for (const ManifestMap& map : set.maps) {
+        std::vector<int> missing;
+        std::ranges::copy_if(map.frames, std::back_inserter(missing), [&](int frame) {
+            return set.find_file(map.name, frame) == nullptr;
+        });
+        std::string& maps = maps_by_missing[missing];
+        maps += (maps.empty() ? "" : ", ") + map.name;
+    }
+    maps_by_missing.erase(std::vector<int>());
+    for (const auto& [missing, maps] : maps_by_missing) {
+        problems.push_back(fmt::format("{}: frames {} were not baked{}{}",
+                                       maps,
+                                       format_frame_range(missing),
+                                       set.failure.empty() ? "" : ": ",
+                                       set.failure));
+    }
+}
+
+void note_seams(const VerifiedMap& map, std::vector<std::string>& problems) {
+    if (map.tile && map.tile->ratio() > kLargestTileRatio) {
+        problems.push_back(
+            fmt::format("{}: frame {} does not tile: the step across its border is {:.3g} times "
+                        "the largest within",
+                        map.name,
+                        map.tile_frame,
+                        map.tile->ratio()));
+    }
+    if (map.loop && map.loop->ratio() > kLargestLoopRatio) {
+        problems.push_back(
+            fmt::format("{}: does not loop: the step from its last frame to its first is {:.3g} "
+                        "times the largest from frame to frame",
+                        map.name,
+                        map.loop->ratio()));
+    }
+}
+
+bool frame_tiles(const BakedSet& set, int frame) {
+    const ManifestFrame* const found = set.find_frame(frame);
+    return found != nullptr && found->tiles;
+}
+
+VerifiedSet verify_set(const BakedSet& set, const std::filesystem::path& folder) {
+    VerifiedSet found{set, 0, {}, {}};
+    note_missing(set, found.problems);
+    std::map<std::string, MapCheck> checks;
+    for (const ManifestFile& file : set.files) {
+        const File read = read_baked(file, folder, found.problems);
+        if (!read) {
+            continue;
+        }
+        ++found.files_same;
+        for (const std::string& map : file.maps) {
+            auto& check = checks.try_emplace(map, *set.find_map(map)).first->second;
+            check.add(read, file.frame, frame_tiles(set, file.frame));
+        }
+    }
+    for (const ManifestMap& map : set.maps) {
+        const auto check = checks.find(map.name);
+        if (check != checks.end()) {
+            found.maps.push_back(check->second.finish(set.loop.period));
+            note_seams(found.maps.back(), found.problems);
+        }
+    }
+    return found;
+}
+
+}  // namespace
+
+bool VerifiedMap::holds() const {
+    return (!tile || tile->ratio() <= kLargestTileRatio) &&
+           (!loop || loop->ratio() <= kLargestLoopRatio);
+}
+
+bool Verification::holds() const {
+    return !sets.empty() && std::ranges::all_of(sets, &VerifiedSet::holds);
+}
+
+Verification verify(const std::filesystem::path& path) {
+    const Manifest manifest = read_manifest(path);
+    Verification found{std::filesystem::is_directory(path) ? path : path.parent_path(), {}};
+    for (const BakedSet& set : manifest.sets) {
+        found.sets.push_back(verify_set(set, found.folder));
+    }
+    return found;
+}
+
+}  // namespace foam::texgen
