@@ -1,6 +1,7 @@
 #pragma once
 
 #include "texgen/image/file_io.h"
+#include "texgen/image/frame_rate.h"
 #include "texgen/image/image.h"
 
 #include <cstddef>
@@ -25,14 +26,6 @@ struct ExrChannel {
     ExrType type = ExrType::Half;
     std::variant<ImageView<const float>, ImageView<const std::uint32_t>> pixels;
     int channel = 0;  // of the view
-};
-
-/// Frames in so many seconds: 24000 in 1001.
-struct FrameRate {
-    int frames = 24;
-    int seconds = 1;
-
-    friend bool operator==(const FrameRate&, const FrameRate&) = default;
 };
 
 /// What an EXR says about its samples.

@@ -2,12 +2,14 @@
 // left out; tests/run.sh installs them all.
 #include "tests/texgen/cli/run_program.h"
 #include "tests/texgen/temporary_folder.h"
+#include "texgen/image/apng.h"
 #include "texgen/image/exr.h"
 #include "texgen/image/png.h"
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <string>
@@ -41,14 +43,27 @@ bool contains(const std::string& text, const std::string& part) {
 }
 
 template <class Sample>
-Image<Sample> numbered(int width, int height, int channels) {
+Image<Sample> numbered(int width, int height, int channels, unsigned first = 1) {
     Image<Sample> image(width, height, channels);
-    unsigned k = 1;
+    unsigned k = first;
     for (Sample& sample : image.samples()) {
         sample = static_cast<Sample>(k);
         k = k * 40'503 + 12'345;
     }
     return image;
+}
+
+/// The same picture with an opacity of 1.
+Image<std::uint8_t> with_opacity(const Image<std::uint8_t>& image) {
+    constexpr std::uint8_t kOpaque = 255;
+    Image<std::uint8_t> more(image.width(), image.height(), image.channels() + 1);
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            std::ranges::copy(image.pixel(x, y), more.pixel(x, y).begin());
+            more.pixel(x, y).back() = kOpaque;
+        }
+    }
+    return more;
 }
 
 /// The samples as raw bytes, the top row first, 16 bits with the high byte first.
@@ -130,6 +145,27 @@ TEST(OtherPrograms, OurTextsAreRead) {
     const std::string checked = output_of("pngcheck -vt a.png", folder);
     EXPECT_TRUE(contains(checked, "keyword: Author")) << checked;
     EXPECT_TRUE(contains(checked, "UTF-8 text")) << checked;
+}
+
+// apngdis writes every frame as a PNG of its own.
+TEST(OtherPrograms, ApngdisTakesOurAnimationsApart) {
+    if (const std::string program = missing({"apngdis"}); !program.empty()) {
+        GTEST_SKIP() << "there is no " << program;
+    }
+    const TemporaryFolder folder;
+    constexpr int kFrames = 3;
+    ApngMuxer muxer(kFrames, {30, 1});
+    for (unsigned k = 1; k <= kFrames; ++k) {
+        muxer.add(encode_png(numbered<std::uint8_t>(40, 27, 3, k).view()));
+    }
+    write_file(folder.path() / "a.png", muxer.finish());
+    const std::string said = output_of("apngdis a.png frame", folder);
+    for (unsigned k = 1; k <= kFrames; ++k) {
+        const std::string name = fmt::format("frame{}", k);
+        EXPECT_EQ(read_png(folder.path() / (name + ".png")).pixels,
+                  with_opacity(numbered<std::uint8_t>(40, 27, 3, k)));
+        EXPECT_EQ(file_content(folder.path() / (name + ".txt")), "delay=1/30\n");
+    }
 }
 
 /// Layers of several types, in a file of rows or of mip levels.

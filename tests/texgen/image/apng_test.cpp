@@ -1,0 +1,114 @@
+#include "texgen/image/apng.h"
+
+#include "tests/texgen/image/png_chunks.h"
+#include "texgen/image/png.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace foam::texgen {
+namespace {
+
+constexpr FrameRate kRate{24, 1};
+
+/// A picture of its own for each number.
+Image<std::uint8_t> picture(int number, int width = 5) {
+    Image<std::uint8_t> image(width, 3, 3);
+    int k = 0;
+    for (std::uint8_t& sample : image.samples()) {
+        sample = static_cast<std::uint8_t>(number * 90 + 3 * k++);
+    }
+    return image;
+}
+
+Bytes stream_of(int number, int width = 5) {
+    return encode_png(picture(number, width).view(), {.color = true, .text = {{"Seed", "7"}}}, {});
+}
+
+Bytes animation(int frames, FrameRate rate = kRate) {
+    ApngMuxer muxer(frames, rate);
+    for (int k = 0; k < frames; ++k) {
+        muxer.add(stream_of(k));
+    }
+    return muxer.finish();
+}
+
+TEST(Apng, HasTheChunksOfTheSpecification) {
+    std::string types;
+    for (const auto& [type, content] : chunks_of(animation(3))) {
+        types += type + " ";
+    }
+    EXPECT_EQ(types, "IHDR gAMA sRGB cHRM tEXt acTL fcTL IDAT fcTL fdAT fcTL fdAT IEND ");
+}
+
+// Numbers have their high byte first.
+TEST(Apng, CountsFramesAndPlaysForEver) {
+    EXPECT_EQ(chunk(animation(3), "acTL"), std::string("\0\0\0\3\0\0\0\0", 8));
+}
+
+// Number, width, height, offset, delay in seconds as a fraction, no disposal, no blending.
+TEST(Apng, ShowsEveryFrameForTheTimeOfOne) {
+    const Bytes stream = animation(2, {30000, 1001});
+    std::vector<std::string> controls;
+    for (const auto& [type, content] : chunks_of(stream)) {
+        if (type == "fcTL") {
+            controls.push_back(content);
+        }
+    }
+    const std::string rest("\0\0\0\5\0\0\0\3\0\0\0\0\0\0\0\0\x03\xe9\x75\x30\0\0", 22);
+    ASSERT_EQ(controls.size(), 2U);
+    EXPECT_EQ(controls[0], std::string("\0\0\0\0", 4) + rest);
+    EXPECT_EQ(controls[1], std::string("\0\0\0\1", 4) + rest);
+}
+
+// Each is the zlib stream of the PNG that it came from, after the next number.
+TEST(Apng, KeepsTheDataOfEveryFrame) {
+    const Bytes stream = animation(3);
+    EXPECT_EQ(chunk(stream, "IDAT"), chunk(stream_of(0), "IDAT"));
+    std::vector<std::string> data;
+    for (const auto& [type, content] : chunks_of(stream)) {
+        if (type == "fdAT") {
+            data.push_back(content);
+        }
+    }
+    ASSERT_EQ(data.size(), 2U);
+    EXPECT_EQ(data[0], std::string("\0\0\0\2", 4) + chunk(stream_of(1), "IDAT"));
+    EXPECT_EQ(data[1], std::string("\0\0\0\4", 4) + chunk(stream_of(2), "IDAT"));
+}
+
+// libpng, which knows nothing of animations, checks every check sum.
+TEST(Apng, ShowsItsFirstFrameToProgramsThatKnowPngAlone) {
+    const PngImage read = decode_png(animation(2));
+    EXPECT_EQ(read.pixels, picture(0));
+    EXPECT_TRUE(read.metadata.color);
+    EXPECT_EQ(read.metadata.text.size(), 1U);
+}
+
+TEST(Apng, RefusesWhatIsNoAnimation) {
+    EXPECT_THROW(ApngMuxer(0, kRate), std::invalid_argument);
+    EXPECT_THROW(ApngMuxer(1, FrameRate{0, 1}), std::invalid_argument);
+    EXPECT_THROW(ApngMuxer(1, FrameRate{24, 65536}), std::invalid_argument);
+    ApngMuxer muxer(2, kRate);
+    muxer.add(stream_of(0));
+    EXPECT_THROW(muxer.add(stream_of(1, 6)), std::invalid_argument);
+    EXPECT_THROW(muxer.finish(), std::invalid_argument);
+    muxer.add(stream_of(1));
+    EXPECT_THROW(muxer.add(stream_of(2)), std::invalid_argument);
+}
+
+TEST(Apng, RefusesWhatIsNoFrame) {
+    ApngMuxer muxer(1, kRate);
+    EXPECT_THROW(muxer.add({}), std::invalid_argument);
+    Bytes cut = stream_of(0);
+    cut.pop_back();
+    EXPECT_THROW(muxer.add(cut), std::invalid_argument);
+    const Bytes indexed = encode_png(picture(0).view(), {}, {.palette = true});
+    EXPECT_THROW(muxer.add(indexed), std::invalid_argument);
+    EXPECT_NO_THROW(muxer.add(stream_of(0)));
+}
+
+}  // namespace
+}  // namespace foam::texgen

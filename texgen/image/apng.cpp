@@ -1,0 +1,189 @@
+#include "texgen/image/apng.h"
+
+#include <fmt/core.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr std::array<unsigned char, 8> kSignature = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+constexpr std::size_t kWord = 4;           // of a length, a type or a check sum
+constexpr std::size_t kExtents = 8;        // of width and height, at the begin of an IHDR
+constexpr std::size_t kFrameControl = 26;  // of an fcTL
+constexpr std::uint32_t kForEver = 0;      // as a number of plays
+
+using Content = std::span<const std::byte>;
+
+struct Chunk {
+    std::string_view type;
+    Content content;
+};
+
+[[noreturn]] void refuse_stream() {
+    throw std::invalid_argument("a frame is no PNG stream");
+}
+
+std::uint32_t number_at(Content bytes) {
+    std::uint32_t number = 0;
+    for (const std::byte byte : bytes.first(kWord)) {
+        number = number << 8 | std::to_integer<std::uint32_t>(byte);
+    }
+    return number;
+}
+
+void append(Bytes& to, Content bytes) {
+    to.insert(to.end(), bytes.begin(), bytes.end());
+}
+
+template <class Number>
+void append_number(Bytes& to, Number number) {
+    for (int shift = 8 * static_cast<int>(sizeof(Number)) - 8; shift >= 0; shift -= 8) {
+        to.push_back(static_cast<std::byte>(number >> shift));
+    }
+}
+
+/// Length, type, content, check sum of the two before it (section 5.3 of the specification).
+void append_chunk(Bytes& to, std::string_view type, Content content) {
+    append_number(to, static_cast<std::uint32_t>(content.size()));
+    const std::size_t begin = to.size();
+    append(to, std::as_bytes(std::span(type)));
+    append(to, content);
+    const auto* checked = reinterpret_cast<const Bytef*>(to.data() + begin);
+    append_number(to, static_cast<std::uint32_t>(crc32_z(0, checked, to.size() - begin)));
+}
+
+/// Takes the signature off a stream.
+Content after_signature(Content png) {
+    const Content signature = std::as_bytes(std::span(kSignature));
+    if (png.size() < signature.size() ||
+        !std::equal(signature.begin(), signature.end(), png.begin())) {
+        refuse_stream();
+    }
+    return png.subspan(signature.size());
+}
+
+/// Takes the first chunk off a stream.
+Chunk take_chunk(Content& rest) {
+    if (rest.size() < 3 * kWord || rest.size() - 3 * kWord < number_at(rest)) {
+        refuse_stream();
+    }
+    const std::size_t size = number_at(rest);
+    const auto* type = reinterpret_cast<const char*>(rest.data() + kWord);
+    const Chunk chunk{{type, kWord}, rest.subspan(2 * kWord, size)};
+    rest = rest.subspan(3 * kWord + size);
+    return chunk;
+}
+
+/// Borrows the stream. There is a header and data.
+std::vector<Chunk> chunks_of(Content png) {
+    std::vector<Chunk> chunks;
+    for (Content rest = after_signature(png); !rest.empty();) {
+        chunks.push_back(take_chunk(rest));
+    }
+    const bool has_data = std::ranges::find(chunks, "IDAT", &Chunk::type) != chunks.end();
+    if (!has_data || chunks.front().type != "IHDR" || chunks.front().content.size() < kExtents) {
+        refuse_stream();
+    }
+    if (std::ranges::find(chunks, "PLTE", &Chunk::type) != chunks.end()) {
+        throw std::invalid_argument("a frame of an animation has a palette of its own");
+    }
+    return chunks;
+}
+
+bool is_delay(int number) {
+    return number >= 1 && number <= std::numeric_limits<std::uint16_t>::max();
+}
+
+}  // namespace
+
+ApngMuxer::ApngMuxer(int frames, FrameRate rate) : frames_(frames), rate_(rate) {
+    if (frames < 1 || !is_delay(rate.frames) || !is_delay(rate.seconds)) {
+        throw std::invalid_argument(fmt::format(
+            "no animation has {} frames, {} in {} s", frames, rate.frames, rate.seconds));
+    }
+    const Content signature = std::as_bytes(std::span(kSignature));
+    stream_.assign(signature.begin(), signature.end());
+}
+
+void ApngMuxer::add(Content png) {
+    if (added_ == frames_) {
+        throw std::invalid_argument(fmt::format("an animation has more than {} frames", frames_));
+    }
+    const std::vector<Chunk> chunks = chunks_of(png);
+    check_header(chunks.front().content);
+    bool begun = false;
+    for (const Chunk& chunk : chunks) {
+        if (chunk.type == "IDAT") {
+            if (!std::exchange(begun, true)) {
+                append_frame();
+            }
+            append_data(chunk.content);
+        } else if (added_ == 0 && chunk.type != "IEND") {
+            append_chunk(stream_, chunk.type, chunk.content);
+        }
+    }
+    ++added_;
+}
+
+Bytes ApngMuxer::finish() {
+    if (added_ != frames_) {
+        throw std::invalid_argument(
+            fmt::format("an animation has {} of {} frames", added_, frames_));
+    }
+    append_chunk(stream_, "IEND", {});
+    return std::move(stream_);
+}
+
+void ApngMuxer::check_header(Content header) {
+    if (added_ == 0) {
+        header_.assign(header.begin(), header.end());
+    } else if (!std::ranges::equal(header, header_)) {
+        throw std::invalid_argument("a frame has another size or kind than the first");
+    }
+}
+
+void ApngMuxer::append_animation() {
+    Bytes control;
+    append_number(control, static_cast<std::uint32_t>(frames_));
+    append_number(control, kForEver);
+    append_chunk(stream_, "acTL", control);
+}
+
+void ApngMuxer::append_frame() {
+    if (added_ == 0) {
+        append_animation();
+    }
+    Bytes control;
+    control.reserve(kFrameControl);
+    append_number(control, sequence_++);
+    append(control, Content(header_).first(kExtents));
+    append_number(control, std::uint64_t{0});  // no offset
+    append_number(control, static_cast<std::uint16_t>(rate_.seconds));
+    append_number(control, static_cast<std::uint16_t>(rate_.frames));
+    append_number(control, std::uint16_t{0});  // left as it is, and replaced by the next
+    append_chunk(stream_, "fcTL", control);
+}
+
+// The first frame's is that of the plain PNG.
+void ApngMuxer::append_data(Content data) {
+    if (added_ == 0) {
+        append_chunk(stream_, "IDAT", data);
+        return;
+    }
+    Bytes numbered;
+    numbered.reserve(kWord + data.size());
+    append_number(numbered, sequence_++);
+    append(numbered, data);
+    append_chunk(stream_, "fdAT", numbered);
+}
+
+}  // namespace foam::texgen
