@@ -12,7 +12,7 @@ foam_test_packages=(
     libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev evolver
     pngcheck apngdis imagemagick openexr openimageio-tools
 )
-foam_check_packages=(clang clang-format clang-tidy)
+foam_check_packages=(clang clang-format clang-tidy ccache)
 
 say() {
     printf '==> %s\n' "$*" >&2

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "tests/support/places.h"
+
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -8,7 +10,7 @@ namespace foam::test {
 
 /// The content of a file of tests/data.
 inline std::string data_file(const std::string& name) {
-    std::ifstream file(std::string(FOAMTEX_TEST_DATA "/") + name);
+    std::ifstream file(data_folder() / name);
     return {std::istreambuf_iterator<char>(file), {}};
 }
 

@@ -1,3 +1,4 @@
+#include "tests/support/places.h"
 #include "tests/texgen/temporary_folder.h"
 #include "texgen/bake/bake.h"
 #include "texgen/image/png.h"
@@ -29,7 +30,7 @@ std::ostream& operator<<(std::ostream& out, const GoldenCase& golden) {
 class GoldenTest : public testing::TestWithParam<GoldenCase> {};
 
 std::filesystem::path golden_path(const std::string& preset) {
-    return std::filesystem::path(FOAMTEX_TEST_DATA) / "golden" / (preset + ".png");
+    return foam::test::data_folder() / "golden" / (preset + ".png");
 }
 
 std::filesystem::path baked_path(const GoldenCase& golden, const TemporaryFolder& folder) {

@@ -1,3 +1,4 @@
+#include "tests/support/places.h"
 #include "tests/texgen/cli/run_program.h"
 #include "texgen/maps/map.h"
 #include "texgen/preset/schema.h"
@@ -191,7 +192,7 @@ TEST(Main, AnOutputThatCannotBeWrittenIsCode5) {
 
 TEST(Main, APresetThatIsShownCanBeBaked) {
     const Outcome outcome =
-        run("presets show labyrinth > mine.toml && '" FOAMTEX_EXECUTABLE
+        run("presets show labyrinth > mine.toml && '" + foam::test::executable().string() +
             "' bake mine.toml --set foam.bubbles=16 --frames 1 --size 8 --out a.png");
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(outcome.written, (std::vector<std::string>{"a.png", "manifest.json", "mine.toml"}));

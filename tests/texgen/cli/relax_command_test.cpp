@@ -1,6 +1,7 @@
 #include "core/foam/honeycomb.h"
 #include "core/io/evolver_file.h"
 #include "core/io/foam_json.h"
+#include "tests/support/places.h"
 #include "tests/texgen/cli/run_program.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +16,10 @@ namespace {
 
 using Json = nlohmann::json;
 
-const std::string torus64 = FOAMTEX_TEST_DATA "/evolver/torus64.fe";
+std::string torus64() {
+    return (foam::test::data_folder() / "evolver/torus64.fe").string();
+}
+
 constexpr double kTorusEnergy = 120.765667254534;
 
 void write_text(const TemporaryFolder& folder, const std::string& name, const std::string& text) {
@@ -24,7 +28,7 @@ void write_text(const TemporaryFolder& folder, const std::string& name, const st
 
 TEST(RelaxCommand, BringsAFoamToEquilibrium) {
     const TemporaryFolder work;
-    const Outcome outcome = run_program("relax " + torus64 + " -o out.fe", work);
+    const Outcome outcome = run_program("relax " + torus64() + " -o out.fe", work);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
     EXPECT_EQ(outcome.out.rfind("out.fe: 64 bubbles, energy 120.765667254", 0), 0U) << outcome.out;
@@ -34,7 +38,8 @@ TEST(RelaxCommand, BringsAFoamToEquilibrium) {
 }
 
 TEST(RelaxCommand, PrintsOneJsonObject) {
-    const Outcome outcome = run_program("relax " + torus64 + " --out out.json --threads 1 --json");
+    const Outcome outcome =
+        run_program("relax " + torus64() + " --out out.json --threads 1 --json");
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     const Json result = Json::parse(outcome.out);
     EXPECT_EQ(result.size(), 9U);
@@ -51,8 +56,8 @@ TEST(RelaxCommand, PrintsOneJsonObject) {
 
 TEST(RelaxCommand, StatesGoThereAndBackAndThreadsDoNotMatter) {
     const TemporaryFolder work;
-    ASSERT_EQ(run_program("relax " + torus64 + " -o a.json -q --threads 1", work).code, 0);
-    ASSERT_EQ(run_program("relax " + torus64 + " -o b.json -q --threads 3", work).code, 0);
+    ASSERT_EQ(run_program("relax " + torus64() + " -o a.json -q --threads 1", work).code, 0);
+    ASSERT_EQ(run_program("relax " + torus64() + " -o b.json -q --threads 3", work).code, 0);
     ASSERT_EQ(run_program("relax a.json -o c.fe -q", work).code, 0);
     ASSERT_EQ(run_program("relax c.fe -o d.fe -q", work).code, 0);
     EXPECT_EQ(file_content(work.path() / "a.json"), file_content(work.path() / "b.json"));
@@ -62,14 +67,14 @@ TEST(RelaxCommand, StatesGoThereAndBackAndThreadsDoNotMatter) {
 }
 
 TEST(RelaxCommand, QuietSaysNothing) {
-    const Outcome outcome = run_program("relax " + torus64 + " -o out.dmp -q");
+    const Outcome outcome = run_program("relax " + torus64() + " -o out.dmp -q");
     EXPECT_EQ(outcome.code, 0);
     EXPECT_EQ(outcome.out + outcome.err, "");
 }
 
 TEST(RelaxCommand, NotesWhatAFoamHasNot) {
     const TemporaryFolder work;
-    std::string text = file_content(torus64);
+    std::string text = file_content(torus64());
     text.insert(text.find("\n2 "), " fixed");
     write_text(work, "in.fe", text);
     const Outcome outcome = run_program("relax in.fe -o out.fe", work);
@@ -122,7 +127,7 @@ TEST(RelaxCommand, WithoutEquilibriumNothingIsWritten) {
 }
 
 TEST(RelaxCommand, WhatCannotBeWrittenIsCode5) {
-    const Outcome outcome = run_program("relax " + torus64 + " -o none/out.fe");
+    const Outcome outcome = run_program("relax " + torus64() + " -o none/out.fe");
     EXPECT_EQ(outcome.code, static_cast<int>(ExitCode::OutputFailed));
     EXPECT_EQ(outcome.err, "foamtex: cannot write 'none/out.fe': No such file or directory\n");
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "tests/support/places.h"
 #include "tests/texgen/temporary_folder.h"
 #include "texgen/cli/exit_code.h"
 
@@ -31,8 +32,9 @@ inline Outcome run_program(const std::string& arguments, const TemporaryFolder& 
     const TemporaryFolder streams;
     const std::string out = (streams.path() / "out").string();
     const std::string err = (streams.path() / "err").string();
-    const std::string command = "cd " + work.path().string() + " && '" FOAMTEX_EXECUTABLE "' " +
-                                arguments + " >" + out + " 2>" + err;
+    const std::string command = "cd " + work.path().string() + " && '" +
+                                foam::test::executable().string() + "' " + arguments + " >" + out +
+                                " 2>" + err;
     const int status = std::system(command.c_str());  // NOLINT(cert-env33-c)
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1,
             file_content(out),

@@ -1,4 +1,5 @@
 // What holds for every map alike.
+#include "tests/support/places.h"
 #include "tests/texgen/maps/map_subjects.h"
 #include "texgen/image/file_io.h"
 #include "texgen/image/png.h"
@@ -216,7 +217,7 @@ Image<std::uint8_t> golden_codes(const MapCase& one) {
 TEST_P(EveryMap, IsTheGoldenPicture) {
     const Image<std::uint8_t> codes = golden_codes(GetParam());
     const std::filesystem::path path =
-        std::filesystem::path(FOAMTEX_TEST_DATA) / "golden" / "maps" / (GetParam().name() + ".png");
+        foam::test::data_folder() / "golden" / "maps" / (GetParam().name() + ".png");
     if (std::getenv("FOAMTEX_UPDATE_GOLDEN") != nullptr) {
         make_folders(path.parent_path());
         write_png(path, codes.view());
@@ -249,7 +250,7 @@ TEST(AllMaps, AnUnknownOneIsRefusedWithThoseThereAre) {
 }
 
 TEST(AllMaps, StandInTheReadme) {
-    std::ifstream file(FOAMTEX_README);
+    std::ifstream file(foam::test::readme());
     const std::string readme{std::istreambuf_iterator<char>(file), {}};
     EXPECT_NE(readme.find(describe_maps_in_markdown()), std::string::npos)
         << "print it with: foamtex maps --markdown";

@@ -1,0 +1,17 @@
+#include "tests/support/places.h"
+
+namespace foam::test {
+
+std::filesystem::path data_folder() {
+    return FOAMTEX_TEST_DATA;
+}
+
+std::filesystem::path readme() {
+    return FOAMTEX_README;
+}
+
+std::filesystem::path executable() {
+    return FOAMTEX_EXECUTABLE;
+}
+
+}  // namespace foam::test
