@@ -1,0 +1,89 @@
+#include "tests/texgen/cli/run_program.h"
+#include "texgen/image/png.h"
+
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <string>
+
+namespace foam::texgen {
+namespace {
+
+void bake(const TemporaryFolder& folder, const std::string& more = "") {
+    const Outcome outcome = run_program(
+        "bake sea_foam -q --threads 1 --size 48x32 --frames 1-3 --set foam.bubbles=12 "
+        "--set loop.kind=none " +
+            more,
+        folder);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+}
+
+TEST(FlipbookCommand, NamesItsFiles) {
+    const TemporaryFolder folder;
+    bake(folder, "--maps albedo,height");
+    const Outcome outcome = run_program("flipbook out", folder);
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_EQ(outcome.out,
+              "out/sea_foam_sheet_albedo.png\nout/sea_foam_sheet_height.png\n"
+              "out/sea_foam_sheet.json\n");
+    EXPECT_EQ(run_program("flipbook out --strip -q --maps height --out strips", folder).out, "");
+    const PngImage16 strip = read_png16(folder.path() / "strips" / "sea_foam_strip_height.png");
+    EXPECT_EQ(strip.pixels.width(), 48);
+    EXPECT_EQ(strip.pixels.height(), 3 * 32);
+}
+
+TEST(FlipbookCommand, WarnsOfWhatHardwareDoesNotTake) {
+    const TemporaryFolder folder;
+    bake(folder);
+    const Outcome outcome =
+        run_program("flipbook out --columns 3 --gutter 1024 --frames 3-1", folder);
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_EQ(outcome.err, "");
+    const Outcome large = run_program("flipbook out --columns 16 --gutter 1000 -q", folder);
+    EXPECT_EQ(large.code, 0);
+    EXPECT_EQ(large.err,
+              "foamtex: warning: 32768 x 2032 pixels are more than the 16384 of a side that "
+              "graphics hardware takes\n");
+}
+
+TEST(FlipbookCommand, ABadRequestIsOneLine) {
+    const TemporaryFolder folder;
+    const Outcome nothing = run_program("flipbook .", folder);
+    EXPECT_EQ(nothing.code, static_cast<int>(ExitCode::BadInput));
+    bake(folder);
+    const Outcome map = run_program("flipbook out --maps normal", folder);
+    EXPECT_EQ(map.code, static_cast<int>(ExitCode::BadRequest));
+    EXPECT_EQ(map.err, "foamtex: map 'normal' was not baked; there are: albedo\n");
+    const Outcome frame = run_program("flipbook out --frames 3-4", folder);
+    EXPECT_EQ(frame.code, static_cast<int>(ExitCode::BadInput));
+    EXPECT_EQ(frame.err, "foamtex: 'out' has no albedo of frame 4 of sea_foam\n");
+    const Outcome strip = run_program("flipbook out --strip --gutter 2", folder);
+    EXPECT_EQ(strip.code, static_cast<int>(ExitCode::BadRequest));
+}
+
+// Its virtual pixels go on as a tile does; the distortion only moves the frame into the cell.
+TEST(FlipbookCommand, ImageMagickContinuesFramesAsOurGuttersDo) {
+    if (std::system("command -v convert compare >/dev/null") != 0) {
+        GTEST_SKIP() << "there is no ImageMagick";
+    }
+    const TemporaryFolder folder;
+    bake(folder, "--maps albedo,height");
+    ASSERT_EQ(run_program("flipbook out --columns 2 --gutter 5", folder).code, 0);
+    for (const std::string map : {"albedo", "height"}) {
+        const std::string script = fmt::format(
+            "cd {}/out && convert sea_foam_{}.0003.png -virtual-pixel tile -filter point "
+            "-set option:distort:viewport 58x42-5-5 -distort SRT 0 +repage expected.png && "
+            "convert sea_foam_sheet_{}.png -crop 58x42+0+42 +repage cell.png && "
+            "compare -metric AE expected.png cell.png null: 2>differing",
+            folder.path().string(),
+            map,
+            map);
+        EXPECT_EQ(std::system(script.c_str()), 0);
+        EXPECT_EQ(file_content(folder.path() / "out" / "differing"), "0") << map;
+    }
+}
+
+}  // namespace
+}  // namespace foam::texgen

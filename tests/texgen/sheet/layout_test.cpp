@@ -1,0 +1,44 @@
+#include "texgen/sheet/layout.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <stdexcept>
+
+namespace foam::texgen {
+namespace {
+
+TEST(SheetLayout, CountsRowsAndPixels) {
+    const SheetLayout layout{
+        .frames = 7, .frame_width = 10, .frame_height = 20, .columns = 3, .gutter = 2};
+    EXPECT_EQ(layout.rows(), 3);  // of which the last holds one frame
+    EXPECT_EQ(layout.width(), 3 * 14);
+    EXPECT_EQ(layout.height(), 3 * 24);
+}
+
+// 48 square frames: 8 x 6 is 4 : 3, 4 x 12 is 1 : 3. 96: 8 x 12 is 2 : 3, 16 x 6 is 8 : 3. Two
+// frames fit a square equally well side by side and one above the other.
+TEST(SheetLayout, IsNearASquareByPowersOfTwo) {
+    EXPECT_EQ(near_square_columns(1, 64, 64), 1);
+    EXPECT_EQ(near_square_columns(2, 64, 64), 2);
+    EXPECT_EQ(near_square_columns(16, 64, 64), 4);
+    EXPECT_EQ(near_square_columns(48, 64, 64), 8);
+    EXPECT_EQ(near_square_columns(96, 64, 64), 8);
+    EXPECT_EQ(near_square_columns(64, 128, 32), 4);
+    EXPECT_EQ(near_square_columns(64, 32, 128), 16);
+}
+
+TEST(SheetLayout, RefusesWhatNoFileHolds) {
+    constexpr int kMost = std::numeric_limits<int>::max();
+    EXPECT_NO_THROW(check_layout({.frames = 1, .frame_width = kMost}));
+    EXPECT_THROW(check_layout({.frames = 2, .frame_width = kMost, .columns = 2}),
+                 std::invalid_argument);
+    EXPECT_THROW(check_layout({.frames = 2, .frame_height = kMost / 2 + 1}), std::invalid_argument);
+    EXPECT_THROW(check_layout({.frames = 0}), std::invalid_argument);
+    EXPECT_THROW(check_layout({.columns = 0}), std::invalid_argument);
+    EXPECT_THROW(check_layout({.gutter = -1}), std::invalid_argument);
+    EXPECT_THROW(check_layout({.gutter = kMost}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace foam::texgen

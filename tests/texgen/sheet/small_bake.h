@@ -1,0 +1,47 @@
+#pragma once
+
+#include "texgen/manifest/manifest_file.h"
+#include "texgen/manifest/recorded_bake.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace foam::texgen {
+
+/// A loop of 4 frames of 32 x 24 pixels, in files such as small_albedo.0001.png.
+inline Preset small_loop(const std::filesystem::path& folder, const char* extension = ".png") {
+    Preset preset;
+    preset.name = "small";
+    preset.seeding.bubbles = 12;
+    preset.frames.count = 4;
+    preset.loop.kind = LoopKind::Drift;
+    preset.loop.drift = {1, 0};
+    preset.image.width = 32;
+    preset.image.height = 24;
+    preset.output.pattern = (folder / "{preset}_{map}.####").string() + extension;
+    return preset;
+}
+
+/// A patch, which does not tile.
+inline Preset small_patch(const std::filesystem::path& folder) {
+    Preset preset = small_loop(folder);
+    preset.loop = {};
+    preset.shape.kind = FoamKind::Patch;
+    return preset;
+}
+
+/// All frames of it, and what the manifest then says.
+inline BakedSet baked(const Preset& preset, const std::vector<std::string>& maps) {
+    Preset more = preset;
+    more.image.maps = maps;
+    std::vector<int> frames;
+    for (int frame = 1; frame <= preset.frames.count; ++frame) {
+        frames.push_back(frame);
+    }
+    bake_recorded(more, {.frames = frames, .threads = 1}, {});
+    const std::filesystem::path folder = manifest_folder(more);
+    return choose_set(read_manifest(folder), more.name, folder);
+}
+
+}  // namespace foam::texgen

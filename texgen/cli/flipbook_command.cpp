@@ -1,0 +1,117 @@
+#include "texgen/bake/frame_range.h"
+#include "texgen/cli/command.h"
+#include "texgen/cli/report.h"
+#include "texgen/manifest/manifest_file.h"
+#include "texgen/sheet/flipbook.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr const char* kExamples = R"(Examples:
+  foamtex bake sea_foam --size 256 --maps albedo,normal
+  foamtex flipbook out                          a sheet of each map, and sea_foam_sheet.json
+  foamtex flipbook out --maps albedo --gutter 4 --columns 6
+  foamtex flipbook out --strip --frames 1-48x2  for texture arrays
+  foamtex flipbook out --out sheets             into another folder)";
+
+// Graphics hardware takes no larger textures.
+constexpr int kLargestTexture = 16384;
+constexpr int kLargestGutter = 1024;
+
+struct FlipbookArguments {
+    std::filesystem::path given;  // a folder, or the manifest in it
+    std::string preset;
+    std::optional<std::string> frames;
+    std::optional<std::filesystem::path> out;
+    FlipbookOptions options;
+    bool quiet = false;
+};
+
+void warn_of_size(const SheetLayout& layout) {
+    if (layout.width() > kLargestTexture || layout.height() > kLargestTexture) {
+        fmt::print(stderr,
+                   "foamtex: warning: {} x {} pixels are more than the {} of a side that graphics "
+                   "hardware takes\n",
+                   layout.width(),
+                   layout.height(),
+                   kLargestTexture);
+    }
+}
+
+ExitCode run_flipbook(const FlipbookArguments& arguments) {
+    const std::filesystem::path& given = arguments.given;
+    const Manifest manifest = read_manifest(given);
+    const BakedSet& set = choose_set(manifest, arguments.preset, given);
+    const std::filesystem::path folder =
+        std::filesystem::is_directory(given) ? given : given.parent_path();
+    FlipbookOptions options = arguments.options;
+    if (arguments.frames) {
+        options.frames = parse_frame_range(*arguments.frames);
+    }
+    const Flipbook flipbook = write_flipbook(set, folder, options, arguments.out.value_or(folder));
+    warn_of_size(flipbook.layout);
+    if (!arguments.quiet) {
+        print_files(flipbook.files);
+    }
+    return ExitCode::Success;
+}
+
+void add_choices(CLI::App& command, FlipbookArguments& arguments) {
+    command.add_option("DIR", arguments.given, "A folder with a manifest.json, as bake leaves it")
+        ->required()
+        ->option_text(" ");
+    command.add_option("--preset", arguments.preset, "Which, where the folder has several sets")
+        ->option_text("NAME");
+    command.add_option("--maps", arguments.options.maps, "Maps, with commas; all without it")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->option_text("A,B");
+    command.add_option("--frames", arguments.frames, "As 1-48 or 1-48x2; all without it")
+        ->option_text("RANGE");
+}
+
+void add_layout(CLI::App& command, FlipbookArguments& arguments) {
+    CLI::Option* columns =
+        command.add_option("--columns", arguments.options.columns, "Near a square without it")
+            ->check(CLI::Range(1, kLastFrame))
+            ->option_text("N");
+    CLI::Option* gutter = command
+                              .add_option("--gutter",
+                                          arguments.options.gutter,
+                                          "Pixels around each frame: the tile goes on there")
+                              ->check(CLI::Range(0, kLargestGutter))
+                              ->option_text("PX");
+    command.add_flag("--strip", arguments.options.strip, "One column, for texture arrays")
+        ->excludes(columns)
+        ->excludes(gutter)
+        ->option_text(" ");
+    command.add_option("-o,--out", arguments.out, "Where the sheets go; into DIR without it")
+        ->option_text("FOLDER");
+    command.add_flag("-q,--quiet", arguments.quiet, "Say nothing but errors")->option_text(" ");
+}
+
+}  // namespace
+
+void add_flipbook_command(CLI::App& app, Action& action) {
+    CLI::App* command =
+        app.add_subcommand("flipbook", "Join the frames of a bake into sprite sheets");
+    const auto arguments = std::make_shared<FlipbookArguments>();
+    add_choices(*command, *arguments);
+    add_layout(*command, *arguments);
+    command->footer(kExamples);
+    command->callback(
+        [&action, arguments] { action = [arguments] { return run_flipbook(*arguments); }; });
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,109 @@
+#include "texgen/sheet/flipbook_json.h"
+
+#include "texgen/bake/frame_range.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+#include <optional>
+
+namespace foam::texgen {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Whether the first of these frames comes after the last, by the same step as all others.
+bool closes(const ManifestLoop& loop, std::span<const int> frames) {
+    const std::optional<int> step = common_step(frames);
+    return loop.period > 0 && step &&
+           std::abs(*step) * static_cast<int>(frames.size()) == loop.period;
+}
+
+Json loop_value(const BakedSet& set, std::span<const int> frames) {
+    return {{"kind", set.loop.kind},
+            {"called", set.loop.called},
+            {"closes", closes(set.loop, frames)},
+            {"cross_faded", set.loop.cross_faded}};
+}
+
+Json conventions_value(const ManifestConventions& conventions) {
+    return {{"normal_y", conventions.normal_y},
+            {"motion_unit", conventions.motion_unit},
+            {"motion_y", conventions.motion_y},
+            {"motion_multiplier", conventions.motion_multiplier}};
+}
+
+/// In texture coordinates, from the top left: frame k, in column k mod columns and row k / columns,
+/// begins at (column, row) * cell + inset and is `frame` large.
+Json uv_value(const SheetLayout& layout) {
+    const auto width = static_cast<double>(layout.width());
+    const auto height = static_cast<double>(layout.height());
+    return {{"origin", "top left"},
+            {"cell", {layout.cell_width() / width, layout.cell_height() / height}},
+            {"inset", {layout.gutter / width, layout.gutter / height}},
+            {"frame", {layout.frame_width / width, layout.frame_height / height}}};
+}
+
+Json layout_value(const SheetLayout& layout, bool tiles) {
+    return {{"size", {layout.width(), layout.height()}},
+            {"frame_size", {layout.frame_width, layout.frame_height}},
+            {"columns", layout.columns},
+            {"rows", layout.rows()},
+            {"gutter", layout.gutter},
+            {"gutter_shows", tiles ? "the frame's other side" : "the frame's edge"},
+            {"order", "left to right, top to bottom"},
+            {"uv", uv_value(layout)}};
+}
+
+Json image_value(const SheetImage& image) {
+    const ManifestMap& map = image.sequence.map;
+    Json value{
+        {"file", image.file}, {"map", map.name}, {"meaning", map.meaning}, {"unit", map.unit}};
+    if (!map.note.empty()) {
+        value["note"] = map.note;
+    }
+    value["kind"] = map.samples->kind;
+    value["channels"] = map.samples->channels;
+    value["type"] = map.samples->type;
+    value["color_space"] = map.samples->color_space;
+    value["alpha"] = map.samples->alpha;
+    if (map.samples->range) {
+        value["range"] = *map.samples->range;
+    }
+    return value;
+}
+
+bool all_tile(std::span<const SheetImage> images) {
+    return std::ranges::all_of(images, [](const auto& image) { return image.sequence.tiles(); });
+}
+
+}  // namespace
+
+std::string flipbook_json(const BakedSet& set,
+                          std::span<const int> frames,
+                          const SheetLayout& layout,
+                          std::span<const SheetImage> images) {
+    const FrameRate rate = playing_rate(set, frames);
+    Json json{{"format", "foamtex-flipbook"},
+              {"version", 1},
+              {"foamtex", set.version},
+              {"preset", set.preset},
+              {"seed", set.seed},
+              {"frames", frames.size()},
+              {"frame_numbers", format_frame_range(frames)},
+              {"frames_per_second", static_cast<double>(rate.frames) / rate.seconds},
+              {"tiles", all_tile(images)},
+              {"loop", loop_value(set, frames)},
+              {"conventions", conventions_value(set.conventions)},
+              {"layout", layout_value(layout, all_tile(images))},
+              {"images", Json::array()}};
+    for (const SheetImage& image : images) {
+        json["images"].push_back(image_value(image));
+    }
+    constexpr int kIndent = 2;
+    return json.dump(kIndent) + '\n';
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,51 @@
+#include "texgen/sheet/layout.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace foam::texgen {
+
+namespace {
+
+/// 0 for a square, in powers of two from there.
+double distance_from_square(int frames, int columns, double cell_width, double cell_height) {
+    const double rows = std::ceil(static_cast<double>(frames) / columns);
+    return std::abs(std::log2(columns * cell_width / (rows * cell_height)));
+}
+
+}  // namespace
+
+int near_square_columns(int frames, int cell_width, int cell_height) {
+    int best = 1;
+    double least = distance_from_square(frames, best, cell_width, cell_height);
+    for (int columns = 2; columns / 2 < frames; columns *= 2) {
+        const double distance = distance_from_square(frames, columns, cell_width, cell_height);
+        if (distance <= least) {
+            best = columns;
+            least = distance;
+        }
+    }
+    return best;
+}
+
+void check_layout(const SheetLayout& layout) {
+    const int least =
+        std::min({layout.frames, layout.columns, layout.frame_width, layout.frame_height});
+    if (least < 1 || layout.gutter < 0) {
+        throw std::invalid_argument(
+            "a sheet needs frames of at least a pixel, columns, and a gutter of 0 or more");
+    }
+    constexpr std::int64_t kLargest = std::numeric_limits<std::int32_t>::max();
+    if (layout.gutter > kLargest / 4 || layout.width() > kLargest || layout.height() > kLargest) {
+        throw std::invalid_argument(
+            fmt::format("a sheet of {} x {} pixels is larger than a file allows",
+                        layout.width(),
+                        layout.height()));
+    }
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,78 @@
+#include "texgen/sheet/place_frame.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstdint>
+
+namespace foam::texgen {
+
+namespace {
+
+/// Where a frame of so many pixels in a direction has what stands at a place in or beyond it.
+int source_of(int place, int extent, Gutter gutter) {
+    if (gutter == Gutter::Edge) {
+        return std::clamp(place, 0, extent - 1);
+    }
+    const int rest = place % extent;
+    return rest < 0 ? rest + extent : rest;
+}
+
+/// Row y of a frame, or beyond it, into a row of the sheet from pixel x on.
+template <class Sample>
+void copy_row(ImageView<const Sample> frame, int y, int margin, Gutter gutter, Sample* to) {
+    const int from = source_of(y, frame.height(), gutter);
+    const auto channels = static_cast<std::size_t>(frame.channels());
+    for (int x = -margin; x < 0; ++x) {
+        std::ranges::copy(frame.pixel(source_of(x, frame.width(), gutter), from), to);
+        to += channels;
+    }
+    std::ranges::copy(frame.row(from), to);
+    to += frame.row_samples();
+    for (int x = frame.width(); x < frame.width() + margin; ++x) {
+        std::ranges::copy(frame.pixel(source_of(x, frame.width(), gutter), from), to);
+        to += channels;
+    }
+}
+
+}  // namespace
+
+template <class Sample>
+void place_frame(ImageView<Sample> sheet,
+                 const SheetLayout& layout,
+                 int number,
+                 ImageView<const Sample> frame,
+                 Gutter gutter) {
+    assert(sheet.channels() == frame.channels());
+    assert(sheet.width() == layout.width() && sheet.height() == layout.height());
+    assert(frame.width() == layout.frame_width && frame.height() == layout.frame_height);
+    const int left = number % layout.columns * layout.cell_width();
+    const int bottom =
+        sheet.height() - (number / layout.columns + 1) * layout.cell_height() + layout.gutter;
+    for (int y = -layout.gutter; y < frame.height() + layout.gutter; ++y) {
+        Sample* const to = sheet.pixel(left, bottom + y).data();
+        copy_row(frame, y, layout.gutter, gutter, to);
+    }
+}
+
+template void place_frame(ImageView<std::uint8_t> sheet,
+                          const SheetLayout& layout,
+                          int number,
+                          ImageView<const std::uint8_t> frame,
+                          Gutter gutter);
+template void place_frame(ImageView<std::uint16_t> sheet,
+                          const SheetLayout& layout,
+                          int number,
+                          ImageView<const std::uint16_t> frame,
+                          Gutter gutter);
+template void place_frame(ImageView<std::uint32_t> sheet,
+                          const SheetLayout& layout,
+                          int number,
+                          ImageView<const std::uint32_t> frame,
+                          Gutter gutter);
+template void place_frame(ImageView<float> sheet,
+                          const SheetLayout& layout,
+                          int number,
+                          ImageView<const float> frame,
+                          Gutter gutter);
+
+}  // namespace foam::texgen
