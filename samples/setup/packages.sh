@@ -10,7 +10,7 @@ foam_build_packages=(
 )
 foam_test_packages=(
     libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev evolver
-    pngcheck apngdis imagemagick openexr openimageio-tools
+    pngcheck apngdis ffmpeg imagemagick openexr openimageio-tools
 )
 foam_check_packages=(clang clang-format clang-tidy ccache)
 

@@ -38,20 +38,10 @@ struct BakeArguments {
     bool stats = false;
 };
 
-/// "a,b" as ["a", "b"].
-Value list_value(const std::string& words) {
-    Value::List list;
-    for (const std::string& word : CLI::detail::split(words, ',')) {
-        list.push_back({word});
-    }
-    return {std::move(list)};
-}
-
 std::vector<Assignment> image_assignments_of(const BakeArguments& arguments) {
     std::vector<Assignment> assignments;
     if (arguments.maps) {
-        assignments.push_back(
-            {"--maps " + *arguments.maps, "image.maps", list_value(*arguments.maps)});
+        assignments.push_back(maps_assignment(*arguments.maps));
     }
     if (arguments.normal_y) {
         assignments.push_back(

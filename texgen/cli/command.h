@@ -19,6 +19,7 @@ void add_compare_command(CLI::App& app, Action& action);
 void add_flipbook_command(CLI::App& app, Action& action);
 void add_maps_command(CLI::App& app, Action& action);
 void add_presets_command(CLI::App& app, Action& action);
+void add_preview_command(CLI::App& app, Action& action);
 void add_relax_command(CLI::App& app, Action& action);
 void add_stats_command(CLI::App& app, Action& action);
 void add_verify_command(CLI::App& app, Action& action);

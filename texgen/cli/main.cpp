@@ -58,6 +58,7 @@ ExitCode parse_and_run(int argc, char** argv) {
     app.footer(kFooter);
     add_bake_command(app, action);
     add_flipbook_command(app, action);
+    add_preview_command(app, action);
     add_relax_command(app, action);
     add_stats_command(app, action);
     add_verify_command(app, action);

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <numeric>
+#include <utility>
 
 namespace foam::texgen {
 
@@ -21,6 +22,15 @@ Value size_value(const std::string& size) {
     const std::string width = size.substr(0, x);
     const std::string height = x == std::string::npos ? width : size.substr(x + 1);
     return {Value::List{read_value(width), read_value(height)}};
+}
+
+/// "a,b" as ["a", "b"].
+Value list_value(const std::string& words) {
+    Value::List list;
+    for (const std::string& word : CLI::detail::split(words, ',')) {
+        list.push_back({word});
+    }
+    return {std::move(list)};
 }
 
 /// The options that stand for a key come after the `--set`s, and so win.
@@ -64,6 +74,10 @@ void add_run_options(CLI::App& command, RunArguments& arguments) {
     command.add_flag("-v,--verbose", arguments.verbose, "Say a line per frame")
         ->excludes(quiet)
         ->option_text(" ");
+}
+
+Assignment maps_assignment(const std::string& maps) {
+    return {"--maps " + maps, "image.maps", list_value(maps)};
 }
 
 Preset preset_of(const RunArguments& arguments, const std::vector<Assignment>& more) {

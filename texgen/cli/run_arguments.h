@@ -33,6 +33,9 @@ void add_preset_options(CLI::App& command, RunArguments& arguments);
 /// --threads, -q, -v.
 void add_run_options(CLI::App& command, RunArguments& arguments);
 
+/// What `--maps A,B` does, for preset_of.
+Assignment maps_assignment(const std::string& maps);
+
 /// The preset with its `--set`s, then the options that stand for a key, then `more` carried out.
 /// Throws PresetError.
 Preset preset_of(const RunArguments& arguments, const std::vector<Assignment>& more = {});

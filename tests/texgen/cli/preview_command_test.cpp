@@ -1,0 +1,107 @@
+#include "tests/texgen/cli/run_program.h"
+#include "texgen/image/png.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <string>
+
+namespace foam::texgen {
+namespace {
+
+constexpr const char* kSmall =
+    "--threads 1 --size 48x32 --frames 1-3 --set foam.bubbles=12 --set loop.kind=none";
+
+bool has_ffmpeg() {
+    return std::system("command -v ffmpeg ffprobe >/dev/null") == 0;
+}
+
+/// What ffprobe finds in a file of the folder `out`.
+std::string probed(const std::string& file,
+                   const std::string& entries,
+                   const TemporaryFolder& folder) {
+    const std::string command =
+        "cd " + folder.path().string() +
+        "/out && ffprobe -v error -count_frames -show_entries stream=" + entries + " -of csv=p=0 " +
+        file + " >../said";
+    EXPECT_EQ(std::system(command.c_str()), 0);
+    return file_content(folder.path() / "said");
+}
+
+TEST(PreviewCommand, ShowsAPresetAndLeavesNothingElse) {
+    const TemporaryFolder folder;
+    const Outcome outcome = run_program(std::string("preview sea_foam ") + kSmall, folder);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out,
+              "out/sea_foam_albedo_contact.png\nout/sea_foam_albedo_loop.png\n"
+              "out/sea_foam_albedo_tiling.png\n");
+    EXPECT_EQ(outcome.written.size(), 3U);
+}
+
+TEST(PreviewCommand, ShowsAFolder) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(run_program(std::string("bake sea_foam -q ") + kSmall, folder).code, 0);
+    const Outcome outcome =
+        run_program("preview out --as loop --width 24 --frames 2,1 -o shown -q", folder);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(read_png(folder.path() / "shown" / "sea_foam_albedo_loop.png").pixels.width(), 24);
+}
+
+TEST(PreviewCommand, ABadRequestIsOneLine) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(run_program(std::string("bake sea_foam -q ") + kSmall, folder).code, 0);
+    const Outcome seed = run_program("preview out --seed 3", folder);
+    EXPECT_EQ(seed.code, static_cast<int>(ExitCode::BadRequest));
+    EXPECT_EQ(seed.err, "foamtex: --set, --size and --seed are for a preset, not for a folder\n");
+    EXPECT_EQ(run_program("preview out --as film", folder).code,
+              static_cast<int>(ExitCode::BadRequest));
+    EXPECT_EQ(run_program("preview beer", folder).code, static_cast<int>(ExitCode::BadRequest));
+    EXPECT_EQ(run_program("preview .", folder).code, static_cast<int>(ExitCode::BadInput));
+}
+
+// An empty PATH hides it, wherever it may be installed.
+TEST(PreviewCommand, SaysWhereThereIsNoFfmpeg) {
+    const TemporaryFolder folder;
+    const std::string command = "cd " + folder.path().string() + " && PATH=. '" +
+                                FOAMTEX_EXECUTABLE "' preview sea_foam --as mp4 2>err";
+    const int status = std::system(command.c_str());
+    EXPECT_EQ(WEXITSTATUS(status), static_cast<int>(ExitCode::OutputFailed));
+    EXPECT_EQ(file_content(folder.path() / "err"),
+              "foamtex: MP4 and GIF are made by ffmpeg, which is not installed\n");
+}
+
+TEST(PreviewCommand, MakesVideos) {
+    if (!has_ffmpeg()) {
+        GTEST_SKIP() << "there is no ffmpeg";
+    }
+    const TemporaryFolder folder;
+    const std::string arguments = std::string("preview sea_foam --as mp4,gif ") + kSmall;
+    const Outcome outcome = run_program(arguments + " --width 33", folder);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(probed("sea_foam_albedo.mp4", "width,height,r_frame_rate,nb_read_frames", folder),
+              "32,22,24/1,3\n");
+    EXPECT_EQ(probed("sea_foam_albedo.gif", "width,height,nb_read_frames", folder), "33,22,3\n");
+}
+
+// Every frame of it, to the last bit.
+TEST(PreviewCommand, FfmpegReadsOurAnimation) {
+    if (!has_ffmpeg()) {
+        GTEST_SKIP() << "there is no ffmpeg";
+    }
+    const TemporaryFolder folder;
+    ASSERT_EQ(run_program(std::string("bake sea_foam -q ") + kSmall, folder).code, 0);
+    ASSERT_EQ(run_program("preview out --as loop", folder).code, 0);
+    const std::string split = "cd " + folder.path().string() +
+                              "/out && ffmpeg -v error -i sea_foam_albedo_loop.png "
+                              "-vsync passthrough %d.png";
+    ASSERT_EQ(std::system(split.c_str()), 0);
+    for (const std::string number : {"1", "2", "3"}) {
+        EXPECT_EQ(
+            read_png(folder.path() / "out" / (number + ".png")).pixels,
+            read_png(folder.path() / "out" / ("sea_foam_albedo.000" + number + ".png")).pixels);
+    }
+}
+
+}  // namespace
+}  // namespace foam::texgen

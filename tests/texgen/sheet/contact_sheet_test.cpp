@@ -1,0 +1,76 @@
+#include "texgen/sheet/contact_sheet.h"
+
+#include "texgen/sheet/frame_number.h"
+#include "texgen/sheet/shown_frame.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace foam::texgen {
+namespace {
+
+constexpr std::uint8_t kFilled = 255;
+
+Image<std::uint8_t> filled(int width, int height) {
+    Image<std::uint8_t> image(width, height, 3);
+    std::ranges::fill(image.samples(), kFilled);
+    return image;
+}
+
+int count(const Image<std::uint8_t>& image, std::uint8_t code) {
+    return static_cast<int>(std::ranges::count(image.samples(), code));
+}
+
+TEST(FrameNumber, DrawsDigits) {
+    Image<std::uint8_t> image(11, 7, 1);
+    draw_number(image.view(), 0, 0, 17, 1);
+    std::string drawn;
+    for (int y = 6; y >= 0; --y) {
+        for (const std::uint8_t sample : image.row(y)) {
+            drawn += sample == 1 ? '#' : '.';
+        }
+        drawn += '\n';
+    }
+    EXPECT_EQ(drawn,
+              "..#...#####\n"
+              ".##.......#\n"
+              "..#......#.\n"
+              "..#.....#..\n"
+              "..#.....#..\n"
+              "..#....#...\n"
+              ".###...#...\n");
+    EXPECT_EQ(number_width(7), 5);
+    EXPECT_EQ(number_width(1017), 23);
+}
+
+// Twelve squares: 4 columns and 3 rows.
+TEST(ContactSheet, ShowsEveryThumbnailWhole) {
+    std::vector<Thumbnail> thumbnails(12, {filled(40, 40), 8});
+    const Image<std::uint8_t> sheet = contact_sheet(thumbnails);
+    EXPECT_EQ(count(sheet, kFilled), 12 * 3 * 40 * 40);
+    EXPECT_GT(sheet.width(), 4 * 40);
+    EXPECT_LT(sheet.width(), 5 * 40 + 40);
+    EXPECT_GT(sheet.height(), 3 * 40);
+    for (const int x : {0, sheet.width() - 1}) {
+        EXPECT_EQ(sheet.pixel(x, sheet.height() / 2)[0], kGround);
+    }
+}
+
+// An 8 has 17 pixels, of three samples each; nothing else is neither thumbnail nor ground.
+TEST(ContactSheet, NumbersEveryFrame) {
+    std::vector<Thumbnail> thumbnails(3, {filled(20, 10), 8});
+    const Image<std::uint8_t> sheet = contact_sheet(thumbnails);
+    const auto all = static_cast<int>(sheet.samples().size());
+    EXPECT_EQ(all - count(sheet, kGround) - count(sheet, kFilled), 3 * 3 * 17);
+}
+
+TEST(ContactSheet, NeedsAFrame) {
+    EXPECT_THROW(contact_sheet({}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace foam::texgen

@@ -1,0 +1,99 @@
+#include "texgen/sheet/preview.h"
+
+#include "tests/texgen/image/png_chunks.h"
+#include "tests/texgen/sheet/small_bake.h"
+#include "tests/texgen/temporary_folder.h"
+#include "texgen/image/file_io.h"
+#include "texgen/image/png.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace foam::texgen {
+namespace {
+
+using Names = std::vector<std::string>;
+
+Names write(const BakedSet& set, const TemporaryFolder& folder, const PreviewOptions& options) {
+    Names names;
+    for (const auto& path : write_previews(set, folder.path(), options, folder.path() / "shown")) {
+        EXPECT_TRUE(std::filesystem::exists(path));
+        names.push_back(path.filename().string());
+    }
+    return names;
+}
+
+TEST(Preview, ShowsWhatSuitsTheEye) {
+    const TemporaryFolder folder;
+    const BakedSet tile = baked(small_loop(folder.path()), {"id", "height", "albedo"});
+    EXPECT_EQ(
+        write(tile, folder, {}),
+        (Names{"small_albedo_contact.png", "small_albedo_loop.png", "small_albedo_tiling.png"}));
+    const TemporaryFolder other;
+    const BakedSet patch = baked(small_patch(other.path()), {"id", "height"});
+    EXPECT_EQ(write(patch, other, {}),
+              (Names{"small_height_contact.png", "small_height_loop.png"}));
+}
+
+TEST(Preview, TilesAFrame) {
+    const TemporaryFolder folder;
+    const BakedSet set = baked(small_loop(folder.path()), {"albedo"});
+    write(set, folder, {.frames = {3}, .kinds = {PreviewKind::Tiling}});
+    const auto frame = read_png(folder.path() / "small_albedo.0003.png").pixels;
+    const auto tiling = read_png(folder.path() / "shown" / "small_albedo_tiling.png").pixels;
+    ASSERT_EQ(tiling.width(), 64);
+    ASSERT_EQ(tiling.height(), 48);
+    for (int y = 0; y < 48; ++y) {
+        for (int x = 0; x < 64; ++x) {
+            EXPECT_TRUE(std::ranges::equal(tiling.pixel(x, y), frame.pixel(x % 32, y % 24)));
+        }
+    }
+}
+
+// As large as it was, for frames that are small enough already; the first is a PNG's own.
+TEST(Preview, AnimatesEveryFrame) {
+    const TemporaryFolder folder;
+    const BakedSet set = baked(small_loop(folder.path()), {"albedo"});
+    write(set, folder, {.kinds = {PreviewKind::Loop}});
+    const Bytes stream = read_file(folder.path() / "shown" / "small_albedo_loop.png");
+    EXPECT_EQ(decode_png(stream).pixels, read_png(folder.path() / "small_albedo.0001.png").pixels);
+    EXPECT_EQ(chunk(stream, "acTL"), std::string("\0\0\0\4\0\0\0\0", 8));
+    EXPECT_EQ(chunk(stream, "fcTL").substr(20, 4), std::string("\0\1\0\x18", 4));  // 1/24 s
+}
+
+TEST(Preview, KeepsItsSpeedWithFewerFrames) {
+    const TemporaryFolder folder;
+    const BakedSet set = baked(small_loop(folder.path()), {"albedo"});
+    write(set, folder, {.frames = {1, 3}, .kinds = {PreviewKind::Loop}});
+    const Bytes stream = read_file(folder.path() / "shown" / "small_albedo_loop.png");
+    EXPECT_EQ(chunk(stream, "fcTL").substr(20, 4), std::string("\0\2\0\x18", 4));  // 2/24 s
+}
+
+TEST(Preview, IsTheSameForAnyNumberOfThreads) {
+    const TemporaryFolder folder;
+    const BakedSet set = baked(small_loop(folder.path()), {"albedo"});
+    const std::filesystem::path path = folder.path() / "shown" / "small_albedo_loop.png";
+    write(set, folder, {.kinds = {PreviewKind::Loop}, .size = 20, .threads = 1});
+    const Bytes one = read_file(path);
+    write(set, folder, {.kinds = {PreviewKind::Loop}, .size = 20, .threads = 3});
+    EXPECT_EQ(read_file(path), one);
+    EXPECT_EQ(decode_png(one).pixels.width(), 20);
+    EXPECT_EQ(decode_png(one).pixels.height(), 15);
+}
+
+TEST(Preview, RefusesWhatShowsNothing) {
+    const TemporaryFolder folder;
+    const BakedSet set = baked(small_patch(folder.path()), {"id"});
+    EXPECT_THROW(write(set, folder, {}), std::invalid_argument);
+    EXPECT_THROW(write(set, folder, {.maps = {"id"}}), std::invalid_argument);
+    const BakedSet more = baked(small_patch(folder.path()), {"height"});
+    EXPECT_THROW(write(more, folder, {.maps = {"height"}, .kinds = {PreviewKind::Tiling}}),
+                 std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace foam::texgen

@@ -1,0 +1,113 @@
+#include "texgen/sheet/shown_frame.h"
+
+#include "tests/texgen/temporary_folder.h"
+#include "texgen/image/color.h"
+#include "texgen/image/file_io.h"
+#include "texgen/image/png.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace foam::texgen {
+namespace {
+
+ManifestMap map_of(const char* color_space) {
+    ManifestMap map;
+    map.samples = MapSamples{};
+    map.samples->color_space = color_space;
+    return map;
+}
+
+template <class Sample>
+ShownFrame shown(const Image<Sample>& image, const char* color_space) {
+    const TemporaryFolder folder;
+    write_png(folder.path() / "a.png", image.view());
+    return read_shown({.path = folder.path() / "a.png"}, map_of(color_space));
+}
+
+Image<std::uint8_t> picture(int width, int height, int channels, std::vector<std::uint8_t> codes) {
+    Image<std::uint8_t> image(width, height, channels);
+    std::ranges::copy(codes, image.samples().begin());
+    return image;
+}
+
+std::vector<std::uint8_t> codes(const ShownFrame& frame) {
+    const Image<std::uint8_t> image = codes_of(frame);
+    return {image.samples().begin(), image.samples().end()};
+}
+
+// Half of black and half of white is half the light, which sRGB codes as 188, not 128.
+TEST(ShownFrame, AveragesLightOfColors) {
+    const auto image = picture(2, 1, 3, {0, 0, 0, 255, 255, 255});
+    EXPECT_EQ(codes(reduced(shown(image, "sRGB"), 1, 1)),
+              (std::vector<std::uint8_t>{188, 188, 188}));
+}
+
+TEST(ShownFrame, AveragesDataAsItIs) {
+    const auto image = picture(2, 1, 3, {0, 10, 20, 100, 110, 120});
+    EXPECT_EQ(codes(reduced(shown(image, "data"), 1, 1)), (std::vector<std::uint8_t>{50, 60, 70}));
+}
+
+// 3 pixels become 2: each of these covers one and a half. Light of 0.3 and 0.9 in steps of 15 of
+// 255.
+TEST(ShownFrame, WeighsByArea) {
+    const auto image = picture(3, 1, 1, {30, 60, 90});
+    const ShownFrame smaller = reduced(shown(image, "data"), 2, 1);
+    EXPECT_EQ(codes(smaller), (std::vector<std::uint8_t>{40, 40, 40, 80, 80, 80}));
+}
+
+TEST(ShownFrame, KeepsEveryCodeAtItsOwnSize) {
+    Image<std::uint8_t> image(16, 16, 3);
+    for (std::size_t k = 0; k < image.samples().size(); ++k) {
+        image.samples()[k] = static_cast<std::uint8_t>(k);
+    }
+    for (const char* color_space : {"sRGB", "data"}) {
+        EXPECT_EQ(codes_of(reduced(shown(image, color_space), 16, 16)), image);
+    }
+}
+
+TEST(ShownFrame, ShowsTheHigherHalfOf16Bits) {
+    Image<std::uint16_t> image(1, 1, 1);
+    image.samples()[0] = 200 * 257;
+    EXPECT_EQ(codes(shown(image, "data")), (std::vector<std::uint8_t>{200, 200, 200}));
+}
+
+// A pixel of no opacity, and one that covers half of the ground.
+TEST(ShownFrame, LiesOnTheGround) {
+    const auto image = picture(2, 1, 4, {255, 0, 0, 0, 255, 255, 255, 51});
+    const double ground = srgb_to_linear(kGround / 255.0);
+    const Srgb8 mixed = to_srgb8({0.2 + 0.8 * ground, 0.0, 0.0});
+    EXPECT_EQ(codes(shown(image, "sRGB")),
+              (std::vector<std::uint8_t>{kGround, kGround, kGround, mixed.r, mixed.r, mixed.r}));
+}
+
+// What is shifted by whole pixels of the smaller image stays the same, shifted: no pixel looks
+// across the border.
+TEST(ShownFrame, StaysATile) {
+    Image<std::uint8_t> image(12, 8, 1);
+    Image<std::uint8_t> moved(12, 8, 1);
+    for (int y = 0; y < 8; ++y) {
+        for (int x = 0; x < 12; ++x) {
+            image.pixel(x, y)[0] = static_cast<std::uint8_t>(x * x * 7 + 31 * y);
+            moved.pixel((x + 3) % 12, (y + 2) % 8)[0] = image.pixel(x, y)[0];
+        }
+    }
+    const Image<std::uint8_t> small = codes_of(reduced(shown(image, "data"), 4, 4));
+    const Image<std::uint8_t> small_moved = codes_of(reduced(shown(moved, "data"), 4, 4));
+    for (int y = 0; y < 4; ++y) {
+        for (int x = 0; x < 4; ++x) {
+            EXPECT_TRUE(
+                std::ranges::equal(small.pixel(x, y), small_moved.pixel((x + 1) % 4, (y + 1) % 4)));
+        }
+    }
+}
+
+TEST(ShownFrame, RefusesOtherFormats) {
+    EXPECT_THROW(read_shown({.path = "a.exr"}, map_of("data")), InputError);
+}
+
+}  // namespace
+}  // namespace foam::texgen

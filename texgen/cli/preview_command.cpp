@@ -1,0 +1,153 @@
+#include "texgen/bake/frame_range.h"
+#include "texgen/cli/command.h"
+#include "texgen/cli/report.h"
+#include "texgen/cli/run_arguments.h"
+#include "texgen/image/scratch_folder.h"
+#include "texgen/manifest/manifest_file.h"
+#include "texgen/manifest/recorded_bake.h"
+#include "texgen/sheet/preview.h"
+#include "texgen/sheet/video.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr const char* kExamples = R"(Examples:
+  foamtex preview sea_foam                    bakes it, and shows what came out in out/
+  foamtex preview out                         of images that are there already
+  foamtex preview labyrinth --frames 1 --as tiling --set pressure.exaggeration=4
+  foamtex preview out --maps albedo,normal --as loop --width 256
+  foamtex preview out --as mp4,gif            by ffmpeg, where it is installed)";
+
+constexpr int kLargestLoop = 4096;
+
+struct PreviewArguments {
+    RunArguments run;
+    std::string which;
+    std::optional<std::string> maps;
+    std::optional<std::filesystem::path> out;
+    std::vector<std::string> kinds;
+    int size = PreviewOptions().size;
+};
+
+PreviewKind kind_of(const std::string& name) {
+    const auto found = std::ranges::find(kPreviewNames, name);
+    return static_cast<PreviewKind>(found - kPreviewNames.begin());
+}
+
+PreviewOptions options_of(const PreviewArguments& arguments) {
+    PreviewOptions options{.size = arguments.size, .threads = arguments.run.threads};
+    if (arguments.maps) {
+        options.maps = CLI::detail::split(*arguments.maps, ',');
+    }
+    for (const std::string& name : arguments.kinds) {
+        options.kinds.push_back(kind_of(name));
+    }
+    const auto is_video = [](PreviewKind kind) { return kind >= PreviewKind::Mp4; };
+    if (std::ranges::any_of(options.kinds, is_video)) {
+        check_ffmpeg();  // before a bake that may take long
+    }
+    return options;
+}
+
+void print(const PreviewArguments& arguments, const std::vector<std::filesystem::path>& files) {
+    if (!arguments.run.quiet) {
+        print_files(files);
+    }
+}
+
+ExitCode preview_folder(const PreviewArguments& arguments) {
+    const std::filesystem::path folder = arguments.run.preset;
+    if (!arguments.run.sets.empty() || arguments.run.size || arguments.run.seed) {
+        throw std::invalid_argument("--set, --size and --seed are for a preset, not for a folder");
+    }
+    PreviewOptions options = options_of(arguments);
+    if (arguments.run.frames) {
+        options.frames = parse_frame_range(*arguments.run.frames);
+    }
+    const Manifest manifest = read_manifest(folder);
+    const BakedSet& set = choose_set(manifest, arguments.which, folder);
+    print(arguments, write_previews(set, folder, options, arguments.out.value_or(folder)));
+    return ExitCode::Success;
+}
+
+/// Bakes no more than is looked at.
+Preset preset_to_bake(const PreviewArguments& arguments, const std::filesystem::path& folder) {
+    std::vector<Assignment> assignments;
+    if (arguments.maps) {
+        assignments.push_back(maps_assignment(*arguments.maps));
+    }
+    Preset preset = preset_of(arguments.run, assignments);
+    preset.image.maps.resize(arguments.maps ? preset.image.maps.size() : 1);
+    preset.output.pattern = (folder / "{map}.######.png").string();
+    return preset;
+}
+
+ExitCode preview_preset(const PreviewArguments& arguments) {
+    const ScratchFolder scratch;
+    const Preset preset = preset_to_bake(arguments, scratch.path());
+    PreviewOptions options = options_of(arguments);
+    options.frames = frames_of(arguments.run, preset);
+    const BakeSummary summary =
+        bake_recorded(preset,
+                      {.frames = options.frames, .threads = arguments.run.threads},
+                      {.on_progress = progress_reporter(verbosity_of(arguments.run))});
+    if (summary.outcome.status != RunStatus::Complete) {
+        return report_failure(summary.outcome);
+    }
+    const Manifest manifest = read_manifest(scratch.path());
+    print(arguments,
+          write_previews(
+              manifest.sets.front(), scratch.path(), options, arguments.out.value_or("out")));
+    return ExitCode::Success;
+}
+
+ExitCode run_preview(const PreviewArguments& arguments) {
+    return std::filesystem::is_directory(arguments.run.preset) ? preview_folder(arguments)
+                                                               : preview_preset(arguments);
+}
+
+void add_choices(CLI::App& command, PreviewArguments& arguments) {
+    command.get_option("PRESET")->description("A preset; or a folder that bake has left");
+    command.add_option("--maps", arguments.maps, "Maps, with commas; one without it")
+        ->option_text("A,B");
+    command.add_option("--as", arguments.kinds, "Of contact,tiling,loop,mp4,gif; the first three")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->check(CLI::IsMember(std::vector<std::string>(kPreviewNames.begin(), kPreviewNames.end())))
+        ->option_text("A,B");
+    command.add_option("--width", arguments.size, "Of what moves, on its longer side: 384")
+        ->check(CLI::Range(1, kLargestLoop))
+        ->option_text("PX");
+    command.add_option("--preset", arguments.which, "Which, where the folder has several sets")
+        ->option_text("NAME");
+    command
+        .add_option("-o,--out", arguments.out, "Into this folder; else out, or the folder given")
+        ->option_text("FOLDER");
+}
+
+}  // namespace
+
+void add_preview_command(CLI::App& app, Action& action) {
+    CLI::App* command =
+        app.add_subcommand("preview", "Show a preset or a bake: contact sheet, tiling, animation");
+    const auto arguments = std::make_shared<PreviewArguments>();
+    add_preset_options(*command, arguments->run);
+    add_choices(*command, *arguments);
+    add_run_options(*command, arguments->run);
+    command->footer(kExamples);
+    command->callback(
+        [&action, arguments] { action = [arguments] { return run_preview(*arguments); }; });
+}
+
+}  // namespace foam::texgen

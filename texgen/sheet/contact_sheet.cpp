@@ -1,0 +1,57 @@
+#include "texgen/sheet/contact_sheet.h"
+
+#include "texgen/sheet/frame_number.h"
+#include "texgen/sheet/shown_frame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr int kGap = 10;       // pixels between thumbnails, and around all
+constexpr int kNumberGap = 5;  // between a thumbnail and its number
+constexpr std::uint8_t kInk = 0xb4;
+constexpr double kAspect = 1.5;  // about that of a sheet
+
+int columns_for(std::size_t count, const Image<std::uint8_t>& thumbnail) {
+    const double square = static_cast<double>(count) * thumbnail.height() / thumbnail.width();
+    const auto columns = static_cast<int>(std::lround(std::sqrt(kAspect * square)));
+    return std::clamp(columns, 1, static_cast<int>(count));
+}
+
+void copy(const Image<std::uint8_t>& from, ImageView<std::uint8_t> to, int left, int bottom) {
+    for (int y = 0; y < from.height(); ++y) {
+        std::ranges::copy(from.row(y), to.pixel(left, bottom + y).data());
+    }
+}
+
+}  // namespace
+
+Image<std::uint8_t> contact_sheet(std::span<const Thumbnail> thumbnails) {
+    if (thumbnails.empty()) {
+        throw std::invalid_argument("a contact sheet needs frames");
+    }
+    const Image<std::uint8_t>& first = thumbnails.front().pixels;
+    const auto count = static_cast<int>(thumbnails.size());
+    const int columns = columns_for(thumbnails.size(), first);
+    const int rows = (count + columns - 1) / columns;
+    const int across = first.width() + kGap;
+    const int down = first.height() + kNumberGap + kDigitHeight + kGap;
+    Image<std::uint8_t> sheet(columns * across + kGap, rows * down + kGap, first.channels());
+    std::ranges::fill(sheet.samples(), kGround);
+    for (int k = 0; k < count; ++k) {
+        const Thumbnail& thumbnail = thumbnails[static_cast<std::size_t>(k)];
+        const int left = kGap + k % columns * across;
+        const int bottom = sheet.height() - kGap - k / columns * down - first.height();
+        copy(thumbnail.pixels, sheet.view(), left, bottom);
+        const int number_left = left + (first.width() - number_width(thumbnail.number)) / 2;
+        draw_number(
+            sheet.view(), number_left, bottom - kNumberGap - kDigitHeight, thumbnail.number, kInk);
+    }
+    return sheet;
+}
+
+}  // namespace foam::texgen

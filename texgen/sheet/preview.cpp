@@ -1,0 +1,217 @@
+#include "texgen/sheet/preview.h"
+
+#include "core/parallel/parallel_for.h"
+#include "texgen/image/apng.h"
+#include "texgen/image/file_io.h"
+#include "texgen/image/png.h"
+#include "texgen/sheet/contact_sheet.h"
+#include "texgen/sheet/map_sequence.h"
+#include "texgen/sheet/shown_frame.h"
+#include "texgen/sheet/video.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace foam::texgen {
+
+namespace {
+
+using Codes = Image<std::uint8_t>;
+
+constexpr std::size_t kMostThumbnails = 24;
+constexpr int kThumbnailSize = 200;  // the longer side, in pixels
+constexpr int kTileSize = 512;
+constexpr int kTiles = 2;  // in each direction
+
+/// Not larger than this on its longer side, and no larger than it is.
+Codes codes_within(const ShownFrame& frame, int size) {
+    const int width = frame.pixels.width();
+    const int height = frame.pixels.height();
+    const double scale = std::min(1.0, static_cast<double>(size) / std::max(width, height));
+    const auto scaled = [scale](int extent) {
+        return std::max(1, static_cast<int>(std::lround(extent * scale)));
+    };
+    return codes_of(reduced(frame, scaled(width), scaled(height)));
+}
+
+/// All frames of a map at one size.
+std::vector<Codes> frames_within(const MapSequence& sequence, int size, int threads) {
+    std::vector<Codes> frames(sequence.files.size());
+    parallel_for(0, frames.size(), 1, threads, [&](std::size_t k, std::size_t) {
+        frames[k] = codes_within(read_shown(sequence.files[k], sequence.map), size);
+    });
+    return frames;
+}
+
+Codes tiled(const Codes& tile) {
+    Codes tiling(kTiles * tile.width(), kTiles * tile.height(), tile.channels());
+    for (int y = 0; y < tiling.height(); ++y) {
+        const auto from = tile.row(y % tile.height());
+        for (int k = 0; k < kTiles; ++k) {
+            std::ranges::copy(from, tiling.pixel(k * tile.width(), y).data());
+        }
+    }
+    return tiling;
+}
+
+/// For screens, whatever the samples once were.
+Bytes encoded(const Codes& codes) {
+    return encode_png(
+        codes.view(), {.color = true, .text = {}}, {.compression = Compression::Small});
+}
+
+/// At most so many, evenly spread, the first among them.
+std::vector<MapFile> spread(const std::vector<MapFile>& files, std::size_t most) {
+    const std::size_t count = std::min(files.size(), most);
+    std::vector<MapFile> chosen;
+    for (std::size_t k = 0; k < count; ++k) {
+        chosen.push_back(files[k * files.size() / count]);
+    }
+    return chosen;
+}
+
+Bytes animation(const std::vector<Codes>& frames, FrameRate rate, int threads) {
+    std::vector<Bytes> streams(frames.size());
+    parallel_for(0, frames.size(), 1, threads, [&](std::size_t k, std::size_t) {
+        streams[k] = encoded(frames[k]);
+    });
+    ApngMuxer muxer(static_cast<int>(frames.size()), rate);
+    for (const Bytes& stream : streams) {
+        muxer.add(stream);
+    }
+    return muxer.finish();
+}
+
+/// The first that shows colours, or else no ids.
+std::string map_for_the_eye(const BakedSet& set) {
+    for (const std::string_view kind : {"color", "number"}) {
+        for (const ManifestMap& map : set.maps) {
+            if (map.samples && map.samples->kind == kind) {
+                return map.name;
+            }
+        }
+    }
+    throw std::invalid_argument("no map can be seen; id_color shows ids");
+}
+
+/// Makes the previews of one map; what several have in common is made once.
+class Previews {
+  public:
+    Previews(const BakedSet& set,
+             const std::filesystem::path& folder,
+             const PreviewOptions& options,
+             const std::string& map)
+        : set_(set), options_(options), sequence_(map_sequence(set, folder, map, options.frames)) {
+        if (sequence_.map.samples->kind == "id") {
+            throw std::invalid_argument(
+                fmt::format("nothing can be seen of {}; id_color shows ids", map));
+        }
+    }
+
+    std::vector<PreviewKind> kinds() const {
+        if (!options_.kinds.empty()) {
+            return options_.kinds;
+        }
+        std::vector<PreviewKind> kinds{PreviewKind::Contact, PreviewKind::Loop};
+        if (sequence_.files.front().tiles) {
+            kinds.push_back(PreviewKind::Tiling);
+        }
+        return kinds;
+    }
+
+    std::filesystem::path write(PreviewKind kind, const std::filesystem::path& to) {
+        const std::filesystem::path path = to / name(kind);
+        write_file(path, make(kind));
+        return path;
+    }
+
+  private:
+    std::string name(PreviewKind kind) const {
+        const std::string stem = set_.preset + '_' + sequence_.map.name;
+        const std::string_view word = kPreviewNames.at(static_cast<std::size_t>(kind));
+        const bool is_video = kind == PreviewKind::Mp4 || kind == PreviewKind::Gif;
+        return is_video ? fmt::format("{}.{}", stem, word) : fmt::format("{}_{}.png", stem, word);
+    }
+
+    FrameRate rate() const { return playing_rate(set_, options_.frames); }
+
+    Bytes make(PreviewKind kind) {
+        switch (kind) {
+            case PreviewKind::Contact:
+                return contact();
+            case PreviewKind::Tiling:
+                return tiling();
+            case PreviewKind::Loop:
+                return loop();
+            case PreviewKind::Mp4:
+                return encode_video(loop(), rate(), VideoFormat::Mp4);
+            case PreviewKind::Gif:
+                return encode_video(loop(), rate(), VideoFormat::Gif);
+        }
+        return {};
+    }
+
+    Bytes contact() const {
+        const MapSequence shown{sequence_.map, spread(sequence_.files, kMostThumbnails)};
+        std::vector<Codes> codes = frames_within(shown, kThumbnailSize, options_.threads);
+        std::vector<Thumbnail> thumbnails;
+        for (std::size_t k = 0; k < codes.size(); ++k) {
+            thumbnails.push_back({std::move(codes[k]), shown.files[k].frame});
+        }
+        return encoded(contact_sheet(thumbnails));
+    }
+
+    Bytes tiling() const {
+        const MapFile& file = sequence_.files.front();
+        if (!file.tiles) {
+            throw std::invalid_argument(
+                fmt::format("frame {} of {} does not tile", file.frame, set_.preset));
+        }
+        const Codes tile = codes_within(read_shown(file, sequence_.map), kTileSize);
+        return encoded(tiled(tile));
+    }
+
+    const Bytes& loop() {
+        if (loop_.empty()) {
+            loop_ = animation(frames_within(sequence_, options_.size, options_.threads),
+                              rate(),
+                              options_.threads);
+        }
+        return loop_;
+    }
+
+    const BakedSet& set_;
+    const PreviewOptions& options_;
+    MapSequence sequence_;
+    Bytes loop_;
+};
+
+}  // namespace
+
+std::vector<std::filesystem::path> write_previews(const BakedSet& set,
+                                                  const std::filesystem::path& folder,
+                                                  const PreviewOptions& options,
+                                                  const std::filesystem::path& to) {
+    PreviewOptions full = options;
+    if (full.frames.empty()) {
+        full.frames = set.frames();
+    }
+    if (full.maps.empty()) {
+        full.maps.push_back(map_for_the_eye(set));
+    }
+    make_folders(to);
+    std::vector<std::filesystem::path> written;
+    for (const std::string& map : full.maps) {
+        Previews previews(set, folder, full, map);
+        for (const PreviewKind kind : previews.kinds()) {
+            written.push_back(previews.write(kind, to));
+        }
+    }
+    return written;
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,136 @@
+#include "texgen/sheet/shown_frame.h"
+
+#include "texgen/image/color.h"
+#include "texgen/image/png.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <variant>
+#include <vector>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr int kColors = 3;
+constexpr float kLargestCode = 255.0F;
+
+/// What every code of a sample stands for.
+template <class Sample>
+std::vector<float> values_of_codes(bool is_light) {
+    constexpr std::size_t kCodes = std::size_t{std::numeric_limits<Sample>::max()} + 1;
+    std::vector<float> values(kCodes);
+    for (std::size_t k = 0; k < kCodes; ++k) {
+        const double value = static_cast<double>(k) / static_cast<double>(kCodes - 1);
+        values[k] = static_cast<float>(is_light ? srgb_to_linear(value) : value);
+    }
+    return values;
+}
+
+template <class Sample>
+ShownFrame shown(const Image<Sample>& image, bool is_light) {
+    const std::vector<float> values = values_of_codes<Sample>(is_light);
+    const bool has_alpha = image.channels() % 2 == 0;
+    const float ground = values[kGround * (values.size() - 1) / 255];
+    ShownFrame frame{Image<float>(image.width(), image.height(), kColors), is_light};
+    const auto from = image.samples();
+    const auto step = static_cast<std::size_t>(image.channels());
+    const std::size_t next = step >= kColors ? 1 : 0;  // the same for all colours where it is grey
+    float* to = frame.pixels.samples().data();
+    for (std::size_t k = 0; k < from.size(); k += step) {
+        const float opacity = has_alpha ? static_cast<float>(from[k + step - 1]) /
+                                              static_cast<float>(values.size() - 1)
+                                        : 1.0F;
+        for (std::size_t c = 0; c < kColors; ++c) {
+            *to++ = opacity * values[from[k + c * next]] + (1.0F - opacity) * ground;
+        }
+    }
+    return frame;
+}
+
+/// Which pixels along an axis one of fewer pixels covers: from the first on, these parts of it.
+struct Cover {
+    int first = 0;
+    std::vector<float> parts;
+};
+
+std::vector<Cover> covers_of(int many, int few) {
+    const double scale = static_cast<double>(many) / few;
+    std::vector<Cover> covers(static_cast<std::size_t>(few));
+    for (int k = 0; k < few; ++k) {
+        const double begin = k * scale;
+        const double end = k + 1 < few ? (k + 1) * scale : many;
+        Cover& cover = covers[static_cast<std::size_t>(k)];
+        cover.first = static_cast<int>(begin);
+        for (int pixel = cover.first; pixel < end; ++pixel) {
+            const double part = std::min(end, pixel + 1.0) - std::max<double>(begin, pixel);
+            cover.parts.push_back(static_cast<float>(part / scale));
+        }
+    }
+    return covers;
+}
+
+/// The mean of the rows that are covered, sample by sample.
+void add_rows(ImageView<const float> from, const Cover& cover, std::vector<float>& mean) {
+    std::ranges::fill(mean, 0.0F);
+    for (std::size_t k = 0; k < cover.parts.size(); ++k) {
+        const auto row = from.row(cover.first + static_cast<int>(k));
+        for (std::size_t i = 0; i < mean.size(); ++i) {
+            mean[i] += cover.parts[k] * row[i];
+        }
+    }
+}
+
+void add_pixels(const std::vector<float>& row, const Cover& cover, std::span<float> mean) {
+    const float* from = row.data() + static_cast<std::size_t>(cover.first) * kColors;
+    for (const float part : cover.parts) {
+        for (float& sum : mean) {
+            sum += part * *from++;
+        }
+    }
+}
+
+}  // namespace
+
+ShownFrame read_shown(const MapFile& file, const ManifestMap& map) {
+    if (file.path.extension() != ".png") {
+        throw InputError(
+            fmt::format("'{}' cannot be shown: previews are made of PNGs", file.path.string()));
+    }
+    const bool is_light = map.samples->color_space != "data";
+    return std::visit([&](const auto& image) { return shown(image, is_light); },
+                      read_png_samples(file.path));
+}
+
+ShownFrame reduced(const ShownFrame& frame, int width, int height) {
+    const ImageView<const float> from = frame.pixels.view();
+    assert(width <= from.width() && height <= from.height());
+    ShownFrame smaller{Image<float>(width, height, kColors), frame.is_light};
+    const std::vector<Cover> rows = covers_of(from.height(), height);
+    const std::vector<Cover> columns = covers_of(from.width(), width);
+    std::vector<float> mean(from.row_samples());
+    for (int y = 0; y < height; ++y) {
+        add_rows(from, rows[static_cast<std::size_t>(y)], mean);
+        for (int x = 0; x < width; ++x) {
+            add_pixels(mean, columns[static_cast<std::size_t>(x)], smaller.pixels.pixel(x, y));
+        }
+    }
+    return smaller;
+}
+
+Image<std::uint8_t> codes_of(const ShownFrame& frame) {
+    Image<std::uint8_t> codes(frame.pixels.width(), frame.pixels.height(), kColors);
+    std::ranges::transform(
+        frame.pixels.samples(), codes.samples().begin(), [&](float value) -> std::uint8_t {
+            const double held = std::clamp(value, 0.0F, 1.0F);
+            const double code = frame.is_light ? linear_to_srgb(held) : held;
+            return static_cast<std::uint8_t>(std::lround(kLargestCode * code));
+        });
+    return codes;
+}
+
+}  // namespace foam::texgen
