@@ -16,7 +16,9 @@ using Action = std::function<ExitCode()>;
 /// Each adds one command to the program; parsing a command line that names it sets `action`.
 void add_bake_command(CLI::App& app, Action& action);
 void add_compare_command(CLI::App& app, Action& action);
+void add_completion_command(CLI::App& app, Action& action);
 void add_flipbook_command(CLI::App& app, Action& action);
+void add_manual_command(CLI::App& app, Action& action);
 void add_maps_command(CLI::App& app, Action& action);
 void add_presets_command(CLI::App& app, Action& action);
 void add_preview_command(CLI::App& app, Action& action);

@@ -65,6 +65,8 @@ ExitCode parse_and_run(int argc, char** argv) {
     add_compare_command(app, action);
     add_presets_command(app, action);
     add_maps_command(app, action);
+    add_manual_command(app, action);
+    add_completion_command(app, action);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

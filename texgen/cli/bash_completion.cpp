@@ -1,0 +1,149 @@
+#include "texgen/cli/completion_values.h"
+
+#include <fmt/core.h>
+#include <fmt/format.h>
+
+namespace foam::texgen {
+
+namespace {
+
+std::vector<std::string> names_of(const std::vector<CommandGrammar>& commands) {
+    std::vector<std::string> names;
+    for (const CommandGrammar& command : commands) {
+        names.push_back(command.name);
+    }
+    return names;
+}
+
+constexpr const char* kBashHead =
+    R"(# Completion of {0} for bash. Made by '{0} completion bash'; source it.
+
+_{0}_words() {{
+    mapfile -t COMPREPLY < <(compgen -W "$1" -- "$current")
+}}
+
+# The last of several words with commas.
+_{0}_list() {{
+    local done=
+    [[ $current == *,* ]] && done=${{current%,*}},
+    mapfile -t COMPREPLY < <(compgen -P "$done" -W "$1" -- "${{current##*,}}")
+    compopt -o nospace 2>/dev/null
+}}
+
+_{0}_key() {{
+    mapfile -t COMPREPLY < <(compgen -S = -W "$1" -- "$current")
+    compopt -o nospace 2>/dev/null
+}}
+
+_{0}_path() {{
+    mapfile -t COMPREPLY < <(compgen -f -- "$current")
+    compopt -o filenames 2>/dev/null
+}}
+
+_{0}() {{
+    local current=${{COMP_WORDS[COMP_CWORD]}} before=${{COMP_WORDS[COMP_CWORD - 1]}} path={0} word
+    COMPREPLY=()
+    for word in "${{COMP_WORDS[@]:1:COMP_CWORD-1}}"; do
+        case "$path $word" in
+            {1}) path="$path $word" ;;
+        esac
+    done
+    case "$path:$before" in
+{2}    esac
+    case "$path" in
+{3}    esac
+}}
+
+complete -F _{0} {0}
+)";
+
+class BashScript {
+  public:
+    BashScript(const CommandGrammar& program, const CompletionWords& words)
+        : program_(program.name), words_(words) {
+        add(program, program.name);
+    }
+
+    std::string text() const {
+        return fmt::format(kBashHead, program_, fmt::join(paths_, " | "), values_, words_of_paths_);
+    }
+
+  private:
+    void add(const CommandGrammar& command, const std::string& path) {
+        std::vector<std::string> options;
+        for (const ArgumentGrammar& option : command.options) {
+            options.insert(options.end(), option.names.begin(), option.names.end());
+            if (!option.value.empty()) {
+                add_option(option, path);
+            }
+        }
+        add_words(command, path, options);
+        for (const CommandGrammar& inner : command.commands) {
+            paths_.push_back(fmt::format("\"{} {}\"", path, inner.name));
+            add(inner, path + " " + inner.name);
+        }
+    }
+
+    void add_option(const ArgumentGrammar& option, const std::string& path) {
+        std::vector<std::string> patterns;
+        for (const std::string& name : option.names) {
+            patterns.push_back(fmt::format("\"{}:{}\"", path, name));
+        }
+        values_ += fmt::format("        {}) {}; return ;;\n",
+                               fmt::join(patterns, " | "),
+                               call(values_of(option, words_)));
+    }
+
+    std::string call(const Values& values) const {
+        switch (values.kind) {
+            case ValueKind::List:
+                return fmt::format("_{}_list '{}'", program_, joined(values.words));
+            case ValueKind::Key:
+                return fmt::format("_{}_key '{}'", program_, joined(values.words));
+            case ValueKind::Words:
+                return fmt::format("_{}_words '{}'", program_, joined(values.words));
+            default:
+                return fmt::format("_{}_path", program_);
+        }
+    }
+
+    // Options where a hyphen is, else commands, or names and files.
+    void add_words(const CommandGrammar& command,
+                   const std::string& path,
+                   const std::vector<std::string>& options) {
+        std::vector<std::string> words = names_of(command.commands);
+        bool takes_files = false;
+        for (const ArgumentGrammar& positional : command.positionals) {
+            const Values values = values_of(positional, words_);
+            words.insert(words.end(), values.words.begin(), values.words.end());
+            takes_files = takes_files || positional.names.front() != "NAME";
+        }
+        words_of_paths_ += fmt::format(
+            "        \"{0}\")\n"
+            "            if [[ $current == -* ]]; then\n"
+            "                _{1}_words '{2}'\n"
+            "            else\n"
+            "                _{1}_words '{3}'{4}\n"
+            "            fi ;;\n",
+            path,
+            program_,
+            joined(options),
+            joined(words),
+            takes_files ? "\n                ((${#COMPREPLY[@]} > 0)) || _" + program_ + "_path"
+                        : "");
+    }
+
+    std::string program_;
+    const CompletionWords& words_;
+    std::vector<std::string> paths_;  // of commands
+    std::string values_;              // of options
+    std::string words_of_paths_;
+};
+
+}  // namespace
+
+std::string bash_completion(const CommandGrammar& program, const CompletionWords& words) {
+    return BashScript(program, words).text();
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,45 @@
+#include "texgen/cli/completion_values.h"
+
+#include <fmt/core.h>
+#include <fmt/format.h>
+
+namespace foam::texgen {
+
+namespace {
+
+std::vector<std::string> split(const std::string& text, char at) {
+    std::vector<std::string> parts(1);
+    for (const char c : text) {
+        if (c == at) {
+            parts.emplace_back();
+        } else {
+            parts.back() += c;
+        }
+    }
+    return parts;
+}
+
+}  // namespace
+
+Values values_of(const ArgumentGrammar& argument, const CompletionWords& words) {
+    const std::string& name = argument.names.back();
+    if (name == "--maps") {
+        return {ValueKind::List, words.maps};
+    }
+    if (name == "--set") {
+        return {ValueKind::Key, words.keys};
+    }
+    if (name == "PRESET" || name == "NAME") {
+        return {ValueKind::Words, words.presets};
+    }
+    if (argument.value.find('|') != std::string::npos) {
+        return {ValueKind::Words, split(argument.value, '|')};
+    }
+    return {};
+}
+
+std::string joined(const std::vector<std::string>& words) {
+    return fmt::format("{}", fmt::join(words, " "));
+}
+
+}  // namespace foam::texgen

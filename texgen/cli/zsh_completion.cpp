@@ -1,0 +1,128 @@
+#include "texgen/cli/completion_values.h"
+
+#include <fmt/core.h>
+#include <fmt/format.h>
+
+#include <string_view>
+
+namespace foam::texgen {
+
+namespace {
+
+// Within single quotes, and within what _arguments sets apart by brackets and colons.
+std::string zsh_escaped(std::string_view text) {
+    std::string result;
+    for (const char c : text) {
+        if (c == '\'') {
+            result += "'\\''";
+            continue;
+        }
+        if (c == '[' || c == ']' || c == ':' || c == '\\') {
+            result += '\\';
+        }
+        result += c;
+    }
+    return result;
+}
+
+std::string zsh_action(const Values& values, bool or_files) {
+    switch (values.kind) {
+        case ValueKind::List:
+            return "_sequence compadd - " + joined(values.words);
+        case ValueKind::Key:
+            return "compadd -S = - " + joined(values.words);
+        case ValueKind::Words:
+            return or_files ? fmt::format("{{compadd - {}; _files}}", joined(values.words))
+                            : fmt::format("({})", joined(values.words));
+        default:
+            return "_files";
+    }
+}
+
+class ZshScript {
+  public:
+    ZshScript(const CommandGrammar& program, const CompletionWords& words) : words_(words) {
+        text_ = fmt::format(
+            "#compdef {0}\n# Completion of {0} for zsh. Made by '{0} completion zsh'; save it as "
+            "_{0} in "
+            "a folder of $fpath.\n",
+            program.name);
+        add(program, "_" + program.name);
+        text_ += fmt::format("\n_{} \"$@\"\n", program.name);
+    }
+
+    const std::string& text() const { return text_; }
+
+  private:
+    void add(const CommandGrammar& command, const std::string& function) {
+        for (const CommandGrammar& inner : command.commands) {
+            add(inner, function + "_" + inner.name);
+        }
+        std::string specs;
+        for (const ArgumentGrammar& option : command.options) {
+            specs += option_spec(option);
+        }
+        for (const ArgumentGrammar& positional : command.positionals) {
+            specs += positional_spec(positional);
+        }
+        text_ += fmt::format("\n{}() {{\n", function);
+        text_ += command.commands.empty() ? fmt::format("    _arguments{}\n", specs)
+                                          : dispatch(command, function, specs);
+        text_ += "}\n";
+    }
+
+    std::string option_spec(const ArgumentGrammar& option) const {
+        const std::string value = option.value.empty()
+                                      ? ""
+                                      : fmt::format(":{}:{}",
+                                                    zsh_escaped(option.value),
+                                                    zsh_action(values_of(option, words_), false));
+        const std::string tail = fmt::format("[{}]{}", zsh_escaped(option.meaning), value);
+        const std::string repeated = option.names.back() == "--set" ? "*" : "";
+        return option.names.size() > 1
+                   ? fmt::format(" \\\n        '({})'{{{}}}'{}'",
+                                 joined(option.names),
+                                 fmt::join(option.names, ","),
+                                 tail)
+                   : fmt::format(" \\\n        '{}{}{}'", repeated, option.names.front(), tail);
+    }
+
+    std::string positional_spec(const ArgumentGrammar& positional) const {
+        const std::string& name = positional.names.front();
+        return fmt::format(" \\\n        ':{}:{}'",
+                           zsh_escaped(name),
+                           zsh_action(values_of(positional, words_), name != "NAME"));
+    }
+
+    static std::string dispatch(const CommandGrammar& command,
+                                const std::string& function,
+                                const std::string& specs) {
+        std::string described;
+        std::string calls;
+        for (const CommandGrammar& inner : command.commands) {
+            described +=
+                fmt::format("            '{}:{}'\n", inner.name, zsh_escaped(inner.meaning));
+            calls += fmt::format("            {0}) {1}_{0} ;;\n", inner.name, function);
+        }
+        return fmt::format(
+            "    local state\n    local -a commands\n"
+            "    _arguments -C{} \\\n        '1: :->command' \\\n        '*:: :->arguments'\n"
+            "    case $state in\n        command)\n            commands=(\n{}            )\n"
+            "            _describe command commands ;;\n"
+            "        arguments)\n            case $words[1] in\n{}            esac ;;\n    esac\n",
+            specs,
+            described,
+            calls);
+    }
+
+    const CompletionWords& words_;
+    std::string text_;
+};
+
+}  // namespace
+
+std::string zsh_completion(const CommandGrammar& program, const CompletionWords& words) {
+    return ZshScript(program, words).text();
+}
+
+}  // namespace foam::texgen
