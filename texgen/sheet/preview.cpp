@@ -124,7 +124,7 @@ class Previews {
     }
 
     std::filesystem::path write(PreviewKind kind, const std::filesystem::path& to) {
-        const std::filesystem::path path = to / name(kind);
+        std::filesystem::path path = to / name(kind);
         write_file(path, make(kind));
         return path;
     }

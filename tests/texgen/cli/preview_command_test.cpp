@@ -1,3 +1,4 @@
+#include "tests/support/places.h"
 #include "tests/texgen/cli/run_program.h"
 #include "texgen/image/png.h"
 
@@ -64,7 +65,7 @@ TEST(PreviewCommand, ABadRequestIsOneLine) {
 TEST(PreviewCommand, SaysWhereThereIsNoFfmpeg) {
     const TemporaryFolder folder;
     const std::string command = "cd " + folder.path().string() + " && PATH=. '" +
-                                FOAMTEX_EXECUTABLE "' preview sea_foam --as mp4 2>err";
+                                test::executable().string() + "' preview sea_foam --as mp4 2>err";
     const int status = std::system(command.c_str());
     EXPECT_EQ(WEXITSTATUS(status), static_cast<int>(ExitCode::OutputFailed));
     EXPECT_EQ(file_content(folder.path() / "err"),
