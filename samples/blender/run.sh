@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# Bakes sea_foam, and has Blender render it: pictures in out/blender/, in two minutes. Blender's package is large.
+#
+#     samples/blender/run.sh
+#     FOAM_FIGURES=1 samples/blender/run.sh      also makes the figures of the README anew
+set -euo pipefail
+
+root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." >/dev/null && pwd)
+cd -- "$root"
+# shellcheck source=samples/setup/packages.sh
+source samples/setup/packages.sh
+
+foamtex=build/quickstart/texgen/foamtex
+sample=samples/blender
+out=out/blender
+
+build() {
+    say "building foamtex in build/quickstart (the first time takes minutes)"
+    cmake --preset quickstart >/dev/null
+    cmake --build --preset quickstart --target foamtex
+}
+
+bake() {
+    say "baking"
+    "$foamtex" bake sea_foam --maps albedo,normal,height --frames 1 \
+        --out "$out/tile/{preset}_{map}.####.png"
+    "$foamtex" bake sea_foam --size 256 --out "$out/book/{preset}_{map}.####.png"
+    "$foamtex" flipbook "$out/book" --gutter 4
+}
+
+# The same pictures from the sheet and from the frames themselves, but for rounding.
+compare() {
+    local picture
+    for picture in "$out"/sheet.*.png; do
+        "$foamtex" compare --fail 0.01 "$picture" "${picture/sheet./frame.}" >/dev/null ||
+            die "$picture differs from the frame itself"
+    done
+    say "the flipbook shows what its frames show"
+}
+
+ensure_packages "${foam_build_packages[@]}" blender python3-numpy
+build
+bake
+say "rendering"
+blender -b -noaudio --python-exit-code 1 -P "$sample/foam.py" -- "$out" | grep '^==>\|Saved'
+compare
+[[ -z ${FOAM_FIGURES:-} ]] || cp "$out"/{relief,tiles}.png "$sample/"
