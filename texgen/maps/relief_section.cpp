@@ -64,9 +64,9 @@ double ReliefSection::smooth(double way) const {
 }
 
 double ReliefSection::height_along(double x) const {
-    const double way = std::abs(x);
-    const bool beyond = profile_ == ReliefProfile::Dome && way > 1.0;
-    return height(smooth(beyond ? 2.0 - way : way));
+    // Beyond the middle of a dome it goes down to the next film, and so on.
+    const bool dome = profile_ == ReliefProfile::Dome;
+    return height(smooth(std::abs(dome ? std::remainder(x, 2.0) : x)));
 }
 
 }  // namespace foam::texgen

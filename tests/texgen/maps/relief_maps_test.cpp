@@ -146,6 +146,18 @@ TEST(ReliefMaps, SlopesAreDerivativesOfHeights) {
     }
 }
 
+// A bubble may be smaller than what curvature is felt over: past a dome's middle comes its other
+// film, and past that the next dome.
+TEST(ReliefMaps, ADomeGoesOnInBothDirections) {
+    const ReliefSection dome(ReliefProfile::Dome, 0.9);
+    for (const double x : {0.0, 0.3, 0.9}) {
+        for (const double far : {-x, 2.0 - x, 2.0 + x, 8.0 - x, -40.0 - x}) {
+            EXPECT_NEAR(dome.height_along(far), dome.height_along(x), 1e-14) << far;
+        }
+    }
+    EXPECT_GT(dome.height_along(1.0), dome.height_along(0.9));
+}
+
 // At the foot of a furrow whose walls rise by 30 degrees a wall sees the sky from its own plane to
 // 60 degrees from its normal on the other side ... the normal leans 30 degrees to the other wall,
 // which ends 60 degrees from upright: (sin 90 + sin 30) / 2. In the middle of a cap nothing is
