@@ -33,9 +33,10 @@ double seconds_since(Clock::time_point begin) {
 class FrameWriter {
   public:
     FrameWriter(const Preset& preset, int total, const BakeCallbacks& callbacks)
-        : preset_(preset), files_(preset), callbacks_(callbacks) {
-        progress_.total = total;
-    }
+        : preset_(preset),
+          files_(preset),
+          callbacks_(callbacks),
+          meter_(total, callbacks.on_progress) {}
 
     const FrameFiles& files() const { return files_; }
 
@@ -51,29 +52,18 @@ class FrameWriter {
 
   private:
     void report(const BakedFrame& baked) {
-        const Frame& frame = *baked.shown.frame;
-        const FrameEffort& effort = baked.shown.effort;
         const std::scoped_lock lock(mutex_);
         if (callbacks_.on_baked) {
             callbacks_.on_baked(baked);
         }
-        ++progress_.done;
-        progress_.frame = frame.number;
-        progress_.bubbles = static_cast<int>(frame.bubbles.size() + frame.lone_bubbles.size());
-        progress_.area_error = effort.area_error;
-        progress_.angle_error = effort.angle_error;
-        progress_.seconds = seconds_since(begin_);
-        if (callbacks_.on_progress) {
-            callbacks_.on_progress(progress_);
-        }
+        meter_.add(baked.shown);
     }
 
     const Preset& preset_;
     FrameFiles files_;
     const BakeCallbacks& callbacks_;
     std::mutex mutex_;
-    BakeProgress progress_;
-    Clock::time_point begin_ = Clock::now();
+    ProgressMeter meter_;
 };
 
 }  // namespace
@@ -89,19 +79,23 @@ void check_bake(const Preset& preset, const BakeOptions& options) {
 
 BakeSummary bake(const Preset& preset, const BakeOptions& options, const BakeCallbacks& callbacks) {
     check_bake(preset, options);
-    FrameWriter writer(preset, static_cast<int>(options.frames.size()), callbacks);
+    FrameWriter writer(
+        preset, static_cast<int>(options.frames.size() - options.there.size()), callbacks);
     BakeSummary summary;
-    Simulation simulation(preset, options.threads);
+    const FrameSource source =
+        options.source ? options.source : simulation_of(preset, options.threads);
     BoundedWorkers workers(thread_count(options) - 1);
     const auto visit = [&](const SimulatedFrame& shown) {
         if (callbacks.on_frame) {
             callbacks.on_frame(shown);
         }
-        workers.submit([shown, &writer] { writer.write(shown); });
+        if (!options.there.contains(shown.frame->number)) {
+            workers.submit([shown, &writer] { writer.write(shown); });
+        }
     };
     const NextFrames next =
         writer.files().needs_next() ? NextFrames::HandedOut : NextFrames::LeftOut;
-    summary.outcome = simulate_frames(simulation, options.frames, next, visit);
+    summary.outcome = source(options.frames, next, visit);
     workers.finish();
     for (const int frame : options.frames) {
         if (summary.outcome.status == RunStatus::Complete || frame < summary.outcome.failed_frame) {

@@ -1,39 +1,30 @@
 #pragma once
 
+#include "texgen/bake/progress_meter.h"
 #include "texgen/bake/simulate_frames.h"
 #include "texgen/bake/written_file.h"
 #include "texgen/preset/preset.h"
 
 #include <filesystem>
 #include <functional>
-#include <optional>
+#include <set>
 #include <vector>
 
 namespace foam::texgen {
 
 /// Which frames of a preset are baked, and how. None of it changes a pixel.
 struct BakeOptions {
-    std::vector<int> frames;  // numbers from 1, in any order, each once
-    int threads = 0;          // 0: one per hardware thread
+    std::vector<int> frames;   // numbers from 1, in any order, each once
+    int threads = 0;           // 0: one per hardware thread
+    FrameSource source = {};   // of the same preset; empty: its simulation
+    std::set<int> there = {};  // of the frames, those whose files are there and stay as they are
 };
-
-/// The state of a bake after a frame has been written.
-struct BakeProgress {
-    int frame = 0;             // its number
-    int done = 0;              // frames written so far ...
-    int total = 0;             // ... of as many as will be
-    int bubbles = 0;           // in this frame
-    double area_error = 0.0;   // largest |A / A_target - 1| (E2)
-    double angle_error = 0.0;  // largest deviation from 120 degrees (E2), radians
-    double seconds = 0.0;      // wall time since the bake began
-};
-
-/// Called from one thread at a time.
-using ProgressCallback = std::function<void(const BakeProgress&)>;
 
 struct BakeSummary {
-    RunOutcome outcome;                        // the frames before one that failed were written
-    std::vector<std::filesystem::path> files;  // written, in the order of the frames asked for
+    RunOutcome outcome;  // the frames before one that failed were written
+    // Written, or there before, in the order of the frames asked for.
+    std::vector<std::filesystem::path> files;
+    int kept = 0;  // frames whose files were there
 };
 
 /// A frame whose files have been written.
@@ -56,8 +47,8 @@ struct BakeCallbacks {
 /// share a file.
 void check_bake(const Preset& preset, const BakeOptions& options);
 
-/// Simulates the foam, draws the frames and writes every map of each; folders are made as needed.
-/// Throws as check_bake, and OutputError where a file cannot be written.
+/// Takes the frames from their source, draws the frames and writes every map of each; folders are
+/// made as needed. Throws as check_bake, and OutputError where a file cannot be written.
 BakeSummary bake(const Preset& preset,
                  const BakeOptions& options,
                  const BakeCallbacks& callbacks = {});

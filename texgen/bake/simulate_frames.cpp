@@ -133,6 +133,15 @@ RunOutcome outcome_of(const Simulation& simulation, bool complete) {
 
 }  // namespace
 
+FrameSource simulation_of(const Preset& preset, int threads) {
+    return
+        [preset, threads](
+            const std::vector<int>& numbers, NextFrames next_frames, const FrameVisitor& on_frame) {
+            Simulation simulation(preset, threads);
+            return simulate_frames(simulation, numbers, next_frames, on_frame);
+        };
+}
+
 RunOutcome simulate_frames(Simulation& simulation,
                            const std::vector<int>& numbers,
                            NextFrames next_frames,

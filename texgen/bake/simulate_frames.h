@@ -49,6 +49,13 @@ struct RunOutcome {
     std::optional<double> closing_error;  // of a loop (Simulation::closing_error)
 };
 
+/// Where frames come from: hands out those of these numbers, as simulate_frames does.
+using FrameSource = std::function<RunOutcome(
+    const std::vector<int>& numbers, NextFrames next_frames, const FrameVisitor&)>;
+
+/// A simulation of a preset from its seed, each time it is asked.
+FrameSource simulation_of(const Preset& preset, int threads);
+
 /// Runs a simulation that has not begun to the last of the frames, and hands out each of them as
 /// soon as it can: in increasing order, but in a pingpong, where a frame is shown on both ways, in
 /// the order in which the simulation comes by.

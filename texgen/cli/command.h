@@ -23,6 +23,8 @@ void add_maps_command(CLI::App& app, Action& action);
 void add_presets_command(CLI::App& app, Action& action);
 void add_preview_command(CLI::App& app, Action& action);
 void add_relax_command(CLI::App& app, Action& action);
+void add_render_command(CLI::App& app, Action& action);
+void add_simulate_command(CLI::App& app, Action& action);
 void add_stats_command(CLI::App& app, Action& action);
 void add_verify_command(CLI::App& app, Action& action);
 

@@ -1,13 +1,16 @@
 #include "texgen/bake/file_pattern.h"
 #include "texgen/bake/frame_range.h"
 #include "texgen/cli/command.h"
+#include "texgen/cli/json_report.h"
 #include "texgen/image/compare.h"
 #include "texgen/image/png.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <memory>
@@ -33,7 +36,10 @@ struct CompareArguments {
     std::optional<std::string> difference;
     CompareLimits limits;
     bool quiet = false;
+    bool json = false;
 };
+
+using Json = nlohmann::ordered_json;
 
 using Paths = std::pair<std::filesystem::path, std::filesystem::path>;
 
@@ -78,25 +84,45 @@ void print_line(const Paths& paths, const Comparison& found) {
     fmt::print("\n");
 }
 
-Verdict compare_files(const Paths& paths, const CompareArguments& arguments) {
+/// JSON has no word for a number that is not finite.
+Json to_json(const Paths& paths, const Comparison& found) {
+    return {{"a", paths.first.string()},
+            {"b", paths.second.string()},
+            {"verdict", word_of(found.verdict)},
+            {"largest", std::isfinite(found.largest) ? Json(found.largest) : Json(nullptr)},
+            {"mean", std::isfinite(found.mean) ? Json(found.mean) : Json(nullptr)},
+            {"channel", found.channel},
+            {"x", found.x},
+            {"y", found.y},
+            {"warnings", found.warnings},
+            {"failures", found.failures}};
+}
+
+Comparison compare_files(const Paths& paths, const CompareArguments& arguments) {
     const Picture a = read_picture(paths.first);
     const Picture b = read_picture(paths.second);
     const Comparison found = compare(a, b, arguments.limits);
-    if (!arguments.quiet) {
+    if (!arguments.quiet && !arguments.json) {
         print_line(paths, found);
     }
     if (arguments.difference && found.verdict != Verdict::OtherSize) {
         write_png(
             *arguments.difference, difference_picture(a, b).view(), {}, {.filter = PngFilter::Up});
     }
-    return found.verdict;
+    return found;
 }
 
 /// The worst verdict of all decides.
 ExitCode run_compare(const CompareArguments& arguments) {
     Verdict worst = Verdict::Same;
+    Json images = Json::array();
     for (const Paths& paths : pairs_of(arguments)) {
-        worst = std::max(worst, compare_files(paths, arguments));
+        const Comparison found = compare_files(paths, arguments);
+        worst = std::max(worst, found.verdict);
+        images.push_back(to_json(paths, found));
+    }
+    if (arguments.json) {
+        fmt::print("{}\n", Json{{"status", word_of(worst)}, {"images", images}}.dump());
     }
     return static_cast<ExitCode>(worst);
 }
@@ -126,6 +152,7 @@ void add_compare_command(CLI::App& app, Action& action) {
         ->option_text("FILE");
     command->add_flag("-q,--quiet", arguments->quiet, "Say nothing; only the exit code tells")
         ->option_text(" ");
+    add_json_option(*command, arguments->json);
     command->footer(kExamples);
     command->callback(
         [&action, arguments] { action = [arguments] { return run_compare(*arguments); }; });

@@ -57,6 +57,8 @@ ExitCode parse_and_run(int argc, char** argv) {
     app.require_subcommand(1);
     app.footer(kFooter);
     add_bake_command(app, action);
+    add_simulate_command(app, action);
+    add_render_command(app, action);
     add_flipbook_command(app, action);
     add_preview_command(app, action);
     add_relax_command(app, action);

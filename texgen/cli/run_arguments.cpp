@@ -56,13 +56,17 @@ void add_preset_options(CLI::App& command, RunArguments& arguments) {
     command.add_option("PRESET", arguments.preset, "Name of a shipped preset, or a .toml file")
         ->required()
         ->option_text(" ");
+    add_frame_options(command, arguments);
+    command.add_option("--seed", arguments.seed, "Another foam of the same kind")->option_text("N");
+}
+
+void add_frame_options(CLI::App& command, RunArguments& arguments) {
     command.add_option("--set", arguments.sets, "Change one key of the preset; may be repeated")
         ->allow_extra_args(false)
         ->option_text("KEY=VALUE");
     command.add_option("--frames", arguments.frames, "As 5, 1-10, 1-10x2, 1-10y3 or 1-3,7")
         ->option_text("RANGE");
     command.add_option("--size", arguments.size, "Image size in pixels")->option_text("W[xH]");
-    command.add_option("--seed", arguments.seed, "Another foam of the same kind")->option_text("N");
 }
 
 void add_run_options(CLI::App& command, RunArguments& arguments) {
@@ -81,7 +85,10 @@ Assignment maps_assignment(const std::string& maps) {
 }
 
 Preset preset_of(const RunArguments& arguments, const std::vector<Assignment>& more) {
-    Preset preset = load_preset(arguments.preset);
+    return changed(load_preset(arguments.preset), arguments, more);
+}
+
+Preset changed(Preset preset, const RunArguments& arguments, const std::vector<Assignment>& more) {
     std::vector<Assignment> assignments = assignments_of(arguments);
     assignments.insert(assignments.end(), more.begin(), more.end());
     assign(preset, assignments);

@@ -30,6 +30,9 @@ struct RunArguments {
 /// PRESET, --set, --frames, --size, --seed; the arguments have to outlive the parsing.
 void add_preset_options(CLI::App& command, RunArguments& arguments);
 
+/// The same without PRESET and --seed.
+void add_frame_options(CLI::App& command, RunArguments& arguments);
+
 /// --threads, -q, -v.
 void add_run_options(CLI::App& command, RunArguments& arguments);
 
@@ -39,6 +42,11 @@ Assignment maps_assignment(const std::string& maps);
 /// The preset with its `--set`s, then the options that stand for a key, then `more` carried out.
 /// Throws PresetError.
 Preset preset_of(const RunArguments& arguments, const std::vector<Assignment>& more = {});
+
+/// The same for a preset that was not loaded by its name.
+Preset changed(Preset preset,
+               const RunArguments& arguments,
+               const std::vector<Assignment>& more = {});
 
 /// Those of --frames, which may go beyond the preset's own, or all of the preset. Throws
 /// std::invalid_argument.

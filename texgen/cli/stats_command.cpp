@@ -1,4 +1,8 @@
+#include "texgen/bake/frame_range.h"
+#include "texgen/cache/cache.h"
+#include "texgen/cache/simulation_keys.h"
 #include "texgen/cli/command.h"
+#include "texgen/cli/json_report.h"
 #include "texgen/cli/report.h"
 #include "texgen/cli/run_arguments.h"
 #include "texgen/stats/files.h"
@@ -20,11 +24,13 @@ constexpr const char* kExamples = R"(Examples:
   foamtex stats coarsening
   foamtex stats sea_foam --frames 1-200 --seed 7 --out sea_stats
   foamtex stats my.toml --set foam.bubbles=2000
+  foamtex stats foam                     a cache that simulate has filled
 A torus has the shape of the image; its size in pixels does not matter.)";
 
 struct StatsArguments {
     RunArguments run;
     std::optional<std::string> out;
+    bool json = false;
 };
 
 std::filesystem::path folder_of(const StatsArguments& arguments, const Preset& preset) {
@@ -32,18 +38,37 @@ std::filesystem::path folder_of(const StatsArguments& arguments, const Preset& p
                          : std::filesystem::path("out") / (preset.name + "_stats");
 }
 
+Preset cached_preset(const Cache& cache, const RunArguments& arguments) {
+    Preset preset = changed(cache.info().preset, arguments);
+    check_same_simulation(cache.info().preset, preset);
+    return preset;
+}
+
 ExitCode run_stats(const StatsArguments& arguments) {
-    const Preset preset = preset_of(arguments.run);
-    const BakeOptions options{.frames = frames_of(arguments.run, preset),
-                              .threads = arguments.run.threads};
+    const bool has_cache = is_cache(arguments.run.preset);
+    const auto cache = has_cache ? std::optional<Cache>(arguments.run.preset) : std::nullopt;
+    const Preset preset = cache ? cached_preset(*cache, arguments.run) : preset_of(arguments.run);
+    BakeOptions options{.frames = frames_of(arguments.run, preset),
+                        .threads = arguments.run.threads};
+    if (cache) {
+        options.source = cache->frames_of(preset);
+        options.frames = arguments.run.frames ? options.frames : cache->info().frames;
+    }
     const Verbosity verbosity = verbosity_of(arguments.run);
     const MeasureSummary summary = measure_run(preset, options, progress_reporter(verbosity));
     const std::vector<std::filesystem::path> files =
         write_statistics(summary.run, folder_of(arguments, preset));
+    if (arguments.json) {
+        JsonReport report(summary.outcome);
+        report.add("preset", preset.name);
+        report.add("frames", format_frame_range(options.frames));
+        report.add("files", files);
+        report.print();
+    }
     if (summary.outcome.status != RunStatus::Complete) {
         return report_failure(summary.outcome);
     }
-    if (verbosity != Verbosity::Quiet) {
+    if (verbosity != Verbosity::Quiet && !arguments.json) {
         print_files(files);
     }
     return ExitCode::Success;
@@ -60,6 +85,7 @@ void add_stats_command(CLI::App& app, Action& action) {
         ->add_option(
             "--out", arguments->out, "Folder of the files; out/{preset}_stats if not given")
         ->option_text("DIR");
+    add_json_option(*command, arguments->json);
     add_run_options(*command, arguments->run);
     command->footer(kExamples);
     command->callback(

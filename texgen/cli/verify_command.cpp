@@ -1,4 +1,5 @@
 #include "texgen/cli/command.h"
+#include "texgen/cli/json_report.h"
 #include "texgen/verify/verify.h"
 
 #include <CLI/CLI.hpp>
@@ -43,8 +44,7 @@ void add_verify_command(CLI::App& app, Action& action) {
     command->add_option("DIR", arguments->path, "The folder with manifest.json, or the file")
         ->required()
         ->option_text(" ");
-    command->add_flag("--json", arguments->json, "Print one JSON object of the results")
-        ->option_text(" ");
+    add_json_option(*command, arguments->json);
     command->add_flag("-q,--quiet", arguments->quiet, "Say nothing; only the exit code tells")
         ->option_text(" ");
     command->footer(kExamples);

@@ -43,7 +43,9 @@ auto place_of(const BakedSet& set, const ManifestFile& file) {
 
 void merge_into(BakedSet& into, const BakedSet& more) {
     into.toml = more.toml;
+    const std::optional<double> closing_error = into.loop.closing_error;
     into.loop = more.loop;
+    into.loop.closing_error = more.loop.closing_error ? more.loop.closing_error : closing_error;
     merge_maps(into, more.maps);
     for (const ManifestFrame& frame : more.foam) {
         std::erase_if(into.foam, [&](const auto& old) { return old.frame == frame.frame; });

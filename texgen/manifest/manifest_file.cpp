@@ -21,10 +21,6 @@ bool is_wanted(const BakedSet& set, std::string_view preset) {
     return preset.empty() || set.preset == preset;
 }
 
-Manifest present_manifest(const std::filesystem::path& file) {
-    return std::filesystem::exists(file) ? read_manifest(file) : Manifest{};
-}
-
 std::string line_of(const BakedSet& set) {
     return fmt::format("{} (seed {}, {} x {})", set.preset, set.seed, set.width, set.height);
 }
@@ -59,8 +55,9 @@ const BakedSet& choose_set(const Manifest& manifest,
     return *chosen;
 }
 
-void check_manifest(const std::filesystem::path& folder) {
-    present_manifest(folder / kManifestName);
+Manifest manifest_in(const std::filesystem::path& folder) {
+    const std::filesystem::path file = folder / kManifestName;
+    return std::filesystem::exists(file) ? read_manifest(file) : Manifest{};
 }
 
 void update_manifest(const std::filesystem::path& folder,
@@ -68,7 +65,7 @@ void update_manifest(const std::filesystem::path& folder,
     make_folders(folder);
     const std::filesystem::path file = folder / kManifestName;
     const FileLock lock(file.string() + ".lock");
-    Manifest manifest = present_manifest(file);
+    Manifest manifest = manifest_in(folder);
     change(manifest);
     const std::string text = to_json(manifest);
     write_file(file, std::as_bytes(std::span(text)));

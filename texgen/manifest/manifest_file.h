@@ -21,8 +21,8 @@ const BakedSet& choose_set(const Manifest& manifest,
                            std::string_view preset,
                            const std::filesystem::path& path);
 
-/// Throws as update_manifest would, as far as can be known without writing.
-void check_manifest(const std::filesystem::path& folder);
+/// That of a folder; an empty one where there is none. Throws InputError where it is no manifest.
+Manifest manifest_in(const std::filesystem::path& folder);
 
 /// Changes the manifest of a folder, which is made as needed; without a manifest it starts from an
 /// empty one. One program at a time, all or nothing. Throws InputError where there is another file

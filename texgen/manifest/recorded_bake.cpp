@@ -4,6 +4,7 @@
 #include "texgen/bake/frame_files.h"
 #include "texgen/manifest/describe.h"
 #include "texgen/manifest/manifest_file.h"
+#include "texgen/manifest/present_frames.h"
 
 #include <fmt/core.h>
 
@@ -26,12 +27,10 @@ constexpr double kShare = 0.05;
 class ManifestWriter {
   public:
     /// Writes nothing yet.
-    ManifestWriter(const Preset& preset, const std::vector<int>& frames)
+    ManifestWriter(const Preset& preset, const BakeOptions& options)
         : folder_(manifest_folder(preset)),
-          set_(describe(preset, frames)),
-          paths_(paths_of(preset, frames)) {
-        check_manifest(folder_);
-    }
+          set_(describe(preset, options.frames)),
+          paths_(paths_of(preset, options)) {}
 
     /// Takes the files that are to come out of the manifest.
     void begin() {
@@ -60,10 +59,14 @@ class ManifestWriter {
     bool begun() const { return begun_; }
 
   private:
-    std::vector<std::string> paths_of(const Preset& preset, const std::vector<int>& frames) const {
+    // Of the files that are to come.
+    std::vector<std::string> paths_of(const Preset& preset, const BakeOptions& options) const {
         const FrameFiles files(preset);
         std::vector<std::string> paths;
-        for (const int frame : frames) {
+        for (const int frame : options.frames) {
+            if (options.there.contains(frame)) {
+                continue;
+            }
             for (const std::filesystem::path& path : files.paths(frame)) {
                 paths.push_back(relative_path(path, folder_));
             }
@@ -114,11 +117,12 @@ std::filesystem::path manifest_folder(const Preset& preset) {
     return FilePattern(preset.output.pattern).folder(preset.name);
 }
 
-BakeSummary bake_recorded(const Preset& preset,
-                          const BakeOptions& options,
-                          const BakeCallbacks& callbacks) {
-    check_bake(preset, options);
-    ManifestWriter writer(preset, options.frames);
+namespace {
+
+BakeSummary bake_and_record(const Preset& preset,
+                            const BakeOptions& options,
+                            const BakeCallbacks& callbacks,
+                            ManifestWriter& writer) {
     BakeCallbacks recording = callbacks;
     recording.on_frame = [&](const SimulatedFrame& shown) {
         writer.begin();
@@ -132,8 +136,39 @@ BakeSummary bake_recorded(const Preset& preset,
             callbacks.on_baked(baked);
         }
     };
+    return bake(preset, options, recording);
+}
+
+/// Of a bake that has nothing to do.
+BakeSummary all_there(const Preset& preset, const std::vector<int>& frames) {
+    const FrameFiles files(preset);
+    BakeSummary summary;
+    for (const int frame : frames) {
+        const std::vector<std::filesystem::path> paths = files.paths(frame);
+        summary.files.insert(summary.files.end(), paths.begin(), paths.end());
+    }
+    return summary;
+}
+
+}  // namespace
+
+BakeSummary bake_recorded(const Preset& preset,
+                          const BakeOptions& options,
+                          const BakeCallbacks& callbacks,
+                          Resume resume) {
+    check_bake(preset, options);
+    const std::filesystem::path folder = manifest_folder(preset);
+    const Manifest manifest = manifest_in(folder);
+    BakeOptions missing = options;
+    if (resume == Resume::Yes) {
+        missing.there = present_frames(preset, options.frames, folder, manifest);
+    }
+    const bool idle = missing.there.size() == options.frames.size() && !callbacks.on_frame;
+    ManifestWriter writer(preset, missing);
     try {
-        BakeSummary summary = bake(preset, options, recording);
+        BakeSummary summary = idle ? all_there(preset, options.frames)
+                                   : bake_and_record(preset, missing, callbacks, writer);
+        summary.kept = static_cast<int>(missing.there.size());
         writer.close(failure_of(summary.outcome));
         return summary;
     } catch (const std::exception& error) {

@@ -10,7 +10,7 @@ struct MeasureSummary {
     RunRecord run;
 };
 
-/// Simulates the frames of a preset as a bake does, and measures instead of drawing them.
+/// Takes the frames of a preset as a bake does, and measures instead of drawing them.
 MeasureSummary measure_run(const Preset& preset,
                            const BakeOptions& options,
                            const ProgressCallback& on_progress);

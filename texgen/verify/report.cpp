@@ -28,7 +28,7 @@ std::string ratios(const VerifiedSet& found, SeamOf seam) {
 std::string tile_line(const VerifiedSet& found) {
     const std::string list = ratios(found, &VerifiedMap::tile);
     if (list.empty()) {
-        return "not to be checked: no frame tiles";
+        return "not checked: no frame tiles, or images are too small";
     }
     return fmt::format("{}  (step across the border over the largest within, at most {})",
                        list,

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "texgen/verify/decoded_file.h"
+#include "texgen/image/decoded_file.h"
 
 #include <span>
 

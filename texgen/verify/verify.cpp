@@ -134,7 +134,7 @@ void note_seams(const VerifiedMap& map, std::vector<std::string>& problems) {
 
 bool frame_tiles(const BakedSet& set, int frame) {
     const ManifestFrame* const found = set.find_frame(frame);
-    return found != nullptr && found->tiles;
+    return found != nullptr && found->tiles && std::min(set.width, set.height) >= kSmallestTile;
 }
 
 VerifiedSet verify_set(const BakedSet& set, const std::filesystem::path& folder) {

@@ -12,6 +12,8 @@ namespace foam::texgen {
 
 /// A tile holds where the step across its border is at most so many times the largest within.
 inline constexpr double kLargestTileRatio = 1.25;
+/// Smaller images, in pixels, have too few steps to compare with.
+inline constexpr int kSmallestTile = 64;
 /// A loop holds where the step from its last frame to its first is at most so many times the
 /// largest from frame to frame.
 inline constexpr double kLargestLoopRatio = 1.1;

@@ -1,4 +1,4 @@
-#include "texgen/verify/decoded_file.h"
+#include "texgen/image/decoded_file.h"
 
 #include "texgen/image/exr.h"
 #include "texgen/image/file_io.h"

@@ -1,0 +1,200 @@
+#include "texgen/cache/cache.h"
+
+#include "tests/texgen/temporary_folder.h"
+#include "texgen/image/file_io.h"
+#include "texgen/maps/map.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <numeric>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace foam::texgen {
+namespace {
+
+Preset small_preset() {
+    Preset preset;
+    preset.name = "small";
+    preset.seeding.bubbles = 40;
+    preset.seeding.seed = 12;
+    preset.coarsening.kappa = 0.05;
+    preset.image.width = 48;
+    preset.image.height = 32;
+    preset.frames.count = 6;
+    const auto names = map_names();
+    preset.image.maps.assign(names.begin(), names.end());
+    return preset;
+}
+
+std::vector<int> frames_to(int last) {
+    std::vector<int> frames(static_cast<std::size_t>(last));
+    std::iota(frames.begin(), frames.end(), 1);
+    return frames;
+}
+
+/// The files of a bake into a folder of its own.
+std::vector<Bytes> baked(Preset preset, const BakeOptions& options) {
+    const TemporaryFolder folder;
+    preset.output.pattern = (folder.path() / "{map}.####.png").string();
+    preset.output.texts = FileTexts::LeftOut;
+    std::vector<Bytes> contents;
+    for (const std::filesystem::path& path : bake(preset, options, {}).files) {
+        contents.push_back(read_file(path));
+    }
+    return contents;
+}
+
+/// Every map of every frame, drawn from a cache in parts, is that of a bake.
+void expect_same_pixels(const Preset& preset, const std::vector<int>& frames) {
+    const TemporaryFolder folder;
+    const std::vector<Bytes> expected = baked(preset, {.frames = frames, .threads = 1});
+    ASSERT_EQ(
+        simulate_into_cache(preset, {.frames = frames, .threads = 1}, folder.path(), {}).status,
+        RunStatus::Complete);
+    const Cache cache(folder.path());
+    EXPECT_EQ(cache.info().frames, frames);
+    std::vector<Bytes> found;
+    for (const int frame : frames) {
+        const auto files =
+            baked(preset, {.frames = {frame}, .threads = 1, .source = cache.frames_of(preset)});
+        found.insert(found.end(), files.begin(), files.end());
+    }
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t k = 0; k < found.size(); ++k) {
+        const std::size_t maps = preset.image.maps.size();
+        EXPECT_TRUE(found[k] == expected[k])
+            << preset.image.maps[k % maps] << " of frame " << frames[k / maps];
+    }
+}
+
+TEST(Cache, FramesOfACoarseningFoamAreThoseOfABake) {
+    expect_same_pixels(small_preset(), frames_to(4));
+    expect_same_pixels(small_preset(), {2, 5});
+}
+
+TEST(Cache, FramesOfALoopAreThoseOfABake) {
+    Preset preset = small_preset();
+    preset.loop.kind = LoopKind::Breathe;
+    preset.loop.drift = {1, 0};
+    expect_same_pixels(preset, frames_to(6));
+    preset.loop.kind = LoopKind::Shear;
+    preset.loop.drift = {0, 0};
+    expect_same_pixels(preset, {1, 6});
+    preset.loop.kind = LoopKind::Drift;
+    preset.loop.drift = {0, 1};
+    expect_same_pixels(preset, {1, 6});
+}
+
+TEST(Cache, FramesOfAPingPongAreThoseOfABake) {
+    Preset preset = small_preset();
+    preset.loop.kind = LoopKind::PingPong;
+    expect_same_pixels(preset, frames_to(6));
+    expect_same_pixels(preset, {5, 6});
+}
+
+TEST(Cache, AFirstFrameOfTheDiagramIsThatOfABake) {
+    Preset preset = small_preset();
+    preset.frames.first = FirstFrame::Diagram;
+    expect_same_pixels(preset, {1, 2});
+}
+
+TEST(Cache, FramesOfAShearedFoamAreThoseOfABake) {
+    Preset preset = small_preset();
+    Event event;
+    event.kind = EventKind::Shear;
+    event.frames = {2, 4};
+    event.strain = 0.3;
+    preset.events = {event};
+    expect_same_pixels(preset, {1, 3, 4});
+}
+
+// Seen as frame 1 decides, drawn or not; down to lone bubbles.
+TEST(Cache, FramesOfAPatchAreThoseOfABake) {
+    Preset preset = small_preset();
+    preset.shape.kind = FoamKind::Patch;
+    preset.seeding.bubbles = 12;
+    preset.coarsening.kappa = 0.3;
+    preset.camera.zoom = 1.5;
+    expect_same_pixels(preset, {1, 2, 5, 12, 20, 24});
+}
+
+TEST(Cache, AnotherSizeAndOtherMapsAreThoseOfABakeOfThese) {
+    const TemporaryFolder folder;
+    Preset preset = small_preset();
+    simulate_into_cache(preset, {.frames = {1, 2}, .threads = 1}, folder.path(), {});
+    preset.image.width = 96;
+    preset.image.height = 64;
+    preset.image.maps = {"normal"};
+    preset.maps.normal.y = NormalY::Down;
+    const Cache cache(folder.path());
+    EXPECT_EQ(baked(preset, {.frames = {2}, .threads = 2, .source = cache.frames_of(preset)}),
+              baked(preset, {.frames = {2}, .threads = 2}));
+}
+
+std::string error_of(const std::filesystem::path& folder, int number) {
+    try {
+        Cache(folder).state(number);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(Cache, AStateThatIsMissingDamagedOrForeignIsRefused) {
+    const TemporaryFolder folder;
+    simulate_into_cache(small_preset(), {.frames = {1, 2}, .threads = 1}, folder.path(), {});
+    EXPECT_EQ(error_of(folder.path(), 2), "");
+    EXPECT_EQ(error_of(folder.path(), 7),
+              "the cache '" + folder.path().string() +
+                  "' has no frame 7: it was made for "
+                  "frames 1-2");
+    const std::filesystem::path path = folder.path() / "state.000002.foam";
+    const std::string place = "cannot read '" + path.string() + "': ";
+    const Bytes good = read_file(path);
+    const auto error_with = [&](std::size_t place_of_byte) {
+        Bytes bad = good;
+        bad.at(place_of_byte) ^= std::byte{1};
+        write_file(path, bad);
+        return error_of(folder.path(), 2);
+    };
+    EXPECT_EQ(error_with(good.size() - 1), place + "it is damaged: its check sum is another");
+    EXPECT_EQ(error_with(0), place + "it is no state of foamtex");
+    EXPECT_EQ(error_with(16), place + "it is of version 0, and has to be of 1");
+    EXPECT_EQ(error_with(30), place + "it comes from another simulation than its cache");
+    write_file(path, std::span(good).first(20));
+    EXPECT_EQ(error_of(folder.path(), 2), place + "it is no state of foamtex");
+}
+
+// What an earlier simulation left must not slip in.
+TEST(Cache, StatesOfAnotherSimulationAreNotTaken) {
+    const TemporaryFolder folder;
+    Preset preset = small_preset();
+    simulate_into_cache(preset, {.frames = {1, 2, 3, 4}, .threads = 1}, folder.path(), {});
+    preset.seeding.seed = 13;
+    simulate_into_cache(preset, {.frames = {1}, .threads = 1}, folder.path(), {});
+    EXPECT_EQ(error_of(folder.path(), 2), "");  // the one after 1
+    EXPECT_NE(error_of(folder.path(), 4).find("another simulation"), std::string::npos);
+}
+
+TEST(Cache, AFolderThatIsNoneIsRefused) {
+    const TemporaryFolder folder;
+    EXPECT_FALSE(is_cache(folder.path()));
+    EXPECT_THROW(Cache(folder.path()), InputError);
+    const std::string text = "{\"format\": \"foamtex-cache\", \"version\": 2}";
+    write_file(folder.path() / "cache.json", std::as_bytes(std::span(text)));
+    EXPECT_THROW(Cache(folder.path()), InputError);
+}
+
+TEST(Cache, ASimulationThatIsRefusedWritesNothing) {
+    const TemporaryFolder folder;
+    const std::filesystem::path deep = folder.path() / "deep";
+    EXPECT_THROW(simulate_into_cache(small_preset(), {.frames = {}, .threads = 1}, deep, {}),
+                 std::invalid_argument);
+    EXPECT_FALSE(std::filesystem::exists(deep));
+}
+
+}  // namespace
+}  // namespace foam::texgen

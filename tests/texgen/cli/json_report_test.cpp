@@ -1,0 +1,78 @@
+#include "tests/texgen/cli/run_program.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <string>
+
+namespace foam::texgen {
+namespace {
+
+using Json = nlohmann::json;
+
+const std::string kFoam = "sea_foam --set foam.bubbles=16 --set frames.count=3 --size 16 ";
+
+/// The one object on stdout.
+Json object_of(const Outcome& outcome) {
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 1);
+    return Json::parse(outcome.out);
+}
+
+TEST(JsonReport, OfABakeTellsTheFiles) {
+    const TemporaryFolder work;
+    const Json baked = object_of(run_program("bake " + kFoam + "--frames 1-2 --json", work));
+    EXPECT_EQ(baked["status"], "complete");
+    EXPECT_EQ(baked["preset"], "sea_foam");
+    EXPECT_EQ(baked["frames"], "1-2");
+    EXPECT_EQ(baked["kept"], 0);
+    EXPECT_EQ(baked["manifest"], "out/manifest.json");
+    EXPECT_LT(baked["closing_error"], 1e-9);
+    EXPECT_EQ(baked["files"],
+              (Json{"out/sea_foam_albedo.0001.png", "out/sea_foam_albedo.0002.png"}));
+    const Json resumed = object_of(run_program("bake " + kFoam + "--resume --json", work));
+    EXPECT_EQ(resumed["kept"], 2);
+    EXPECT_EQ(resumed["files"].size(), 3U);
+}
+
+TEST(JsonReport, OfACacheItsRendersAndStatistics) {
+    const TemporaryFolder work;
+    const Json simulated = object_of(run_program("simulate " + kFoam + "--cache c --json", work));
+    EXPECT_EQ(simulated["cache"], "c");
+    EXPECT_EQ(simulated["status"], "complete");
+    const Json rendered = object_of(run_program("render c --frames 2 --json", work));
+    EXPECT_EQ(rendered["files"].size(), 1U);
+    const Json measured = object_of(run_program("stats c --json", work));
+    EXPECT_EQ(measured["files"].size(), 8U);
+}
+
+TEST(JsonReport, OfAComparisonTellsEveryImage) {
+    const TemporaryFolder work;
+    ASSERT_EQ(run_program("bake " + kFoam + "-q", work).code, 0);
+    const std::string pattern = "out/sea_foam_albedo.####.png ";
+    const Json same =
+        object_of(run_program("compare " + pattern + pattern + "--frames 1-3 --json", work));
+    EXPECT_EQ(same["status"], "same");
+    EXPECT_EQ(same["images"].size(), 3U);
+    const Outcome other = run_program(
+        "compare out/sea_foam_albedo.0001.png out/sea_foam_albedo.0002.png --json", work);
+    EXPECT_EQ(other.code, 2);
+    EXPECT_EQ(object_of(other)["images"][0]["verdict"], "failure");
+    EXPECT_GT(object_of(other)["images"][0]["largest"], 0.0);
+}
+
+TEST(JsonReport, OfAFailureSaysWhich) {
+    const Outcome outcome = run_program(
+        "bake sea_foam --set foam.bubbles=40 --set loop.amplitude=0.9 --set loop.cycles=1 "
+        "--set frames.count=6 --size 16 --json");
+    EXPECT_EQ(outcome.code, static_cast<int>(ExitCode::NoEquilibrium));
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1);
+    const Json report = Json::parse(outcome.out);
+    EXPECT_NE(report["status"], "complete");
+    EXPECT_EQ(report["failed_frame"], 1);
+    EXPECT_TRUE(report["files"].empty());
+}
+
+}  // namespace
+}  // namespace foam::texgen

@@ -1,0 +1,85 @@
+#include "tests/texgen/cli/run_program.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace foam::texgen {
+namespace {
+
+const std::string kFoam = "sea_foam --set foam.bubbles=16 --set frames.count=4 --size 32x16";
+
+class RenderCommand : public testing::Test {
+  protected:
+    void SetUp() override { ASSERT_EQ(run("simulate " + kFoam + " --cache foam").out, "foam\n"); }
+
+    Outcome run(const std::string& arguments) { return run_program(arguments, work_); }
+
+    std::string content(const std::string& name) { return file_content(work_.path() / name); }
+
+    void expect_refused(const std::string& arguments, ExitCode code, const std::string& line) {
+        const Outcome outcome = run("render " + arguments);
+        EXPECT_EQ(outcome.code, static_cast<int>(code));
+        EXPECT_EQ(outcome.err, "foamtex: " + line + "\n");
+        EXPECT_EQ(outcome.out, "");
+        EXPECT_FALSE(std::filesystem::exists(work_.path() / "out"));
+    }
+
+    TemporaryFolder work_;
+};
+
+// Also where the machines share the frames.
+TEST_F(RenderCommand, DrawsWhatABakeDraws) {
+    ASSERT_EQ(run("bake " + kFoam + " --maps albedo,motion -q").code, 0);
+    std::filesystem::rename(work_.path() / "out", work_.path() / "baked");
+    for (const char* frames : {"3-4", "1-2"}) {
+        const Outcome part =
+            run(std::string("render foam --maps albedo,motion -q --frames ") + frames);
+        EXPECT_EQ(part.code, 0) << part.err;
+    }
+    for (const char* map : {"albedo", "motion"}) {
+        for (const char* frame : {"1", "2", "3", "4"}) {
+            const std::string name = std::string("/sea_foam_") + map + ".000" + frame + ".png";
+            EXPECT_FALSE(content("baked" + name).empty());
+            EXPECT_TRUE(content("out" + name) == content("baked" + name)) << name;
+        }
+    }
+    EXPECT_EQ(run("verify out -q").code, 0);
+}
+
+TEST_F(RenderCommand, TakesTheFramesOfTheCacheAndWhatChangesNoFoam) {
+    const Outcome outcome = run("render foam --size 64x32 --maps normal --normal-y dx");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out, "out/sea_foam_normal.####.png 1-4\n");
+}
+
+TEST_F(RenderCommand, WhatChangesTheFoamIsOneLineAndCode2) {
+    expect_refused("foam --set foam.seed=5",
+                   ExitCode::BadRequest,
+                   "key 'foam.seed' = 5: was 1 when the cache was simulated; of a cache, only "
+                   "image, output and map keys can be changed, and a patch's camera");
+    expect_refused("foam --size 32",
+                   ExitCode::BadRequest,
+                   "key 'image.size' = [32, 32]: the foam of the cache has the shape 2:1, "
+                   "as 32 x 16");
+}
+
+TEST_F(RenderCommand, WhatIsNotInTheCacheIsOneLineAndCode4) {
+    expect_refused("foam --frames 9",
+                   ExitCode::BadInput,
+                   "the cache 'foam' has no frame 9: it was made for frames 1-4");
+    expect_refused(
+        "none", ExitCode::BadInput, "cannot read 'none/cache.json': No such file or directory");
+}
+
+TEST_F(RenderCommand, ACacheHasStatistics) {
+    ASSERT_EQ(run("stats " + kFoam + " --out a -q").code, 0);
+    const Outcome cached = run("stats foam --out b -q");
+    ASSERT_EQ(cached.code, 0) << cached.err;
+    EXPECT_FALSE(content("a/sides.csv").empty());
+    EXPECT_EQ(content("a/sides.csv"), content("b/sides.csv"));
+}
+
+}  // namespace
+}  // namespace foam::texgen

@@ -1,0 +1,141 @@
+#include "tests/texgen/temporary_folder.h"
+#include "texgen/image/file_io.h"
+#include "texgen/image/png.h"
+#include "texgen/manifest/manifest_file.h"
+#include "texgen/manifest/recorded_bake.h"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace foam::texgen {
+namespace {
+
+Preset small_preset(const std::filesystem::path& folder) {
+    Preset preset;
+    preset.name = "small";
+    preset.seeding.bubbles = 40;
+    preset.image.width = 48;
+    preset.image.height = 48;
+    preset.image.maps = {"albedo", "age"};
+    preset.output.pattern = (folder / "{map}.####.png").string();
+    return preset;
+}
+
+/// The frames that are drawn on the way.
+std::set<int> resumed(const Preset& preset, const std::vector<int>& frames) {
+    std::set<int> drawn;
+    const BakeSummary summary = bake_recorded(
+        preset,
+        {.frames = frames, .threads = 1},
+        {.on_baked = [&](const BakedFrame& b) { drawn.insert(b.shown.frame->number); }},
+        Resume::Yes);
+    EXPECT_EQ(static_cast<std::size_t>(summary.kept) + drawn.size(), frames.size());
+    EXPECT_EQ(summary.files.size(), frames.size() * preset.image.maps.size());
+    return drawn;
+}
+
+/// Bakes until a frame is there, and then fails.
+void bake_until(const Preset& preset, const std::vector<int>& frames, int last) {
+    const auto stop = [&](const BakedFrame& baked) {
+        if (baked.shown.frame->number == last) {
+            throw OutputError("no space left");
+        }
+    };
+    EXPECT_THROW(bake_recorded(preset, {.frames = frames, .threads = 1}, {.on_baked = stop}),
+                 OutputError);
+}
+
+std::map<std::string, Bytes> images_of(const TemporaryFolder& folder) {
+    std::map<std::string, Bytes> images;
+    for (const std::string& name : folder.files()) {
+        if (name.ends_with(".png")) {
+            images[name] = read_file(folder.path() / name);
+        }
+    }
+    return images;
+}
+
+/// Of what a manifest says all but how long it took.
+BakedSet timeless_set(const std::filesystem::path& folder) {
+    BakedSet set = choose_set(read_manifest(folder), "", folder);
+    for (ManifestFrame& frame : set.foam) {
+        frame.simulating = frame.drawing = 0.0;
+    }
+    return set;
+}
+
+TEST(Resume, GivesTheSameBytesAsABakeThatWasNotInterrupted) {
+    const std::vector<int> frames{1, 2, 3, 4, 5};
+    const TemporaryFolder whole;
+    Preset preset = small_preset(whole.path());
+    preset.output.texts = FileTexts::LeftOut;
+    bake_recorded(preset, {.frames = frames, .threads = 1}, {});
+    const TemporaryFolder parts;
+    Preset same = preset;
+    same.output.pattern = small_preset(parts.path()).output.pattern;
+    bake_until(same, frames, 3);
+    EXPECT_EQ(resumed(same, frames), (std::set{4, 5}));
+    EXPECT_EQ(images_of(parts), images_of(whole));
+    BakedSet found = timeless_set(parts.path());
+    const BakedSet expected = timeless_set(whole.path());
+    EXPECT_TRUE(found.complete());
+    EXPECT_EQ(found.files, expected.files);
+    EXPECT_EQ(found.foam, expected.foam);
+    EXPECT_EQ(found.failure, "");
+}
+
+TEST(Resume, WhereAllIsThereNothingIsDone) {
+    const TemporaryFolder folder;
+    Preset preset = small_preset(folder.path());
+    preset.loop.kind = LoopKind::Drift;
+    preset.loop.drift = {1, 0};
+    bake_recorded(preset, {.frames = {1, 2}, .threads = 1}, {});
+    const BakedSet before = choose_set(read_manifest(folder.path()), "", "");
+    EXPECT_TRUE(resumed(preset, {1, 2}).empty());
+    EXPECT_EQ(choose_set(read_manifest(folder.path()), "", ""), before);
+    EXPECT_EQ(resumed(preset, {1, 2, 3}), (std::set{3}));
+}
+
+// There is not the same as made alike.
+TEST(Resume, WhatWasMadeWithOtherParametersIsMadeAnew) {
+    const TemporaryFolder folder;
+    Preset preset = small_preset(folder.path());
+    bake_recorded(preset, {.frames = {1, 2}, .threads = 1}, {});
+    preset.seeding.seed = 13;
+    EXPECT_EQ(resumed(preset, {1, 2}), (std::set{1, 2}));
+    EXPECT_TRUE(resumed(preset, {1, 2}).empty());
+    preset.image.maps = {"albedo", "film"};
+    EXPECT_EQ(resumed(preset, {1, 2}), (std::set{1, 2}));
+}
+
+TEST(Resume, WhatIsMissingDamagedOrChangedIsMadeAnew) {
+    const TemporaryFolder folder;
+    const Preset preset = small_preset(folder.path());
+    const std::vector<int> frames{1, 2, 3, 4};
+    bake_recorded(preset, {.frames = frames, .threads = 1}, {});
+    const auto images = images_of(folder);
+    std::filesystem::remove(folder.path() / "age.0001.png");
+    Bytes damaged = images.at("albedo.0002.png");
+    damaged[damaged.size() / 2] ^= std::byte{1};
+    write_file(folder.path() / "albedo.0002.png", damaged);
+    write_file(folder.path() / "albedo.0004.png", images.at("albedo.0003.png"));
+    EXPECT_EQ(resumed(preset, frames), (std::set{1, 2, 4}));
+    EXPECT_EQ(images_of(folder), images);
+}
+
+TEST(Resume, WithoutAManifestEverythingIsMade) {
+    const TemporaryFolder folder;
+    const Preset preset = small_preset(folder.path());
+    bake_recorded(preset, {.frames = {1}, .threads = 1}, {});
+    std::filesystem::remove(folder.path() / kManifestName);
+    EXPECT_EQ(resumed(preset, {1}), (std::set{1}));
+}
+
+}  // namespace
+}  // namespace foam::texgen

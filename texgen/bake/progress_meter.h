@@ -1,0 +1,38 @@
+#pragma once
+
+#include "texgen/bake/simulate_frames.h"
+
+#include <chrono>
+#include <functional>
+
+namespace foam::texgen {
+
+/// The state of a bake after a frame has been written.
+struct BakeProgress {
+    int frame = 0;             // its number
+    int done = 0;              // frames written so far ...
+    int total = 0;             // ... of as many as will be
+    int bubbles = 0;           // in this frame
+    double area_error = 0.0;   // largest |A / A_target - 1| (E2)
+    double angle_error = 0.0;  // largest deviation from 120 degrees (E2), radians
+    double seconds = 0.0;      // wall time since the bake began
+};
+
+/// Called from one thread at a time.
+using ProgressCallback = std::function<void(const BakeProgress&)>;
+
+/// Counts frames from its own beginning on, and tells of each; for one thread at a time.
+class ProgressMeter {
+  public:
+    /// Keeps the callback in hand, which may be empty.
+    ProgressMeter(int total, const ProgressCallback& on_progress);
+
+    void add(const SimulatedFrame& shown);
+
+  private:
+    const ProgressCallback& on_progress_;
+    BakeProgress progress_;
+    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace foam::texgen

@@ -1,0 +1,81 @@
+#pragma once
+
+#include "texgen/image/file_io.h"
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <stdexcept>
+#include <type_traits>
+
+namespace foam::texgen {
+
+/// Content that ends too early, or holds what it must not; the reason alone.
+class BadContent : public std::runtime_error {
+    using runtime_error::runtime_error;
+};
+
+static_assert(std::endian::native == std::endian::little, "numbers have their lowest byte first");
+
+/// Numbers one after the other, the lowest byte first.
+class ByteWriter {
+  public:
+    template <class Number>
+    requires std::is_arithmetic_v<Number>
+    void put(Number number) {
+        const std::size_t end = bytes_.size();
+        bytes_.resize(end + sizeof(Number));
+        std::memcpy(bytes_.data() + end, &number, sizeof(Number));
+    }
+
+    const Bytes& bytes() const { return bytes_; }
+
+  private:
+    Bytes bytes_;
+};
+
+/// The way back. Throws BadContent where nothing is left.
+class ByteReader {
+  public:
+    explicit ByteReader(std::span<const std::byte> bytes) : rest_(bytes) {}
+
+    template <class Number>
+    requires std::is_arithmetic_v<Number> Number take() {
+        check_left(1, sizeof(Number));
+        Number number{};
+        std::memcpy(&number, rest_.data(), sizeof(Number));
+        rest_ = rest_.subspan(sizeof(Number));
+        return number;
+    }
+
+    /// A number of things to come, of at least so many bytes each.
+    std::size_t take_count(std::size_t bytes_each) {
+        const auto count = take<std::uint32_t>();
+        check_left(count, bytes_each);
+        return count;
+    }
+
+    /// An index below a limit.
+    std::uint32_t take_index(std::size_t limit) {
+        const auto index = take<std::uint32_t>();
+        if (index >= limit) {
+            throw BadContent("an index is out of range");
+        }
+        return index;
+    }
+
+    bool is_at_end() const { return rest_.empty(); }
+
+  private:
+    void check_left(std::size_t count, std::size_t bytes_each) const {
+        if (count > rest_.size() / bytes_each) {
+            throw BadContent("it ends too early");
+        }
+    }
+
+    std::span<const std::byte> rest_;
+};
+
+}  // namespace foam::texgen

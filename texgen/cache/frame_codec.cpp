@@ -1,0 +1,272 @@
+#include "texgen/cache/frame_codec.h"
+
+#include "core/network/validate.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr std::size_t kPerJunction = 2;  // films: 3 of them have 2 junctions each
+constexpr BubbleId kNobody = kNone<BubbleId>;
+
+std::uint32_t number_of(HalfEdgeId h) {
+    return static_cast<std::uint32_t>(h);
+}
+
+void write_point(const Vec2& point, ByteWriter& writer) {
+    writer.put(point.x());
+    writer.put(point.y());
+}
+
+Vec2 read_point(ByteReader& reader) {
+    const auto x = reader.take<double>();
+    return {x, reader.take<double>()};
+}
+
+void write_torus(const Frame& frame, ByteWriter& writer) {
+    writer.put(std::int32_t{frame.number});
+    for (const double number : {frame.time,
+                                frame.torus.width,
+                                frame.torus.height,
+                                frame.torus.shear,
+                                frame.film_tension}) {
+        writer.put(number);
+    }
+}
+
+void write_topology(const Network& network, ByteWriter& writer) {
+    writer.put(static_cast<std::uint32_t>(network.junction_count()));
+    for (const JunctionId junction : network.junctions()) {
+        for (const HalfEdgeId h : network.leaving(junction)) {
+            writer.put(number_of(h));
+        }
+    }
+    for (const FilmId film : network.films()) {
+        const LatticeOffset offset = network.offset(forward_side(film));
+        writer.put(offset.i);
+        writer.put(offset.j);
+    }
+    writer.put(static_cast<std::uint32_t>(network.bubble_count()));
+    for (const BubbleId bubble : network.bubbles()) {
+        writer.put(number_of(network.first(bubble)));
+    }
+    const BubbleId ghost = network.ghost();
+    writer.put(static_cast<std::uint8_t>(ghost != kNobody));
+    if (ghost != kNobody) {
+        writer.put(number_of(network.first(ghost)));
+    }
+}
+
+void write_values(const Frame& frame, ByteWriter& writer) {
+    for (const FrameBubble& bubble : frame.bubbles) {
+        writer.put(bubble.identity);
+    }
+    for (const FrameBubble& bubble : frame.bubbles) {
+        writer.put(bubble.target_area);
+    }
+    for (const FrameBubble& bubble : frame.bubbles) {
+        writer.put(bubble.pressure);
+    }
+    for (const Vec2& position : frame.positions) {
+        write_point(position, writer);
+    }
+}
+
+// Of outer films the half angle is an unknown of its own; that of others follows from pressures.
+void write_patch(const Frame& frame, ByteWriter& writer) {
+    for (const FilmId film : frame.network.films()) {
+        if (frame.network.is_outer(film)) {
+            writer.put(frame.arcs[film].half_angle);
+        }
+    }
+    writer.put(static_cast<std::uint32_t>(frame.lone_bubbles.size()));
+    for (const LoneBubble& bubble : frame.lone_bubbles) {
+        writer.put(bubble.identity);
+        write_point(bubble.centre, writer);
+        writer.put(bubble.target_area);
+    }
+}
+
+class FrameReader {
+  public:
+    explicit FrameReader(ByteReader& reader) : reader_(reader) {}
+
+    Frame read() {
+        const int number = reader_.take<std::int32_t>();
+        for (double* const value : {&foam_.time,
+                                    &foam_.torus.width,
+                                    &foam_.torus.height,
+                                    &foam_.torus.shear,
+                                    &foam_.film_tension}) {
+            *value = reader_.take<double>();
+        }
+        read_junctions();
+        read_bubbles();
+        check();
+        read_values();
+        if (network().ghost() != kNobody) {
+            read_patch();
+        }
+        return snapshot(foam_, number);
+    }
+
+  private:
+    Network& network() { return foam_.network; }
+    std::size_t half_edges() { return 2 * network().film_count(); }
+
+    HalfEdgeId read_half_edge() { return id_at<HalfEdgeId>(reader_.take_index(half_edges())); }
+
+    // Each leaves one junction.
+    HalfEdgeId take_side() {
+        const HalfEdgeId h = read_half_edge();
+        if (taken_[index_of(h)]) {
+            throw BadContent("a side leaves two junctions");
+        }
+        taken_[index_of(h)] = true;
+        return h;
+    }
+
+    // Of the three that leave a junction, each comes after the twin of the one before.
+    void read_junctions() {
+        const std::size_t count = reader_.take_count(3 * sizeof(std::uint32_t));
+        if (count % kPerJunction != 0) {
+            throw BadContent("the number of junctions is odd");
+        }
+        for (std::size_t k = 0; k < count; ++k) {
+            network().add_junction();
+        }
+        for (std::size_t k = 0; k < 3 * count / kPerJunction; ++k) {
+            network().add_film();
+        }
+        taken_.assign(half_edges(), false);
+        for (std::size_t k = 0; k < count; ++k) {
+            const std::array leaving{take_side(), take_side(), take_side()};
+            for (const std::size_t one : {2U, 1U, 0U}) {  // the first is what outgoing() gives
+                network().set_tail(leaving[one], id_at<JunctionId>(k));
+                network().set_next(twin(leaving[one]), leaving[(one + 1) % 3]);
+            }
+        }
+        for (const FilmId film : network().films()) {
+            const auto i = reader_.take<std::int32_t>();
+            network().set_offset(forward_side(film), {i, reader_.take<std::int32_t>()});
+        }
+    }
+
+    void read_bubbles() {
+        const std::size_t count = reader_.take_count(sizeof(std::uint32_t));
+        for (std::size_t k = 0; k < count; ++k) {
+            claim_loop(network().add_bubble(), read_half_edge());
+        }
+        if (reader_.take<std::uint8_t>() != 0) {
+            read_ghost();
+        } else if (!unclaimed().empty()) {
+            throw BadContent("a side belongs to no bubble");
+        }
+    }
+
+    // Everything that its first half-edge leads to.
+    void claim_loop(BubbleId bubble, HalfEdgeId first) {
+        network().set_first(bubble, first);
+        int sides = 0;
+        HalfEdgeId h = first;
+        do {
+            if (network().left(h) != kNobody) {
+                throw BadContent("two bubbles share a side");
+            }
+            network().set_left(h, bubble);
+            h = network().next(h);
+            ++sides;
+        } while (h != first);
+        network().set_sides(bubble, sides);
+    }
+
+    // Every side that is left over.
+    void read_ghost() {
+        const BubbleId ghost = network().add_ghost();
+        const std::vector<HalfEdgeId> sides = unclaimed();
+        for (const HalfEdgeId h : sides) {
+            network().set_left(h, ghost);
+        }
+        const auto first = id_at<HalfEdgeId>(reader_.take<std::uint32_t>());
+        if (std::ranges::find(sides, first) == sides.end() && !sides.empty()) {
+            throw BadContent("the ghost's side is another bubble's");
+        }
+        network().set_first(ghost, sides.empty() ? kNone<HalfEdgeId> : first);
+        network().set_sides(ghost, static_cast<int>(sides.size()));
+    }
+
+    std::vector<HalfEdgeId> unclaimed() {
+        std::vector<HalfEdgeId> sides;
+        for (std::size_t k = 0; k < half_edges(); ++k) {
+            const auto h = id_at<HalfEdgeId>(k);
+            if (network().left(h) == kNobody) {
+                sides.push_back(h);
+            }
+        }
+        return sides;
+    }
+
+    void check() {
+        if (const auto fault = find_fault(foam_.network)) {
+            throw BadContent("it is no foam: " + *fault);
+        }
+    }
+
+    void read_values() {
+        const std::size_t bubbles = network().bubble_count();
+        for (std::size_t k = 0; k < bubbles; ++k) {
+            foam_.identities.push_back(reader_.take<std::uint32_t>());
+        }
+        for (std::size_t k = 0; k < bubbles; ++k) {
+            foam_.target_areas.push_back(reader_.take<double>());
+        }
+        for (std::size_t k = 0; k < bubbles; ++k) {
+            foam_.pressures.push_back(reader_.take<double>());
+        }
+        for (std::size_t k = 0; k < network().junction_count(); ++k) {
+            foam_.positions.push_back(read_point(reader_));
+        }
+    }
+
+    void read_patch() {
+        complete_patch(foam_);
+        for (const FilmId film : network().films()) {
+            if (network().is_outer(film)) {
+                foam_.half_angles[film] = reader_.take<double>();
+            }
+        }
+        constexpr std::size_t kLoneBubble = sizeof(std::uint32_t) + 3 * sizeof(double);
+        const std::size_t lone = reader_.take_count(kLoneBubble);
+        for (std::size_t k = 0; k < lone; ++k) {
+            const auto identity = reader_.take<std::uint32_t>();
+            const Vec2 centre = read_point(reader_);
+            foam_.lone_bubbles.push_back({identity, centre, reader_.take<double>()});
+        }
+    }
+
+    ByteReader& reader_;
+    Foam foam_;
+    std::vector<bool> taken_;  // by half-edge: whether it leaves a junction that was read
+};
+
+}  // namespace
+
+void write_frame(const Frame& frame, ByteWriter& writer) {
+    write_torus(frame, writer);
+    write_topology(frame.network, writer);
+    write_values(frame, writer);
+    if (frame.network.ghost() != kNobody) {
+        write_patch(frame, writer);
+    }
+}
+
+Frame read_frame(ByteReader& reader) {
+    return FrameReader(reader).read();
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,92 @@
+#include "texgen/bake/loop_pose.h"
+#include "texgen/cache/cache.h"
+#include "texgen/cache/cache_files.h"
+#include "texgen/cache/packed_file.h"
+#include "texgen/cache/simulation_keys.h"
+#include "texgen/cache/state_codec.h"
+
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+namespace foam::texgen {
+
+namespace {
+
+/// The numbers of the states that frames take, also with the frames after them; a patch is seen as
+/// its first decides.
+std::vector<int> states_for(const Preset& preset, const std::vector<int>& frames) {
+    std::set<int> numbers;
+    if (preset.shape.kind == FoamKind::Patch) {
+        numbers.insert(1);
+    }
+    for (const int frame : frames) {
+        numbers.insert(shown_frame(frame, preset.loop, preset.frames.count));
+        numbers.insert(shown_frame(frame + 1, preset.loop, preset.frames.count));
+    }
+    return {numbers.begin(), numbers.end()};
+}
+
+// Writes states as they come.
+class CacheWriter {
+  public:
+    CacheWriter(CacheInfo info, std::filesystem::path folder)
+        : info_(std::move(info)), folder_(std::move(folder)) {}
+
+    void write(const SimulatedFrame& state) {
+        if (!begun_) {
+            begin(state.closing_error);
+        }
+        if (first_pressures_.empty() && !state.record->first_pressures.empty()) {
+            first_pressures_ = state.record->first_pressures;
+            write_packed(pressures_path(folder_),
+                         {"scale", info_.simulation},
+                         pack_numbers(first_pressures_));
+        }
+        write_packed(state_path(folder_, state.frame->number),
+                     {"state", info_.simulation},
+                     pack_state(state, first_pressures_));
+    }
+
+  private:
+    void begin(const std::optional<double>& closing_error) {
+        begun_ = true;
+        info_.closing_error = closing_error;
+        make_folders(folder_);
+        write_info(info_, folder_);
+    }
+
+    CacheInfo info_;
+    std::filesystem::path folder_;
+    bool begun_ = false;
+    std::vector<double> first_pressures_;
+};
+
+void check(const BakeOptions& options) {
+    if (options.frames.empty() || std::ranges::min(options.frames) < 1) {
+        throw std::invalid_argument("a simulation needs frames, numbered from 1");
+    }
+}
+
+}  // namespace
+
+RunOutcome simulate_into_cache(const Preset& preset,
+                               const BakeOptions& options,
+                               const std::filesystem::path& folder,
+                               const ProgressCallback& on_progress) {
+    check(options);
+    CacheWriter writer({preset, simulation_hash(preset), options.frames, {}}, folder);
+    // The simulation's own frames in order, which a pingpong shows on both ways.
+    Preset forwards = preset;
+    forwards.loop.kind = preset.loop.kind == LoopKind::PingPong ? LoopKind::None : preset.loop.kind;
+    const std::vector<int> numbers = states_for(preset, options.frames);
+    ProgressMeter meter(static_cast<int>(numbers.size()), on_progress);
+    return simulation_of(forwards, options.threads)(
+        numbers, NextFrames::LeftOut, [&](const SimulatedFrame& state) {
+            writer.write(state);
+            meter.add(state);
+        });
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,89 @@
+#include "texgen/cache/simulation_keys.h"
+
+#include "texgen/image/pixel_hash.h"
+#include "texgen/preset/assignment.h"
+#include "texgen/preset/event_io.h"
+#include "texgen/preset/schema.h"
+#include "texgen/preset/value.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <numeric>
+#include <string_view>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr std::array<std::string_view, 4> kTables = {"foam", "dynamics", "frames", "loop"};
+
+/// Places of a patch's events are in parts of what the camera shows.
+bool needs_camera(const Preset& preset) {
+    return preset.shape.kind == FoamKind::Patch &&
+           std::ranges::any_of(preset.events,
+                               [](const Event& event) { return event.at.has_value(); });
+}
+
+bool needs_aspect(const Preset& preset) {
+    return preset.shape.kind == FoamKind::Torus || needs_camera(preset);
+}
+
+bool decides(const Key& key, const Preset& preset) {
+    return std::ranges::find(kTables, key.table()) != kTables.end() ||
+           (key.table() == "camera" && needs_camera(preset));
+}
+
+/// "4:3".
+std::string aspect_of(const ImageOptions& image) {
+    const int common = std::gcd(image.width, image.height);
+    return fmt::format("{}:{}", image.width / common, image.height / common);
+}
+
+constexpr const char* kAllowed =
+    "of a cache, only image, output and map keys can be changed, and a patch's camera";
+
+}  // namespace
+
+std::string simulation_hash(const Preset& preset) {
+    std::string text = FOAMTEX_VERSION "\n";
+    for (const Key& key : preset_keys()) {
+        if (decides(key, preset)) {
+            text += fmt::format("{} = {}\n", key.path, to_toml(key.write(preset)));
+        }
+    }
+    text += events_to_toml(preset);
+    return text_hash(text + (needs_aspect(preset) ? aspect_of(preset.image) : ""));
+}
+
+void check_same_simulation(const Preset& simulated, const Preset& changed) {
+    for (const Key& key : preset_keys()) {
+        const std::string was = to_toml(key.write(simulated));
+        const std::string is = to_toml(key.write(changed));
+        if (decides(key, simulated) && was != is) {
+            throw PresetError(fmt::format("key '{}' = {}: was {} when the cache was simulated; {}",
+                                          key.path,
+                                          is,
+                                          was,
+                                          kAllowed));
+        }
+    }
+    if (events_to_toml(simulated) != events_to_toml(changed)) {
+        throw PresetError(fmt::format(
+            "key 'event': was something else when the cache was simulated; {}", kAllowed));
+    }
+    const std::string was = aspect_of(simulated.image);
+    if (needs_aspect(simulated) && was != aspect_of(changed.image)) {
+        throw PresetError(fmt::format(
+            "key 'image.size' = [{}, {}]: the foam of the cache has the shape {}, as {} x {}",
+            changed.image.width,
+            changed.image.height,
+            was,
+            simulated.image.width,
+            simulated.image.height));
+    }
+}
+
+}  // namespace foam::texgen

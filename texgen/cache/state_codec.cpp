@@ -1,0 +1,171 @@
+#include "texgen/cache/state_codec.h"
+
+#include "texgen/cache/byte_stream.h"
+#include "texgen/cache/frame_codec.h"
+
+#include <algorithm>
+#include <memory>
+
+namespace foam::texgen {
+
+namespace {
+
+void write_effort(const FrameEffort& effort, ByteWriter& writer) {
+    writer.put(std::int32_t{effort.t1});
+    writer.put(std::int32_t{effort.t2});
+    writer.put(effort.area_error);
+    writer.put(effort.angle_error);
+    writer.put(effort.seconds);
+}
+
+FrameEffort read_effort(ByteReader& reader) {
+    FrameEffort effort;
+    effort.t1 = reader.take<std::int32_t>();
+    effort.t2 = reader.take<std::int32_t>();
+    effort.area_error = reader.take<double>();
+    effort.angle_error = reader.take<double>();
+    effort.seconds = reader.take<double>();
+    return effort;
+}
+
+std::vector<BubbleIdentity> identities_of(const Frame& frame) {
+    std::vector<BubbleIdentity> all;
+    for (const FrameBubble& bubble : frame.bubbles) {
+        all.push_back(bubble.identity);
+    }
+    for (const LoneBubble& bubble : frame.lone_bubbles) {
+        all.push_back(bubble.identity);
+    }
+    return all;
+}
+
+void write_by_identity(const std::vector<double>& values,
+                       const std::vector<BubbleIdentity>& bubbles,
+                       ByteWriter& writer) {
+    for (const BubbleIdentity bubble : bubbles) {
+        writer.put(values.at(bubble));
+    }
+}
+
+std::vector<double> read_by_identity(const std::vector<BubbleIdentity>& bubbles,
+                                     ByteReader& reader) {
+    std::vector<double> values;
+    for (const BubbleIdentity bubble : bubbles) {
+        values.resize(std::max(values.size(), std::size_t{bubble} + 1), 0.0);
+        values[bubble] = reader.take<double>();
+    }
+    return values;
+}
+
+void write_events(const std::vector<RecordedEvent>& events, ByteWriter& writer) {
+    writer.put(static_cast<std::uint32_t>(events.size()));
+    for (const RecordedEvent& event : events) {
+        writer.put(static_cast<std::uint8_t>(event.kind));
+        writer.put(std::int32_t{event.frame});
+        writer.put(event.place.x());
+        writer.put(event.place.y());
+    }
+}
+
+TopologyEventKind read_event_kind(ByteReader& reader) {
+    const auto kind = reader.take<std::uint8_t>();
+    if (kind > static_cast<std::uint8_t>(TopologyEventKind::Birth)) {
+        throw BadContent("there is no such event");
+    }
+    return static_cast<TopologyEventKind>(kind);
+}
+
+std::vector<RecordedEvent> read_events(ByteReader& reader) {
+    constexpr std::size_t kEvent = 1 + sizeof(std::int32_t) + 2 * sizeof(double);
+    std::vector<RecordedEvent> events(reader.take_count(kEvent));
+    for (RecordedEvent& event : events) {
+        event.kind = read_event_kind(reader);
+        event.frame = reader.take<std::int32_t>();
+        event.place.x() = reader.take<double>();
+        event.place.y() = reader.take<double>();
+    }
+    return events;
+}
+
+void write_numbers(const std::vector<double>& numbers, ByteWriter& writer) {
+    writer.put(static_cast<std::uint32_t>(numbers.size()));
+    for (const double number : numbers) {
+        writer.put(number);
+    }
+}
+
+std::vector<double> read_numbers(ByteReader& reader) {
+    std::vector<double> numbers(reader.take_count(sizeof(double)));
+    std::ranges::generate(numbers, [&] { return reader.take<double>(); });
+    return numbers;
+}
+
+void write_record(const FoamRecord& record,
+                  const Frame& frame,
+                  const std::vector<double>& first_pressures,
+                  ByteWriter& writer) {
+    const std::vector<BubbleIdentity> bubbles = identities_of(frame);
+    const bool known = !record.first_pressures.empty() && record.first_pressures == first_pressures;
+    writer.put(std::int32_t{record.frame});
+    write_by_identity(record.births, bubbles, writer);
+    write_by_identity(record.changes, bubbles, writer);
+    write_events(record.events, writer);
+    writer.put(static_cast<std::uint8_t>(known));
+    if (!known) {
+        write_numbers(record.first_pressures, writer);
+    }
+}
+
+FoamRecord read_record(const Frame& frame,
+                       const std::vector<double>& first_pressures,
+                       ByteReader& reader) {
+    const std::vector<BubbleIdentity> bubbles = identities_of(frame);
+    FoamRecord record;
+    record.frame = reader.take<std::int32_t>();
+    record.births = read_by_identity(bubbles, reader);
+    record.changes = read_by_identity(bubbles, reader);
+    record.events = read_events(reader);
+    const bool known = reader.take<std::uint8_t>() != 0;
+    if (known && first_pressures.empty()) {
+        throw BadContent("the pressures of its cache are missing");
+    }
+    record.first_pressures = known ? first_pressures : read_numbers(reader);
+    return record;
+}
+
+}  // namespace
+
+Bytes pack_state(const SimulatedFrame& state, const std::vector<double>& first_pressures) {
+    ByteWriter writer;
+    write_frame(*state.frame, writer);
+    write_effort(state.effort, writer);
+    write_record(*state.record, *state.frame, first_pressures, writer);
+    return writer.bytes();
+}
+
+SimulatedFrame unpack_state(std::span<const std::byte> content,
+                            const std::vector<double>& first_pressures) {
+    ByteReader reader(content);
+    SimulatedFrame state;
+    state.frame = std::make_shared<const Frame>(read_frame(reader));
+    state.effort = read_effort(reader);
+    state.record =
+        std::make_shared<const FoamRecord>(read_record(*state.frame, first_pressures, reader));
+    if (!reader.is_at_end()) {
+        throw BadContent("there is more than a state");
+    }
+    return state;
+}
+
+Bytes pack_numbers(const std::vector<double>& numbers) {
+    ByteWriter writer;
+    write_numbers(numbers, writer);
+    return writer.bytes();
+}
+
+std::vector<double> unpack_numbers(std::span<const std::byte> content) {
+    ByteReader reader(content);
+    return read_numbers(reader);
+}
+
+}  // namespace foam::texgen

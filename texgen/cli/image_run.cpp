@@ -1,0 +1,119 @@
+#include "texgen/cli/image_run.h"
+
+#include "texgen/bake/file_pattern.h"
+#include "texgen/bake/frame_range.h"
+#include "texgen/cli/json_report.h"
+#include "texgen/cli/report.h"
+#include "texgen/manifest/manifest_file.h"
+#include "texgen/manifest/recorded_bake.h"
+#include "texgen/stats/files.h"
+#include "texgen/stats/record.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <utility>
+
+namespace foam::texgen {
+
+namespace {
+
+/// One line a map, or one for all: the file, or the sequence and its frames, as image viewers take
+/// them.
+void print_images(const Preset& preset,
+                  const FilePattern& pattern,
+                  const std::vector<int>& frames) {
+    for (const std::string& map : preset.image.maps) {
+        if (frames.size() == 1) {
+            fmt::print("{}\n", pattern.path(preset.name, map, frames.front()).string());
+        } else {
+            fmt::print("{} {}\n", pattern.sequence(preset.name, map), format_frame_range(frames));
+        }
+        if (pattern.joins_maps()) {
+            return;
+        }
+    }
+}
+
+void print_json(const Preset& preset,
+                const BakeOptions& options,
+                const BakeSummary& summary,
+                const std::vector<std::filesystem::path>& tables_and_charts) {
+    JsonReport report(summary.outcome);
+    report.add("preset", preset.name);
+    report.add("frames", format_frame_range(options.frames));
+    report.add("kept", summary.kept);
+    report.add("manifest", (manifest_folder(preset) / kManifestName).string());
+    report.add("files", summary.files);
+    report.add("statistics", tables_and_charts);
+    report.print();
+}
+
+std::filesystem::path statistics_folder(const Preset& preset, const FilePattern& pattern) {
+    const std::filesystem::path image = pattern.path(preset.name, preset.image.maps.front(), 1);
+    return image.parent_path() / (preset.name + "_stats");
+}
+
+}  // namespace
+
+void add_image_options(CLI::App& command, ImageArguments& arguments) {
+    command.add_option("--maps", arguments.maps, "Maps to draw, with commas")->option_text("A,B");
+    command.add_option("--normal-y", arguments.normal_y, "Green of normals: gl (up), dx (down)")
+        ->option_text("gl|dx");
+    command
+        .add_option(
+            "--out", arguments.out, "File names, .png or .exr; {preset} {map} #### are filled in")
+        ->option_text("PATTERN");
+    command.add_flag("--stats", arguments.stats, "Statistics too, in {preset}_stats beside")
+        ->option_text(" ");
+    command.add_flag("--resume", arguments.resume, "Keep the frames that are there, if made alike")
+        ->option_text(" ");
+    add_json_option(command, arguments.json);
+}
+
+std::vector<Assignment> assignments_of(const ImageArguments& arguments) {
+    std::vector<Assignment> assignments;
+    if (arguments.maps) {
+        assignments.push_back(maps_assignment(*arguments.maps));
+    }
+    if (arguments.normal_y) {
+        assignments.push_back(
+            {"--normal-y " + *arguments.normal_y, "normal.y", {*arguments.normal_y}});
+    }
+    if (arguments.out) {
+        assignments.push_back({"--out " + *arguments.out, "output.pattern", {*arguments.out}});
+    }
+    return assignments;
+}
+
+ExitCode run_images(const Preset& preset,
+                    const BakeOptions& options,
+                    const ImageArguments& arguments,
+                    Verbosity verbosity) {
+    const FilePattern pattern(preset.output.pattern);
+    Recorder recorder(preset);
+    const BakeSummary summary =
+        bake_recorded(preset,
+                      options,
+                      {.on_progress = progress_reporter(verbosity),
+                       .on_frame = arguments.stats ? recorder.visitor() : FrameVisitor()},
+                      arguments.resume ? Resume::Yes : Resume::No);
+    std::vector<std::filesystem::path> tables_and_charts;
+    if (arguments.stats) {
+        tables_and_charts = write_statistics(recorder.run(), statistics_folder(preset, pattern));
+    }
+    if (arguments.json) {
+        print_json(preset, options, summary, tables_and_charts);
+    }
+    if (summary.outcome.status != RunStatus::Complete) {
+        return report_failure(summary.outcome);
+    }
+    if (verbosity != Verbosity::Quiet && !arguments.json) {
+        print_images(preset, pattern, options.frames);
+        print_files(tables_and_charts);
+    }
+    return ExitCode::Success;
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,54 @@
+#include "texgen/cache/cache.h"
+#include "texgen/cache/simulation_keys.h"
+#include "texgen/cli/command.h"
+#include "texgen/cli/image_run.h"
+#include "texgen/cli/run_arguments.h"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr const char* kExamples = R"(Examples:
+  foamtex render foam --frames 1-100x2
+  foamtex render foam --size 4096 --maps albedo,height,normal --out 'out/{map}.####.exr'
+Frames have the pixels of a bake, to the last bit. Keys of image, output and maps may be set, and
+the camera of a patch; a torus keeps its shape.)";
+
+struct RenderArguments {
+    RunArguments run;
+    ImageArguments images;
+};
+
+ExitCode run_render(const RenderArguments& arguments) {
+    const Cache cache(arguments.run.preset);
+    const CacheInfo& info = cache.info();
+    const Preset preset = changed(info.preset, arguments.run, assignments_of(arguments.images));
+    check_same_simulation(info.preset, preset);
+    const BakeOptions options{
+        .frames = arguments.run.frames ? frames_of(arguments.run, preset) : info.frames,
+        .threads = arguments.run.threads,
+        .source = cache.frames_of(preset)};
+    return run_images(preset, options, arguments.images, verbosity_of(arguments.run));
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& app, Action& action) {
+    CLI::App* command = app.add_subcommand("render", "Draw frames of states that were kept");
+    const auto arguments = std::make_shared<RenderArguments>();
+    command->add_option("CACHE", arguments->run.preset, "Folder that simulate has filled")
+        ->required()
+        ->option_text(" ");
+    add_frame_options(*command, arguments->run);
+    add_image_options(*command, arguments->images);
+    add_run_options(*command, arguments->run);
+    command->footer(kExamples);
+    command->callback(
+        [&action, arguments] { action = [arguments] { return run_render(*arguments); }; });
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,70 @@
+#include "texgen/bake/frame_range.h"
+#include "texgen/cache/cache.h"
+#include "texgen/cli/command.h"
+#include "texgen/cli/json_report.h"
+#include "texgen/cli/report.h"
+#include "texgen/cli/run_arguments.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+#include <memory>
+#include <string>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr const char* kExamples = R"(Examples:
+  foamtex simulate sea_foam --cache foam
+  foamtex render foam --frames 1-24 --size 2048
+  foamtex render foam --frames 25-48 --size 2048      on another machine, at the same time
+  foamtex stats foam
+Only the foam is computed: what decides pixels alone may be chosen at each render.)";
+
+struct SimulateArguments {
+    RunArguments run;
+    std::string cache;
+    bool json = false;
+};
+
+ExitCode run_simulate(const SimulateArguments& arguments) {
+    const Preset preset = preset_of(arguments.run);
+    const BakeOptions options{.frames = frames_of(arguments.run, preset),
+                              .threads = arguments.run.threads};
+    const Verbosity verbosity = verbosity_of(arguments.run);
+    const RunOutcome outcome =
+        simulate_into_cache(preset, options, arguments.cache, progress_reporter(verbosity));
+    if (arguments.json) {
+        JsonReport report(outcome);
+        report.add("preset", preset.name);
+        report.add("frames", format_frame_range(options.frames));
+        report.add("cache", arguments.cache);
+        report.print();
+    }
+    if (outcome.status != RunStatus::Complete) {
+        return report_failure(outcome);
+    }
+    if (verbosity != Verbosity::Quiet && !arguments.json) {
+        fmt::print("{}\n", arguments.cache);
+    }
+    return ExitCode::Success;
+}
+
+}  // namespace
+
+void add_simulate_command(CLI::App& app, Action& action) {
+    CLI::App* command = app.add_subcommand("simulate", "Keep the states of a preset's foam");
+    const auto arguments = std::make_shared<SimulateArguments>();
+    add_preset_options(*command, arguments->run);
+    command->add_option("--cache", arguments->cache, "Folder of the states")
+        ->required()
+        ->option_text("DIR");
+    add_json_option(*command, arguments->json);
+    add_run_options(*command, arguments->run);
+    command->footer(kExamples);
+    command->callback(
+        [&action, arguments] { action = [arguments] { return run_simulate(*arguments); }; });
+}
+
+}  // namespace foam::texgen

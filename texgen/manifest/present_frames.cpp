@@ -1,0 +1,50 @@
+#include "texgen/manifest/present_frames.h"
+
+#include "texgen/image/decoded_file.h"
+#include "texgen/image/file_io.h"
+#include "texgen/manifest/describe.h"
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <system_error>
+
+namespace foam::texgen {
+
+namespace {
+
+// The size is cheap to ask for, and other in most files that are damaged.
+bool has_its_pixels(const ManifestFile& file, const std::filesystem::path& folder) {
+    const std::filesystem::path path = folder / file.path;
+    std::error_code error;
+    if (std::filesystem::file_size(path, error) != file.bytes || error) {
+        return false;
+    }
+    try {
+        return decode_file(path).pixels == file.pixels;
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
+}  // namespace
+
+std::set<int> present_frames(const Preset& preset,
+                             const std::vector<int>& frames,
+                             const std::filesystem::path& folder,
+                             const Manifest& manifest) {
+    const BakedSet* const set = find_same_set(manifest, describe(preset, frames));
+    if (set == nullptr) {
+        return {};
+    }
+    std::set<int> present;
+    std::ranges::copy_if(frames, std::inserter(present, present.end()), [&](int frame) {
+        return std::ranges::all_of(preset.image.maps, [&](const std::string& map) {
+            const ManifestFile* const file = set->find_file(map, frame);
+            return file != nullptr && has_its_pixels(*file, folder);
+        });
+    });
+    return present;
+}
+
+}  // namespace foam::texgen
