@@ -24,6 +24,7 @@ namespace {
 
 constexpr const char* kExamples = R"(Examples:
   foamtex preview sea_foam                    bakes it, and shows what came out in out/
+  foamtex preview lava --size 512             the same faster, from smaller images
   foamtex preview out                         of images that are there already
   foamtex preview labyrinth --frames 1 --as tiling --set pressure.exaggeration=4
   foamtex preview out --maps albedo,normal --as loop --width 256
