@@ -122,11 +122,11 @@ void add_choices(CLI::App& command, PreviewArguments& arguments) {
     command.get_option("PRESET")->description("A preset; or a folder that bake has left");
     command.add_option("--maps", arguments.maps, "Maps, with commas; one without it")
         ->option_text("A,B");
-    command.add_option("--as", arguments.kinds, "Of contact,tiling,loop,mp4,gif; the first three")
+    command.add_option("--as", arguments.kinds, "Any, with commas; the first three without it")
         ->delimiter(',')
         ->allow_extra_args(false)
         ->check(CLI::IsMember(std::vector<std::string>(kPreviewNames.begin(), kPreviewNames.end())))
-        ->option_text("A,B");
+        ->option_text("contact|tiling|loop|mp4|gif");
     command.add_option("--width", arguments.size, "Of what moves, on its longer side: 384")
         ->check(CLI::Range(1, kLargestLoop))
         ->option_text("PX");
