@@ -20,8 +20,6 @@ constexpr const char* kFooter = R"(Examples:
   foamtex bake sea_foam                        48 frames of a tile into out/
   foamtex presets show sea_foam > my.toml      a preset to start your own from
   foamtex bake my.toml --frames 1-120
-  foamtex relax torus.fe -o relaxed.fe         a Surface Evolver foam, to equilibrium
-  foamtex stats coarsening                     tables and charts of how a foam coarsens
 
 Exit codes: 0 success, 1 unexpected internal failure, 2 bad command line or preset,
   3 the foam could not be brought to equilibrium, or its loop not be closed, 4 an input file
