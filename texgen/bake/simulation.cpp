@@ -4,6 +4,9 @@
 #include "texgen/bake/loop_pose.h"
 #include "texgen/bake/seed.h"
 
+#include <algorithm>
+#include <vector>
+
 namespace foam::texgen {
 
 namespace {
@@ -14,6 +17,12 @@ CycleOptions cycle_options_of(const LoopOptions& loop, int steps, std::uint64_t 
     CycleOptions options{.steps = steps, .seed = seed};
     (loop.kind == LoopKind::Breathe ? options.breath : options.strain) = loop.amplitude;
     return options;
+}
+
+void hold_above(double oldest, std::vector<double>& times) {
+    for (double& time : times) {
+        time = std::max(time, oldest);
+    }
 }
 
 StepOptions step_options_of(const Preset& preset, int threads) {
@@ -96,6 +105,12 @@ FoamRecord Simulation::record() const {
     FoamRecord record = history_.record();
     for (RecordedEvent& event : record.events) {
         event.place = posed(event.place, foam_.torus, loop_, passed());
+    }
+    if (loop_.is_cycle()) {
+        // What lies a period back or more looks the same in every cycle.
+        const double oldest = foam_.time - frames_.count * frames_.time_step;
+        hold_above(oldest, record.births);
+        hold_above(oldest, record.changes);
     }
     return record;
 }

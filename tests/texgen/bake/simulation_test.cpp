@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <tuple>
 #include <vector>
 
@@ -182,6 +183,29 @@ TEST(Simulation, DriftTravelsByWholePeriods) {
         EXPECT_LT(torus.nearest_copy(motion - quarter).norm(), 1e-12);
     }
     EXPECT_EQ(largest_motion(frames.front(), frames.back()), 0.0);
+}
+
+// Whoever never changes has the same age in every frame, and the others have theirs again.
+TEST(Simulation, AgesOfALoopComeBackAfterAPeriod) {
+    Preset preset = small_preset();
+    preset.loop = {.kind = LoopKind::Breathe, .amplitude = 0.45};
+    preset.seeding.seed = 3;  // a foam whose films swap in every cycle
+    preset.frames.count = 12;
+    Simulation simulation(preset, 1);
+    ASSERT_TRUE(simulation.advance());
+    const double first_time = simulation.frame().time;
+    const FoamRecord first = simulation.record();
+    for (int k = 0; k < preset.frames.count; ++k) {
+        ASSERT_TRUE(simulation.advance());
+    }
+    const double time = simulation.frame().time;
+    const FoamRecord again = simulation.record();
+    ASSERT_EQ(again.changes.size(), first.changes.size());
+    for (std::size_t k = 0; k < first.changes.size(); ++k) {
+        EXPECT_NEAR(time - again.changes[k], first_time - first.changes[k], 1e-9);
+        EXPECT_NEAR(time - again.births[k], 12.0, 1e-9);
+    }
+    EXPECT_LT(first_time - *std::ranges::max_element(first.changes), 12.0);  // some do
 }
 
 TEST(Simulation, APatchBreathes) {
