@@ -28,7 +28,7 @@ std::string offered(const std::string& words) {
 }
 
 TEST(Completion, OffersCommandsOptionsAndValues) {
-    EXPECT_EQ(offered("foamtex re"), "relax\n");
+    EXPECT_EQ(offered("foamtex re"), "render relax\n");
     EXPECT_EQ(offered("foamtex bake --norm"), "--normal-y\n");
     EXPECT_EQ(offered("foamtex bake --normal-y ''"), "gl dx\n");
     EXPECT_EQ(offered("foamtex bake sea_f"), "sea_foam\n");
