@@ -17,39 +17,39 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 }  // namespace
 
 void NearSides::clear() {
-    for (Doubles* column : {&middle_x_,
-                            &middle_y_,
-                            &direction_x_,
-                            &direction_y_,
-                            &chord_,
-                            &over_chord_,
-                            &cosine_,
-                            &sine_}) {
-        column->clear();
-    }
-    corner_.clear();
-    any_corner_ = false;
+    size_ = 0;
+    corners_.clear();
 }
 
 void NearSides::add(const RegionSide& side) {
-    middle_x_.push_back(side.arc.middle.x());
-    middle_y_.push_back(side.arc.middle.y());
-    direction_x_.push_back(side.arc.direction.x());
-    direction_y_.push_back(side.arc.direction.y());
-    chord_.push_back(side.arc.chord);
-    over_chord_.push_back(1.0 / side.arc.chord);
-    cosine_.push_back(side.arc.cosine);
-    sine_.push_back(side.arc.sine);
-    corner_.push_back(side.corner);
-    any_corner_ = any_corner_ || side.corner;
+    const std::size_t lane = size_ % kLanes;
+    if (size_ / kLanes == blocks_.size()) {
+        blocks_.emplace_back();
+    }
+    Block& block = blocks_[size_ / kLanes];
+    if (lane == 0) {
+        block = {};
+    }
+    block.middle_x[lane] = side.arc.middle.x();
+    block.middle_y[lane] = side.arc.middle.y();
+    block.direction_x[lane] = side.arc.direction.x();
+    block.direction_y[lane] = side.arc.direction.y();
+    block.chord[lane] = side.arc.chord;
+    block.over_chord[lane] = 1.0 / side.arc.chord;
+    block.cosine[lane] = side.arc.cosine;
+    block.sine[lane] = side.arc.sine;
+    if (side.corner) {
+        corners_.push_back(size_);
+    }
+    ++size_;
 }
 
 void NearSides::measure(double reach, bool gradient, PixelBatch& batch) {
     look_from(batch.middle());
     const double farthest = horizon(reach);
     batch.begin();
-    for (std::size_t k = 0; k < size(); ++k) {
-        if (!(at_least_[k] <= farthest)) {
+    for (std::size_t k = 0; k < size_; ++k) {
+        if (!(at(&Block::at_least, k) <= farthest)) {
             continue;
         }
         if (gradient) {
@@ -58,7 +58,7 @@ void NearSides::measure(double reach, bool gradient, PixelBatch& batch) {
             batch.add_arc(across(k), tail_line(k), head_line(k));
         }
     }
-    if (any_corner_) {
+    if (!corners_.empty()) {
         add_corners(farthest, false, batch);
     }
     if (batch.is_unresolved()) {  // a pixel a little out of a sharp corner
@@ -66,83 +66,92 @@ void NearSides::measure(double reach, bool gradient, PixelBatch& batch) {
     }
 }
 
+void NearSides::look_from(const Vec2& point) {
+    for (std::size_t k = 0; k * kLanes < size_; ++k) {
+        look_from(point, blocks_[k]);
+    }
+}
+
 // As pencil_at and end_normals_at (field_arc.h). A point behind an end is at least as far from the
 // arc as from the line there.
-FOAMTEX_VECTOR_CLONES void NearSides::look_from(const Vec2& point) {
-    const std::size_t count = size();
-    for (Doubles* column :
-         {&twice_, &slope_x_, &slope_y_, &past_tail_, &before_head_, &at_least_, &facing_}) {
-        column->resize(count);
-    }
+FOAMTEX_VECTOR_CLONES void NearSides::look_from(const Vec2& point, Block& block) {
+    Block& b = block;
     const double x = point.x();
     const double y = point.y();
-    for (std::size_t k = 0; k < count; ++k) {
-        const double qx = x - middle_x_[k];
-        const double qy = y - middle_y_[k];
-        const double along = qx * direction_x_[k] + qy * direction_y_[k];
-        const double left = qy * direction_x_[k] - qx * direction_y_[k];
-        const double bend = 2.0 * over_chord_[k] * sine_[k];
-        const double e = 0.25 * chord_[k] - (qx * qx + qy * qy) * over_chord_[k];
-        const double reach = 0.5 * chord_[k] * cosine_[k] - sine_[k] * left;
-        twice_[k] = 2.0 * (sine_[k] * e + cosine_[k] * left);
-        slope_x_[k] = -bend * qx - cosine_[k] * direction_y_[k];
-        slope_y_[k] = -bend * qy + cosine_[k] * direction_x_[k];
-        past_tail_[k] = reach + cosine_[k] * along;
-        before_head_[k] = reach - cosine_[k] * along;
-    }
     const double far = kFar;
-    for (std::size_t k = 0; k < count; ++k) {
-        const double length = std::sqrt(slope_x_[k] * slope_x_[k] + slope_y_[k] * slope_y_[k]);
-        const double distance = std::abs(twice_[k]) / (1.0 + length);
-        const double end = past_tail_[k] < before_head_[k] ? past_tail_[k] : before_head_[k];
-        facing_[k] = end >= 0.0 ? distance : far;
-        at_least_[k] = distance > -end ? distance : -end;
+    for (std::size_t k = 0; k < kLanes; ++k) {
+        const double qx = x - b.middle_x[k];
+        const double qy = y - b.middle_y[k];
+        const double along = qx * b.direction_x[k] + qy * b.direction_y[k];
+        const double left = qy * b.direction_x[k] - qx * b.direction_y[k];
+        const double bend = 2.0 * b.over_chord[k] * b.sine[k];
+        const double e = 0.25 * b.chord[k] - (qx * qx + qy * qy) * b.over_chord[k];
+        const double reach = 0.5 * b.chord[k] * b.cosine[k] - b.sine[k] * left;
+        b.twice[k] = 2.0 * (b.sine[k] * e + b.cosine[k] * left);
+        b.slope_x[k] = -bend * qx - b.cosine[k] * b.direction_y[k];
+        b.slope_y[k] = -bend * qy + b.cosine[k] * b.direction_x[k];
+        b.past_tail[k] = reach + b.cosine[k] * along;
+        b.before_head[k] = reach - b.cosine[k] * along;
+    }
+    for (std::size_t k = 0; k < kLanes; ++k) {
+        const double length = std::sqrt(b.slope_x[k] * b.slope_x[k] + b.slope_y[k] * b.slope_y[k]);
+        const double distance = std::abs(b.twice[k]) / (1.0 + length);
+        const double end = b.past_tail[k] < b.before_head[k] ? b.past_tail[k] : b.before_head[k];
+        b.facing[k] = end >= 0.0 ? distance : far;
+        b.at_least[k] = distance > -end ? distance : -end;
     }
 }
 
 double NearSides::horizon(double reach) const {
     double nearest = kFar;
-    for (const double distance : facing_) {
-        nearest = std::min(nearest, distance);
+    for (std::size_t k = 0; k < size_; ++k) {
+        nearest = std::min(nearest, at(&Block::facing, k));
     }
     return nearest + 2.0 * reach + kMargin;
 }
 
 FloatQuadratic NearSides::across(std::size_t k) const {
-    return {static_cast<float>(twice_[k]),
-            static_cast<float>(slope_x_[k]),
-            static_cast<float>(slope_y_[k]),
-            static_cast<float>(2.0 * over_chord_[k] * sine_[k])};
+    const Block& b = blocks_[k / kLanes];
+    k %= kLanes;
+    return {static_cast<float>(b.twice[k]),
+            static_cast<float>(b.slope_x[k]),
+            static_cast<float>(b.slope_y[k]),
+            static_cast<float>(2.0 * b.over_chord[k] * b.sine[k])};
 }
 
 FloatLine NearSides::tail_line(std::size_t k) const {
-    return {static_cast<float>(past_tail_[k]),
-            static_cast<float>(cosine_[k] * direction_x_[k] + sine_[k] * direction_y_[k]),
-            static_cast<float>(cosine_[k] * direction_y_[k] - sine_[k] * direction_x_[k])};
+    const Block& b = blocks_[k / kLanes];
+    k %= kLanes;
+    return {static_cast<float>(b.past_tail[k]),
+            static_cast<float>(b.cosine[k] * b.direction_x[k] + b.sine[k] * b.direction_y[k]),
+            static_cast<float>(b.cosine[k] * b.direction_y[k] - b.sine[k] * b.direction_x[k])};
 }
 
 FloatLine NearSides::head_line(std::size_t k) const {
-    return {static_cast<float>(before_head_[k]),
-            static_cast<float>(sine_[k] * direction_y_[k] - cosine_[k] * direction_x_[k]),
-            static_cast<float>(-sine_[k] * direction_x_[k] - cosine_[k] * direction_y_[k])};
+    const Block& b = blocks_[k / kLanes];
+    k %= kLanes;
+    return {static_cast<float>(b.before_head[k]),
+            static_cast<float>(b.sine[k] * b.direction_y[k] - b.cosine[k] * b.direction_x[k]),
+            static_cast<float>(-b.sine[k] * b.direction_x[k] - b.cosine[k] * b.direction_y[k])};
 }
 
 Vec2 NearSides::end(std::size_t k, double sign) const {
-    const double half = 0.5 * sign * chord_[k];
-    return {middle_x_[k] + half * direction_x_[k], middle_y_[k] + half * direction_y_[k]};
+    const Block& b = blocks_[k / kLanes];
+    k %= kLanes;
+    const double half = 0.5 * sign * b.chord[k];
+    return {b.middle_x[k] + half * b.direction_x[k], b.middle_y[k] + half * b.direction_y[k]};
 }
 
+// Those at the tails of sides, where the region has more than 180 degrees; or all ends.
 void NearSides::add_corners(double farthest, bool all, PixelBatch& batch) const {
-    for (std::size_t k = 0; k < size(); ++k) {
-        if (!(at_least_[k] <= farthest)) {
-            continue;
-        }
-        if (all || corner_[k]) {
+    for (const std::size_t k : corners_) {
+        if (at(&Block::at_least, k) <= farthest) {
             batch.add_point(end(k, -1.0) - batch.middle());
         }
-        if (all) {
-            batch.add_point(end(k, 1.0) - batch.middle());
-        }
+    }
+    for (std::size_t k = 0; all && k < size_; ++k) {
+        batch.add_point(end(k, -1.0) - batch.middle());
+        batch.add_point(end(k, 1.0) - batch.middle());
     }
 }
 

@@ -12,7 +12,6 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr std::size_t kLanes = 8;
 constexpr float kFar = std::numeric_limits<float>::infinity();
 // Pixels that are so little past the end of an arc still face it, so that rounding leaves no gap
 // where two arcs go on smoothly.

@@ -30,7 +30,8 @@ struct FloatLine {
 class PixelBatch {
   public:
     static constexpr std::size_t kCapacity = 256;
-    using Values = std::array<float, kCapacity>;
+    static constexpr std::size_t kLanes = 8;  // that are measured at once
+    using Values = std::array<float, kCapacity + kLanes>;
 
     /// Neighbouring pixels of a row, in the region's coordinates.
     struct Run {
@@ -48,9 +49,11 @@ class PixelBatch {
         runs_[run_count_++] = {column, row, count_, size};
         const auto x = static_cast<float>(column + 0.5 - middle_.x());
         const auto y = static_cast<float>(row + 0.5 - middle_.y());
-        for (std::size_t k = 0; k < size; ++k) {
-            x_[count_ + k] = x + static_cast<float>(k);
-            y_[count_ + k] = y;
+        for (std::size_t begin = 0; begin < size; begin += kLanes) {  // may write some too many
+            for (std::size_t k = 0; k < kLanes; ++k) {
+                x_[count_ + begin + k] = x + static_cast<float>(static_cast<int>(begin + k));
+                y_[count_ + begin + k] = y;
+            }
         }
         count_ += size;
     }
