@@ -57,7 +57,7 @@ Image<std::uint16_t> distance_map(const Frame& frame, int side) {
     Image<std::uint16_t> image(side, side, 1);
     std::vector<std::uint64_t> sums(image.samples().size());
     for (int reach = 0;; ++reach) {
-        const texgen::CellOutlines cells = texgen::outline_cells(frame, grid, 2.0 * reach, 1);
+        const texgen::CellArcs cells = texgen::cell_arcs(frame, grid, 2.0 * reach, 1);
         if (cells.outlines.empty()) {
             break;
         }

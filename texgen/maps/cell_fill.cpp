@@ -100,7 +100,7 @@ ColorPixels fill_colors(FrameLayers& layers,
     CellValues values = cell_values(
         layers, channels, colors.size(), [&](std::size_t k) { return light_of(colors[k]); });
     values.film = light_of(film);
-    const CellOutlines& cells = layers.outlines(film_width);
+    const CellArcs& cells = layers.arcs(film_width);
     const RasterGrid& grid = layers.grid();
     Image<std::uint16_t> image(grid.width, grid.height, static_cast<int>(channels));
     if (layers.is_patch()) {
@@ -120,7 +120,7 @@ Image<float> fill_numbers(FrameLayers& layers, const CellNumbers& numbers, doubl
         return texel_of(numbers.bubbles[k]);
     });
     values.film = texel_of(numbers.film);
-    const CellOutlines& cells = layers.outlines(film_width);
+    const CellArcs& cells = layers.arcs(film_width);
     const RasterGrid& grid = layers.grid();
     Image<std::uint16_t> steps(grid.width, grid.height, static_cast<int>(channels));
     if (layers.is_patch()) {
@@ -154,7 +154,7 @@ Image<float> fill_cover(FrameLayers& layers, Part part, double film_width) {
     values.film.front() = kWhole;
     const RasterGrid& grid = layers.grid();
     Image<std::uint16_t> steps(grid.width, grid.height, 1);
-    fill_cells(layers.outlines(film_width), values, layers.threads(), steps.view());
+    fill_cells(layers.arcs(film_width), values, layers.threads(), steps.view());
     return numbers_of(steps, Steps({{0.0, 1.0}, 0.0}));
 }
 

@@ -16,19 +16,24 @@ const Frame& FrameLayers::next() const {
 
 const DistanceField& FrameLayers::distance() {
     if (!distance_) {
-        write_distance_field(
-            frame(), outlines(0.0), input_.distance, threads_, distance_.emplace());
+        write_distance_field(frame(), outlines(), input_.distance, threads_, distance_.emplace());
     }
     return *distance_;
 }
 
-const CellOutlines& FrameLayers::outlines(double film_width) {
-    const auto known = outlines_.find(film_width);
-    if (known != outlines_.end()) {
+const CellOutlines& FrameLayers::outlines() {
+    if (!outlines_) {
+        outlines_ = outline_cells(frame(), grid_, threads_);
+    }
+    return *outlines_;
+}
+
+const CellArcs& FrameLayers::arcs(double film_width) {
+    const auto known = arcs_.find(film_width);
+    if (known != arcs_.end()) {
         return known->second;
     }
-    return outlines_.emplace(film_width, outline_cells(frame(), grid_, film_width, threads_))
-        .first->second;
+    return arcs_.emplace(film_width, cell_arcs(frame(), grid_, film_width, threads_)).first->second;
 }
 
 }  // namespace foam::texgen

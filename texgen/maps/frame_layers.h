@@ -2,6 +2,7 @@
 
 #include "core/foam/frame.h"
 #include "texgen/maps/foam_record.h"
+#include "texgen/raster/cell_arcs.h"
 #include "texgen/raster/distance.h"
 #include "texgen/raster/outlines.h"
 
@@ -33,8 +34,10 @@ class FrameLayers {
     int threads() const { return threads_; }
     bool is_patch() const { return frame().torus.is_plane(); }
 
-    /// Outlines for a width of films in pixels. Throws as outline_cells.
-    const CellOutlines& outlines(double film_width);
+    /// The outlines of cells between films of no width. Throws as outline_cells.
+    const CellOutlines& outlines();
+    /// What shows of cells, for a width of films in pixels. Throws as cell_arcs.
+    const CellArcs& arcs(double film_width);
     const DistanceField& distance();
     /// Whether an id of it stands for what is around a patch.
     bool is_around(std::uint32_t id) const { return is_patch() && id == frame().bubbles.size(); }
@@ -43,7 +46,8 @@ class FrameLayers {
     FrameInput input_;
     RasterGrid grid_;
     int threads_;
-    std::map<double, CellOutlines> outlines_;
+    std::optional<CellOutlines> outlines_;
+    std::map<double, CellArcs> arcs_;  // by the width of films
     std::optional<DistanceField> distance_;
 };
 

@@ -91,7 +91,7 @@ class MotionPainter {
   public:
     MotionPainter(FrameLayers& layers, const MotionOptions& options)
         : layers_(layers),
-          cells_(layers.outlines(0.0)),
+          cells_(layers.outlines()),
           foam_(layers),
           scale_(pixels_per_unit(layers.grid(), layers.frame().torus)),
           unit_(options.unit == MotionUnit::Image ? layers.grid().width : 1.0),
@@ -100,7 +100,7 @@ class MotionPainter {
     Image<float> paint() {
         const RasterGrid& grid = layers_.grid();
         Image<float> image(grid.width, grid.height, 2);
-        const Bands bands(cells_, grid.height, Bands::Entries::Outlines);
+        const Bands bands(cells_, grid.height);
         for (const Bands::Entry& entry : bands.entries(0)) {
             const Outline& outline = cells_.outlines[entry.outline];
             if (!layers_.is_around(static_cast<std::uint32_t>(index_of(outline.bubble)))) {
@@ -147,7 +147,7 @@ class MotionPainter {
                       SubpixelPoint translation,
                       ImageView<float> image,
                       const MotionOf& motion_of) {
-        const PixelBox box = box_around(cells_, outline, translation);
+        const PixelBox box = box_around(outline, translation);
         mask_.reset(box.columns(), box.rows());
         mask_.fill(cells_.chain(outline),
                    translation - SubpixelPoint{box.left * kSubpixel, box.bottom * kSubpixel});

@@ -21,10 +21,9 @@ SubpixelPoint into_columns(const RasterGrid& grid, SubpixelPoint first, Subpixel
 
 }  // namespace
 
-Bands::Bands(const CellOutlines& cells, int rows_per_band, Entries kind)
+Bands::Bands(const CellOutlines& cells, int rows_per_band)
     : grid_(cells.grid),
       row_bits_(static_cast<int>(std::bit_width(static_cast<unsigned>(rows_per_band - 1)))),
-      kind_(kind),
       ends_(static_cast<std::size_t>((grid_.height - 1) >> row_bits_) + 2) {
     Found found;
     for (std::size_t k = 0; k < cells.outlines.size(); ++k) {
@@ -60,62 +59,28 @@ void Bands::sort(const Found& found) {
 void Bands::find_copies(const CellOutlines& cells, std::size_t index, Found& found) const {
     const Outline& outline = cells.outlines[index];
     if (grid_.view) {
-        find_bands(cells, {index, {}, 0, outline.point_count}, found);
+        find_bands(cells, {index, {}}, found);
         return;
     }
     const SubpixelPoint first_point = cells.chain(outline).front();
     const SubpixelPoint shift = shift_of(grid_);
-    const int low = pixel_of(outline.lowest + shift.y);
-    const int high = pixel_of(outline.highest + shift.y);
+    const int low = pixel_of(outline.lowest.y + shift.y);
+    const int high = pixel_of(outline.highest.y + shift.y);
     for (int period = floor_div(low, grid_.height); period * grid_.height <= high; ++period) {
         const std::int32_t base = period * grid_.height * kSubpixel;
         const SubpixelPoint moved{shift.x - period * cells.shear, shift.y - base};
         const SubpixelPoint translation = into_columns(grid_, first_point, moved);
-        find_bands(cells, {index, translation, 0, outline.point_count}, found);
+        find_bands(cells, {index, translation}, found);
     }
 }
 
 void Bands::find_bands(const CellOutlines& cells, const Entry& whole, Found& found) const {
     const Outline& outline = cells.outlines[whole.outline];
-    const int low = std::max(band_of(outline.lowest + whole.translation.y), 0);
-    const int high = std::min(band_of(outline.highest + whole.translation.y), count() - 1);
-    if (kind_ == Entries::Stretches && low < high) {
-        find_stretches(cells, whole, low, high, found);
-        return;
-    }
+    const int low = std::max(band_of(outline.lowest.y + whole.translation.y), 0);
+    const int high = std::min(band_of(outline.highest.y + whole.translation.y), count() - 1);
     for (int band = low; band <= high; ++band) {
         found.push_back({static_cast<std::size_t>(band), whole});
     }
-}
-
-void Bands::find_stretches(const CellOutlines& cells,
-                           const Entry& whole,
-                           int low_band,
-                           int high_band,
-                           Found& found) const {
-    const std::span<const SubpixelPoint> chain = cells.chain(cells.outlines[whole.outline]);
-    const auto band_at = [&](std::size_t k) { return band_of(chain[k].y + whole.translation.y); };
-    int from = band_at(chain.size() - 1);
-    int low = std::min(from, band_at(0));  // bands of the edges since `begin`
-    int high = std::max(from, band_at(0));
-    std::size_t begin = 0;
-    const auto close = [&](std::size_t end) {
-        for (int band = std::max(low, low_band); band <= std::min(high, high_band); ++band) {
-            found.push_back(
-                {static_cast<std::size_t>(band), {whole.outline, whole.translation, begin, end}});
-        }
-        begin = end;
-    };
-    for (std::size_t k = 0; k < chain.size(); ++k) {
-        const int to = band_at(k);
-        if (std::min(from, to) != low || std::max(from, to) != high) {
-            close(k);
-            low = std::min(from, to);
-            high = std::max(from, to);
-        }
-        from = to;
-    }
-    close(chain.size());
 }
 
 }  // namespace foam::texgen

@@ -19,16 +19,10 @@ class Bands {
     struct Entry {
         std::size_t outline = 0;
         SubpixelPoint translation;
-        // The edges to these of its points reach into the band, and maybe not all of them do.
-        std::size_t begin = 0;
-        std::size_t end = 0;
     };
 
-    /// What an entry of a band is: a whole outline, or each stretch of one that reaches into it.
-    enum class Entries { Outlines, Stretches };
-
     /// The rows are rounded up to a power of two.
-    Bands(const CellOutlines& cells, int rows_per_band, Entries kind);
+    Bands(const CellOutlines& cells, int rows_per_band);
 
     int count() const { return static_cast<int>(ends_.size()) - 1; }
     int first_row(int band) const { return band << row_bits_; }
@@ -45,17 +39,11 @@ class Bands {
     // The copies of an outline around the torus, or what of it is in the image.
     void find_copies(const CellOutlines& cells, std::size_t index, Found& found) const;
     void find_bands(const CellOutlines& cells, const Entry& whole, Found& found) const;
-    void find_stretches(const CellOutlines& cells,
-                        const Entry& whole,
-                        int low_band,
-                        int high_band,
-                        Found& found) const;
     void sort(const Found& found);
     int band_of(std::int32_t y) const { return y >> (kSubpixelBits + row_bits_); }
 
     RasterGrid grid_;
     int row_bits_;
-    Entries kind_;
     std::vector<std::size_t> ends_;  // entries of band k: from ends_[k] to ends_[k + 1]
     std::vector<Entry> entries_;
 };

@@ -21,78 +21,104 @@ void add_times(double factor,
     to = sum;
 }
 
+// Sets the flags from one to another, both included.
+void set_flags(std::uint64_t* flags, std::size_t from, std::size_t to) {
+    const std::size_t word = from / kFlagsPerWord;
+    const std::size_t last = to / kFlagsPerWord;
+    const std::uint64_t head = ~std::uint64_t{0} << from % kFlagsPerWord;
+    const std::uint64_t tail = ~std::uint64_t{0} >> (kFlagsPerWord - 1 - to % kFlagsPerWord);
+    if (word == last) {
+        flags[word] |= head & tail;
+        return;
+    }
+    flags[word] |= head;
+    std::fill(flags + word + 1, flags + last, ~std::uint64_t{0});
+    flags[last] |= tail;
+}
+
 }  // namespace
 
 template <std::size_t Channels>
 Coverage<Channels>::Coverage(int width, int rows, RowKind kind)
     : width_(width),
-      rows_(rows),
       kind_(kind),
       stride_(static_cast<std::size_t>(width) + 1),
       words_(stride_ / kFlagsPerWord + 1),
       differences_(stride_ * static_cast<std::size_t>(rows)),
       touched_(words_ * static_cast<std::size_t>(rows)),
+      walk_(rows),
       starts_(static_cast<std::size_t>(rows)) {}
 
 template <std::size_t Channels>
-inline void Coverage<Channels>::touch_two(std::size_t row_words, std::size_t x) {
-    const std::size_t word = row_words + x / kFlagsPerWord;
-    const std::size_t bit = x % kFlagsPerWord;
-    touched_[word] |= std::uint64_t{3} << bit;
-    if (bit == kFlagsPerWord - 1) {
-        touched_[word + 1] |= 1;
-    }
-}
-
-template <std::size_t Channels>
-inline void Coverage<Channels>::add_part(const PixelPart& part, const Sum& value) {
-    std::int32_t column = part.column;
-    if (static_cast<std::uint32_t>(column) >= static_cast<std::uint32_t>(width_)) [[unlikely]] {
-        column = wrap_part(part, value);
-        if (column < 0) {
-            return;
+void Coverage<Channels>::add(const CellArc& arc, SubpixelPoint translation, const Step& step) {
+    walk_.split(arc, translation);
+    for (const ArcWalk::Run& run : walk_.runs()) {
+        const std::int32_t begin = walk_.column(run.begin);
+        const std::int32_t end = walk_.column(run.end - 1);
+        const auto [left, right] = std::minmax(begin, end);
+        if (left >= 0 && right < width_) [[likely]] {
+            touch(static_cast<std::size_t>(run.row), left, right);
+            add_run(run, step);
+        } else {
+            add_outside(run, step);
+        }
+        if (step.goes_around) [[unlikely]] {
+            add_around(run, step);
         }
     }
-    const auto x = static_cast<std::size_t>(column);
-    const auto row = static_cast<std::size_t>(part.row);
-    const double here = part.height * kFullWidth - part.area;
-    const double right = part.area;
-    Sum* differences = &differences_[row * stride_ + x];
-    add_times(here, value, differences[0]);
-    add_times(right, value, differences[1]);
-    touch_two(row * words_, x);
 }
 
+// From left to right: what a part leaves out of its pixel is in the next one's sum.
 template <std::size_t Channels>
-void Coverage<Channels>::add(std::span<const SubpixelPoint> chain,
-                             std::size_t begin,
-                             std::size_t end,
-                             SubpixelPoint translation,
-                             const Value& value) {
-    Sum values{};
-    std::copy(value.begin(), value.end(), values.begin());
-    const auto add_to_band = [&](const PixelPart& part) { add_part(part, values); };
-    EdgeWalk(rows_, add_to_band).walk(chain, begin, end, translation);
-}
-
-// The column in the row's own period, or -1 in the plane; what is past the border is added.
-template <std::size_t Channels>
-std::int32_t Coverage<Channels>::wrap_part(const PixelPart& part, const Sum& value) {
-    const std::int32_t periods = floor_div(part.column, width_);
-    if (kind_ == RowKind::Line) {
-        add_past_border(part.row, part.column < 0 ? -part.height : 0, value);
-        return -1;
+inline void Coverage<Channels>::add_run(const ArcWalk::Run& run, const Step& step) {
+    const std::size_t parts = run.end - run.begin;
+    const std::size_t first = walk_.is_leftward() ? run.end - 1 : run.begin;
+    const std::ptrdiff_t next = walk_.is_leftward() ? -1 : 1;
+    Sum* to = &differences_[static_cast<std::size_t>(run.row) * stride_ +
+                            static_cast<std::size_t>(walk_.column(first))];
+    double left_out = 0.0;
+    for (std::size_t k = 0; k < parts; ++k) {
+        const std::size_t part =
+            first + static_cast<std::size_t>(next * static_cast<std::ptrdiff_t>(k));
+        const double on_left = walk_.on_left(part);
+        add_times(walk_.whole(part) - on_left + left_out, step.across, to[k]);
+        left_out = on_left;
     }
-    add_past_border(part.row, static_cast<double>(periods) * part.height, value);
-    return part.column - periods * width_;
+    add_times(left_out, step.across, to[parts]);
+}
+
+// An arc in another period of its sides' outlines.
+template <std::size_t Channels>
+void Coverage<Channels>::add_around(const ArcWalk::Run& run, const Step& step) {
+    for (std::size_t part = run.begin; part < run.end; ++part) {
+        add_times(-walk_.whole(part), step.around, starts_[static_cast<std::size_t>(run.row)]);
+    }
+}
+
+// Parts beyond the borders, one by one.
+template <std::size_t Channels>
+void Coverage<Channels>::add_outside(const ArcWalk::Run& run, const Step& step) {
+    const auto row = static_cast<std::size_t>(run.row);
+    for (std::size_t part = run.begin; part < run.end; ++part) {
+        const std::int32_t periods = floor_div(walk_.column(part), width_);
+        const bool is_ring = kind_ == RowKind::Ring;
+        const std::int32_t times = is_ring ? -periods : periods < 0 ? 1 : 0;
+        add_times(times * walk_.whole(part), step.across, starts_[row]);
+        if (is_ring || periods == 0) {
+            const std::int32_t column = walk_.column(part) - periods * width_;
+            touch(row, column, column);
+            Sum* to = &differences_[row * stride_ + static_cast<std::size_t>(column)];
+            add_times(walk_.whole(part) - walk_.on_left(part), step.across, to[0]);
+            add_times(walk_.on_left(part), step.across, to[1]);
+        }
+    }
 }
 
 template <std::size_t Channels>
-void Coverage<Channels>::add_past_border(std::int32_t row, double height, const Sum& value) {
-    Sum& start = starts_[static_cast<std::size_t>(row)];
-    for (std::size_t c = 0; c < value.size(); ++c) {
-        start[c] -= height * kFullWidth * value[c];
-    }
+inline void Coverage<Channels>::touch(std::size_t row, std::int32_t left, std::int32_t right) {
+    set_flags(&touched_[row * words_],
+              static_cast<std::size_t>(left),
+              static_cast<std::size_t>(right) + 1);
 }
 
 template class Coverage<1>;

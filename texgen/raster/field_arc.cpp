@@ -38,10 +38,6 @@ Vec2 head_tangent(const FieldArc& arc) {
     return arc.cosine * arc.direction + arc.sine * turned_left(arc.direction);
 }
 
-FieldArc reversed(const FieldArc& arc) {
-    return {arc.middle, -arc.direction, arc.chord, arc.cosine, -arc.sine};
-}
-
 // The middle of the arc lies the sagitta, c/2 tan(half of the half angle), right of the chord.
 std::array<FieldArc, 2> halves(const FieldArc& arc) {
     const double cosine = std::sqrt(0.5 * (1.0 + arc.cosine));

@@ -41,9 +41,6 @@ Pencil pencil_at(const FieldArc& arc, const Vec2& point);
 Vec2 tail_tangent(const FieldArc& arc);
 Vec2 head_tangent(const FieldArc& arc);
 
-/// The arc walked from its head to its tail.
-FieldArc reversed(const FieldArc& arc);
-
 /// Its two halves, of equal length; the first begins at the tail.
 std::array<FieldArc, 2> halves(const FieldArc& arc);
 

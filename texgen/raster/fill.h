@@ -1,7 +1,7 @@
 #pragma once
 
 #include "texgen/image/image.h"
-#include "texgen/raster/outlines.h"
+#include "texgen/raster/cell_arcs.h"
 
 #include <array>
 #include <cstddef>
@@ -27,13 +27,13 @@ template <class Sample>
 using Encoding = std::array<Sample, 65536>;
 
 /// Fills an image with cells and films. Each pixel is the mean of the values in it, weighted by
-/// exact area (to the precision of the outlines) and rounded to the nearest. With films of no width
+/// exact area (to the precision of subpixels) and rounded to the nearest. With films of no width
 /// the cells meet without gap or overlap, so that no film's value shows.
 ///
 /// The same bits for any number of threads; a shift of the grid is an exact cyclic shift of the
 /// image. Throws std::invalid_argument if the image does not have the size of the grid and the
 /// channels of the values, or a bubble has no value.
-void fill_cells(const CellOutlines& cells,
+void fill_cells(const CellArcs& cells,
                 const CellValues& values,
                 int threads,
                 ImageView<std::uint16_t> image);
@@ -41,13 +41,13 @@ void fill_cells(const CellOutlines& cells,
 /// Fills an image with colours whose last channel is their opacity. The values come premultiplied,
 /// so that means are, too; the samples are straight: each colour over the opacity, from the whole
 /// precision of both. Where nothing is opaque, all samples are 0.
-void fill_straight(const CellOutlines& cells,
+void fill_straight(const CellArcs& cells,
                    const CellValues& values,
                    int threads,
                    ImageView<std::uint16_t> image);
 
 /// As fill_cells, each mean then encoded.
-void fill_cells(const CellOutlines& cells,
+void fill_cells(const CellArcs& cells,
                 const CellValues& values,
                 const Encoding<std::uint8_t>& encoding,
                 int threads,

@@ -6,9 +6,13 @@ namespace foam::texgen {
 
 void close_outline(OutlineBatch& batch, BubbleId bubble, std::size_t first_point) {
     const auto chain = std::span<const SubpixelPoint>(batch.points).subspan(first_point);
-    const auto [low, high] = std::minmax_element(
-        chain.begin(), chain.end(), [](SubpixelPoint a, SubpixelPoint b) { return a.y < b.y; });
-    batch.outlines.push_back({bubble, 0, first_point, chain.size(), low->y, high->y});
+    SubpixelPoint low = chain.front();
+    SubpixelPoint high = low;
+    for (const SubpixelPoint point : chain) {
+        low = {std::min(low.x, point.x), std::min(low.y, point.y)};
+        high = {std::max(high.x, point.x), std::max(high.y, point.y)};
+    }
+    batch.outlines.push_back({bubble, 0, first_point, chain.size(), low, high});
 }
 
 std::int64_t twice_area(std::span<const SubpixelPoint> chain) {
@@ -31,7 +35,6 @@ CellOutlines gather(const RasterGrid& grid, std::vector<OutlineBatch>& batches) 
         }
         cells.outlines.insert(cells.outlines.end(), batch.outlines.begin(), batch.outlines.end());
         cells.batches.push_back(std::move(batch.points));
-        cells.unresolved += batch.unresolved;
     }
     return cells;
 }

@@ -14,7 +14,6 @@ namespace foam::texgen {
 struct OutlineBatch {
     std::vector<Outline> outlines;
     std::vector<SubpixelPoint> points;
-    int unresolved = 0;
 };
 
 /// Takes the points from first_point on as an outline of the bubble.

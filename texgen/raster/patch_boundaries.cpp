@@ -50,6 +50,20 @@ Boundaries boundaries_of_ghost(const PixelPatch& pixels) {
 
 }  // namespace
 
+bool may_show(const RasterGrid& grid, std::span<const ArcLoops::Arc> loop) {
+    if (loop.empty()) {
+        return false;
+    }
+    Vec2 low = loop.front().tail;
+    Vec2 high = low;
+    for (const ArcLoops::Arc& arc : loop) {
+        const Vec2 reach = Vec2::Constant(arc_length(arc.arc));
+        low = low.cwiseMin(arc.tail - reach);
+        high = high.cwiseMax(arc.tail + reach);
+    }
+    return low.x() < grid.width && low.y() < grid.height && high.x() > 0.0 && high.y() > 0.0;
+}
+
 std::size_t region_count(const Frame& frame) {
     return frame.network.bubble_slots() + frame.lone_bubbles.size();
 }

@@ -4,6 +4,9 @@
 #include "texgen/raster/inset.h"
 #include "texgen/raster/raster_grid.h"
 
+#include <cstddef>
+#include <span>
+
 namespace foam::texgen {
 
 /// Closed loops of arcs, in pixels from the image's lower left corner.
@@ -24,6 +27,13 @@ struct PixelPatch {
 
 /// How many have boundaries: the bubbles, the ghost, and the lone bubbles, in this order.
 std::size_t region_count(const Frame& frame);
+
+/// What lies this many pixels beyond the image is cut off, as coordinates have 32 bits; so far away
+/// that the pixels do not depend on it.
+inline constexpr double kGuard = kLargestSide;
+
+/// Whether some of a loop may show: its arcs reach no farther than they are long.
+bool may_show(const RasterGrid& grid, std::span<const ArcLoops::Arc> loop);
 
 /// Of a bubble, of the ghost, or of a lone bubble, by their place in that order. Each has its
 /// region on the left.

@@ -5,9 +5,6 @@
 namespace foam::texgen {
 
 /// outline_cells of a frame in the plane, for a grid with a view of it.
-CellOutlines outline_patch(const Frame& frame,
-                           const RasterGrid& grid,
-                           double film_width,
-                           int threads);
+CellOutlines outline_patch(const Frame& frame, const RasterGrid& grid, int threads);
 
 }  // namespace foam::texgen

@@ -18,7 +18,7 @@ namespace foam::bench {
 
 namespace {
 
-using texgen::CellOutlines;
+using texgen::CellArcs;
 using texgen::DistanceField;
 using texgen::Image;
 
@@ -47,7 +47,7 @@ class Foamtex {
           image_(scene.side, scene.side, 3) {}
 
     void fill(double film_width, int threads) {
-        const CellOutlines cells = texgen::outline_cells(frame_, grid_, film_width, threads);
+        const CellArcs cells = texgen::cell_arcs(frame_, grid_, film_width, threads);
         texgen::fill_cells(cells, values_, high_bytes(), threads, image_.view());
     }
     void measure(int threads) { texgen::write_distance_field(frame_, grid_, {}, threads, field_); }

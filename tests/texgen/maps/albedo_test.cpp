@@ -115,7 +115,7 @@ TEST(Albedo, MixesLight) {
     options.film_width = 3.0;
     options.film_color = "#ff8000";
     const Image<std::uint8_t> image = albedo(frame, {64, 64, 0, 0}, options, 1);
-    const CellOutlines cells = outline_cells(frame, {64, 64, 0, 0}, 3.0, 1);
+    const CellArcs cells = cell_arcs(frame, {64, 64, 0, 0}, 3.0, 1);
     CellValues values{4, std::vector<std::uint16_t>(16, 0), {}};
     for (std::size_t k = 0; k < 4; ++k) {
         values.cells[5 * k] = 65535;

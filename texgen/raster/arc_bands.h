@@ -1,0 +1,43 @@
+#pragma once
+
+#include "texgen/raster/cell_arcs.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace foam::texgen {
+
+/// The rows of an image, cut into bands that are filled one by one, and for each band the arcs that
+/// reach into it; around a torus, and shifted as the grid says.
+class ArcBands {
+  public:
+    /// A copy of an arc: shifted, and on a torus moved up and down by whole periods; y counts from
+    /// the image's row 0.
+    struct Entry {
+        const CellArc* arc = nullptr;
+        SubpixelPoint translation;
+    };
+
+    /// Borrows the arcs. The rows are rounded up to a power of two.
+    ArcBands(const CellArcs& cells, int rows_per_band);
+
+    int count() const { return static_cast<int>(ends_.size()) - 1; }
+    int first_row(int band) const { return band << row_bits_; }
+    int row_count(int band) const;
+    std::span<const Entry> entries(int band) const;
+
+  private:
+    template <class Visit>
+    void visit_copies(const CellArcs& cells, const Visit& visit) const;
+    template <class Visit>
+    void visit_bands(const Entry& entry, const Visit& visit) const;
+
+    RasterGrid grid_;
+    int row_bits_;
+    std::vector<std::size_t> ends_;  // entries of band k: from ends_[k] to ends_[k + 1]
+    std::vector<Entry> entries_;
+};
+
+}  // namespace foam::texgen

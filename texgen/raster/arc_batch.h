@@ -1,0 +1,74 @@
+#pragma once
+
+#include "core/geometry/film_arc.h"
+#include "texgen/raster/cell_arcs.h"
+#include "texgen/raster/parallel_for.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace foam::texgen {
+
+/// The arcs that one task makes.
+struct ArcBatch {
+    std::vector<CellArc> arcs;
+    int unresolved = 0;
+};
+
+/// What an arc has on its sides, as it is walked.
+struct ArcSides {
+    std::uint32_t left = kFilmSide;
+    std::uint32_t right = kFilmSide;
+    std::int16_t left_periods = 0;
+    std::int16_t right_periods = 0;
+};
+
+/// Appends an arc (pixels) whose ends were rounded, in pieces that rise. Those that are level, to
+/// the subpixel, bound no area and are left out.
+void append_arc(const FilmArc& arc,
+                SubpixelPoint tail,
+                SubpixelPoint head,
+                const ArcSides& sides,
+                std::vector<CellArc>& to);
+
+/// Appends an arc that goes neither back in x nor in y, if it is not level.
+void append_piece(SubpixelPoint tail,
+                  SubpixelPoint head,
+                  double sine,
+                  const ArcSides& sides,
+                  std::vector<CellArc>& to);
+
+/// Twice the area within a closed chain of arcs around one bubble, in square subpixels; negative if
+/// it goes clockwise.
+double twice_area(std::span<const CellArc> chain, std::uint32_t bubble);
+
+/// Has `count` things done by maker.make(k, batch), in tasks of `per_task`. Every task has its own
+/// copy of the maker.
+template <class Maker>
+CellArcs make_arcs(const RasterGrid& grid,
+                   std::size_t count,
+                   std::size_t per_task,
+                   const Maker& maker,
+                   int threads) {
+    std::vector<ArcBatch> batches((count + per_task - 1) / per_task);
+    parallel_for(static_cast<int>(batches.size()), threads, [&](int task) {
+        Maker own = maker;
+        const std::size_t begin = static_cast<std::size_t>(task) * per_task;
+        for (std::size_t k = begin; k < std::min(begin + per_task, count); ++k) {
+            own.make(k, batches[static_cast<std::size_t>(task)]);
+        }
+    });
+    CellArcs cells;
+    cells.grid = grid;
+    for (ArcBatch& batch : batches) {
+        cells.batches.push_back(std::move(batch.arcs));
+        cells.unresolved += batch.unresolved;
+    }
+    return cells;
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "core/foam/frame.h"
+#include "texgen/raster/raster_grid.h"
+
+namespace foam::texgen {
+
+/// A frame on a torus as the grid sees it.
+struct PixelFrame {
+    PixelFrame(const Frame& of, const RasterGrid& on)
+        : frame(of),
+          grid(on),
+          scale(pixels_per_unit(on, of.torus)),
+          shear(shear_in_subpixels(on, of.torus)) {}
+
+    FilmArc arc(HalfEdgeId h) const {
+        const FilmArc arc = frame.arc(h);
+        return {scale * arc.chord, arc.half_angle};
+    }
+    SubpixelPoint junction(JunctionId junction) const {
+        return snap(grid, frame.torus, frame.positions[junction]);
+    }
+    SubpixelPoint translation(LatticeOffset offset) const {
+        return {offset.i * grid.width * kSubpixel + offset.j * shear,
+                offset.j * grid.height * kSubpixel};
+    }
+
+    const Frame& frame;
+    const RasterGrid& grid;
+    double scale;        // pixels per foam unit
+    std::int32_t shear;  // subpixels
+};
+
+}  // namespace foam::texgen
