@@ -150,14 +150,27 @@ Nearest nearest(const std::vector<FilmCopy>& films, const Vec2& point) {
     return best;
 }
 
-Vec2 lattice_point(int k) {
-    const std::int64_t step = std::int64_t{k} * kSampleGenerator % kSamplesPerPixel;
-    return Vec2(k + 0.5, static_cast<double>(step) + 0.5) / kSamplesPerPixel;
+constexpr int kLatticePoints = 17711;
+constexpr int kLatticeGenerator = 10946;
+constexpr int kGridSide = 64;
+
+int sample_count(Samples samples) {
+    return samples == Samples::Lattice ? kLatticePoints : kGridSide * kGridSide;
+}
+
+Vec2 sample_point(Samples samples, int k) {
+    if (samples == Samples::Grid) {
+        const int row = k / kGridSide;
+        return Vec2(k % kGridSide + 0.5, row + 0.5) / kGridSide;
+    }
+    const std::int64_t step = std::int64_t{k} * kLatticeGenerator % kLatticePoints;
+    return Vec2(k + 0.5, static_cast<double>(step) + 0.5) / kLatticePoints;
 }
 
 void sample_pixel(const std::vector<FilmCopy>& films,
                   const Vec2& corner,
                   double least_distance,
+                  Samples kind,
                   std::vector<double>& parts) {
     constexpr double kPixelRadius = 0.5 * std::numbers::sqrt2;
     const Vec2 center = corner + Vec2(0.5, 0.5);
@@ -165,9 +178,9 @@ void sample_pixel(const std::vector<FilmCopy>& films,
     const Nearest at_center = nearest(near, center);
     const bool uniform = at_center.distance > kPixelRadius &&
                          std::abs(at_center.distance - least_distance) > kPixelRadius;
-    const int samples = uniform ? 1 : kSamplesPerPixel;
+    const int samples = uniform ? 1 : sample_count(kind);
     for (int k = 0; k < samples; ++k) {
-        const Vec2 at = uniform ? center : Vec2(corner + lattice_point(k));
+        const Vec2 at = uniform ? center : Vec2(corner + sample_point(kind, k));
         const Nearest found = nearest(near, at);
         if (found.distance >= least_distance) {
             parts[index_of(found.bubble)] += 1.0 / samples;
@@ -179,12 +192,13 @@ SampledCoverage sample_films(const std::vector<FilmCopy>& films,
                              int width,
                              int height,
                              double film_width,
-                             std::size_t bubbles) {
+                             std::size_t bubbles,
+                             Samples samples) {
     SampledCoverage coverage{width, height, {}};
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
             coverage.parts.push_back(std::vector<double>(bubbles, 0.0));
-            sample_pixel(films, Vec2(x, y), 0.5 * film_width, coverage.parts.back());
+            sample_pixel(films, Vec2(x, y), 0.5 * film_width, samples, coverage.parts.back());
         }
     }
     return coverage;
@@ -192,12 +206,14 @@ SampledCoverage sample_films(const std::vector<FilmCopy>& films,
 
 }  // namespace
 
-SampledCoverage sample_coverage(const Frame& frame, int width, int height, double film_width) {
+SampledCoverage sample_coverage(
+    const Frame& frame, int width, int height, double film_width, Samples samples) {
     return sample_films(all_copies(frame, width / frame.torus.width),
                         width,
                         height,
                         film_width,
-                        frame.network.bubble_slots());
+                        frame.network.bubble_slots(),
+                        samples);
 }
 
 SampledCoverage sample_coverage(
@@ -206,7 +222,8 @@ SampledCoverage sample_coverage(
                         width,
                         height,
                         film_width,
-                        frame.network.bubble_slots() + frame.lone_bubbles.size());
+                        frame.network.bubble_slots() + frame.lone_bubbles.size(),
+                        Samples::Lattice);
 }
 
 struct NearestFilms::Films {

@@ -179,9 +179,12 @@ void compare_with_writing(int side, int bubbles) {
 }
 
 // The mean of the values in each pixel, by point samples.
-std::vector<double> reference(const Frame& frame, const Scene& scene, double film_width) {
+std::vector<double> reference(const Frame& frame,
+                              const Scene& scene,
+                              double film_width,
+                              test::Samples samples) {
     const test::SampledCoverage sampled =
-        test::sample_coverage(frame, scene.side, scene.side, film_width);
+        test::sample_coverage(frame, scene.side, scene.side, film_width, samples);
     std::vector<double> means;
     for (const std::vector<double>& parts : sampled.parts) {
         for (std::size_t channel = 0; channel < 3; ++channel) {
@@ -203,27 +206,46 @@ double largest_error(const Image<std::uint8_t>& image, const std::vector<double>
     return largest;
 }
 
+// Of one film width, against each set of samples.
+struct References {
+    std::vector<double> lattice;
+    std::vector<double> grid;
+
+    References(const Frame& frame, const Scene& scene, double film_width)
+        : lattice(reference(frame, scene, film_width, test::Samples::Lattice)),
+          grid(reference(frame, scene, film_width, test::Samples::Grid)) {}
+
+    void print(const Image<std::uint8_t>& image) const {
+        fmt::print(" {:.2f} | {:.2f} |", largest_error(image, lattice), largest_error(image, grid));
+    }
+};
+
 void print_errors() {
     constexpr int kSmallSide = 64;
     const Frame frame = test::fitted_frame(test::polydisperse_foam(24, 5), kSmallSide, kSmallSide);
     const Scene scene = scene_of(frame, kSmallSide);
     Foamtex ours(frame, scene);
-    fmt::print("\n| largest error of a pixel, of 255 | fill | fill + films |\n|---|---|---|\n");
-    const std::vector<double> cells = reference(frame, scene, 0.0);
-    const std::vector<double> films = reference(frame, scene, kFilmWidth);
+    const References cells(frame, scene, 0.0);
+    const References films(frame, scene, kFilmWidth);
+    fmt::print(
+        "\n| largest error of a pixel, of 255 | fill | of 64 x 64 | fill + films | of 64 x 64 |\n"
+        "|---|---|---|---|---|\n| foamtex |");
     ours.fill(0.0, 1);
-    const double fill_error = largest_error(ours.image(), cells);
+    cells.print(ours.image());
     ours.fill(kFilmWidth, 1);
-    fmt::print("| foamtex | {:.2f} | {:.2f} |\n", fill_error, largest_error(ours.image(), films));
+    films.print(ours.image());
     for (const Painter& other : painters(kSmallSide)) {
+        fmt::print("\n| {} |", other.name);
         other.fill(scene);
-        fmt::print("| {} | {:.2f} | ", other.name, largest_error(other.image(), cells));
+        cells.print(other.image());
         if (other.fill_and_films) {
             other.fill_and_films(scene);
-            fmt::print("{:.2f} ", largest_error(other.image(), films));
+            films.print(other.image());
+        } else {
+            fmt::print(" | |");
         }
-        fmt::print("|\n");
     }
+    fmt::print("\n");
 }
 
 void run() {
