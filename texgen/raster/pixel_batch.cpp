@@ -64,7 +64,8 @@ inline SeenArc seen_from(const PlacedArc& arc, float x, float y) {
     const float distance = std::abs(twice) / (1.0F + length);
     const float past_tail = arc.tail.value + x * arc.tail.x + y * arc.tail.y;
     const float before_head = arc.head.value + x * arc.head.x + y * arc.head.y;
-    const float here = least(past_tail, before_head) >= -kPastEnd ? distance : kFar;
+    const float far = kFar;
+    const float here = least(past_tail, before_head) >= -kPastEnd ? distance : far;
     return {here, twice, slope_x, slope_y};
 }
 

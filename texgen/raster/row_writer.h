@@ -22,7 +22,7 @@ template <std::size_t Lanes>
 std::array<std::int32_t, Lanes> rounded_means(const std::array<double, Lanes>& sum) {
     constexpr std::int32_t kLargest = std::numeric_limits<std::uint16_t>::max();
     constexpr double kHalf = 0.5;  // makes truncation the nearest
-    std::array<std::int32_t, Lanes> means;
+    std::array<std::int32_t, Lanes> means{};
     for (std::size_t c = 0; c < Lanes; ++c) {
         means[c] = static_cast<std::int32_t>(sum[c] * (1.0 / kFullCoverage) + kHalf);
     }
@@ -66,7 +66,7 @@ class PixelWriter {
 
     // As far as whole ones fit. Returns where they end.
     std::size_t write_blocks(std::uint64_t pixel, std::size_t begin, std::size_t end) {
-        std::array<std::uint64_t, PixelBytes> words;
+        std::array<std::uint64_t, PixelBytes> words{};
         for (std::size_t word = 0; word < PixelBytes; ++word) {
             words[word] = repeated(pixel, kWord * word % PixelBytes);
         }
