@@ -5,7 +5,7 @@
 #include "tests/bench/bench_foams.h"
 #include "texgen/image/png.h"
 #include "texgen/maps/albedo.h"
-#include "texgen/raster/fill.h"
+#include "texgen/raster/distance.h"
 
 #include <fmt/core.h>
 #include <png.h>
@@ -15,7 +15,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
-#include <functional>
 #include <limits>
 #include <string>
 
@@ -48,25 +47,13 @@ Cost least_cost(const std::function<std::size_t()>& encode) {
     return cost;
 }
 
-/// Distance to the nearest film in pixels, as 16 bits up to the largest: the sum of what is left
-/// of the cells by films of 0, 2, 4 ... pixels.
+/// Distance to the nearest film, as 16 bits up to the largest.
 Image<std::uint16_t> distance_map(const Frame& frame, int side) {
-    const texgen::RasterGrid grid{side, side};
-    const texgen::CellValues values{
-        1, std::vector<std::uint16_t>(frame.bubbles.size(), 65535), {0}};
+    const Image<float> distance = texgen::distance_field(frame, {side, side}, {}, 1).distance;
+    const float largest = std::ranges::max(distance.samples());
     Image<std::uint16_t> image(side, side, 1);
-    std::vector<std::uint64_t> sums(image.samples().size());
-    for (int reach = 0;; ++reach) {
-        const texgen::CellArcs cells = texgen::cell_arcs(frame, grid, 2.0 * reach, 1);
-        if (cells.outlines.empty()) {
-            break;
-        }
-        texgen::fill_cells(cells, values, 1, image.view());
-        std::ranges::transform(sums, image.samples(), sums.begin(), std::plus());
-    }
-    const std::uint64_t largest = std::ranges::max(sums);
-    std::ranges::transform(sums, image.samples().begin(), [&](std::uint64_t sum) {
-        return static_cast<std::uint16_t>(sum * 65535 / largest);
+    std::ranges::transform(distance.samples(), image.samples().begin(), [&](float one) {
+        return static_cast<std::uint16_t>(65535.0F * (one / largest));
     });
     return image;
 }

@@ -9,6 +9,7 @@ namespace {
 
 std::vector<std::string> names_of(const std::vector<CommandGrammar>& commands) {
     std::vector<std::string> names;
+    names.reserve(commands.size());
     for (const CommandGrammar& command : commands) {
         names.push_back(command.name);
     }

@@ -101,7 +101,7 @@ Json to_json(const Paths& paths, const Comparison& found) {
 Comparison compare_files(const Paths& paths, const CompareArguments& arguments) {
     const Picture a = read_picture(paths.first);
     const Picture b = read_picture(paths.second);
-    const Comparison found = compare(a, b, arguments.limits);
+    Comparison found = compare(a, b, arguments.limits);
     if (!arguments.quiet && !arguments.json) {
         print_line(paths, found);
     }

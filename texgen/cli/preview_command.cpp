@@ -42,7 +42,7 @@ struct PreviewArguments {
 };
 
 PreviewKind kind_of(const std::string& name) {
-    const auto found = std::ranges::find(kPreviewNames, name);
+    const auto* const found = std::ranges::find(kPreviewNames, name);
     return static_cast<PreviewKind>(found - kPreviewNames.begin());
 }
 

@@ -141,7 +141,8 @@ class Means {
             pixel[c] = rounded(sums[c], weights);
         }
         if (pixel.size() > 3) {
-            pixel[3] = rounded(weights, static_cast<std::uint64_t>(samples_ * samples_));
+            const auto side = static_cast<std::uint64_t>(samples_);
+            pixel[3] = rounded(weights, side * side);
         }
     }
 

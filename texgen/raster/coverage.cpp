@@ -7,7 +7,6 @@ namespace foam::texgen {
 namespace {
 
 constexpr std::size_t kFlagsPerWord = 64;
-constexpr std::int32_t kFullWidth = 2 * kSubpixel;  // of a pixel, as areas count
 
 // Reads all before it writes any, so that the channels are taken several at once.
 template <std::size_t Lanes>
