@@ -42,7 +42,7 @@ hash_of() (
         # All that the compiler sees, and comments.
         eval "${compile#ccache } -E -C \"$1\"" && printf '%s\n' "$compile" &&
             cat .clang-tidy && clang-tidy --version
-    } | sed "s|$PWD/||g" | sha256sum | cut -d ' ' -f 1
+    } | sed "s|$PWD/*||g" | sha256sum | cut -d ' ' -f 1
 )
 
 # Prints nothing but findings; on its own line the file in work, so that a long run shows progress.
