@@ -6,6 +6,7 @@
 #include "texgen/image/png.h"
 #include "texgen/maps/map.h"
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -41,14 +42,26 @@ std::vector<Bytes> baked_files(const Preset& preset, int threads) {
     return contents;
 }
 
+// Which files differ, and whether their pixels do, too.
+std::string differences(const std::vector<Bytes>& a, const std::vector<Bytes>& b) {
+    std::string found = a.size() == b.size() ? "" : "another number of files";
+    for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k) {
+        if (a[k] != b[k]) {
+            const bool alike = decode_png(a[k]).pixels == decode_png(b[k]).pixels;
+            found += fmt::format("file {}: {} ", k + 1, alike ? "bytes" : "pixels");
+        }
+    }
+    return found;
+}
+
 TEST(Bake, GivesTheSameBytesForAnyNumberOfThreads) {
     const TemporaryFolder folder;
     const Preset preset = small_preset(folder.path());
     const std::vector<Bytes> one = baked_files(preset, 1);
     ASSERT_EQ(one.size(), 5U);
     EXPECT_NE(one.front(), one.back());
-    EXPECT_EQ(one, baked_files(preset, 2));
-    EXPECT_EQ(one, baked_files(preset, 3));
+    EXPECT_EQ(differences(one, baked_files(preset, 2)), "");
+    EXPECT_EQ(differences(one, baked_files(preset, 3)), "");
 }
 
 TEST(Bake, AFrameIsTheSameWhetherOthersAreBakedOrNot) {
