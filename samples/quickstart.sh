@@ -9,21 +9,15 @@ set -euo pipefail
 
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." >/dev/null && pwd)
 cd -- "$root"
-# shellcheck source=samples/setup/packages.sh
-source samples/setup/packages.sh
-
-build() {
-    say "building foamtex in build/quickstart (the first time takes minutes)"
-    cmake --preset quickstart
-    cmake --build --preset quickstart --target foamtex
-}
+# shellcheck source=samples/setup/build.sh
+source samples/setup/build.sh
 
 bake() {
     mkdir -p out
     # A second early: a file's time is coarse, and a quick bake's files could bear the same.
     touch -d '1 second ago' build/quickstart/bake_started
     say "baking the preset sea_foam"
-    build/quickstart/texgen/foamtex bake sea_foam "$@"
+    "$foamtex" bake sea_foam "$@"
 }
 
 # One line for each file, or for each numbered sequence: its first and last file, and how many.
@@ -54,7 +48,6 @@ report() {
     printf '%s\n' "$files"
 }
 
-ensure_packages "${foam_build_packages[@]}"
-build
+build_foamtex
 bake "$@"
 report

@@ -7,18 +7,11 @@ set -euo pipefail
 
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." >/dev/null && pwd)
 cd -- "$root"
-# shellcheck source=samples/setup/packages.sh
-source samples/setup/packages.sh
+# shellcheck source=samples/setup/build.sh
+source samples/setup/build.sh
 
-foamtex=build/quickstart/texgen/foamtex
 sample=samples/blender
 out=out/blender
-
-build() {
-    say "building foamtex in build/quickstart (the first time takes minutes)"
-    cmake --preset quickstart >/dev/null
-    cmake --build --preset quickstart --target foamtex
-}
 
 bake() {
     say "baking"
@@ -38,8 +31,8 @@ compare() {
     say "the flipbook shows what its frames show"
 }
 
-ensure_packages "${foam_build_packages[@]}" blender python3-numpy
-build
+ensure_packages blender python3-numpy
+build_foamtex
 bake
 say "rendering"
 blender -b -noaudio --python-exit-code 1 -P "$sample/foam.py" -- "$out" | grep '^==>\|Saved'

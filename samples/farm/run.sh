@@ -14,7 +14,7 @@ cd -- "$work"
 
 readonly frames=24
 readonly foam=(sea_foam --set "frames.count=$frames" --set foam.bubbles=500 --size 512)
-readonly maps=(--maps albedo,height,normal,motion)
+readonly maps=(--maps 'albedo,height,normal,motion')
 
 seconds() {
     local start=$EPOCHREALTIME

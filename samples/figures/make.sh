@@ -7,10 +7,9 @@ set -euo pipefail
 
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." >/dev/null && pwd)
 cd -- "$root"
-# shellcheck source=samples/setup/packages.sh
-source samples/setup/packages.sh
+# shellcheck source=samples/setup/build.sh
+source samples/setup/build.sh
 
-foamtex=build/quickstart/texgen/foamtex
 scratch=$(mktemp -d)
 trap 'rm -rf -- "$scratch"' EXIT
 
@@ -71,8 +70,8 @@ for picture in "$@"; do
         exit 2
     fi
 done
-ensure_packages "${foam_build_packages[@]}" imagemagick
-[[ -x $foamtex ]] || samples/quickstart.sh --frames 1 --size 256
+ensure_packages imagemagick
+[[ -x $foamtex ]] || build_foamtex
 for picture in "${@:-${pictures[@]}}"; do
     "$picture"
 done

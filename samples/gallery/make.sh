@@ -8,10 +8,10 @@ set -euo pipefail
 
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." >/dev/null && pwd)
 cd -- "$root"
-# shellcheck source=samples/setup/packages.sh
-source samples/setup/packages.sh
+# shellcheck source=samples/setup/build.sh
+source samples/setup/build.sh
 
-foamtex=${FOAMTEX:-build/quickstart/texgen/foamtex}
+foamtex=${FOAMTEX:-$foamtex}
 scratch=$(mktemp -d)
 trap 'rm -rf -- "$scratch"' EXIT
 
@@ -28,8 +28,8 @@ thumbnail() {
         -quality 88 -strip "samples/gallery/$preset.jpg"
 }
 
-ensure_packages "${foam_build_packages[@]}" imagemagick
-[[ -x $foamtex ]] || samples/quickstart.sh --frames 1 --size 256
+ensure_packages imagemagick
+[[ -x $foamtex ]] || build_foamtex
 mapfile -t presets < <("$foamtex" presets list | cut -d ' ' -f 1)
 for preset in "${@:-${presets[@]}}"; do
     thumbnail "$preset"

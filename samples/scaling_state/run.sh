@@ -9,17 +9,11 @@ set -euo pipefail
 
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." >/dev/null && pwd)
 cd -- "$root"
-# shellcheck source=samples/setup/packages.sh
-source samples/setup/packages.sh
+# shellcheck source=samples/setup/build.sh
+source samples/setup/build.sh
 
 sample=samples/scaling_state
 out=out/scaling_state
-
-build() {
-    say "building foamtex in build/quickstart (the first time takes minutes)"
-    cmake --preset quickstart >/dev/null
-    cmake --build --preset quickstart --target foamtex
-}
 
 # The mean time of the frames whose number of bubbles lies between two limits, in milliseconds.
 mean_time() {
@@ -35,9 +29,8 @@ report() {
     printf '    of 11 bubbles               %s; the paper: 84 ms\n' "$(mean_time 11 11)"
 }
 
-ensure_packages "${foam_build_packages[@]}"
-build
+build_foamtex
 say "simulating"
-build/quickstart/texgen/foamtex stats "$sample/scaling_state.toml" --out "$out" "$@"
+"$foamtex" stats "$sample/scaling_state.toml" --out "$out" "$@"
 report
 [[ -z ${FOAM_FIGURES:-} ]] || cp "$out"/*.svg "$sample/"
