@@ -50,15 +50,19 @@ ColorPixels draw_flat(FrameLayers& layers, const AlbedoOptions& options) {
 // Pixels that bubbles share are mixed first; then come their shade, and films over it.
 ColorPixels draw_shaded(FrameLayers& layers, const AlbedoOptions& options) {
     const LinearRgb film = to_linear(parse_color(options.film_color));
-    const LinearRgb shade = to_linear(parse_color(options.shade_color));
     const ColorPixels cells = fill_colors(layers, cell_colors(layers.frame(), options), film, 0.0);
-    const FilmLook look = film_look(layers, options);
     const auto channels = static_cast<std::size_t>(cells.pixels.channels());
-    return paint_films(layers, look, film, [&](std::size_t k) {
+    const auto color_at = [&](std::size_t k) {
         const auto pixel = cells.pixels.samples().subspan(channels * k, 3);
-        const LinearRgb color{pixel[0] / kWhite, pixel[1] / kWhite, pixel[2] / kWhite};
-        const bool shaded = !look.shade.samples().empty();
-        return shaded ? mixed(color, shade, static_cast<double>(look.shade.samples()[k])) : color;
+        return LinearRgb{pixel[0] / kWhite, pixel[1] / kWhite, pixel[2] / kWhite};
+    };
+    if (options.shade == 0.0) {
+        return paint_films(layers, options, color_at);
+    }
+    const LinearRgb shade = to_linear(parse_color(options.shade_color));
+    const Image<float> weights = film_shade(layers, options);
+    return paint_films(layers, options, [&](std::size_t k) {
+        return mixed(color_at(k), shade, static_cast<double>(weights.samples()[k]));
     });
 }
 

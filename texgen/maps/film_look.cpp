@@ -15,15 +15,6 @@ namespace {
 // Slopes below this are those of summits, where no film ends.
 constexpr double kFlattest = 0.05;
 
-Image<float> foam_cover(FrameLayers& layers, double width) {
-    if (layers.is_patch()) {
-        return fill_cover(layers, Part::Foam, width);
-    }
-    Image<float> whole(layers.grid().width, layers.grid().height, 1);
-    std::fill(whole.samples().begin(), whole.samples().end(), 1.0F);
-    return whole;
-}
-
 Image<float> wet_films(FrameLayers& layers, double width) {
     const DistanceField& field = layers.distance();
     Image<float> films(layers.grid().width, layers.grid().height, 1);
@@ -38,19 +29,6 @@ Image<float> wet_films(FrameLayers& layers, double width) {
     return films;
 }
 
-Image<float> shade_beside_films(FrameLayers& layers, double width, double most) {
-    const DistanceField& field = layers.distance();
-    Image<float> shade(layers.grid().width, layers.grid().height, 1);
-    std::transform(field.smooth.samples().begin(),
-                   field.smooth.samples().end(),
-                   shade.samples().begin(),
-                   [&](float smooth) {
-                       const double way = std::min(static_cast<double>(smooth) / width, 1.0);
-                       return static_cast<float>(most * (1.0 - way * way * (3.0 - 2.0 * way)));
-                   });
-    return shade;
-}
-
 // The opacity where there is a channel for it.
 void write_pixel(const LinearRgb& color, double opacity, std::span<std::uint16_t> pixel) {
     pixel[0] = light_step(color.r);
@@ -63,27 +41,46 @@ void write_pixel(const LinearRgb& color, double opacity, std::span<std::uint16_t
 
 }  // namespace
 
-FilmLook film_look(FrameLayers& layers, const AlbedoOptions& options) {
-    const Torus& torus = layers.frame().torus;
-    const double width = film_width_in_pixels(options, layers.grid(), torus);
-    FilmLook look;
+Image<float> film_cover(FrameLayers& layers, const AlbedoOptions& options) {
+    const double width = film_width_in_pixels(options, layers.grid(), layers.frame().torus);
+    return options.film_profile == FilmProfile::Even ? fill_cover(layers, Part::Films, width)
+                                                     : wet_films(layers, width);
+}
+
+Image<float> foam_cover(FrameLayers& layers, const AlbedoOptions& options) {
+    if (!layers.is_patch()) {
+        Image<float> whole(layers.grid().width, layers.grid().height, 1);
+        std::fill(whole.samples().begin(), whole.samples().end(), 1.0F);
+        return whole;
+    }
+    const double width = film_width_in_pixels(options, layers.grid(), layers.frame().torus);
     if (options.film_profile == FilmProfile::Even) {
-        look.films = fill_cover(layers, Part::Films, width);
-        look.foam = foam_cover(layers, width);
-    } else {
-        look.films = wet_films(layers, width);
-        look.foam = foam_cover(layers, 0.0);
-        std::transform(look.foam.samples().begin(),
-                       look.foam.samples().end(),
-                       look.films.samples().begin(),
-                       look.foam.samples().begin(),
-                       [](float foam, float film) { return std::max(foam, film); });
+        return fill_cover(layers, Part::Foam, width);
     }
-    if (options.shade > 0.0) {
-        const double reach = diameters_in_pixels(options.shade_width, layers.grid(), torus);
-        look.shade = shade_beside_films(layers, reach, options.shade);
-    }
-    return look;
+    Image<float> foam = fill_cover(layers, Part::Foam, 0.0);
+    const Image<float> films = wet_films(layers, width);
+    std::transform(foam.samples().begin(),
+                   foam.samples().end(),
+                   films.samples().begin(),
+                   foam.samples().begin(),
+                   [](float bubbles, float film) { return std::max(bubbles, film); });
+    return foam;
+}
+
+Image<float> film_shade(FrameLayers& layers, const AlbedoOptions& options) {
+    const double width =
+        diameters_in_pixels(options.shade_width, layers.grid(), layers.frame().torus);
+    const DistanceField& field = layers.distance();
+    Image<float> shade(layers.grid().width, layers.grid().height, 1);
+    std::transform(field.smooth.samples().begin(),
+                   field.smooth.samples().end(),
+                   shade.samples().begin(),
+                   [&](float smooth) {
+                       const double way = std::min(static_cast<double>(smooth) / width, 1.0);
+                       const double part = 1.0 - way * way * (3.0 - 2.0 * way);
+                       return static_cast<float>(options.shade * part);
+                   });
+    return shade;
 }
 
 DistanceNeeds distance_of_look(const AlbedoOptions& options) {
@@ -91,18 +88,20 @@ DistanceNeeds distance_of_look(const AlbedoOptions& options) {
 }
 
 ColorPixels paint_films(FrameLayers& layers,
-                        const FilmLook& look,
-                        const LinearRgb& film,
+                        const AlbedoOptions& options,
                         const std::function<LinearRgb(std::size_t)>& color_at) {
+    const LinearRgb film = to_linear(parse_color(options.film_color));
+    const Image<float> films = film_cover(layers, options);
+    const Image<float> foam = foam_cover(layers, options);
     const std::size_t channels = layers.is_patch() ? 4 : 3;
     const RasterGrid& grid = layers.grid();
     Image<std::uint16_t> image(grid.width, grid.height, static_cast<int>(channels));
-    for (std::size_t k = 0; k < look.foam.samples().size(); ++k) {
-        const auto whole = static_cast<double>(look.foam.samples()[k]);
+    for (std::size_t k = 0; k < foam.samples().size(); ++k) {
+        const auto whole = static_cast<double>(foam.samples()[k]);
         if (whole == 0.0) {
             continue;
         }
-        const double part = static_cast<double>(look.films.samples()[k]) / whole;
+        const double part = static_cast<double>(films.samples()[k]) / whole;
         write_pixel(
             mixed(color_at(k), film, part), whole, image.samples().subspan(channels * k, channels));
     }

@@ -86,13 +86,16 @@ class Lighting {
 
 // The part of every pixel that shines by itself.
 Image<float> glow_of(FrameLayers& layers, const AlbedoOptions& albedo, double glow) {
-    FilmLook look = film_look(layers, albedo);
-    for (std::size_t k = 0; k < look.films.samples().size(); ++k) {
-        const float shade = look.shade.samples().empty() ? 0.0F : look.shade.samples()[k];
-        float& film = look.films.samples()[k];
-        film = static_cast<float>(glow) * std::max(film, shade);
-    }
-    return std::move(look.films);
+    Image<float> shining = film_cover(layers, albedo);
+    const Image<float> shade = albedo.shade > 0.0 ? film_shade(layers, albedo) : shining;
+    std::transform(shining.samples().begin(),
+                   shining.samples().end(),
+                   shade.samples().begin(),
+                   shining.samples().begin(),
+                   [&](float film, float beside) {
+                       return static_cast<float>(glow) * std::max(film, beside);
+                   });
+    return shining;
 }
 
 ColorPixels draw_samples(FrameLayers& layers, const MapOptions& options) {

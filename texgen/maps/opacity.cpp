@@ -2,13 +2,10 @@
 
 #include "texgen/maps/film_look.h"
 
-#include <utility>
-
 namespace foam::texgen {
 
 NumberPixels draw_opacity(FrameLayers& layers, const AlbedoOptions& options) {
-    FilmLook look = film_look(layers, options);
-    return {std::move(look.foam), 0.0, 1.0};
+    return {foam_cover(layers, options), 0.0, 1.0};
 }
 
 }  // namespace foam::texgen

@@ -28,10 +28,11 @@ NumberPixels draw_roughness(FrameLayers& layers,
         return {fill_numbers(layers, {cells, options.film}, width), 0.0, 1.0};
     }
     Image<float> image = fill_numbers(layers, cells);
-    const FilmLook look = film_look(layers, films);
+    const Image<float> cover = film_cover(layers, films);
+    const Image<float> foam = foam_cover(layers, films);
     for (std::size_t k = 0; k < image.samples().size(); ++k) {
-        const float whole = look.foam.samples()[k];
-        const float part = whole > 0.0F ? look.films.samples()[k] / whole : 0.0F;
+        const float whole = foam.samples()[k];
+        const float part = whole > 0.0F ? cover.samples()[k] / whole : 0.0F;
         image.samples()[k] = std::lerp(image.samples()[k], static_cast<float>(options.film), part);
     }
     return {std::move(image), 0.0, 1.0};

@@ -167,9 +167,7 @@ ColorPixels draw_thin_film(FrameLayers& layers,
                            const AlbedoOptions& albedo) {
     const LinearRgb line = to_linear(parse_color(albedo.film_color));
     const FilmColors films(layers, options);
-    return paint_films(layers, film_look(layers, albedo), line, [&](std::size_t k) {
-        return films.at(k).value_or(line);
-    });
+    return paint_films(layers, albedo, [&](std::size_t k) { return films.at(k).value_or(line); });
 }
 
 }  // namespace foam::texgen

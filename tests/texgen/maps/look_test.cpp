@@ -93,12 +93,12 @@ TEST(FilmLook, AWetFilmOfACircleEndsWhereItsSmoothDistanceIsHalfTheWidth) {
     AlbedoOptions options;
     options.film_width = 8.0;
     options.film_profile = FilmProfile::Wet;
-    const FilmLook look = film_look(layers, options);
     const double inner = std::sqrt(kRadius * kRadius - 8.0 * kRadius);
     const double outer = kRadius + 4.0;
     const double ring = std::numbers::pi * (outer * outer - inner * inner);
-    EXPECT_NEAR(sum_of(look.films) / ring, 1.0, 2e-3);
-    EXPECT_NEAR(sum_of(look.foam) / (std::numbers::pi * outer * outer), 1.0, 2e-3);
+    EXPECT_NEAR(sum_of(film_cover(layers, options)) / ring, 1.0, 2e-3);
+    EXPECT_NEAR(
+        sum_of(foam_cover(layers, options)) / (std::numbers::pi * outer * outer), 1.0, 2e-3);
 }
 
 TEST(FilmLook, WetFilmsCoverWhatEvenOnesDoAndTheCornersBesides) {
@@ -106,9 +106,9 @@ TEST(FilmLook, WetFilmsCoverWhatEvenOnesDoAndTheCornersBesides) {
     FrameLayers layers = layers_of(subject.frame, subject.record, test::torus_grid(kSize));
     AlbedoOptions options;
     options.film_width = 4.0;
-    const Image<float> even = film_look(layers, options).films;
+    const Image<float> even = film_cover(layers, options);
     options.film_profile = FilmProfile::Wet;
-    const Image<float> wet = film_look(layers, options).films;
+    const Image<float> wet = film_cover(layers, options);
     for (std::size_t k = 0; k < even.samples().size(); ++k) {
         if (even.samples()[k] == 1.0F) {
             EXPECT_GT(wet.samples()[k], 0.95F);
@@ -123,12 +123,12 @@ TEST(FilmLook, AShadeIsStrongestAtFilmsAndEndsWithItsWidth) {
     AlbedoOptions options;
     options.shade = 0.6;
     options.shade_width = 0.2;
-    const FilmLook look = film_look(layers, options);
+    const Image<float> shades = film_shade(layers, options);
     const double reach =
         diameters_in_pixels(options.shade_width, layers.grid(), subject.frame.torus);
     const std::span<const float> smooth = layers.distance().smooth.samples();
     for (std::size_t k = 0; k < smooth.size(); ++k) {
-        const float shade = look.shade.samples()[k];
+        const float shade = shades.samples()[k];
         if (static_cast<double>(smooth[k]) >= reach) {
             EXPECT_EQ(shade, 0.0F);
         } else {
@@ -136,7 +136,7 @@ TEST(FilmLook, AShadeIsStrongestAtFilmsAndEndsWithItsWidth) {
             EXPECT_LE(shade, 0.6F);
         }
     }
-    EXPECT_GT(*std::ranges::max_element(look.shade.samples()), 0.59F);
+    EXPECT_GT(*std::ranges::max_element(shades.samples()), 0.59F);
 }
 
 Image<std::uint16_t> lit_pixels(const test::MapSubject& subject, const MapOptions& options) {
@@ -162,7 +162,7 @@ TEST(Lit, WhatGlowsKeepsItsColorInTheShadow) {
     options.lit.glow = 1.0;
     const test::MapSubject& subject = test::torus_subject();
     FrameLayers layers = layers_of(subject.frame, subject.record, test::torus_grid(kSize));
-    const Image<float> films = film_look(layers, options.albedo).films;
+    const Image<float> films = film_cover(layers, options.albedo);
     const Image<std::uint16_t> lit = lit_pixels(subject, options);
     const LinearRgb film = to_linear(parse_color("#ff8000"));
     int glowing = 0;
