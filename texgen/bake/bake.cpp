@@ -4,11 +4,13 @@
 #include "texgen/bake/file_pattern.h"
 #include "texgen/bake/frame_files.h"
 #include "texgen/bake/simulate_frames.h"
+#include "texgen/maps/fade_order.h"
 
 #include <algorithm>
 #include <chrono>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <stdexcept>
 #include <thread>
 
@@ -29,6 +31,14 @@ double seconds_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
+FadeOrder::Options fade_order_options(const Preset& preset) {
+    return {.width = preset.image.width,
+            .height = preset.image.height,
+            .bubbles = static_cast<double>(preset.seeding.bubbles),
+            .spread = preset.loop.fade_spread,
+            .seed = preset.seeding.seed};
+}
+
 // Draws frames into files and tells of them; called from several threads.
 class FrameWriter {
   public:
@@ -36,21 +46,32 @@ class FrameWriter {
         : preset_(preset),
           files_(preset),
           callbacks_(callbacks),
-          meter_(total, callbacks.on_progress) {}
+          meter_(total, callbacks.on_progress) {
+        if (preset.loop.is_cross_faded()) {
+            fade_order_.emplace(fade_order_options(preset));
+        }
+    }
 
     const FrameFiles& files() const { return files_; }
 
     void write(const SimulatedFrame& shown) {
         const Clock::time_point begin = Clock::now();
         const RasterGrid grid{preset_.image.width, preset_.image.height, 0, 0, shown.view};
-        FrameLayers layers(
-            {*shown.frame, *shown.record, shown.next.get(), files_.distance()}, grid, 1);
+        ShownLayers layers{.layers = FrameLayers(input_of(shown), grid, 1)};
+        if (shown.rising.frame) {
+            layers.rising.emplace(input_of(shown.rising), grid, 1);
+            layers.shares = fade_order_->shares(shown.faded);
+        }
         BakedFrame baked{shown, files_.write(layers), 0.0};
         baked.seconds = seconds_since(begin);
         report(baked);
     }
 
   private:
+    FrameInput input_of(const DrawnState& state) const {
+        return {*state.frame, *state.record, state.next.get(), files_.distance()};
+    }
+
     void report(const BakedFrame& baked) {
         const std::scoped_lock lock(mutex_);
         if (callbacks_.on_baked) {
@@ -61,6 +82,7 @@ class FrameWriter {
 
     const Preset& preset_;
     FrameFiles files_;
+    std::optional<FadeOrder> fade_order_;
     const BakeCallbacks& callbacks_;
     std::mutex mutex_;
     ProgressMeter meter_;
@@ -85,7 +107,9 @@ BakeSummary bake(const Preset& preset, const BakeOptions& options, const BakeCal
     const FrameSource source =
         options.source ? options.source : simulation_of(preset, options.threads);
     BoundedWorkers workers(thread_count(options) - 1);
+    std::set<int> done;
     const auto visit = [&](const SimulatedFrame& shown) {
+        done.insert(shown.frame->number);
         if (callbacks.on_frame) {
             callbacks.on_frame(shown);
         }
@@ -98,7 +122,7 @@ BakeSummary bake(const Preset& preset, const BakeOptions& options, const BakeCal
     summary.outcome = source(options.frames, next, visit);
     workers.finish();
     for (const int frame : options.frames) {
-        if (summary.outcome.status == RunStatus::Complete || frame < summary.outcome.failed_frame) {
+        if (done.contains(frame)) {
             const std::vector<std::filesystem::path> paths = writer.files().paths(frame);
             summary.files.insert(summary.files.end(), paths.begin(), paths.end());
         }

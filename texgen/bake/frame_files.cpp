@@ -67,17 +67,17 @@ std::vector<std::filesystem::path> FrameFiles::paths(int frame) const {
     return all;
 }
 
-std::vector<WrittenFile> FrameFiles::write(FrameLayers& layers) {
-    const int frame = layers.frame().number;
+std::vector<WrittenFile> FrameFiles::write(ShownLayers& shown) {
+    const int frame = shown.layers.frame().number;
     if (pattern_.joins_maps()) {
-        return {write_exr(maps_, layers, path(*maps_.front(), frame))};
+        return {write_exr(maps_, shown, path(*maps_.front(), frame))};
     }
     std::vector<WrittenFile> written;
     for (const Map* map : maps_) {
         if (pattern_.format() == FileFormat::Exr) {
-            written.push_back(write_exr(std::span(&map, 1), layers, path(*map, frame)));
+            written.push_back(write_exr(std::span(&map, 1), shown, path(*map, frame)));
         } else {
-            written.push_back(write_png(*map, map->draw(layers, preset_.maps), path(*map, frame)));
+            written.push_back(write_png(*map, draw(*map, shown, preset_.maps), path(*map, frame)));
         }
     }
     return written;
@@ -139,19 +139,19 @@ ExrMetadata FrameFiles::exr_metadata(std::span<const Map* const> maps, bool colo
 
 // A lone map lies in no layer.
 WrittenFile FrameFiles::write_exr(std::span<const Map* const> maps,
-                                  FrameLayers& layers,
+                                  ShownLayers& shown,
                                   const std::filesystem::path& path) const {
     const OutputOptions& output = preset_.output;
     ExrLayers channels(output.exr_numbers);
     WrittenFile written{.path = path, .maps = {}, .bytes = 0, .pixels = {}};
     for (const Map* map : maps) {
-        MapImage image = map->draw(layers, preset_.maps);
+        MapImage image = draw(*map, shown, preset_.maps);
         written.maps.emplace_back(map, samples_in_exr(*map, image, output.exr_numbers));
         channels.add(
             maps.size() > 1 ? map->name : std::string_view(), map->channels, std::move(image));
     }
     ExrMetadata metadata = exr_metadata(maps, channels.has_colors());
-    metadata.periodic = tiles(layers.frame().torus);
+    metadata.periodic = tiles(shown.layers.frame().torus);
     const Bytes stream = encode_exr(channels.channels(),
                                     metadata,
                                     {.compression = output.exr_compression,

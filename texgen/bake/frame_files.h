@@ -4,7 +4,7 @@
 #include "texgen/bake/written_file.h"
 #include "texgen/image/exr.h"
 #include "texgen/image/png.h"
-#include "texgen/maps/frame_layers.h"
+#include "texgen/maps/cross_fade.h"
 #include "texgen/maps/map.h"
 #include "texgen/preset/preset.h"
 
@@ -30,7 +30,7 @@ class FrameFiles {
 
     /// Draws every map of a frame and writes it; folders are made as needed. The files are those of
     /// `paths`, in that order. Throws OutputError.
-    std::vector<WrittenFile> write(FrameLayers& layers);
+    std::vector<WrittenFile> write(ShownLayers& shown);
 
     /// What the maps ask of distances, and whether of the next frame.
     DistanceNeeds distance() const;
@@ -39,7 +39,7 @@ class FrameFiles {
   private:
     WrittenFile write_png(const Map& map, const MapImage& image, const std::filesystem::path& path);
     WrittenFile write_exr(std::span<const Map* const> maps,
-                          FrameLayers& layers,
+                          ShownLayers& shown,
                           const std::filesystem::path& path) const;
     std::filesystem::path path(const Map& map, int frame) const;
 

@@ -13,6 +13,10 @@ Vec2 way(const Torus& torus, const LoopOptions& loop, double passed) {
 
 }  // namespace
 
+bool is_posed(const LoopOptions& loop) {
+    return loop.kind == LoopKind::Shear || loop.drift != std::array{0, 0};
+}
+
 Foam posed(Foam foam, const LoopOptions& loop, double passed) {
     if (loop.kind == LoopKind::Shear) {
         shear(foam, -foam.torus.shear / foam.torus.height);
@@ -28,14 +32,6 @@ Vec2 posed(const Vec2& place, const Torus& torus, const LoopOptions& loop, doubl
     const double sheared =
         loop.kind == LoopKind::Shear ? torus.shear * place.y() / torus.height : 0.0;
     return place - Vec2(sheared, 0.0) + way(torus, loop, passed);
-}
-
-int shown_frame(int number, const LoopOptions& loop, int count) {
-    if (loop.kind != LoopKind::PingPong) {
-        return number;
-    }
-    const int place = (number - 1) % count;
-    return 1 + (2 * place <= count ? place : count - place);
 }
 
 }  // namespace foam::texgen

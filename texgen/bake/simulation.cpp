@@ -3,8 +3,10 @@
 #include "core/foam/measure.h"
 #include "texgen/bake/loop_pose.h"
 #include "texgen/bake/seed.h"
+#include "texgen/bake/shown_states.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace foam::texgen {
@@ -90,12 +92,8 @@ bool Simulation::reach_first_frame() {
     return !loop_.is_cycle() || close_loop();
 }
 
-int Simulation::shown(int number) const {
-    return shown_frame(number, loop_, frames_.count);
-}
-
 Frame Simulation::frame() const {
-    if (!loop_.closes_itself()) {
+    if (!is_posed(loop_)) {
         return snapshot(foam_, number_);
     }
     return snapshot(posed(foam_, loop_, passed()), number_);
@@ -116,7 +114,8 @@ FoamRecord Simulation::record() const {
 }
 
 double Simulation::passed() const {
-    return static_cast<double>((number_ - 1) % frames_.count) / frames_.count;
+    const int number = number_ - states_ahead(loop_, frames_.count) + frames_.count;
+    return static_cast<double>((number - 1) % frames_.count) / frames_.count;
 }
 
 // Cycles until one ends where it began.
@@ -161,10 +160,24 @@ void Simulation::measure_diagram() {
 
 bool Simulation::settle() {
     equilibrium_ = equilibrate(foam_, options_.equilibrium);
-    if (!equilibrium_.converged() || !step_by(frames_.warm_up, {})) {
+    if (!equilibrium_.converged() || !warm_up()) {
         return false;
     }
     history_.take_pressures(foam_);
+    return true;
+}
+
+// Of a flow in steps of about that from frame to frame, the last of which leads to frame 1.
+bool Simulation::warm_up() {
+    if (loop_.kind != LoopKind::Flow) {
+        return step_by(frames_.warm_up, {});
+    }
+    const int steps = static_cast<int>(std::ceil(frames_.warm_up / frames_.time_step));
+    for (int frame = 2 - steps; frame <= 1; ++frame) {
+        if (!step_by(frames_.warm_up / steps, timeline_.changes_to(frame, foam_))) {
+            return false;
+        }
+    }
     return true;
 }
 

@@ -21,14 +21,12 @@ class Simulation {
 
     /// Goes on to the next frame: to frame 1 by equilibrium and the warm-up (to frame 2, where
     /// frame 1 shows the diagram), and by as many cycles as a loop takes to close; from frame to
-    /// frame by a time step and the events of the preset, or by a step of the loop. False where no
-    /// equilibrium is found, or the loop stays open; the foam is then of no more use.
+    /// frame by a time step and the events of the preset, or by a step of the loop. A flow has new
+    /// bubbles for those that vanished, in its warm-up too. False where no equilibrium is found, or
+    /// the loop stays open; the foam is then of no more use.
     bool advance();
 
-    /// The number of the frame that a frame of the animation shows (shown_frame).
-    int shown(int number) const;
-
-    /// The frame that was reached. A pingpong only goes forwards here.
+    /// The frame that was reached. Which of them an animation shows: shown_states.
     Frame frame() const;
 
     /// How far the end of a cycle is from its start, in diameters of a mean bubble (closing_error);
@@ -52,6 +50,7 @@ class Simulation {
     bool reach_first_frame();
     void measure_diagram();
     bool settle();  // equilibrium and the warm-up
+    bool warm_up();
     bool close_loop();
     bool step_cycle(int place);
     double passed() const;  // of a loop, the part of it before the frame that was reached

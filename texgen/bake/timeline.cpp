@@ -1,12 +1,11 @@
 #include "texgen/bake/timeline.h"
 
-#include "core/dynamics/nucleation.h"
 #include "core/foam/locate.h"
 #include "texgen/bake/camera.h"
+#include "texgen/bake/new_bubble.h"
 #include "texgen/preset/event_frames.h"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -16,10 +15,9 @@ namespace {
 
 // A new bubble starts with so many T2 areas, so that it does not vanish at once.
 constexpr double kFirstAreas = 2.0;
-// Places that a new bubble without one tries.
-constexpr int kMostTries = 100;
 
-// Different for each event, and another stream than the seeding's.
+// Different for each event, a renewal having that after the last, and another stream than the
+// seeding's.
 std::uint64_t seed_of(const Preset& preset, std::size_t event) {
     return (preset.seeding.seed ^ 0x9e3779b97f4a7c15U) + 0xd1b54a32d192ed03U * (event + 1);
 }
@@ -95,51 +93,15 @@ std::vector<ChosenBubble> choose_by_identity(const std::vector<BubbleIdentity>& 
     return all;
 }
 
-// A place on the torus, or in the box around the patch.
-Vec2 random_place(const Foam& foam, Random& random) {
-    const double x = random.uniform();
-    const double y = random.uniform();
-    if (!foam.torus.is_plane()) {
-        return {x * foam.torus.width, y * foam.torus.height};
-    }
-    Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
-    Vec2 high = -low;
-    for (const JunctionId junction : foam.network.junctions()) {
-        low = low.cwiseMin(foam.positions[junction]);
-        high = high.cwiseMax(foam.positions[junction]);
-    }
-    return low + Vec2(x, y).cwiseProduct(high - low);
-}
-
-std::optional<BubbleId> nucleate_at(const Event& event,
-                                    const Vec2& place,
-                                    double area,
-                                    Foam& foam) {
-    if (!bubble_at(foam, place)) {
-        return std::nullopt;
-    }
-    if (event.on == NucleationSite::Junction) {
-        return nucleate_at_junction(foam, nearest_junction(foam, place), area);
-    }
-    return nucleate_on_film(foam, nearest_film(foam, place), area);
-}
-
-std::optional<BubbleId> nucleate_anywhere(const Event& event,
-                                          double area,
-                                          Random& random,
-                                          Foam& foam) {
-    for (int k = 0; k < kMostTries; ++k) {
-        const Vec2 place = random_place(foam, random);
-        if (const auto bubble = nucleate_at(event, place, area, foam)) {
-            return bubble;
-        }
-    }
-    return std::nullopt;
-}
-
 }  // namespace
 
 Timeline::Timeline(const Preset& preset) : thresholds_(preset.thresholds), image_(preset.image) {
+    if (preset.loop.kind == LoopKind::Flow) {
+        renewal_ = {.bubbles = 0,
+                    .area = 0.0,
+                    .growth = preset.loop.growth,
+                    .random = Random(seed_of(preset, preset.events.size()))};
+    }
     for (std::size_t k = 0; k < preset.events.size(); ++k) {
         Event event = preset.events[k];
         event.frames = *frames_of(event, preset.frames);  // a checked preset has them
@@ -156,6 +118,9 @@ StateChange Timeline::changes_to(int frame, Foam& foam) {
             begin(entry, frame, foam);
             add_motion(event, frame, foam, change);
         }
+    }
+    if (renewal_) {
+        renew(frame, foam);
     }
     for (const auto& [bubble, driven] : driven_) {
         const double passed = static_cast<double>(frame - driven.frames.first + 1) /
@@ -257,20 +222,45 @@ void Timeline::begin_drive(Entry& entry, int frame, const Foam& foam) {
 
 void Timeline::nucleate(Entry& entry, int frame, Foam& foam) {
     const Event& event = entry.event;
-    const double first_area = std::min(event.area, kFirstAreas * thresholds_.t2_area);
+    const double first = first_area(event.area);
     const auto count = static_cast<std::size_t>(event.count);
     for (std::size_t k = 0; k < count; ++k) {
         if (part_of(event.frames, k, count).first != frame) {
             continue;
         }
         const std::optional<BubbleId> bubble =
-            event.at ? nucleate_at(event, place_of(event, foam), first_area, foam)
-                     : nucleate_anywhere(event, first_area, entry.random, foam);
+            event.at ? nucleate_near(event.on, place_of(event, foam), first, foam)
+                     : nucleate_anywhere(event.on, first, entry.random, foam);
         if (bubble) {
-            driven_[foam.identities[*bubble]] = {
-                {frame, frame + event.growth - 1}, {.from = first_area, .to = event.area}, false};
+            grow(foam, *bubble, {frame, frame + event.growth - 1}, event.area);
         }
     }
+}
+
+// The foam that it is first asked for has as many bubbles as there are to be.
+void Timeline::renew(int frame, Foam& foam) {
+    if (renewal_->bubbles == 0) {
+        renewal_->bubbles = foam.network.bubble_count();
+        renewal_->area = foam.torus.area() / static_cast<double>(renewal_->bubbles);
+    }
+    const double first = first_area(renewal_->area);
+    for (std::size_t k = foam.network.bubble_count(); k < renewal_->bubbles; ++k) {
+        const auto bubble =
+            nucleate_anywhere(NucleationSite::Junction, first, renewal_->random, foam);
+        if (bubble) {
+            grow(foam, *bubble, {frame, frame + renewal_->growth - 1}, renewal_->area);
+        }
+    }
+}
+
+double Timeline::first_area(double area) const {
+    return std::min(area, kFirstAreas * thresholds_.t2_area);
+}
+
+// Of a new bubble, to its area over these frames.
+void Timeline::grow(const Foam& foam, BubbleId bubble, const FrameSpan& frames, double area) {
+    driven_[foam.identities[bubble]] = {
+        frames, {.from = foam.target_areas[bubble], .to = area}, false};
 }
 
 }  // namespace foam::texgen

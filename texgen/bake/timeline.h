@@ -8,6 +8,7 @@
 #include "texgen/raster/view.h"
 
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace foam::texgen {
@@ -18,7 +19,7 @@ struct ChosenBubble {
     double area = 0.0;  // its target
 };
 
-/// Carries out the events of a preset, frame by frame.
+/// Carries out the events of a preset, frame by frame, and the renewal of a flow.
 class Timeline {
   public:
     explicit Timeline(const Preset& preset);
@@ -27,7 +28,7 @@ class Timeline {
     /// makes new ones, small at first, in a foam that is in equilibrium. Returns what is to be
     /// imposed on that way. Frames must come in order, each once. A choice that finds no bubble, a
     /// place outside of a patch, and a new bubble that finds too little gas around it, come to
-    /// nothing.
+    /// nothing. In a flow new bubbles make up for those that have vanished.
     StateChange changes_to(int frame, Foam& foam);
 
     /// What images of a patch show: the places of events are in parts of it. Until it is known, a
@@ -47,6 +48,15 @@ class Timeline {
         Random random;
     };
 
+    // How a flow gets new bubbles: on random places of the torus, so that large ones, whose gas
+    // they take, give most.
+    struct Renewal {
+        std::size_t bubbles = 0;  // that there are to be
+        double area = 0.0;        // that new ones grow to
+        int growth = 1;           // frames that they take to it
+        Random random;
+    };
+
     Vec2 place_of(const Event& event, const Foam& foam) const;
     std::vector<ChosenBubble> choose(const Event& event,
                                      const Foam& foam,
@@ -57,11 +67,15 @@ class Timeline {
     void begin_collapse(const Event& event, int frame, const Foam& foam);
     void begin_drive(Entry& entry, int frame, const Foam& foam);
     void nucleate(Entry& entry, int frame, Foam& foam);
+    void renew(int frame, Foam& foam);
+    double first_area(double area) const;
+    void grow(const Foam& foam, BubbleId bubble, const FrameSpan& frames, double area);
 
     TopologyThresholds thresholds_;
     ImageOptions image_;
     View view_;
     std::vector<Entry> entries_;
+    std::optional<Renewal> renewal_;
     std::map<BubbleIdentity, Driven> driven_;  // whatever drove a bubble last has it
 };
 

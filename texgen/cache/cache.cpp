@@ -1,8 +1,8 @@
 #include "texgen/cache/cache.h"
 
 #include "texgen/bake/camera.h"
+#include "texgen/bake/frame_assembly.h"
 #include "texgen/bake/frame_range.h"
-#include "texgen/bake/loop_pose.h"
 #include "texgen/cache/byte_stream.h"
 #include "texgen/cache/cache_files.h"
 #include "texgen/cache/packed_file.h"
@@ -10,67 +10,9 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <iterator>
-#include <map>
-#include <memory>
 #include <utility>
 
 namespace foam::texgen {
-
-namespace {
-
-// Hands out frames from the states of a cache. Frames that come soon after each other need the
-// same states.
-class Replay {
-  public:
-    Replay(const Cache& cache, const Preset& preset, NextFrames next_frames)
-        : cache_(cache), preset_(preset), next_frames_(next_frames) {
-        if (preset.shape.kind == FoamKind::Patch) {
-            view_ = camera_view(*state(1).frame, preset.image, preset.camera);
-        }
-    }
-
-    SimulatedFrame frame(int number) {
-        SimulatedFrame shown = state(shown_number(number));
-        if (shown.frame->number != number) {
-            Frame renumbered = *shown.frame;
-            renumbered.number = number;
-            shown.frame = std::make_shared<const Frame>(std::move(renumbered));
-        }
-        if (next_frames_ == NextFrames::HandedOut) {
-            shown.next = state(shown_number(number + 1)).frame;
-        }
-        shown.view = view_;
-        shown.closing_error = cache_.info().closing_error;
-        return shown;
-    }
-
-  private:
-    int shown_number(int number) const {
-        return shown_frame(number, preset_.loop, preset_.frames.count);
-    }
-
-    const SimulatedFrame& state(int number) {
-        const auto found = kept_.find(number);
-        if (found != kept_.end()) {
-            return found->second;
-        }
-        constexpr std::size_t kKept = 2;  // a frame and the one after it
-        if (kept_.size() == kKept) {
-            kept_.erase(kept_.begin()->first < number ? kept_.begin() : std::prev(kept_.end()));
-        }
-        return kept_.emplace(number, cache_.state(number)).first->second;
-    }
-
-    const Cache& cache_;
-    const Preset& preset_;
-    NextFrames next_frames_;
-    std::optional<View> view_;
-    std::map<int, SimulatedFrame> kept_;
-};
-
-}  // namespace
 
 bool is_cache(const std::filesystem::path& path) {
     return std::filesystem::exists(path / kCacheName);
@@ -102,11 +44,16 @@ FrameSource Cache::frames_of(const Preset& preset) const {
     return
         [this, preset](
             const std::vector<int>& numbers, NextFrames next_frames, const FrameVisitor& on_frame) {
-            Replay replay(*this, preset, next_frames);
-            std::vector<int> in_order = numbers;
-            std::ranges::sort(in_order);
-            for (const int number : in_order) {
-                on_frame(replay.frame(number));
+            std::optional<View> view;
+            if (preset.shape.kind == FoamKind::Patch) {
+                view = camera_view(*state(1).frame, preset.image, preset.camera);
+            }
+            FrameAssembly assembly(preset, numbers, next_frames, on_frame);
+            for (const int number : assembly.states()) {
+                SimulatedFrame read = state(number);
+                read.view = view;
+                read.closing_error = info_.closing_error;
+                assembly.add(read);
             }
             return RunOutcome{RunStatus::Complete, 0, info_.closing_error};
         };

@@ -1,4 +1,4 @@
-#include "texgen/bake/loop_pose.h"
+#include "texgen/bake/frame_assembly.h"
 #include "texgen/cache/cache.h"
 #include "texgen/cache/cache_files.h"
 #include "texgen/cache/packed_file.h"
@@ -6,7 +6,6 @@
 #include "texgen/cache/state_codec.h"
 
 #include <algorithm>
-#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -14,18 +13,14 @@ namespace foam::texgen {
 
 namespace {
 
-/// The numbers of the states that frames take, also with the frames after them; a patch is seen as
-/// its first decides.
+// The numbers of the states that frames take, also with the frames after them; a patch is seen as
+// its first decides.
 std::vector<int> states_for(const Preset& preset, const std::vector<int>& frames) {
-    std::set<int> numbers;
-    if (preset.shape.kind == FoamKind::Patch) {
-        numbers.insert(1);
+    std::vector<int> numbers = FrameAssembly(preset, frames, NextFrames::HandedOut, {}).states();
+    if (preset.shape.kind == FoamKind::Patch && numbers.front() != 1) {
+        numbers.insert(numbers.begin(), 1);
     }
-    for (const int frame : frames) {
-        numbers.insert(shown_frame(frame, preset.loop, preset.frames.count));
-        numbers.insert(shown_frame(frame + 1, preset.loop, preset.frames.count));
-    }
-    return {numbers.begin(), numbers.end()};
+    return numbers;
 }
 
 // Writes states as they come.
@@ -77,16 +72,12 @@ RunOutcome simulate_into_cache(const Preset& preset,
                                const ProgressCallback& on_progress) {
     check(options);
     CacheWriter writer({preset, simulation_hash(preset), options.frames, {}}, folder);
-    // The simulation's own frames in order, which a pingpong shows on both ways.
-    Preset forwards = preset;
-    forwards.loop.kind = preset.loop.kind == LoopKind::PingPong ? LoopKind::None : preset.loop.kind;
-    const std::vector<int> numbers = states_for(preset, options.frames);
-    ProgressMeter meter(static_cast<int>(numbers.size()), on_progress);
-    return simulation_of(forwards, options.threads)(
-        numbers, NextFrames::LeftOut, [&](const SimulatedFrame& state) {
-            writer.write(state);
-            meter.add(state);
-        });
+    const std::vector<int> states = states_for(preset, options.frames);
+    ProgressMeter meter(static_cast<int>(states.size()), on_progress);
+    return simulate_states(preset, options.threads, states, [&](const SimulatedFrame& state) {
+        writer.write(state);
+        meter.add(state);
+    });
 }
 
 }  // namespace foam::texgen

@@ -22,6 +22,8 @@ const char* called(LoopKind kind) {
             return "a loop of the foam itself: it shears to and fro, and returns";
         case LoopKind::Drift:
             return "a loop of the foam itself: it travels by whole images";
+        case LoopKind::Flow:
+            return "bubbles vanish and as many come to be; the last frames fade into the first";
         case LoopKind::PingPong:
             return "half of the frames, and the same backwards";
         case LoopKind::None:
@@ -35,7 +37,7 @@ ManifestLoop loop_of(const Preset& preset) {
     return {.kind = std::get<std::string>(find_key("loop.kind")->write(preset).data),
             .called = called(kind),
             .period = kind == LoopKind::None ? 0 : preset.frames.count,
-            .cross_faded = false,
+            .cross_faded = preset.loop.is_cross_faded(),
             .closing_error = {}};
 }
 

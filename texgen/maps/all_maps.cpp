@@ -94,6 +94,7 @@ constexpr std::array kMaps = {
         .png_filter = PngFilter::Up,
         .distance = smooth_distance,
         .around = 1.0,
+        .mixing = Mixing::Slopes,
         .note = [](const MapOptions& options) { return note_on_normals(options.normal); },
         .draw = [](FrameLayers& layers, const MapOptions& options) -> MapImage {
             return draw_normal(layers, options.relief, options.normal);

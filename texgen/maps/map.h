@@ -11,6 +11,12 @@
 
 namespace foam::texgen {
 
+/// What is mixed where one image of a map fades into another. Ids never are.
+enum class Mixing {
+    Values,
+    Slopes,  // those that normals stand for
+};
+
 /// One map: all that drawing, choosing and documenting it needs.
 struct Map {
     std::string_view name;      // as in file names
@@ -22,6 +28,7 @@ struct Map {
     bool needs_next = false;                 // whether it asks for the frame after the one it shows
     DistanceNeeds (*distance)(const MapOptions& options) = nullptr;  // what it asks of them, if any
     double around = 0.0;  // in its last channel, around a patch
+    Mixing mixing = Mixing::Values;
     std::string (*note)(const MapOptions& options) = nullptr;  // for its files, beside the unit
     MapImage (*draw)(FrameLayers& layers, const MapOptions& options) = nullptr;
 };

@@ -24,10 +24,9 @@ struct Visit {
 };
 
 std::vector<Visit> visits(const std::vector<int>& numbers) {
-    Simulation simulation(small_preset(), 1);
     std::vector<Visit> all;
-    const RunOutcome outcome =
-        simulate_frames(simulation, numbers, NextFrames::LeftOut, [&](const SimulatedFrame& shown) {
+    const RunOutcome outcome = simulate_frames(
+        small_preset(), 1, numbers, NextFrames::LeftOut, [&](const SimulatedFrame& shown) {
             all.push_back({shown.frame->number, shown.frame->time, shown.effort});
         });
     EXPECT_EQ(outcome.status, RunStatus::Complete);
@@ -59,31 +58,30 @@ TEST(SimulateFrames, EffortsAddUpOverFramesInBetween) {
     EXPECT_GT(two[0].effort.seconds, 0.0);
 }
 
-// Of frames 2, 3 and 5; the simulation goes on to 6.
+// Of frames 2, 3 and 5.
 TEST(SimulateFrames, HandsOutTheFramesAfterThem) {
-    Simulation simulation(small_preset(), 1);
     std::vector<std::pair<int, int>> pairs;
     std::vector<std::shared_ptr<const Frame>> frames;
-    simulate_frames(simulation, {5, 2, 3}, NextFrames::HandedOut, [&](const SimulatedFrame& shown) {
-        pairs.emplace_back(shown.frame->number, shown.next->number);
-        frames.push_back(shown.frame);
-        frames.push_back(shown.next);
-    });
+    simulate_frames(
+        small_preset(), 1, {5, 2, 3}, NextFrames::HandedOut, [&](const SimulatedFrame& shown) {
+            pairs.emplace_back(shown.frame->number, shown.next->number);
+            frames.push_back(shown.frame);
+            frames.push_back(shown.next);
+        });
     EXPECT_EQ(pairs, (std::vector<std::pair<int, int>>{{2, 3}, {3, 4}, {5, 6}}));
     EXPECT_EQ(frames[1], frames[2]);
-    EXPECT_EQ(simulation.number(), 6);
 }
 
 TEST(SimulateFrames, EffortsDoNotDependOnWhetherNextFramesAreHandedOut) {
     const std::vector<Visit> usual = visits({1, 4, 6});
-    Simulation simulation(small_preset(), 1);
     std::size_t k = 0;
-    simulate_frames(simulation, {1, 4, 6}, NextFrames::HandedOut, [&](const SimulatedFrame& shown) {
-        EXPECT_EQ(shown.effort.t1, usual[k].effort.t1);
-        EXPECT_EQ(shown.effort.t2, usual[k].effort.t2);
-        EXPECT_EQ(shown.effort.area_error, usual[k].effort.area_error);
-        ++k;
-    });
+    simulate_frames(
+        small_preset(), 1, {1, 4, 6}, NextFrames::HandedOut, [&](const SimulatedFrame& shown) {
+            EXPECT_EQ(shown.effort.t1, usual[k].effort.t1);
+            EXPECT_EQ(shown.effort.t2, usual[k].effort.t2);
+            EXPECT_EQ(shown.effort.area_error, usual[k].effort.area_error);
+            ++k;
+        });
     EXPECT_EQ(k, 3U);
 }
 
@@ -93,10 +91,9 @@ TEST(SimulateFrames, APingpongComesBackFromItsMiddle) {
     preset.loop.kind = LoopKind::PingPong;
     preset.frames.count = 6;
     preset.frames.step_growth = 1.0;
-    Simulation simulation(preset, 1);
     std::map<int, std::pair<double, double>> times;
     simulate_frames(
-        simulation, {1, 2, 3, 4, 5, 6}, NextFrames::HandedOut, [&](const SimulatedFrame& shown) {
+        preset, 1, {1, 2, 3, 4, 5, 6}, NextFrames::HandedOut, [&](const SimulatedFrame& shown) {
             times[shown.frame->number] = {shown.frame->time, shown.next->time};
         });
     ASSERT_EQ(times.size(), 6U);
@@ -107,16 +104,58 @@ TEST(SimulateFrames, APingpongComesBackFromItsMiddle) {
         EXPECT_NEAR(times[number].first, steps[k - 1] * step, 1e-12) << number;
         EXPECT_NEAR(times[number].second, steps[k] * step, 1e-12) << number;
     }
-    EXPECT_EQ(simulation.number(), 4);
+}
+
+TEST(FrameAssembly, NeedsTheStatesOfItsFramesAndThoseAfterThem) {
+    Preset preset;
+    EXPECT_EQ(FrameAssembly(preset, {5, 2, 3}, NextFrames::LeftOut, {}).states(),
+              (std::vector<int>{2, 3, 5}));
+    EXPECT_EQ(FrameAssembly(preset, {5, 2, 3}, NextFrames::HandedOut, {}).states(),
+              (std::vector<int>{2, 3, 4, 5, 6}));
+    preset.loop.kind = LoopKind::PingPong;
+    preset.frames.count = 6;
+    EXPECT_EQ(FrameAssembly(preset, {5, 6}, NextFrames::HandedOut, {}).states(),
+              (std::vector<int>{1, 2, 3}));
+}
+
+// Eight frames, the last four of which fade: states 5 to 12, and 1 to 4.
+TEST(SimulateFrames, AFlowFadesIntoItsBeginning) {
+    Preset preset = small_preset();
+    preset.loop = {.kind = LoopKind::Flow, .fade = 0.5};
+    preset.frames.count = 8;
+    const double step = preset.frames.time_step;
+    std::vector<int> numbers;
+    std::shared_ptr<const Frame> first;
+    std::shared_ptr<const Frame> last_next;
+    simulate_frames(preset,
+                    1,
+                    {1, 2, 3, 4, 5, 6, 7, 8},
+                    NextFrames::HandedOut,
+                    [&](const SimulatedFrame& shown) {
+                        const int number = shown.frame->number;
+                        numbers.push_back(number);
+                        first = number == 1 ? shown.frame : first;
+                        last_next = shown.rising.next;
+                        EXPECT_NEAR(shown.frame->time, (3 + number) * step, 1e-9);
+                        EXPECT_NEAR(shown.next->time, (4 + number) * step, 1e-9);
+                        ASSERT_EQ(shown.rising.frame != nullptr, number > 4);
+                        if (number > 4) {
+                            EXPECT_NEAR(shown.rising.frame->time, (number - 5) * step, 1e-9);
+                            EXPECT_NEAR(shown.rising.next->time, (number - 4) * step, 1e-9);
+                            EXPECT_EQ(shown.rising.record->frame, number - 4);
+                        }
+                    });
+    EXPECT_EQ(numbers, (std::vector<int>{1, 2, 3, 4, 5, 6, 7, 8}));
+    ASSERT_TRUE(first && last_next);
+    EXPECT_EQ(first->positions, last_next->positions);
 }
 
 TEST(SimulateFrames, SaysHowFarALoopIsFromClosing) {
     Preset preset = small_preset();
     preset.loop = {.kind = LoopKind::Breathe, .amplitude = 0.8, .cycles = 1};
     preset.frames.count = 6;
-    Simulation simulation(preset, 1);
     const RunOutcome outcome =
-        simulate_frames(simulation, {1}, NextFrames::LeftOut, [](const SimulatedFrame&) {
+        simulate_frames(preset, 1, {1}, NextFrames::LeftOut, [](const SimulatedFrame&) {
             FAIL() << "a frame of an open loop";
         });
     EXPECT_EQ(outcome.status, RunStatus::OpenLoop);

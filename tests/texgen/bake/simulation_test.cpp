@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <tuple>
 #include <vector>
 
@@ -50,6 +51,60 @@ TEST(Simulation, CountsFramesFromOneAndTimeFromTheWarmUp) {
         EXPECT_EQ(simulation.frame().number, number);
         EXPECT_NEAR(simulation.frame().time, 2.0 + 0.5 * (number - 1), 1e-12);
     }
+}
+
+// What vanishes on the way to a frame comes to be on that to the next.
+TEST(Simulation, AFlowIsInASteadyState) {
+    Preset preset = small_preset();
+    preset.loop = {.kind = LoopKind::Flow, .growth = 8};
+    preset.frames.time_step = 3.0;
+    preset.frames.warm_up = 60.0;
+    Simulation simulation(preset);
+    int vanished = 0;
+    for (int number = 1; number <= 60; ++number) {
+        ASSERT_TRUE(simulation.advance());
+        EXPECT_LT(simulation.equilibrium().area_error, 1e-9);
+        const int t2 = number > 1 ? simulation.equilibrium().t2 : 0;
+        vanished += t2;
+        const Frame frame = simulation.frame();
+        if (number > 1) {
+            EXPECT_EQ(frame.bubbles.size() + static_cast<std::size_t>(t2), 60U) << number;
+        }
+        // Of 60, none outgrows the others.
+        for (const FrameBubble& bubble : frame.bubbles) {
+            EXPECT_LT(bubble.area, 10.0 * frame.torus.area() / 60.0) << number;
+        }
+    }
+    EXPECT_GT(vanished, 30);
+    EXPECT_NEAR(simulation.frame().time, 60.0 + 59 * 3.0, 1e-9);
+}
+
+TEST(Simulation, ANewBubbleOfAFlowGrowsToTheMeanArea) {
+    Preset preset = small_preset();
+    preset.loop = {.kind = LoopKind::Flow, .growth = 4};
+    preset.frames.time_step = 3.0;
+    Simulation simulation(preset);
+    const double mean = 1.0;  // foam units: what 60 bubbles of a torus have
+    std::map<BubbleIdentity, int> births;
+    int grown = 0;
+    for (int number = 1; number <= 30; ++number) {
+        ASSERT_TRUE(simulation.advance());
+        const Frame frame = simulation.frame();
+        EXPECT_NEAR(frame.torus.area(), 60.0 * mean, 1e-9);
+        for (const FrameBubble& bubble : frame.bubbles) {
+            if (bubble.identity < 60) {
+                continue;
+            }
+            const int age = number - births.emplace(bubble.identity, number).first->second;
+            if (age < 4) {
+                const double passed = (age + 1) / 4.0;
+                EXPECT_GT(bubble.area, 0.9 * passed * mean) << number;
+                EXPECT_LE(bubble.area, mean * (1.0 + 1e-9)) << number;
+                grown += age == 3 ? 1 : 0;
+            }
+        }
+    }
+    EXPECT_GT(grown, 5);
 }
 
 // Steps of 1, 2 and 4 after a warm-up of 0.

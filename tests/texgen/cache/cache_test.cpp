@@ -95,6 +95,15 @@ TEST(Cache, FramesOfAPingPongAreThoseOfABake) {
     expect_same_pixels(preset, {5, 6});
 }
 
+// The last frames show two states each.
+TEST(Cache, FramesOfAFlowAreThoseOfABake) {
+    Preset preset = small_preset();
+    preset.loop = {.kind = LoopKind::Flow, .drift = {0, 1}, .fade = 0.5, .growth = 3};
+    preset.frames.time_step = 2.0;
+    expect_same_pixels(preset, frames_to(6));
+    expect_same_pixels(preset, {2, 6, 9});
+}
+
 TEST(Cache, AFirstFrameOfTheDiagramIsThatOfABake) {
     Preset preset = small_preset();
     preset.frames.first = FirstFrame::Diagram;

@@ -18,7 +18,7 @@ namespace {
 
 using test::Bounds;
 
-constexpr std::size_t kKeys = 97;
+constexpr std::size_t kKeys = 100;
 
 bool accepts(const std::string& path, const std::string& value) {
     Preset preset;

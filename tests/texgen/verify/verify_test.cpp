@@ -63,6 +63,27 @@ void change_as_baked(const std::filesystem::path& folder, const std::string& nam
     });
 }
 
+// However much has changed meanwhile.
+TEST(Verify, AFlowClosesByItsCrossFade) {
+    const TemporaryFolder folder;
+    Preset preset = small_preset(folder.path());
+    preset.loop = {.kind = LoopKind::Flow, .fade = 0.5, .growth = 6};
+    preset.image.maps = {"albedo", "height", "normal", "motion"};
+    preset.frames.count = 24;
+    preset.frames.time_step = 4.0;
+    preset.frames.warm_up = 40.0;
+    bake_small(preset, frames_to(24));
+    const VerifiedSet found = verified(folder.path());
+    EXPECT_EQ(found.problems, std::vector<std::string>{});
+    EXPECT_TRUE(found.set.loop.cross_faded);
+    EXPECT_EQ(found.set.loop.kind, "flow");
+    ASSERT_EQ(found.maps.size(), 4U);
+    for (const VerifiedMap& map : found.maps) {
+        ASSERT_TRUE(map.loop) << map.name;
+        EXPECT_LE(map.loop->ratio(), 1.1) << map.name;
+    }
+}
+
 TEST(Verify, ALoopThatWasBakedHolds) {
     const TemporaryFolder folder;
     bake_small(small_preset(folder.path()), frames_to(8));

@@ -1,0 +1,108 @@
+#include "texgen/maps/fade_order.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace foam::texgen {
+namespace {
+
+FadeOrder::Options options_of(double spread) {
+    return {.width = 160, .height = 96, .bubbles = 300.0, .spread = spread, .seed = 7};
+}
+
+double mean(const Image<float>& image) {
+    double sum = 0.0;
+    for (const float sample : image.samples()) {
+        sum += sample;
+    }
+    return sum / static_cast<double>(image.samples().size());
+}
+
+/// The part of the pixels that are neither wholly one nor wholly the other.
+double between(const Image<float>& shares) {
+    const auto count = std::ranges::count_if(
+        shares.samples(), [](float share) { return share > 0.0F && share < 1.0F; });
+    return static_cast<double>(count) / static_cast<double>(shares.samples().size());
+}
+
+TEST(FadeOrder, GoesFromNothingToAll) {
+    for (const double spread : {0.0, 0.8, 0.95}) {
+        const FadeOrder order(options_of(spread));
+        for (const float share : order.shares(0.0).samples()) {
+            ASSERT_EQ(share, 0.0F) << spread;
+        }
+        for (const float share : order.shares(1.0).samples()) {
+            ASSERT_GE(share, 1.0F - 1e-6F) << spread;
+            ASSERT_LE(share, 1.0F) << spread;
+        }
+        double before = 0.0;
+        for (int k = 1; k <= 10; ++k) {
+            const double share = mean(order.shares(0.1 * k));
+            EXPECT_GT(share, before) << spread;
+            before = share;
+        }
+    }
+}
+
+// 3 x² - 2 x³ of 1/4, 1/2 and 3/4.
+TEST(FadeOrder, WithoutSpreadItIsLevelAtItsEnds) {
+    const FadeOrder order(options_of(0.0));
+    for (const auto& [passed, share] : {std::pair{0.25, 0.15625F}, {0.5, 0.5F}, {0.75, 0.84375F}}) {
+        for (const float found : order.shares(passed).samples()) {
+            ASSERT_FLOAT_EQ(found, share);
+        }
+    }
+}
+
+// Of turns that are even from 0 to 1, and take a fifth each, a fifth to a quarter at a time.
+TEST(FadeOrder, OnlyAPartOfTheFoamIsBetween) {
+    const FadeOrder order(options_of(0.8));
+    for (const double passed : {0.3, 0.5, 0.7}) {
+        const Image<float> shares = order.shares(passed);
+        EXPECT_GT(between(shares), 0.12) << passed;
+        EXPECT_LT(between(shares), 0.4) << passed;
+        EXPECT_NEAR(mean(shares), passed, 0.15) << passed;
+    }
+    EXPECT_EQ(between(FadeOrder(options_of(0.0)).shares(0.5)), 1.0);
+}
+
+/// The largest step from a column to another.
+float step(const Image<float>& image, int from, int to) {
+    float largest = 0.0F;
+    for (int y = 0; y < image.height(); ++y) {
+        largest = std::max(largest, std::abs(image.pixel(to, y)[0] - image.pixel(from, y)[0]));
+    }
+    return largest;
+}
+
+TEST(FadeOrder, HasNoSeam) {
+    const Image<float> shares = FadeOrder(options_of(0.8)).shares(0.5);
+    std::vector<float> within;
+    for (int x = 1; x < shares.width(); ++x) {
+        within.push_back(step(shares, x - 1, x));
+    }
+    EXPECT_GT(std::ranges::max(within), 0.0F);
+    EXPECT_LE(step(shares, shares.width() - 1, 0), std::ranges::max(within));
+}
+
+TEST(FadeOrder, AnotherSeedFadesOtherwise) {
+    FadeOrder::Options options = options_of(0.8);
+    const Image<float> one = FadeOrder(options).shares(0.5);
+    EXPECT_EQ(FadeOrder(options).shares(0.5), one);
+    options.seed = 8;
+    EXPECT_NE(FadeOrder(options).shares(0.5), one);
+}
+
+// One bubble, one pixel: nothing is left to order.
+TEST(FadeOrder, TheSmallestTileFades) {
+    const FadeOrder order({.width = 1, .height = 1, .bubbles = 1.0, .spread = 0.5, .seed = 1});
+    EXPECT_EQ(order.shares(0.0).samples()[0], 0.0F);
+    EXPECT_GE(order.shares(1.0).samples()[0], 1.0F - 1e-6F);
+}
+
+}  // namespace
+}  // namespace foam::texgen

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "core/foam/frame.h"
+#include "texgen/maps/foam_record.h"
+#include "texgen/raster/view.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace foam::texgen {
+
+/// What it took to come to a frame from the frame handed out before it, or from the seed.
+struct FrameEffort {
+    int t1 = 0;
+    int t2 = 0;
+    double area_error = 0.0;   // of the frame: largest |A / A_target - 1| (E2)
+    double angle_error = 0.0;  // of the frame: largest deviation from 120 degrees (E2), radians
+    double seconds = 0.0;      // wall time of the steps
+};
+
+/// A frame of the foam with all that is drawn of it.
+struct DrawnState {
+    std::shared_ptr<const Frame> frame;
+    std::shared_ptr<const FoamRecord> record;
+    std::shared_ptr<const Frame> next;  // the frame after it, where asked for
+};
+
+/// A frame of an animation with all that is drawn or measured of it; or a state of the simulation.
+struct SimulatedFrame : DrawnState {
+    FrameEffort effort;
+    std::optional<View> view = {};             // what images of a patch show, in all frames
+    std::optional<double> closing_error = {};  // of a loop (Simulation::closing_error)
+    DrawnState rising = {};                    // of a cross-fade, what takes its place; or empty
+    double faded = 0.0;                        // the part of the fade that has passed, 0 to 1
+};
+
+using FrameVisitor = std::function<void(const SimulatedFrame&)>;
+
+}  // namespace foam::texgen

@@ -1,0 +1,97 @@
+#include "texgen/maps/fade_order.h"
+
+#include "core/foam/random.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <vector>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr int kWaves = 24;
+constexpr double kBubblesInWave = 4.0;  // along a mean one
+
+// A wave that goes a whole number of times into the tile, in both directions.
+struct Wave {
+    int across = 0;
+    int up = 0;
+    double phase = 0.0;
+};
+
+std::vector<Wave> random_waves(const FadeOrder::Options& options) {
+    Random random(options.seed);
+    const double aspect = std::sqrt(static_cast<double>(options.width) / options.height);
+    const double mean = std::sqrt(options.bubbles) / kBubblesInWave;  // in a tile of area 1
+    std::vector<Wave> waves;
+    for (int k = 0; k < kWaves; ++k) {
+        const double way = 2.0 * std::numbers::pi * random.uniform();
+        const double number = mean * (0.5 + random.uniform());
+        Wave wave{static_cast<int>(std::lround(number * aspect * std::cos(way))),
+                  static_cast<int>(std::lround(number / aspect * std::sin(way))),
+                  2.0 * std::numbers::pi * random.uniform()};
+        if (wave.across == 0 && wave.up == 0) {
+            (options.width >= options.height ? wave.across : wave.up) = 1;
+        }
+        waves.push_back(wave);
+    }
+    return waves;
+}
+
+// Adds cos(2 pi (across x + up y) + phase) at the middle of every pixel.
+void add(const Wave& wave, Image<float>& sum) {
+    const auto angle = [](int times, int place, int places) {
+        return 2.0 * std::numbers::pi * times * (place + 0.5) / places;
+    };
+    std::vector<float> cosines;
+    std::vector<float> sines;
+    for (int x = 0; x < sum.width(); ++x) {
+        const double at = angle(wave.across, x, sum.width()) + wave.phase;
+        cosines.push_back(static_cast<float>(std::cos(at)));
+        sines.push_back(static_cast<float>(std::sin(at)));
+    }
+    for (int y = 0; y < sum.height(); ++y) {
+        const double at = angle(wave.up, y, sum.height());
+        const auto cosine = static_cast<float>(std::cos(at));
+        const auto sine = static_cast<float>(std::sin(at));
+        const auto row = sum.row(y);
+        for (std::size_t x = 0; x < row.size(); ++x) {
+            row[x] += cosine * cosines[x] - sine * sines[x];
+        }
+    }
+}
+
+float eased(float passed) {
+    return passed * passed * (3.0F - 2.0F * passed);
+}
+
+}  // namespace
+
+FadeOrder::FadeOrder(const Options& options)
+    : spread_(options.spread), turns_(options.width, options.height, 1) {
+    for (const Wave& wave : random_waves(options)) {
+        add(wave, turns_);
+    }
+    // Of many waves the sum is normal; each has a mean square of 1/2. Turns then are even.
+    const double deviations = 1.0 / std::sqrt(0.5 * kWaves);
+    for (float& turn : turns_.samples()) {
+        turn = static_cast<float>(0.5 * std::erfc(-deviations * turn / std::numbers::sqrt2));
+    }
+}
+
+Image<float> FadeOrder::shares(double passed) const {
+    const auto begun = static_cast<float>(passed / (1.0 - spread_));
+    const auto later = static_cast<float>(spread_ / (1.0 - spread_));
+    Image<float> shares(turns_.width(), turns_.height(), 1);
+    const auto turns = turns_.samples();
+    const auto to = shares.samples();
+    for (std::size_t k = 0; k < to.size(); ++k) {
+        to[k] = eased(std::clamp(begun - later * turns[k], 0.0F, 1.0F));
+    }
+    return shares;
+}
+
+}  // namespace foam::texgen
