@@ -37,6 +37,7 @@ class Deflater {
 
   private:
     std::span<const std::byte> deflate_fast(std::span<const std::byte> data, bool last);
+    void feed(std::span<const std::byte> data, int flush);
     std::span<const std::byte> deflate_whole(int level, std::span<const std::byte> data);
     void make_room(std::size_t size);
 
