@@ -29,6 +29,9 @@ MapSamples common_samples(const Map& map, const MapImage& image) {
     samples.channels = std::string(map.channels) + (has_opacity(image) ? " A" : "");
     samples.color_space = "data";
     samples.alpha = "none";
+    if (const auto* numbers = std::get_if<NumberPixels>(&image)) {
+        samples.range = {numbers->low, numbers->high};
+    }
     return samples;
 }
 
@@ -52,7 +55,6 @@ MapSamples samples_in_png(const Map& map, const MapImage& image, int bits) {
         samples.alpha = has_opacity(image) ? "straight" : "none";
     }
     if (const auto* numbers = std::get_if<NumberPixels>(&image)) {
-        samples.range = {numbers->low, numbers->high};
         samples.channels += numbers->pixels.channels() == 2 ? " 0" : "";
     }
     return samples;

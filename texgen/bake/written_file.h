@@ -21,7 +21,8 @@ struct MapSamples {
     std::string type;         // "uint8", "uint16", "half", "float" or "uint32"
     std::string color_space;  // "sRGB", "linear sRGB" or "data"
     std::string alpha;        // "none", "straight" or "premultiplied"
-    // Of numbers in a PNG: those that its smallest and its largest code stand for.
+    // Of numbers: those that the smallest and the largest code of a PNG stand for. An EXR holds
+    // them at neither, and is shown from the one as black to the other as white.
     std::optional<std::array<double, 2>> range;
 
     friend bool operator==(const MapSamples&, const MapSamples&) = default;

@@ -1,37 +1,15 @@
 #include "texgen/image/exr.h"
+#include "texgen/sheet/exr_frame.h"
 #include "texgen/sheet/sheet_files.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <string>
-#include <string_view>
 #include <utility>
 
 namespace foam::texgen {
 
 namespace {
-
-/// The channels of a map, by the names that they have where it is alone.
-std::vector<ExrPlane> planes_of(std::vector<ExrPlane> planes, std::string_view map) {
-    const std::string layer = std::string(map) + '.';
-    std::erase_if(planes, [&](const ExrPlane& plane) { return !plane.name.starts_with(layer); });
-    for (ExrPlane& plane : planes) {
-        plane.name.erase(0, layer.size());
-    }
-    return planes;
-}
-
-ExrImage read_frame(const MapFile& file, std::string_view map) {
-    ExrImage image = read_exr(file.path);
-    if (file.layered) {
-        image.channels = planes_of(std::move(image.channels), map);
-    }
-    if (image.channels.empty()) {
-        throw InputError(fmt::format("'{}' has no layer {}", file.path.string(), map));
-    }
-    return image;
-}
 
 /// A plane of the same kind for the whole sheet, blank.
 ExrPlane sheet_plane(const ExrPlane& plane, const SheetLayout& layout) {
@@ -99,7 +77,7 @@ void write_exr_sheet(const MapSequence& sequence,
     ExrMetadata metadata;
     for (int k = 0; k < layout.frames; ++k) {
         const MapFile& file = sequence.files[static_cast<std::size_t>(k)];
-        const ExrImage frame = read_frame(file, sequence.map.name);
+        const ExrImage frame = read_exr_frame(file, sequence.map.name);
         if (k == 0) {
             metadata = metadata_of(frame.metadata, layout);
             for (const ExrPlane& plane : frame.channels) {

@@ -1,15 +1,10 @@
 #include "texgen/sheet/shown_frame.h"
 
 #include "texgen/image/color.h"
-#include "texgen/image/png.h"
-
-#include <fmt/core.h>
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
-#include <variant>
 #include <vector>
 
 namespace foam::texgen {
@@ -18,39 +13,6 @@ namespace {
 
 constexpr int kColors = 3;
 constexpr float kLargestCode = 255.0F;
-
-/// What every code of a sample stands for.
-template <class Sample>
-std::vector<float> values_of_codes(bool is_light) {
-    constexpr std::size_t kCodes = std::size_t{std::numeric_limits<Sample>::max()} + 1;
-    std::vector<float> values(kCodes);
-    for (std::size_t k = 0; k < kCodes; ++k) {
-        const double value = static_cast<double>(k) / static_cast<double>(kCodes - 1);
-        values[k] = static_cast<float>(is_light ? srgb_to_linear(value) : value);
-    }
-    return values;
-}
-
-template <class Sample>
-ShownFrame shown(const Image<Sample>& image, bool is_light) {
-    const std::vector<float> values = values_of_codes<Sample>(is_light);
-    const bool has_alpha = image.channels() % 2 == 0;
-    const float ground = values[kGround * (values.size() - 1) / 255];
-    ShownFrame frame{Image<float>(image.width(), image.height(), kColors), is_light};
-    const auto from = image.samples();
-    const auto step = static_cast<std::size_t>(image.channels());
-    const std::size_t next = step >= kColors ? 1 : 0;  // the same for all colours where it is grey
-    float* to = frame.pixels.samples().data();
-    for (std::size_t k = 0; k < from.size(); k += step) {
-        const float opacity = has_alpha ? static_cast<float>(from[k + step - 1]) /
-                                              static_cast<float>(values.size() - 1)
-                                        : 1.0F;
-        for (std::size_t c = 0; c < kColors; ++c) {
-            *to++ = opacity * values[from[k + c * next]] + (1.0F - opacity) * ground;
-        }
-    }
-    return frame;
-}
 
 /// Which pixels along an axis one of fewer pixels covers: from the first on, these parts of it.
 struct Cover {
@@ -95,16 +57,6 @@ void add_pixels(const std::vector<float>& row, const Cover& cover, std::span<flo
 }
 
 }  // namespace
-
-ShownFrame read_shown(const MapFile& file, const ManifestMap& map) {
-    if (file.path.extension() != ".png") {
-        throw InputError(
-            fmt::format("'{}' cannot be shown: previews are made of PNGs", file.path.string()));
-    }
-    const bool is_light = map.samples->color_space != "data";
-    return std::visit([&](const auto& image) { return shown(image, is_light); },
-                      read_png_samples(file.path));
-}
 
 ShownFrame reduced(const ShownFrame& frame, int width, int height) {
     const ImageView<const float> from = frame.pixels.view();

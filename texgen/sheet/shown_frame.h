@@ -11,13 +11,15 @@ namespace foam::texgen {
 inline constexpr std::uint8_t kGround = 0x2b;
 
 /// A frame for the eye, red, green and blue from 0 to 1: colours as light, over kGround where they
-/// are not opaque; data as the file codes it.
+/// are not opaque; data as a PNG codes it, whatever the file's format.
 struct ShownFrame {
     Image<float> pixels;
     bool is_light = false;
 };
 
-/// A frame of a map from its PNG. Throws InputError, for files of other formats too.
+/// A frame of a map from its PNG or EXR. Numbers of an EXR are shown from the manifest's `range`,
+/// held at its ends. Throws InputError, for files of other formats too, and for numbers in EXR
+/// whose range the manifest does not tell.
 ShownFrame read_shown(const MapFile& file, const ManifestMap& map);
 
 /// Means by area: of light, and of data as it is. Pixels of what tiles look at nothing beyond their

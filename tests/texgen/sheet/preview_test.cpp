@@ -9,8 +9,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <cstdlib>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace foam::texgen {
@@ -37,6 +40,39 @@ TEST(Preview, ShowsWhatSuitsTheEye) {
     const BakedSet patch = baked(small_patch(other.path()), {"id", "height"});
     EXPECT_EQ(write(patch, other, {}),
               (Names{"small_height_contact.png", "small_height_loop.png"}));
+}
+
+// The still of a map, of frames in this format; of EXR, of a layer among others.
+Image<std::uint8_t> contact_of(Preset preset, const char* extension, const std::string& map) {
+    const TemporaryFolder folder;
+    const bool is_exr = std::string_view(extension) == ".exr";
+    const char* const stem = is_exr ? "{preset}.####" : "{preset}_{map}.####";
+    preset.output.pattern = (folder.path() / stem).string() + extension;
+    const BakedSet set = baked(preset, {"film", map});
+    write(set, folder, {.maps = {map}, .kinds = {PreviewKind::Contact}});
+    return read_png(folder.path() / "shown" / ("small_" + map + "_contact.png")).pixels;
+}
+
+int largest_difference(const Image<std::uint8_t>& a, const Image<std::uint8_t>& b) {
+    int largest = a.samples().size() == b.samples().size() ? 0 : 255;
+    for (std::size_t k = 0; k < std::min(a.samples().size(), b.samples().size()); ++k) {
+        largest = std::max(largest, std::abs(a.samples()[k] - b.samples()[k]));
+    }
+    return largest;
+}
+
+// A PNG is rounded, and once more for the screen: one code of 255 apart. Where half of 1/255 of a
+// pale film's opacity is missing, the dark ground is lighter by 0.002, which is 1.8 codes there.
+TEST(Preview, ShowsAnExrAsItWouldAPng) {
+    const TemporaryFolder folder;
+    for (const std::string map : {"albedo", "opacity", "height", "normal", "motion", "growth"}) {
+        for (const Preset& preset : {small_loop(folder.path()), small_patch(folder.path())}) {
+            const bool is_clear = preset.shape.kind == FoamKind::Patch && map == "albedo";
+            const Image<std::uint8_t> png = contact_of(preset, ".png", map);
+            EXPECT_LE(largest_difference(contact_of(preset, ".exr", map), png), is_clear ? 2 : 1)
+                << map;
+        }
+    }
 }
 
 TEST(Preview, TilesAFrame) {

@@ -2,6 +2,7 @@
 
 #include "tests/texgen/temporary_folder.h"
 #include "texgen/image/color.h"
+#include "texgen/image/exr.h"
 #include "texgen/image/file_io.h"
 #include "texgen/image/png.h"
 
@@ -105,8 +106,22 @@ TEST(ShownFrame, StaysATile) {
     }
 }
 
+// Of a range from -1 to 3: 0 lies a quarter of the way, 64 of 255; the ends hold what lies beyond.
+TEST(ShownFrame, ShowsNumbersOfAnExrInTheirRange) {
+    const TemporaryFolder folder;
+    const MapFile file{.path = folder.path() / "a.exr"};
+    Image<float> numbers(4, 1, 1);
+    std::ranges::copy(std::vector{-7.0F, 0.0F, 3.0F, 1e9F}, numbers.samples().begin());
+    write_exr(file.path, std::vector<ExrChannel>{{"Y", ExrType::Float, numbers.view()}});
+    ManifestMap map = map_of("data");
+    EXPECT_THROW(read_shown(file, map), InputError);
+    map.samples->range = {-1.0, 3.0};
+    EXPECT_EQ(codes(read_shown(file, map)),
+              (std::vector<std::uint8_t>{0, 0, 0, 64, 64, 64, 255, 255, 255, 255, 255, 255}));
+}
+
 TEST(ShownFrame, RefusesOtherFormats) {
-    EXPECT_THROW(read_shown({.path = "a.exr"}, map_of("data")), InputError);
+    EXPECT_THROW(read_shown({.path = "a.jpg"}, map_of("data")), InputError);
 }
 
 }  // namespace
