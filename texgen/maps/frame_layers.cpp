@@ -16,7 +16,7 @@ const Frame& FrameLayers::next() const {
 
 const DistanceField& FrameLayers::distance() {
     if (!distance_) {
-        write_distance_field(frame(), outlines(), input_.distance, threads_, distance_.emplace());
+        write_distance_field(frame(), grid_, input_.distance, threads_, distance_.emplace());
     }
     return *distance_;
 }

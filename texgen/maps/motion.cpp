@@ -102,7 +102,7 @@ class MotionPainter {
         Image<float> image(grid.width, grid.height, 2);
         const Bands bands(cells_, grid.height);
         for (const Bands::Entry& entry : bands.entries(0)) {
-            const Outline& outline = cells_.outlines[entry.outline];
+            const Outline& outline = cells_.outlines[entry.region];
             if (!layers_.is_around(static_cast<std::uint32_t>(index_of(outline.bubble)))) {
                 paint_cell(outline, entry.translation, image.view());
             }

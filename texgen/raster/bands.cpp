@@ -12,24 +12,52 @@ SubpixelPoint shift_of(const RasterGrid& grid) {
             -wrap(grid.shift_y, grid.height) * kSubpixel};
 }
 
-// Moves an outline by whole periods along x, so that its first point lies within the grid's
-// columns.
+// Moves a region by whole periods along x, so that its first point lies within the grid's columns.
 SubpixelPoint into_columns(const RasterGrid& grid, SubpixelPoint first, SubpixelPoint moved) {
     const std::int32_t period = grid.width * kSubpixel;
     return {moved.x - floor_div(first.x + moved.x, period) * period, moved.y};
 }
 
+std::vector<RegionExtent> extents_of(const CellOutlines& cells) {
+    std::vector<RegionExtent> extents;
+    extents.reserve(cells.outlines.size());
+    for (const Outline& outline : cells.outlines) {
+        extents.push_back({cells.chain(outline).front(), outline.lowest, outline.highest});
+    }
+    return extents;
+}
+
 }  // namespace
 
+PixelBox box_around(const RegionExtent& region, SubpixelPoint translation) {
+    const SubpixelPoint low = region.lowest + translation;
+    const SubpixelPoint high = region.highest + translation;
+    return {pixel_of(low.x), pixel_of(high.x) + 1, pixel_of(low.y), pixel_of(high.y) + 1};
+}
+
 Bands::Bands(const CellOutlines& cells, int rows_per_band)
-    : grid_(cells.grid),
+    : Bands(cells.grid, cells.shear, extents_of(cells), rows_per_band) {}
+
+Bands::Bands(const RasterGrid& grid,
+             std::int32_t shear,
+             std::span<const RegionExtent> regions,
+             int rows_per_band)
+    : grid_(grid),
+      shear_(shear),
       row_bits_(static_cast<int>(std::bit_width(static_cast<unsigned>(rows_per_band - 1)))),
       ends_(static_cast<std::size_t>((grid_.height - 1) >> row_bits_) + 2) {
-    Found found;
-    for (std::size_t k = 0; k < cells.outlines.size(); ++k) {
-        find_copies(cells, k, found);
+    const auto visit_all = [&](const auto& visit) {
+        for (std::size_t k = 0; k < regions.size(); ++k) {
+            visit_copies(static_cast<std::uint32_t>(k), regions[k], visit);
+        }
+    };
+    visit_all([&](const Entry&, std::size_t band) { ++ends_[band + 1]; });
+    for (std::size_t band = 1; band < ends_.size(); ++band) {
+        ends_[band] += ends_[band - 1];
     }
-    sort(found);
+    entries_.resize(ends_.back());
+    std::vector<std::size_t> next(ends_.begin(), ends_.end() - 1);
+    visit_all([&](const Entry& entry, std::size_t band) { entries_[next[band]++] = entry; });
 }
 
 int Bands::row_count(int band) const {
@@ -41,45 +69,30 @@ std::span<const Bands::Entry> Bands::entries(int band) const {
     return std::span(entries_).subspan(ends_[k], ends_[k + 1] - ends_[k]);
 }
 
-// By bands, within each as they were found.
-void Bands::sort(const Found& found) {
-    for (const BandEntry& one : found) {
-        ++ends_[one.band + 1];
-    }
-    for (std::size_t band = 1; band < ends_.size(); ++band) {
-        ends_[band] += ends_[band - 1];
-    }
-    entries_.resize(ends_.back());
-    std::vector<std::size_t> next(ends_.begin(), ends_.end() - 1);
-    for (const BandEntry& one : found) {
-        entries_[next[one.band]++] = one.entry;
-    }
-}
-
-void Bands::find_copies(const CellOutlines& cells, std::size_t index, Found& found) const {
-    const Outline& outline = cells.outlines[index];
+template <class Visit>
+void Bands::visit_copies(std::uint32_t index,
+                         const RegionExtent& region,
+                         const Visit& visit) const {
     if (grid_.view) {
-        find_bands(cells, {index, {}}, found);
+        visit_bands({index, {}}, region, visit);
         return;
     }
-    const SubpixelPoint first_point = cells.chain(outline).front();
     const SubpixelPoint shift = shift_of(grid_);
-    const int low = pixel_of(outline.lowest.y + shift.y);
-    const int high = pixel_of(outline.highest.y + shift.y);
+    const int low = pixel_of(region.lowest.y + shift.y);
+    const int high = pixel_of(region.highest.y + shift.y);
     for (int period = floor_div(low, grid_.height); period * grid_.height <= high; ++period) {
         const std::int32_t base = period * grid_.height * kSubpixel;
-        const SubpixelPoint moved{shift.x - period * cells.shear, shift.y - base};
-        const SubpixelPoint translation = into_columns(grid_, first_point, moved);
-        find_bands(cells, {index, translation}, found);
+        const SubpixelPoint moved{shift.x - period * shear_, shift.y - base};
+        visit_bands({index, into_columns(grid_, region.first, moved)}, region, visit);
     }
 }
 
-void Bands::find_bands(const CellOutlines& cells, const Entry& whole, Found& found) const {
-    const Outline& outline = cells.outlines[whole.outline];
-    const int low = std::max(band_of(outline.lowest.y + whole.translation.y), 0);
-    const int high = std::min(band_of(outline.highest.y + whole.translation.y), count() - 1);
+template <class Visit>
+void Bands::visit_bands(const Entry& entry, const RegionExtent& region, const Visit& visit) const {
+    const int low = std::max(band_of(region.lowest.y + entry.translation.y), 0);
+    const int high = std::min(band_of(region.highest.y + entry.translation.y), count() - 1);
     for (int band = low; band <= high; ++band) {
-        found.push_back({static_cast<std::size_t>(band), whole});
+        visit(entry, static_cast<std::size_t>(band));
     }
 }
 

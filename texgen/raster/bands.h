@@ -9,19 +9,36 @@
 
 namespace foam::texgen {
 
-/// The rows of an image, cut into bands that are filled one by one, and for each band the outlines
-/// that reach into it; around a torus, and shifted as the grid says.
+/// Where a region reaches, in subpixels of the unshifted grid. It is unwrapped: it may leave the
+/// grid by several periods.
+struct RegionExtent {
+    SubpixelPoint first;   // a point of its boundary
+    SubpixelPoint lowest;  // of x and y over its points
+    SubpixelPoint highest;
+};
+
+/// The pixels that a region reaches into, moved by a translation.
+PixelBox box_around(const RegionExtent& region, SubpixelPoint translation);
+
+/// The rows of an image, cut into bands that are filled one by one, and for each band the regions
+/// that reach into it, in their order; around a torus, and shifted as the grid says.
 class Bands {
   public:
-    /// A copy of an outline: shifted, and moved by whole periods so that its first point lies
-    /// within the columns of the image; y counts from the image's row 0. In the plane it is where
-    /// it is.
+    /// A copy of a region: shifted, and moved by whole periods so that its first point lies within
+    /// the columns of the image; y counts from the image's row 0. In the plane it is where it is.
     struct Entry {
-        std::size_t outline = 0;
+        std::uint32_t region = 0;
         SubpixelPoint translation;
     };
 
-    /// The rows are rounded up to a power of two.
+    /// The rows are rounded up to a power of two. `shear` are the subpixels by which a copy one
+    /// period up lies to the right.
+    Bands(const RasterGrid& grid,
+          std::int32_t shear,
+          std::span<const RegionExtent> regions,
+          int rows_per_band);
+
+    /// Of outlines, in their order.
     Bands(const CellOutlines& cells, int rows_per_band);
 
     int count() const { return static_cast<int>(ends_.size()) - 1; }
@@ -30,19 +47,16 @@ class Bands {
     std::span<const Entry> entries(int band) const;
 
   private:
-    struct BandEntry {
-        std::size_t band = 0;
-        Entry entry{};
-    };
-    using Found = std::vector<BandEntry>;
-
-    // The copies of an outline around the torus, or what of it is in the image.
-    void find_copies(const CellOutlines& cells, std::size_t index, Found& found) const;
-    void find_bands(const CellOutlines& cells, const Entry& whole, Found& found) const;
-    void sort(const Found& found);
+    // Calls visit(entry, band) for all copies around the torus, or what is in the image, of a
+    // region.
+    template <class Visit>
+    void visit_copies(std::uint32_t index, const RegionExtent& region, const Visit& visit) const;
+    template <class Visit>
+    void visit_bands(const Entry& entry, const RegionExtent& region, const Visit& visit) const;
     int band_of(std::int32_t y) const { return y >> (kSubpixelBits + row_bits_); }
 
     RasterGrid grid_;
+    std::int32_t shear_;
     int row_bits_;
     std::vector<std::size_t> ends_;  // entries of band k: from ends_[k] to ends_[k + 1]
     std::vector<Entry> entries_;

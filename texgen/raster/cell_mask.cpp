@@ -39,6 +39,10 @@ void CellMask::fill(std::span<const SubpixelPoint> chain, SubpixelPoint translat
         from = to;
         from_row = to_row;
     }
+    close();
+}
+
+void CellMask::close() {
     for (int row = unused_rows_; row < rows_; ++row) {
         bool odd = false;
         for (std::size_t k = row_begin(row); k < row_begin(row + 1); ++k) {
@@ -58,8 +62,7 @@ void CellMask::toggle(SubpixelPoint low, SubpixelPoint high, int begin, int end)
         const double x = across * y / up;
         const auto toward_zero = static_cast<std::int32_t>(x);
         const std::int32_t next = low.x + toward_zero + (x > toward_zero ? 1 : 0);
-        const int column = std::clamp(first_middle_from(next), 0, columns_);
-        word(column, row) ^= bit(column);
+        cross(row, next);
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include "texgen/raster/fixed_point.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -23,6 +24,25 @@ class CellMask {
     /// it lies outside of the mask is left out. Precondition: the mask is empty.
     void fill(std::span<const SubpixelPoint> chain, SubpixelPoint translation);
 
+    /// Marks where a boundary crosses the middle of a row, x in subpixels: all pixels from there on
+    /// change sides. Until `close` the mask holds these marks.
+    void cross(int row, std::int32_t x) {
+        const int column = std::clamp(first_middle_from(x), 0, columns_);
+        word(column, row) ^= bit(column);
+    }
+    /// Makes pixels of the marks.
+    void close();
+
+    /// The rows whose middle lies in [low, high), of those that are used.
+    struct Rows {
+        int begin;
+        int end;
+    };
+    Rows rows_between(std::int32_t low, std::int32_t high) const {
+        return {std::max(first_middle_from(low), unused_rows_),
+                std::min(first_middle_from(high), rows_)};
+    }
+
     /// Adds one pixel.
     void set(int column, int row) { word(column, row) |= bit(column); }
 
@@ -31,6 +51,9 @@ class CellMask {
         return static_cast<std::uint16_t>(
             words_[row_begin(row) + static_cast<std::size_t>(k / 4)] >> (16 * (k % 4)));
     }
+
+    /// All pixels of a row, of a mask of up to 64 columns; the first in the lowest bit.
+    std::uint64_t whole_row(int row) const { return words_[row_begin(row)]; }
 
     /// Calls visit(begin, end) for the runs of columns in a row.
     template <class Visit>

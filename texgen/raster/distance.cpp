@@ -1,9 +1,11 @@
 #include "texgen/raster/distance.h"
 
 #include "texgen/raster/bands.h"
+#include "texgen/raster/field_writer.h"
 #include "texgen/raster/parallel_for.h"
-#include "texgen/raster/pixel_regions.h"
+#include "texgen/raster/patch_regions.h"
 #include "texgen/raster/region_field.h"
+#include "texgen/raster/torus_cells.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -16,166 +18,162 @@ namespace {
 constexpr int kTileRows = RegionField::kTileRows;
 constexpr int kRowsPerBand = 8 * kTileRows;
 
-// A rectangle of the image that holds a region; around a torus it is unwrapped.
-struct Window {
-    int column = 0;  // of its lower left pixel
-    int row = 0;
-    int first_row = 0;  // of those in the mask, above `row`; a multiple of kTileRows
-    int x = 0;          // where its columns begin in the image
+// The rows of a band.
+struct Rows {
+    int begin = 0;
+    int end = 0;
 
-    SubpixelPoint corner() const { return {column * kSubpixel, row * kSubpixel}; }
+    Rows(const Bands& bands, int band)
+        : begin(bands.first_row(band)), end(begin + bands.row_count(band)) {}
 };
 
-// Paints the bands of a field, one after the other.
-class FieldPainter {
+// A rectangle of the image that holds a region, or what of it is in a band; around a torus it is
+// unwrapped.
+struct Window {
+    PixelBox box;
+    int first_row = 0;  // of those in the mask, above the box's; a multiple of kTileRows
+
+    Window(const PixelBox& around, const Rows& rows, CellMask& mask) : box(around) {
+        const int wanted = std::max(rows.begin - box.bottom, 0);
+        first_row = wanted / kTileRows * kTileRows;
+        mask.reset(box.columns(),
+                   std::min(box.top, rows.end) - box.bottom - first_row,
+                   wanted - first_row);
+    }
+
+    SubpixelPoint corner() const { return {box.left * kSubpixel, box.bottom * kSubpixel}; }
+    SubpixelPoint mask_corner() const { return corner() + SubpixelPoint{0, first_row * kSubpixel}; }
+};
+
+// Paints the bands of a field of a torus, one after the other.
+class TorusPainter {
   public:
-    FieldPainter(const CellOutlines& cells,
-                 const PixelRegions& regions,
+    TorusPainter(const TorusCells& cells,
                  const Bands& bands,
                  DistanceNeeds needs,
                  DistanceField& field)
-        : cells_(cells), regions_(regions), bands_(bands), needs_(needs), field_(field) {
-        if (cells_.outside) {
-            regions_.place_ghost(around_);
+        : cells_(cells), bands_(bands), needs_(needs), field_(field), writer_(needs, field) {}
+
+    void paint(int band) {
+        for (const Bands::Entry& entry : bands_.entries(band)) {
+            paint_bubble(entry, Rows(bands_, band));
         }
     }
 
+  private:
+    void paint_bubble(const Bands::Entry& entry, const Rows& rows) {
+        const SubpixelPoint by = entry.translation;
+        const Window window(box_around(cells_.extents()[entry.region], by), rows, mask_);
+        const BubbleId bubble = cells_.bubbles()[entry.region];
+        const ImagePlace place{wrap(window.box.left, field_.ids.width()), window.box.bottom};
+        writer_.expect(place, window.box.columns(), window.first_row, mask_.rows());
+        cells_.place(
+            entry.region, {by, window.corner(), window.mask_corner()}, crossings_, mask_, bubble_);
+        bubble_.measure(
+            {mask_, window.first_row, window.box.rows()}, needs_, [&](const PixelBatch& batch) {
+                writer_.write(batch, place, static_cast<std::uint32_t>(index_of(bubble)));
+            });
+    }
+
+    const TorusCells& cells_;
+    const Bands& bands_;
+    DistanceNeeds needs_;
+    DistanceField& field_;
+    FieldWriter writer_;
+    RowCrossings crossings_;
+    CellMask mask_;
+    RegionField bubble_;
+};
+
+// The same of a patch, and of what is around it.
+class PatchPainter {
+  public:
+    PatchPainter(const CellOutlines& cells,
+                 const PatchRegions& regions,
+                 const Bands& bands,
+                 DistanceNeeds needs,
+                 DistanceField& field)
+        : cells_(cells),
+          regions_(regions),
+          bands_(bands),
+          needs_(needs),
+          field_(field),
+          writer_(needs, field) {
+        regions_.place(*cells_.outside, {}, around_);
+    }
+
     void paint(int band) {
-        begin_ = bands_.first_row(band);
-        end_ = begin_ + bands_.row_count(band);
-        if (cells_.outside) {
-            fill_around();
+        const Rows rows(bands_, band);
+        for (int row = rows.begin; row < rows.end; ++row) {
+            std::ranges::fill(field_.ids.row(row), ghost());
         }
         for (const Bands::Entry& entry : bands_.entries(band)) {
-            const Outline& outline = cells_.outlines[entry.outline];
+            const Outline& outline = cells_.outlines[entry.region];
             if (outline.bubble != cells_.outside) {
-                paint_bubble(outline, entry.translation);
+                paint_bubble(outline, rows);
             }
         }
-        if (cells_.outside) {
-            paint_around();
-        }
+        paint_around(rows);
     }
 
   private:
     std::uint32_t ghost() const { return static_cast<std::uint32_t>(index_of(*cells_.outside)); }
 
-    void fill_around() {
-        for (int row = begin_; row < end_; ++row) {
-            std::ranges::fill(field_.ids.row(row), ghost());
+    void paint_bubble(const Outline& outline, const Rows& rows) {
+        PixelBox box = box_around(outline, {});
+        box.left = std::max(box.left, 0);
+        box.right = std::min(box.right, cells_.grid.width);
+        if (box.columns() <= 0) {
+            return;
         }
+        const Window window(box, rows, mask_);
+        mask_.fill(cells_.chain(outline), SubpixelPoint{} - window.mask_corner());
+        regions_.place(outline.bubble, window.corner(), bubble_);
+        measure(bubble_,
+                {mask_, window.first_row, box.rows()},
+                {box.left, box.bottom},
+                static_cast<std::uint32_t>(index_of(outline.bubble)));
     }
 
     // A band begins at a multiple of kTileRows.
-    void paint_around() {
-        mask_.reset(field_.ids.width(), end_ - begin_);
-        for (int row = begin_; row < end_; ++row) {
+    void paint_around(const Rows& rows) {
+        mask_.reset(field_.ids.width(), rows.end - rows.begin);
+        for (int row = rows.begin; row < rows.end; ++row) {
             const std::span<const std::uint32_t> ids = field_.ids.row(row);
             for (std::size_t x = 0; x < ids.size(); ++x) {
                 if (ids[x] == ghost()) {
-                    mask_.set(static_cast<int>(x), row - begin_);
+                    mask_.set(static_cast<int>(x), row - rows.begin);
                 }
             }
         }
-        measure(around_, {0, 0, begin_}, ghost());
+        measure(around_, {mask_, rows.begin, field_.ids.height()}, {}, ghost());
     }
 
-    void paint_bubble(const Outline& outline, SubpixelPoint translation) {
-        const Window window = open_window(outline, translation);
-        if (mask_.columns() <= 0) {
-            return;
-        }
-        const SubpixelPoint up{0, window.first_row * kSubpixel};
-        mask_.fill(cells_.chain(outline), translation - window.corner() - up);
-        regions_.place(outline, translation, window.corner(), bubble_);
-        measure(bubble_, window, static_cast<std::uint32_t>(index_of(outline.bubble)));
-    }
-
-    // Around an outline, with an empty mask of those of its rows that are in the band.
-    Window open_window(const Outline& outline, SubpixelPoint translation) {
-        PixelBox box = box_around(outline, translation);
-        if (cells_.grid.view) {
-            box.left = std::max(box.left, 0);
-            box.right = std::min(box.right, cells_.grid.width);
-        }
-        box.top = std::min(box.top, end_);
-        const int wanted = std::max(begin_ - box.bottom, 0);
-        const int first_row = wanted / kTileRows * kTileRows;
-        mask_.reset(box.columns(), box.rows() - first_row, wanted - first_row);
-        return {box.left, box.bottom, first_row, wrap(box.left, cells_.grid.width)};
-    }
-
-    void measure(RegionField& region, const Window& window, std::uint32_t id) {
-        region.measure(mask_, window.first_row, needs_, [&](const PixelBatch& batch) {
-            for (const PixelBatch::Run& run : batch.runs()) {
-                write_run(batch, run, window, id);
-            }
-        });
-    }
-
-    struct Pixels {
-        int row;
-        int x;
-        std::size_t first;  // in the batch
-        std::size_t count;
-    };
-
-    // Around a torus in two pieces or more.
-    void write_run(const PixelBatch& batch,
-                   const PixelBatch::Run& run,
-                   const Window& window,
-                   std::uint32_t id) {
-        const auto width = static_cast<std::size_t>(field_.ids.width());
-        Pixels at{window.row + run.row, window.x + run.column, run.first, run.count};
-        while (at.x >= field_.ids.width()) {
-            at.x -= field_.ids.width();
-        }
-        for (std::size_t left = run.count; left > 0; left -= at.count) {
-            at.count = std::min(left, width - static_cast<std::size_t>(at.x));
-            write_pixels(batch, at, id);
-            at.first += at.count;
-            at.x = 0;
-        }
-    }
-
-    void write_pixels(const PixelBatch& batch, const Pixels& at, std::uint32_t id) {
-        std::fill_n(field_.ids.pixel(at.x, at.row).data(), at.count, id);
-        write(batch.distance(), at, field_.distance);
-        if (needs_.gradient) {
-            write(batch.gradient_x(), batch.gradient_y(), at, field_.gradient);
-        }
-        if (needs_.smooth) {
-            write(batch.smooth(), at, field_.smooth);
-            write(batch.smooth_x(), batch.smooth_y(), at, field_.smooth_gradient);
-        }
-    }
-
-    static void write(const PixelBatch::Values& values, const Pixels& at, Image<float>& image) {
-        std::copy_n(&values[at.first], at.count, image.pixel(at.x, at.row).data());
-    }
-
-    static void write(const PixelBatch::Values& xs,
-                      const PixelBatch::Values& ys,
-                      const Pixels& at,
-                      Image<float>& image) {
-        float* sample = image.pixel(at.x, at.row).data();
-        for (std::size_t k = at.first; k < at.first + at.count; ++k) {
-            *sample++ = xs[k];
-            *sample++ = ys[k];
-        }
+    void measure(RegionField& region,
+                 const RegionField::Pixels& pixels,
+                 ImagePlace place,
+                 std::uint32_t id) {
+        region.measure(
+            pixels, needs_, [&](const PixelBatch& batch) { writer_.write(batch, place, id); });
     }
 
     const CellOutlines& cells_;
-    const PixelRegions& regions_;
+    const PatchRegions& regions_;
     const Bands& bands_;
     DistanceNeeds needs_;
     DistanceField& field_;
-    int begin_ = 0;  // rows of the band
-    int end_ = 0;
+    FieldWriter writer_;
     CellMask mask_;
     RegionField bubble_;
-    RegionField around_;  // the patch
+    RegionField around_;
 };
+
+template <class Painter>
+void paint_all(const Bands& bands, const Painter& painter, int threads) {
+    std::vector<Painter> painters(static_cast<std::size_t>(std::clamp(threads, 1, bands.count())),
+                                  painter);
+    parallel_for(bands.count(), painters, [](Painter& own, int band) { own.paint(band); });
+}
 
 template <class Sample>
 void ask_for(bool needed, const RasterGrid& grid, int channels, Image<Sample>& image) {
@@ -187,34 +185,33 @@ void ask_for(bool needed, const RasterGrid& grid, int channels, Image<Sample>& i
     }
 }
 
-}  // namespace
-
-void write_distance_field(const Frame& frame,
-                          const CellOutlines& cells,
-                          DistanceNeeds needs,
-                          int threads,
-                          DistanceField& field) {
-    const RasterGrid& grid = cells.grid;
-    const PixelRegions regions(frame, cells);
+void ask_for(DistanceNeeds needs, const RasterGrid& grid, DistanceField& field) {
     ask_for(true, grid, 1, field.ids);
     ask_for(true, grid, 1, field.distance);
     ask_for(needs.gradient, grid, 2, field.gradient);
     ask_for(needs.smooth, grid, 1, field.smooth);
     ask_for(needs.smooth, grid, 2, field.smooth_gradient);
-    const Bands bands(cells, kRowsPerBand);
-    std::vector<FieldPainter> painters(
-        static_cast<std::size_t>(std::clamp(threads, 1, bands.count())),
-        FieldPainter(cells, regions, bands, needs, field));
-    parallel_for(
-        bands.count(), painters, [](FieldPainter& painter, int band) { painter.paint(band); });
 }
+
+}  // namespace
 
 void write_distance_field(const Frame& frame,
                           const RasterGrid& grid,
                           DistanceNeeds needs,
                           int threads,
                           DistanceField& field) {
-    write_distance_field(frame, outline_cells(frame, grid, threads), needs, threads, field);
+    if (frame.torus.is_plane()) {
+        const CellOutlines cells = outline_cells(frame, grid, threads);
+        const PatchRegions regions(frame, grid);
+        const Bands bands(cells, kRowsPerBand);
+        ask_for(needs, grid, field);
+        paint_all(bands, PatchPainter(cells, regions, bands, needs, field), threads);
+    } else {
+        const TorusCells cells(frame, grid, threads);
+        const Bands bands(grid, cells.shear(), cells.extents(), kRowsPerBand);
+        ask_for(needs, grid, field);
+        paint_all(bands, TorusPainter(cells, bands, needs, field), threads);
+    }
 }
 
 DistanceField distance_field(const Frame& frame,

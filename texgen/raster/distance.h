@@ -2,7 +2,6 @@
 
 #include "core/foam/frame.h"
 #include "texgen/image/image.h"
-#include "texgen/raster/outlines.h"
 #include "texgen/raster/raster_grid.h"
 
 #include <cstdint>
@@ -47,15 +46,7 @@ DistanceField distance_field(const Frame& frame,
                              DistanceNeeds needs,
                              int threads);
 
-/// The same into a field from before, whose memory it uses again; by the frame's outlines for films
-/// of no width on the grid.
-void write_distance_field(const Frame& frame,
-                          const CellOutlines& cells,
-                          DistanceNeeds needs,
-                          int threads,
-                          DistanceField& field);
-
-/// The same with outlines of its own.
+/// The same into a field from before, whose memory it uses again.
 void write_distance_field(const Frame& frame,
                           const RasterGrid& grid,
                           DistanceNeeds needs,

@@ -29,7 +29,7 @@ struct FloatLine {
 /// a pixel gets does not depend on which others are in its batch.
 class PixelBatch {
   public:
-    static constexpr std::size_t kCapacity = 256;
+    static constexpr std::size_t kCapacity = 1600;
     static constexpr std::size_t kLanes = 8;  // that are measured at once
     using Values = std::array<float, kCapacity + kLanes>;
 

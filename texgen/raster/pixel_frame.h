@@ -20,6 +20,8 @@ struct PixelFrame {
     SubpixelPoint junction(JunctionId junction) const {
         return snap(grid, frame.torus, frame.positions[junction]);
     }
+    /// The same without rounding, in pixels.
+    Vec2 exact(JunctionId junction) const { return scale * frame.positions[junction]; }
     SubpixelPoint translation(LatticeOffset offset) const {
         return {offset.i * grid.width * kSubpixel + offset.j * shear,
                 offset.j * grid.height * kSubpixel};

@@ -24,6 +24,17 @@ FloatQuadratic in_floats(const Quadratic& q) {
             static_cast<float>(q.curvature)};
 }
 
+// Calls visit(begin, count) for the runs of bits that are set; not all are.
+template <class Visit>
+void for_each_run(std::uint64_t bits, const Visit& visit) {
+    while (bits != 0) {
+        const int begin = std::countr_zero(bits);
+        const int count = std::countr_one(bits >> begin);
+        visit(begin, count);
+        bits &= ~(((std::uint64_t{1} << count) - 1) << begin);
+    }
+}
+
 bool turns_right(const FieldArc& before, const FieldArc& after) {
     return cross(head_tangent(before), tail_tangent(after)) < 0.0;
 }
@@ -89,34 +100,41 @@ void RegionField::take_sides(std::size_t begin) {
     }
 }
 
-void RegionField::take_tile(const CellMask& mask, int first_row, int x, int y) {
-    const int column = x * kTileColumns;
-    const int row = y * kTileRows;
-    batch_.clear(Vec2(column + 0.5 * kTileColumns, first_row + row + 0.5 * kTileRows));
-    for (int k = row; k < std::min(row + kTileRows, mask.rows()); ++k) {
-        for (unsigned pixels = mask.sixteen(x, k); pixels != 0;) {
-            const int begin = std::countr_zero(pixels);
-            const int count = std::countr_one(pixels >> begin);
-            batch_.add_run(column + begin, first_row + k, count);
-            pixels &= ~(((1U << count) - 1) << begin);
-        }
+void RegionField::take_all(const Pixels& pixels) {
+    const CellMask& mask = pixels.mask;
+    batch_.clear(Vec2(mask.columns() / 2, pixels.rows / 2));
+    for (int k = 0; k < mask.rows(); ++k) {
+        for_each_run(mask.whole_row(k), [&](int begin, int count) {
+            batch_.add_run(begin, pixels.first_row + k, count);
+        });
     }
 }
 
-void RegionField::measure_batch(DistanceNeeds needs) {
-    few_.measure(kReach, needs.gradient || needs.smooth, batch_);
+void RegionField::take_tile(const Pixels& pixels, int x, int y) {
+    const int column = x * kTileColumns;
+    const int row = y * kTileRows;
+    batch_.clear(Vec2(column + 0.5 * kTileColumns, pixels.first_row + row + 0.5 * kTileRows));
+    for (int k = row; k < std::min(row + kTileRows, pixels.mask.rows()); ++k) {
+        for_each_run(pixels.mask.sixteen(x, k), [&](int begin, int count) {
+            batch_.add_run(column + begin, pixels.first_row + k, count);
+        });
+    }
+}
+
+void RegionField::measure_batch(double reach, DistanceNeeds needs) {
+    few_.measure(reach, needs.gradient || needs.smooth, batch_);
     if (needs.gradient || needs.smooth) {
         batch_.normalize_gradients();
     }
     if (needs.smooth) {
-        measure_smooth();
+        measure_smooth(reach);
     }
 }
 
-void RegionField::measure_smooth() {
+void RegionField::measure_smooth(double reach) {
     batch_.begin_smooth();
     for (const FieldArc& film : films_) {
-        const double far = (batch_.middle() - film.middle).norm() + kReach;
+        const double far = (batch_.middle() - film.middle).norm() + reach;
         if (film.chord <= kLeastChord * far) {
             continue;
         }
