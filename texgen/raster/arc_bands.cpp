@@ -5,18 +5,28 @@
 
 namespace foam::texgen {
 
+namespace {
+
+constexpr int kTileBits = 6;  // of columns
+
+}  // namespace
+
 ArcBands::ArcBands(const CellArcs& cells, int rows_per_band)
     : grid_(cells.grid),
       row_bits_(static_cast<int>(std::bit_width(static_cast<unsigned>(rows_per_band - 1)))),
-      ends_(static_cast<std::size_t>((grid_.height - 1) >> row_bits_) + 2) {
-    visit_copies(cells, [&](const Entry&, std::size_t band) { ++ends_[band + 1]; });
-    for (std::size_t band = 1; band < ends_.size(); ++band) {
-        ends_[band] += ends_[band - 1];
+      tiles_(static_cast<std::size_t>((grid_.width - 1) >> kTileBits) + 1),
+      ends_(static_cast<std::size_t>(count()) * tiles_ + 1) {
+    visit_copies(cells, [&](const Entry& entry, std::size_t band) {
+        ++ends_[band * tiles_ + tile_of(entry) + 1];
+    });
+    for (std::size_t k = 1; k < ends_.size(); ++k) {
+        ends_[k] += ends_[k - 1];
     }
     entries_.resize(ends_.back());
     std::vector<std::size_t> next(ends_.begin(), ends_.end() - 1);
-    visit_copies(cells,
-                 [&](const Entry& entry, std::size_t band) { entries_[next[band]++] = entry; });
+    visit_copies(cells, [&](const Entry& entry, std::size_t band) {
+        entries_[next[band * tiles_ + tile_of(entry)]++] = entry;
+    });
 }
 
 int ArcBands::row_count(int band) const {
@@ -24,8 +34,19 @@ int ArcBands::row_count(int band) const {
 }
 
 std::span<const ArcBands::Entry> ArcBands::entries(int band) const {
-    const auto k = static_cast<std::size_t>(band);
-    return std::span(entries_).subspan(ends_[k], ends_[k + 1] - ends_[k]);
+    const std::size_t k = static_cast<std::size_t>(band) * tiles_;
+    return std::span(entries_).subspan(ends_[k], ends_[k + tiles_] - ends_[k]);
+}
+
+// By its lower end; arcs of unwrapped outlines lie some periods to the left or right.
+std::size_t ArcBands::tile_of(const Entry& entry) const {
+    int column = pixel_of(entry.arc->low.x + entry.translation.x);
+    if (grid_.view) {
+        column = std::clamp(column, 0, grid_.width - 1);
+    } else if (column < 0 || column >= grid_.width) {
+        column = wrap(column, grid_.width);
+    }
+    return static_cast<std::size_t>(column >> kTileBits);
 }
 
 template <class Visit>

@@ -10,7 +10,8 @@
 namespace foam::texgen {
 
 /// The rows of an image, cut into bands that are filled one by one, and for each band the arcs that
-/// reach into it; around a torus, and shifted as the grid says.
+/// reach into it; around a torus, and shifted as the grid says. Within a band they go from left to
+/// right by tiles, so that what one of them adds to is mostly still in a cache for the next.
 class ArcBands {
   public:
     /// A copy of an arc: shifted, and on a torus moved up and down by whole periods; y counts from
@@ -23,7 +24,7 @@ class ArcBands {
     /// Borrows the arcs. The rows are rounded up to a power of two.
     ArcBands(const CellArcs& cells, int rows_per_band);
 
-    int count() const { return static_cast<int>(ends_.size()) - 1; }
+    int count() const { return ((grid_.height - 1) >> row_bits_) + 1; }
     int first_row(int band) const { return band << row_bits_; }
     int row_count(int band) const;
     std::span<const Entry> entries(int band) const;
@@ -33,10 +34,12 @@ class ArcBands {
     void visit_copies(const CellArcs& cells, const Visit& visit) const;
     template <class Visit>
     void visit_bands(const Entry& entry, const Visit& visit) const;
+    std::size_t tile_of(const Entry& entry) const;
 
     RasterGrid grid_;
     int row_bits_;
-    std::vector<std::size_t> ends_;  // entries of band k: from ends_[k] to ends_[k + 1]
+    std::size_t tiles_;              // of a band
+    std::vector<std::size_t> ends_;  // entries of tile k of all: from ends_[k] to ends_[k + 1]
     std::vector<Entry> entries_;
 };
 

@@ -17,8 +17,8 @@ struct PartColumns {
     const std::int32_t* columns;
     const std::int32_t* x;
     const std::int32_t* y;
-    double* wholes;
-    double* on_left;
+    std::int32_t* wholes;
+    std::int32_t* on_left;
 };
 
 // The area on the left of a chord is a whole number that floats hold; the arc bulges beyond it.
@@ -31,9 +31,8 @@ FOAMTEX_VECTOR_CLONES void measure_parts(const PartColumns& parts, float half_cu
         const auto from_left = static_cast<float>(x[k] + x[k + 1] - 2 * kSubpixel * columns[k]);
         const float squared = dx * dx + dy * dy;
         const float bulge = twice_segment(squared, half_curvature * std::sqrt(squared));
-        const auto area = static_cast<std::int32_t>(dy * from_left + bulge + kHalf);
         wholes[k] = (y[k + 1] - y[k]) * (2 * kSubpixel);
-        on_left[k] = area;
+        on_left[k] = static_cast<std::int32_t>(dy * from_left + bulge + kHalf);
     }
 }
 

@@ -33,9 +33,9 @@ class ArcWalk {
     bool is_leftward() const { return is_leftward_; }
     std::int32_t column(std::size_t part) const { return columns_[part]; }
     /// Twice a pixel's width times the part's height, in square subpixels.
-    double whole(std::size_t part) const { return wholes_[part]; }
+    std::int32_t whole(std::size_t part) const { return wholes_[part]; }
     /// Twice the area on the part's left within the pixel, in square subpixels, rounded.
-    double on_left(std::size_t part) const { return on_left_[part]; }
+    std::int32_t on_left(std::size_t part) const { return on_left_[part]; }
 
   private:
     void find_crossings(const RisingArc& arc, SubpixelPoint low, SubpixelPoint high);
@@ -54,8 +54,8 @@ class ArcWalk {
     std::vector<std::int32_t> columns_;
     std::vector<std::int32_t> point_x_;
     std::vector<std::int32_t> point_y_;
-    std::vector<double> wholes_;
-    std::vector<double> on_left_;
+    std::vector<std::int32_t> wholes_;
+    std::vector<std::int32_t> on_left_;
 };
 
 }  // namespace foam::texgen

@@ -9,12 +9,10 @@ namespace {
 constexpr std::size_t kFlagsPerWord = 64;
 
 // Reads all before it writes any, so that the channels are taken several at once.
-template <std::size_t Lanes>
-void add_times(double factor,
-               const std::array<double, Lanes>& value,
-               std::array<double, Lanes>& to) {
-    std::array<double, Lanes> sum = to;
-    for (std::size_t c = 0; c < Lanes; ++c) {
+template <class Sum>
+void add_times(typename Sum::value_type factor, const Sum& value, Sum& to) {
+    Sum sum = to;
+    for (std::size_t c = 0; c < sum.size(); ++c) {
         sum[c] += factor * value[c];
     }
     to = sum;
@@ -37,8 +35,8 @@ void set_flags(std::uint64_t* flags, std::size_t from, std::size_t to) {
 
 }  // namespace
 
-template <std::size_t Channels>
-Coverage<Channels>::Coverage(int width, int rows, RowKind kind)
+template <class Sums>
+Coverage<Sums>::Coverage(int width, int rows, RowKind kind)
     : width_(width),
       kind_(kind),
       stride_(static_cast<std::size_t>(width) + 1),
@@ -48,8 +46,8 @@ Coverage<Channels>::Coverage(int width, int rows, RowKind kind)
       walk_(rows),
       starts_(static_cast<std::size_t>(rows)) {}
 
-template <std::size_t Channels>
-void Coverage<Channels>::add(const CellArc& arc, SubpixelPoint translation, const Step& step) {
+template <class Sums>
+void Coverage<Sums>::add(const CellArc& arc, SubpixelPoint translation, const Step& step) {
     walk_.split(arc, translation);
     for (const ArcWalk::Run& run : walk_.runs()) {
         const std::int32_t begin = walk_.column(run.begin);
@@ -68,61 +66,69 @@ void Coverage<Channels>::add(const CellArc& arc, SubpixelPoint translation, cons
 }
 
 // From left to right: what a part leaves out of its pixel is in the next one's sum.
-template <std::size_t Channels>
-inline void Coverage<Channels>::add_run(const ArcWalk::Run& run, const Step& step) {
+template <class Sums>
+inline void Coverage<Sums>::add_run(const ArcWalk::Run& run, const Step& step) {
     const std::size_t parts = run.end - run.begin;
     const std::size_t first = walk_.is_leftward() ? run.end - 1 : run.begin;
     const std::ptrdiff_t next = walk_.is_leftward() ? -1 : 1;
     Sum* to = &differences_[static_cast<std::size_t>(run.row) * stride_ +
                             static_cast<std::size_t>(walk_.column(first))];
-    double left_out = 0.0;
+    typename Sums::Number left_out = 0;
     for (std::size_t k = 0; k < parts; ++k) {
         const std::size_t part =
             first + static_cast<std::size_t>(next * static_cast<std::ptrdiff_t>(k));
-        const double on_left = walk_.on_left(part);
-        add_times(walk_.whole(part) - on_left + left_out, step.across, to[k]);
+        const auto on_left = Sums::of_area(walk_.on_left(part));
+        add_times(Sums::of_area(walk_.whole(part)) - on_left + left_out, step.across, to[k]);
         left_out = on_left;
     }
     add_times(left_out, step.across, to[parts]);
 }
 
 // An arc in another period of its sides' outlines.
-template <std::size_t Channels>
-void Coverage<Channels>::add_around(const ArcWalk::Run& run, const Step& step) {
+template <class Sums>
+void Coverage<Sums>::add_around(const ArcWalk::Run& run, const Step& step) {
     for (std::size_t part = run.begin; part < run.end; ++part) {
-        add_times(-walk_.whole(part), step.around, starts_[static_cast<std::size_t>(run.row)]);
+        add_times(Sums::of_area(-walk_.whole(part)),
+                  step.around,
+                  starts_[static_cast<std::size_t>(run.row)]);
     }
 }
 
 // Parts beyond the borders, one by one.
-template <std::size_t Channels>
-void Coverage<Channels>::add_outside(const ArcWalk::Run& run, const Step& step) {
+template <class Sums>
+void Coverage<Sums>::add_outside(const ArcWalk::Run& run, const Step& step) {
     const auto row = static_cast<std::size_t>(run.row);
     for (std::size_t part = run.begin; part < run.end; ++part) {
         const std::int32_t periods = floor_div(walk_.column(part), width_);
         const bool is_ring = kind_ == RowKind::Ring;
         const std::int32_t times = is_ring ? -periods : periods < 0 ? 1 : 0;
-        add_times(times * walk_.whole(part), step.across, starts_[row]);
+        const auto whole = Sums::of_area(walk_.whole(part));
+        const auto on_left = Sums::of_area(walk_.on_left(part));
+        add_times(Sums::of_value(times) * whole, step.across, starts_[row]);
         if (is_ring || periods == 0) {
             const std::int32_t column = walk_.column(part) - periods * width_;
             touch(row, column, column);
             Sum* to = &differences_[row * stride_ + static_cast<std::size_t>(column)];
-            add_times(walk_.whole(part) - walk_.on_left(part), step.across, to[0]);
-            add_times(walk_.on_left(part), step.across, to[1]);
+            add_times(whole - on_left, step.across, to[0]);
+            add_times(on_left, step.across, to[1]);
         }
     }
 }
 
-template <std::size_t Channels>
-inline void Coverage<Channels>::touch(std::size_t row, std::int32_t left, std::int32_t right) {
+template <class Sums>
+inline void Coverage<Sums>::touch(std::size_t row, std::int32_t left, std::int32_t right) {
     set_flags(&touched_[row * words_],
               static_cast<std::size_t>(left),
               static_cast<std::size_t>(right) + 1);
 }
 
-template class Coverage<1>;
-template class Coverage<2>;
-template class Coverage<3>;
-template class Coverage<4>;
+template class Coverage<ExactSums<1>>;
+template class Coverage<ExactSums<2>>;
+template class Coverage<ExactSums<3>>;
+template class Coverage<ExactSums<4>>;
+template class Coverage<SmallSums<1>>;
+template class Coverage<SmallSums<2>>;
+template class Coverage<SmallSums<3>>;
+template class Coverage<SmallSums<4>>;
 
 }  // namespace foam::texgen

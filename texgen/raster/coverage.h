@@ -1,9 +1,9 @@
 #pragma once
 
 #include "texgen/raster/arc_walk.h"
+#include "texgen/raster/coverage_sums.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -11,10 +11,6 @@
 #include <vector>
 
 namespace foam::texgen {
-
-/// A pixel of exact coverage 1 counts this much: twice the square of kSubpixel, as the area left of
-/// an arc comes in half squares of a subpixel.
-inline constexpr int kCoverageBits = 2 * kSubpixelBits + 1;
 
 /// Whether a row of pixels goes around a torus, or ends on both sides.
 enum class RowKind { Ring, Line };
@@ -30,13 +26,12 @@ enum class RowKind { Ring, Line };
 /// off the row's start. In the plane, an arc on the left of the row adds its height to the whole of
 /// it, and one on the right nothing.
 ///
-/// All sums are of integers and exact: they do not depend on the order of the arcs. They are held
-/// as doubles, which processors take several of at once, and stay below 2^53.
-template <std::size_t Channels>
+/// All sums are of integers and exact: they do not depend on the order of the arcs. `Sums` says how
+/// they are held (coverage_sums.h).
+template <class Sums>
 class Coverage {
   public:
-    /// Of each channel; rounded up to a power of two, the others being 0.
-    using Sum = std::array<double, std::bit_ceil(Channels)>;
+    using Sum = typename Sums::Sum;
 
     /// What an arc does to a row: the value on its right less that on its left, and the same with
     /// each value times the periods of its side.
@@ -55,7 +50,7 @@ class Coverage {
 
     /// Walks along a row, left to right: writer.write(from, to) for each stretch of pixels [from,
     /// to) of one sum, writer.add(difference) where the sum changes, beginning with the difference
-    /// from zero. Sums count in units of 2^-kCoverageBits. Then clears the row.
+    /// from zero. Then clears the row.
     template <class Writer>
     void take_row(int row, Writer& writer);
 
@@ -63,6 +58,7 @@ class Coverage {
     void add_run(const ArcWalk::Run& run, const Step& step);
     void add_around(const ArcWalk::Run& run, const Step& step);
     void add_outside(const ArcWalk::Run& run, const Step& step);
+    void fetch_row(std::size_t row) const;
     void touch(std::size_t row, std::int32_t left, std::int32_t right);
 
     int width_;
@@ -76,19 +72,35 @@ class Coverage {
     std::vector<Sum> starts_;  // what the running sum of a row begins with
 };
 
-template <std::size_t Channels>
+// Has the touched pixels of a row fetched before their turn.
+template <class Sums>
+void Coverage<Sums>::fetch_row(std::size_t row) const {
+    if (row >= starts_.size()) {
+        return;
+    }
+    const Sum* differences = &differences_[row * stride_];
+    for (std::size_t word = 0; word < words_; ++word) {
+        std::uint64_t bits = touched_[row * words_ + word];
+        bits &= ~(bits << 1) | 0x5555555555555555;
+        for (; bits != 0; bits &= bits - 1) {
+            const std::size_t x = word * 64 + static_cast<std::size_t>(std::countr_zero(bits));
+            __builtin_prefetch(differences + x, 1);
+        }
+    }
+}
+
+template <class Sums>
 template <class Writer>
-void Coverage<Channels>::take_row(int row, Writer& writer) {
-    constexpr std::size_t kAhead = 24;  // pixels, fetched before their turn
+void Coverage<Sums>::take_row(int row, Writer& writer) {
     const auto index = static_cast<std::size_t>(row);
     Sum* differences = &differences_[index * stride_];
     std::uint64_t* touched = &touched_[index * words_];
     writer.add(std::exchange(starts_[index], Sum{}));
+    fetch_row(index + 1);
     std::size_t from = 0;
     for (std::size_t word = 0; word < words_; ++word) {
         for (std::uint64_t bits = std::exchange(touched[word], 0); bits != 0; bits &= bits - 1) {
             const std::size_t x = word * 64 + static_cast<std::size_t>(std::countr_zero(bits));
-            __builtin_prefetch(differences + std::min(x + kAhead, stride_ - 1), 1);
             writer.write(from, x);
             writer.add(differences[x]);
             differences[x] = Sum{};
@@ -98,9 +110,13 @@ void Coverage<Channels>::take_row(int row, Writer& writer) {
     writer.write(from, stride_ - 1);
 }
 
-extern template class Coverage<1>;
-extern template class Coverage<2>;
-extern template class Coverage<3>;
-extern template class Coverage<4>;
+extern template class Coverage<ExactSums<1>>;
+extern template class Coverage<ExactSums<2>>;
+extern template class Coverage<ExactSums<3>>;
+extern template class Coverage<ExactSums<4>>;
+extern template class Coverage<SmallSums<1>>;
+extern template class Coverage<SmallSums<2>>;
+extern template class Coverage<SmallSums<3>>;
+extern template class Coverage<SmallSums<4>>;
 
 }  // namespace foam::texgen

@@ -7,9 +7,9 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <span>
 #include <stdexcept>
+#include <type_traits>
 
 namespace foam::texgen {
 
@@ -55,13 +55,12 @@ void check(const CellArcs& cells, const CellValues& values, ImageView<Sample> im
 }
 
 // Each mean, encoded.
-template <class Encode>
+template <std::size_t Channels, class Sums, class Encode>
 struct Means {
     Encode encode;
 
-    template <std::size_t Channels>
-    auto samples_of(const typename Coverage<Channels>::Sum& sum) const {
-        const auto means = rounded_means(sum);
+    auto operator()(const typename Sums::Sum& sum) const {
+        const auto means = Sums::means(sum);
         std::array<decltype(encode(std::uint16_t{})), Channels> samples{};
         for (std::size_t c = 0; c < Channels; ++c) {
             samples[c] = encode(static_cast<std::uint16_t>(means[c]));
@@ -71,12 +70,10 @@ struct Means {
 };
 
 // The last mean, and the others over it.
+template <std::size_t Channels>
 struct StraightMeans {
-    static constexpr std::int64_t kLargest = std::numeric_limits<std::uint16_t>::max();
-
-    template <std::size_t Channels>
-    std::array<std::uint16_t, Channels> samples_of(
-        const typename Coverage<Channels>::Sum& sum) const {
+    std::array<std::uint16_t, Channels> operator()(
+        const typename ExactSums<Channels>::Sum& sum) const {
         std::array<std::uint16_t, Channels> samples{};
         const auto opacity = static_cast<std::int64_t>(sum[Channels - 1]);
         if (opacity <= 0) {
@@ -84,19 +81,21 @@ struct StraightMeans {
         }
         for (std::size_t c = 0; c + 1 < Channels; ++c) {
             const auto whole = static_cast<std::int64_t>(sum[c]);
-            const std::int64_t color = (whole * kLargest + opacity / 2) / opacity;
-            samples[c] = static_cast<std::uint16_t>(std::clamp<std::int64_t>(color, 0, kLargest));
+            const std::int64_t color = (whole * kLargestMean + opacity / 2) / opacity;
+            samples[c] =
+                static_cast<std::uint16_t>(std::clamp<std::int64_t>(color, 0, kLargestMean));
         }
-        samples[Channels - 1] = static_cast<std::uint16_t>(rounded_means(sum)[Channels - 1]);
+        const auto means = ExactSums<Channels>::means(sum);
+        samples[Channels - 1] = static_cast<std::uint16_t>(means[Channels - 1]);
         return samples;
     }
 };
 
 // Fills with `Channels` channels; ToSamples makes the samples of a pixel of its sums.
-template <std::size_t Channels, class Sample, class ToSamples>
+template <class Sums, std::size_t Channels, class Sample, class ToSamples>
 class Filler {
   public:
-    using BandCoverage = Coverage<Channels>;
+    using BandCoverage = Coverage<Sums>;
 
     Filler(const CellArcs& cells,
            const CellValues& values,
@@ -133,7 +132,7 @@ class Filler {
             coverage.add(arc, entries[k].translation - origin, step_across(arc));
         }
         for (int row = 0; row < bands_.row_count(band); ++row) {
-            RowWriter<Channels, Sample, ToSamples> writer(
+            RowWriter<Sums, Channels, Sample, ToSamples> writer(
                 base(), to_samples_, image_.row(first_row + row));
             coverage.take_row(row, writer);
         }
@@ -156,7 +155,7 @@ class Filler {
         typename BandCoverage::Sum value{};
         if (side != kFilmSide) {
             for (std::size_t c = 0; c < Channels; ++c) {
-                value[c] = std::int32_t{values_.cells[side * Channels + c]} - values_.film[c];
+                value[c] = Sums::of_value(values_.cells[side * Channels + c] - values_.film[c]);
             }
         }
         return value;
@@ -172,7 +171,8 @@ class Filler {
         step.goes_around = arc.left_periods != 0 || arc.right_periods != 0;
         if (step.goes_around) {
             for (std::size_t c = 0; c < Channels; ++c) {
-                step.around[c] = arc.right_periods * right[c] - arc.left_periods * left[c];
+                step.around[c] = Sums::of_value(arc.right_periods) * right[c] -
+                                 Sums::of_value(arc.left_periods) * left[c];
             }
         }
         return step;
@@ -185,23 +185,32 @@ class Filler {
     ArcBands bands_;
 };
 
-template <class Sample, class ToSamples>
+// Calls fill(std::integral_constant) of the number of channels.
+template <class Sample, class Fill>
+void fill_channels(const CellArcs& cells,
+                   const CellValues& values,
+                   ImageView<Sample> image,
+                   const Fill& fill) {
+    check(cells, values, image);
+    switch (values.channels) {
+        case 1:
+            return fill(std::integral_constant<std::size_t, 1>{});
+        case 2:
+            return fill(std::integral_constant<std::size_t, 2>{});
+        case 3:
+            return fill(std::integral_constant<std::size_t, 3>{});
+        default:
+            return fill(std::integral_constant<std::size_t, 4>{});
+    }
+}
+
+template <class Sums, std::size_t Channels, class Sample, class ToSamples>
 void fill(const CellArcs& cells,
           const CellValues& values,
           const ToSamples& to_samples,
           int threads,
           ImageView<Sample> image) {
-    check(cells, values, image);
-    switch (values.channels) {
-        case 1:
-            return Filler<1, Sample, ToSamples>(cells, values, to_samples, image).fill(threads);
-        case 2:
-            return Filler<2, Sample, ToSamples>(cells, values, to_samples, image).fill(threads);
-        case 3:
-            return Filler<3, Sample, ToSamples>(cells, values, to_samples, image).fill(threads);
-        default:
-            return Filler<4, Sample, ToSamples>(cells, values, to_samples, image).fill(threads);
-    }
+    Filler<Sums, Channels, Sample, ToSamples>(cells, values, to_samples, image).fill(threads);
 }
 
 }  // namespace
@@ -211,14 +220,21 @@ void fill_cells(const CellArcs& cells,
                 int threads,
                 ImageView<std::uint16_t> image) {
     const auto as_is = [](std::uint16_t value) { return value; };
-    fill(cells, values, Means<decltype(as_is)>{as_is}, threads, image);
+    fill_channels(cells, values, image, [&](auto channels) {
+        using Sums = ExactSums<channels>;
+        const Means<channels, Sums, decltype(as_is)> means{as_is};
+        fill<Sums, channels>(cells, values, means, threads, image);
+    });
 }
 
 void fill_straight(const CellArcs& cells,
                    const CellValues& values,
                    int threads,
                    ImageView<std::uint16_t> image) {
-    fill(cells, values, StraightMeans{}, threads, image);
+    fill_channels(cells, values, image, [&](auto channels) {
+        const StraightMeans<channels> means;
+        fill<ExactSums<channels>, channels>(cells, values, means, threads, image);
+    });
 }
 
 void fill_cells(const CellArcs& cells,
@@ -227,7 +243,11 @@ void fill_cells(const CellArcs& cells,
                 int threads,
                 ImageView<std::uint8_t> image) {
     const auto encode = [&](std::uint16_t value) { return encoding[value]; };
-    fill(cells, values, Means<decltype(encode)>{encode}, threads, image);
+    fill_channels(cells, values, image, [&](auto channels) {
+        using Sums = SmallSums<channels>;
+        const Means<channels, Sums, decltype(encode)> means{encode};
+        fill<Sums, channels>(cells, values, means, threads, image);
+    });
 }
 
 }  // namespace foam::texgen

@@ -46,7 +46,8 @@ void fill_straight(const CellArcs& cells,
                    int threads,
                    ImageView<std::uint16_t> image);
 
-/// As fill_cells, each mean then encoded.
+/// As fill_cells, each mean then encoded. As it becomes 8 bits, areas are rounded to 2^-15 pixel,
+/// a sixteenth of what ends of arcs are; the parts of a pixel still add up to exactly 1.
 void fill_cells(const CellArcs& cells,
                 const CellValues& values,
                 const Encoding<std::uint8_t>& encoding,

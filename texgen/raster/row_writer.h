@@ -1,42 +1,15 @@
 #pragma once
 
-#include "texgen/raster/coverage.h"
+#include "texgen/raster/coverage_sums.h"
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <limits>
 #include <span>
 
 namespace foam::texgen {
-
-/// What Coverage counts for a value of 1 that covers a pixel.
-inline constexpr double kFullCoverage = std::int64_t{1} << kCoverageBits;
-
-/// Sums of 16-bit values as the nearest means. Arcs of an invalid foam may overlap: a mean may then
-/// lie out of range, and is held there.
-template <std::size_t Lanes>
-std::array<std::int32_t, Lanes> rounded_means(const std::array<double, Lanes>& sum) {
-    constexpr std::int32_t kLargest = std::numeric_limits<std::uint16_t>::max();
-    constexpr double kHalf = 0.5;  // makes truncation the nearest
-    std::array<std::int32_t, Lanes> means{};
-    for (std::size_t c = 0; c < Lanes; ++c) {
-        means[c] = static_cast<std::int32_t>(sum[c] * (1.0 / kFullCoverage) + kHalf);
-    }
-    std::int32_t bits = 0;
-    for (const std::int32_t mean : means) {
-        bits |= mean;
-    }
-    if ((bits & ~kLargest) != 0) [[unlikely]] {
-        for (std::int32_t& mean : means) {
-            mean = std::clamp(mean, 0, kLargest);
-        }
-    }
-    return means;
-}
 
 /// Writes pixels of up to eight bytes, given in the order of memory, the first in the lowest bits.
 template <std::size_t PixelBytes>
@@ -99,11 +72,12 @@ class PixelWriter {
     std::size_t size_;
 };
 
-/// Turns the sums along a row into samples; ToSamples makes those of a pixel of its sums.
-template <std::size_t Channels, class Sample, class ToSamples>
+/// Turns the sums along a row into samples; to_samples(sum) makes those of a pixel, of which there
+/// are `Channels`.
+template <class Sums, std::size_t Channels, class Sample, class ToSamples>
 class RowWriter {
   public:
-    using Sum = typename Coverage<Channels>::Sum;
+    using Sum = typename Sums::Sum;
 
     /// `base` is the value that the sums are counted from.
     RowWriter(std::span<const std::uint16_t, Channels> base,
@@ -112,7 +86,7 @@ class RowWriter {
         : to_samples_(to_samples),
           pixels_({reinterpret_cast<std::uint8_t*>(row.data()), row.size_bytes()}) {
         for (std::size_t c = 0; c < Channels; ++c) {
-            sum_[c] = base[c] * kFullCoverage;
+            sum_[c] = Sums::start(base[c]);
         }
     }
 
@@ -122,7 +96,7 @@ class RowWriter {
             sum[c] += sum_[c];
         }
         sum_ = sum;
-        const auto samples = to_samples_.template samples_of<Channels>(sum_);
+        const auto samples = to_samples_(sum_);
         pixel_ = 0;
         for (std::size_t c = 0; c < Channels; ++c) {
             std::uint64_t sample = samples[c];

@@ -23,8 +23,8 @@ Parts walk(const CellArc& arc, SubpixelPoint translation, int rows) {
     for (const ArcWalk::Run& run : walk.runs()) {
         for (std::size_t part = run.begin; part < run.end; ++part) {
             auto& [height, area] = parts[{run.row, walk.column(part)}];
-            height += static_cast<int>(walk.whole(part)) / (2 * kSubpixel);
-            area += static_cast<std::int64_t>(walk.on_left(part));
+            height += walk.whole(part) / (2 * kSubpixel);
+            area += walk.on_left(part);
         }
     }
     return parts;

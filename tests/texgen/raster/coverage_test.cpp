@@ -8,14 +8,14 @@
 namespace foam::texgen {
 namespace {
 
-constexpr std::int64_t kFull = std::int64_t{1} << kCoverageBits;
+constexpr std::int64_t kFull = std::int64_t{1} << kAreaBits;
 
 // A row's sums, spelled out.
 class Row {
   public:
     explicit Row(int width) : values_(static_cast<std::size_t>(width), -1) {}
 
-    void add(const Coverage<1>::Sum& difference) {
+    void add(const Coverage<ExactSums<1>>::Sum& difference) {
         sum_ += static_cast<std::int64_t>(difference[0]);
     }
     void write(std::size_t from, std::size_t to) {
@@ -31,7 +31,7 @@ class Row {
     std::vector<std::int64_t> values_;
 };
 
-std::vector<std::int64_t> take(Coverage<1>& coverage, int row, int width) {
+std::vector<std::int64_t> take(Coverage<ExactSums<1>>& coverage, int row, int width) {
     Row sums(width);
     coverage.take_row(row, sums);
     return sums.values();
@@ -39,13 +39,13 @@ std::vector<std::int64_t> take(Coverage<1>& coverage, int row, int width) {
 
 // Adds the straight edges of a closed chain, with a value on the left of each.
 template <std::size_t Channels>
-void add(Coverage<Channels>& coverage,
+void add(Coverage<ExactSums<Channels>>& coverage,
          const std::vector<SubpixelPoint>& chain,
          SubpixelPoint translation,
          const std::array<double, Channels>& value) {
     SubpixelPoint from = chain.back();
     for (const SubpixelPoint to : chain) {
-        typename Coverage<Channels>::Step step;
+        typename Coverage<ExactSums<Channels>>::Step step;
         for (std::size_t c = 0; c < Channels; ++c) {
             step.across[c] = from.y < to.y ? -value[c] : value[c];
         }
@@ -64,14 +64,14 @@ std::vector<SubpixelPoint> box(std::int32_t x0, std::int32_t y0, std::int32_t x1
 
 TEST(Coverage, OfABoxAcrossPixels) {
     // From x = 0.5 to 2.25 pixels, in the lower half of row 0.
-    Coverage<1> coverage(4, 1);
+    Coverage<ExactSums<1>> coverage(4, 1);
     add<1>(coverage, box(512, 0, 2304, 512), {}, {4});
     const std::vector<std::int64_t> expected{kFull, 2 * kFull, kFull / 2, 0};
     EXPECT_EQ(take(coverage, 0, 4), expected);
 }
 
 TEST(Coverage, TakingARowClearsIt) {
-    Coverage<1> coverage(4, 1);
+    Coverage<ExactSums<1>> coverage(4, 1);
     add<1>(coverage, box(512, 0, 2304, 512), {}, {4});
     take(coverage, 0, 4);
     EXPECT_EQ(take(coverage, 0, 4), std::vector<std::int64_t>(4, 0));
@@ -81,7 +81,7 @@ TEST(Coverage, WrapsAroundInX) {
     // From x = 3.5 to 5.5 of a torus 4 pixels wide: half of pixels 3 and 1, all of pixel 0.
     const std::vector<std::int64_t> expected{kFull, kFull / 2, 0, kFull / 2};
     for (const int periods : {-3, -1, 0, 1, 2}) {
-        Coverage<1> coverage(4, 1);
+        Coverage<ExactSums<1>> coverage(4, 1);
         add<1>(coverage, box(3584, 0, 5632, 1024), {periods * 4 * kSubpixel, 0}, {1});
         EXPECT_EQ(take(coverage, 0, 4), expected) << periods;
     }
@@ -89,7 +89,7 @@ TEST(Coverage, WrapsAroundInX) {
 
 // From x = -1.5 to 2.25 of a line 4 pixels wide; what is beyond either end does not come back.
 TEST(Coverage, OfALineEndsAtItsEnds) {
-    Coverage<1> coverage(4, 1, RowKind::Line);
+    Coverage<ExactSums<1>> coverage(4, 1, RowKind::Line);
     add<1>(coverage, box(-1536, 0, 2304, 1024), {}, {1});
     add<1>(coverage, box(3072, 0, 9000, 1024), {}, {5});
     add<1>(coverage, box(-9000, 0, -2000, 1024), {}, {7});
@@ -101,14 +101,14 @@ TEST(Coverage, OfALineEndsAtItsEnds) {
 
 TEST(Coverage, OfABoxWiderThanTheTorus) {
     // 2.5 times around: the half round falls on pixels 0 and 1.
-    Coverage<1> coverage(4, 1);
+    Coverage<ExactSums<1>> coverage(4, 1);
     add<1>(coverage, box(0, 0, 10 * kSubpixel, kSubpixel), {}, {1});
     const std::vector<std::int64_t> expected{3 * kFull, 3 * kFull, 2 * kFull, 2 * kFull};
     EXPECT_EQ(take(coverage, 0, 4), expected);
 }
 
 TEST(Coverage, LastColumnSpillsNothing) {
-    Coverage<1> coverage(64, 1);
+    Coverage<ExactSums<1>> coverage(64, 1);
     add<1>(coverage, box(63 * kSubpixel + 100, 0, 64 * kSubpixel, kSubpixel), {}, {1});
     std::vector<std::int64_t> expected(64, 0);
     expected[63] = kFull - std::int64_t{2} * kSubpixel * 100;
@@ -117,7 +117,7 @@ TEST(Coverage, LastColumnSpillsNothing) {
 }
 
 TEST(Coverage, ClockwiseSubtracts) {
-    Coverage<1> coverage(4, 1);
+    Coverage<ExactSums<1>> coverage(4, 1);
     add<1>(coverage, box(0, 0, 4096, 1024), {}, {3});
     const std::vector<SubpixelPoint> hole{{1024, 0}, {1024, 1024}, {2048, 1024}, {2048, 0}};
     add<1>(coverage, hole, {}, {3});
@@ -128,7 +128,7 @@ TEST(Coverage, ClockwiseSubtracts) {
 // Two bubbles around a torus 4 pixels wide: one from x = 1.5 to 3, the other from there to 5.5. The
 // arc between that and the first lies at x = 1.5, a period further right in the second's outline.
 TEST(Coverage, CountsAFilmOnceForBothItsSides) {
-    Coverage<1> coverage(4, 1);
+    Coverage<ExactSums<1>> coverage(4, 1);
     const double first = 3.0;
     const double second = 10.0;
     coverage.add({{3072, 0}, {3072, 1024}}, {}, {{second - first}, {}, false});
@@ -141,7 +141,7 @@ TEST(Coverage, CountsAFilmOnceForBothItsSides) {
 // A quarter of a circle of radius 1 pixel around (1, 0), from (2, 0) up to (1, 1), and straight
 // down: pi / 4 of pixel 1, to half a thousandth; its chord would cut off half of it.
 TEST(Coverage, OfAQuarterOfACircle) {
-    Coverage<1> coverage(4, 1);
+    Coverage<ExactSums<1>> coverage(4, 1);
     const double sine = std::sin(0.125 * 2.0 * std::numbers::pi);
     coverage.add({{2048, 0}, {1024, 1024}, sine}, {}, {{-1.0}, {}, false});
     coverage.add({{1024, 0}, {1024, 1024}}, {}, {{1.0}, {}, false});
@@ -152,8 +152,8 @@ TEST(Coverage, OfAQuarterOfACircle) {
 }
 
 TEST(Coverage, OrderDoesNotMatter) {
-    Coverage<3> there(40, 2);
-    Coverage<3> back(40, 2);
+    Coverage<ExactSums<3>> there(40, 2);
+    Coverage<ExactSums<3>> back(40, 2);
     std::vector<std::vector<SubpixelPoint>> chains(20);
     for (int k = 0; k < 20; ++k) {
         chains[static_cast<std::size_t>(k)] = {
@@ -168,11 +168,13 @@ TEST(Coverage, OrderDoesNotMatter) {
         add<3>(back, chains[last], {}, value(last));
     }
     struct Sums {
-        void add(const Coverage<3>::Sum& difference) { differences.push_back(difference); }
+        void add(const Coverage<ExactSums<3>>::Sum& difference) {
+            differences.push_back(difference);
+        }
         void write(std::size_t from, std::size_t to) {
             differences.push_back({0, 0, static_cast<double>(to - from)});
         }
-        std::vector<Coverage<3>::Sum> differences;
+        std::vector<Coverage<ExactSums<3>>::Sum> differences;
     };
     for (int row = 0; row < 2; ++row) {
         Sums a;

@@ -182,7 +182,10 @@ TEST(Fill, DoesNotDependOnThreads) {
     }
 }
 
+// Areas are rounded to 2^-15 pixel there: up to three arcs in a pixel, each of which may round the
+// part of two values, are off by 6 of 65535 at most.
 TEST(Fill, EncodesEachMean) {
+    constexpr int kRounding = 6;
     const Frame frame = test::fitted_frame(test::bent_foam(20, 0.3, 3), 50, 50);
     const CellArcs cells = cell_arcs(frame, {50, 50, 0, 0}, 2.0, 1);
     const auto encoding = std::make_unique<Encoding<std::uint8_t>>();
@@ -195,7 +198,9 @@ TEST(Fill, EncodesEachMean) {
         Image<std::uint8_t> image(50, 50, static_cast<int>(channels));
         fill_cells(cells, values, *encoding, 1, image.view());
         for (std::size_t k = 0; k < means.samples().size(); ++k) {
-            ASSERT_EQ(image.samples()[k], means.samples()[k] / 256);
+            const int mean = means.samples()[k];
+            ASSERT_GE(image.samples()[k], (mean - kRounding) / 256);
+            ASSERT_LE(image.samples()[k], (mean + kRounding) / 256);
         }
     }
 }

@@ -1,0 +1,91 @@
+#pragma once
+
+#include "texgen/raster/fixed_point.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+namespace foam::texgen {
+
+/// Areas come in half squares of a subpixel, so that a pixel has this many bits:
+inline constexpr int kAreaBits = 2 * kSubpixelBits + 1;
+
+inline constexpr std::int32_t kLargestMean = std::numeric_limits<std::uint16_t>::max();
+
+/// Sums of values of 16 bits times areas, per channel: as they are, in doubles, which hold them
+/// exactly below 2^53. Channels are rounded up to a power of two, the others being 0, as processors
+/// take several of them at once.
+template <std::size_t Channels>
+struct ExactSums {
+    using Number = double;
+    using Sum = std::array<Number, std::bit_ceil(Channels)>;
+
+    static constexpr double kPixel = std::int64_t{1} << kAreaBits;  // of coverage 1
+
+    static Number of_area(std::int32_t area) { return area; }
+    static Number of_value(std::int32_t value) { return value; }
+    /// What a value of `base` everywhere has a row begin with.
+    static Number start(std::int32_t base) { return base * kPixel; }
+
+    /// The nearest to sum / kPixel. Arcs of an invalid foam may overlap: a mean may then lie out of
+    /// range, and is held there.
+    static std::array<std::int32_t, std::bit_ceil(Channels)> means(const Sum& sum) {
+        constexpr double kHalf = 0.5;  // makes truncation the nearest
+        std::array<std::int32_t, std::bit_ceil(Channels)> means{};
+        std::int32_t bits = 0;
+        for (std::size_t c = 0; c < sum.size(); ++c) {
+            means[c] = static_cast<std::int32_t>(sum[c] * (1.0 / kPixel) + kHalf);
+            bits |= means[c];
+        }
+        if ((bits & ~kLargestMean) != 0) [[unlikely]] {
+            for (std::int32_t& mean : means) {
+                mean = std::clamp(mean, 0, kLargestMean);
+            }
+        }
+        return means;
+    }
+};
+
+/// The same of areas rounded to 2^-15 pixel, in 32 bits: for means that become 8 bits. As sums wrap
+/// around, values are counted from the middle of their range, which leaves as much again beyond
+/// both its ends.
+template <std::size_t Channels>
+struct SmallSums {
+    using Number = std::uint32_t;
+    using Sum = std::array<Number, std::bit_ceil(Channels)>;
+
+    static constexpr int kPixelBits = 15;
+    static constexpr std::int32_t kMiddle = 1 << 15;
+
+    /// Whole areas, as heights have, are exact.
+    static Number of_area(std::int32_t area) {
+        constexpr int kDropped = kAreaBits - kPixelBits;
+        return static_cast<Number>((area + (1 << (kDropped - 1))) >> kDropped);
+    }
+    static Number of_value(std::int32_t value) { return static_cast<Number>(value); }
+    static Number start(std::int32_t base) {
+        return static_cast<Number>((base - kMiddle) * (1 << kPixelBits));
+    }
+
+    static std::array<std::int32_t, std::bit_ceil(Channels)> means(const Sum& sum) {
+        constexpr Number kHalf = 1 << (kPixelBits - 1);
+        std::array<std::int32_t, std::bit_ceil(Channels)> means{};
+        std::int32_t bits = 0;
+        for (std::size_t c = 0; c < sum.size(); ++c) {
+            means[c] = (static_cast<std::int32_t>(sum[c] + kHalf) >> kPixelBits) + kMiddle;
+            bits |= means[c];
+        }
+        if ((bits & ~kLargestMean) != 0) [[unlikely]] {
+            for (std::int32_t& mean : means) {
+                mean = std::clamp(mean, 0, kLargestMean);
+            }
+        }
+        return means;
+    }
+};
+
+}  // namespace foam::texgen
