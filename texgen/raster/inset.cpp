@@ -31,7 +31,17 @@ bool within(const SideArc& a, const SideArc& b, double distance) {
 }  // namespace
 
 const ArcLoops& InsetTracer::trace(std::span<const SideArc> sides, double distance) {
+    begin();
+    if (plain_.trace(sides, distance, loops_)) {
+        return loops_;
+    }
     return trace(sides, std::array{sides.size()}, distance);
+}
+
+void InsetTracer::begin() {
+    loops_.arcs.clear();
+    loops_.loop_ends.clear();
+    loops_.open_ends = 0;
 }
 
 const ArcLoops& InsetTracer::trace(std::span<const SideArc> sides,
@@ -39,15 +49,13 @@ const ArcLoops& InsetTracer::trace(std::span<const SideArc> sides,
                                    double distance) {
     sides_ = sides;
     distance_ = distance;
-    loops_ = {std::move(loops_.arcs), std::move(loops_.loop_ends), 0};
-    loops_.arcs.clear();
-    loops_.loop_ends.clear();
+    begin();
     pieces_.clear();
     offsets_.clear();
-    std::size_t begin = 0;
+    std::size_t first = 0;
     for (const std::size_t end : loop_ends) {
-        collect_offsets(sides.subspan(begin, end - begin), begin);
-        begin = end;
+        collect_offsets(sides.subspan(first, end - first), first);
+        first = end;
     }
     for (std::size_t k = 0; k < offsets_.size(); ++k) {
         collect_pieces(k);

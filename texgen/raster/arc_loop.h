@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/geometry/film_arc.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace foam::texgen {
+
+/// The boundary of an inset: closed loops of arcs, counter-clockwise around what they enclose.
+struct ArcLoops {
+    struct Arc {
+        Vec2 tail{0.0, 0.0};
+        FilmArc arc;  // ends where the next arc of the loop begins
+    };
+    std::vector<Arc> arcs;
+    std::vector<std::size_t> loop_ends;  // one past the last arc of each loop
+    int open_ends = 0;                   // pieces that found no successor; 0 for a valid bubble
+};
+
+}  // namespace foam::texgen
