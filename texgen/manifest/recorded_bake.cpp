@@ -139,10 +139,15 @@ BakeSummary bake_and_record(const Preset& preset,
     return bake(preset, options, recording);
 }
 
-/// Of a bake that has nothing to do.
-BakeSummary all_there(const Preset& preset, const std::vector<int>& frames) {
+/// Of a bake that has nothing to do: how its loop closes is known from the one before.
+BakeSummary all_there(const Preset& preset,
+                      const std::vector<int>& frames,
+                      const Manifest& manifest) {
     const FrameFiles files(preset);
     BakeSummary summary;
+    if (const BakedSet* const set = find_same_set(manifest, describe(preset, frames))) {
+        summary.outcome.closing_error = set->loop.closing_error;
+    }
     for (const int frame : frames) {
         const std::vector<std::filesystem::path> paths = files.paths(frame);
         summary.files.insert(summary.files.end(), paths.begin(), paths.end());
@@ -166,7 +171,7 @@ BakeSummary bake_recorded(const Preset& preset,
     const bool idle = missing.there.size() == options.frames.size() && !callbacks.on_frame;
     ManifestWriter writer(preset, missing);
     try {
-        BakeSummary summary = idle ? all_there(preset, options.frames)
+        BakeSummary summary = idle ? all_there(preset, options.frames, manifest)
                                    : bake_and_record(preset, missing, callbacks, writer);
         summary.kept = static_cast<int>(missing.there.size());
         writer.close(failure_of(summary.outcome));

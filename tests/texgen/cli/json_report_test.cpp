@@ -34,6 +34,9 @@ TEST(JsonReport, OfABakeTellsTheFiles) {
     const Json resumed = object_of(run_program("bake " + kFoam + "--resume --json", work));
     EXPECT_EQ(resumed["kept"], 2);
     EXPECT_EQ(resumed["files"].size(), 3U);
+    const Json idle = object_of(run_program("bake " + kFoam + "--resume --json", work));
+    EXPECT_EQ(idle["kept"], 3);
+    EXPECT_EQ(idle["closing_error"], baked["closing_error"]);
 }
 
 TEST(JsonReport, OfACacheItsRendersAndStatistics) {
