@@ -1,5 +1,6 @@
 #include "texgen/bake/frame_range.h"
 #include "texgen/cli/command.h"
+#include "texgen/cli/json_report.h"
 #include "texgen/cli/report.h"
 #include "texgen/manifest/manifest_file.h"
 #include "texgen/sheet/flipbook.h"
@@ -36,6 +37,7 @@ struct FlipbookArguments {
     std::optional<std::filesystem::path> out;
     FlipbookOptions options;
     bool quiet = false;
+    bool json = false;
 };
 
 void warn_of_size(const SheetLayout& layout) {
@@ -49,6 +51,16 @@ void warn_of_size(const SheetLayout& layout) {
     }
 }
 
+/// The sheets, and what describes them.
+void print_json(const BakedSet& set, const std::vector<int>& frames, const Flipbook& flipbook) {
+    JsonReport report;
+    report.add("preset", set.preset);
+    report.add("frames", format_frame_range(frames));
+    report.add("layout", flipbook.files.back().string());
+    report.add("files", std::vector(flipbook.files.begin(), flipbook.files.end() - 1));
+    report.print();
+}
+
 ExitCode run_flipbook(const FlipbookArguments& arguments) {
     const std::filesystem::path& given = arguments.given;
     const Manifest manifest = read_manifest(given);
@@ -56,12 +68,12 @@ ExitCode run_flipbook(const FlipbookArguments& arguments) {
     const std::filesystem::path folder =
         std::filesystem::is_directory(given) ? given : given.parent_path();
     FlipbookOptions options = arguments.options;
-    if (arguments.frames) {
-        options.frames = parse_frame_range(*arguments.frames);
-    }
+    options.frames = arguments.frames ? parse_frame_range(*arguments.frames) : set.frames();
     const Flipbook flipbook = write_flipbook(set, folder, options, arguments.out.value_or(folder));
     warn_of_size(flipbook.layout);
-    if (!arguments.quiet) {
+    if (arguments.json) {
+        print_json(set, options.frames, flipbook);
+    } else if (!arguments.quiet) {
         print_files(flipbook.files);
     }
     return ExitCode::Success;
@@ -98,7 +110,9 @@ void add_layout(CLI::App& command, FlipbookArguments& arguments) {
         ->option_text(" ");
     command.add_option("-o,--out", arguments.out, "Where the sheets go; into DIR without it")
         ->option_text("FOLDER");
-    command.add_flag("-q,--quiet", arguments.quiet, "Say nothing but errors")->option_text(" ");
+    command.add_flag("-q,--quiet", arguments.quiet, "Say nothing but errors (and --json)")
+        ->option_text(" ");
+    add_json_option(command, arguments.json);
 }
 
 }  // namespace

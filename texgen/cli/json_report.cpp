@@ -35,6 +35,8 @@ void add_json_option(CLI::App& command, bool& json) {
     command.add_flag("--json", json, "Print one JSON object of the results")->option_text(" ");
 }
 
+JsonReport::JsonReport() : object_(std::make_unique<Json>(Json{{"status", "complete"}})) {}
+
 JsonReport::JsonReport(const RunOutcome& outcome)
     : object_(std::make_unique<Json>(
           Json{{"status", word_of(outcome.status)},
@@ -43,6 +45,8 @@ JsonReport::JsonReport(const RunOutcome& outcome)
                {"closing_error", number_or_null(outcome.closing_error)}})) {}
 
 JsonReport::~JsonReport() = default;
+JsonReport::JsonReport(JsonReport&&) noexcept = default;
+JsonReport& JsonReport::operator=(JsonReport&&) noexcept = default;
 
 void JsonReport::add(const std::string& name, const std::string& text) {
     (*object_)[name] = text;

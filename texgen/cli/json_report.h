@@ -18,15 +18,19 @@ namespace foam::texgen {
 /// --json; the flag has to outlive the parsing.
 void add_json_option(CLI::App& command, bool& json);
 
-/// The one object that a run of frames prints on stdout with --json: `status` (complete,
-/// no_equilibrium, open_loop), `failed_frame`, `closing_error`, and what a command adds.
+/// The one object that a command prints on stdout with --json: `status`, and what the command adds.
 class JsonReport {
   public:
+    /// Of what needs no foam: `status` is complete.
+    JsonReport();
+
+    /// Of a run of frames: `status` (complete, no_equilibrium, open_loop), `failed_frame`,
+    /// `closing_error`.
     explicit JsonReport(const RunOutcome& outcome);
     ~JsonReport();
 
-    JsonReport(const JsonReport&) = delete;
-    JsonReport& operator=(const JsonReport&) = delete;
+    JsonReport(JsonReport&&) noexcept;
+    JsonReport& operator=(JsonReport&&) noexcept;
 
     void add(const std::string& name, const std::string& text);
     void add(const std::string& name, int number);

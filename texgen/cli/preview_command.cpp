@@ -1,5 +1,6 @@
 #include "texgen/bake/frame_range.h"
 #include "texgen/cli/command.h"
+#include "texgen/cli/json_report.h"
 #include "texgen/cli/report.h"
 #include "texgen/cli/run_arguments.h"
 #include "texgen/image/scratch_folder.h"
@@ -39,6 +40,7 @@ struct PreviewArguments {
     std::optional<std::filesystem::path> out;
     std::vector<std::string> kinds;
     int size = PreviewOptions().size;
+    bool json = false;
 };
 
 PreviewKind kind_of(const std::string& name) {
@@ -61,9 +63,21 @@ PreviewOptions options_of(const PreviewArguments& arguments) {
     return options;
 }
 
-void print(const PreviewArguments& arguments, const std::vector<std::filesystem::path>& files) {
-    if (!arguments.run.quiet) {
-        print_files(files);
+/// What has been made, of which frames.
+struct Shown {
+    std::string preset;
+    std::vector<int> frames;
+    std::vector<std::filesystem::path> files = {};
+};
+
+void print(const PreviewArguments& arguments, const Shown& shown, JsonReport report) {
+    if (arguments.json) {
+        report.add("preset", shown.preset);
+        report.add("frames", format_frame_range(shown.frames));
+        report.add("files", shown.files);
+        report.print();
+    } else if (!arguments.run.quiet) {
+        print_files(shown.files);
     }
 }
 
@@ -73,12 +87,12 @@ ExitCode preview_folder(const PreviewArguments& arguments) {
         throw std::invalid_argument("--set, --size and --seed are for a preset, not for a folder");
     }
     PreviewOptions options = options_of(arguments);
-    if (arguments.run.frames) {
-        options.frames = parse_frame_range(*arguments.run.frames);
-    }
     const Manifest manifest = read_manifest(folder);
     const BakedSet& set = choose_set(manifest, arguments.which, folder);
-    print(arguments, write_previews(set, folder, options, arguments.out.value_or(folder)));
+    options.frames = arguments.run.frames ? parse_frame_range(*arguments.run.frames) : set.frames();
+    Shown shown{set.preset, options.frames};
+    shown.files = write_previews(set, folder, options, arguments.out.value_or(folder));
+    print(arguments, shown, JsonReport());
     return ExitCode::Success;
 }
 
@@ -103,14 +117,15 @@ ExitCode preview_preset(const PreviewArguments& arguments) {
         bake_recorded(preset,
                       {.frames = options.frames, .threads = arguments.run.threads},
                       {.on_progress = progress_reporter(verbosity_of(arguments.run))});
-    if (summary.outcome.status != RunStatus::Complete) {
-        return report_failure(summary.outcome);
+    const bool complete = summary.outcome.status == RunStatus::Complete;
+    Shown shown{preset.name, options.frames};
+    if (complete) {
+        const Manifest manifest = read_manifest(scratch.path());
+        shown.files = write_previews(
+            manifest.sets.front(), scratch.path(), options, arguments.out.value_or("out"));
     }
-    const Manifest manifest = read_manifest(scratch.path());
-    print(arguments,
-          write_previews(
-              manifest.sets.front(), scratch.path(), options, arguments.out.value_or("out")));
-    return ExitCode::Success;
+    print(arguments, shown, JsonReport(summary.outcome));
+    return complete ? ExitCode::Success : report_failure(summary.outcome);
 }
 
 ExitCode run_preview(const PreviewArguments& arguments) {
@@ -145,6 +160,7 @@ void add_preview_command(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<PreviewArguments>();
     add_preset_options(*command, arguments->run);
     add_choices(*command, *arguments);
+    add_json_option(*command, arguments->json);
     add_run_options(*command, arguments->run);
     command->footer(kExamples);
     command->callback(

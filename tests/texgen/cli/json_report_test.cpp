@@ -65,6 +65,28 @@ TEST(JsonReport, OfAComparisonTellsEveryImage) {
     EXPECT_GT(object_of(other)["images"][0]["largest"], 0.0);
 }
 
+TEST(JsonReport, OfAFlipbookAndPreviews) {
+    const TemporaryFolder work;
+    ASSERT_EQ(run_program("bake " + kFoam + "--maps albedo,film -q", work).code, 0);
+    const Json flipbook = object_of(run_program("flipbook out --json", work));
+    EXPECT_EQ(flipbook,
+              (Json{{"status", "complete"},
+                    {"preset", "sea_foam"},
+                    {"frames", "1-3"},
+                    {"layout", "out/sea_foam_sheet.json"},
+                    {"files", {"out/sea_foam_sheet_albedo.png", "out/sea_foam_sheet_film.png"}}}));
+    const Json shown = object_of(run_program("preview out --as loop --frames 2,1 --json", work));
+    EXPECT_EQ(shown,
+              (Json{{"status", "complete"},
+                    {"preset", "sea_foam"},
+                    {"frames", "2-1"},
+                    {"files", {"out/sea_foam_albedo_loop.png"}}}));
+    const Json baked = object_of(run_program("preview " + kFoam + "--as tiling --json", work));
+    EXPECT_EQ(baked["frames"], "1-3");
+    EXPECT_EQ(baked["files"], Json{"out/sea_foam_albedo_tiling.png"});
+    EXPECT_LT(baked["closing_error"], 1e-9);
+}
+
 TEST(JsonReport, OfAFailureSaysWhich) {
     const Outcome outcome = run_program(
         "bake sea_foam --set foam.bubbles=40 --set loop.amplitude=0.9 --set loop.cycles=1 "
