@@ -11,7 +11,9 @@ namespace {
 
 using Json = nlohmann::json;
 
-const std::string kFoam = "sea_foam --set foam.bubbles=16 --set frames.count=3 --size 16 ";
+std::string small_foam() {
+    return "sea_foam --set foam.bubbles=16 --set frames.count=3 --size 16 ";
+}
 
 /// The one object on stdout.
 Json object_of(const Outcome& outcome) {
@@ -22,7 +24,7 @@ Json object_of(const Outcome& outcome) {
 
 TEST(JsonReport, OfABakeTellsTheFiles) {
     const TemporaryFolder work;
-    const Json baked = object_of(run_program("bake " + kFoam + "--frames 1-2 --json", work));
+    const Json baked = object_of(run_program("bake " + small_foam() + "--frames 1-2 --json", work));
     EXPECT_EQ(baked["status"], "complete");
     EXPECT_EQ(baked["preset"], "sea_foam");
     EXPECT_EQ(baked["frames"], "1-2");
@@ -31,17 +33,18 @@ TEST(JsonReport, OfABakeTellsTheFiles) {
     EXPECT_LT(baked["closing_error"], 1e-9);
     EXPECT_EQ(baked["files"],
               (Json{"out/sea_foam_albedo.0001.png", "out/sea_foam_albedo.0002.png"}));
-    const Json resumed = object_of(run_program("bake " + kFoam + "--resume --json", work));
+    const Json resumed = object_of(run_program("bake " + small_foam() + "--resume --json", work));
     EXPECT_EQ(resumed["kept"], 2);
     EXPECT_EQ(resumed["files"].size(), 3U);
-    const Json idle = object_of(run_program("bake " + kFoam + "--resume --json", work));
+    const Json idle = object_of(run_program("bake " + small_foam() + "--resume --json", work));
     EXPECT_EQ(idle["kept"], 3);
     EXPECT_EQ(idle["closing_error"], baked["closing_error"]);
 }
 
 TEST(JsonReport, OfACacheItsRendersAndStatistics) {
     const TemporaryFolder work;
-    const Json simulated = object_of(run_program("simulate " + kFoam + "--cache c --json", work));
+    const Json simulated =
+        object_of(run_program("simulate " + small_foam() + "--cache c --json", work));
     EXPECT_EQ(simulated["cache"], "c");
     EXPECT_EQ(simulated["status"], "complete");
     const Json rendered = object_of(run_program("render c --frames 2 --json", work));
@@ -52,7 +55,7 @@ TEST(JsonReport, OfACacheItsRendersAndStatistics) {
 
 TEST(JsonReport, OfAComparisonTellsEveryImage) {
     const TemporaryFolder work;
-    ASSERT_EQ(run_program("bake " + kFoam + "-q", work).code, 0);
+    ASSERT_EQ(run_program("bake " + small_foam() + "-q", work).code, 0);
     const std::string pattern = "out/sea_foam_albedo.####.png ";
     const Json same =
         object_of(run_program("compare " + pattern + pattern + "--frames 1-3 --json", work));
@@ -67,7 +70,7 @@ TEST(JsonReport, OfAComparisonTellsEveryImage) {
 
 TEST(JsonReport, OfAFlipbookAndPreviews) {
     const TemporaryFolder work;
-    ASSERT_EQ(run_program("bake " + kFoam + "--maps albedo,film -q", work).code, 0);
+    ASSERT_EQ(run_program("bake " + small_foam() + "--maps albedo,film -q", work).code, 0);
     const Json flipbook = object_of(run_program("flipbook out --json", work));
     EXPECT_EQ(flipbook,
               (Json{{"status", "complete"},
@@ -81,7 +84,8 @@ TEST(JsonReport, OfAFlipbookAndPreviews) {
                     {"preset", "sea_foam"},
                     {"frames", "2-1"},
                     {"files", {"out/sea_foam_albedo_loop.png"}}}));
-    const Json baked = object_of(run_program("preview " + kFoam + "--as tiling --json", work));
+    const Json baked =
+        object_of(run_program("preview " + small_foam() + "--as tiling --json", work));
     EXPECT_EQ(baked["frames"], "1-3");
     EXPECT_EQ(baked["files"], Json{"out/sea_foam_albedo_tiling.png"});
     EXPECT_LT(baked["closing_error"], 1e-9);

@@ -8,11 +8,15 @@
 namespace foam::texgen {
 namespace {
 
-const std::string kFoam = "sea_foam --set foam.bubbles=16 --set frames.count=4 --size 32x16";
+std::string small_foam() {
+    return "sea_foam --set foam.bubbles=16 --set frames.count=4 --size 32x16";
+}
 
 class RenderCommand : public testing::Test {
   protected:
-    void SetUp() override { ASSERT_EQ(run("simulate " + kFoam + " --cache foam").out, "foam\n"); }
+    void SetUp() override {
+        ASSERT_EQ(run("simulate " + small_foam() + " --cache foam").out, "foam\n");
+    }
 
     Outcome run(const std::string& arguments) { return run_program(arguments, work_); }
 
@@ -31,7 +35,7 @@ class RenderCommand : public testing::Test {
 
 // Also where the machines share the frames.
 TEST_F(RenderCommand, DrawsWhatABakeDraws) {
-    ASSERT_EQ(run("bake " + kFoam + " --maps albedo,motion -q").code, 0);
+    ASSERT_EQ(run("bake " + small_foam() + " --maps albedo,motion -q").code, 0);
     std::filesystem::rename(work_.path() / "out", work_.path() / "baked");
     for (const char* frames : {"3-4", "1-2"}) {
         const Outcome part =
@@ -74,7 +78,7 @@ TEST_F(RenderCommand, WhatIsNotInTheCacheIsOneLineAndCode4) {
 }
 
 TEST_F(RenderCommand, ACacheHasStatistics) {
-    ASSERT_EQ(run("stats " + kFoam + " --out a -q").code, 0);
+    ASSERT_EQ(run("stats " + small_foam() + " --out a -q").code, 0);
     const Outcome cached = run("stats foam --out b -q");
     ASSERT_EQ(cached.code, 0) << cached.err;
     EXPECT_FALSE(content("a/sides.csv").empty());
