@@ -1,5 +1,6 @@
 #include "texgen/bake/bake.h"
 
+#include "tests/texgen/small_preset.h"
 #include "tests/texgen/temporary_folder.h"
 #include "texgen/image/exr.h"
 #include "texgen/image/file_io.h"
@@ -21,17 +22,7 @@ namespace foam::texgen {
 
 namespace {
 
-Preset small_preset(const std::filesystem::path& folder) {
-    Preset preset;
-    preset.name = "small";
-    preset.description = "a small foam";
-    preset.seeding.bubbles = 40;
-    preset.seeding.seed = 12;
-    preset.image.width = 64;
-    preset.image.height = 64;
-    preset.output.pattern = (folder / "deep" / "{preset}_{map}.####.png").string();
-    return preset;
-}
+constexpr const char* kPattern = "deep/{preset}_{map}.####.png";
 
 std::vector<Bytes> baked_files(const Preset& preset, int threads) {
     const BakeSummary summary = bake(preset, {.frames = {1, 2, 3, 4, 5}, .threads = threads}, {});
@@ -56,7 +47,7 @@ std::string differences(const std::vector<Bytes>& a, const std::vector<Bytes>& b
 
 TEST(Bake, GivesTheSameBytesForAnyNumberOfThreads) {
     const TemporaryFolder folder;
-    const Preset preset = small_preset(folder.path());
+    const Preset preset = small_preset(folder.path() / kPattern);
     const std::vector<Bytes> one = baked_files(preset, 1);
     ASSERT_EQ(one.size(), 5U);
     EXPECT_NE(one.front(), one.back());
@@ -66,7 +57,7 @@ TEST(Bake, GivesTheSameBytesForAnyNumberOfThreads) {
 
 TEST(Bake, AFrameIsTheSameWhetherOthersAreBakedOrNot) {
     const TemporaryFolder folder;
-    const Preset preset = small_preset(folder.path());
+    const Preset preset = small_preset(folder.path() / kPattern);
     const std::vector<Bytes> all = baked_files(preset, 2);
     const BakeSummary third = bake(preset, {.frames = {3}, .threads = 2}, {});
     ASSERT_EQ(third.files.size(), 1U);
@@ -76,7 +67,7 @@ TEST(Bake, AFrameIsTheSameWhetherOthersAreBakedOrNot) {
 // Of a patch as well; frames 4 and 5 are seen as frame 1 decided, whether it is drawn or not.
 TEST(Bake, FramesOfAPatchAreSeenAlike) {
     const TemporaryFolder folder;
-    Preset preset = small_preset(folder.path());
+    Preset preset = small_preset(folder.path() / kPattern);
     preset.shape.kind = FoamKind::Patch;
     preset.coarsening.kappa = 0.02;
     const std::vector<Bytes> all = baked_files(preset, 1);
@@ -93,7 +84,7 @@ TEST(Bake, FramesOfAPatchAreSeenAlike) {
 TEST(Bake, ListsFilesInTheOrderAskedFor) {
     const TemporaryFolder folder;
     const BakeSummary summary =
-        bake(small_preset(folder.path()), {.frames = {3, 1}, .threads = 2}, {});
+        bake(small_preset(folder.path() / kPattern), {.frames = {3, 1}, .threads = 2}, {});
     ASSERT_EQ(summary.files.size(), 2U);
     EXPECT_EQ(summary.files[0].filename(), "small_albedo.0003.png");
     EXPECT_EQ(summary.files[1].filename(), "small_albedo.0001.png");
@@ -102,7 +93,7 @@ TEST(Bake, ListsFilesInTheOrderAskedFor) {
 // Colours say so, data does not, as their numbers mean nothing to the eye.
 TEST(Bake, WritesEveryMapOfAFrame) {
     const TemporaryFolder folder;
-    Preset preset = small_preset(folder.path());
+    Preset preset = small_preset(folder.path() / kPattern);
     preset.image.maps = {"film", "albedo", "pressure"};
     const BakeSummary summary = bake(preset, {.frames = {2, 1}, .threads = 2}, {});
     std::vector<std::string> names;
@@ -124,7 +115,7 @@ TEST(Bake, WritesEveryMapOfAFrame) {
 // The scale of pressures is frame 1's, drawn or not.
 TEST(Bake, EveryMapOfAFrameIsTheSameWhetherOthersAreBakedOrNot) {
     const TemporaryFolder folder;
-    Preset preset = small_preset(folder.path());
+    Preset preset = small_preset(folder.path() / kPattern);
     const auto names = map_names();
     preset.image.maps.assign(names.begin(), names.end());
     const BakeSummary all = bake(preset, {.frames = {1, 2, 3}, .threads = 2}, {});
@@ -150,7 +141,7 @@ std::vector<std::string> channel_names(const ExrImage& image) {
 // Without {map} in its name, an EXR holds every map as a layer, in the order of their names.
 TEST(Bake, AnExrHoldsAllMapsOfAFrame) {
     const TemporaryFolder folder;
-    Preset preset = small_preset(folder.path());
+    Preset preset = small_preset(folder.path() / kPattern);
     preset.image.maps = {"film", "albedo"};
     preset.output.pattern = (folder.path() / "layers.####.exr").string();
     preset.output.frames_per_second = 30;
@@ -170,7 +161,7 @@ TEST(Bake, AnExrHoldsAllMapsOfAFrame) {
 // What is drawn for a PNG of 8 bits, an EXR has in its own unit: the mask from 0 to 1.
 TEST(Bake, AMapAloneIsAnExrWithoutLayers) {
     const TemporaryFolder folder;
-    Preset preset = small_preset(folder.path());
+    Preset preset = small_preset(folder.path() / kPattern);
     preset.image.maps = {"film"};
     const BakeSummary coded = bake(preset, {.frames = {1}, .threads = 1}, {});
     preset.output.pattern = (folder.path() / "{map}.exr").string();
@@ -187,7 +178,7 @@ TEST(Bake, AMapAloneIsAnExrWithoutLayers) {
 
 TEST(Bake, FilesTellNothingWhereTextsAreLeftOut) {
     const TemporaryFolder folder;
-    Preset preset = small_preset(folder.path());
+    Preset preset = small_preset(folder.path() / kPattern);
     preset.output.texts = FileTexts::LeftOut;
     const BakeSummary summary = bake(preset, {.frames = {1}, .threads = 1}, {});
     EXPECT_TRUE(read_png(summary.files.front()).metadata.text.empty());
@@ -195,7 +186,7 @@ TEST(Bake, FilesTellNothingWhereTextsAreLeftOut) {
 
 TEST(Bake, CompressionChangesNoPixel) {
     const TemporaryFolder folder;
-    Preset preset = small_preset(folder.path());
+    Preset preset = small_preset(folder.path() / kPattern);
     std::vector<std::size_t> sizes;
     std::vector<Image<std::uint8_t>> pictures;
     for (const Compression compression :
@@ -214,7 +205,7 @@ TEST(Bake, CompressionChangesNoPixel) {
 TEST(Bake, FilesTellHowTheyWereMade) {
     const TemporaryFolder folder;
     const BakeSummary summary =
-        bake(small_preset(folder.path()), {.frames = {1}, .threads = 1}, {});
+        bake(small_preset(folder.path() / kPattern), {.frames = {1}, .threads = 1}, {});
     const PngImage image = read_png(summary.files.front());
     EXPECT_TRUE(image.metadata.color);
     const auto text = [&](const std::string& keyword) {
@@ -232,7 +223,7 @@ TEST(Bake, FilesTellHowTheyWereMade) {
 
 TEST(Bake, FilesOfMapsTellWhatTheirNumbersAre) {
     const TemporaryFolder folder;
-    Preset preset = small_preset(folder.path());
+    Preset preset = small_preset(folder.path() / kPattern);
     preset.image.maps = {"normal", "height"};
     preset.maps.normal.y = NormalY::Down;
     const BakeSummary summary = bake(preset, {.frames = {1}, .threads = 1}, {});
@@ -250,7 +241,7 @@ TEST(Bake, FilesOfMapsTellWhatTheirNumbersAre) {
 TEST(Bake, TellsItsProgressOnceAFrame) {
     const TemporaryFolder folder;
     std::vector<int> done;
-    bake(small_preset(folder.path()),
+    bake(small_preset(folder.path() / kPattern),
          {.frames = {1, 2, 3}, .threads = 2},
          {.on_progress = [&](const BakeProgress& p) {
              done.push_back(p.done);
@@ -262,7 +253,7 @@ TEST(Bake, TellsItsProgressOnceAFrame) {
 
 TEST(Bake, RefusesFramesThatAreNone) {
     const TemporaryFolder folder;
-    const Preset preset = small_preset(folder.path());
+    const Preset preset = small_preset(folder.path() / kPattern);
     EXPECT_THROW(bake(preset, {.frames = {}, .threads = 1}, {}), std::invalid_argument);
     EXPECT_THROW(bake(preset, {.frames = {0}, .threads = 1}, {}), std::invalid_argument);
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "deep"));
@@ -271,7 +262,9 @@ TEST(Bake, RefusesFramesThatAreNone) {
 TEST(Bake, SaysWhichFolderCannotBeMade) {
     const TemporaryFolder folder;
     write_file(folder.path() / "deep", {});  // a file stands where the folder should be
-    const auto run = [&] { bake(small_preset(folder.path()), {.frames = {1}, .threads = 2}, {}); };
+    const auto run = [&] {
+        bake(small_preset(folder.path() / kPattern), {.frames = {1}, .threads = 2}, {});
+    };
     EXPECT_THROW(run(), OutputError);
 }
 

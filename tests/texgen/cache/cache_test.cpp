@@ -1,5 +1,6 @@
 #include "texgen/cache/cache.h"
 
+#include "tests/texgen/small_preset.h"
 #include "tests/texgen/temporary_folder.h"
 #include "texgen/image/file_io.h"
 #include "texgen/maps/map.h"
@@ -7,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <numeric>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,11 +15,8 @@
 namespace foam::texgen {
 namespace {
 
-Preset small_preset() {
-    Preset preset;
-    preset.name = "small";
-    preset.seeding.bubbles = 40;
-    preset.seeding.seed = 12;
+Preset all_maps_of_a_foam() {
+    Preset preset = small_preset(Preset().output.pattern);
     preset.coarsening.kappa = 0.05;
     preset.image.width = 48;
     preset.image.height = 32;
@@ -27,12 +24,6 @@ Preset small_preset() {
     const auto names = map_names();
     preset.image.maps.assign(names.begin(), names.end());
     return preset;
-}
-
-std::vector<int> frames_to(int last) {
-    std::vector<int> frames(static_cast<std::size_t>(last));
-    std::iota(frames.begin(), frames.end(), 1);
-    return frames;
 }
 
 /// The files of a bake into a folder of its own.
@@ -71,12 +62,12 @@ void expect_same_pixels(const Preset& preset, const std::vector<int>& frames) {
 }
 
 TEST(Cache, FramesOfACoarseningFoamAreThoseOfABake) {
-    expect_same_pixels(small_preset(), frames_to(4));
-    expect_same_pixels(small_preset(), {2, 5});
+    expect_same_pixels(all_maps_of_a_foam(), frames_to(4));
+    expect_same_pixels(all_maps_of_a_foam(), {2, 5});
 }
 
 TEST(Cache, FramesOfALoopAreThoseOfABake) {
-    Preset preset = small_preset();
+    Preset preset = all_maps_of_a_foam();
     preset.loop.kind = LoopKind::Breathe;
     preset.loop.drift = {1, 0};
     expect_same_pixels(preset, frames_to(6));
@@ -89,7 +80,7 @@ TEST(Cache, FramesOfALoopAreThoseOfABake) {
 }
 
 TEST(Cache, FramesOfAPingPongAreThoseOfABake) {
-    Preset preset = small_preset();
+    Preset preset = all_maps_of_a_foam();
     preset.loop.kind = LoopKind::PingPong;
     expect_same_pixels(preset, frames_to(6));
     expect_same_pixels(preset, {5, 6});
@@ -97,7 +88,7 @@ TEST(Cache, FramesOfAPingPongAreThoseOfABake) {
 
 // The last frames show two states each.
 TEST(Cache, FramesOfAFlowAreThoseOfABake) {
-    Preset preset = small_preset();
+    Preset preset = all_maps_of_a_foam();
     preset.loop = {.kind = LoopKind::Flow, .drift = {0, 1}, .fade = 0.5, .growth = 3};
     preset.frames.time_step = 2.0;
     expect_same_pixels(preset, frames_to(6));
@@ -105,13 +96,13 @@ TEST(Cache, FramesOfAFlowAreThoseOfABake) {
 }
 
 TEST(Cache, AFirstFrameOfTheDiagramIsThatOfABake) {
-    Preset preset = small_preset();
+    Preset preset = all_maps_of_a_foam();
     preset.frames.first = FirstFrame::Diagram;
     expect_same_pixels(preset, {1, 2});
 }
 
 TEST(Cache, FramesOfAShearedFoamAreThoseOfABake) {
-    Preset preset = small_preset();
+    Preset preset = all_maps_of_a_foam();
     Event event;
     event.kind = EventKind::Shear;
     event.frames = {2, 4};
@@ -122,7 +113,7 @@ TEST(Cache, FramesOfAShearedFoamAreThoseOfABake) {
 
 // Seen as frame 1 decides, drawn or not; down to lone bubbles.
 TEST(Cache, FramesOfAPatchAreThoseOfABake) {
-    Preset preset = small_preset();
+    Preset preset = all_maps_of_a_foam();
     preset.shape.kind = FoamKind::Patch;
     preset.seeding.bubbles = 12;
     preset.coarsening.kappa = 0.3;
@@ -132,7 +123,7 @@ TEST(Cache, FramesOfAPatchAreThoseOfABake) {
 
 TEST(Cache, AnotherSizeAndOtherMapsAreThoseOfABakeOfThese) {
     const TemporaryFolder folder;
-    Preset preset = small_preset();
+    Preset preset = all_maps_of_a_foam();
     simulate_into_cache(preset, {.frames = {1, 2}, .threads = 1}, folder.path(), {});
     preset.image.width = 96;
     preset.image.height = 64;
@@ -154,7 +145,7 @@ std::string error_of(const std::filesystem::path& folder, int number) {
 
 TEST(Cache, AStateThatIsMissingDamagedOrForeignIsRefused) {
     const TemporaryFolder folder;
-    simulate_into_cache(small_preset(), {.frames = {1, 2}, .threads = 1}, folder.path(), {});
+    simulate_into_cache(all_maps_of_a_foam(), {.frames = {1, 2}, .threads = 1}, folder.path(), {});
     EXPECT_EQ(error_of(folder.path(), 2), "");
     EXPECT_EQ(error_of(folder.path(), 7),
               "the cache '" + folder.path().string() +
@@ -180,7 +171,7 @@ TEST(Cache, AStateThatIsMissingDamagedOrForeignIsRefused) {
 // What an earlier simulation left must not slip in.
 TEST(Cache, StatesOfAnotherSimulationAreNotTaken) {
     const TemporaryFolder folder;
-    Preset preset = small_preset();
+    Preset preset = all_maps_of_a_foam();
     simulate_into_cache(preset, {.frames = {1, 2, 3, 4}, .threads = 1}, folder.path(), {});
     preset.seeding.seed = 13;
     simulate_into_cache(preset, {.frames = {1}, .threads = 1}, folder.path(), {});
@@ -200,7 +191,7 @@ TEST(Cache, AFolderThatIsNoneIsRefused) {
 TEST(Cache, ASimulationThatIsRefusedWritesNothing) {
     const TemporaryFolder folder;
     const std::filesystem::path deep = folder.path() / "deep";
-    EXPECT_THROW(simulate_into_cache(small_preset(), {.frames = {}, .threads = 1}, deep, {}),
+    EXPECT_THROW(simulate_into_cache(all_maps_of_a_foam(), {.frames = {}, .threads = 1}, deep, {}),
                  std::invalid_argument);
     EXPECT_FALSE(std::filesystem::exists(deep));
 }

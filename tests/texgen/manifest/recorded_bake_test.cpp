@@ -1,5 +1,6 @@
 #include "texgen/manifest/recorded_bake.h"
 
+#include "tests/texgen/small_preset.h"
 #include "tests/texgen/temporary_folder.h"
 #include "texgen/image/exr.h"
 #include "texgen/image/file_io.h"
@@ -19,17 +20,7 @@
 namespace foam::texgen {
 namespace {
 
-Preset small_preset(const std::filesystem::path& folder) {
-    Preset preset;
-    preset.name = "small";
-    preset.description = "a small foam";
-    preset.seeding.bubbles = 40;
-    preset.seeding.seed = 12;
-    preset.image.width = 64;
-    preset.image.height = 64;
-    preset.output.pattern = (folder / "{map}" / "{preset}.####.png").string();
-    return preset;
-}
+constexpr const char* kPattern = "{map}/{preset}.####.png";
 
 BakedSet only_set(const std::filesystem::path& folder) {
     return choose_set(read_manifest(folder), "", folder);
@@ -46,7 +37,7 @@ std::string hash_of_file(const std::filesystem::path& path) {
 // In the folder above those of the maps.
 TEST(RecordedBake, TellsOfEveryFile) {
     const TemporaryFolder folder;
-    Preset preset = small_preset(folder.path());
+    Preset preset = small_preset(folder.path() / kPattern);
     const auto names = map_names();
     preset.image.maps.assign(names.begin(), names.end());
     bake_recorded(preset, {.frames = {2, 1}, .threads = 2}, {});
@@ -69,7 +60,7 @@ TEST(RecordedBake, TellsOfEveryFile) {
 
 TEST(RecordedBake, TellsWhatSamplesAre) {
     const TemporaryFolder folder;
-    Preset preset = small_preset(folder.path());
+    Preset preset = small_preset(folder.path() / kPattern);
     preset.image.maps = {"albedo", "height", "motion", "id", "sides"};
     preset.maps.normal.y = NormalY::Down;
     bake_recorded(preset, {.frames = {1}, .threads = 1}, {});
@@ -86,7 +77,7 @@ TEST(RecordedBake, TellsWhatSamplesAre) {
 
 TEST(RecordedBake, TellsOfTheLayersOfAnExr) {
     const TemporaryFolder folder;
-    Preset preset = small_preset(folder.path());
+    Preset preset = small_preset(folder.path() / kPattern);
     preset.shape.kind = FoamKind::Patch;
     preset.image.maps = {"film", "albedo", "id"};
     preset.output.pattern = (folder.path() / "layers.####.exr").string();
@@ -105,7 +96,7 @@ TEST(RecordedBake, TellsOfTheLayersOfAnExr) {
 
 TEST(RecordedBake, TellsOfTheFoamAndTheLoop) {
     const TemporaryFolder folder;
-    Preset preset = small_preset(folder.path());
+    Preset preset = small_preset(folder.path() / kPattern);
     preset.frames.count = 6;
     preset.loop.kind = LoopKind::Breathe;
     bake_recorded(preset, {.frames = {1, 2}, .threads = 1}, {});
@@ -125,7 +116,7 @@ TEST(RecordedBake, TellsOfTheFoamAndTheLoop) {
 // Other maps and frames of the same foam join it, another seed does not.
 TEST(RecordedBake, TheSameParametersAreOneSet) {
     const TemporaryFolder folder;
-    Preset preset = small_preset(folder.path());
+    Preset preset = small_preset(folder.path() / kPattern);
     bake_recorded(preset, {.frames = {1, 2}, .threads = 1}, {});
     preset.image.maps = {"film"};
     bake_recorded(preset, {.frames = {2, 3}, .threads = 1}, {});
@@ -142,7 +133,7 @@ TEST(RecordedBake, TheSameParametersAreOneSet) {
 
 TEST(RecordedBake, ABakeThatFailsSaysSoAndListsWhatIsThere) {
     const TemporaryFolder folder;
-    const Preset preset = small_preset(folder.path());
+    const Preset preset = small_preset(folder.path() / kPattern);
     const auto stop = [](const BakedFrame& baked) {
         if (baked.shown.frame->number == 2) {
             throw OutputError("no space left");
@@ -159,9 +150,10 @@ TEST(RecordedBake, ABakeThatFailsSaysSoAndListsWhatIsThere) {
 
 TEST(RecordedBake, ABakeThatIsRefusedWritesNothing) {
     const TemporaryFolder folder;
-    EXPECT_THROW(bake_recorded(small_preset(folder.path()), {.frames = {}, .threads = 1}, {}),
-                 std::invalid_argument);
-    Preset preset = small_preset(folder.path());
+    EXPECT_THROW(
+        bake_recorded(small_preset(folder.path() / kPattern), {.frames = {}, .threads = 1}, {}),
+        std::invalid_argument);
+    Preset preset = small_preset(folder.path() / kPattern);
     preset.shape.kind = FoamKind::Patch;
     preset.shape.outline = "POLYGON((0 0, 1 0, 1 0.0001, 0 0.0001))";
     EXPECT_THROW(bake_recorded(preset, {.frames = {1}, .threads = 1}, {}), std::exception);

@@ -1,3 +1,4 @@
+#include "tests/texgen/small_preset.h"
 #include "tests/texgen/temporary_folder.h"
 #include "texgen/image/file_io.h"
 #include "texgen/image/png.h"
@@ -16,14 +17,10 @@
 namespace foam::texgen {
 namespace {
 
-Preset small_preset(const std::filesystem::path& folder) {
-    Preset preset;
-    preset.name = "small";
-    preset.seeding.bubbles = 40;
-    preset.image.width = 48;
-    preset.image.height = 48;
+/// Of two maps, one of which needs the history of bubbles.
+Preset two_maps(const std::filesystem::path& folder) {
+    Preset preset = small_preset(folder / "{map}.####.png");
     preset.image.maps = {"albedo", "age"};
-    preset.output.pattern = (folder / "{map}.####.png").string();
     return preset;
 }
 
@@ -73,12 +70,12 @@ BakedSet timeless_set(const std::filesystem::path& folder) {
 TEST(Resume, GivesTheSameBytesAsABakeThatWasNotInterrupted) {
     const std::vector<int> frames{1, 2, 3, 4, 5};
     const TemporaryFolder whole;
-    Preset preset = small_preset(whole.path());
+    Preset preset = two_maps(whole.path());
     preset.output.texts = FileTexts::LeftOut;
     bake_recorded(preset, {.frames = frames, .threads = 1}, {});
     const TemporaryFolder parts;
     Preset same = preset;
-    same.output.pattern = small_preset(parts.path()).output.pattern;
+    same.output.pattern = two_maps(parts.path()).output.pattern;
     bake_until(same, frames, 3);
     EXPECT_EQ(resumed(same, frames), (std::set{4, 5}));
     EXPECT_EQ(images_of(parts), images_of(whole));
@@ -92,7 +89,7 @@ TEST(Resume, GivesTheSameBytesAsABakeThatWasNotInterrupted) {
 
 TEST(Resume, WhereAllIsThereNothingIsDone) {
     const TemporaryFolder folder;
-    Preset preset = small_preset(folder.path());
+    Preset preset = two_maps(folder.path());
     preset.loop.kind = LoopKind::Drift;
     preset.loop.drift = {1, 0};
     bake_recorded(preset, {.frames = {1, 2}, .threads = 1}, {});
@@ -105,7 +102,7 @@ TEST(Resume, WhereAllIsThereNothingIsDone) {
 // There is not the same as made alike.
 TEST(Resume, WhatWasMadeWithOtherParametersIsMadeAnew) {
     const TemporaryFolder folder;
-    Preset preset = small_preset(folder.path());
+    Preset preset = two_maps(folder.path());
     bake_recorded(preset, {.frames = {1, 2}, .threads = 1}, {});
     preset.seeding.seed = 13;
     EXPECT_EQ(resumed(preset, {1, 2}), (std::set{1, 2}));
@@ -116,7 +113,7 @@ TEST(Resume, WhatWasMadeWithOtherParametersIsMadeAnew) {
 
 TEST(Resume, WhatIsMissingDamagedOrChangedIsMadeAnew) {
     const TemporaryFolder folder;
-    const Preset preset = small_preset(folder.path());
+    const Preset preset = two_maps(folder.path());
     const std::vector<int> frames{1, 2, 3, 4};
     bake_recorded(preset, {.frames = frames, .threads = 1}, {});
     const auto images = images_of(folder);
@@ -131,7 +128,7 @@ TEST(Resume, WhatIsMissingDamagedOrChangedIsMadeAnew) {
 
 TEST(Resume, WithoutAManifestEverythingIsMade) {
     const TemporaryFolder folder;
-    const Preset preset = small_preset(folder.path());
+    const Preset preset = two_maps(folder.path());
     bake_recorded(preset, {.frames = {1}, .threads = 1}, {});
     std::filesystem::remove(folder.path() / kManifestName);
     EXPECT_EQ(resumed(preset, {1}), (std::set{1}));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "tests/texgen/small_preset.h"
 #include "texgen/manifest/manifest_file.h"
 #include "texgen/manifest/recorded_bake.h"
 
@@ -35,11 +36,7 @@ inline Preset small_patch(const std::filesystem::path& folder) {
 inline BakedSet baked(const Preset& preset, const std::vector<std::string>& maps) {
     Preset more = preset;
     more.image.maps = maps;
-    std::vector<int> frames;
-    for (int frame = 1; frame <= preset.frames.count; ++frame) {
-        frames.push_back(frame);
-    }
-    bake_recorded(more, {.frames = frames, .threads = 1}, {});
+    bake_recorded(more, {.frames = frames_to(preset.frames.count), .threads = 1}, {});
     const std::filesystem::path folder = manifest_folder(more);
     return choose_set(read_manifest(folder), more.name, folder);
 }

@@ -1,5 +1,6 @@
 #include "texgen/verify/verify.h"
 
+#include "tests/texgen/small_preset.h"
 #include "tests/texgen/temporary_folder.h"
 #include "texgen/image/file_io.h"
 #include "texgen/image/png.h"
@@ -10,7 +11,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <numeric>
 #include <span>
 #include <string>
 #include <utility>
@@ -19,23 +19,14 @@
 namespace foam::texgen {
 namespace {
 
-Preset small_preset(const std::filesystem::path& folder) {
-    Preset preset;
-    preset.name = "small";
-    preset.seeding.bubbles = 40;
-    preset.image.width = 64;
-    preset.image.height = 64;
+Preset small_loop(const std::filesystem::path& folder) {
+    Preset preset = small_preset(folder / "{map}.####.png");
+    // In images this small a film may lie along the border by chance, as with other seeds.
+    preset.seeding.seed = Preset().seeding.seed;
     preset.image.maps = {"albedo", "height", "id"};
     preset.frames.count = 8;
     preset.loop.kind = LoopKind::Breathe;
-    preset.output.pattern = (folder / "{map}.####.png").string();
     return preset;
-}
-
-std::vector<int> frames_to(int last) {
-    std::vector<int> frames(static_cast<std::size_t>(last));
-    std::iota(frames.begin(), frames.end(), 1);
-    return frames;
 }
 
 void bake_small(const Preset& preset, const std::vector<int>& frames) {
@@ -66,7 +57,7 @@ void change_as_baked(const std::filesystem::path& folder, const std::string& nam
 // However much has changed meanwhile.
 TEST(Verify, AFlowClosesByItsCrossFade) {
     const TemporaryFolder folder;
-    Preset preset = small_preset(folder.path());
+    Preset preset = small_loop(folder.path());
     preset.loop = {.kind = LoopKind::Flow, .fade = 0.5, .growth = 6};
     preset.image.maps = {"albedo", "height", "normal", "motion"};
     preset.frames.count = 24;
@@ -86,7 +77,7 @@ TEST(Verify, AFlowClosesByItsCrossFade) {
 
 TEST(Verify, ALoopThatWasBakedHolds) {
     const TemporaryFolder folder;
-    bake_small(small_preset(folder.path()), frames_to(8));
+    bake_small(small_loop(folder.path()), frames_to(8));
     const VerifiedSet found = verified(folder.path());
     EXPECT_EQ(found.problems, std::vector<std::string>{});
     EXPECT_EQ(found.files_same, 24);
@@ -101,7 +92,7 @@ TEST(Verify, ALoopThatWasBakedHolds) {
 
 TEST(Verify, LayersOfAnExrAreChecked) {
     const TemporaryFolder folder;
-    Preset preset = small_preset(folder.path());
+    Preset preset = small_loop(folder.path());
     preset.output.pattern = (folder.path() / "all.####.exr").string();
     bake_small(preset, frames_to(8));
     const VerifiedSet found = verified(folder.path());
@@ -114,7 +105,7 @@ TEST(Verify, LayersOfAnExrAreChecked) {
 
 TEST(Verify, SaysWhichFilesAreGoneDamagedOrChanged) {
     const TemporaryFolder folder;
-    bake_small(small_preset(folder.path()), {1, 2, 3});
+    bake_small(small_loop(folder.path()), {1, 2, 3});
     std::filesystem::remove(folder.path() / "id.0001.png");
     write_file(folder.path() / "id.0002.png", {});
     PngImage image = read_png(folder.path() / "albedo.0003.png");
@@ -131,7 +122,7 @@ TEST(Verify, SaysWhichFilesAreGoneDamagedOrChanged) {
 // Packed anew, with other texts, the pixels are those that were baked.
 TEST(Verify, APictureThatWasPackedAnewHolds) {
     const TemporaryFolder folder;
-    bake_small(small_preset(folder.path()), {1});
+    bake_small(small_loop(folder.path()), {1});
     const std::filesystem::path path = folder.path() / "albedo.0001.png";
     write_png(path, read_png(path).pixels.view(), {}, {.compression = Compression::Small});
     EXPECT_TRUE(verified(folder.path()).holds());
@@ -140,7 +131,7 @@ TEST(Verify, APictureThatWasPackedAnewHolds) {
 // Half a tile beside its mirror image: what comes to the border was not made for it.
 TEST(Verify, FindsAnImageThatDoesNotTile) {
     const TemporaryFolder folder;
-    bake_small(small_preset(folder.path()), {1, 2});
+    bake_small(small_loop(folder.path()), {1, 2});
     change_as_baked(folder.path(), "albedo.0002.png", [](Image<std::uint8_t>& image) {
         const int width = image.width();
         for (int y = 0; y < image.height(); ++y) {
@@ -159,7 +150,7 @@ TEST(Verify, FindsAnImageThatDoesNotTile) {
 // Half of a period is no loop.
 TEST(Verify, FindsALoopThatJumps) {
     const TemporaryFolder folder;
-    Preset preset = small_preset(folder.path());
+    Preset preset = small_loop(folder.path());
     preset.frames.count = 16;
     bake_small(preset, frames_to(8));
     EXPECT_TRUE(verified(folder.path()).holds());
@@ -175,7 +166,7 @@ TEST(Verify, FindsALoopThatJumps) {
 
 TEST(Verify, ALoopIsCheckedOnlyAsAWhole) {
     const TemporaryFolder folder;
-    bake_small(small_preset(folder.path()), {1, 2, 3, 4, 5, 6, 7});
+    bake_small(small_loop(folder.path()), {1, 2, 3, 4, 5, 6, 7});
     const VerifiedSet found = verified(folder.path());
     EXPECT_TRUE(found.holds());
     EXPECT_FALSE(found.maps.front().loop);
@@ -185,7 +176,7 @@ TEST(Verify, ALoopIsCheckedOnlyAsAWhole) {
 
 TEST(Verify, SaysWhatABakeLeftOut) {
     const TemporaryFolder folder;
-    bake_small(small_preset(folder.path()), {1, 2, 3});
+    bake_small(small_loop(folder.path()), {1, 2, 3});
     update_manifest(folder.path(), [](Manifest& manifest) {
         BakedSet& set = manifest.sets.front();
         std::erase_if(set.files, [](const ManifestFile& file) { return file.frame > 1; });
@@ -198,7 +189,7 @@ TEST(Verify, SaysWhatABakeLeftOut) {
 
 TEST(Verify, APatchIsNoTile) {
     const TemporaryFolder folder;
-    Preset preset = small_preset(folder.path());
+    Preset preset = small_loop(folder.path());
     preset.shape.kind = FoamKind::Patch;
     preset.loop.kind = LoopKind::None;
     bake_small(preset, {1, 2});
@@ -216,7 +207,7 @@ TEST(Verify, AFolderWithoutImagesDoesNotHold) {
 
 TEST(Verify, ReportsForPersonsAndPrograms) {
     const TemporaryFolder folder;
-    bake_small(small_preset(folder.path()), frames_to(8));
+    bake_small(small_loop(folder.path()), frames_to(8));
     std::filesystem::remove(folder.path() / "id.0005.png");
     const Verification found = verify(folder.path() / kManifestName);
     const std::string text = to_text(found);

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "texgen/preset/preset.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <numeric>
+#include <vector>
+
+namespace foam::texgen {
+
+/// 40 bubbles in images of 64 x 64 pixels, and their files: quick to bake.
+inline Preset small_preset(const std::filesystem::path& pattern) {
+    Preset preset;
+    preset.name = "small";
+    preset.description = "a small foam";
+    preset.seeding.bubbles = 40;
+    preset.seeding.seed = 12;
+    preset.image.width = 64;
+    preset.image.height = 64;
+    preset.output.pattern = pattern.string();
+    return preset;
+}
+
+/// From 1 on.
+inline std::vector<int> frames_to(int last) {
+    std::vector<int> frames(static_cast<std::size_t>(last));
+    std::iota(frames.begin(), frames.end(), 1);
+    return frames;
+}
+
+}  // namespace foam::texgen
