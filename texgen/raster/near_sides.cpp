@@ -64,6 +64,7 @@ void NearSides::measure(double reach, bool gradient, PixelBatch& batch) {
     if (batch.is_unresolved()) {  // a pixel a little out of a sharp corner
         add_corners(kFar, true, batch);
     }
+    batch.finish();
 }
 
 void NearSides::look_from(const Vec2& point) {

@@ -49,8 +49,10 @@ struct PlacedArc {
 };
 
 struct SeenArc {
-    float distance;  // infinite where the pixel does not face the arc
-    float twice;     // the function across it, and its gradient
+    // Of its distance, `over` / `under`; infinite where the pixel does not face the arc.
+    float over;
+    float under;
+    float twice;  // the function across it, and its gradient
     float slope_x;
     float slope_y;
 };
@@ -61,12 +63,12 @@ inline SeenArc seen_from(const PlacedArc& arc, float x, float y) {
     const float slope_y = f.y - f.curvature * y;
     const float twice = f.twice_value + x * (f.x + slope_x) + y * (f.y + slope_y);
     const float length = std::sqrt(slope_x * slope_x + slope_y * slope_y);
-    const float distance = std::abs(twice) / (1.0F + length);
+    const float value = std::abs(twice);
     const float past_tail = arc.tail.value + x * arc.tail.x + y * arc.tail.y;
     const float before_head = arc.head.value + x * arc.head.x + y * arc.head.y;
     const float far = kFar;
-    const float here = least(past_tail, before_head) >= -kPastEnd ? distance : far;
-    return {here, twice, slope_x, slope_y};
+    const float here = least(past_tail, before_head) >= -kPastEnd ? value : far;
+    return {here, 1.0F + length, twice, slope_x, slope_y};
 }
 
 }  // namespace
@@ -84,7 +86,8 @@ void PixelBatch::begin() {
         x_[k] = x_[0];
         y_[k] = y_[0];
     }
-    std::fill_n(distance_.begin(), padded_, kFar);
+    std::fill_n(over_.begin(), padded_, kFar);
+    std::fill_n(under_.begin(), padded_, 1.0F);
 }
 
 FOAMTEX_VECTOR_CLONES void PixelBatch::add_arc(const FloatQuadratic& across,
@@ -92,7 +95,10 @@ FOAMTEX_VECTOR_CLONES void PixelBatch::add_arc(const FloatQuadratic& across,
                                                const FloatLine& head) {
     const PlacedArc arc{across, tail, head};
     for (std::size_t k = 0; k < padded_; ++k) {
-        distance_[k] = least(seen_from(arc, x_[k], y_[k]).distance, distance_[k]);
+        const SeenArc seen = seen_from(arc, x_[k], y_[k]);
+        const std::uint32_t nearest = mask_if(seen.over * under_[k] < over_[k] * seen.under);
+        over_[k] = chosen(nearest, seen.over, over_[k]);
+        under_[k] = chosen(nearest, seen.under, under_[k]);
     }
 }
 
@@ -103,10 +109,11 @@ FOAMTEX_VECTOR_CLONES void PixelBatch::add_arc_and_gradient(const FloatQuadratic
     for (std::size_t k = 0; k < padded_; ++k) {
         const SeenArc seen = seen_from(arc, x_[k], y_[k]);
         const float sign = std::copysign(1.0F, seen.twice);
-        const std::uint32_t nearest = mask_if(seen.distance < distance_[k]);
+        const std::uint32_t nearest = mask_if(seen.over * under_[k] < over_[k] * seen.under);
         gradient_x_[k] = chosen(nearest, sign * seen.slope_x, gradient_x_[k]);
         gradient_y_[k] = chosen(nearest, sign * seen.slope_y, gradient_y_[k]);
-        distance_[k] = least(seen.distance, distance_[k]);
+        over_[k] = chosen(nearest, seen.over, over_[k]);
+        under_[k] = chosen(nearest, seen.under, under_[k]);
     }
 }
 
@@ -117,19 +124,26 @@ FOAMTEX_VECTOR_CLONES void PixelBatch::add_point(const Vec2& point) {
         const float x = x_[k] - point_x;
         const float y = y_[k] - point_y;
         const float distance = std::sqrt(x * x + y * y);
-        const std::uint32_t nearest = mask_if(distance < distance_[k]);
+        const std::uint32_t nearest = mask_if(distance * under_[k] < over_[k]);
         gradient_x_[k] = chosen(nearest, x, gradient_x_[k]);
         gradient_y_[k] = chosen(nearest, y, gradient_y_[k]);
-        distance_[k] = least(distance, distance_[k]);
+        over_[k] = chosen(nearest, distance, over_[k]);
+        under_[k] = chosen(nearest, 1.0F, under_[k]);
     }
 }
 
 FOAMTEX_VECTOR_CLONES bool PixelBatch::is_unresolved() const {
     std::uint32_t any = 0;
     for (std::size_t k = 0; k < padded_; ++k) {
-        any |= mask_if(distance_[k] == kFar);
+        any |= mask_if(over_[k] == kFar);
     }
     return any != 0;
+}
+
+FOAMTEX_VECTOR_CLONES void PixelBatch::finish() {
+    for (std::size_t k = 0; k < padded_; ++k) {
+        distance_[k] = over_[k] / under_[k];
+    }
 }
 
 FOAMTEX_VECTOR_CLONES void PixelBatch::normalize_gradients() {

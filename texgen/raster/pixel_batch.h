@@ -74,6 +74,8 @@ class PixelBatch {
     void add_point(const Vec2& point);
     /// Whether a pixel faces none of the arcs, and no point was added.
     bool is_unresolved() const;
+    /// Makes distances of what the nearest arcs and points are to the pixels.
+    void finish();
     /// Makes unit vectors of the gradients. Before that they are of any length.
     void normalize_gradients();
 
@@ -100,6 +102,10 @@ class PixelBatch {
     std::array<Run, kCapacity> runs_;
     alignas(32) Values x_{};  // from the middle
     alignas(32) Values y_{};
+    // The distance as a fraction, which is compared without being divided: that is done once for a
+    // pixel, and not for each of its arcs.
+    alignas(32) Values over_{};
+    alignas(32) Values under_{};
     alignas(32) Values distance_{};
     alignas(32) Values gradient_x_{};
     alignas(32) Values gradient_y_{};
