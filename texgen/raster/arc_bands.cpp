@@ -1,7 +1,10 @@
 #include "texgen/raster/arc_bands.h"
 
+#include "texgen/raster/parallel_for.h"
+
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 namespace foam::texgen {
 
@@ -11,21 +14,42 @@ constexpr int kTileBits = 6;  // of columns
 
 }  // namespace
 
-ArcBands::ArcBands(const CellArcs& cells, int rows_per_band)
+// Each thread counts, and then places, the arcs of its own batches; within a tile they lie in the
+// order of batches.
+ArcBands::ArcBands(const CellArcs& cells, int rows_per_band, int threads)
     : grid_(cells.grid),
+      shear_(cells.shear),
       row_bits_(static_cast<int>(std::bit_width(static_cast<unsigned>(rows_per_band - 1)))),
       tiles_(static_cast<std::size_t>((grid_.width - 1) >> kTileBits) + 1),
       ends_(static_cast<std::size_t>(count()) * tiles_ + 1) {
-    visit_copies(cells, [&](const Entry& entry, std::size_t band) {
-        ++ends_[band * tiles_ + tile_of(entry) + 1];
+    const std::size_t all = cells.batches.size();
+    const std::size_t parts = std::clamp(static_cast<std::size_t>(std::max(threads, 1)),
+                                         std::size_t{1},
+                                         std::max(all, std::size_t{1}));
+    const auto batches_of = [&](std::size_t part) {
+        const std::size_t begin = all * part / parts;
+        return Batches(cells.batches).subspan(begin, all * (part + 1) / parts - begin);
+    };
+    // How many a part has in each tile, then where its next one goes.
+    std::vector<std::vector<std::size_t>> next(parts);
+    parallel_for(static_cast<int>(parts), threads, [&](int task) {
+        const auto part = static_cast<std::size_t>(task);
+        next[part].resize(ends_.size() - 1);
+        visit_tiles(batches_of(part), [&](const Entry&, std::size_t tile) { ++next[part][tile]; });
     });
-    for (std::size_t k = 1; k < ends_.size(); ++k) {
-        ends_[k] += ends_[k - 1];
+    std::size_t end = 0;
+    for (std::size_t tile = 0; tile + 1 < ends_.size(); ++tile) {
+        for (std::vector<std::size_t>& places : next) {
+            end += std::exchange(places[tile], end);
+        }
+        ends_[tile + 1] = end;
     }
-    entries_.resize(ends_.back());
-    std::vector<std::size_t> next(ends_.begin(), ends_.end() - 1);
-    visit_copies(cells, [&](const Entry& entry, std::size_t band) {
-        entries_[next[band * tiles_ + tile_of(entry)]++] = entry;
+    entries_.resize(end);
+    parallel_for(static_cast<int>(parts), threads, [&](int task) {
+        const auto part = static_cast<std::size_t>(task);
+        visit_tiles(batches_of(part), [&](const Entry& entry, std::size_t tile) {
+            entries_[next[part][tile]++] = entry;
+        });
     });
 }
 
@@ -50,11 +74,18 @@ std::size_t ArcBands::tile_of(const Entry& entry) const {
 }
 
 template <class Visit>
-void ArcBands::visit_copies(const CellArcs& cells, const Visit& visit) const {
+void ArcBands::visit_tiles(Batches batches, const Visit& visit) const {
+    visit_copies(batches, [&](const Entry& entry, std::size_t band) {
+        visit(entry, band * tiles_ + tile_of(entry));
+    });
+}
+
+template <class Visit>
+void ArcBands::visit_copies(Batches batches, const Visit& visit) const {
     const SubpixelPoint shift{-wrap(grid_.shift_x, grid_.width) * kSubpixel,
                               -wrap(grid_.shift_y, grid_.height) * kSubpixel};
     const std::int32_t period = grid_.height * kSubpixel;
-    for (const std::vector<CellArc>& batch : cells.batches) {
+    for (const std::vector<CellArc>& batch : batches) {
         for (const CellArc& arc : batch) {
             if (grid_.view) {
                 visit_bands({&arc, {}}, visit);
@@ -62,7 +93,7 @@ void ArcBands::visit_copies(const CellArcs& cells, const Visit& visit) const {
             }
             const std::int32_t high = arc.high.y + shift.y;
             for (int k = floor_div(arc.low.y + shift.y, period); k * period < high; ++k) {
-                visit_bands({&arc, {shift.x - k * cells.shear, shift.y - k * period}}, visit);
+                visit_bands({&arc, {shift.x - k * shear_, shift.y - k * period}}, visit);
             }
         }
     }

@@ -21,8 +21,9 @@ class ArcBands {
         SubpixelPoint translation;
     };
 
-    /// Borrows the arcs. The rows are rounded up to a power of two.
-    ArcBands(const CellArcs& cells, int rows_per_band);
+    /// Borrows the arcs. The rows are rounded up to a power of two. The same for any number of
+    /// threads.
+    ArcBands(const CellArcs& cells, int rows_per_band, int threads);
 
     int count() const { return ((grid_.height - 1) >> row_bits_) + 1; }
     int first_row(int band) const { return band << row_bits_; }
@@ -30,13 +31,19 @@ class ArcBands {
     std::span<const Entry> entries(int band) const;
 
   private:
+    using Batches = std::span<const std::vector<CellArc>>;
+
+    // Calls visit(entry, tile) for all copies of the arcs, by the tiles of all bands.
     template <class Visit>
-    void visit_copies(const CellArcs& cells, const Visit& visit) const;
+    void visit_tiles(Batches batches, const Visit& visit) const;
+    template <class Visit>
+    void visit_copies(Batches batches, const Visit& visit) const;
     template <class Visit>
     void visit_bands(const Entry& entry, const Visit& visit) const;
     std::size_t tile_of(const Entry& entry) const;
 
     RasterGrid grid_;
+    std::int32_t shear_;
     int row_bits_;
     std::size_t tiles_;              // of a band
     std::vector<std::size_t> ends_;  // entries of tile k of all: from ends_[k] to ends_[k + 1]

@@ -21,10 +21,10 @@ std::uint32_t value_of(BubbleId bubble) {
 }
 
 // By how many periods further right each side's film lies in its bubble's unwrapped outline.
-std::vector<std::int16_t> periods_of_sides(const Network& network) {
+std::vector<std::int16_t> periods_of_sides(const Network& network, int threads) {
     std::vector<std::int16_t> periods(2 * network.film_slots());
-    for (std::size_t k = 0; k < network.bubble_slots(); ++k) {
-        const HalfEdgeId first = network.first(id_at<BubbleId>(k));
+    const auto go_around = [&](BubbleId bubble) {
+        const HalfEdgeId first = network.first(bubble);
         LatticeOffset lift;
         HalfEdgeId h = first;
         do {
@@ -34,7 +34,15 @@ std::vector<std::int16_t> periods_of_sides(const Network& network) {
             lift = next_lift;
             h = network.next(h);
         } while (h != first);
-    }
+    };
+    const std::size_t count = network.bubble_slots();
+    const std::size_t tasks = (count + kBubblesPerTask - 1) / kBubblesPerTask;
+    parallel_for(static_cast<int>(tasks), threads, [&](int task) {
+        const std::size_t begin = static_cast<std::size_t>(task) * kBubblesPerTask;
+        for (std::size_t k = begin; k < std::min(begin + kBubblesPerTask, count); ++k) {
+            go_around(id_at<BubbleId>(k));
+        }
+    });
     return periods;
 }
 
@@ -126,7 +134,7 @@ class InsetArcs {
 CellArcs arcs_on_torus(const PixelFrame& pixels, double film_width, int threads) {
     const Network& network = pixels.frame.network;
     if (film_width == 0.0) {
-        const std::vector<std::int16_t> periods = periods_of_sides(network);
+        const std::vector<std::int16_t> periods = periods_of_sides(network, threads);
         const FilmArcs films(pixels, periods);
         return make_arcs(pixels.grid, network.film_slots(), kFilmsPerTask, films, threads);
     }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <type_traits>
@@ -100,24 +101,26 @@ class Filler {
     Filler(const CellArcs& cells,
            const CellValues& values,
            ToSamples to_samples,
+           int threads,
            ImageView<Sample> image)
         : cells_(cells),
           values_(values),
           to_samples_(to_samples),
           image_(image),
-          bands_(cells, rows_per_band(image.width(), sizeof(typename BandCoverage::Sum))) {}
+          threads_(threads),
+          bands_(cells, rows_per_band(image.width(), sizeof(typename BandCoverage::Sum)), threads) {
+    }
 
-    // Each worker has one buffer for all its bands.
-    void fill(int threads) const {
-        const int workers = std::clamp(threads, 1, bands_.count());
+    // Each worker has one buffer for all its bands, which it makes itself.
+    void fill() const {
+        const int workers = std::clamp(threads_, 1, bands_.count());
         const RowKind kind = cells_.grid.view ? RowKind::Line : RowKind::Ring;
-        std::vector<BandCoverage> buffers;
-        buffers.reserve(static_cast<std::size_t>(workers));
-        for (int k = 0; k < workers; ++k) {
-            buffers.emplace_back(image_.width(), bands_.row_count(0), kind);
-        }
-        parallel_for(bands_.count(), buffers, [&](BandCoverage& coverage, int band) {
-            fill_band(band, coverage);
+        std::vector<std::optional<BandCoverage>> buffers(static_cast<std::size_t>(workers));
+        parallel_for(bands_.count(), buffers, [&](std::optional<BandCoverage>& coverage, int band) {
+            if (!coverage) {
+                coverage.emplace(image_.width(), bands_.row_count(0), kind);
+            }
+            fill_band(band, *coverage);
         });
     }
 
@@ -182,6 +185,7 @@ class Filler {
     const CellValues& values_;
     ToSamples to_samples_;
     ImageView<Sample> image_;
+    int threads_;
     ArcBands bands_;
 };
 
@@ -210,7 +214,7 @@ void fill(const CellArcs& cells,
           const ToSamples& to_samples,
           int threads,
           ImageView<Sample> image) {
-    Filler<Sums, Channels, Sample, ToSamples>(cells, values, to_samples, image).fill(threads);
+    Filler<Sums, Channels, Sample, ToSamples>(cells, values, to_samples, threads, image).fill();
 }
 
 }  // namespace
