@@ -16,10 +16,9 @@ namespace foam::texgen {
 
 namespace {
 
-// Of the sums of a band, few are touched. Bands of 4 MB, at 2048 x 2048 with 10,000 bubbles, took
-// 26.0 ms, of 1 MB 26.7 ms, of 1/4 MB 28.4 ms: what is cut and begun for each costs more than
-// caches miss.
-constexpr std::size_t kBandBytes = std::size_t{1} << 22;
+// Of the sums of a band, few are touched. Bands of 1/2 MB to 4 MB take the same time, to a tenth:
+// what is cut and begun for each costs about as much as caches miss.
+constexpr std::size_t kBandBytes = std::size_t{1} << 21;
 constexpr std::size_t kAhead = 6;  // arcs lie anywhere in memory: which to fetch beforehand
 constexpr int kFewestRows = 4;
 constexpr int kMostRows = 64;

@@ -37,13 +37,14 @@ void RowCrossings::add_rising(const SnappedArc& arc, const CellMask& mask) {
     const SubpixelPoint chord = arc.head - arc.tail;
     const double x = chord.x;
     const double y = chord.y;
+    constexpr std::int32_t kMiddle = kSubpixel / 2;
     arcs_.push_back({0.5 * x,
                      0.5 * y,
                      arc.sine,
                      0.25 * arc.sine * (x * x + y * y),
                      arc.cosine * x,
                      arc.cosine * y,
-                     static_cast<double>(begin * kSubpixel + kSubpixel / 2 - arc.tail.y),
+                     static_cast<double>(begin * kSubpixel + kMiddle - arc.tail.y),
                      arc.tail.x,
                      begin,
                      count_,

@@ -30,29 +30,36 @@ SnappedArc arc_between(SubpixelPoint tail, SubpixelPoint head, double half_angle
     return {tail, head, std::cos(half_angle), std::sin(half_angle)};
 }
 
-// Two arcs of a circle of radius 15.3 pixels around (20, 19), cut by a chord at any angle: of less
-// and of more than half a turn, which rise, fall and do both.
+constexpr double kRadius = 15.3;
+constexpr double kCenterX = 20.0;
+constexpr double kCenterY = 19.0;
+
+SubpixelPoint on_circle(double angle) {
+    return to_subpixel(
+        Vec2(kCenterX + kRadius * std::cos(angle), kCenterY + kRadius * std::sin(angle)));
+}
+
+void expect_circle(const CellMask& mask) {
+    for (int y = 0; y < kSide; ++y) {
+        for (int x = 0; x < kSide; ++x) {
+            const double distance = std::hypot(x + 0.5 - kCenterX, y + 0.5 - kCenterY);
+            if (std::abs(distance - kRadius) > 2.0 / kSubpixel) {
+                ASSERT_EQ(holds(mask, x, y), distance < kRadius) << x << ", " << y;
+            }
+        }
+    }
+}
+
+// Two arcs cut by a chord at any angle, of less and of more than half a turn: they rise, fall and
+// do both.
 TEST(RowCrossings, GoAroundThePixelsOfACircle) {
-    constexpr double kRadius = 15.3;
     for (const double half_angle : {0.3, 0.9, 1.5, 1.9, 2.8}) {
         for (int turn = 0; turn < 24; ++turn) {
             const double middle = 2.0 * std::numbers::pi * turn / 24.0;
-            const auto at = [&](double angle) {
-                return to_subpixel(
-                    Vec2(20.0 + kRadius * std::cos(angle), 19.0 + kRadius * std::sin(angle)));
-            };
-            const SubpixelPoint from = at(middle - half_angle);
-            const SubpixelPoint to = at(middle + half_angle);
-            const CellMask mask = mask_of({arc_between(from, to, half_angle),
-                                           arc_between(to, from, std::numbers::pi - half_angle)});
-            for (int y = 0; y < kSide; ++y) {
-                for (int x = 0; x < kSide; ++x) {
-                    const double distance = std::hypot(x + 0.5 - 20.0, y + 0.5 - 19.0);
-                    if (std::abs(distance - kRadius) > 2.0 / kSubpixel) {
-                        ASSERT_EQ(holds(mask, x, y), distance < kRadius) << x << ", " << y;
-                    }
-                }
-            }
+            const SubpixelPoint from = on_circle(middle - half_angle);
+            const SubpixelPoint to = on_circle(middle + half_angle);
+            expect_circle(mask_of({arc_between(from, to, half_angle),
+                                   arc_between(to, from, std::numbers::pi - half_angle)}));
         }
     }
 }
