@@ -21,7 +21,7 @@ void FieldWriter::write(const PixelBatch& batch, ImagePlace place, std::uint32_t
 void FieldWriter::expect(ImagePlace place, int columns, int first_row, int rows) const {
     constexpr int kStep = 16;
     const int width = field_.ids.width();
-    for (int row = first_row; row < first_row + rows; ++row) {
+    for (int row = std::max(first_row, -place.row); row < first_row + rows; ++row) {
         for (int column = 0; column < columns; column += kStep) {
             const int x = place.x + column;
             if (x < width) {

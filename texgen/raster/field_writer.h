@@ -22,7 +22,8 @@ class FieldWriter {
 
     void write(const PixelBatch& batch, ImagePlace place, std::uint32_t id);
 
-    /// Has the memory fetched that the middles of some rows will be written to.
+    /// Has the memory fetched that some rows of a region will be written to; rows below the image
+    /// are left out.
     void expect(ImagePlace place, int columns, int first_row, int rows) const;
 
   private:
