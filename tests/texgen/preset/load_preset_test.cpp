@@ -24,7 +24,7 @@ void write_text(const std::filesystem::path& path, std::string_view text) {
 }
 
 TEST(ShippedPresets, AllLoadUnderTheirNameAndSayWhatTheyShow) {
-    EXPECT_EQ(shipped_presets().size(), 24U);
+    EXPECT_EQ(shipped_presets().size(), 26U);
     for (const ShippedPreset& shipped : shipped_presets()) {
         const Preset preset = load_preset(std::string(shipped.name));
         EXPECT_EQ(preset.name, shipped.name);
