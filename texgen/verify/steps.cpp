@@ -106,7 +106,7 @@ double Seam::ratio() const {
     return largest_within > 0.0 ? across / largest_within : kInfinite;
 }
 
-Seam tile_seam(std::span<const SampleBlock* const> blocks, Difference difference) {
+TileSeams tile_seams(std::span<const SampleBlock* const> blocks, Difference difference) {
     if (blocks.empty()) {
         return {};
     }
@@ -123,9 +123,8 @@ Seam tile_seam(std::span<const SampleBlock* const> blocks, Difference difference
             block->samples);
     }
     const int channels = channels_of(blocks);
-    const Seam vertical = seam_of(columns, static_cast<double>(height) * channels);
-    const Seam horizontal = seam_of(rows, static_cast<double>(width) * channels);
-    return vertical.ratio() > horizontal.ratio() ? vertical : horizontal;
+    return {seam_of(columns, static_cast<double>(height) * channels),
+            seam_of(rows, static_cast<double>(width) * channels)};
 }
 
 double step_between(std::span<const SampleBlock* const> a,

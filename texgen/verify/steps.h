@@ -19,9 +19,18 @@ struct Seam {
     double ratio() const;
 };
 
-/// How an image tiles: the step from the last column to the first beside those from column to
-/// column, or that of rows, whichever has the larger ratio. Blocks are of one size.
-Seam tile_seam(std::span<const SampleBlock* const> blocks, Difference difference);
+/// How images tile: the step from the last column to the first beside those from column to column,
+/// and the same of rows.
+struct TileSeams {
+    Seam columns;
+    Seam rows;
+
+    /// The one with the larger ratio.
+    const Seam& worse() const { return columns.ratio() > rows.ratio() ? columns : rows; }
+};
+
+/// Of one image. Blocks are of one size.
+TileSeams tile_seams(std::span<const SampleBlock* const> blocks, Difference difference);
 
 /// The mean difference of two images of one form; infinite where they are of another form.
 double step_between(std::span<const SampleBlock* const> a,

@@ -30,7 +30,7 @@ class MapCheck {
 
     void add(const File& file, int frame, bool tiles) {
         if (tiles) {
-            add_tile(tile_seam(blocks_of(*file, found_.name), difference_), frame);
+            add_tile(tile_seams(blocks_of(*file, found_.name), difference_), frame);
         }
         if (last_ && frame == last_frame_ + 1) {
             loop_.largest_within = std::max(loop_.largest_within, step(*last_, *file));
@@ -56,11 +56,20 @@ class MapCheck {
     }
 
   private:
-    void add_tile(const Seam& seam, int frame) {
-        if (!found_.tile || seam.ratio() > found_.tile->ratio()) {
-            found_.tile = seam;
-            found_.tile_frame = frame;
+    void add_tile(const TileSeams& seams, int frame) {
+        add_seam(seams.columns, frame, tiles_.columns, columns_frame_);
+        add_seam(seams.rows, frame, tiles_.rows, rows_frame_);
+        found_.tile = tiles_.worse();
+        found_.tile_frame = &tiles_.worse() == &tiles_.columns ? columns_frame_ : rows_frame_;
+    }
+
+    // Takes the largest steps of all frames.
+    static void add_seam(const Seam& seam, int frame, Seam& largest, int& largest_frame) {
+        if (largest_frame == 0 || seam.across > largest.across) {
+            largest.across = seam.across;
+            largest_frame = frame;
         }
+        largest.largest_within = std::max(largest.largest_within, seam.largest_within);
     }
 
     double step(const DecodedFile& a, const DecodedFile& b) const {
@@ -75,6 +84,9 @@ class MapCheck {
     int last_frame_ = 0;
     int steps_ = 0;
     Seam loop_;
+    TileSeams tiles_;
+    int columns_frame_ = 0;  // with the largest step across the border
+    int rows_frame_ = 0;
 };
 
 /// The file as it was baked; nothing, and a problem more, where it is not.
@@ -118,7 +130,7 @@ void note_seams(const VerifiedMap& map, std::vector<std::string>& problems) {
     if (map.tile && map.tile->ratio() > kLargestTileRatio) {
         problems.push_back(
             fmt::format("{}: frame {} does not tile: the step across its border is {:.3g} times "
-                        "the largest within",
+                        "the largest within any frame",
                         map.name,
                         map.tile_frame,
                         map.tile->ratio()));

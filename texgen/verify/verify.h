@@ -10,7 +10,8 @@
 
 namespace foam::texgen {
 
-/// A tile holds where the step across its border is at most so many times the largest within.
+/// Tiles hold where the step across the border is at most so many times the largest within, in all
+/// frames together.
 inline constexpr double kLargestTileRatio = 1.25;
 /// Smaller images, in pixels, have too few steps to compare with.
 inline constexpr int kSmallestTile = 64;
@@ -21,8 +22,8 @@ inline constexpr double kLargestLoopRatio = 1.1;
 /// What was found of a map; nothing where it was not to be checked, or could not be.
 struct VerifiedMap {
     std::string name;
-    std::optional<Seam> tile;  // of the frame with the largest ratio, ...
-    int tile_frame = 0;        // ... this one
+    std::optional<Seam> tile;
+    int tile_frame = 0;  // with the largest step across the border
     std::optional<Seam> loop;
 
     bool holds() const;

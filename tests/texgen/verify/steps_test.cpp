@@ -20,7 +20,7 @@ SampleBlock row_block(const std::vector<std::uint8_t>& samples) {
 
 Seam seam_of_row(const std::vector<std::uint8_t>& samples, Difference difference) {
     const SampleBlock block = row_block(samples);
-    return tile_seam(Blocks{&block}, difference);
+    return tile_seams(Blocks{&block}, difference).worse();
 }
 
 TEST(Steps, ASeamIsTheStepFromTheLastColumnToTheFirst) {
@@ -49,7 +49,7 @@ TEST(Steps, ASeamBetweenRowsCountsToo) {
         image.row(y)[0] = image.row(y)[1] = static_cast<std::uint8_t>(3 * y);
     }
     const SampleBlock block{"", std::move(image)};
-    const Seam seam = tile_seam(Blocks{&block}, Difference::Numbers);
+    const Seam seam = tile_seams(Blocks{&block}, Difference::Numbers).worse();
     EXPECT_EQ(seam.across, 9.0);
     EXPECT_EQ(seam.largest_within, 3.0);
 }
@@ -58,7 +58,7 @@ TEST(Steps, ASeamBetweenRowsCountsToo) {
 TEST(Steps, AreMeansOverAllChannels) {
     const SampleBlock a = row_block({0, 4});
     const SampleBlock b = row_block({0, 0});
-    EXPECT_EQ(tile_seam(Blocks{&a, &b}, Difference::Numbers).across, 2.0);
+    EXPECT_EQ(tile_seams(Blocks{&a, &b}, Difference::Numbers).columns.across, 2.0);
     EXPECT_EQ(step_between(Blocks{&a, &b}, Blocks{&b, &b}, Difference::Numbers), 1.0);
     EXPECT_EQ(step_between(Blocks{&a}, Blocks{&b}, Difference::Ids), 0.5);
     EXPECT_EQ(step_between(Blocks{&a}, Blocks{&a}, Difference::Ids), 0.0);

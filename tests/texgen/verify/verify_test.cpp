@@ -21,8 +21,6 @@ namespace {
 
 Preset small_loop(const std::filesystem::path& folder) {
     Preset preset = small_preset(folder / "{map}.####.png");
-    // In images this small a film may lie along the border by chance, as with other seeds.
-    preset.seeding.seed = Preset().seeding.seed;
     preset.image.maps = {"albedo", "height", "id"};
     preset.frames.count = 8;
     preset.loop.kind = LoopKind::Breathe;
