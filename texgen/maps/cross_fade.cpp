@@ -68,6 +68,25 @@ void mix_pixels(Image<Sample>& falling,
     }
 }
 
+template <class Sample>
+void fade(Image<Sample>& falling,
+          const Image<Sample>& rising,
+          const Image<float>& shares,
+          Mixing /*mixing*/) {
+    mix_pixels(
+        falling, rising, shares, [](auto to, auto from, float share) { mix(to, from, share); });
+}
+
+void fade(Image<float>& falling,
+          const Image<float>& rising,
+          const Image<float>& shares,
+          Mixing mixing) {
+    const bool are_slopes = mixing == Mixing::Slopes;
+    mix_pixels(falling, rising, shares, [&](auto to, auto from, float share) {
+        are_slopes ? mix_slopes(to, from, share) : mix(to, from, share);
+    });
+}
+
 }  // namespace
 
 MapImage draw(const Map& map, ShownLayers& shown, const MapOptions& options) {
@@ -84,16 +103,8 @@ MapImage cross_fade(MapImage falling,
                     Mixing mixing) {
     std::visit(
         [&](auto& image) {
-            const auto& other = std::get<std::decay_t<decltype(image)>>(rising).pixels;
-            mix_pixels(image.pixels, other, shares, [&](auto to, auto from, float share) {
-                if constexpr (std::is_same_v<decltype(to), std::span<float>>) {
-                    if (mixing == Mixing::Slopes) {
-                        mix_slopes(to, from, share);
-                        return;
-                    }
-                }
-                mix(to, from, share);
-            });
+            const auto& other = std::get<std::remove_reference_t<decltype(image)>>(rising);
+            fade(image.pixels, other.pixels, shares, mixing);
         },
         falling);
     return falling;
