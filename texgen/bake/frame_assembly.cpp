@@ -23,6 +23,9 @@ FrameAssembly::FrameAssembly(const Preset& preset,
                              NextFrames next_frames,
                              FrameVisitor on_frame)
     : hands_out_next_(next_frames == NextFrames::HandedOut), on_frame_(std::move(on_frame)) {
+    if (preset.shape.kind == FoamKind::Patch) {
+        uses_[1];
+    }
     for (const int number : numbers) {
         requests_.push_back(request_of(number, preset));
         for (const int state : requests_.back().states) {
@@ -42,9 +45,9 @@ FrameAssembly::Request FrameAssembly::request_of(int number, const Preset& prese
     }
     if (shown.is_cross_fade()) {
         request.states.push_back(shown.rising);
-    }
-    if (shown.is_cross_fade() && hands_out_next_) {
-        request.states.push_back(shown.rising_next());
+        if (hands_out_next_) {
+            request.states.push_back(shown.rising_next());
+        }
     }
     std::ranges::sort(request.states);
     return request;
@@ -65,7 +68,9 @@ void FrameAssembly::add(const SimulatedFrame& state) {
     total_.area_error = state.effort.area_error;
     total_.angle_error = state.effort.angle_error;
     const int number = state.frame->number;
-    kept_.emplace(number, state).first->second.effort = total_;
+    if (uses_.at(number) > 0) {
+        kept_.emplace(number, state).first->second.effort = total_;
+    }
     while (handed_out_ < requests_.size() && requests_[handed_out_].states.back() <= number) {
         hand_out(requests_[handed_out_]);
         release(requests_[handed_out_]);

@@ -24,7 +24,8 @@ class FrameAssembly {
                   NextFrames next_frames,
                   FrameVisitor on_frame);
 
-    /// The states that these frames take, in increasing order.
+    /// The states that these frames take, in increasing order; of a patch the first as well, which
+    /// decides what all of them see.
     std::vector<int> states() const;
 
     /// Takes one of them in; they come in that order. Its effort is that since the state before.

@@ -98,7 +98,6 @@ std::vector<ChosenBubble> choose_by_identity(const std::vector<BubbleIdentity>& 
 Timeline::Timeline(const Preset& preset) : thresholds_(preset.thresholds), image_(preset.image) {
     if (preset.loop.kind == LoopKind::Flow) {
         renewal_ = {.bubbles = 0,
-                    .area = 0.0,
                     .growth = preset.loop.growth,
                     .random = Random(seed_of(preset, preset.events.size()))};
     }
@@ -241,14 +240,14 @@ void Timeline::nucleate(Entry& entry, int frame, Foam& foam) {
 void Timeline::renew(int frame, Foam& foam) {
     if (renewal_->bubbles == 0) {
         renewal_->bubbles = foam.network.bubble_count();
-        renewal_->area = foam.torus.area() / static_cast<double>(renewal_->bubbles);
     }
-    const double first = first_area(renewal_->area);
+    const double area = foam.torus.area() / static_cast<double>(renewal_->bubbles);
+    const double first = first_area(area);
     for (std::size_t k = foam.network.bubble_count(); k < renewal_->bubbles; ++k) {
         const auto bubble =
             nucleate_anywhere(NucleationSite::Junction, first, renewal_->random, foam);
         if (bubble) {
-            grow(foam, *bubble, {frame, frame + renewal_->growth - 1}, renewal_->area);
+            grow(foam, *bubble, {frame, frame + renewal_->growth - 1}, area);
         }
     }
 }

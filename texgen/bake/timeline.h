@@ -52,8 +52,7 @@ class Timeline {
     // they take, give most.
     struct Renewal {
         std::size_t bubbles = 0;  // that there are to be
-        double area = 0.0;        // that new ones grow to
-        int growth = 1;           // frames that they take to it
+        int growth = 1;           // frames that new ones take to the mean area
         Random random;
     };
 

@@ -45,12 +45,12 @@ FrameSource Cache::frames_of(const Preset& preset) const {
         [this, preset](
             const std::vector<int>& numbers, NextFrames next_frames, const FrameVisitor& on_frame) {
             std::optional<View> view;
-            if (preset.shape.kind == FoamKind::Patch) {
-                view = camera_view(*state(1).frame, preset.image, preset.camera);
-            }
             FrameAssembly assembly(preset, numbers, next_frames, on_frame);
             for (const int number : assembly.states()) {
                 SimulatedFrame read = state(number);
+                if (preset.shape.kind == FoamKind::Patch && number == 1) {
+                    view = camera_view(*read.frame, preset.image, preset.camera);
+                }
                 read.view = view;
                 read.closing_error = info_.closing_error;
                 assembly.add(read);

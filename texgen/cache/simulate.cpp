@@ -13,16 +13,6 @@ namespace foam::texgen {
 
 namespace {
 
-// The numbers of the states that frames take, also with the frames after them; a patch is seen as
-// its first decides.
-std::vector<int> states_for(const Preset& preset, const std::vector<int>& frames) {
-    std::vector<int> numbers = FrameAssembly(preset, frames, NextFrames::HandedOut, {}).states();
-    if (preset.shape.kind == FoamKind::Patch && numbers.front() != 1) {
-        numbers.insert(numbers.begin(), 1);
-    }
-    return numbers;
-}
-
 // Writes states as they come.
 class CacheWriter {
   public:
@@ -72,7 +62,8 @@ RunOutcome simulate_into_cache(const Preset& preset,
                                const ProgressCallback& on_progress) {
     check(options);
     CacheWriter writer({preset, simulation_hash(preset), options.frames, {}}, folder);
-    const std::vector<int> states = states_for(preset, options.frames);
+    const std::vector<int> states =
+        FrameAssembly(preset, options.frames, NextFrames::HandedOut, {}).states();
     ProgressMeter meter(static_cast<int>(states.size()), on_progress);
     return simulate_states(preset, options.threads, states, [&](const SimulatedFrame& state) {
         writer.write(state);

@@ -1,6 +1,7 @@
 #include "texgen/maps/fade_order.h"
 
 #include "core/foam/random.h"
+#include "texgen/maps/smooth_step.h"
 
 #include <algorithm>
 #include <cmath>
@@ -64,10 +65,6 @@ void add(const Wave& wave, Image<float>& sum) {
     }
 }
 
-float eased(float passed) {
-    return passed * passed * (3.0F - 2.0F * passed);
-}
-
 }  // namespace
 
 FadeOrder::FadeOrder(const Options& options)
@@ -89,7 +86,7 @@ Image<float> FadeOrder::shares(double passed) const {
     const auto turns = turns_.samples();
     const auto to = shares.samples();
     for (std::size_t k = 0; k < to.size(); ++k) {
-        to[k] = eased(std::clamp(begun - later * turns[k], 0.0F, 1.0F));
+        to[k] = smooth_step(std::clamp(begun - later * turns[k], 0.0F, 1.0F));
     }
     return shares;
 }

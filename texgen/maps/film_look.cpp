@@ -2,6 +2,7 @@
 
 #include "texgen/image/bleed.h"
 #include "texgen/maps/cell_fill.h"
+#include "texgen/maps/smooth_step.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,17 +49,23 @@ Image<float> film_cover(FrameLayers& layers, const AlbedoOptions& options) {
 }
 
 Image<float> foam_cover(FrameLayers& layers, const AlbedoOptions& options) {
+    const bool needs_films = layers.is_patch() && options.film_profile == FilmProfile::Wet;
+    return foam_cover(layers, options, needs_films ? film_cover(layers, options) : Image<float>());
+}
+
+Image<float> foam_cover(FrameLayers& layers,
+                        const AlbedoOptions& options,
+                        const Image<float>& films) {
     if (!layers.is_patch()) {
         Image<float> whole(layers.grid().width, layers.grid().height, 1);
         std::fill(whole.samples().begin(), whole.samples().end(), 1.0F);
         return whole;
     }
-    const double width = film_width_in_pixels(options, layers.grid(), layers.frame().torus);
     if (options.film_profile == FilmProfile::Even) {
+        const double width = film_width_in_pixels(options, layers.grid(), layers.frame().torus);
         return fill_cover(layers, Part::Foam, width);
     }
     Image<float> foam = fill_cover(layers, Part::Foam, 0.0);
-    const Image<float> films = wet_films(layers, width);
     std::transform(foam.samples().begin(),
                    foam.samples().end(),
                    films.samples().begin(),
@@ -77,8 +84,7 @@ Image<float> film_shade(FrameLayers& layers, const AlbedoOptions& options) {
                    shade.samples().begin(),
                    [&](float smooth) {
                        const double way = std::min(static_cast<double>(smooth) / width, 1.0);
-                       const double part = 1.0 - way * way * (3.0 - 2.0 * way);
-                       return static_cast<float>(options.shade * part);
+                       return static_cast<float>(options.shade * (1.0 - smooth_step(way)));
                    });
     return shade;
 }
@@ -92,7 +98,7 @@ ColorPixels paint_films(FrameLayers& layers,
                         const std::function<LinearRgb(std::size_t)>& color_at) {
     const LinearRgb film = to_linear(parse_color(options.film_color));
     const Image<float> films = film_cover(layers, options);
-    const Image<float> foam = foam_cover(layers, options);
+    const Image<float> foam = foam_cover(layers, options, films);
     const std::size_t channels = layers.is_patch() ? 4 : 3;
     const RasterGrid& grid = layers.grid();
     Image<std::uint16_t> image(grid.width, grid.height, static_cast<int>(channels));

@@ -17,6 +17,10 @@ Image<float> film_cover(FrameLayers& layers, const AlbedoOptions& options);
 
 /// The part that films and bubbles cover together.
 Image<float> foam_cover(FrameLayers& layers, const AlbedoOptions& options);
+/// The same where film_cover is known.
+Image<float> foam_cover(FrameLayers& layers,
+                        const AlbedoOptions& options,
+                        const Image<float>& films);
 
 /// The weight of the shade on bubbles, 0 to 1. Precondition: there is one.
 Image<float> film_shade(FrameLayers& layers, const AlbedoOptions& options);

@@ -29,7 +29,7 @@ NumberPixels draw_roughness(FrameLayers& layers,
     }
     Image<float> image = fill_numbers(layers, cells);
     const Image<float> cover = film_cover(layers, films);
-    const Image<float> foam = foam_cover(layers, films);
+    const Image<float> foam = foam_cover(layers, films, cover);
     for (std::size_t k = 0; k < image.samples().size(); ++k) {
         const float whole = foam.samples()[k];
         const float part = whole > 0.0F ? cover.samples()[k] / whole : 0.0F;

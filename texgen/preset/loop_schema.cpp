@@ -99,8 +99,7 @@ std::vector<Key> loop_keys() {
             kLoopKinds,
             "what brings the foam back within frames.count frames: bubbles that swell and shrink, "
             "shear to and fro, travel alone, come to be as others vanish and fade into the "
-            "beginning, or "
-            "the frames shown backwards",
+            "beginning, or the frames shown backwards",
             &Options::kind),
         one("loop.amplitude",
             Reals{0.0, kLargestAmplitude},

@@ -82,8 +82,7 @@ void ArcBands::visit_tiles(Batches batches, const Visit& visit) const {
 
 template <class Visit>
 void ArcBands::visit_copies(Batches batches, const Visit& visit) const {
-    const SubpixelPoint shift{-wrap(grid_.shift_x, grid_.width) * kSubpixel,
-                              -wrap(grid_.shift_y, grid_.height) * kSubpixel};
+    const SubpixelPoint shift = shift_of(grid_);
     const std::int32_t period = grid_.height * kSubpixel;
     for (const std::vector<CellArc>& batch : batches) {
         for (const CellArc& arc : batch) {

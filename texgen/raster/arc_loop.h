@@ -7,6 +7,9 @@
 
 namespace foam::texgen {
 
+/// A piece of an inset that is shorter, in pixels, is left out.
+inline constexpr double kShortestPiece = 1e-6;
+
 /// The boundary of an inset: closed loops of arcs, counter-clockwise around what they enclose.
 struct ArcLoops {
     struct Arc {

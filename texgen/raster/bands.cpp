@@ -7,11 +7,6 @@ namespace foam::texgen {
 
 namespace {
 
-SubpixelPoint shift_of(const RasterGrid& grid) {
-    return {-wrap(grid.shift_x, grid.width) * kSubpixel,
-            -wrap(grid.shift_y, grid.height) * kSubpixel};
-}
-
 // Moves a region by whole periods along x, so that its first point lies within the grid's columns.
 SubpixelPoint into_columns(const RasterGrid& grid, SubpixelPoint first, SubpixelPoint moved) {
     const std::int32_t period = grid.width * kSubpixel;

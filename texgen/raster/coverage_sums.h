@@ -16,6 +16,20 @@ inline constexpr int kAreaBits = 2 * kSubpixelBits + 1;
 
 inline constexpr std::int32_t kLargestMean = std::numeric_limits<std::uint16_t>::max();
 
+/// Arcs of an invalid foam may overlap: a mean may then lie out of range, and is held there.
+template <std::size_t Count>
+void hold_in_range(std::array<std::int32_t, Count>& means) {
+    std::int32_t bits = 0;
+    for (const std::int32_t mean : means) {
+        bits |= mean;
+    }
+    if ((bits & ~kLargestMean) != 0) [[unlikely]] {
+        for (std::int32_t& mean : means) {
+            mean = std::clamp(mean, 0, kLargestMean);
+        }
+    }
+}
+
 /// Sums of values of 16 bits times areas, per channel: as they are, in doubles, which hold them
 /// exactly below 2^53. Channels are rounded up to a power of two, the others being 0, as processors
 /// take several of them at once.
@@ -31,21 +45,14 @@ struct ExactSums {
     /// What a value of `base` everywhere has a row begin with.
     static Number start(std::int32_t base) { return base * kPixel; }
 
-    /// The nearest to sum / kPixel. Arcs of an invalid foam may overlap: a mean may then lie out of
-    /// range, and is held there.
+    /// The nearest to sum / kPixel.
     static std::array<std::int32_t, std::bit_ceil(Channels)> means(const Sum& sum) {
         constexpr double kHalf = 0.5;  // makes truncation the nearest
         std::array<std::int32_t, std::bit_ceil(Channels)> means{};
-        std::int32_t bits = 0;
         for (std::size_t c = 0; c < sum.size(); ++c) {
             means[c] = static_cast<std::int32_t>(sum[c] * (1.0 / kPixel) + kHalf);
-            bits |= means[c];
         }
-        if ((bits & ~kLargestMean) != 0) [[unlikely]] {
-            for (std::int32_t& mean : means) {
-                mean = std::clamp(mean, 0, kLargestMean);
-            }
-        }
+        hold_in_range(means);
         return means;
     }
 };
@@ -74,16 +81,10 @@ struct SmallSums {
     static std::array<std::int32_t, std::bit_ceil(Channels)> means(const Sum& sum) {
         constexpr Number kHalf = 1 << (kPixelBits - 1);
         std::array<std::int32_t, std::bit_ceil(Channels)> means{};
-        std::int32_t bits = 0;
         for (std::size_t c = 0; c < sum.size(); ++c) {
             means[c] = (static_cast<std::int32_t>(sum[c] + kHalf) >> kPixelBits) + kMiddle;
-            bits |= means[c];
         }
-        if ((bits & ~kLargestMean) != 0) [[unlikely]] {
-            for (std::int32_t& mean : means) {
-                mean = std::clamp(mean, 0, kLargestMean);
-            }
-        }
+        hold_in_range(means);
         return means;
     }
 };

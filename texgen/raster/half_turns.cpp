@@ -6,31 +6,42 @@ namespace foam::texgen {
 
 namespace {
 
-// The series of sin(h) / h and cos(h) in z = h², to 4e-15 where h is up to a quarter turn.
+// 1 - z a (1 - z b (1 - z c ...)), of these factors.
+template <class... Later>
+inline double nested(double z, double factor, Later... later) {
+    if constexpr (sizeof...(later) == 0) {
+        return 1.0 - z * factor;
+    } else {
+        return 1.0 - z * (factor * nested(z, later...));
+    }
+}
+
+// The series of sin(h) / h and cos(h) in z = h², to 4e-15 where h is up to a quarter turn: of 1 /
+// 3! over 1 / 1!, and so on up.
 inline double sine_series(double z) {
-    double sum = 1.0 / 342.0;  // of 1 / 19! over 1 / 17!, and so on down
-    sum = 1.0 / 272.0 * (1.0 - z * sum);
-    sum = 1.0 / 210.0 * (1.0 - z * sum);
-    sum = 1.0 / 156.0 * (1.0 - z * sum);
-    sum = 1.0 / 110.0 * (1.0 - z * sum);
-    sum = 1.0 / 72.0 * (1.0 - z * sum);
-    sum = 1.0 / 42.0 * (1.0 - z * sum);
-    sum = 1.0 / 20.0 * (1.0 - z * sum);
-    sum = 1.0 / 6.0 * (1.0 - z * sum);
-    return 1.0 - z * sum;
+    return nested(z,
+                  1.0 / 6.0,
+                  1.0 / 20.0,
+                  1.0 / 42.0,
+                  1.0 / 72.0,
+                  1.0 / 110.0,
+                  1.0 / 156.0,
+                  1.0 / 210.0,
+                  1.0 / 272.0,
+                  1.0 / 342.0);
 }
 
 inline double cosine_series(double z) {
-    double sum = 1.0 / 306.0;
-    sum = 1.0 / 240.0 * (1.0 - z * sum);
-    sum = 1.0 / 182.0 * (1.0 - z * sum);
-    sum = 1.0 / 132.0 * (1.0 - z * sum);
-    sum = 1.0 / 90.0 * (1.0 - z * sum);
-    sum = 1.0 / 56.0 * (1.0 - z * sum);
-    sum = 1.0 / 30.0 * (1.0 - z * sum);
-    sum = 1.0 / 12.0 * (1.0 - z * sum);
-    sum = 1.0 / 2.0 * (1.0 - z * sum);
-    return 1.0 - z * sum;
+    return nested(z,
+                  1.0 / 2.0,
+                  1.0 / 12.0,
+                  1.0 / 30.0,
+                  1.0 / 56.0,
+                  1.0 / 90.0,
+                  1.0 / 132.0,
+                  1.0 / 182.0,
+                  1.0 / 240.0,
+                  1.0 / 306.0);
 }
 
 }  // namespace

@@ -13,10 +13,10 @@ namespace {
 constexpr std::size_t kCorner = std::numeric_limits<std::size_t>::max();
 
 // In pixels. Coordinates within a bubble are good to 1e-11, crossings of arcs that touch at a small
-// angle to some 1e-7. A piece must be so long that its middle, in front of a side that leans on it,
-// is seen to be too near; ends that belong together are found within less than a subpixel.
+// angle to some 1e-7. A piece is longer than kShortestPiece, so that its middle, in front of a side
+// that leans on it, is seen to be too near; ends that belong together are found within less than a
+// subpixel.
 constexpr double kDistanceTolerance = 1e-7;
-constexpr double kShortestPiece = 1e-6;
 constexpr double kLargestGap = 1e-3;
 
 bool turns_right(const SideArc& before, const SideArc& after) {

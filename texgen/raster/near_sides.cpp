@@ -10,8 +10,6 @@ namespace foam::texgen {
 
 namespace {
 
-// What the floats of a batch may be wrong by, pixels.
-constexpr double kMargin = 0.01;
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
 }  // namespace
@@ -108,7 +106,7 @@ double NearSides::horizon(double reach) const {
     for (std::size_t k = 0; k < size_; ++k) {
         nearest = std::min(nearest, at(&Block::facing, k));
     }
-    return nearest + 2.0 * reach + kMargin;
+    return nearest + 2.0 * reach + PixelBatch::kMargin;
 }
 
 FloatQuadratic NearSides::across(std::size_t k) const {

@@ -12,7 +12,6 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr double kShortestSide = 1e-9;  // pixels; a shorter side has no direction to speak of
 constexpr std::size_t kBubblesPerTask = 256;
 
 double area_of(std::span<const ArcLoops::Arc> loop) {

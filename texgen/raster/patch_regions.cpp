@@ -4,12 +4,6 @@
 
 namespace foam::texgen {
 
-namespace {
-
-constexpr double kShortestSide = 1e-9;  // pixels; a shorter side has no direction to speak of
-
-}  // namespace
-
 void PatchRegions::place(BubbleId bubble, SubpixelPoint corner, RegionField& field) const {
     const bool is_circle = index_of(bubble) >= frame_.network.bubble_slots();
     field.clear(bubble == frame_.network.ghost() ? RegionField::Kind::Around

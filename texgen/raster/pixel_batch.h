@@ -31,6 +31,7 @@ class PixelBatch {
   public:
     static constexpr std::size_t kCapacity = 1600;
     static constexpr std::size_t kLanes = 8;  // that are measured at once
+    static constexpr double kMargin = 0.01;   // more than its floats are wrong by, pixels
     using Values = std::array<float, kCapacity + kLanes>;
 
     /// Neighbouring pixels of a row, in the region's coordinates.

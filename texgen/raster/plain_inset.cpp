@@ -9,7 +9,6 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr double kShortestPiece = 1e-6;                       // pixels
 constexpr double kLargestHalfAngle = std::numbers::pi / 3.0;  // of a side
 // What two sides turn by where they meet, at least and at most: then the nearest points of both
 // lie on the sides themselves.

@@ -21,10 +21,19 @@ struct RasterGrid {
 /// The longest side of a grid, so that coordinates of a few periods fit 32 bits.
 inline constexpr int kLargestSide = 1 << 14;
 
+/// A side of a bubble that is shorter, in pixels, has no direction to speak of, and is left out.
+inline constexpr double kShortestSide = 1e-9;
+
 /// Pixels per foam unit. Throws std::invalid_argument if a side of the grid is not in [1,
 /// kLargestSide], on a torus if its pixels are not square to one part in a million, in the plane if
 /// the grid has no view of it.
 double pixels_per_unit(const RasterGrid& grid, const Torus& torus);
+
+/// What moves subpixels of the unshifted grid to where they are in this one.
+inline SubpixelPoint shift_of(const RasterGrid& grid) {
+    return {-wrap(grid.shift_x, grid.width) * kSubpixel,
+            -wrap(grid.shift_y, grid.height) * kSubpixel};
+}
 
 /// A position in the torus' own cell, in foam units, as the nearest subpixel of the unshifted grid:
 /// from 0 to its width and height, both included. A point at the far border stays there, or the

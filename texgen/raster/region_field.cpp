@@ -9,8 +9,6 @@ namespace foam::texgen {
 namespace {
 
 constexpr double kLeastCosine = 0.5;  // of the half angle of a side
-// What the floats of a batch may be wrong by, pixels.
-constexpr double kMargin = 0.01;
 // A film of a chord below this part of its distance adds less than 1e-8 to a smooth distance, and
 // its functions might leave the range of floats.
 constexpr double kLeastChord = 1e-4;
@@ -87,7 +85,7 @@ void RegionField::narrow(std::size_t begin, std::size_t end, const Vec2& middle,
         least = std::min(least, distances_.back());
     }
     for (std::size_t k = begin; k < end; ++k) {
-        if (distances_[k - begin] <= least + 2.0 * reach + kMargin) {
+        if (distances_[k - begin] <= least + 2.0 * reach + PixelBatch::kMargin) {
             near_.push_back(near_[k]);
         }
     }

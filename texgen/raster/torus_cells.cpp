@@ -13,9 +13,8 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr double kShortestSide = 1e-9;  // pixels; a shorter side has no direction to speak of
-constexpr int kSquareBits = 5;          // of pixels
-constexpr double kRounding = 2.0;       // subpixels, of both ends of a film and more
+constexpr int kSquareBits = 5;     // of pixels
+constexpr double kRounding = 2.0;  // subpixels, of both ends of a film and more
 
 // How far an arc reaches beyond its chord, at most: its sagitta, or a whole diameter.
 double reach(const Vec2& chord, double cosine, double sine) {

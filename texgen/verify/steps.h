@@ -24,9 +24,6 @@ struct Seam {
 struct TileSeams {
     Seam columns;
     Seam rows;
-
-    /// The one with the larger ratio.
-    const Seam& worse() const { return columns.ratio() > rows.ratio() ? columns : rows; }
 };
 
 /// Of one image. Blocks are of one size.

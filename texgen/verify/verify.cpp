@@ -52,24 +52,35 @@ class MapCheck {
             loop_.across = step(*last_, *first_);
             found_.loop = loop_;
         }
+        if (const Border& border = worse_border(); border.frame > 0) {
+            found_.tile = border.seam;
+            found_.tile_frame = border.frame;
+        }
         return found_;
     }
 
   private:
     void add_tile(const TileSeams& seams, int frame) {
-        add_seam(seams.columns, frame, tiles_.columns, columns_frame_);
-        add_seam(seams.rows, frame, tiles_.rows, rows_frame_);
-        found_.tile = tiles_.worse();
-        found_.tile_frame = &tiles_.worse() == &tiles_.columns ? columns_frame_ : rows_frame_;
+        columns_.add(seams.columns, frame);
+        rows_.add(seams.rows, frame);
     }
 
-    // Takes the largest steps of all frames.
-    static void add_seam(const Seam& seam, int frame, Seam& largest, int& largest_frame) {
-        if (largest_frame == 0 || seam.across > largest.across) {
-            largest.across = seam.across;
-            largest_frame = frame;
+    // The largest steps of all frames.
+    struct Border {
+        Seam seam;
+        int frame = 0;  // with the largest step across
+
+        void add(const Seam& one, int number) {
+            if (frame == 0 || one.across > seam.across) {
+                seam.across = one.across;
+                frame = number;
+            }
+            seam.largest_within = std::max(seam.largest_within, one.largest_within);
         }
-        largest.largest_within = std::max(largest.largest_within, seam.largest_within);
+    };
+
+    const Border& worse_border() const {
+        return columns_.seam.ratio() > rows_.seam.ratio() ? columns_ : rows_;
     }
 
     double step(const DecodedFile& a, const DecodedFile& b) const {
@@ -84,9 +95,8 @@ class MapCheck {
     int last_frame_ = 0;
     int steps_ = 0;
     Seam loop_;
-    TileSeams tiles_;
-    int columns_frame_ = 0;  // with the largest step across the border
-    int rows_frame_ = 0;
+    Border columns_;
+    Border rows_;
 };
 
 /// The file as it was baked; nothing, and a problem more, where it is not.
