@@ -1,12 +1,29 @@
 #include "texgen/raster/coverage.h"
 
-#include <algorithm>
+#include "texgen/raster/vector_clones.h"
+
+#include <bit>
+#include <type_traits>
+#include <utility>
 
 namespace foam::texgen {
 
 namespace {
 
 constexpr std::size_t kFlagsPerWord = 64;
+
+// From row to row. Rows a power of two apart would share the few places that a cache has for each
+// such distance, and arcs go up and down.
+std::size_t stride_of(int width, std::size_t sum_bytes) {
+    constexpr std::size_t kLineBytes = 64;
+    constexpr std::size_t kOdd = 5;  // lines, of each eight
+    const std::size_t per_line = kLineBytes / sum_bytes;
+    std::size_t lines = static_cast<std::size_t>(width) / per_line + 1;
+    while (lines % 8 != kOdd) {
+        ++lines;
+    }
+    return lines * per_line;
+}
 
 // Reads all before it writes any, so that the channels are taken several at once.
 template <class Sum>
@@ -18,19 +35,56 @@ void add_times(typename Sum::value_type factor, const Sum& value, Sum& to) {
     to = sum;
 }
 
-// Sets the flags from one to another, both included.
-void set_flags(std::uint64_t* flags, std::size_t from, std::size_t to) {
-    const std::size_t word = from / kFlagsPerWord;
-    const std::size_t last = to / kFlagsPerWord;
-    const std::uint64_t head = ~std::uint64_t{0} << from % kFlagsPerWord;
-    const std::uint64_t tail = ~std::uint64_t{0} >> (kFlagsPerWord - 1 - to % kFlagsPerWord);
-    if (word == last) {
-        flags[word] |= head & tail;
-        return;
+// Where a band keeps its sums.
+template <class Sums>
+struct Band {
+    using Sum = typename Sums::Sum;
+
+    Sum* differences;
+    std::size_t stride;
+    std::uint64_t* touched;
+    std::size_t words;
+
+    // What a part leaves out of its pixel is in the next one's sum.
+    void add(std::size_t row,
+             std::size_t column,
+             const ArcWalk::Part& part,
+             const Sum& across) const {
+        touch(&touched[row * words + column / kFlagsPerWord], column % kFlagsPerWord);
+        const auto on_left = Sums::of_area(part.on_left);
+        Sum* to = &differences[row * stride + column];
+        add_times(Sums::of_area(part.whole) - on_left, across, to[0]);
+        add_times(on_left, across, to[1]);
     }
-    flags[word] |= head;
-    std::fill(flags + word + 1, flags + last, ~std::uint64_t{0});
-    flags[last] |= tail;
+
+    // A pixel and the one on its right.
+    static void touch(std::uint64_t* flags, std::size_t bit) {
+        flags[0] |= std::uint64_t{3} << bit;
+        if (bit + 1 == kFlagsPerWord) [[unlikely]] {
+            flags[1] |= 1;
+        }
+    }
+};
+
+template <class Sums>
+[[gnu::always_inline]] inline void add_parts(std::span<const ArcWalk::Part> parts,
+                                             const typename Sums::Sum& across,
+                                             const Band<Sums>& band) {
+    const Band<Sums> to = band;  // a copy, which no sum changes
+    for (const ArcWalk::Part& part : parts) {
+        to.add(static_cast<std::size_t>(part.row),
+               static_cast<std::size_t>(part.column),
+               part,
+               across);
+    }
+}
+
+// Processors before AVX2 multiply four integers of 32 bits in several steps.
+using Colors = SmallSums<4>;
+FOAMTEX_VECTOR_CLONES void add_colors(std::span<const ArcWalk::Part> parts,
+                                      const Colors::Sum& across,
+                                      const Band<Colors>& band) {
+    add_parts(parts, across, band);
 }
 
 }  // namespace
@@ -39,8 +93,8 @@ template <class Sums>
 Coverage<Sums>::Coverage(int width, int rows, RowKind kind)
     : width_(width),
       kind_(kind),
-      stride_(static_cast<std::size_t>(width) + 1),
-      words_(stride_ / kFlagsPerWord + 1),
+      stride_(stride_of(width, sizeof(Sum))),
+      words_(static_cast<std::size_t>(width) / kFlagsPerWord + 1),
       differences_(stride_ * static_cast<std::size_t>(rows)),
       touched_(words_ * static_cast<std::size_t>(rows)),
       walk_(rows),
@@ -48,78 +102,132 @@ Coverage<Sums>::Coverage(int width, int rows, RowKind kind)
 
 template <class Sums>
 void Coverage<Sums>::add(const CellArc& arc, SubpixelPoint translation, const Step& step) {
-    walk_.split(arc, translation);
-    for (const ArcWalk::Run& run : walk_.runs()) {
-        const std::int32_t begin = walk_.column(run.begin);
-        const std::int32_t end = walk_.column(run.end - 1);
-        const auto [left, right] = std::minmax(begin, end);
-        if (left >= 0 && right < width_) [[likely]] {
-            touch(static_cast<std::size_t>(run.row), left, right);
-            add_run(run, step);
+    if (!walk_.is_in_rows(arc, translation)) {
+        return;
+    }
+    steps_[walk_.size()] = step;
+    walk_.add(arc, translation);
+    if (walk_.size() == ArcWalk::kMostArcs) {
+        add_split();
+    }
+}
+
+template <class Sums>
+void Coverage<Sums>::finish() {
+    add_split();
+}
+
+template <class Sums>
+void Coverage<Sums>::add_split() {
+    walk_.split();
+    for (std::size_t k = 0; k < walk_.size(); ++k) {
+        fetch_parts(k + 1);
+        if (is_inside(k)) [[likely]] {
+            add_inside(walk_.parts(k), steps_[k]);
         } else {
-            add_outside(run, step);
+            add_outside(walk_.parts(k), steps_[k]);
         }
-        if (step.goes_around) [[unlikely]] {
-            add_around(run, step);
+        if (steps_[k].goes_around) [[unlikely]] {
+            add_around(walk_.parts(k), steps_[k]);
+        }
+    }
+    walk_.clear();
+}
+
+// The sums of a band lie further apart than the nearest caches reach.
+template <class Sums>
+void Coverage<Sums>::fetch_parts(std::size_t arc) const {
+    if (arc < walk_.size() && is_inside(arc)) {
+        for (const ArcWalk::Part& part : walk_.parts(arc)) {
+            __builtin_prefetch(&differences_[static_cast<std::size_t>(part.row) * stride_ +
+                                             static_cast<std::size_t>(part.column)],
+                               1);
         }
     }
 }
 
-// From left to right: what a part leaves out of its pixel is in the next one's sum.
 template <class Sums>
-inline void Coverage<Sums>::add_run(const ArcWalk::Run& run, const Step& step) {
-    const std::size_t parts = run.end - run.begin;
-    const std::size_t first = walk_.is_leftward() ? run.end - 1 : run.begin;
-    const std::ptrdiff_t next = walk_.is_leftward() ? -1 : 1;
-    Sum* to = &differences_[static_cast<std::size_t>(run.row) * stride_ +
-                            static_cast<std::size_t>(walk_.column(first))];
-    typename Sums::Number left_out = 0;
-    for (std::size_t k = 0; k < parts; ++k) {
-        const std::size_t part =
-            first + static_cast<std::size_t>(next * static_cast<std::ptrdiff_t>(k));
-        const auto on_left = Sums::of_area(walk_.on_left(part));
-        add_times(Sums::of_area(walk_.whole(part)) - on_left + left_out, step.across, to[k]);
-        left_out = on_left;
+void Coverage<Sums>::add_inside(Parts parts, const Step& step) {
+    if constexpr (std::is_same_v<Sums, SmallSums<3>> || std::is_same_v<Sums, SmallSums<4>>) {
+        add_colors(parts, step.across, {differences_.data(), stride_, touched_.data(), words_});
+    } else {
+        const Band<Sums> band{differences_.data(), stride_, touched_.data(), words_};
+        add_parts(parts, step.across, band);
     }
-    add_times(left_out, step.across, to[parts]);
 }
 
 // An arc in another period of its sides' outlines.
 template <class Sums>
-void Coverage<Sums>::add_around(const ArcWalk::Run& run, const Step& step) {
-    for (std::size_t part = run.begin; part < run.end; ++part) {
-        add_times(Sums::of_area(-walk_.whole(part)),
-                  step.around,
-                  starts_[static_cast<std::size_t>(run.row)]);
+void Coverage<Sums>::add_around(Parts parts, const Step& step) {
+    for (const ArcWalk::Part& part : parts) {
+        add_times(
+            Sums::of_area(-part.whole), step.around, starts_[static_cast<std::size_t>(part.row)]);
     }
 }
 
-// Parts beyond the borders, one by one.
+// Parts beyond the borders.
 template <class Sums>
-void Coverage<Sums>::add_outside(const ArcWalk::Run& run, const Step& step) {
-    const auto row = static_cast<std::size_t>(run.row);
-    for (std::size_t part = run.begin; part < run.end; ++part) {
-        const std::int32_t periods = floor_div(walk_.column(part), width_);
+void Coverage<Sums>::add_outside(Parts parts, const Step& step) {
+    const Band<Sums> band{differences_.data(), stride_, touched_.data(), words_};
+    for (const ArcWalk::Part& part : parts) {
+        const auto row = static_cast<std::size_t>(part.row);
+        const std::int32_t periods = floor_div(part.column, width_);
         const bool is_ring = kind_ == RowKind::Ring;
         const std::int32_t times = is_ring ? -periods : periods < 0 ? 1 : 0;
-        const auto whole = Sums::of_area(walk_.whole(part));
-        const auto on_left = Sums::of_area(walk_.on_left(part));
-        add_times(Sums::of_value(times) * whole, step.across, starts_[row]);
+        add_times(Sums::of_value(times) * Sums::of_area(part.whole), step.across, starts_[row]);
         if (is_ring || periods == 0) {
-            const std::int32_t column = walk_.column(part) - periods * width_;
-            touch(row, column, column);
-            Sum* to = &differences_[row * stride_ + static_cast<std::size_t>(column)];
-            add_times(whole - on_left, step.across, to[0]);
-            add_times(on_left, step.across, to[1]);
+            band.add(
+                row, static_cast<std::size_t>(part.column - periods * width_), part, step.across);
         }
     }
 }
 
+// Has the touched pixels of a row fetched before their turn.
 template <class Sums>
-inline void Coverage<Sums>::touch(std::size_t row, std::int32_t left, std::int32_t right) {
-    set_flags(&touched_[row * words_],
-              static_cast<std::size_t>(left),
-              static_cast<std::size_t>(right) + 1);
+void Coverage<Sums>::fetch_row(std::size_t row) const {
+    if (row >= starts_.size()) {
+        return;
+    }
+    const Sum* differences = &differences_[row * stride_];
+    for (std::size_t word = 0; word < words_; ++word) {
+        std::uint64_t bits = touched_[row * words_ + word];
+        bits &= ~(bits << 1) | 0x5555555555555555;
+        for (; bits != 0; bits &= bits - 1) {
+            const std::size_t x =
+                word * kFlagsPerWord + static_cast<std::size_t>(std::countr_zero(bits));
+            __builtin_prefetch(differences + x, 1);
+        }
+    }
+}
+
+// The pixel beyond the last one takes what leaves on the right, and shows nothing.
+template <class Sums>
+void Coverage<Sums>::take_row(int row, const Sum& start, RowSums<Sum>& sums) {
+    const auto index = static_cast<std::size_t>(row);
+    Sum* differences = &differences_[index * stride_];
+    std::uint64_t* touched = &touched_[index * words_];
+    fetch_row(index + 1);
+    const auto width = static_cast<std::size_t>(width_);
+    sums.make_room(width + 2);
+    Sum sum = start;
+    add_times(1, std::exchange(starts_[index], Sum{}), sum);
+    std::uint32_t* begin = sums.begins.data();
+    Sum* to = sums.sums.data();
+    *begin++ = 0;
+    *to++ = sum;
+    for (std::size_t word = 0; word < words_; ++word) {
+        for (std::uint64_t bits = std::exchange(touched[word], 0); bits != 0; bits &= bits - 1) {
+            const std::size_t x =
+                word * kFlagsPerWord + static_cast<std::size_t>(std::countr_zero(bits));
+            add_times(1, std::exchange(differences[x], Sum{}), sum);
+            *begin++ = static_cast<std::uint32_t>(x);
+            *to++ = sum;
+        }
+    }
+    sums.count = static_cast<std::size_t>(begin - sums.begins.data());
+    if (begin[-1] == width) {
+        --sums.count;
+    }
 }
 
 template class Coverage<ExactSums<1>>;

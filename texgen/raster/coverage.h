@@ -3,17 +3,31 @@
 #include "texgen/raster/arc_walk.h"
 #include "texgen/raster/coverage_sums.h"
 
-#include <algorithm>
-#include <bit>
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
+#include <span>
 #include <vector>
 
 namespace foam::texgen {
 
 /// Whether a row of pixels goes around a torus, or ends on both sides.
 enum class RowKind { Ring, Line };
+
+/// What the sums along a row are, in stretches. Its arrays only grow.
+template <class Sum>
+struct RowSums {
+    std::size_t count = 0;
+    std::vector<std::uint32_t> begins;  // the first pixel of each
+    std::vector<Sum> sums;
+
+    void make_room(std::size_t stretches) {
+        if (begins.size() < stretches) {
+            begins.resize(stretches);
+            sums.resize(stretches);
+        }
+    }
+};
 
 /// Adds up arcs, each with the values on its sides per channel, over a band of rows, so that a
 /// pixel ends with the sum of value times covered area.
@@ -48,67 +62,37 @@ class Coverage {
     /// left out.
     void add(const CellArc& arc, SubpixelPoint translation, const Step& step);
 
-    /// Walks along a row, left to right: writer.write(from, to) for each stretch of pixels [from,
-    /// to) of one sum, writer.add(difference) where the sum changes, beginning with the difference
-    /// from zero. Then clears the row.
-    template <class Writer>
-    void take_row(int row, Writer& writer);
+    /// Has the last arcs added, which wait for others.
+    void finish();
+
+    /// The sums along a row, from left to right: each holds from its pixel to the next one's, the
+    /// first from pixel 0 on, where every sum begins with `start`. Then clears the row.
+    void take_row(int row, const Sum& start, RowSums<Sum>& sums);
 
   private:
-    void add_run(const ArcWalk::Run& run, const Step& step);
-    void add_around(const ArcWalk::Run& run, const Step& step);
-    void add_outside(const ArcWalk::Run& run, const Step& step);
+    using Parts = std::span<const ArcWalk::Part>;
+
+    void add_split();
+    void fetch_parts(std::size_t arc) const;
+    bool is_inside(std::size_t arc) const {
+        return walk_.leftmost(arc) >= 0 && walk_.rightmost(arc) < width_;
+    }
+    void add_inside(Parts parts, const Step& step);
+    void add_outside(Parts parts, const Step& step);
+    void add_around(Parts parts, const Step& step);
     void fetch_row(std::size_t row) const;
-    void touch(std::size_t row, std::int32_t left, std::int32_t right);
 
     int width_;
     RowKind kind_;
     std::size_t
-        stride_;  // pixels between rows; one more than the width takes what leaves on the right
+        stride_;         // pixels between rows; one beyond the width takes what leaves on the right
     std::size_t words_;  // of 64 flags, per row
     std::vector<Sum> differences_;
     std::vector<std::uint64_t> touched_;  // a bit per pixel whose difference may not be zero
     ArcWalk walk_;
-    std::vector<Sum> starts_;  // what the running sum of a row begins with
+    std::array<Step, ArcWalk::kMostArcs> steps_;  // of its arcs
+    std::vector<Sum> starts_;                     // what the running sum of a row begins with
 };
-
-// Has the touched pixels of a row fetched before their turn.
-template <class Sums>
-void Coverage<Sums>::fetch_row(std::size_t row) const {
-    if (row >= starts_.size()) {
-        return;
-    }
-    const Sum* differences = &differences_[row * stride_];
-    for (std::size_t word = 0; word < words_; ++word) {
-        std::uint64_t bits = touched_[row * words_ + word];
-        bits &= ~(bits << 1) | 0x5555555555555555;
-        for (; bits != 0; bits &= bits - 1) {
-            const std::size_t x = word * 64 + static_cast<std::size_t>(std::countr_zero(bits));
-            __builtin_prefetch(differences + x, 1);
-        }
-    }
-}
-
-template <class Sums>
-template <class Writer>
-void Coverage<Sums>::take_row(int row, Writer& writer) {
-    const auto index = static_cast<std::size_t>(row);
-    Sum* differences = &differences_[index * stride_];
-    std::uint64_t* touched = &touched_[index * words_];
-    writer.add(std::exchange(starts_[index], Sum{}));
-    fetch_row(index + 1);
-    std::size_t from = 0;
-    for (std::size_t word = 0; word < words_; ++word) {
-        for (std::uint64_t bits = std::exchange(touched[word], 0); bits != 0; bits &= bits - 1) {
-            const std::size_t x = word * 64 + static_cast<std::size_t>(std::countr_zero(bits));
-            writer.write(from, x);
-            writer.add(differences[x]);
-            differences[x] = Sum{};
-            from = x;
-        }
-    }
-    writer.write(from, stride_ - 1);
-}
 
 extern template class Coverage<ExactSums<1>>;
 extern template class Coverage<ExactSums<2>>;

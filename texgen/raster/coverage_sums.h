@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
+#include <tuple>
 
 namespace foam::texgen {
 
@@ -16,16 +18,24 @@ inline constexpr int kAreaBits = 2 * kSubpixelBits + 1;
 
 inline constexpr std::int32_t kLargestMean = std::numeric_limits<std::uint16_t>::max();
 
+/// A mean per channel of a sum.
+template <class Sum>
+using MeansOf = std::array<std::int32_t, std::tuple_size_v<Sum>>;
+
 /// Arcs of an invalid foam may overlap: a mean may then lie out of range, and is held there.
-template <std::size_t Count>
-void hold_in_range(std::array<std::int32_t, Count>& means) {
+template <class Means>
+void hold_in_range(std::span<Means> all) {
     std::int32_t bits = 0;
-    for (const std::int32_t mean : means) {
-        bits |= mean;
+    for (const Means& means : all) {
+        for (const std::int32_t mean : means) {
+            bits |= mean;
+        }
     }
     if ((bits & ~kLargestMean) != 0) [[unlikely]] {
-        for (std::int32_t& mean : means) {
-            mean = std::clamp(mean, 0, kLargestMean);
+        for (Means& means : all) {
+            for (std::int32_t& mean : means) {
+                mean = std::clamp(mean, 0, kLargestMean);
+            }
         }
     }
 }
@@ -45,14 +55,13 @@ struct ExactSums {
     /// What a value of `base` everywhere has a row begin with.
     static Number start(std::int32_t base) { return base * kPixel; }
 
-    /// The nearest to sum / kPixel.
-    static std::array<std::int32_t, std::bit_ceil(Channels)> means(const Sum& sum) {
+    /// The nearest to sum / kPixel, not held in range.
+    static MeansOf<Sum> means(const Sum& sum) {
         constexpr double kHalf = 0.5;  // makes truncation the nearest
-        std::array<std::int32_t, std::bit_ceil(Channels)> means{};
+        MeansOf<Sum> means{};
         for (std::size_t c = 0; c < sum.size(); ++c) {
             means[c] = static_cast<std::int32_t>(sum[c] * (1.0 / kPixel) + kHalf);
         }
-        hold_in_range(means);
         return means;
     }
 };
@@ -78,13 +87,12 @@ struct SmallSums {
         return static_cast<Number>((base - kMiddle) * (1 << kPixelBits));
     }
 
-    static std::array<std::int32_t, std::bit_ceil(Channels)> means(const Sum& sum) {
+    static MeansOf<Sum> means(const Sum& sum) {
         constexpr Number kHalf = 1 << (kPixelBits - 1);
-        std::array<std::int32_t, std::bit_ceil(Channels)> means{};
+        MeansOf<Sum> means{};
         for (std::size_t c = 0; c < sum.size(); ++c) {
             means[c] = (static_cast<std::int32_t>(sum[c] + kHalf) >> kPixelBits) + kMiddle;
         }
-        hold_in_range(means);
         return means;
     }
 };

@@ -11,6 +11,7 @@
 #include <span>
 #include <stdexcept>
 #include <type_traits>
+#include <vector>
 
 namespace foam::texgen {
 
@@ -56,25 +57,47 @@ void check(const CellArcs& cells, const CellValues& values, ImageView<Sample> im
 
 // Each mean, encoded.
 template <std::size_t Channels, class Sums, class Encode>
-struct Means {
-    Encode encode;
+class EncodedMeans {
+  public:
+    explicit EncodedMeans(const Encode& encode) : encode_(encode) {}
 
-    auto operator()(const typename Sums::Sum& sum) const {
-        const auto means = Sums::means(sum);
-        std::array<decltype(encode(std::uint16_t{})), Channels> samples{};
-        for (std::size_t c = 0; c < Channels; ++c) {
-            samples[c] = encode(static_cast<std::uint16_t>(means[c]));
+    template <class Put>
+    void operator()(std::span<const typename Sums::Sum> sums, const Put& put) {
+        if (means_.size() < sums.size()) {
+            means_.resize(sums.size());
         }
-        return samples;
+        const std::span means = std::span(means_).first(sums.size());
+        std::ranges::transform(sums, means.begin(), Sums::means);
+        hold_in_range(means);
+        for (std::size_t k = 0; k < means.size(); ++k) {
+            std::array<decltype(encode_(std::uint16_t{})), Channels> samples{};
+            for (std::size_t c = 0; c < Channels; ++c) {
+                samples[c] = encode_(static_cast<std::uint16_t>(means[k][c]));
+            }
+            put(k, samples);
+        }
     }
+
+  private:
+    Encode encode_;
+    std::vector<MeansOf<typename Sums::Sum>> means_;
 };
 
 // The last mean, and the others over it.
 template <std::size_t Channels>
 struct StraightMeans {
-    std::array<std::uint16_t, Channels> operator()(
-        const typename ExactSums<Channels>::Sum& sum) const {
-        std::array<std::uint16_t, Channels> samples{};
+    using Sums = ExactSums<Channels>;
+    using Samples = std::array<std::uint16_t, Channels>;
+
+    template <class Put>
+    void operator()(std::span<const typename Sums::Sum> sums, const Put& put) const {
+        for (std::size_t k = 0; k < sums.size(); ++k) {
+            put(k, samples_of(sums[k]));
+        }
+    }
+
+    static Samples samples_of(const typename Sums::Sum& sum) {
+        Samples samples{};
         const auto opacity = static_cast<std::int64_t>(sum[Channels - 1]);
         if (opacity <= 0) {
             return samples;
@@ -85,8 +108,8 @@ struct StraightMeans {
             samples[c] =
                 static_cast<std::uint16_t>(std::clamp<std::int64_t>(color, 0, kLargestMean));
         }
-        const auto means = ExactSums<Channels>::means(sum);
-        samples[Channels - 1] = static_cast<std::uint16_t>(means[Channels - 1]);
+        samples[Channels - 1] =
+            static_cast<std::uint16_t>(std::clamp(Sums::means(sum)[Channels - 1], 0, kLargestMean));
         return samples;
     }
 };
@@ -113,30 +136,48 @@ class Filler {
     // Each worker has one buffer for all its bands, which it makes itself.
     void fill() const {
         const int workers = std::clamp(threads_, 1, bands_.count());
-        const RowKind kind = cells_.grid.view ? RowKind::Line : RowKind::Ring;
-        std::vector<std::optional<BandCoverage>> buffers(static_cast<std::size_t>(workers));
-        parallel_for(bands_.count(), buffers, [&](std::optional<BandCoverage>& coverage, int band) {
-            if (!coverage) {
-                coverage.emplace(image_.width(), bands_.row_count(0), kind);
+        std::vector<std::optional<Worker>> all(static_cast<std::size_t>(workers));
+        parallel_for(bands_.count(), all, [&](std::optional<Worker>& worker, int band) {
+            if (!worker) {
+                worker.emplace(*this);
             }
-            fill_band(band, *coverage);
+            fill_band(band, *worker);
         });
     }
 
   private:
-    void fill_band(int band, BandCoverage& coverage) const {
+    struct Worker {
+        explicit Worker(const Filler& filler)
+            : coverage(filler.image_.width(),
+                       filler.bands_.row_count(0),
+                       filler.cells_.grid.view ? RowKind::Line : RowKind::Ring),
+              writer(filler.to_samples_) {}
+
+        BandCoverage coverage;
+        RowSums<typename Sums::Sum> sums;
+        RowWriter<Sums, Channels, Sample, ToSamples> writer;
+    };
+
+    void fill_band(int band, Worker& worker) const {
         const int first_row = bands_.first_row(band);
         const SubpixelPoint origin{0, first_row * kSubpixel};
         const std::span<const ArcBands::Entry> entries = bands_.entries(band);
         for (std::size_t k = 0; k < entries.size(); ++k) {
             __builtin_prefetch(entries[std::min(k + kAhead, entries.size() - 1)].arc);
             const CellArc& arc = *entries[k].arc;
-            coverage.add(arc, entries[k].translation - origin, step_across(arc));
+            worker.coverage.add(arc, entries[k].translation - origin, step_across(arc));
         }
+        worker.coverage.finish();
+        const typename Sums::Sum start = start_of_rows();
+        const std::size_t row_samples = image_.row_samples();
+        const std::span<Sample> rows(
+            image_.row(first_row).data(),
+            row_samples * static_cast<std::size_t>(bands_.row_count(band)));
         for (int row = 0; row < bands_.row_count(band); ++row) {
-            RowWriter<Sums, Channels, Sample, ToSamples> writer(
-                base(), to_samples_, image_.row(first_row + row));
-            coverage.take_row(row, writer);
+            worker.coverage.take_row(row, start, worker.sums);
+            worker.writer.write(worker.sums,
+                                static_cast<std::size_t>(image_.width()),
+                                rows.subspan(row_samples * static_cast<std::size_t>(row)));
         }
     }
 
@@ -150,6 +191,14 @@ class Filler {
     std::span<const std::uint16_t, Channels> base() const {
         return cells_.outside ? value_of(*cells_.outside)
                               : std::span(values_.film).template first<Channels>();
+    }
+
+    typename Sums::Sum start_of_rows() const {
+        typename Sums::Sum start{};
+        for (std::size_t c = 0; c < Channels; ++c) {
+            start[c] = Sums::start(base()[c]);
+        }
+        return start;
     }
 
     // The value of a side less that of films, which lie under everything.
@@ -225,7 +274,7 @@ void fill_cells(const CellArcs& cells,
     const auto as_is = [](std::uint16_t value) { return value; };
     fill_channels(cells, values, image, [&](auto channels) {
         using Sums = ExactSums<channels>;
-        const Means<channels, Sums, decltype(as_is)> means{as_is};
+        const EncodedMeans<channels, Sums, decltype(as_is)> means(as_is);
         fill<Sums, channels>(cells, values, means, threads, image);
     });
 }
@@ -248,7 +297,7 @@ void fill_cells(const CellArcs& cells,
     const auto encode = [&](std::uint16_t value) { return encoding[value]; };
     fill_channels(cells, values, image, [&](auto channels) {
         using Sums = SmallSums<channels>;
-        const Means<channels, Sums, decltype(encode)> means{encode};
+        const EncodedMeans<channels, Sums, decltype(encode)> means(encode);
         fill<Sums, channels>(cells, values, means, threads, image);
     });
 }

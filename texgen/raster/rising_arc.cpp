@@ -4,25 +4,33 @@
 
 namespace foam::texgen {
 
-FOAMTEX_VECTOR_CLONES void RisingArc::find_x(double y,
-                                             double step,
-                                             std::span<std::int32_t> xs) const {
-    const RisingArc arc = *this;
-    std::int32_t* to = xs.data();
-    const auto count = static_cast<std::int32_t>(xs.size());
-    for (std::int32_t k = 0; k < count; ++k) {
-        to[k] = rounded(arc.x_at(y + k * step));
+FOAMTEX_VECTOR_CLONES void find_xs(std::span<const ArcCrossings> arcs, std::int32_t* xs) {
+    constexpr std::size_t kLanes = ArcCrossings::kLanes;
+    for (const ArcCrossings& crossings : arcs) {
+        const RisingArc arc = crossings.arc;
+        const double step = crossings.step;
+        for (std::size_t from = 0; from < crossings.count; from += kLanes) {
+            const double y = crossings.first + static_cast<double>(from) * step;
+            std::int32_t* to = xs + crossings.place + from;
+            for (std::size_t k = 0; k < kLanes; ++k) {
+                to[k] = rounded(arc.x_at(y + static_cast<double>(k) * step));
+            }
+        }
     }
 }
 
-FOAMTEX_VECTOR_CLONES void RisingArc::find_y(double x,
-                                             double step,
-                                             std::span<std::int32_t> ys) const {
-    const RisingArc arc = *this;
-    std::int32_t* to = ys.data();
-    const auto count = static_cast<std::int32_t>(ys.size());
-    for (std::int32_t k = 0; k < count; ++k) {
-        to[k] = rounded(arc.y_at(x + k * step));
+FOAMTEX_VECTOR_CLONES void find_ys(std::span<const ArcCrossings> arcs, std::int32_t* ys) {
+    constexpr std::size_t kLanes = ArcCrossings::kLanes;
+    for (const ArcCrossings& crossings : arcs) {
+        const RisingArc arc = crossings.arc;
+        const double step = crossings.step;
+        for (std::size_t from = 0; from < crossings.count; from += kLanes) {
+            const double x = crossings.first + static_cast<double>(from) * step;
+            std::int32_t* to = ys + crossings.place + from;
+            for (std::size_t k = 0; k < kLanes; ++k) {
+                to[k] = rounded(arc.y_at(x + static_cast<double>(k) * step));
+            }
+        }
     }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "texgen/raster/coverage_sums.h"
+#include "texgen/raster/coverage.h"
 
 #include <array>
 #include <bit>
@@ -8,113 +8,80 @@
 #include <cstdint>
 #include <cstring>
 #include <span>
+#include <type_traits>
+#include <vector>
 
 namespace foam::texgen {
 
-/// Writes pixels of up to eight bytes, given in the order of memory, the first in the lowest bits.
+/// Holds a pixel of so many bytes, in the order of memory, the first in the lowest bits.
 template <std::size_t PixelBytes>
-class PixelWriter {
-  public:
-    /// Of the bytes to write to, from left to right, as what is beyond a pixel may be written over.
-    explicit PixelWriter(std::span<std::uint8_t> row) : row_(row.data()), size_(row.size()) {}
+using PixelWord = std::conditional_t<PixelBytes <= 4, std::uint32_t, std::uint64_t>;
 
-    void write(std::uint64_t pixel, std::size_t from, std::size_t to) {
-        std::size_t begin = from * PixelBytes;
-        const std::size_t end = to * PixelBytes;
-        if (to - from == 1 && begin + kWord <= size_) {
-            store(pixel, begin);
-        } else if (to > from) {
-            begin = write_blocks(pixel, begin, end);
-            for (; begin < end; begin += PixelBytes) {
-                for (std::size_t byte = 0; byte < PixelBytes; ++byte) {
-                    row_[begin + byte] = static_cast<std::uint8_t>(pixel >> 8 * byte);
-                }
-            }
-        }
-    }
-
-  private:
-    static constexpr std::size_t kWord = sizeof(std::uint64_t);
-    static constexpr std::size_t kBlock = kWord * PixelBytes;  // of eight pixels
-
-    // As far as whole ones fit. Returns where they end.
-    std::size_t write_blocks(std::uint64_t pixel, std::size_t begin, std::size_t end) {
-        std::array<std::uint64_t, PixelBytes> words{};
-        for (std::size_t word = 0; word < PixelBytes; ++word) {
-            words[word] = repeated(pixel, kWord * word % PixelBytes);
-        }
-        for (; begin < end && begin + kBlock <= size_; begin += kBlock) {
-            for (std::size_t word = 0; word < PixelBytes; ++word) {
-                store(words[word], begin + word * kWord);
-            }
-        }
-        return begin;
-    }
-
-    // A word of pixels that begins with byte `first` of one.
-    static std::uint64_t repeated(std::uint64_t pixel, std::size_t first) {
-        constexpr std::size_t kBits = 8 * PixelBytes;
-        std::uint64_t word = pixel >> 8 * first;
-        for (std::size_t shift = kBits - 8 * first; shift < 64; shift += kBits) {
-            word |= pixel << shift;
-        }
-        return word;
-    }
-
-    void store(std::uint64_t word, std::size_t at) {
-        if constexpr (std::endian::native == std::endian::big) {
-            word = __builtin_bswap64(word);
-        }
-        std::memcpy(row_ + at, &word, kWord);
-    }
-
-    std::uint8_t* row_;
-    std::size_t size_;
+/// A row in stretches of pixels of one value: each from where it begins to where the next one does.
+template <std::size_t PixelBytes>
+struct Stretches {
+    std::size_t count = 0;
+    const std::uint32_t* begins = nullptr;  // one more than stretches: the last is the row's end
+    const PixelWord<PixelBytes>* pixels = nullptr;
 };
 
-/// Turns the sums along a row into samples; to_samples(sum) makes those of a pixel, of which there
-/// are `Channels`.
+/// By how many bytes paint_row may write beyond the end of a row.
+inline constexpr std::size_t kPaintedBeyond = 192;
+
+/// Writes a row of pixels, of 1, 2, 3, 4, 6 or 8 bytes.
+void paint_row(const Stretches<1>& stretches, std::uint8_t* row);
+void paint_row(const Stretches<2>& stretches, std::uint8_t* row);
+void paint_row(const Stretches<3>& stretches, std::uint8_t* row);
+void paint_row(const Stretches<4>& stretches, std::uint8_t* row);
+void paint_row(const Stretches<6>& stretches, std::uint8_t* row);
+void paint_row(const Stretches<8>& stretches, std::uint8_t* row);
+
+/// Turns the sums along a row into samples: to_samples(sums, put) calls put(k, samples) with those
+/// of each sum, of which there are `Channels`. Keeps its memory from one row to the next.
 template <class Sums, std::size_t Channels, class Sample, class ToSamples>
 class RowWriter {
   public:
-    using Sum = typename Sums::Sum;
+    explicit RowWriter(const ToSamples& to_samples) : to_samples_(to_samples) {}
 
-    /// `base` is the value that the sums are counted from.
-    RowWriter(std::span<const std::uint16_t, Channels> base,
-              const ToSamples& to_samples,
-              std::span<Sample> row)
-        : to_samples_(to_samples),
-          pixels_({reinterpret_cast<std::uint8_t*>(row.data()), row.size_bytes()}) {
-        for (std::size_t c = 0; c < Channels; ++c) {
-            sum_[c] = Sums::start(base[c]);
+    /// Writes a row of `width` pixels, of which `room` begins with: what is beyond may be written
+    /// over.
+    void write(RowSums<typename Sums::Sum>& sums, std::size_t width, std::span<Sample> room) {
+        pixels_.resize(sums.begins.size());
+        to_samples_(std::span(sums.sums).first(sums.count),
+                    [&](std::size_t k, const std::array<Sample, Channels>& samples) {
+                        pixels_[k] = packed(samples);
+                    });
+        sums.begins[sums.count] = static_cast<std::uint32_t>(width);
+        const Stretches<kPixelBytes> stretches{sums.count, sums.begins.data(), pixels_.data()};
+        const std::size_t row_bytes = width * kPixelBytes;
+        if (room.size_bytes() >= row_bytes + kPaintedBeyond) {
+            paint_row(stretches, reinterpret_cast<std::uint8_t*>(room.data()));
+            return;
         }
+        bytes_.resize(row_bytes + kPaintedBeyond);
+        paint_row(stretches, bytes_.data());
+        std::memcpy(room.data(), bytes_.data(), row_bytes);
     }
-
-    void add(const Sum& difference) {
-        Sum sum = difference;  // reads all before it writes any, to take several at once
-        for (std::size_t c = 0; c < sum.size(); ++c) {
-            sum[c] += sum_[c];
-        }
-        sum_ = sum;
-        const auto samples = to_samples_(sum_);
-        pixel_ = 0;
-        for (std::size_t c = 0; c < Channels; ++c) {
-            std::uint64_t sample = samples[c];
-            if constexpr (std::endian::native == std::endian::big && sizeof(Sample) == 2) {
-                sample = __builtin_bswap16(samples[c]);
-            }
-            pixel_ |= sample << (8 * sizeof(Sample) * c);
-        }
-    }
-
-    /// Stretches come from left to right.
-    void write(std::size_t from, std::size_t to) { pixels_.write(pixel_, from, to); }
 
   private:
-    const ToSamples& to_samples_;
-    Sum sum_{};
-    std::uint64_t pixel_ = 0;
-    PixelWriter<Channels * sizeof(Sample)> pixels_;
+    static constexpr std::size_t kPixelBytes = Channels * sizeof(Sample);
+    using Word = PixelWord<kPixelBytes>;
+
+    static Word packed(const std::array<Sample, Channels>& samples) {
+        Word pixel = 0;
+        for (std::size_t c = 0; c < Channels; ++c) {
+            Sample sample = samples[c];
+            if constexpr (std::endian::native == std::endian::big && sizeof(Sample) == 2) {
+                sample = __builtin_bswap16(sample);
+            }
+            pixel |= static_cast<Word>(sample) << (8 * sizeof(Sample) * c);
+        }
+        return pixel;
+    }
+
+    ToSamples to_samples_;
+    std::vector<Word> pixels_;
+    std::vector<std::uint8_t> bytes_;
 };
 
 }  // namespace foam::texgen

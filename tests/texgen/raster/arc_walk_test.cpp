@@ -3,10 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdlib>
 #include <map>
 #include <numbers>
 #include <random>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -19,13 +22,21 @@ using Parts = std::map<std::pair<int, int>, std::pair<int, std::int64_t>>;
 Parts walk(const CellArc& arc, SubpixelPoint translation, int rows) {
     Parts parts;
     ArcWalk walk(rows);
-    walk.split(arc, translation);
-    for (const ArcWalk::Run& run : walk.runs()) {
-        for (std::size_t part = run.begin; part < run.end; ++part) {
-            auto& [height, area] = parts[{run.row, walk.column(part)}];
-            height += walk.whole(part) / (2 * kSubpixel);
-            area += walk.on_left(part);
+    if (!walk.is_in_rows(arc, translation)) {
+        return parts;
+    }
+    walk.add(arc, translation);
+    walk.split();
+    for (const ArcWalk::Part& part : walk.parts(0)) {
+        EXPECT_LE(walk.leftmost(0), part.column);
+        EXPECT_GE(walk.rightmost(0), part.column);
+        if (part.whole == 0) {
+            EXPECT_EQ(part.on_left, 0);
+            continue;
         }
+        auto& [height, area] = parts[{part.row, part.column}];
+        height += part.whole / (2 * kSubpixel);
+        area += part.on_left;
     }
     return parts;
 }
@@ -86,6 +97,37 @@ class ArcWalkOfRandomChains : public ::testing::Test {
   private:
     std::mt19937 random_{7};
 };
+
+// Flat ones cross many columns within a row, which steep ones do not.
+TEST_F(ArcWalkOfRandomChains, ArcsSplitTogetherAreSplitAsOneByOne) {
+    const auto list = [](std::span<const ArcWalk::Part> parts) {
+        std::vector<std::array<std::int32_t, 4>> numbers;
+        for (const ArcWalk::Part& part : parts) {
+            numbers.push_back({part.row, part.column, part.whole, part.on_left});
+        }
+        return numbers;
+    };
+    for (int round = 0; round < 100; ++round) {
+        ArcWalk together(40);
+        std::vector<CellArc> arcs;
+        while (arcs.size() < ArcWalk::kMostArcs) {
+            const std::vector<SubpixelPoint> ends = chain(round % 2 == 0 ? 40000 : 3000);
+            const CellArc arc{ends[0], {ends[1].x, ends[0].y + 1 + std::abs(ends[1].y)}, 0.1};
+            if (together.is_in_rows(arc, {})) {
+                together.add(arc, {});
+                arcs.push_back(arc);
+            }
+        }
+        together.split();
+        ArcWalk alone(40);
+        for (std::size_t k = 0; k < arcs.size(); ++k) {
+            alone.clear();
+            alone.add(arcs[k], {});
+            alone.split();
+            ASSERT_EQ(list(together.parts(k)), list(alone.parts(0)));
+        }
+    }
+}
 
 TEST_F(ArcWalkOfRandomChains, MovesWithWholePixels) {
     for (int k = 0; k < 500; ++k) {

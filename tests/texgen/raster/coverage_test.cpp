@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -10,31 +11,21 @@ namespace {
 
 constexpr std::int64_t kFull = std::int64_t{1} << kAreaBits;
 
-// A row's sums, spelled out.
-class Row {
-  public:
-    explicit Row(int width) : values_(static_cast<std::size_t>(width), -1) {}
-
-    void add(const Coverage<ExactSums<1>>::Sum& difference) {
-        sum_ += static_cast<std::int64_t>(difference[0]);
-    }
-    void write(std::size_t from, std::size_t to) {
-        for (std::size_t x = from; x < to; ++x) {
-            EXPECT_EQ(values_.at(x), -1) << "written twice: " << x;
-            values_.at(x) = sum_;
-        }
-    }
-    std::vector<std::int64_t> values() const { return values_; }
-
-  private:
-    std::int64_t sum_ = 0;
-    std::vector<std::int64_t> values_;
-};
-
+// A row's sums, spelled out. All of them is covered, each pixel once.
 std::vector<std::int64_t> take(Coverage<ExactSums<1>>& coverage, int row, int width) {
-    Row sums(width);
-    coverage.take_row(row, sums);
-    return sums.values();
+    RowSums<ExactSums<1>::Sum> sums;
+    coverage.finish();
+    coverage.take_row(row, {}, sums);
+    EXPECT_EQ(sums.begins.at(0), 0U);
+    std::vector<std::int64_t> values;
+    for (std::size_t k = 0; k < sums.count; ++k) {
+        const auto end =
+            k + 1 < sums.count ? sums.begins[k + 1] : static_cast<std::uint32_t>(width);
+        EXPECT_LE(sums.begins[k], end);
+        values.resize(std::max<std::size_t>(end, values.size()),
+                      static_cast<std::int64_t>(sums.sums[k][0]));
+    }
+    return values;
 }
 
 // Adds the straight edges of a closed chain, with a value on the left of each.
@@ -167,21 +158,18 @@ TEST(Coverage, OrderDoesNotMatter) {
         const std::size_t last = chains.size() - 1 - k;
         add<3>(back, chains[last], {}, value(last));
     }
-    struct Sums {
-        void add(const Coverage<ExactSums<3>>::Sum& difference) {
-            differences.push_back(difference);
-        }
-        void write(std::size_t from, std::size_t to) {
-            differences.push_back({0, 0, static_cast<double>(to - from)});
-        }
-        std::vector<Coverage<ExactSums<3>>::Sum> differences;
-    };
+    there.finish();
+    back.finish();
     for (int row = 0; row < 2; ++row) {
-        Sums a;
-        Sums b;
-        there.take_row(row, a);
-        back.take_row(row, b);
-        EXPECT_EQ(a.differences, b.differences);
+        RowSums<ExactSums<3>::Sum> a;
+        RowSums<ExactSums<3>::Sum> b;
+        there.take_row(row, {}, a);
+        back.take_row(row, {}, b);
+        ASSERT_EQ(a.count, b.count);
+        for (std::size_t k = 0; k < a.count; ++k) {
+            EXPECT_EQ(a.begins[k], b.begins[k]);
+            EXPECT_EQ(a.sums[k], b.sums[k]);
+        }
     }
 }
 
