@@ -4,7 +4,7 @@
 
 namespace foam::texgen {
 
-void append_arc(const FilmArc& arc,
+void append_arc(const PixelArc& arc,
                 SubpixelPoint tail,
                 SubpixelPoint head,
                 const ArcSides& sides,

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/geometry/film_arc.h"
 #include "texgen/raster/cell_arcs.h"
 #include "texgen/raster/parallel_for.h"
+#include "texgen/raster/pixel_arc.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -27,9 +27,9 @@ struct ArcSides {
     std::int16_t right_periods = 0;
 };
 
-/// Appends an arc (pixels) whose ends were rounded, in pieces that rise. Those that are level, to
+/// Appends an arc whose ends were rounded, in pieces that rise. Those that are level, to
 /// the subpixel, bound no area and are left out.
-void append_arc(const FilmArc& arc,
+void append_arc(const PixelArc& arc,
                 SubpixelPoint tail,
                 SubpixelPoint head,
                 const ArcSides& sides,

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/film_arc.h"
+#include "texgen/raster/pixel_arc.h"
 
 #include <cstddef>
 #include <vector>
@@ -14,7 +14,7 @@ inline constexpr double kShortestPiece = 1e-6;
 struct ArcLoops {
     struct Arc {
         Vec2 tail{0.0, 0.0};
-        FilmArc arc;  // ends where the next arc of the loop begins
+        PixelArc arc;  // ends where the next arc of the loop begins
     };
     std::vector<Arc> arcs;
     std::vector<std::size_t> loop_ends;  // one past the last arc of each loop

@@ -1,6 +1,7 @@
 #include "texgen/raster/cell_arcs.h"
 
 #include "texgen/raster/arc_batch.h"
+#include "texgen/raster/film_shapes.h"
 #include "texgen/raster/inset.h"
 #include "texgen/raster/patch_arcs.h"
 #include "texgen/raster/pixel_frame.h"
@@ -19,8 +20,9 @@ std::uint32_t value_of(BubbleId bubble) {
     return static_cast<std::uint32_t>(index_of(bubble));
 }
 
-// By how many periods further right each side's film lies in its bubble's unwrapped outline.
-std::vector<std::int16_t> periods_of_sides(const Network& network, int threads) {
+// By how many periods further right each side's film lies in its bubble's unwrapped outline: by
+// none but around bubbles of which a side crosses the torus' border.
+std::vector<std::int16_t> periods_of_sides(const Network& network) {
     std::vector<std::int16_t> periods(2 * network.film_slots());
     const auto go_around = [&](BubbleId bubble) {
         const HalfEdgeId first = network.first(bubble);
@@ -34,29 +36,31 @@ std::vector<std::int16_t> periods_of_sides(const Network& network, int threads) 
             h = network.next(h);
         } while (h != first);
     };
-    const std::size_t count = network.bubble_slots();
-    const std::size_t tasks = (count + kBubblesPerTask - 1) / kBubblesPerTask;
-    parallel_for(static_cast<int>(tasks), threads, [&](int task) {
-        const std::size_t begin = static_cast<std::size_t>(task) * kBubblesPerTask;
-        for (std::size_t k = begin; k < std::min(begin + kBubblesPerTask, count); ++k) {
-            go_around(id_at<BubbleId>(k));
+    for (const FilmId film : network.films()) {
+        const HalfEdgeId side = forward_side(film);
+        if (network.offset(side).i != 0) {
+            go_around(network.left(side));
+            go_around(network.right(side));
         }
-    });
+    }
     return periods;
 }
 
 // The films, of no width.
 class FilmArcs {
   public:
-    explicit FilmArcs(const PixelFrame& pixels, const std::vector<std::int16_t>& periods)
-        : pixels_(pixels), periods_(periods) {}
+    FilmArcs(const PixelFrame& pixels,
+             const std::vector<PixelArc>& shapes,
+             const std::vector<SubpixelPoint>& junctions,
+             const std::vector<std::int16_t>& periods)
+        : pixels_(pixels), shapes_(shapes), junctions_(junctions), periods_(periods) {}
 
     void make(std::size_t film, ArcBatch& batch) const {
         const Network& network = pixels_.frame.network;
         const HalfEdgeId h = forward_side(id_at<FilmId>(film));
-        append_arc(pixels_.arc(h),
-                   pixels_.junction(network.tail(h)),
-                   pixels_.junction(network.head(h)) + pixels_.translation(network.offset(h)),
+        append_arc(shapes_[film],
+                   junctions_[index_of(network.tail(h))],
+                   junctions_[index_of(network.head(h))] + pixels_.translation(network.offset(h)),
                    {value_of(network.left(h)),
                     value_of(network.right(h)),
                     periods_[index_of(h)],
@@ -66,14 +70,16 @@ class FilmArcs {
 
   private:
     const PixelFrame& pixels_;
+    const std::vector<PixelArc>& shapes_;
+    const std::vector<SubpixelPoint>& junctions_;
     const std::vector<std::int16_t>& periods_;
 };
 
 // What films of a width leave free of each bubble.
 class InsetArcs {
   public:
-    InsetArcs(const PixelFrame& pixels, double film_width)
-        : pixels_(pixels), inset_(0.5 * film_width) {}
+    InsetArcs(const PixelFrame& pixels, const std::vector<PixelArc>& shapes, double film_width)
+        : pixels_(pixels), shapes_(shapes), inset_(0.5 * film_width) {}
 
     void make(std::size_t index, ArcBatch& batch) {
         const auto bubble = id_at<BubbleId>(index);
@@ -97,7 +103,8 @@ class InsetArcs {
         Vec2 at = Vec2::Zero();
         HalfEdgeId h = network.first(bubble);
         do {
-            const FilmArc arc = pixels_.arc(h);
+            const PixelArc& forward = shapes_[index_of(film_of(h))];
+            const PixelArc arc = is_forward(h) ? forward : reversed(forward);
             if (arc.chord.norm() > kShortestSide) {
                 sides_.push_back(place(arc, at));
             }
@@ -125,6 +132,7 @@ class InsetArcs {
     }
 
     const PixelFrame& pixels_;
+    const std::vector<PixelArc>& shapes_;
     double inset_;
     std::vector<SideArc> sides_;
     InsetTracer tracer_;
@@ -132,12 +140,14 @@ class InsetArcs {
 
 CellArcs arcs_on_torus(const PixelFrame& pixels, double film_width, int threads) {
     const Network& network = pixels.frame.network;
+    const std::vector<PixelArc> shapes = film_shapes(pixels.frame, pixels.scale, threads);
     if (film_width == 0.0) {
-        const std::vector<std::int16_t> periods = periods_of_sides(network, threads);
-        const FilmArcs films(pixels, periods);
+        const std::vector<std::int16_t> periods = periods_of_sides(network);
+        const std::vector<SubpixelPoint> junctions = pixels.junctions();
+        const FilmArcs films(pixels, shapes, junctions, periods);
         return make_arcs(pixels.grid, network.film_slots(), kFilmsPerTask, films, threads);
     }
-    const InsetArcs insets(pixels, film_width);
+    const InsetArcs insets(pixels, shapes, film_width);
     return make_arcs(pixels.grid, network.bubble_slots(), kBubblesPerTask, insets, threads);
 }
 

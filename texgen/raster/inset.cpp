@@ -162,7 +162,7 @@ void InsetTracer::link_loop(Piece& first) {
             loops_.arcs.resize(begin);
             return;
         }
-        FilmArc arc = piece(offsets_[current->offset].arc, current->from, current->to);
+        PixelArc arc = piece(offsets_[current->offset].arc, current->from, current->to);
         arc.chord = next->tail - current->tail;
         loops_.arcs.push_back({current->tail, arc});
         current = next;

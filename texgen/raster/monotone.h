@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/film_arc.h"
+#include "texgen/raster/pixel_arc.h"
 
 #include <array>
 #include <span>
@@ -16,12 +16,12 @@ struct MonotonePiece {
 /// An arc of less than a whole turn, in pieces from its tail on.
 class MonotonePieces {
   public:
-    explicit MonotonePieces(const FilmArc& arc);
+    explicit MonotonePieces(const PixelArc& arc);
 
     std::span<const MonotonePiece> pieces() const { return std::span(pieces_).first(count_); }
 
   private:
-    void split(const FilmArc& arc, double sine);
+    void split(const PixelArc& arc);
     void append(const Vec2& head, double sine) { pieces_[count_++] = {head, sine}; }
 
     std::array<MonotonePiece, 5> pieces_;

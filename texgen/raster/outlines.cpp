@@ -17,12 +17,9 @@ namespace {
 class FilmChains {
   public:
     FilmChains(const PixelFrame& pixels, int threads)
-        : ends_(pixels.frame.network.film_slots()),
+        : junctions_(pixels.junctions()),
+          ends_(pixels.frame.network.film_slots()),
           tasks_((ends_.size() + kFilmsPerTask - 1) / kFilmsPerTask) {
-        junctions_.reserve(pixels.frame.positions.size());
-        for (const Vec2& position : pixels.frame.positions) {
-            junctions_.push_back(snap(pixels.grid, pixels.frame.torus, position));
-        }
         parallel_for(static_cast<int>(tasks_.size()), threads, [&](int task) {
             const std::size_t begin = static_cast<std::size_t>(task) * kFilmsPerTask;
             std::vector<SubpixelPoint>& points = tasks_[static_cast<std::size_t>(task)];

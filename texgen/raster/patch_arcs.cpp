@@ -19,7 +19,8 @@ double area_of(std::span<const ArcLoops::Arc> loop) {
     const Vec2& origin = loop.front().tail;
     for (std::size_t k = 0; k < loop.size(); ++k) {
         const Vec2& head = loop[(k + 1) % loop.size()].tail;
-        area += 0.5 * cross(loop[k].tail - origin, head - origin) + segment_area(loop[k].arc);
+        area +=
+            0.5 * cross(loop[k].tail - origin, head - origin) + segment_area(film_arc(loop[k].arc));
     }
     return area;
 }
@@ -136,7 +137,7 @@ class PatchArcs {
 
     void append_arc(const Vec2& tail,
                     const Vec2& head,
-                    const FilmArc& arc,
+                    const PixelArc& arc,
                     const ArcSides& sides,
                     std::vector<CellArc>& to) const {
         const MonotonePieces all(arc);

@@ -2,8 +2,6 @@
 
 #include "core/foam/measure.h"
 
-#include <numbers>
-
 namespace foam::texgen {
 
 namespace {
@@ -21,9 +19,9 @@ void append_network_loop(const PixelPatch& pixels, HalfEdgeId first, Boundaries&
 void append_circle(const PixelPatch& pixels, const LoneBubble& bubble, int sign, Boundaries& to) {
     const Vec2 radius(pixels.scale * lone_radius(bubble), 0.0);
     const Vec2 center = pixels.pixel(bubble.centre);
-    const double half_angle = sign * 0.5 * std::numbers::pi;
-    to.arcs.push_back({center - radius, {2.0 * radius, half_angle}});
-    to.arcs.push_back({center + radius, {-2.0 * radius, half_angle}});
+    const double sine = sign;  // of half a turn's half
+    to.arcs.push_back({center - radius, {2.0 * radius, 0.0, sine}});
+    to.arcs.push_back({center + radius, {-2.0 * radius, 0.0, sine}});
     to.loop_ends.push_back(to.arcs.size());
 }
 
@@ -57,7 +55,7 @@ bool may_show(const RasterGrid& grid, std::span<const ArcLoops::Arc> loop) {
     Vec2 low = loop.front().tail;
     Vec2 high = low;
     for (const ArcLoops::Arc& arc : loop) {
-        const Vec2 reach = Vec2::Constant(arc_length(arc.arc));
+        const Vec2 reach = Vec2::Constant(arc_length(film_arc(arc.arc)));
         low = low.cwiseMin(arc.tail - reach);
         high = high.cwiseMax(arc.tail + reach);
     }

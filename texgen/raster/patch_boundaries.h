@@ -21,7 +21,8 @@ struct PixelPatch {
     Vec2 pixel(const Vec2& position) const { return pixel_in_view(grid, position); }
     ArcLoops::Arc arc(HalfEdgeId h) const {
         const FilmArc arc = frame.arc(h);
-        return {pixel(frame.positions[frame.network.tail(h)]), {scale * arc.chord, arc.half_angle}};
+        return {pixel(frame.positions[frame.network.tail(h)]),
+                pixel_arc({scale * arc.chord, arc.half_angle})};
     }
 };
 

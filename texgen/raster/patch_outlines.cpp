@@ -17,7 +17,8 @@ void append_chain(const ArcLoops::Arc& arc, const Vec2& head, std::vector<Vec2>&
     chain.push_back(tail);
     const std::size_t first = chain.size();
     const bool tail_first = std::pair(tail.x(), tail.y()) < std::pair(head.x(), head.y());
-    append_inner_points(tail_first ? arc.arc : reversed(arc.arc), tail_first ? tail : head, chain);
+    append_inner_points(
+        film_arc(tail_first ? arc.arc : reversed(arc.arc)), tail_first ? tail : head, chain);
     if (!tail_first) {
         std::reverse(chain.begin() + static_cast<std::ptrdiff_t>(first), chain.end());
     }

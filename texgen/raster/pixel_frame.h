@@ -3,6 +3,8 @@
 #include "core/foam/frame.h"
 #include "texgen/raster/raster_grid.h"
 
+#include <vector>
+
 namespace foam::texgen {
 
 /// A frame on a torus as the grid sees it.
@@ -19,6 +21,15 @@ struct PixelFrame {
     }
     SubpixelPoint junction(JunctionId junction) const {
         return snap(grid, frame.torus, frame.positions[junction]);
+    }
+    /// All of them, by their index.
+    std::vector<SubpixelPoint> junctions() const {
+        std::vector<SubpixelPoint> points;
+        points.reserve(frame.positions.size());
+        for (const Vec2& position : frame.positions) {
+            points.push_back(snap(grid, frame.torus, position));
+        }
+        return points;
     }
     /// The same without rounding, in pixels.
     Vec2 exact(JunctionId junction) const { return scale * frame.positions[junction]; }

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 namespace foam::texgen {
 
 namespace {
 
-constexpr double kLargestHalfAngle = std::numbers::pi / 3.0;  // of a side
+constexpr double kLeastSideCosine = 0.5;  // of half the angle that a side turns
 // What two sides turn by where they meet, at least and at most: then the nearest points of both
 // lie on the sides themselves.
 constexpr double kLeastSine = 1e-3;
@@ -36,7 +35,7 @@ bool PlainInset::trace(std::span<const SideArc> sides, double distance, ArcLoops
     }
     for (std::size_t k = 0; k < count_; ++k) {
         const Offset& offset = offsets_[k];
-        FilmArc arc = piece(offset.arc, offset.from, offset.to);
+        PixelArc arc = piece(offset.arc, offset.from, offset.to);
         arc.chord = offsets_[k + 1 < count_ ? k + 1 : 0].tail - offset.tail;
         loops.arcs.push_back({offset.tail, arc});
     }
@@ -49,8 +48,7 @@ bool PlainInset::find_offsets(std::span<const SideArc> sides, double distance) {
     for (std::size_t k = 0; k < count_; ++k) {
         const SideArc& next = sides[k + 1 < count_ ? k + 1 : 0];
         const std::optional<SideArc> offset = offset_left(sides[k], distance);
-        if (!offset || std::abs(sides[k].half_angle) > kLargestHalfAngle ||
-            !meets_plainly(sides[k], next)) {
+        if (!offset || sides[k].cosine < kLeastSideCosine || !meets_plainly(sides[k], next)) {
             return false;
         }
         offsets_[k].arc = *offset;

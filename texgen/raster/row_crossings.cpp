@@ -85,7 +85,7 @@ FOAMTEX_VECTOR_CLONES void RowCrossings::find(std::span<const Rising> arcs, std:
 
 void RowCrossings::add_pieces(const SnappedArc& arc, const CellMask& mask) {
     const SubpixelPoint chord = arc.head - arc.tail;
-    const MonotonePieces all({Vec2(chord.x, chord.y), std::atan2(arc.sine, arc.cosine)});
+    const MonotonePieces all({Vec2(chord.x, chord.y), arc.cosine, arc.sine});
     SubpixelPoint from = arc.tail;
     for (const MonotonePiece& piece : all.pieces()) {
         const bool is_last = &piece == &all.pieces().back();

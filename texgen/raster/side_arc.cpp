@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace foam::texgen {
 
@@ -25,16 +24,16 @@ double distance_left(const SideArc& arc, const Vec2& point) {
 bool faces(const SideArc& arc, const Vec2& point) {
     const bool past_tail = arc.tail_tangent.dot(point - arc.tail) >= 0.0;
     const bool before_head = arc.head_tangent.dot(point - arc.head) <= 0.0;
-    const bool convex_wedge = std::abs(arc.half_angle) <= 0.5 * std::numbers::pi;
+    const bool convex_wedge = arc.cosine >= 0.0;
     return convex_wedge ? past_tail && before_head : past_tail || before_head;
 }
 
 }  // namespace
 
-SideArc place(const FilmArc& arc, const Vec2& tail) {
+SideArc place(const PixelArc& arc, const Vec2& tail) {
     const double length = arc.chord.norm();
-    const double c = std::cos(arc.half_angle);
-    const double s = std::sin(arc.half_angle);
+    const double c = arc.cosine;
+    const double s = arc.sine;
     SideArc side;
     side.direction = arc.chord / length;
     const Vec2 left = turned_left(side.direction);
@@ -43,7 +42,7 @@ SideArc place(const FilmArc& arc, const Vec2& tail) {
     side.tail_tangent = c * side.direction - s * left;
     side.head_tangent = c * side.direction + s * left;
     side.curvature = 2.0 * s / length;
-    side.half_angle = arc.half_angle;
+    side.cosine = c;
     side.reach = length / (1.0 + c);
     side.middle = tail + 0.5 * (arc.chord - side.reach * s * left);
     side.extent = (side.head - side.middle).norm();
@@ -77,8 +76,8 @@ SideArc corner_arc(const SideArc& before, const SideArc& after, double distance)
     cap.direction = bisector.norm() > 0.0 ? Vec2(bisector.normalized()) : Vec2(-turned_left(from));
     cap.middle = before.head + distance * turned_left(cap.direction);
     cap.curvature = -1.0 / distance;
-    cap.half_angle = -0.5 * std::abs(std::atan2(cross(from, to), from.dot(to)));
-    cap.reach = 2.0 * distance * std::tan(-0.5 * cap.half_angle);
+    cap.cosine = 0.5 * bisector.norm();
+    cap.reach = distance * (to - from).norm() / (1.0 + cap.cosine);
     cap.extent = (cap.head - cap.middle).norm();
     return cap;
 }
@@ -111,10 +110,14 @@ Vec2 point_at(const SideArc& arc, double parameter) {
     return arc.middle + scale * (arc.direction + tangent * turned_left(arc.direction));
 }
 
-FilmArc piece(const SideArc& arc, double from, double to) {
+// The parameters are tangents of half the angle turned since the middle, of which half angles are
+// differences.
+PixelArc piece(const SideArc& arc, double from, double to) {
     const double half = 0.5 * arc.curvature;
-    return {point_at(arc, to) - point_at(arc, from),
-            std::atan2(half * (to - from), 1.0 + half * half * from * to)};
+    const double sine = half * (to - from);
+    const double cosine = 1.0 + half * half * from * to;
+    const double over = 1.0 / std::sqrt(sine * sine + cosine * cosine);
+    return {point_at(arc, to) - point_at(arc, from), cosine * over, sine * over};
 }
 
 double distance(const SideArc& arc, const Vec2& point) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/film_arc.h"
+#include "texgen/raster/pixel_arc.h"
 
 #include <optional>
 
@@ -20,13 +20,16 @@ struct SideArc {
     Vec2 middle{0.0, 0.0};
     Vec2 direction{0.0, 0.0};  // tangent in the middle
     double curvature = 0.0;    // 1 / pixels, positive where the arc turns left
-    double half_angle = 0.0;   // |half_angle| < pi
+    double cosine = 1.0;       // of its half angle
     double reach = 0.0;        // parameter of the head; that of the tail is -reach
     double extent = 0.0;       // radius of the disc around the middle that just holds the arc
 };
 
 /// Precondition: the chord is not zero.
-SideArc place(const FilmArc& arc, const Vec2& tail);
+SideArc place(const PixelArc& arc, const Vec2& tail);
+inline SideArc place(const FilmArc& arc, const Vec2& tail) {
+    return place(pixel_arc(arc), tail);
+}
 
 /// The arc at a distance to the left; nothing if the arc's centre is nearer than that.
 std::optional<SideArc> offset_left(const SideArc& arc, double distance);
@@ -46,7 +49,7 @@ Crossings crossings(const SideArc& arc, const SideArc& other);
 Vec2 point_at(const SideArc& arc, double parameter);
 
 /// The piece between two parameters, from < to.
-FilmArc piece(const SideArc& arc, double from, double to);
+PixelArc piece(const SideArc& arc, double from, double to);
 
 /// From a point to the nearest point of the arc.
 double distance(const SideArc& arc, const Vec2& point);

@@ -11,7 +11,8 @@ namespace {
 std::vector<SideArc> polygon(const std::vector<Vec2>& corners) {
     std::vector<SideArc> sides;
     for (std::size_t k = 0; k < corners.size(); ++k) {
-        sides.push_back(place({corners[(k + 1) % corners.size()] - corners[k], 0.0}, corners[k]));
+        sides.push_back(
+            place(FilmArc{corners[(k + 1) % corners.size()] - corners[k], 0.0}, corners[k]));
     }
     return sides;
 }
@@ -20,7 +21,7 @@ double loop_area(const ArcLoops& loops, std::size_t begin, std::size_t end) {
     double area = 0.0;
     for (std::size_t k = begin; k < end; ++k) {
         const ArcLoops::Arc& arc = loops.arcs[k];
-        area += 0.5 * cross(arc.tail, arc.tail + arc.arc.chord) + segment_area(arc.arc);
+        area += 0.5 * cross(arc.tail, arc.tail + arc.arc.chord) + segment_area(film_arc(arc.arc));
     }
     return area;
 }
@@ -80,8 +81,8 @@ TEST(Inset, OfATwoSidedBubble) {
     // is the lens of two circles of radius r - h around the same centres.
     const double chord = 10.0;
     const double half_angle = std::numbers::pi / 3.0;
-    const std::vector<SideArc> sides{place({Vec2(chord, 0.0), half_angle}, {0.0, 0.0}),
-                                     place({Vec2(-chord, 0.0), half_angle}, {chord, 0.0})};
+    const std::vector<SideArc> sides{place(FilmArc{Vec2(chord, 0.0), half_angle}, {0.0, 0.0}),
+                                     place(FilmArc{Vec2(-chord, 0.0), half_angle}, {chord, 0.0})};
     const double r = 0.5 * chord / std::sin(half_angle);
     const double small = r - 1.0;
     const double lens = 2.0 * small * small * std::acos(0.5 * r / small) -
@@ -124,7 +125,7 @@ TEST(Inset, OfACircleInThreeArcs) {
         const double b = a + 2.0 * std::numbers::pi / 3.0;
         const Vec2 from(7.0 * std::cos(a), 7.0 * std::sin(a));
         const Vec2 to(7.0 * std::cos(b), 7.0 * std::sin(b));
-        sides.push_back(place({to - from, std::numbers::pi / 3.0}, from));
+        sides.push_back(place(FilmArc{to - from, std::numbers::pi / 3.0}, from));
     }
     const std::vector<double> areas = inset_areas(sides, 2.0);
     ASSERT_EQ(areas.size(), 1U);

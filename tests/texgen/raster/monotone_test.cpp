@@ -12,7 +12,7 @@ constexpr double kPi = std::numbers::pi;
 
 TEST(Monotone, LeavesAShortArcWhole) {
     const FilmArc arc{{3.0, 4.0}, 0.2};
-    const MonotonePieces all(arc);
+    const MonotonePieces all(pixel_arc(arc));
     ASSERT_EQ(all.pieces().size(), 1U);
     EXPECT_EQ(all.pieces()[0].head, arc.chord);
     EXPECT_EQ(all.pieces()[0].sine, std::sin(0.2));
@@ -21,11 +21,11 @@ TEST(Monotone, LeavesAShortArcWhole) {
 // Of radius 1, from the tail upwards around (-1, 0), and leftwards around (0, 1).
 TEST(Monotone, SplitsThreeQuartersOfACircle) {
     const double sine = std::sin(0.25 * kPi);
-    const MonotonePieces left(FilmArc{{-1.0, -1.0}, 0.75 * kPi});
+    const MonotonePieces left(pixel_arc({{-1.0, -1.0}, 0.75 * kPi}));
     ASSERT_EQ(left.pieces().size(), 3U);
     EXPECT_NEAR((left.pieces()[0].head - Vec2(-1.0, 1.0)).norm(), 0.0, 1e-15);
     EXPECT_NEAR((left.pieces()[1].head - Vec2(-2.0, 0.0)).norm(), 0.0, 1e-15);
-    const MonotonePieces right(FilmArc{{1.0, 1.0}, -0.75 * kPi});
+    const MonotonePieces right(pixel_arc({{1.0, 1.0}, -0.75 * kPi}));
     ASSERT_EQ(right.pieces().size(), 3U);
     EXPECT_NEAR((right.pieces()[0].head - Vec2(-1.0, 1.0)).norm(), 0.0, 1e-15);
     EXPECT_NEAR((right.pieces()[1].head - Vec2(0.0, 2.0)).norm(), 0.0, 1e-15);
@@ -41,7 +41,7 @@ TEST(Monotone, PiecesAreOfTheArc) {
         const double direction = 0.37 * k;
         const double half_angle = 3.1 * std::sin(0.11 * k);
         const FilmArc arc{Vec2(std::cos(direction), std::sin(direction)), half_angle};
-        const MonotonePieces all(arc);
+        const MonotonePieces all(pixel_arc(arc));
         double turned = 0.0;
         Vec2 tail(0.0, 0.0);
         for (const MonotonePiece& piece : all.pieces()) {

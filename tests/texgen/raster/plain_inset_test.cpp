@@ -15,7 +15,7 @@ std::vector<SideArc> sides_of(const Frame& frame, BubbleId bubble) {
     std::vector<SideArc> sides;
     Vec2 at = Vec2::Zero();
     for (const HalfEdgeId h : frame.network.around(bubble)) {
-        sides.push_back(place(frame.arc(h), at));
+        sides.push_back(place(pixel_arc(frame.arc(h)), at));
         at += frame.arc(h).chord;
     }
     return sides;
@@ -48,7 +48,8 @@ Tally compare(const Foam& foam, double distance) {
         for (std::size_t k = 0; k < std::min(found.arcs.size(), exact.arcs.size()); ++k) {
             EXPECT_EQ(found.arcs[k].tail, exact.arcs[k].tail);
             EXPECT_EQ(found.arcs[k].arc.chord, exact.arcs[k].arc.chord);
-            EXPECT_EQ(found.arcs[k].arc.half_angle, exact.arcs[k].arc.half_angle);
+            EXPECT_EQ(found.arcs[k].arc.cosine, exact.arcs[k].arc.cosine);
+            EXPECT_EQ(found.arcs[k].arc.sine, exact.arcs[k].arc.sine);
         }
     }
     return tally;
