@@ -16,7 +16,7 @@ constexpr std::size_t kPerTask = 64 * HalfTurns::kLanes;
 
 std::vector<PixelArc> film_shapes(const Frame& frame, double scale, int threads) {
     const std::size_t count = frame.network.film_slots();
-    std::vector<PixelArc> shapes(count, PixelArc{Vec2::Zero(), 1.0, 0.0});
+    std::vector<PixelArc> shapes(count);
     const auto arc_of = [&](std::size_t k) -> const FilmArc& {
         return frame.arcs[id_at<FilmId>(k)];
     };

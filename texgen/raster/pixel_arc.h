@@ -8,9 +8,9 @@ namespace foam::texgen {
 
 /// A FilmArc by the cosine and the sine of its half angle, which all that is drawn is made from.
 struct PixelArc {
-    Vec2 chord;  // head minus tail, pixels
-    double cosine;
-    double sine;
+    Vec2 chord{0.0, 0.0};  // head minus tail, pixels
+    double cosine = 1.0;
+    double sine = 0.0;
 };
 
 inline PixelArc pixel_arc(const FilmArc& arc) {
