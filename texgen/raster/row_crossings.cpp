@@ -83,7 +83,11 @@ FOAMTEX_VECTOR_CLONES void RowCrossings::find(std::span<const Rising> arcs, std:
     }
 }
 
-void RowCrossings::add_pieces(const SnappedArc& arc, const CellMask& mask) {
+// From the lower end on, or from the left one, so that both sides have the same pieces.
+void RowCrossings::add_pieces(const SnappedArc& side, const CellMask& mask) {
+    const SubpixelPoint ahead = side.head - side.tail;
+    const bool is_up = ahead.y > 0 || (ahead.y == 0 && ahead.x > 0);
+    const SnappedArc arc = is_up ? side : SnappedArc{side.head, side.tail, side.cosine, -side.sine};
     const SubpixelPoint chord = arc.head - arc.tail;
     const MonotonePieces all({Vec2(chord.x, chord.y), arc.cosine, arc.sine});
     SubpixelPoint from = arc.tail;

@@ -46,7 +46,7 @@ class RowCrossings {
     };
 
     void add_rising(const SnappedArc& arc, const CellMask& mask);
-    void add_pieces(const SnappedArc& arc, const CellMask& mask);
+    void add_pieces(const SnappedArc& side, const CellMask& mask);
     static void find(std::span<const Rising> arcs, std::int32_t* xs);
 
     std::vector<Rising> arcs_;

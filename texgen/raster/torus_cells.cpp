@@ -16,11 +16,23 @@ namespace {
 constexpr int kSquareBits = 5;     // of pixels
 constexpr double kRounding = 2.0;  // subpixels, of both ends of a film and more
 
-// How far an arc reaches beyond its chord, at most: its sagitta, or a whole diameter.
-double reach(const Vec2& chord, double cosine, double sine) {
-    const double length = std::abs(chord.x()) + std::abs(chord.y());
-    const double side = std::abs(sine);
-    return cosine >= 0.0 ? 0.5 * length * side / (1.0 + cosine) : length / side;
+// How far an arc reaches beyond its chord, at most: its sagitta, by no less than the tangent of a
+// quarter of its turn, or a whole diameter.
+double reach(const FilmArc& arc) {
+    constexpr double kQuarterTurn = 0.7;
+    const double length = std::abs(arc.chord.x()) + std::abs(arc.chord.y());
+    const double half = 0.5 * std::abs(arc.half_angle);
+    return half < kQuarterTurn ? 0.5 * length * half * (1.0 + 0.5 * half * half)
+                               : length / std::sin(2.0 * half);
+}
+
+// Of the first sides.
+template <class Side>
+void turn(std::span<const Side> sides, HalfTurns& turns) {
+    for (std::size_t k = 0; k < std::min(sides.size(), HalfTurns::kLanes); ++k) {
+        turns.angle[k] = sides[k].arc.half_angle;
+    }
+    find_turns(turns);
 }
 
 template <class Side>
@@ -32,7 +44,7 @@ RegionExtent extent_of(std::span<const Side> sides) {
         const auto& [low, high] = std::pair(extent.lowest, extent.highest);
         extent.lowest = {std::min(low.x, side.tail.x), std::min(low.y, side.tail.y)};
         extent.highest = {std::max(high.x, side.tail.x), std::max(high.y, side.tail.y)};
-        beyond = std::max(beyond, reach(side.shape.chord, side.shape.cosine, side.shape.sine));
+        beyond = std::max(beyond, reach(side.arc));
     }
     const auto margin = static_cast<std::int32_t>(beyond * kSubpixel + kRounding);
     extent.lowest = extent.lowest - SubpixelPoint{margin, margin};
@@ -45,20 +57,17 @@ RegionExtent extent_of(std::span<const Side> sides) {
 TorusCells::TorusCells(const Frame& frame, const RasterGrid& grid, int threads)
     : grid_(grid),
       pixels_(frame, grid_),
-      shapes_(frame.network.film_slots()),
       bubbles_(frame.network.bubble_slots()),
-      extents_(frame.network.bubble_slots()) {
+      extents_(frame.network.bubble_slots()),
+      firsts_(frame.network.bubble_slots()) {
     junctions_.reserve(frame.positions.size());
     for (const Vec2& position : frame.positions) {
         junctions_.push_back(snap(grid_, frame.torus, position));
     }
     order_bubbles();
-    const auto tasks = [](std::size_t things) {
-        return static_cast<int>((things + kPerTask - 1) / kPerTask);
-    };
-    batches_.resize(static_cast<std::size_t>(tasks(bubbles_.size())));
-    parallel_for(tasks(shapes_.size()), threads, [&](int task) { shape_films(task); });
-    parallel_for(tasks(bubbles_.size()), threads, [&](int task) { gather_bubbles(task); });
+    batches_.resize((bubbles_.size() + kPerTask - 1) / kPerTask);
+    parallel_for(
+        static_cast<int>(batches_.size()), threads, [&](int task) { gather_bubbles(task); });
 }
 
 // By the square that the tail of the first side lies in.
@@ -83,47 +92,63 @@ void TorusCells::order_bubbles() {
     }
 }
 
-void TorusCells::shape_films(int task) {
-    const std::size_t begin = static_cast<std::size_t>(task) * kPerTask;
-    const std::size_t end = std::min(begin + kPerTask, shapes_.size());
-    for (std::size_t k = begin; k < end; k += HalfTurns::kLanes) {
-        const std::size_t count = std::min(HalfTurns::kLanes, end - k);
-        HalfTurns turns;
-        for (std::size_t lane = 0; lane < count; ++lane) {
-            turns.angle[lane] = pixels_.frame.arcs[id_at<FilmId>(k + lane)].half_angle;
-        }
-        find_turns(turns);
-        for (std::size_t lane = 0; lane < count; ++lane) {
-            shapes_[k + lane] = {pixels_.scale * pixels_.frame.arcs[id_at<FilmId>(k + lane)].chord,
-                                 turns.cosine[lane],
-                                 turns.sine[lane]};
-        }
-    }
-}
-
 void TorusCells::gather_bubbles(int task) {
-    const Network& network = pixels_.frame.network;
     Batch& batch = batches_[static_cast<std::size_t>(task)];
     const std::size_t begin = static_cast<std::size_t>(task) * kPerTask;
     const std::size_t end = std::min(begin + kPerTask, bubbles_.size());
     batch.ends.reserve(end - begin);
     batch.sides.reserve(7 * (end - begin));
-    for (std::size_t k = begin; k < end; ++k) {
-        const std::size_t first_side = batch.sides.size();
-        const HalfEdgeId first = network.first(bubbles_[k]);
-        LatticeOffset lift;
-        HalfEdgeId h = first;
-        do {
-            const SubpixelPoint junction = junctions_[index_of(network.tail(h))];
-            batch.sides.push_back({shapes_[index_of(film_of(h))],
-                                   junction + pixels_.translation(lift),
-                                   is_forward(h)});
-            lift = lift + network.offset(h);
-            h = network.next(h);
-        } while (h != first);
-        batch.ends.push_back(batch.sides.size());
-        extents_[k] = extent_of(std::span<const Side>(batch.sides).subspan(first_side));
+    for (std::size_t from = begin; from < end; from += kAhead) {
+        const std::size_t to = std::min(from + kAhead, end);
+        const Ahead ahead = look_ahead(from, to);
+        for (std::size_t k = from; k < to; ++k) {
+            gather(k, ahead, batch);
+        }
     }
+}
+
+// What follows a side is known once the side is there, which lies anywhere in memory: around
+// several bubbles in step, processors wait for all of them at once. What else belongs to the sides
+// is fetched meanwhile.
+TorusCells::Ahead TorusCells::look_ahead(std::size_t begin, std::size_t end) const {
+    const Frame& frame = pixels_.frame;
+    const Network& network = frame.network;
+    Ahead ahead;
+    std::array<HalfEdgeId, kAhead> sides{};
+    for (std::size_t k = 0; k < end - begin; ++k) {
+        sides[k] = network.first(bubbles_[begin + k]);
+        __builtin_prefetch(&frame.positions[network.tail(sides[k])]);
+    }
+    for (std::array<LatticeOffset, kAhead>& offsets : ahead) {
+        for (std::size_t k = 0; k < end - begin; ++k) {
+            const HalfEdgeId side = sides[k];
+            __builtin_prefetch(&frame.arcs[film_of(side)]);
+            __builtin_prefetch(&junctions_[index_of(network.tail(side))]);
+            offsets[k] = network.offset(side);
+            sides[k] = network.next(side);
+        }
+    }
+    return ahead;
+}
+
+void TorusCells::gather(std::size_t place, const Ahead& ahead, Batch& batch) {
+    const Frame& frame = pixels_.frame;
+    const Network& network = frame.network;
+    const std::size_t first_side = batch.sides.size();
+    const HalfEdgeId first = network.first(bubbles_[place]);
+    LatticeOffset lift;
+    HalfEdgeId h = first;
+    std::size_t step = 0;
+    do {
+        const SubpixelPoint junction = junctions_[index_of(network.tail(h))];
+        batch.sides.push_back({pixels_.arc(h), junction + pixels_.translation(lift)});
+        lift = lift + (step < kMostlySides ? ahead[step][place % kAhead] : network.offset(h));
+        h = network.next(h);
+        ++step;
+    } while (h != first);
+    batch.ends.push_back(batch.sides.size());
+    extents_[place] = extent_of(std::span<const Side>(batch.sides).subspan(first_side));
+    firsts_[place] = pixels_.exact(network.tail(first));
 }
 
 std::span<const TorusCells::Side> TorusCells::sides_of(std::size_t place) const {
@@ -140,28 +165,27 @@ void TorusCells::place(std::size_t bubble,
                        CellMask& mask,
                        RegionField& region) const {
     region.clear(RegionField::Kind::Bubble);
-    const Network& network = pixels_.frame.network;
     const SubpixelPoint from_corner = at.translation - at.corner;
     const SubpixelPoint from_mask = at.translation - at.mask;
-    Vec2 from = pixels_.exact(network.tail(network.first(bubbles_[bubble]))) +
-                Vec2(from_corner.x, from_corner.y) / kSubpixel;
+    Vec2 from = firsts_[bubble] + Vec2(from_corner.x, from_corner.y) / kSubpixel;
     const std::span<const Side> sides = sides_of(bubble);
+    HalfTurns turns;
     for (std::size_t k = 0; k < sides.size(); ++k) {
-        const Side& side = sides[k];
-        const Shape& shape = side.shape;
-        const double sign = side.is_forward ? 1.0 : -1.0;
-        const double chord = shape.chord.norm();
-        const Vec2 ahead = sign * shape.chord;
+        const std::size_t lane = k % HalfTurns::kLanes;
+        if (lane == 0) {
+            turn(sides.subspan(k), turns);
+        }
+        const Vec2& ahead = sides[k].arc.chord;
+        const double chord = ahead.norm();
+        const double cosine = turns.cosine[lane];
+        const double sine = turns.sine[lane];
         if (chord > kShortestSide) {
-            region.add_side(
-                {from + 0.5 * ahead, ahead / chord, chord, shape.cosine, sign * shape.sine});
+            region.add_side({from + 0.5 * ahead, ahead / chord, chord, cosine, sine});
         }
         from += ahead;
-        const SubpixelPoint tail = side.tail + from_mask;
+        const SubpixelPoint tail = sides[k].tail + from_mask;
         const SubpixelPoint head = sides[k + 1 < sides.size() ? k + 1 : 0].tail + from_mask;
-        crossings.add(side.is_forward ? SnappedArc{tail, head, shape.cosine, shape.sine}
-                                      : SnappedArc{head, tail, shape.cosine, shape.sine},
-                      mask);
+        crossings.add({tail, head, cosine, sine}, mask);
     }
     crossings.mark(mask);
     region.close_boundary();

@@ -5,13 +5,14 @@
 #include "texgen/raster/region_field.h"
 #include "texgen/raster/row_crossings.h"
 
+#include <array>
+#include <cstddef>
 #include <span>
 #include <vector>
 
 namespace foam::texgen {
 
-/// The bubbles of a frame on a torus, laid out so that each is quickly placed: what angles take is
-/// done once for every film. Borrows the frame.
+/// The bubbles of a frame on a torus, laid out so that each is quickly placed. Borrows the frame.
 class TorusCells {
   public:
     /// The same for any number of threads. Throws std::invalid_argument as pixels_per_unit does.
@@ -41,17 +42,10 @@ class TorusCells {
                RegionField& region) const;
 
   private:
-    // Of a film's forward side; pixels.
-    struct Shape {
-        Vec2 chord{0.0, 0.0};
-        double cosine = 1.0;  // of its half angle
-        double sine = 0.0;
-    };
     // Of a bubble, as one goes around it.
     struct Side {
-        Shape shape;
+        FilmArc arc;         // pixels
         SubpixelPoint tail;  // of the unwrapped bubble
-        bool is_forward = true;
     };
     // The bubbles of a task.
     struct Batch {
@@ -60,18 +54,25 @@ class TorusCells {
     };
 
     static constexpr std::size_t kPerTask = 1024;
+    static constexpr std::size_t kAhead = 16;       // bubbles, a part of a task
+    static constexpr std::size_t kMostlySides = 7;  // no more than these of a bubble, mostly
+
+    // The offsets of the first sides of some bubbles, by their places; goes on around bubbles that
+    // have fewer.
+    using Ahead = std::array<std::array<LatticeOffset, kAhead>, kMostlySides>;
 
     void order_bubbles();
-    void shape_films(int task);
     void gather_bubbles(int task);
+    Ahead look_ahead(std::size_t begin, std::size_t end) const;
+    void gather(std::size_t place, const Ahead& ahead, Batch& batch);
     std::span<const Side> sides_of(std::size_t place) const;
 
     RasterGrid grid_;
     PixelFrame pixels_;
     std::vector<SubpixelPoint> junctions_;
-    std::vector<Shape> shapes_;
     std::vector<BubbleId> bubbles_;
     std::vector<RegionExtent> extents_;
+    std::vector<Vec2> firsts_;  // the tails of their first sides without rounding; pixels
     std::vector<Batch> batches_;
 };
 
