@@ -2,8 +2,35 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <type_traits>
 
 namespace foam::texgen {
+
+namespace {
+
+// Calls visit(begin, size) for pieces of [0, count) that may overlap: of sizes that compilers know,
+// as runs are mostly a few pixels long. Precondition: count is not 0.
+template <class Visit>
+void in_pieces(std::size_t count, const Visit& visit) {
+    constexpr std::integral_constant<std::size_t, 8> kEight;
+    constexpr std::integral_constant<std::size_t, 4> kFour;
+    constexpr std::integral_constant<std::size_t, 1> kOne;
+    if (count >= kEight()) {
+        for (std::size_t k = 0; k + kEight() < count; k += kEight()) {
+            visit(k, kEight);
+        }
+        visit(count - kEight(), kEight);
+    } else if (count >= kFour()) {
+        visit(0, kFour);
+        visit(count - kFour(), kFour);
+    } else {
+        visit(0, kOne);
+        visit(count / 2, kOne);
+        visit(count - kOne(), kOne);
+    }
+}
+
+}  // namespace
 
 void FieldWriter::write(const PixelBatch& batch, ImagePlace place, std::uint32_t id) {
     const int width = field_.ids.width();
@@ -44,9 +71,13 @@ void FieldWriter::write_run(const PixelBatch& batch, Pixels at, std::uint32_t id
 }
 
 void FieldWriter::write_pixels(const PixelBatch& batch, const Pixels& at, std::uint32_t id) {
-    std::fill_n(field_.ids.pixel(at.x, at.row).data(), at.count, id);
+    std::uint32_t* ids = field_.ids.pixel(at.x, at.row).data();
+    in_pieces(at.count, [&](std::size_t k, auto size) { std::fill_n(ids + k, size(), id); });
     const auto copy_one = [&](const PixelBatch::Values& values, Image<float>& image) {
-        std::copy_n(&values[at.first], at.count, image.pixel(at.x, at.row).data());
+        const float* from = &values[at.first];
+        float* to = image.pixel(at.x, at.row).data();
+        in_pieces(at.count,
+                  [&](std::size_t k, auto size) { std::copy_n(from + k, size(), to + k); });
     };
     const auto copy_two =
         [&](const PixelBatch::Values& xs, const PixelBatch::Values& ys, Image<float>& image) {

@@ -20,26 +20,27 @@ void NearSides::clear() {
 }
 
 void NearSides::add(const RegionSide& side) {
-    const std::size_t lane = size_ % kLanes;
     if (size_ / kLanes == blocks_.size()) {
         blocks_.emplace_back();
     }
-    Block& block = blocks_[size_ / kLanes];
-    if (lane == 0) {
-        block = {};
-    }
-    block.middle_x[lane] = side.arc.middle.x();
-    block.middle_y[lane] = side.arc.middle.y();
-    block.direction_x[lane] = side.arc.direction.x();
-    block.direction_y[lane] = side.arc.direction.y();
-    block.chord[lane] = side.arc.chord;
-    block.over_chord[lane] = 1.0 / side.arc.chord;
-    block.cosine[lane] = side.arc.cosine;
-    block.sine[lane] = side.arc.sine;
+    set(size_, side.arc, 1.0 / side.arc.chord);
     if (side.corner) {
         corners_.push_back(size_);
     }
     ++size_;
+}
+
+void NearSides::set(std::size_t k, const FieldArc& arc, double over_chord) {
+    Block& block = blocks_[k / kLanes];
+    k %= kLanes;
+    block.middle_x[k] = arc.middle.x();
+    block.middle_y[k] = arc.middle.y();
+    block.direction_x[k] = arc.direction.x();
+    block.direction_y[k] = arc.direction.y();
+    block.chord[k] = arc.chord;
+    block.over_chord[k] = over_chord;
+    block.cosine[k] = arc.cosine;
+    block.sine[k] = arc.sine;
 }
 
 void NearSides::measure(double reach, bool gradient, PixelBatch& batch) {
@@ -66,6 +67,9 @@ void NearSides::measure(double reach, bool gradient, PixelBatch& batch) {
 }
 
 void NearSides::look_from(const Vec2& point) {
+    for (std::size_t k = size_; k % kLanes != 0; ++k) {
+        set(k, {}, 0.0);
+    }
     for (std::size_t k = 0; k * kLanes < size_; ++k) {
         look_from(point, blocks_[k]);
     }

@@ -39,6 +39,7 @@ class NearSides {
         Lanes twice, slope_x, slope_y, past_tail, before_head, at_least, facing;
     };
 
+    void set(std::size_t k, const FieldArc& arc, double over_chord);
     static void look_from(const Vec2& point, Block& block);
     // The functions of all sides at a point, and how far each side is from there at least.
     void look_from(const Vec2& point);

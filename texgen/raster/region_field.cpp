@@ -98,7 +98,12 @@ void RegionField::take_sides(std::size_t begin) {
     }
 }
 
+// With all sides.
 void RegionField::take_all(const Pixels& pixels) {
+    few_.clear();
+    for (const RegionSide& side : sides_) {
+        few_.add(side);
+    }
     const CellMask& mask = pixels.mask;
     batch_.clear(Vec2(mask.columns() / 2, pixels.rows / 2));
     for (int k = 0; k < mask.rows(); ++k) {

@@ -90,9 +90,7 @@ void RegionField::measure(const Pixels& pixels, DistanceNeeds needs, const Visit
             visit(std::as_const(batch_));
         }
     };
-    start();
     if (is_small(pixels)) {
-        take_sides(0);
         take_all(pixels);
         visit_batch(0.5 * Vec2(mask.columns(), pixels.rows).norm());
         return;
@@ -106,6 +104,7 @@ void RegionField::measure(const Pixels& pixels, DistanceNeeds needs, const Visit
             visit_batch(kTileReach);
         }
     };
+    start();
     int tiles = 1;
     while (tiles * kTileColumns < mask.columns() || tiles * kTileRows < mask.rows()) {
         tiles *= 2;
