@@ -51,8 +51,9 @@ class PixelBatch {
         const auto x = static_cast<float>(column + 0.5 - middle_.x());
         const auto y = static_cast<float>(row + 0.5 - middle_.y());
         for (std::size_t begin = 0; begin < size; begin += kLanes) {  // may write some too many
+            const float first = x + static_cast<float>(static_cast<int>(begin));
             for (std::size_t k = 0; k < kLanes; ++k) {
-                x_[count_ + begin + k] = x + static_cast<float>(static_cast<int>(begin + k));
+                x_[count_ + begin + k] = first + kSteps[k];
                 y_[count_ + begin + k] = y;
             }
         }
@@ -96,6 +97,8 @@ class PixelBatch {
     const Values& smooth_y() const { return smooth_y_; }
 
   private:
+    static constexpr std::array<float, kLanes> kSteps{0, 1, 2, 3, 4, 5, 6, 7};
+
     Vec2 middle_{0.0, 0.0};
     std::size_t count_ = 0;
     std::size_t padded_ = 0;  // to whole vectors

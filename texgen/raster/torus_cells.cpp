@@ -29,7 +29,8 @@ double reach(const FilmArc& arc) {
 // Of the first sides.
 template <class Side>
 void turn(std::span<const Side> sides, HalfTurns& turns) {
-    for (std::size_t k = 0; k < std::min(sides.size(), HalfTurns::kLanes); ++k) {
+    const std::size_t count = std::min(sides.size(), HalfTurns::kLanes);
+    for (std::size_t k = 0; k < count; ++k) {
         turns.angle[k] = sides[k].arc.half_angle;
     }
     find_turns(turns);
