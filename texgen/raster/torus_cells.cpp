@@ -58,13 +58,10 @@ RegionExtent extent_of(std::span<const Side> sides) {
 TorusCells::TorusCells(const Frame& frame, const RasterGrid& grid, int threads)
     : grid_(grid),
       pixels_(frame, grid_),
+      junctions_(pixels_.junctions()),
       bubbles_(frame.network.bubble_slots()),
       extents_(frame.network.bubble_slots()),
       firsts_(frame.network.bubble_slots()) {
-    junctions_.reserve(frame.positions.size());
-    for (const Vec2& position : frame.positions) {
-        junctions_.push_back(snap(grid_, frame.torus, position));
-    }
     order_bubbles();
     batches_.resize((bubbles_.size() + kPerTask - 1) / kPerTask);
     parallel_for(
