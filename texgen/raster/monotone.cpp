@@ -1,13 +1,31 @@
 #include "texgen/raster/monotone.h"
 
+#include <array>
 #include <cmath>
-#include <numbers>
+#include <utility>
 
 namespace foam::texgen {
 
 namespace {
 
-constexpr double kQuarter = 0.5 * std::numbers::pi;
+// The quarter of the plane that a direction lies in, counter-clockwise; each holds the axis that it
+// begins with.
+int quarter_of(const Vec2& direction) {
+    const auto [x, y] = std::pair(direction.x(), direction.y());
+    if (y > 0.0) {
+        return x > 0.0 ? 0 : 1;
+    }
+    if (y < 0.0) {
+        return x < 0.0 ? 2 : 3;
+    }
+    return x > 0.0 ? 0 : 2;
+}
+
+Vec2 axis(int quarter) {
+    constexpr std::array<double, 5> kCosines{1.0, 0.0, -1.0, 0.0, 1.0};
+    const auto k = static_cast<std::size_t>(quarter % 4);
+    return {kCosines[k], -kCosines[k + 1]};
+}
 
 // Whether an arc of less than half a turn goes back neither in x nor in y: all its tangents lie
 // between those at its ends.
@@ -29,26 +47,31 @@ MonotonePieces::MonotonePieces(const PixelArc& arc) {
     }
 }
 
-// Where the tangent is parallel to an axis. The chord from the tail to where it has turned by an
-// angle t is, with r the radius, 2 r sin(t / 2) long and turned by t / 2 from the tangent there.
+// Where the tangent is parallel to an axis. From where it is a to where it is b, unit vectors, an
+// arc that turns left goes by the radius times b - a, turned right; half of that is the sine of
+// half the angle between them. One that turns right is its mirror image.
 void MonotonePieces::split(const PixelArc& arc) {
-    const double half_angle = std::atan2(arc.sine, arc.cosine);
-    const double direction = std::atan2(arc.chord.y(), arc.chord.x());
-    const double first = direction - half_angle;
-    const double last = direction + half_angle;
-    const double sign = half_angle < 0.0 ? -1.0 : 1.0;
-    const double diameter = arc.chord.norm() / std::abs(arc.sine);
-    double from = first;
-    double quarter = sign * (std::floor(sign * first / kQuarter) + 1.0);
-    for (; sign * (quarter * kQuarter - last) < 0.0; quarter += sign) {
-        const double to = quarter * kQuarter;
-        const double turn = to - first;
-        const double length = diameter * std::sin(0.5 * std::abs(turn));
-        const double angle = first + 0.5 * turn;
-        append(length * Vec2(std::cos(angle), std::sin(angle)), std::sin(0.5 * (to - from)));
+    const double side = arc.sine < 0.0 ? -1.0 : 1.0;
+    const Vec2 mirror(1.0, side);
+    const double length = arc.chord.norm();
+    const double radius = 0.5 * length / std::abs(arc.sine);
+    const Vec2 along = mirror.cwiseProduct(arc.chord) * (arc.cosine / length);
+    const Vec2 across = turned_left(mirror.cwiseProduct(arc.chord)) * (std::abs(arc.sine) / length);
+    const Vec2 first = along - across;
+    const Vec2 last = along + across;
+    const int begin = quarter_of(first);
+    int end = quarter_of(last);
+    if (end < begin || (end == begin && arc.cosine < 0.0)) {
+        end += 4;
+    }
+    Vec2 from = first;
+    for (int quarter = begin + 1; quarter <= end; ++quarter) {
+        const Vec2 to = axis(quarter);
+        const Vec2 head = -radius * turned_left(to - first);
+        append(mirror.cwiseProduct(head), 0.5 * side * (to - from).norm());
         from = to;
     }
-    append(arc.chord, std::sin(0.5 * (last - from)));
+    append(arc.chord, 0.5 * side * (last - from).norm());
 }
 
 }  // namespace foam::texgen
