@@ -17,8 +17,8 @@ namespace foam::texgen {
 
 namespace {
 
-// Of the sums of a band, few are touched. Bands of 1/2 MB to 4 MB take the same time, to a tenth:
-// what is cut and begun for each costs about as much as caches miss.
+// Of the sums of a band, few are touched: what is cut and begun for each band costs more than
+// caches miss, down to 1/4 MB (README).
 constexpr std::size_t kBandBytes = std::size_t{1} << 21;
 constexpr std::size_t kAhead = 6;  // arcs lie anywhere in memory: which to fetch beforehand
 constexpr int kFewestRows = 4;
