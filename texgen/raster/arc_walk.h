@@ -66,8 +66,8 @@ class ArcWalk {
         std::size_t parts = 0;
     };
 
-    void end_rows(std::size_t arc);
-    void join_crossings(std::size_t arc);
+    void end_rows(std::size_t k);
+    void join_crossings(std::size_t k);
 
     std::int32_t rows_;
     std::size_t size_ = 0;
