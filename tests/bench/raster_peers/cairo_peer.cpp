@@ -2,6 +2,7 @@
 
 #include <cairo.h>
 
+#include <cstddef>
 #include <memory>
 
 namespace foam::bench {
@@ -45,13 +46,15 @@ class CairoPainter {
 
     texgen::Image<std::uint8_t> image() const {
         cairo_surface_flush(surface_.get());
+        constexpr std::ptrdiff_t kPixelBytes = 4;
         const int side = cairo_image_surface_get_width(surface_.get());
         const unsigned char* data = cairo_image_surface_get_data(surface_.get());
-        const int stride = cairo_image_surface_get_stride(surface_.get());
+        const std::ptrdiff_t stride = cairo_image_surface_get_stride(surface_.get());
         texgen::Image<std::uint8_t> copy(side, side, 3);
         for (int y = 0; y < side; ++y) {
             for (int x = 0; x < side; ++x) {
-                const unsigned char* pixel = data + y * stride + 4 * x;  // blue, green, red
+                // Blue, green, red.
+                const unsigned char* pixel = data + y * stride + kPixelBytes * x;
                 const auto to = copy.pixel(x, y);
                 std::reverse_copy(pixel, pixel + 3, to.begin());
             }
