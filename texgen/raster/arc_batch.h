@@ -27,8 +27,8 @@ struct ArcSides {
     std::int16_t right_periods = 0;
 };
 
-/// Appends an arc whose ends were rounded, in pieces that rise. Those that are level, to
-/// the subpixel, bound no area and are left out.
+/// Appends an arc whose ends were rounded, in pieces that rise. Those that are level, to the
+/// subpixel, bound no area and are left out.
 void append_arc(const PixelArc& arc,
                 SubpixelPoint tail,
                 SubpixelPoint head,

@@ -1,5 +1,6 @@
 #include "texgen/raster/arc_walk.h"
 
+#include "texgen/raster/make_room.h"
 #include "texgen/raster/monotone.h"
 #include "texgen/raster/vector_clones.h"
 
@@ -41,14 +42,6 @@ FOAMTEX_VECTOR_CLONES void measure_parts(std::size_t count,
                                height * (2 * kSubpixel),
                                height > 0 ? area : 0};
         }
-    }
-}
-
-// At least that many, for arrays that only grow.
-template <class Value>
-void make_room(std::vector<Value>& values, std::size_t count) {
-    if (values.size() < count) {
-        values.resize(2 * count);
     }
 }
 

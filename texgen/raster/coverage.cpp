@@ -1,5 +1,6 @@
 #include "texgen/raster/coverage.h"
 
+#include "texgen/raster/make_room.h"
 #include "texgen/raster/vector_clones.h"
 
 #include <bit>
@@ -108,17 +109,12 @@ void Coverage<Sums>::add(const CellArc& arc, SubpixelPoint translation, const St
     steps_[walk_.size()] = step;
     walk_.add(arc, translation);
     if (walk_.size() == ArcWalk::kMostArcs) {
-        add_split();
+        finish();
     }
 }
 
 template <class Sums>
 void Coverage<Sums>::finish() {
-    add_split();
-}
-
-template <class Sums>
-void Coverage<Sums>::add_split() {
     walk_.split();
     for (std::size_t k = 0; k < walk_.size(); ++k) {
         fetch_parts(k + 1);
@@ -208,7 +204,8 @@ void Coverage<Sums>::take_row(int row, const Sum& start, RowSums<Sum>& sums) {
     std::uint64_t* touched = &touched_[index * words_];
     fetch_row(index + 1);
     const auto width = static_cast<std::size_t>(width_);
-    sums.make_room(width + 2);
+    make_room(sums.begins, width + 2);
+    make_room(sums.sums, width + 2);
     Sum sum = start;
     add_times(1, std::exchange(starts_[index], Sum{}), sum);
     std::uint32_t* begin = sums.begins.data();

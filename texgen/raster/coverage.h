@@ -20,13 +20,6 @@ struct RowSums {
     std::size_t count = 0;
     std::vector<std::uint32_t> begins;  // the first pixel of each
     std::vector<Sum> sums;
-
-    void make_room(std::size_t stretches) {
-        if (begins.size() < stretches) {
-            begins.resize(stretches);
-            sums.resize(stretches);
-        }
-    }
 };
 
 /// Adds up arcs, each with the values on its sides per channel, over a band of rows, so that a
@@ -72,7 +65,6 @@ class Coverage {
   private:
     using Parts = std::span<const ArcWalk::Part>;
 
-    void add_split();
     void fetch_parts(std::size_t arc) const;
     bool is_inside(std::size_t arc) const {
         return walk_.leftmost(arc) >= 0 && walk_.rightmost(arc) < width_;

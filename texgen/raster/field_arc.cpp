@@ -5,13 +5,9 @@
 
 namespace foam::texgen {
 
-FieldArc field_arc(const FilmArc& arc, const Vec2& tail) {
+FieldArc field_arc(const PixelArc& arc, const Vec2& tail) {
     const double chord = arc.chord.norm();
-    return {tail + 0.5 * arc.chord,
-            arc.chord / chord,
-            chord,
-            std::cos(arc.half_angle),
-            std::sin(arc.half_angle)};
+    return {tail + 0.5 * arc.chord, arc.chord / chord, chord, arc.cosine, arc.sine};
 }
 
 // With e = c/4 - |q|²/c, which is 0 on the circle around the chord, and h = q's distance to the

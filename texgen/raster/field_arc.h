@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/film_arc.h"
+#include "texgen/raster/pixel_arc.h"
 
 #include <array>
 
@@ -26,7 +26,7 @@ struct FieldArc {
 };
 
 /// Precondition: the chord is not zero.
-FieldArc field_arc(const FilmArc& arc, const Vec2& tail);
+FieldArc field_arc(const PixelArc& arc, const Vec2& tail);
 
 /// The two of the pencil of circles through both ends that are, at these, normal to each other,
 /// each with a slope of 1: `across` is 0 on the arc's own circle, positive on the left, `along` on

@@ -16,7 +16,7 @@ void PatchRegions::place(BubbleId bubble, SubpixelPoint corner, RegionField& fie
         for (; k < end; ++k) {
             const ArcLoops::Arc& side = boundaries.arcs[k];
             if (side.arc.chord.norm() > kShortestSide) {
-                field.add_side(field_arc(film_arc(side.arc), side.tail - origin));
+                field.add_side(field_arc(side.arc, side.tail - origin));
             }
         }
         field.close_boundary();

@@ -4,34 +4,36 @@
 
 namespace foam::texgen {
 
-FOAMTEX_VECTOR_CLONES void find_xs(std::span<const ArcCrossings> arcs, std::int32_t* xs) {
-    constexpr std::size_t kLanes = ArcCrossings::kLanes;
+namespace {
+
+// crossing(arc, at) of all; inlined, or the copies for other processors would share this one.
+template <class Crossing>
+[[gnu::always_inline]] inline void find(std::span<const ArcCrossings> arcs,
+                                        const Crossing& crossing,
+                                        std::int32_t* to) {
     for (const ArcCrossings& crossings : arcs) {
         const RisingArc arc = crossings.arc;
         const double step = crossings.step;
-        for (std::size_t from = 0; from < crossings.count; from += kLanes) {
-            const double y = crossings.first + static_cast<double>(from) * step;
-            std::int32_t* to = xs + crossings.place + from;
-            for (std::size_t k = 0; k < kLanes; ++k) {
-                to[k] = rounded(arc.x_at(y + static_cast<double>(k) * step));
+        for (std::size_t from = 0; from < crossings.count; from += ArcCrossings::kLanes) {
+            const double first = crossings.first + static_cast<double>(from) * step;
+            std::int32_t* found = to + crossings.place + from;
+            for (std::size_t k = 0; k < ArcCrossings::kLanes; ++k) {
+                found[k] = rounded(crossing(arc, first + static_cast<double>(k) * step));
             }
         }
     }
 }
 
+}  // namespace
+
+FOAMTEX_VECTOR_CLONES void find_xs(std::span<const ArcCrossings> arcs, std::int32_t* xs) {
+    find(
+        arcs, [](const RisingArc& arc, double y) { return arc.x_at(y); }, xs);
+}
+
 FOAMTEX_VECTOR_CLONES void find_ys(std::span<const ArcCrossings> arcs, std::int32_t* ys) {
-    constexpr std::size_t kLanes = ArcCrossings::kLanes;
-    for (const ArcCrossings& crossings : arcs) {
-        const RisingArc arc = crossings.arc;
-        const double step = crossings.step;
-        for (std::size_t from = 0; from < crossings.count; from += kLanes) {
-            const double x = crossings.first + static_cast<double>(from) * step;
-            std::int32_t* to = ys + crossings.place + from;
-            for (std::size_t k = 0; k < kLanes; ++k) {
-                to[k] = rounded(arc.y_at(x + static_cast<double>(k) * step));
-            }
-        }
-    }
+    find(
+        arcs, [](const RisingArc& arc, double x) { return arc.y_at(x); }, ys);
 }
 
 }  // namespace foam::texgen

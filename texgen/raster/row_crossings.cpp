@@ -1,5 +1,6 @@
 #include "texgen/raster/row_crossings.h"
 
+#include "texgen/raster/make_room.h"
 #include "texgen/raster/monotone.h"
 #include "texgen/raster/rising_arc.h"
 #include "texgen/raster/vector_clones.h"
@@ -53,9 +54,7 @@ void RowCrossings::add_rising(const SnappedArc& arc, const CellMask& mask) {
 }
 
 void RowCrossings::mark(CellMask& mask) {
-    if (xs_.size() < count_) {
-        xs_.resize(2 * count_);
-    }
+    make_room(xs_, count_);
     find(arcs_, xs_.data());
     for (const Rising& arc : arcs_) {
         for (std::size_t k = 0; k < arc.count; ++k) {

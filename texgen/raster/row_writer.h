@@ -1,6 +1,7 @@
 #pragma once
 
 #include "texgen/raster/coverage.h"
+#include "texgen/raster/make_room.h"
 
 #include <array>
 #include <bit>
@@ -46,7 +47,7 @@ class RowWriter {
     /// Writes a row of `width` pixels, of which `room` begins with: what is beyond may be written
     /// over.
     void write(RowSums<typename Sums::Sum>& sums, std::size_t width, std::span<Sample> room) {
-        pixels_.resize(sums.begins.size());
+        make_room(pixels_, sums.count);
         to_samples_(std::span(sums.sums).first(sums.count),
                     [&](std::size_t k, const std::array<Sample, Channels>& samples) {
                         pixels_[k] = packed(samples);

@@ -127,8 +127,4 @@ double distance(const SideArc& arc, const Vec2& point) {
     return std::sqrt(std::min((point - arc.tail).squaredNorm(), (point - arc.head).squaredNorm()));
 }
 
-double extent(const SideArc& arc) {
-    return (arc.head - arc.middle).norm();
-}
-
 }  // namespace foam::texgen

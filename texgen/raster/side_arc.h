@@ -27,9 +27,6 @@ struct SideArc {
 
 /// Precondition: the chord is not zero.
 SideArc place(const PixelArc& arc, const Vec2& tail);
-inline SideArc place(const FilmArc& arc, const Vec2& tail) {
-    return place(pixel_arc(arc), tail);
-}
 
 /// The arc at a distance to the left; nothing if the arc's centre is nearer than that.
 std::optional<SideArc> offset_left(const SideArc& arc, double distance);

@@ -12,7 +12,7 @@ std::vector<SideArc> polygon(const std::vector<Vec2>& corners) {
     std::vector<SideArc> sides;
     for (std::size_t k = 0; k < corners.size(); ++k) {
         sides.push_back(
-            place(FilmArc{corners[(k + 1) % corners.size()] - corners[k], 0.0}, corners[k]));
+            place(pixel_arc({corners[(k + 1) % corners.size()] - corners[k], 0.0}), corners[k]));
     }
     return sides;
 }
@@ -81,8 +81,9 @@ TEST(Inset, OfATwoSidedBubble) {
     // is the lens of two circles of radius r - h around the same centres.
     const double chord = 10.0;
     const double half_angle = std::numbers::pi / 3.0;
-    const std::vector<SideArc> sides{place(FilmArc{Vec2(chord, 0.0), half_angle}, {0.0, 0.0}),
-                                     place(FilmArc{Vec2(-chord, 0.0), half_angle}, {chord, 0.0})};
+    const std::vector<SideArc> sides{
+        place(pixel_arc({Vec2(chord, 0.0), half_angle}), {0.0, 0.0}),
+        place(pixel_arc({Vec2(-chord, 0.0), half_angle}), {chord, 0.0})};
     const double r = 0.5 * chord / std::sin(half_angle);
     const double small = r - 1.0;
     const double lens = 2.0 * small * small * std::acos(0.5 * r / small) -
@@ -125,7 +126,7 @@ TEST(Inset, OfACircleInThreeArcs) {
         const double b = a + 2.0 * std::numbers::pi / 3.0;
         const Vec2 from(7.0 * std::cos(a), 7.0 * std::sin(a));
         const Vec2 to(7.0 * std::cos(b), 7.0 * std::sin(b));
-        sides.push_back(place(FilmArc{to - from, std::numbers::pi / 3.0}, from));
+        sides.push_back(place(pixel_arc({to - from, std::numbers::pi / 3.0}), from));
     }
     const std::vector<double> areas = inset_areas(sides, 2.0);
     ASSERT_EQ(areas.size(), 1U);

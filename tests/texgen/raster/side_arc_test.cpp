@@ -21,7 +21,7 @@ double brute_distance(const FilmArc& arc, const Vec2& tail, const Vec2& point) {
 
 TEST(SideArc, PlacesAQuarterCircle) {
     // Counter-clockwise around the origin, from (1, 0) to (0, 1).
-    const SideArc side = place(FilmArc{Vec2(-1.0, 1.0), kPi / 4.0}, {1.0, 0.0});
+    const SideArc side = place(pixel_arc({Vec2(-1.0, 1.0), kPi / 4.0}), {1.0, 0.0});
     EXPECT_NEAR(side.curvature, 1.0, 1e-15);
     EXPECT_NEAR((side.tail_tangent - Vec2(0.0, 1.0)).norm(), 0.0, 1e-15);
     EXPECT_NEAR((side.head_tangent - Vec2(-1.0, 0.0)).norm(), 0.0, 1e-15);
@@ -33,7 +33,7 @@ TEST(SideArc, PlacesAQuarterCircle) {
 TEST(SideArc, DistanceIsThatToTheNearestPoint) {
     for (const double half_angle : {-2.5, -1.0, -0.1, 0.0, 1e-9, 0.2, 1.2, 2.0}) {
         const FilmArc arc{Vec2(3.0, 1.0), half_angle};
-        const SideArc side = place(arc, {1.0, 2.0});
+        const SideArc side = place(pixel_arc(arc), {1.0, 2.0});
         for (const double x : {-1.7, -0.4, 0.9, 1.6, 2.5, 3.3, 4.2, 5.9}) {
             for (const double y : {-1.1, 0.3, 1.4, 2.2, 3.1, 4.6}) {
                 const Vec2 point(x, y);
@@ -46,7 +46,7 @@ TEST(SideArc, DistanceIsThatToTheNearestPoint) {
 
 TEST(SideArc, OffsetKeepsItsDistanceAndItsNormals) {
     for (const double half_angle : {-1.3, -0.2, 0.0, 0.4, 1.3}) {
-        const SideArc side = place(FilmArc{Vec2(10.0, -4.0), half_angle}, {2.0, 3.0});
+        const SideArc side = place(pixel_arc({Vec2(10.0, -4.0), half_angle}), {2.0, 3.0});
         const std::optional<SideArc> offset = offset_left(side, 1.5);
         ASSERT_TRUE(offset.has_value());
         for (int k = 0; k <= 10; ++k) {
@@ -60,7 +60,7 @@ TEST(SideArc, OffsetKeepsItsDistanceAndItsNormals) {
 }
 
 TEST(SideArc, OffsetEndsAtTheCentre) {
-    const SideArc side = place(FilmArc{Vec2(-1.0, 1.0), kPi / 4.0}, {1.0, 0.0});  // of radius 1
+    const SideArc side = place(pixel_arc({Vec2(-1.0, 1.0), kPi / 4.0}), {1.0, 0.0});  // of radius 1
     EXPECT_TRUE(offset_left(side, 0.999).has_value());
     EXPECT_FALSE(offset_left(side, 1.0).has_value());
     EXPECT_FALSE(offset_left(side, 2.0).has_value());
@@ -68,8 +68,8 @@ TEST(SideArc, OffsetEndsAtTheCentre) {
 
 TEST(SideArc, LinesCrossOnce) {
     // Along y = 0 to the right; the other comes down x = 3, so that its left is at x > 3.
-    const SideArc arc = place(FilmArc{Vec2(2.0, 0.0), 0.0}, {0.0, 0.0});
-    const SideArc other = place(FilmArc{Vec2(0.0, -2.0), 0.0}, {3.0, 1.0});
+    const SideArc arc = place(pixel_arc({Vec2(2.0, 0.0), 0.0}), {0.0, 0.0});
+    const SideArc other = place(pixel_arc({Vec2(0.0, -2.0), 0.0}), {3.0, 1.0});
     const Crossings found = crossings(arc, other);
     EXPECT_NEAR(found.entering, 2.0, 1e-15);  // from the middle, x = 1
     EXPECT_FALSE(std::isfinite(found.leaving));
@@ -77,8 +77,8 @@ TEST(SideArc, LinesCrossOnce) {
 
 TEST(SideArc, ALineEntersAndLeavesACircle) {
     // The unit circle, counter-clockwise: its left is its inside.
-    const SideArc line = place(FilmArc{Vec2(6.0, 0.0), 0.0}, {-3.0, 0.6});
-    const SideArc circle = place(FilmArc{Vec2(-1.0, 1.0), kPi / 4.0}, {1.0, 0.0});
+    const SideArc line = place(pixel_arc({Vec2(6.0, 0.0), 0.0}), {-3.0, 0.6});
+    const SideArc circle = place(pixel_arc({Vec2(-1.0, 1.0), kPi / 4.0}), {1.0, 0.0});
     const Crossings found = crossings(line, circle);
     EXPECT_NEAR(found.entering, -0.8, 1e-14);
     EXPECT_NEAR(found.leaving, 0.8, 1e-14);
@@ -87,8 +87,8 @@ TEST(SideArc, ALineEntersAndLeavesACircle) {
 TEST(SideArc, CrossingsLieOnBothArcs) {
     for (const double a : {-1.2, -0.3, 0.0, 1e-12, 0.5, 1.4}) {
         for (const double b : {-0.9, 0.0, 1e-9, 0.7}) {
-            const SideArc arc = place(FilmArc{Vec2(4.0, 1.0), a}, {0.0, 0.0});
-            const SideArc other = place(FilmArc{Vec2(-1.0, 5.0), b}, {2.5, -2.0});
+            const SideArc arc = place(pixel_arc({Vec2(4.0, 1.0), a}), {0.0, 0.0});
+            const SideArc other = place(pixel_arc({Vec2(-1.0, 5.0), b}), {2.5, -2.0});
             const Crossings found = crossings(arc, other);
             const double within =
                 std::abs(found.entering) < arc.reach ? found.entering : found.leaving;
@@ -99,7 +99,7 @@ TEST(SideArc, CrossingsLieOnBothArcs) {
 }
 
 TEST(SideArc, PieceGoesFromPointToPoint) {
-    const SideArc side = place(FilmArc{Vec2(4.0, 1.0), 1.1}, {2.0, 2.0});
+    const SideArc side = place(pixel_arc({Vec2(4.0, 1.0), 1.1}), {2.0, 2.0});
     const FilmArc part = film_arc(piece(side, -0.5, 1.0));
     EXPECT_NEAR(foam::curvature(part), side.curvature, 1e-14);
     EXPECT_NEAR((part.chord - (point_at(side, 1.0) - point_at(side, -0.5))).norm(), 0.0, 1e-15);
