@@ -27,20 +27,10 @@ Vec2 axis(int quarter) {
     return {kCosines[k], -kCosines[k + 1]};
 }
 
-// Whether an arc of less than half a turn goes back neither in x nor in y: all its tangents lie
-// between those at its ends.
-bool is_monotone(const PixelArc& arc) {
-    const Vec2 along = arc.cosine * arc.chord;
-    const Vec2 across = arc.sine * turned_left(arc.chord);
-    const Vec2 first = along - across;
-    const Vec2 last = along + across;
-    return arc.cosine > 0.0 && first.x() * last.x() >= 0.0 && first.y() * last.y() >= 0.0;
-}
-
 }  // namespace
 
 MonotonePieces::MonotonePieces(const PixelArc& arc) {
-    if (is_monotone(arc)) {
+    if (is_monotone(arc.chord.x(), arc.chord.y(), arc.cosine, arc.sine)) {
         append(arc.chord, arc.sine);
     } else {
         split(arc);

@@ -7,6 +7,16 @@
 
 namespace foam::texgen {
 
+/// Whether an arc of this chord goes back neither in x nor in y: if it turns by less than half a
+/// turn, and all its tangents lie between those at its ends.
+[[gnu::always_inline]] inline bool is_monotone(double x, double y, double cosine, double sine) {
+    const double first_x = cosine * x + sine * y;
+    const double first_y = cosine * y - sine * x;
+    const double last_x = cosine * x - sine * y;
+    const double last_y = cosine * y + sine * x;
+    return (cosine > 0.0) & (first_x * last_x >= 0.0) & (first_y * last_y >= 0.0);
+}
+
 /// A piece of an arc that goes neither back in x nor in y.
 struct MonotonePiece {
     Vec2 head{0.0, 0.0};  // relative to the arc's tail

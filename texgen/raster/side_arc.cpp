@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 namespace foam::texgen {
 
 namespace {
-
-// A radius that shrinks to less than this part of itself counts as gone.
-constexpr double kSmallestShrinkage = 1e-9;
 
 // Signed distance to the left of the arc's whole circle; 1 - 2 curvature f is the squared distance
 // from the centre over the squared radius.
@@ -82,26 +79,12 @@ SideArc corner_arc(const SideArc& before, const SideArc& after, double distance)
     return cap;
 }
 
-// With y(s) = s / (1 + (k s / 2)²) (t + (k s / 2) n) the points of the one circle, relative to its
-// middle, the equation of the other, n' (y - q) - k' / 2 |y - q|² = 0, becomes a s² + b s - e = 0.
 Crossings crossings(const SideArc& arc, const SideArc& other) {
-    const Vec2 q = other.middle - arc.middle;
-    const Vec2 normal = turned_left(other.direction);
-    const Vec2 m = normal + other.curvature * q;
-    const double e = normal.dot(q) + 0.5 * other.curvature * q.squaredNorm();
-    const double b = m.dot(arc.direction);
-    const double a = 0.5 * (arc.curvature * m.dot(turned_left(arc.direction)) - other.curvature) -
-                     0.25 * e * arc.curvature * arc.curvature;
-    const double discriminant = b * b + 4.0 * a * e;
-    if (discriminant < 0.0) {
-        constexpr double kNever = std::numeric_limits<double>::infinity();
-        return {kNever, kNever};
-    }
-    // The slope at the two roots is minus and plus this; each root in the form that does not
-    // cancel.
-    const double slope = std::sqrt(discriminant);
-    return {b <= 0.0 ? -2.0 * e / (slope - b) : -(b + slope) / (2.0 * a),
-            b >= 0.0 ? 2.0 * e / (b + slope) : (slope - b) / (2.0 * a)};
+    const auto circle_of = [](const SideArc& of) {
+        const auto& [x, y] = std::pair(of.middle.x(), of.middle.y());
+        return ArcCircle{x, y, of.direction.x(), of.direction.y(), of.curvature};
+    };
+    return crossings(circle_of(arc), circle_of(other));
 }
 
 Vec2 point_at(const SideArc& arc, double parameter) {
