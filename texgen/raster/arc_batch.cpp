@@ -20,19 +20,6 @@ void append_arc(const PixelArc& arc,
     append_piece(from, head, pieces.back().sine, sides, to);
 }
 
-void append_piece(SubpixelPoint tail,
-                  SubpixelPoint head,
-                  double sine,
-                  const ArcSides& sides,
-                  std::vector<CellArc>& to) {
-    const auto& [left, right, left_periods, right_periods] = sides;
-    if (tail.y < head.y) {
-        to.push_back({tail, head, sine, left, right, left_periods, right_periods});
-    } else if (head.y < tail.y) {
-        to.push_back({head, tail, -sine, right, left, right_periods, left_periods});
-    }
-}
-
 // The integral of 2 x dy, with x from the first arc.
 double twice_area(std::span<const CellArc> chain, std::uint32_t bubble) {
     double area = 0.0;

@@ -5,6 +5,7 @@
 #include "texgen/raster/pixel_arc.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -35,12 +36,30 @@ void append_arc(const PixelArc& arc,
                 const ArcSides& sides,
                 std::vector<CellArc>& to);
 
-/// Appends an arc that goes neither back in x nor in y, if it is not level.
-void append_piece(SubpixelPoint tail,
-                  SubpixelPoint head,
-                  double sine,
-                  const ArcSides& sides,
-                  std::vector<CellArc>& to);
+/// Appends an arc that goes neither back in x nor in y, if it is not level. No branch depends on
+/// whether it rises, which is not foreseen.
+inline void append_piece(SubpixelPoint tail,
+                         SubpixelPoint head,
+                         double sine,
+                         const ArcSides& sides,
+                         std::vector<CellArc>& to) {
+    if (tail.y == head.y) {
+        return;
+    }
+    const std::size_t falls = head.y < tail.y ? 1 : 0;
+    const std::size_t rises = 1 - falls;
+    constexpr std::array<double, 2> kSigns{1.0, -1.0};
+    const std::array<SubpixelPoint, 2> ends{tail, head};
+    const std::array<std::uint32_t, 2> values{sides.left, sides.right};
+    const std::array<std::int16_t, 2> periods{sides.left_periods, sides.right_periods};
+    to.push_back({ends[falls],
+                  ends[rises],
+                  kSigns[falls] * sine,
+                  values[falls],
+                  values[rises],
+                  periods[falls],
+                  periods[rises]});
+}
 
 /// Twice the area within a closed chain of arcs around one bubble, in square subpixels; negative if
 /// it goes clockwise.
