@@ -31,10 +31,6 @@ bool within(const SideArc& a, const SideArc& b, double distance) {
 }  // namespace
 
 const ArcLoops& InsetTracer::trace(std::span<const SideArc> sides, double distance) {
-    begin();
-    if (plain_.trace(sides, distance, loops_)) {
-        return loops_;
-    }
     return trace(sides, std::array{sides.size()}, distance);
 }
 

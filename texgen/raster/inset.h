@@ -1,7 +1,6 @@
 #pragma once
 
 #include "texgen/raster/arc_loop.h"
-#include "texgen/raster/plain_inset.h"
 #include "texgen/raster/side_arc.h"
 
 #include <cstddef>
@@ -17,8 +16,8 @@ namespace foam::texgen {
 /// Each offset is cut where it crosses another; a piece between two cuts belongs to the boundary
 /// exactly if its middle keeps the distance. So sides that are too short to show drop out, a narrow
 /// bubble may fall into several parts, and one that is all film into none, without any case being
-/// told apart. A bubble of which every side shows is found more quickly (PlainInset). Keeps its
-/// working memory from one bubble to the next.
+/// told apart. Where every side shows, PlainInsets finds the same more quickly. Keeps its working
+/// memory from one bubble to the next.
 class InsetTracer {
   public:
     /// The sides go counter-clockwise around the bubble, each of them beginning where the last
@@ -26,9 +25,9 @@ class InsetTracer {
     /// call.
     const ArcLoops& trace(std::span<const SideArc> sides, double distance);
 
-    /// The same, never by way of PlainInset; of a region with several boundaries, each with the
-    /// region on its left, as of what lies around a patch: `loop_ends` are one past the last side
-    /// of each. Loops around what is left out of an unbounded region go clockwise.
+    /// The same of a region with several boundaries, each with the region on its left, as of what
+    /// lies around a patch: `loop_ends` are one past the last side of each. Loops around what is
+    /// left out of an unbounded region go clockwise.
     const ArcLoops& trace(std::span<const SideArc> sides,
                           std::span<const std::size_t> loop_ends,
                           double distance);
@@ -62,7 +61,6 @@ class InsetTracer {
     std::vector<double> cuts_;         // parameters along one offset
     std::vector<std::size_t> nearby_;  // sides that may come too near to one offset
     std::vector<Piece> pieces_;
-    PlainInset plain_;
     ArcLoops loops_;
 };
 

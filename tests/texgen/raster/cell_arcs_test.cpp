@@ -3,6 +3,7 @@
 #include "core/foam/honeycomb.h"
 #include "tests/support/raster_frames.h"
 #include "texgen/raster/arc_batch.h"
+#include "texgen/raster/inset.h"
 
 #include <gtest/gtest.h>
 
@@ -58,6 +59,43 @@ TEST(CellArcs, LeaveAStripOfHalfTheWidthFree) {
     EXPECT_EQ(found.size(), 16U);
     for (const auto& [bubble, area] : found) {
         EXPECT_NEAR(area, expected, 1.0) << bubble;  // of 1e5
+    }
+}
+
+// As InsetTracer finds it for each bubble; in pixels.
+double area_left_free(const Frame& frame, double scale, BubbleId bubble, double inset) {
+    std::vector<SideArc> sides;
+    Vec2 at = Vec2::Zero();
+    for (const HalfEdgeId h : frame.network.around(bubble)) {
+        const FilmArc arc{scale * frame.arc(h).chord, frame.arc(h).half_angle};
+        sides.push_back(place(pixel_arc(arc), at));
+        at += arc.chord;
+    }
+    InsetTracer tracer;
+    double area = 0.0;
+    for (const ArcLoops& loops = tracer.trace(sides, inset);
+         const ArcLoops::Arc& arc : loops.arcs) {
+        area += 0.5 * cross(arc.tail, arc.arc.chord) + segment_area(film_arc(arc.arc));
+    }
+    return area;
+}
+
+// Bubbles with few sides are traced several at once; the one with 6 films and a bubble amid each of
+// them has 18 sides.
+TEST(CellArcs, AreTheInsetsOfBubblesWithFewSidesAndMany) {
+    Foam foam = honeycomb(4, 4);
+    const auto crowded = id_at<BubbleId>(5);
+    for (const HalfEdgeId h : foam.network.around(crowded)) {
+        test::insert_lens(foam, film_of(h), 0.3);
+    }
+    ASSERT_EQ(foam.network.sides(crowded), 18);
+    const Frame frame = test::fitted_frame(foam, 256, 222);
+    const double scale = 256.0 / frame.torus.width;
+    const std::map<std::uint32_t, double> found = areas(cell_arcs(frame, {256, 222, 0, 0}, 2.0, 1));
+    EXPECT_EQ(found.size(), 22U);
+    for (const auto& [index, area] : found) {
+        const double expected = area_left_free(frame, scale, id_at<BubbleId>(index), 1.0);
+        EXPECT_NEAR(area, expected, 0.2) << index;  // 200 pixels of perimeter, to a subpixel
     }
 }
 
