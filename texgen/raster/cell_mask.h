@@ -74,10 +74,6 @@ class CellMask {
         return words_[row_begin(row) + static_cast<std::size_t>(column / kBits)];
     }
     static std::uint64_t bit(int column) { return std::uint64_t{1} << (column % kBits); }
-    // The first row or column whose middle is at or beyond a place.
-    static std::int32_t first_middle_from(std::int32_t subpixel) {
-        return pixel_of(subpixel + kSubpixel / 2 - 1);
-    }
     int next_change(int row, int column) const;
     void toggle(SubpixelPoint low, SubpixelPoint high, int begin, int end);
 

@@ -1,10 +1,12 @@
 #include "texgen/raster/distance.h"
 
 #include "texgen/raster/bands.h"
+#include "texgen/raster/cell_place.h"
 #include "texgen/raster/field_writer.h"
 #include "texgen/raster/parallel_for.h"
 #include "texgen/raster/patch_regions.h"
 #include "texgen/raster/region_field.h"
+#include "texgen/raster/small_cell.h"
 #include "texgen/raster/torus_cells.h"
 
 #include <algorithm>
@@ -17,6 +19,7 @@ namespace {
 
 constexpr int kTileRows = RegionField::kTileRows;
 constexpr int kRowsPerBand = 8 * kTileRows;
+constexpr std::size_t kAhead = 3;  // bubbles, whose sides are fetched beforehand
 
 // The rows of a band.
 struct Rows {
@@ -33,14 +36,17 @@ struct Window {
     PixelBox box;
     int first_row = 0;  // of those in the mask, above the box's; a multiple of kTileRows
 
-    Window(const PixelBox& around, const Rows& rows, CellMask& mask) : box(around) {
-        const int wanted = std::max(rows.begin - box.bottom, 0);
-        first_row = wanted / kTileRows * kTileRows;
-        mask.reset(box.columns(),
-                   std::min(box.top, rows.end) - box.bottom - first_row,
-                   wanted - first_row);
+    SmallMask::Rows wanted;  // of the box
+
+    Window(const PixelBox& around, const Rows& rows)
+        : box(around),
+          wanted{std::max(rows.begin - box.bottom, 0), std::min(box.top, rows.end) - box.bottom} {
+        first_row = wanted.begin / kTileRows * kTileRows;
     }
 
+    void reset(CellMask& mask) const {
+        mask.reset(box.columns(), wanted.end - first_row, wanted.begin - first_row);
+    }
     SubpixelPoint corner() const { return {box.left * kSubpixel, box.bottom * kSubpixel}; }
     SubpixelPoint mask_corner() const { return corner() + SubpixelPoint{0, first_row * kSubpixel}; }
 };
@@ -55,24 +61,32 @@ class TorusPainter {
         : cells_(cells), bands_(bands), needs_(needs), field_(field), writer_(needs, field) {}
 
     void paint(int band) {
-        for (const Bands::Entry& entry : bands_.entries(band)) {
-            paint_bubble(entry, Rows(bands_, band));
+        const std::span<const Bands::Entry> entries = bands_.entries(band);
+        for (std::size_t k = 0; k < entries.size(); ++k) {
+            cells_.expect(entries[std::min(k + kAhead, entries.size() - 1)].region);
+            paint_bubble(entries[k], Rows(bands_, band));
         }
     }
 
   private:
     void paint_bubble(const Bands::Entry& entry, const Rows& rows) {
         const SubpixelPoint by = entry.translation;
-        const Window window(box_around(cells_.extents()[entry.region], by), rows, mask_);
-        const BubbleId bubble = cells_.bubbles()[entry.region];
-        const ImagePlace place{wrap(window.box.left, field_.ids.width()), window.box.bottom};
-        writer_.expect(place, window.box.columns(), window.first_row, mask_.rows());
-        cells_.place(
-            entry.region, {by, window.corner(), window.mask_corner()}, crossings_, mask_, bubble_);
-        bubble_.measure(
-            {mask_, window.first_row, window.box.rows()}, needs_, [&](const PixelBatch& batch) {
-                writer_.write(batch, place, static_cast<std::uint32_t>(index_of(bubble)));
-            });
+        const Window window(box_around(cells_.extents()[entry.region], by), rows);
+        const auto id = static_cast<std::uint32_t>(index_of(cells_.bubbles()[entry.region]));
+        const PixelBox& box = window.box;
+        const ImagePlace place{wrap(box.left, field_.ids.width()), box.bottom};
+        writer_.expect(place, box.columns(), window.wanted.begin, window.wanted.end);
+        const BubbleSides sides = cells_.sides(entry.region);
+        const CellPlace at{by, window.corner(), window.mask_corner()};
+        if (small_.place(sides, at, {box.columns(), box.rows(), window.wanted})) {
+            writer_.write(small_.measure(needs_), place, id);
+            return;
+        }
+        window.reset(mask_);
+        place_cell(sides, at, crossings_, mask_, bubble_);
+        bubble_.measure({mask_, window.first_row, box.rows()},
+                        needs_,
+                        [&](const PixelBatch& batch) { writer_.write(batch, place, id); });
     }
 
     const TorusCells& cells_;
@@ -80,6 +94,7 @@ class TorusPainter {
     DistanceNeeds needs_;
     DistanceField& field_;
     FieldWriter writer_;
+    SmallCell small_;
     RowCrossings crossings_;
     CellMask mask_;
     RegionField bubble_;
@@ -126,7 +141,8 @@ class PatchPainter {
         if (box.columns() <= 0) {
             return;
         }
-        const Window window(box, rows, mask_);
+        const Window window(box, rows);
+        window.reset(mask_);
         mask_.fill(cells_.chain(outline), SubpixelPoint{} - window.mask_corner());
         regions_.place(outline.bubble, window.corner(), bubble_);
         measure(bubble_,

@@ -45,10 +45,10 @@ void FieldWriter::write(const PixelBatch& batch, ImagePlace place, std::uint32_t
 
 // A cache line is as wide as 16 pixels. Written rows lie a whole image row apart, which processors
 // do not foresee.
-void FieldWriter::expect(ImagePlace place, int columns, int first_row, int rows) const {
+void FieldWriter::expect(ImagePlace place, int columns, int begin, int end) const {
     constexpr int kStep = 16;
     const int width = field_.ids.width();
-    for (int row = std::max(first_row, -place.row); row < first_row + rows; ++row) {
+    for (int row = begin; row < end; ++row) {
         for (int column = 0; column < columns; column += kStep) {
             const int x = place.x + column;
             if (x < width) {

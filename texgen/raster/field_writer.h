@@ -22,9 +22,9 @@ class FieldWriter {
 
     void write(const PixelBatch& batch, ImagePlace place, std::uint32_t id);
 
-    /// Has the memory fetched that some rows of a region will be written to; rows below the image
-    /// are left out.
-    void expect(ImagePlace place, int columns, int first_row, int rows) const;
+    /// Has the memory fetched that some rows of a region, [begin, end), will be written to; they
+    /// lie in the image.
+    void expect(ImagePlace place, int columns, int begin, int end) const;
 
   private:
     struct Pixels {

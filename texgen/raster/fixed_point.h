@@ -43,6 +43,11 @@ inline std::int32_t within_pixel(std::int32_t subpixel) {
     return subpixel & (kSubpixel - 1);
 }
 
+/// The first row or column of pixels whose middle is at or beyond a place.
+inline std::int32_t first_middle_from(std::int32_t subpixel) {
+    return pixel_of(subpixel + kSubpixel / 2 - 1);
+}
+
 /// n / d rounded down, for d > 0.
 inline std::int32_t floor_div(std::int32_t n, std::int32_t d) {
     return n / d - (n % d < 0 ? 1 : 0);

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 
 namespace foam::texgen {
@@ -41,13 +42,6 @@ float chosen(std::uint32_t mask, float first, float second) {
                                 (std::bit_cast<std::uint32_t>(second) & ~mask));
 }
 
-// Copies, so that compilers know that no pixel changes them.
-struct PlacedArc {
-    FloatQuadratic across;
-    FloatLine tail;
-    FloatLine head;
-};
-
 struct SeenArc {
     // Of its distance, `over` / `under`; infinite where the pixel does not face the arc.
     float over;
@@ -57,7 +51,7 @@ struct SeenArc {
     float slope_y;
 };
 
-inline SeenArc seen_from(const PlacedArc& arc, float x, float y) {
+inline SeenArc seen_from(const FloatArc& arc, float x, float y) {
     const FloatQuadratic& f = arc.across;
     const float slope_x = f.x - f.curvature * x;
     const float slope_y = f.y - f.curvature * y;
@@ -74,46 +68,59 @@ inline SeenArc seen_from(const PlacedArc& arc, float x, float y) {
 }  // namespace
 
 void PixelBatch::clear(const Vec2& middle) {
+    constexpr double kCenter = 0.5;
     middle_ = middle;
+    first_x_ = static_cast<float>(middle.x() - kCenter);
+    first_y_ = static_cast<float>(middle.y() - kCenter);
     count_ = 0;
     padded_ = 0;
     run_count_ = 0;
 }
 
-void PixelBatch::begin() {
+// To whole vectors.
+void PixelBatch::pad() {
     padded_ = (count_ + kLanes - 1) / kLanes * kLanes;
-    for (std::size_t k = count_; k < padded_; ++k) {
-        x_[k] = x_[0];
-        y_[k] = y_[0];
+    std::fill_n(x_.begin() + static_cast<std::ptrdiff_t>(count_), kLanes, x_[0]);
+    std::fill_n(y_.begin() + static_cast<std::ptrdiff_t>(count_), kLanes, y_[0]);
+}
+
+FOAMTEX_VECTOR_CLONES void PixelBatch::add_arcs(std::span<const FloatArc> arcs) {
+    pad();
+    for (std::size_t from = 0; from < padded_; from += kLanes) {
+        const float* x = &x_[from];
+        const float* y = &y_[from];
+        std::array<float, kLanes> over{};
+        std::array<float, kLanes> under{};
+        over.fill(kFar);
+        under.fill(1.0F);
+        for (const FloatArc& arc : arcs) {
+            for (std::size_t k = 0; k < kLanes; ++k) {
+                const SeenArc seen = seen_from(arc, x[k], y[k]);
+                const std::uint32_t nearest = mask_if(seen.over * under[k] < over[k] * seen.under);
+                over[k] = chosen(nearest, seen.over, over[k]);
+                under[k] = chosen(nearest, seen.under, under[k]);
+            }
+        }
+        std::memcpy(&over_[from], over.data(), sizeof over);
+        std::memcpy(&under_[from], under.data(), sizeof under);
     }
+}
+
+FOAMTEX_VECTOR_CLONES void PixelBatch::add_arcs_and_gradients(std::span<const FloatArc> arcs) {
+    pad();
     std::fill_n(over_.begin(), padded_, kFar);
     std::fill_n(under_.begin(), padded_, 1.0F);
-}
-
-FOAMTEX_VECTOR_CLONES void PixelBatch::add_arc(const FloatQuadratic& across,
-                                               const FloatLine& tail,
-                                               const FloatLine& head) {
-    const PlacedArc arc{across, tail, head};
-    for (std::size_t k = 0; k < padded_; ++k) {
-        const SeenArc seen = seen_from(arc, x_[k], y_[k]);
-        const std::uint32_t nearest = mask_if(seen.over * under_[k] < over_[k] * seen.under);
-        over_[k] = chosen(nearest, seen.over, over_[k]);
-        under_[k] = chosen(nearest, seen.under, under_[k]);
-    }
-}
-
-FOAMTEX_VECTOR_CLONES void PixelBatch::add_arc_and_gradient(const FloatQuadratic& across,
-                                                            const FloatLine& tail,
-                                                            const FloatLine& head) {
-    const PlacedArc arc{across, tail, head};
-    for (std::size_t k = 0; k < padded_; ++k) {
-        const SeenArc seen = seen_from(arc, x_[k], y_[k]);
-        const float sign = std::copysign(1.0F, seen.twice);
-        const std::uint32_t nearest = mask_if(seen.over * under_[k] < over_[k] * seen.under);
-        gradient_x_[k] = chosen(nearest, sign * seen.slope_x, gradient_x_[k]);
-        gradient_y_[k] = chosen(nearest, sign * seen.slope_y, gradient_y_[k]);
-        over_[k] = chosen(nearest, seen.over, over_[k]);
-        under_[k] = chosen(nearest, seen.under, under_[k]);
+    for (const FloatArc& some : arcs) {
+        const FloatArc arc = some;
+        for (std::size_t k = 0; k < padded_; ++k) {
+            const SeenArc seen = seen_from(arc, x_[k], y_[k]);
+            const float sign = std::copysign(1.0F, seen.twice);
+            const std::uint32_t nearest = mask_if(seen.over * under_[k] < over_[k] * seen.under);
+            gradient_x_[k] = chosen(nearest, sign * seen.slope_x, gradient_x_[k]);
+            gradient_y_[k] = chosen(nearest, sign * seen.slope_y, gradient_y_[k]);
+            over_[k] = chosen(nearest, seen.over, over_[k]);
+            under_[k] = chosen(nearest, seen.under, under_[k]);
+        }
     }
 }
 
@@ -132,18 +139,13 @@ FOAMTEX_VECTOR_CLONES void PixelBatch::add_point(const Vec2& point) {
     }
 }
 
-FOAMTEX_VECTOR_CLONES bool PixelBatch::is_unresolved() const {
+FOAMTEX_VECTOR_CLONES bool PixelBatch::finish() {
     std::uint32_t any = 0;
     for (std::size_t k = 0; k < padded_; ++k) {
         any |= mask_if(over_[k] == kFar);
-    }
-    return any != 0;
-}
-
-FOAMTEX_VECTOR_CLONES void PixelBatch::finish() {
-    for (std::size_t k = 0; k < padded_; ++k) {
         distance_[k] = over_[k] / under_[k];
     }
+    return any == 0;
 }
 
 FOAMTEX_VECTOR_CLONES void PixelBatch::normalize_gradients() {

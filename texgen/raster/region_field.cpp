@@ -1,37 +1,14 @@
 #include "texgen/raster/region_field.h"
 
-#include <bit>
+#include "texgen/raster/runs.h"
+#include "texgen/raster/smooth_films.h"
+
 #include <cmath>
 #include <limits>
 
 namespace foam::texgen {
 
 namespace {
-
-constexpr double kLeastCosine = 0.5;  // of the half angle of a side
-// A film of a chord below this part of its distance adds less than 1e-8 to a smooth distance, and
-// its functions might leave the range of floats.
-constexpr double kLeastChord = 1e-4;
-// Where a circle is cut off.
-constexpr float kNowhere = 1e15F;
-
-FloatQuadratic in_floats(const Quadratic& q) {
-    return {static_cast<float>(2.0 * q.value),
-            static_cast<float>(q.gradient.x()),
-            static_cast<float>(q.gradient.y()),
-            static_cast<float>(q.curvature)};
-}
-
-// Calls visit(begin, count) for the runs of bits that are set; not all are.
-template <class Visit>
-void for_each_run(std::uint64_t bits, const Visit& visit) {
-    while (bits != 0) {
-        const int begin = std::countr_zero(bits);
-        const int count = std::countr_one(bits >> begin);
-        visit(begin, count);
-        bits &= ~(((std::uint64_t{1} << count) - 1) << begin);
-    }
-}
 
 bool turns_right(const FieldArc& before, const FieldArc& after) {
     return cross(head_tangent(before), tail_tangent(after)) < 0.0;
@@ -50,7 +27,7 @@ void RegionField::add_side(const FieldArc& arc) {
     if (kind_ == Kind::Bubble || (kind_ == Kind::Circle && films_.empty())) {
         films_.push_back(arc);
     }
-    if (arc.cosine >= kLeastCosine) {
+    if (arc.cosine >= kLeastSideCosine) {
         sides_.push_back({arc, false});
         return;
     }
@@ -107,7 +84,7 @@ void RegionField::take_all(const Pixels& pixels) {
     const CellMask& mask = pixels.mask;
     batch_.clear(Vec2(mask.columns() / 2, pixels.rows / 2));
     for (int k = 0; k < mask.rows(); ++k) {
-        for_each_run(mask.whole_row(k), [&](int begin, int count) {
+        for_each_run_of_bits(mask.whole_row(k), [&](int begin, int count) {
             batch_.add_run(begin, pixels.first_row + k, count);
         });
     }
@@ -118,7 +95,7 @@ void RegionField::take_tile(const Pixels& pixels, int x, int y) {
     const int row = y * kTileRows;
     batch_.clear(Vec2(column + 0.5 * kTileColumns, pixels.first_row + row + 0.5 * kTileRows));
     for (int k = row; k < std::min(row + kTileRows, pixels.mask.rows()); ++k) {
-        for_each_run(pixels.mask.sixteen(x, k), [&](int begin, int count) {
+        for_each_run_of_bits(pixels.mask.sixteen(x, k), [&](int begin, int count) {
             batch_.add_run(column + begin, pixels.first_row + k, count);
         });
     }
@@ -130,24 +107,8 @@ void RegionField::measure_batch(double reach, DistanceNeeds needs) {
         batch_.normalize_gradients();
     }
     if (needs.smooth) {
-        measure_smooth(reach);
+        texgen::measure_smooth(films_, kind_ == Kind::Circle, reach, batch_);
     }
-}
-
-void RegionField::measure_smooth(double reach) {
-    batch_.begin_smooth();
-    for (const FieldArc& film : films_) {
-        const double far = (batch_.middle() - film.middle).norm() + reach;
-        if (film.chord <= kLeastChord * far) {
-            continue;
-        }
-        const Pencil pencil = pencil_at(film, batch_.middle());
-        batch_.add_film(in_floats(pencil.across),
-                        kind_ == Kind::Circle ? FloatQuadratic{kNowhere, 0.0F, 0.0F, 0.0F}
-                                              : in_floats(pencil.along),
-                        static_cast<float>(film.chord));
-    }
-    batch_.finish_smooth();
 }
 
 }  // namespace foam::texgen

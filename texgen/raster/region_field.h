@@ -69,7 +69,6 @@ class RegionField {
     void take_all(const Pixels& pixels);
     void take_tile(const Pixels& pixels, int x, int y);
     void measure_batch(double reach, DistanceNeeds needs);
-    void measure_smooth(double reach);
 
     Kind kind_ = Kind::Bubble;
     std::vector<RegionSide> sides_;

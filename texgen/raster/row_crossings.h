@@ -1,6 +1,7 @@
 #pragma once
 
 #include "texgen/raster/cell_mask.h"
+#include "texgen/raster/snapped_arc.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -8,15 +9,6 @@
 #include <vector>
 
 namespace foam::texgen {
-
-/// An arc between ends that were rounded to subpixels; by the cosine and the sine of its half
-/// angle.
-struct SnappedArc {
-    SubpixelPoint tail;
-    SubpixelPoint head;
-    double cosine = 1.0;
-    double sine = 0.0;
-};
 
 /// Finds where the arcs around a region cross the middles of rows, to the nearest subpixel. What is
 /// found depends on each arc alone: regions on both its sides, and copies of it that whole
@@ -46,7 +38,6 @@ class RowCrossings {
     };
 
     void add_rising(const SnappedArc& arc, const CellMask& mask);
-    void add_pieces(const SnappedArc& side, const CellMask& mask);
     static void find(std::span<const Rising> arcs, std::int32_t* xs);
 
     std::vector<Rising> arcs_;

@@ -1,7 +1,8 @@
 #include "texgen/raster/torus_cells.h"
 
-#include "texgen/raster/half_turns.h"
+#include "texgen/raster/film_shapes.h"
 #include "texgen/raster/parallel_for.h"
+#include "texgen/raster/vector_clones.h"
 
 #include <algorithm>
 #include <array>
@@ -16,41 +17,45 @@ namespace {
 constexpr int kSquareBits = 5;     // of pixels
 constexpr double kRounding = 2.0;  // subpixels, of both ends of a film and more
 
-// How far an arc reaches beyond its chord, at most: its sagitta, by no less than the tangent of a
-// quarter of its turn, or a whole diameter.
-double reach(const FilmArc& arc) {
-    constexpr double kQuarterTurn = 0.7;
-    const double length = std::abs(arc.chord.x()) + std::abs(arc.chord.y());
-    const double half = 0.5 * std::abs(arc.half_angle);
-    return half < kQuarterTurn ? 0.5 * length * half * (1.0 + 0.5 * half * half)
-                               : length / std::sin(2.0 * half);
+std::size_t blocks_of(std::size_t sides) {
+    return (sides + SideLanes::kLanes - 1) / SideLanes::kLanes;
 }
 
-// Of the first sides.
-template <class Side>
-void turn(std::span<const Side> sides, HalfTurns& turns) {
-    const std::size_t count = std::min(sides.size(), HalfTurns::kLanes);
-    for (std::size_t k = 0; k < count; ++k) {
-        turns.angle[k] = sides[k].arc.half_angle;
+// What a bubble's extent is made of. An arc reaches beyond its chord by no more than its sagitta,
+// half the chord times the tangent of a quarter of its turn, or by a whole diameter.
+struct Reach {
+    std::int32_t left, right, bottom, top;  // of the tails
+    double beyond;                          // the largest of the sides, pixels
+};
+
+FOAMTEX_VECTOR_CLONES void extend(const SideLanes& sides, Reach& reach) {
+    constexpr double kLeastCosine = 0.2;  // of an arc whose sagitta is asked for
+    Reach to = reach;
+    for (std::size_t k = 0; k < SideLanes::kLanes; ++k) {
+        to.left = std::min(to.left, sides.tail_x[k]);
+        to.right = std::max(to.right, sides.tail_x[k]);
+        to.bottom = std::min(to.bottom, sides.tail_y[k]);
+        to.top = std::max(to.top, sides.tail_y[k]);
+        const double length = std::abs(sides.chord_x[k]) + std::abs(sides.chord_y[k]);
+        const double sine = std::abs(sides.sine[k]);
+        const double cosine = sides.cosine[k];
+        const double sagitta = 0.5 * length * sine / (1.0 + cosine);
+        const double beyond = cosine > kLeastCosine ? sagitta : length / sine;
+        to.beyond = beyond > to.beyond ? beyond : to.beyond;
     }
-    find_turns(turns);
+    reach = to;
 }
 
-template <class Side>
-RegionExtent extent_of(std::span<const Side> sides) {
-    const SubpixelPoint first = sides.front().tail;
-    RegionExtent extent{first, first, first};
-    double beyond = 0.0;
-    for (const Side& side : sides) {
-        const auto& [low, high] = std::pair(extent.lowest, extent.highest);
-        extent.lowest = {std::min(low.x, side.tail.x), std::min(low.y, side.tail.y)};
-        extent.highest = {std::max(high.x, side.tail.x), std::max(high.y, side.tail.y)};
-        beyond = std::max(beyond, reach(side.arc));
+RegionExtent extent_of(std::span<const SideLanes> sides) {
+    const SubpixelPoint first = sides.front().tail(0);
+    Reach reach{first.x, first.x, first.y, first.y, 0.0};
+    for (const SideLanes& some : sides) {
+        extend(some, reach);
     }
-    const auto margin = static_cast<std::int32_t>(beyond * kSubpixel + kRounding);
-    extent.lowest = extent.lowest - SubpixelPoint{margin, margin};
-    extent.highest = extent.highest + SubpixelPoint{margin, margin};
-    return extent;
+    const auto margin = static_cast<std::int32_t>(reach.beyond * kSubpixel + kRounding);
+    return {first,
+            {reach.left - margin, reach.bottom - margin},
+            {reach.right + margin, reach.top + margin}};
 }
 
 }  // namespace
@@ -58,6 +63,7 @@ RegionExtent extent_of(std::span<const Side> sides) {
 TorusCells::TorusCells(const Frame& frame, const RasterGrid& grid, int threads)
     : grid_(grid),
       pixels_(frame, grid_),
+      shapes_(film_shapes(frame, pixels_.scale, threads)),
       junctions_(pixels_.junctions()),
       bubbles_(frame.network.bubble_slots()),
       extents_(frame.network.bubble_slots()),
@@ -94,99 +100,80 @@ void TorusCells::gather_bubbles(int task) {
     Batch& batch = batches_[static_cast<std::size_t>(task)];
     const std::size_t begin = static_cast<std::size_t>(task) * kPerTask;
     const std::size_t end = std::min(begin + kPerTask, bubbles_.size());
-    batch.ends.reserve(end - begin);
-    batch.sides.reserve(7 * (end - begin));
-    for (std::size_t from = begin; from < end; from += kAhead) {
-        const std::size_t to = std::min(from + kAhead, end);
-        const Ahead ahead = look_ahead(from, to);
+    batch.bubbles.reserve(end - begin);
+    std::size_t blocks = 0;
+    for (std::size_t k = begin; k < end; ++k) {
+        const auto sides = static_cast<std::size_t>(pixels_.frame.network.sides(bubbles_[k]));
+        batch.bubbles.push_back(
+            {static_cast<std::uint32_t>(blocks), static_cast<std::uint32_t>(sides)});
+        blocks += blocks_of(sides);
+    }
+    batch.lanes = std::make_unique_for_overwrite<SideLanes[]>(blocks);
+    for (std::size_t from = begin; from < end; from += kTogether) {
+        const std::size_t to = std::min(from + kTogether, end);
+        gather(from, to, batch);
         for (std::size_t k = from; k < to; ++k) {
-            gather(k, ahead, batch);
+            const auto& [first, sides] = batch.bubbles[k - begin];
+            extents_[k] = extent_of({&batch.lanes[first], blocks_of(sides)});
         }
     }
 }
 
 // What follows a side is known once the side is there, which lies anywhere in memory: around
-// several bubbles in step, processors wait for all of them at once. What else belongs to the sides
-// is fetched meanwhile.
-TorusCells::Ahead TorusCells::look_ahead(std::size_t begin, std::size_t end) const {
-    const Frame& frame = pixels_.frame;
-    const Network& network = frame.network;
-    Ahead ahead;
-    std::array<HalfEdgeId, kAhead> sides{};
-    for (std::size_t k = 0; k < end - begin; ++k) {
-        sides[k] = network.first(bubbles_[begin + k]);
-        __builtin_prefetch(&frame.positions[network.tail(sides[k])]);
+// several bubbles in step, processors wait for all of them at once.
+void TorusCells::gather(std::size_t begin, std::size_t end, Batch& batch) {
+    const Network& network = pixels_.frame.network;
+    std::array<Walk, kTogether> all;
+    const std::span walks = std::span(all).first(end - begin);
+    std::size_t most = 0;
+    for (std::size_t k = begin; k < end; ++k) {
+        const auto& [first, sides] = batch.bubbles[k % kPerTask];
+        const HalfEdgeId side = network.first(bubbles_[k]);
+        walks[k - begin] = {side, {}, &batch.lanes[first], sides};
+        firsts_[k] = pixels_.exact(network.tail(side));
+        most = std::max<std::size_t>(most, sides);
     }
-    for (std::array<LatticeOffset, kAhead>& offsets : ahead) {
-        for (std::size_t k = 0; k < end - begin; ++k) {
-            const HalfEdgeId side = sides[k];
-            __builtin_prefetch(&frame.arcs[film_of(side)]);
-            __builtin_prefetch(&junctions_[index_of(network.tail(side))]);
-            offsets[k] = network.offset(side);
-            sides[k] = network.next(side);
+    for (std::size_t step = 0; step < most; ++step) {
+        for (Walk& walk : walks) {
+            if (step < walk.sides) {
+                go(step, walk);
+            }
         }
     }
-    return ahead;
-}
-
-void TorusCells::gather(std::size_t place, const Ahead& ahead, Batch& batch) {
-    const Frame& frame = pixels_.frame;
-    const Network& network = frame.network;
-    const std::size_t first_side = batch.sides.size();
-    const HalfEdgeId first = network.first(bubbles_[place]);
-    LatticeOffset lift;
-    HalfEdgeId h = first;
-    std::size_t step = 0;
-    do {
-        const SubpixelPoint junction = junctions_[index_of(network.tail(h))];
-        batch.sides.push_back({pixels_.arc(h), junction + pixels_.translation(lift)});
-        lift = lift + (step < kMostlySides ? ahead[step][place % kAhead] : network.offset(h));
-        h = network.next(h);
-        ++step;
-    } while (h != first);
-    batch.ends.push_back(batch.sides.size());
-    extents_[place] = extent_of(std::span<const Side>(batch.sides).subspan(first_side));
-    firsts_[place] = pixels_.exact(network.tail(first));
-}
-
-std::span<const TorusCells::Side> TorusCells::sides_of(std::size_t place) const {
-    const Batch& batch = batches_[place / kPerTask];
-    const std::size_t k = place % kPerTask;
-    const std::size_t begin = k == 0 ? 0 : batch.ends[k - 1];
-    return std::span(batch.sides).subspan(begin, batch.ends[k] - begin);
-}
-
-// The first point was rounded to a subpixel, which the region's sides are not.
-void TorusCells::place(std::size_t bubble,
-                       const Place& at,
-                       RowCrossings& crossings,
-                       CellMask& mask,
-                       RegionField& region) const {
-    region.clear(RegionField::Kind::Bubble);
-    const SubpixelPoint from_corner = at.translation - at.corner;
-    const SubpixelPoint from_mask = at.translation - at.mask;
-    Vec2 from = firsts_[bubble] + Vec2(from_corner.x, from_corner.y) / kSubpixel;
-    const std::span<const Side> sides = sides_of(bubble);
-    HalfTurns turns;
-    for (std::size_t k = 0; k < sides.size(); ++k) {
-        const std::size_t lane = k % HalfTurns::kLanes;
-        if (lane == 0) {
-            turn(sides.subspan(k), turns);
+    for (const Walk& walk : walks) {
+        for (std::size_t k = walk.sides; k % SideLanes::kLanes != 0; ++k) {
+            walk.to[k / SideLanes::kLanes].set(k % SideLanes::kLanes, {}, walk.to->tail(0));
         }
-        const Vec2& ahead = sides[k].arc.chord;
-        const double chord = ahead.norm();
-        const double cosine = turns.cosine[lane];
-        const double sine = turns.sine[lane];
-        if (chord > kShortestSide) {
-            region.add_side({from + 0.5 * ahead, ahead / chord, chord, cosine, sine});
-        }
-        from += ahead;
-        const SubpixelPoint tail = sides[k].tail + from_mask;
-        const SubpixelPoint head = sides[k + 1 < sides.size() ? k + 1 : 0].tail + from_mask;
-        crossings.add({tail, head, cosine, sine}, mask);
     }
-    crossings.mark(mask);
-    region.close_boundary();
+}
+
+void TorusCells::go(std::size_t step, Walk& walk) const {
+    const Network& network = pixels_.frame.network;
+    const HalfEdgeId h = walk.side;
+    const PixelArc& forward = shapes_[index_of(film_of(h))];
+    const LatticeOffset offset = network.offset(forward_side(film_of(h)));
+    // Without a branch, as nobody foresees which way a film is walked.
+    const int along = static_cast<int>(is_forward(h)) * 2 - 1;
+    walk.to[step / SideLanes::kLanes].set(
+        step % SideLanes::kLanes,
+        {along * forward.chord, forward.cosine, along * forward.sine},
+        junctions_[index_of(network.tail(h))] + pixels_.translation(walk.lift));
+    walk.lift = walk.lift + LatticeOffset{along * offset.i, along * offset.j};
+    walk.side = network.next(h);
+}
+
+BubbleSides TorusCells::sides(std::size_t bubble) const {
+    const Batch& batch = batches_[bubble / kPerTask];
+    const auto& [first, count] = batch.bubbles[bubble % kPerTask];
+    return {{&batch.lanes[first], blocks_of(count)}, count, firsts_[bubble]};
+}
+
+void TorusCells::expect(std::size_t bubble) const {
+    constexpr std::size_t kLineBytes = 64;
+    const std::span<const std::byte> bytes = std::as_bytes(sides(bubble).lanes.first<1>());
+    for (std::size_t k = 0; k < bytes.size(); k += kLineBytes) {
+        __builtin_prefetch(&bytes[k]);
+    }
 }
 
 }  // namespace foam::texgen

@@ -2,11 +2,12 @@
 
 #include "texgen/raster/bands.h"
 #include "texgen/raster/pixel_frame.h"
-#include "texgen/raster/region_field.h"
-#include "texgen/raster/row_crossings.h"
+#include "texgen/raster/side_lanes.h"
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -27,48 +28,41 @@ class TorusCells {
     /// Of each of them; somewhat too large. Begins with the tail of its first side.
     std::span<const RegionExtent> extents() const { return extents_; }
 
-    /// Where a bubble is drawn.
-    struct Place {
-        SubpixelPoint translation;  // of the bubble
-        SubpixelPoint corner;       // of the pixel that the region is relative to
-        SubpixelPoint mask;         // the same of the mask
-    };
-    /// Marks the boundary of a bubble, by its place among them, in a mask, which is empty, and
-    /// makes it the region.
-    void place(std::size_t bubble,
-               const Place& at,
-               RowCrossings& crossings,
-               CellMask& mask,
-               RegionField& region) const;
+    /// By the bubble's place among them.
+    BubbleSides sides(std::size_t bubble) const;
+    /// Has the memory fetched that sides() will be read from.
+    void expect(std::size_t bubble) const;
 
   private:
-    // Of a bubble, as one goes around it.
-    struct Side {
-        FilmArc arc;         // pixels
-        SubpixelPoint tail;  // of the unwrapped bubble
-    };
     // The bubbles of a task.
     struct Batch {
-        std::vector<Side> sides;
-        std::vector<std::size_t> ends;  // one past the last side of each
+        struct Bubble {
+            std::uint32_t first_lanes;
+            std::uint32_t sides;
+        };
+        std::unique_ptr<SideLanes[]> lanes;
+        std::vector<Bubble> bubbles;
+    };
+
+    // Around a bubble.
+    struct Walk {
+        HalfEdgeId side{};
+        LatticeOffset lift;
+        SideLanes* to = nullptr;
+        std::size_t sides = 0;
     };
 
     static constexpr std::size_t kPerTask = 1024;
-    static constexpr std::size_t kAhead = 16;       // bubbles, a part of a task
-    static constexpr std::size_t kMostlySides = 7;  // no more than these of a bubble, mostly
-
-    // The offsets of the first sides of some bubbles, by their places; goes on around bubbles that
-    // have fewer.
-    using Ahead = std::array<std::array<LatticeOffset, kAhead>, kMostlySides>;
+    static constexpr std::size_t kTogether = 16;  // bubbles, a part of a task
 
     void order_bubbles();
     void gather_bubbles(int task);
-    Ahead look_ahead(std::size_t begin, std::size_t end) const;
-    void gather(std::size_t place, const Ahead& ahead, Batch& batch);
-    std::span<const Side> sides_of(std::size_t place) const;
+    void gather(std::size_t begin, std::size_t end, Batch& batch);
+    void go(std::size_t step, Walk& walk) const;
 
     RasterGrid grid_;
     PixelFrame pixels_;
+    std::vector<PixelArc> shapes_;  // of films
     std::vector<SubpixelPoint> junctions_;
     std::vector<BubbleId> bubbles_;
     std::vector<RegionExtent> extents_;
