@@ -115,10 +115,11 @@ class Filler {
             image_.row(first_row).data(),
             row_samples * static_cast<std::size_t>(bands_.row_count(band)));
         for (int row = 0; row < bands_.row_count(band); ++row) {
+            const std::span<Sample> room =
+                rows.subspan(row_samples * static_cast<std::size_t>(row));
+            worker.writer.fetch(room.first(row_samples));
             worker.coverage.take_row(row, start, worker.sums);
-            worker.writer.write(worker.sums,
-                                static_cast<std::size_t>(image_.width()),
-                                rows.subspan(row_samples * static_cast<std::size_t>(row)));
+            worker.writer.write(worker.sums, static_cast<std::size_t>(image_.width()), room);
         }
     }
 

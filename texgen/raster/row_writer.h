@@ -44,6 +44,14 @@ class RowWriter {
   public:
     explicit RowWriter(const ToSamples& to_samples) : to_samples_(to_samples) {}
 
+    /// Has a row's memory fetched before it is written: stores would wait for it one by one.
+    static void fetch(std::span<const Sample> row) {
+        constexpr std::size_t kLineBytes = 64;
+        for (std::size_t k = 0; k < row.size(); k += kLineBytes / sizeof(Sample)) {
+            __builtin_prefetch(&row[k], 1);
+        }
+    }
+
     /// Writes a row of `width` pixels, of which `room` begins with: what is beyond may be written
     /// over.
     void write(RowSums<typename Sums::Sum>& sums, std::size_t width, std::span<Sample> room) {
