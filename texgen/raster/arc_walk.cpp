@@ -7,43 +7,13 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 
 namespace foam::texgen {
 
 namespace {
 
 constexpr std::size_t kLanes = 8;  // parts measured at once
-
-// The area on the left of a chord is a whole number that floats hold; the arc bulges beyond it. The
-// middle of a part tells its pixel, but where it has no height, and adds nothing to any row. What
-// is beyond the parts fills the last vector.
-FOAMTEX_VECTOR_CLONES void measure_parts(std::size_t count,
-                                         std::int32_t last_row,
-                                         float half_curvature,
-                                         const std::int32_t* __restrict xs,
-                                         const std::int32_t* __restrict ys,
-                                         ArcWalk::Part* __restrict parts) {
-    constexpr float kHalf = 0.5F;  // makes truncation the nearest
-    for (std::size_t from = 0; from < count; from += kLanes) {
-        const std::int32_t* x = xs + from;
-        const std::int32_t* y = ys + from;
-        for (std::size_t k = 0; k < kLanes; ++k) {
-            const std::int32_t height = y[k + 1] - y[k];
-            const std::int32_t row = (y[k] + y[k + 1]) >> (kSubpixelBits + 1);
-            const std::int32_t column = (x[k] + x[k + 1]) >> (kSubpixelBits + 1);
-            const auto dx = static_cast<float>(x[k + 1] - x[k]);
-            const auto dy = static_cast<float>(height);
-            const auto from_left = static_cast<float>(x[k] + x[k + 1] - 2 * kSubpixel * column);
-            const float squared = dx * dx + dy * dy;
-            const float bulge = twice_segment(squared, half_curvature * std::sqrt(squared));
-            const auto area = static_cast<std::int32_t>(dy * from_left + bulge + kHalf);
-            parts[from + k] = {row < last_row ? row : last_row,
-                               column,
-                               height * (2 * kSubpixel),
-                               height > 0 ? area : 0};
-        }
-    }
-}
 
 }  // namespace
 
@@ -52,21 +22,23 @@ void ArcWalk::add(const CellArc& arc, SubpixelPoint translation) {
     const SubpixelPoint high = arc.high + translation;
     const SubpixelPoint chord = high - low;
     const RisingArc rising(Vec2(chord.x, chord.y), arc.sine);
-    const SubpixelPoint from =
-        low.y < 0 ? SubpixelPoint{low.x + rounded(rising.x_at(-low.y)), 0} : low;
-    const std::int32_t row = pixel_of(from.y);
-    const std::int32_t last_row = pixel_of(std::min(high.y, rows_ * kSubpixel) - 1);
+    const std::int32_t from = low.y < 0 ? low.x + rounded(rising.x_at(-low.y)) : low.x;
     const std::size_t k = size_++;
     Arc& own = arcs_[k];
     own.low = low;
     own.high = high;
-    own.from = from;
-    own.direction = chord.x < 0 ? -1 : 1;
+    own.sign = chord.x < 0 ? -1 : 1;
+    own.bias = chord.x < 0 ? kSubpixel - 1 : 0;
+    own.from = {own.sign * from, std::max(low.y, 0)};
+    own.to = {own.sign * high.x, std::min(high.y, rows_ * kSubpixel)};
     own.half_curvature = static_cast<float>(rising.half_curvature());
+    const std::int32_t row = pixel_of(own.from.y);
     row_crossings_[k] = {rising,
                          static_cast<double>((row + 1) * kSubpixel - low.y),
                          kSubpixel,
-                         static_cast<std::size_t>(last_row - row) + 1,
+                         low.x,
+                         own.sign,
+                         static_cast<std::size_t>(pixel_of(own.to.y - 1) - row) + 1,
                          k == 0 ? 0 : row_crossings_[k - 1].end()};
 }
 
@@ -78,103 +50,131 @@ void ArcWalk::split() {
     make_room(xs_, row_crossings_[size_ - 1].end());
     find_xs(std::span(row_crossings_).first(size_), xs_.data());
     for (std::size_t k = 0; k < size_; ++k) {
-        end_rows(k);
+        find_columns(k);
     }
-    make_room(ys_, column_crossings_[size_ - 1].end() + kLanes);
+    make_room(ys_, column_crossings_[size_ - 1].end());
     find_ys(std::span(column_crossings_).first(size_), ys_.data());
     const std::size_t points = arcs_[size_ - 1].first_part + arcs_[size_ - 1].parts + 1 + kLanes;
     make_room(point_x_, points);
     make_room(point_y_, points);
     make_room(parts_, points);
+    make_room(rows_left_, points);
     for (std::size_t k = 0; k < size_; ++k) {
-        join_crossings(k);
+        place_rows(k);
+        place_columns(k);
     }
-    for (const Arc& arc : std::span(arcs_).first(size_)) {
-        measure_parts(arc.parts,
-                      rows_ - 1,
-                      arc.half_curvature,
-                      point_x_.data() + arc.first_part,
-                      point_y_.data() + arc.first_part,
-                      parts_.data() + arc.first_part);
-    }
+    measure_parts(
+        std::span(arcs_).first(size_), rows_ - 1, point_x_.data(), point_y_.data(), parts_.data());
 }
 
-// Moves the crossings of borders above rows to where the arc lies, and finds which borders of
-// columns it crosses.
-void ArcWalk::end_rows(std::size_t k) {
+// Which borders of columns an arc crosses.
+void ArcWalk::find_columns(std::size_t k) {
     Arc& arc = arcs_[k];
     const ArcCrossings& rows = row_crossings_[k];
-    const std::span<std::int32_t> xs = std::span(xs_).subspan(rows.place, rows.count);
-    std::int32_t last = arc.from.x;
-    if (arc.direction > 0) {  // rounding may take a step back
-        for (std::int32_t& x : xs) {
-            x = last = std::max(last, arc.low.x + x);
-        }
-    } else {
-        for (std::int32_t& x : xs) {
-            x = last = std::min(last, arc.low.x + x);
-        }
+    if (arc.high.y > arc.to.y) {
+        arc.to.x = std::max(arc.from.x, xs_[rows.place + rows.count - 1]);
     }
-    if (arc.high.y <= rows_ * kSubpixel) {
-        xs.back() = last = arc.high.x;
-    }
-    const std::int32_t first_column = pixel_of(arc.from.x);
-    const std::int32_t last_column = pixel_of(last);
-    arc.leftmost = std::min(first_column, last_column);
-    arc.rightmost = std::max(first_column, last_column);
-    arc.border = (arc.direction < 0 ? first_column : first_column + 1) * kSubpixel;
-    const auto columns = static_cast<std::size_t>(arc.rightmost - arc.leftmost);
+    const std::int32_t first_column = column_of(arc, arc.from.x);
+    const std::int32_t last_column = column_of(arc, arc.to.x);
+    const bool is_mirrored = arc.sign < 0;
+    arc.leftmost = is_mirrored ? -last_column : first_column;
+    arc.rightmost = is_mirrored ? -first_column : last_column;
+    arc.border = (is_mirrored ? first_column : first_column + 1) * kSubpixel;
+    const auto columns = static_cast<std::size_t>(last_column - first_column);
     column_crossings_[k] = {rows.arc,
-                            static_cast<double>(arc.border - arc.low.x),
-                            static_cast<double>(arc.direction * kSubpixel),
+                            static_cast<double>(arc.sign * arc.border - arc.low.x),
+                            static_cast<double>(arc.sign * kSubpixel),
+                            arc.low.y,
+                            1,
                             columns,
                             k == 0 ? 0 : column_crossings_[k - 1].end()};
     arc.parts = rows.count + columns;
-    arc.first_part = k == 0 ? 0 : arcs_[k - 1].first_part + arcs_[k - 1].parts + kLanes;
+    arc.first_part = k == 0 ? 0 : arcs_[k - 1].first_part + arcs_[k - 1].parts + 1;
 }
 
-// From row to row, each with the columns' borders that are crossed in it. Most rows have two of
-// them at most: two are put down for all, and what is too many is written over.
-void ArcWalk::join_crossings(std::size_t k) {
+// Puts down where an arc leaves each row, with room for the borders of columns that it has crossed
+// until then: nothing waits for a branch that depends on which comes first. Rounding may have taken
+// a step back.
+void ArcWalk::place_rows(std::size_t k) {
     const Arc arc = arcs_[k];  // a copy, which no point changes
-    const std::int32_t* xs = &xs_[row_crossings_[k].place];
-    const std::int32_t* ys = ys_.data() + column_crossings_[k].place;
-    const std::size_t rows = row_crossings_[k].count;
-    const std::int32_t end = std::min(arc.high.y, rows_ * kSubpixel);
-    const std::int32_t step = arc.direction * kSubpixel;
-    const std::int32_t first_column = pixel_of(arc.from.x);
-    std::int32_t* x = &point_x_[arc.first_part];
-    std::int32_t* y = &point_y_[arc.first_part];
-    *x++ = arc.from.x;
-    *y++ = arc.from.y;
-    std::int32_t crossed = 0;
-    std::int32_t low = arc.from.y;
-    std::int32_t high = (pixel_of(low) + 1) * kSubpixel;
-    for (std::size_t row = 0; row < rows; ++row) {
-        high = std::min(high, end);
-        const std::int32_t until = (pixel_of(xs[row]) - first_column) * arc.direction;
-        const std::int32_t count = until - crossed;
-        const std::int32_t border = arc.border + crossed * step;
-        const auto put = [&](std::int32_t column) {
-            x[column] = border + column * step;
-            y[column] = std::min(std::max(arc.low.y + ys[column], low), high);
-        };
-        put(0);
-        put(1);
-        for (std::int32_t column = 2; column < count; ++column) {
-            put(column);
-        }
-        x[count] = xs[row];
-        y[count] = high;
-        x += count + 1;
-        y += count + 1;
-        ys += count;
-        crossed = until;
-        low = high;
-        high += kSubpixel;
+    const ArcCrossings& rows = row_crossings_[k];
+    const std::int32_t* xs = &xs_[rows.place];
+    const std::int32_t first_column = column_of(arc, arc.from.x);
+    std::int32_t* rows_left = rows_left_.data();
+    std::int32_t* to_x = &point_x_[arc.first_part];
+    std::int32_t* to_y = &point_y_[arc.first_part];
+    to_x[0] = arc.from.x;
+    to_y[0] = arc.from.y;
+    to_x[arc.parts] = arc.to.x;
+    to_y[arc.parts] = arc.to.y;
+    const std::int32_t first_row = pixel_of(arc.from.y);
+    const auto last = static_cast<std::int32_t>(rows.count) - 1;
+    std::int32_t x = arc.from.x;
+    for (std::int32_t row = 0; row < last;) {
+        x = std::min(std::max(x, xs[row]), arc.to.x);
+        const std::int32_t columns = column_of(arc, x) - first_column;
+        ++row;
+        to_x[row + columns] = x;
+        to_y[row + columns] = (first_row + row) * kSubpixel;
+        rows_left[columns] = row;
     }
-    std::fill_n(x, kLanes, x[-1]);
-    std::fill_n(y, kLanes, y[-1]);
+}
+
+// Puts the borders of columns in between, each within the row in which it is crossed.
+void ArcWalk::place_columns(std::size_t k) {
+    const Arc& arc = arcs_[k];
+    const ArcCrossings& columns = column_crossings_[k];
+    const std::int32_t* ys = ys_.data() + columns.place;
+    std::int32_t* rows_left = rows_left_.data();
+    std::int32_t* to_x = &point_x_[arc.first_part + 1];
+    std::int32_t* to_y = &point_y_[arc.first_part + 1];
+    const std::int32_t first_row = pixel_of(arc.from.y);
+    const std::int32_t border = arc.border;
+    const auto count = static_cast<std::int32_t>(columns.count);
+    std::int32_t rows = 0;
+    for (std::int32_t column = 0; column < count; ++column) {
+        rows = std::max(rows, std::exchange(rows_left[column], 0));
+        const std::int32_t low = (first_row + rows) * kSubpixel;
+        to_x[rows + column] = border + column * kSubpixel;
+        to_y[rows + column] = std::min(std::max(ys[column], low), low + kSubpixel);
+    }
+    rows_left[count] = 0;
+}
+
+// The area on the left of a chord is a whole number that floats hold; the arc bulges beyond it. The
+// middle of a part tells its pixel, but where it has no height, and adds nothing to any row. What
+// is beyond an arc's parts fills the last vector.
+FOAMTEX_VECTOR_CLONES void ArcWalk::measure_parts(std::span<const Arc> arcs,
+                                                  std::int32_t last_row,
+                                                  const std::int32_t* __restrict xs,
+                                                  const std::int32_t* __restrict ys,
+                                                  Part* __restrict parts) {
+    constexpr float kHalf = 0.5F;  // makes truncation the nearest
+    for (const Arc& arc : arcs) {
+        const std::int32_t sign = arc.sign;
+        const float half_curvature = arc.half_curvature;
+        const std::size_t end = arc.first_part + arc.parts;
+        for (std::size_t from = arc.first_part; from < end; from += kLanes) {
+            const std::int32_t* x = xs + from;
+            const std::int32_t* y = ys + from;
+            for (std::size_t k = 0; k < kLanes; ++k) {
+                const std::int32_t height = y[k + 1] - y[k];
+                const std::int32_t row = (y[k] + y[k + 1]) >> (kSubpixelBits + 1);
+                const std::int32_t twice_x = sign * (x[k] + x[k + 1]);
+                const std::int32_t column = twice_x >> (kSubpixelBits + 1);
+                const auto dx = static_cast<float>(x[k + 1] - x[k]);
+                const auto dy = static_cast<float>(height);
+                const auto from_left = static_cast<float>(twice_x - 2 * kSubpixel * column);
+                const float squared = dx * dx + dy * dy;
+                const float bulge = twice_segment(squared, half_curvature * std::sqrt(squared));
+                const auto area = static_cast<std::int32_t>(dy * from_left + bulge + kHalf);
+                parts[from + k] = {row < last_row ? row : last_row,
+                                   column,
+                                   height * (2 * kSubpixel),
+                                   height > 0 ? area : 0};
+            }
+        }
+    }
 }
 
 }  // namespace foam::texgen

@@ -53,12 +53,16 @@ class ArcWalk {
     std::int32_t rightmost(std::size_t arc) const { return arcs_[arc].rightmost; }
 
   private:
+    // But for its ends, an arc that goes to the left is mirrored, so that all of them go to the
+    // right.
     struct Arc {
-        SubpixelPoint low;  // of all of it
+        SubpixelPoint low;
         SubpixelPoint high;
-        SubpixelPoint from;          // where it enters the rows
-        std::int32_t direction = 1;  // of its columns
-        std::int32_t border = 0;     // the first that it crosses of a column
+        SubpixelPoint from;  // where it enters the rows, and where it leaves them
+        SubpixelPoint to;
+        std::int32_t sign = 1;    // of x: -1 if it is mirrored
+        std::int32_t bias = 0;    // of x, for its column: a mirrored border is of the one before it
+        std::int32_t border = 0;  // the first that it crosses of a column
         std::int32_t leftmost = 0;
         std::int32_t rightmost = -1;
         float half_curvature = 0.0F;
@@ -66,8 +70,16 @@ class ArcWalk {
         std::size_t parts = 0;
     };
 
-    void end_rows(std::size_t k);
-    void join_crossings(std::size_t k);
+    static std::int32_t column_of(const Arc& arc, std::int32_t x) { return pixel_of(x + arc.bias); }
+    static void measure_parts(std::span<const Arc> arcs,
+                              std::int32_t last_row,
+                              const std::int32_t* xs,
+                              const std::int32_t* ys,
+                              Part* parts);
+
+    void find_columns(std::size_t k);
+    void place_rows(std::size_t k);
+    void place_columns(std::size_t k);
 
     std::int32_t rows_;
     std::size_t size_ = 0;
@@ -76,6 +88,9 @@ class ArcWalk {
     std::array<ArcCrossings, kMostArcs> column_crossings_;
     std::vector<std::int32_t> xs_;
     std::vector<std::int32_t> ys_;
+    // Of each border of columns, how many rows an arc leaves before it; 0 if as many as before the
+    // last border, and between arcs.
+    std::vector<std::int32_t> rows_left_;
     std::vector<std::int32_t> point_x_;  // where each part begins, and the last one ends
     std::vector<std::int32_t> point_y_;
     std::vector<Part> parts_;

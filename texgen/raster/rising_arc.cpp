@@ -14,11 +14,14 @@ template <class Crossing>
     for (const ArcCrossings& crossings : arcs) {
         const RisingArc arc = crossings.arc;
         const double step = crossings.step;
+        const std::int32_t offset = crossings.offset;
+        const std::int32_t sign = crossings.sign;
         for (std::size_t from = 0; from < crossings.count; from += ArcCrossings::kLanes) {
             const double first = crossings.first + static_cast<double>(from) * step;
             std::int32_t* found = to + crossings.place + from;
             for (std::size_t k = 0; k < ArcCrossings::kLanes; ++k) {
-                found[k] = rounded(crossing(arc, first + static_cast<double>(k) * step));
+                const double at = first + static_cast<double>(k) * step;
+                found[k] = sign * (offset + rounded(crossing(arc, at)));
             }
         }
     }

@@ -79,13 +79,15 @@ class RisingArc {
 };
 
 /// Where an arc crosses heights y, y + step, ..., or places x, x + step, ...; to the nearest, ties
-/// up.
+/// up, and then moved by an offset and mirrored.
 struct ArcCrossings {
     static constexpr std::size_t kLanes = 4;  // found at once
 
     RisingArc arc;
     double first = 0.0;
     double step = 0.0;
+    std::int32_t offset = 0;
+    std::int32_t sign = 1;  // or -1
     std::size_t count = 0;
     std::size_t place = 0;  // of the first among the results, with room for whole vectors
 

@@ -76,6 +76,37 @@ TEST(ArcWalk, DiagonalAcrossFourPixels) {
     EXPECT_EQ(parts.at({1, 1}), (std::pair<int, std::int64_t>{1024, 1024 * 1024}));
 }
 
+// Each 1024 to the left is 50 up: at the borders y is 125, 175, 225 and 275.
+TEST(ArcWalk, FlatArcCrossesManyColumnsOfARow) {
+    const Parts parts = walk(CellArc{{4608, 100}, {512, 300}}, {}, 1);
+    ASSERT_EQ(parts.size(), 5U);
+    EXPECT_EQ(parts.at({0, 4}).first, 25);
+    EXPECT_EQ(parts.at({0, 3}).first, 50);
+    EXPECT_EQ(parts.at({0, 2}).first, 50);
+    EXPECT_EQ(parts.at({0, 1}).first, 50);
+    EXPECT_EQ(parts.at({0, 0}).first, 25);
+}
+
+// Each 1 to the left is 20 up: x is 1024 at y = 76 x 20, in row 1.
+TEST(ArcWalk, SteepArcCrossesManyRowsOfAColumn) {
+    const Parts parts = walk(CellArc{{1100, 0}, {900, 4000}}, {}, 4);
+    ASSERT_EQ(parts.size(), 5U);
+    EXPECT_EQ(parts.at({0, 1}).first, 1024);
+    EXPECT_EQ(parts.at({1, 1}).first, 1520 - 1024);
+    EXPECT_EQ(parts.at({1, 0}).first, 2048 - 1520);
+    EXPECT_EQ(parts.at({2, 0}).first, 1024);
+    EXPECT_EQ(parts.at({3, 0}).first, 4000 - 3072);
+}
+
+// A border is that of the pixel on its right: from the left the arc ends in pixel 1, from the right
+// in it, too.
+TEST(ArcWalk, EndsOnBorders) {
+    const Parts right = walk(CellArc{{0, 0}, {1024, 1024}}, {}, 1);
+    const Parts left = walk(CellArc{{2048, 0}, {1024, 1024}}, {}, 1);
+    EXPECT_EQ(right.at({0, 0}), (std::pair<int, std::int64_t>{1024, 1024 * 1024}));
+    EXPECT_EQ(left.at({0, 1}), (std::pair<int, std::int64_t>{1024, 1024 * 1024}));
+}
+
 TEST(ArcWalk, LeavesOutOtherRows) {
     const std::vector<SubpixelPoint> square{{100, -3000}, {900, -3000}, {900, 9000}, {100, 9000}};
     const Parts parts = walk(square, {}, 3);
