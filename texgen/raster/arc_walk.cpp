@@ -13,7 +13,7 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr std::size_t kLanes = 8;  // parts measured at once
+constexpr std::size_t kLanes = 16;  // parts measured at once
 
 }  // namespace
 

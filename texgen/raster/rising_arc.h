@@ -81,7 +81,7 @@ class RisingArc {
 /// Where an arc crosses heights y, y + step, ..., or places x, x + step, ...; to the nearest, ties
 /// up, and then moved by an offset and mirrored.
 struct ArcCrossings {
-    static constexpr std::size_t kLanes = 4;  // found at once
+    static constexpr std::size_t kLanes = 8;  // found at once
 
     RisingArc arc;
     double first = 0.0;
