@@ -104,7 +104,9 @@ class Filler {
         const SubpixelPoint origin{0, first_row * kSubpixel};
         const std::span<const ArcBands::Entry> entries = bands_.entries(band);
         for (std::size_t k = 0; k < entries.size(); ++k) {
-            __builtin_prefetch(entries[std::min(k + kAhead, entries.size() - 1)].arc);
+            const CellArc* ahead = entries[std::min(k + kAhead, entries.size() - 1)].arc;
+            __builtin_prefetch(ahead);
+            __builtin_prefetch(&ahead->right_periods);  // in another line, as often as not
             const CellArc& arc = *entries[k].arc;
             worker.coverage.add(arc, entries[k].translation - origin, step_across(arc));
         }
