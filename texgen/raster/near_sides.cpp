@@ -68,7 +68,7 @@ bool NearSides::take(const BubbleSides& sides, const Vec2& first) {
     return true;
 }
 
-// As field_arc. Lanes without a side are all 0.
+// As field_arc.
 FOAMTEX_VECTOR_CLONES bool NearSides::place(const SideLanes& sides,
                                             std::size_t count,
                                             const Vec2& first,

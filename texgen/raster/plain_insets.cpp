@@ -23,6 +23,11 @@ constexpr std::int64_t kNotPlain = 2;
 
 constexpr double kFar = 1 << 16;  // beyond what can be rounded; where nothing crosses
 
+// As a && b, but asks for both: without a branch, compilers take several at once.
+[[gnu::always_inline]] inline bool both(bool a, bool b) {
+    return (static_cast<int>(a) & static_cast<int>(b)) != 0;
+}
+
 }  // namespace
 
 void PlainInsets::trace(double distance) {
@@ -86,11 +91,13 @@ FOAMTEX_VECTOR_CLONES void PlainInsets::cross_offsets() {
             head_along_x_[k] * tail_along_x_[n] + head_along_y_[k] * tail_along_y_[n];
         const Crossings there = crossings(offset_circle(k), offset_circle(n));
         const Crossings back = crossings(offset_circle(n), offset_circle(k));
-        const bool again_there = (there.entering > there.leaving) & (there.entering <= reach_[k]);
-        const bool again_back = (back.leaving < back.entering) & (back.leaving >= -reach_[n]);
-        const bool is_plain = (sine > kLeastSine) & (cosine > kLeastCosine) & !again_there &
-                              !again_back & (std::abs(there.leaving) < reach_[k]) &
-                              (std::abs(back.entering) < reach_[n]);
+        const bool turns_plainly = both(sine > kLeastSine, cosine > kLeastCosine);
+        const bool again_there = both(there.entering > there.leaving, there.entering <= reach_[k]);
+        const bool again_back = both(back.leaving < back.entering, back.leaving >= -reach_[n]);
+        const bool is_once = both(!again_there, !again_back);
+        const bool is_on_both =
+            both(std::abs(there.leaving) < reach_[k], std::abs(back.entering) < reach_[n]);
+        const bool is_plain = both(turns_plainly, both(is_once, is_on_both));
         corner_doubts_[k] |= is_plain ? 0 : kNotPlain;
         to_[k] = there.leaving;
         from_[n] = back.entering;
@@ -127,7 +134,7 @@ FOAMTEX_VECTOR_CLONES void PlainInsets::join_arcs() {
         monotone_[k] = texgen::is_monotone(x, y, cosine_[k], sine_[k]) ? 1 : 0;
     }
     for (std::size_t k = 0; k < count; ++k) {
-        const bool is_near = (std::abs(tail_x_[k]) < kFar) & (std::abs(tail_y_[k]) < kFar);
+        const bool is_near = both(std::abs(tail_x_[k]) < kFar, std::abs(tail_y_[k]) < kFar);
         rounded_x_[k] = to_subpixel(is_near ? tail_x_[k] : 0.0);
         rounded_y_[k] = to_subpixel(is_near ? tail_y_[k] : 0.0);
     }
@@ -186,7 +193,7 @@ FOAMTEX_VECTOR_CLONES void PlainInsets::copy_arcs() {
                 const double f = along_x_[first + k] * y - along_y_[first + k] * x -
                                  0.5 * curvature * (x * x + y * y);
                 const double less = f / (1.0 - 0.5 * curvature * f);
-                const double q = ((curvature >= 0.0) | (f <= 0.0) ? f : less) - distance;
+                const double q = (((curvature >= 0.0) | (f <= 0.0)) ? f : less) - distance;
                 const double dx = x - from_x[k];
                 const double dy = y - from_y[k];
                 const double bend =
