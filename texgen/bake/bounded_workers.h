@@ -11,9 +11,9 @@
 
 namespace foam::texgen {
 
-/// Threads that work off jobs beside the caller's thread. No more jobs wait than there are threads,
-/// so that what the jobs hold, such as frames, stays bounded; the caller lends a hand rather than
-/// wait for room.
+/// Threads that work off jobs beside the caller's thread. No more than two jobs wait for each of
+/// them, so that what the jobs hold, such as frames, stays bounded; the caller lends a hand rather
+/// than wait for room, and leaves jobs for the threads to go on with meanwhile.
 class BoundedWorkers {
   public:
     /// With no threads, every job runs at once on the caller's.
@@ -34,6 +34,8 @@ class BoundedWorkers {
     void finish();
 
   private:
+    static constexpr std::size_t kWaitingPerThread = 2;
+
     void work();
     void run_first(std::unique_lock<std::mutex>& lock);
     void run(const std::function<void()>& job);
