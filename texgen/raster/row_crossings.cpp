@@ -13,7 +13,8 @@ constexpr std::size_t kLanes = 4;  // crossings found at once
 }  // namespace
 
 void RowCrossings::add(const SnappedArc& arc, const CellMask& mask) {
-    for (const SnappedArc& piece : RisingPieces(arc).all()) {
+    const RisingPieces pieces(arc);
+    for (const SnappedArc& piece : pieces.all()) {
         add_rising(piece, mask);
     }
 }

@@ -100,12 +100,12 @@ FOAMTEX_VECTOR_CLONES std::uint32_t SmallMask::orient(const SideLanes& sides,
 }
 
 bool SmallMask::split(const SideLanes& sides, SubpixelPoint translation, std::size_t side) {
-    const SnappedArc arc{sides.tail(side) + translation,
-                         sides.tail((side + 1) % kLanes) + translation,
-                         sides.cosine[side],
-                         sides.sine[side]};
+    const RisingPieces pieces({sides.tail(side) + translation,
+                               sides.tail((side + 1) % kLanes) + translation,
+                               sides.cosine[side],
+                               sides.sine[side]});
     std::size_t place = side;
-    for (const SnappedArc& piece : RisingPieces(arc).all()) {
+    for (const SnappedArc& piece : pieces.all()) {
         if (!put(place, piece)) {
             return false;
         }

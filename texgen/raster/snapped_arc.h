@@ -24,7 +24,8 @@ class RisingPieces {
   public:
     explicit RisingPieces(const SnappedArc& arc);
 
-    std::span<const SnappedArc> all() const { return std::span(pieces_).first(count_); }
+    std::span<const SnappedArc> all() const& { return std::span(pieces_).first(count_); }
+    void all() && = delete;  // what it returns would be gone
 
   private:
     void split(const SnappedArc& side);
