@@ -20,6 +20,11 @@ struct ArcBatch {
     int unresolved = 0;
 };
 
+/// What an arc has on a side where a bubble shows.
+inline std::uint32_t arc_side(BubbleId bubble) {
+    return static_cast<std::uint32_t>(index_of(bubble));
+}
+
 /// What an arc has on its sides, as it is walked.
 struct ArcSides {
     std::uint32_t left = kFilmSide;

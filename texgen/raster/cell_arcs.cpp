@@ -15,10 +15,6 @@ namespace {
 
 constexpr std::size_t kFilmsPerTask = 2048;
 
-std::uint32_t value_of(BubbleId bubble) {
-    return static_cast<std::uint32_t>(index_of(bubble));
-}
-
 // By how many periods further right each side's film lies in its bubble's unwrapped outline: by
 // none but around bubbles of which a side crosses the torus' border.
 std::vector<std::int16_t> periods_of_sides(const Network& network) {
@@ -60,8 +56,8 @@ class FilmArcs {
         append_arc(shapes_[film],
                    junctions_[index_of(network.tail(h))],
                    junctions_[index_of(network.head(h))] + pixels_.translation(network.offset(h)),
-                   {value_of(network.left(h)),
-                    value_of(network.right(h)),
+                   {arc_side(network.left(h)),
+                    arc_side(network.right(h)),
                     periods_[index_of(h)],
                     periods_[index_of(twin(h))]},
                    batch.arcs);

@@ -34,8 +34,7 @@ struct Rows {
 // unwrapped.
 struct Window {
     PixelBox box;
-    int first_row = 0;  // of those in the mask, above the box's; a multiple of kTileRows
-
+    int first_row = 0;       // of those in the mask, above the box's; a multiple of kTileRows
     SmallMask::Rows wanted;  // of the box
 
     Window(const PixelBox& around, const Rows& rows)

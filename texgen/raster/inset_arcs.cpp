@@ -1,6 +1,7 @@
 #include "texgen/raster/inset_arcs.h"
 
 #include "texgen/raster/arc_batch.h"
+#include "texgen/raster/film_shapes.h"
 #include "texgen/raster/inset.h"
 #include "texgen/raster/plain_insets.h"
 
@@ -52,12 +53,6 @@ class InsetArcs {
     std::size_t sides(BubbleId bubble) const {
         return static_cast<std::size_t>(network().sides(bubble));
     }
-    PixelArc shape(HalfEdgeId h) const {
-        const PixelArc& forward = shapes_[index_of(film_of(h))];
-        constexpr std::array<double, 2> kSigns{1.0, -1.0};
-        const double sign = kSigns[index_of(h) % 2];
-        return {sign * forward.chord, forward.cosine, sign * forward.sine};
-    }
     SubpixelPoint anchor(BubbleId bubble) const {
         return pixels_.junction(network().tail(network().first(bubble)));
     }
@@ -90,14 +85,15 @@ class InsetArcs {
         const std::array<HalfEdgeId, PlainInsets::kMostSides>& ahead =
             ahead_[index_of(bubble) % kAtOnce];
         if (sides(bubble) <= PlainInsets::kMostSides) {
-            plain_.add(sides(bubble), [&](std::size_t k) { return shape(ahead[k]); });
+            plain_.add(sides(bubble),
+                       [&](std::size_t k) { return shape_along(shapes_, ahead[k]); });
         }
     }
 
     void append_plain(std::size_t k, BubbleId bubble, ArcBatch& batch) {
         const SubpixelPoint origin = anchor(bubble);
         const std::size_t begin = batch.arcs.size();
-        const ArcSides sides{value_of(bubble)};
+        const ArcSides sides{arc_side(bubble)};
         SubpixelPoint tail = origin + plain_.rounded_tail(plain_.begin(k));
         for (std::size_t lane = plain_.begin(k); lane < plain_.end(k); ++lane) {
             const SubpixelPoint head = origin + plain_.rounded_tail(lane + 1);
@@ -129,7 +125,7 @@ class InsetArcs {
         Vec2 at = Vec2::Zero();
         HalfEdgeId h = network().first(bubble);
         do {
-            const PixelArc arc = shape(h);
+            const PixelArc arc = shape_along(shapes_, h);
             if (arc.chord.norm() > kShortestSide) {
                 sides_.push_back(place(arc, at));
             }
@@ -147,7 +143,7 @@ class InsetArcs {
         for (std::size_t k = 0; k < arcs.size(); ++k) {
             const ArcLoops::Arc& next = arcs[k + 1 < arcs.size() ? k + 1 : 0];
             const SubpixelPoint head = origin + to_subpixel(next.tail);
-            append_arc(arcs[k].arc, tail, head, {value_of(bubble)}, batch.arcs);
+            append_arc(arcs[k].arc, tail, head, {arc_side(bubble)}, batch.arcs);
             tail = head;
         }
         drop_if_empty(begin, bubble, batch);
@@ -156,13 +152,9 @@ class InsetArcs {
     // A loop that is too small for subpixels, or of an invalid bubble.
     static void drop_if_empty(std::size_t begin, BubbleId bubble, ArcBatch& batch) {
         const auto loop = std::span<const CellArc>(batch.arcs).subspan(begin);
-        if (!(twice_area(loop, value_of(bubble)) > 0.0)) {
+        if (!(twice_area(loop, arc_side(bubble)) > 0.0)) {
             batch.arcs.resize(begin);
         }
-    }
-
-    static std::uint32_t value_of(BubbleId bubble) {
-        return static_cast<std::uint32_t>(index_of(bubble));
     }
 
     const PixelFrame& pixels_;

@@ -116,7 +116,7 @@ class PatchArcs {
         if (bubble != pixels_.frame.network.ghost() && !(area_of(loop_) > 0.0)) {
             return;
         }
-        const auto index = static_cast<std::uint32_t>(index_of(bubble));
+        const auto index = arc_side(bubble);
         for (std::size_t k = 0; k < loop_.size(); ++k) {
             append_side(loop_[k], loop_[(k + 1) % loop_.size()].tail, index, batch.arcs);
         }

@@ -24,16 +24,8 @@ constexpr float kLeastRoot = 1e-18F;
 // Sums below this have lost all films: that of a smooth distance of a million pixels.
 constexpr float kLeastSum = 1e-12F;
 
-// Unlike std::min and std::max these are of values, which compilers take several of at once.
-float least(float a, float b) {
-    return a < b ? a : b;
-}
-float most(float a, float b) {
-    return a > b ? a : b;
-}
-
-// The first where all bits of the mask are set, the second where none is: without a branch, for the
-// same reason.
+// The first where all bits of the mask are set, the second where none is: without a branch, so
+// that compilers take several at once.
 std::uint32_t mask_if(bool condition) {
     return condition ? ~std::uint32_t{0} : 0;
 }

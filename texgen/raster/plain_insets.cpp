@@ -23,11 +23,6 @@ constexpr std::int64_t kNotPlain = 2;
 
 constexpr double kFar = 1 << 16;  // beyond what can be rounded; where nothing crosses
 
-// As a && b, but asks for both: without a branch, compilers take several at once.
-[[gnu::always_inline]] inline bool both(bool a, bool b) {
-    return (static_cast<int>(a) & static_cast<int>(b)) != 0;
-}
-
 }  // namespace
 
 void PlainInsets::trace(double distance) {

@@ -1,7 +1,7 @@
 #include "texgen/raster/region_field.h"
 
+#include "texgen/raster/measure_batch.h"
 #include "texgen/raster/runs.h"
-#include "texgen/raster/smooth_films.h"
 
 #include <cmath>
 #include <limits>
@@ -102,13 +102,7 @@ void RegionField::take_tile(const Pixels& pixels, int x, int y) {
 }
 
 void RegionField::measure_batch(double reach, DistanceNeeds needs) {
-    few_.measure(reach, needs.gradient || needs.smooth, batch_);
-    if (needs.gradient || needs.smooth) {
-        batch_.normalize_gradients();
-    }
-    if (needs.smooth) {
-        texgen::measure_smooth(films_, kind_ == Kind::Circle, reach, batch_);
-    }
+    texgen::measure(few_, {films_, kind_ == Kind::Circle}, reach, needs, batch_);
 }
 
 }  // namespace foam::texgen

@@ -1,7 +1,7 @@
 #include "texgen/raster/small_cell.h"
 
+#include "texgen/raster/measure_batch.h"
 #include "texgen/raster/runs.h"
-#include "texgen/raster/smooth_films.h"
 
 namespace foam::texgen {
 
@@ -25,18 +25,11 @@ const PixelBatch& SmallCell::measure(DistanceNeeds needs) {
     if (batch_.is_empty()) {
         return batch_;
     }
-    const bool gradient = needs.gradient || needs.smooth;
-    sides_.measure(reach_, gradient, batch_);
-    if (gradient) {
-        batch_.normalize_gradients();
+    films_.clear();
+    for (std::size_t k = 0; needs.smooth && k < sides_.size(); ++k) {
+        films_.push_back(sides_.arc(k));
     }
-    if (needs.smooth) {
-        films_.clear();
-        for (std::size_t k = 0; k < sides_.size(); ++k) {
-            films_.push_back(sides_.arc(k));
-        }
-        measure_smooth(films_, false, reach_, batch_);
-    }
+    texgen::measure(sides_, {films_}, reach_, needs, batch_);
     return batch_;
 }
 

@@ -25,14 +25,6 @@ constexpr std::array<std::uint32_t, SideLanes::kLanes> kBits{1, 2, 4, 8, 16, 32,
 // To which doubles are whole numbers.
 constexpr double kAllWhole = 0x1p52;
 
-// As std::min and std::max, but of values.
-double least(double a, double b) {
-    return a < b ? a : b;
-}
-double most(double a, double b) {
-    return a > b ? a : b;
-}
-
 // As rounded (rising_arc.h), to a double.
 double rounded_number(double x) {
     constexpr double kBias = 1 << 30;
@@ -166,7 +158,7 @@ FOAMTEX_VECTOR_CLONES void SmallMask::cross(const Rising& arcs,
             const double at = crossing_at(least(raised, half_y), half_x, sine, bulge, across, up);
             const double held = least(most(low_x + rounded_number(at), 0.0), last_column);
             const std::uint64_t column = (whole_bits(held) + kSubpixel / 2 - 1) >> kSubpixelBits;
-            const bool is_crossed = (height >= first_height) & (height < last_height);
+            const bool is_crossed = both(height >= first_height, height < last_height);
             words[row] ^= (is_crossed ? ~std::uint64_t{0} : 0) << column;
         }
     }

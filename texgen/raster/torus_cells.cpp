@@ -150,13 +150,11 @@ void TorusCells::gather(std::size_t begin, std::size_t end, Batch& batch) {
 void TorusCells::go(std::size_t step, Walk& walk) const {
     const Network& network = pixels_.frame.network;
     const HalfEdgeId h = walk.side;
-    const PixelArc& forward = shapes_[index_of(film_of(h))];
     const LatticeOffset offset = network.offset(forward_side(film_of(h)));
-    // Without a branch, as nobody foresees which way a film is walked.
-    const int along = static_cast<int>(is_forward(h)) * 2 - 1;
+    const int along = static_cast<int>(is_forward(h)) * 2 - 1;  // no branch, as shape_along
     walk.to[step / SideLanes::kLanes].set(
         step % SideLanes::kLanes,
-        {along * forward.chord, forward.cosine, along * forward.sine},
+        shape_along(shapes_, h),
         junctions_[index_of(network.tail(h))] + pixels_.translation(walk.lift));
     walk.lift = walk.lift + LatticeOffset{along * offset.i, along * offset.j};
     walk.side = network.next(h);

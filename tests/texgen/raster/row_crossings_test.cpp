@@ -1,5 +1,7 @@
 #include "texgen/raster/row_crossings.h"
 
+#include "tests/support/raster_masks.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,14 +14,7 @@ namespace {
 constexpr int kSide = 40;
 
 CellMask mask_of(const std::vector<SnappedArc>& arcs, int unused_rows = 0) {
-    CellMask mask;
-    mask.reset(kSide, kSide, unused_rows);
-    RowCrossings crossings;
-    for (const SnappedArc& arc : arcs) {
-        crossings.add(arc, mask);
-    }
-    crossings.mark(mask);
-    return mask;
+    return test::mask_of(arcs, kSide, kSide, unused_rows);
 }
 
 bool holds(const CellMask& mask, int x, int y) {

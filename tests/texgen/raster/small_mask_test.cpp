@@ -1,6 +1,6 @@
 #include "texgen/raster/small_mask.h"
 
-#include "texgen/raster/row_crossings.h"
+#include "tests/support/raster_masks.h"
 
 #include <gtest/gtest.h>
 
@@ -47,17 +47,6 @@ SideLanes lanes_of(const std::vector<SnappedArc>& arcs, SubpixelPoint translatio
     return lanes;
 }
 
-CellMask mask_of(const std::vector<SnappedArc>& arcs, int columns, int begin, int end) {
-    CellMask mask;
-    mask.reset(columns, end, begin);
-    RowCrossings crossings;
-    for (const SnappedArc& arc : arcs) {
-        crossings.add(arc, mask);
-    }
-    crossings.mark(mask);
-    return mask;
-}
-
 // Also of parts of it, and of what reaches beyond the columns.
 TEST(SmallMask, HasThePixelsOfACellMask) {
     std::mt19937 random(7);
@@ -73,7 +62,7 @@ TEST(SmallMask, HasThePixelsOfACellMask) {
                 continue;
             }
             ++filled;
-            const CellMask mask = mask_of(arcs, columns, begin, end);
+            const CellMask mask = test::mask_of(arcs, columns, end, begin);
             for (int row = begin; row < end; ++row) {
                 ASSERT_EQ(small.row(row), mask.whole_row(row)) << round << ", " << row;
             }
@@ -97,7 +86,7 @@ TEST(SmallMask, HasThePixelsOfPolygonsOnMiddles) {
             arcs[k].head = arcs[(k + 1) % arcs.size()].tail;
         }
         ASSERT_TRUE(small.fill(lanes_of(arcs, {}), {}, kSide, {0, kSide}));
-        const CellMask mask = mask_of(arcs, kSide, 0, kSide);
+        const CellMask mask = test::mask_of(arcs, kSide, kSide);
         for (int row = 0; row < kSide; ++row) {
             ASSERT_EQ(small.row(row), mask.whole_row(row)) << round << ", " << row;
         }

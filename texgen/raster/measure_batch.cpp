@@ -1,4 +1,4 @@
-#include "texgen/raster/smooth_films.h"
+#include "texgen/raster/measure_batch.h"
 
 namespace foam::texgen {
 
@@ -17,14 +17,9 @@ FloatQuadratic in_floats(const Quadratic& q) {
             static_cast<float>(q.curvature)};
 }
 
-}  // namespace
-
-void measure_smooth(std::span<const FieldArc> films,
-                    bool whole_circle,
-                    double reach,
-                    PixelBatch& batch) {
+void measure_smooth(const SmoothFilms& all, double reach, PixelBatch& batch) {
     batch.begin_smooth();
-    for (const FieldArc& film : films) {
+    for (const FieldArc& film : all.films) {
         const double far = (batch.middle() - film.middle).norm() + reach;
         if (film.chord <= kLeastChord * far) {
             continue;
@@ -32,10 +27,27 @@ void measure_smooth(std::span<const FieldArc> films,
         const Pencil pencil = pencil_at(film, batch.middle());
         batch.add_film(
             in_floats(pencil.across),
-            whole_circle ? FloatQuadratic{kNowhere, 0.0F, 0.0F, 0.0F} : in_floats(pencil.along),
+            all.whole_circle ? FloatQuadratic{kNowhere, 0.0F, 0.0F, 0.0F} : in_floats(pencil.along),
             static_cast<float>(film.chord));
     }
     batch.finish_smooth();
+}
+
+}  // namespace
+
+void measure(NearSides& sides,
+             const SmoothFilms& films,
+             double reach,
+             DistanceNeeds needs,
+             PixelBatch& batch) {
+    const bool gradient = needs.gradient || needs.smooth;
+    sides.measure(reach, gradient, batch);
+    if (gradient) {
+        batch.normalize_gradients();
+    }
+    if (needs.smooth) {
+        measure_smooth(films, reach, batch);
+    }
 }
 
 }  // namespace foam::texgen
