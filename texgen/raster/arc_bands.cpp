@@ -1,65 +1,43 @@
 #include "texgen/raster/arc_bands.h"
 
-#include "texgen/raster/parallel_for.h"
-
 #include <algorithm>
 #include <bit>
-#include <utility>
 
 namespace foam::texgen {
 
 namespace {
 
 constexpr int kTileBits = 6;  // of columns
+constexpr int kPartsPerThread = 4;
 
 }  // namespace
 
-// Each thread counts, and then places, the arcs of its own batches; within a tile they lie in the
-// order of batches.
 ArcBands::ArcBands(const CellArcs& cells, int rows_per_band, int threads)
     : grid_(cells.grid),
       shear_(cells.shear),
       row_bits_(static_cast<int>(std::bit_width(static_cast<unsigned>(rows_per_band - 1)))),
-      tiles_(static_cast<std::size_t>((grid_.width - 1) >> kTileBits) + 1),
-      ends_(static_cast<std::size_t>(count()) * tiles_ + 1) {
+      tiles_(static_cast<std::size_t>((grid_.width - 1) >> kTileBits) + 1) {
     const std::size_t all = cells.batches.size();
-    const std::size_t parts = std::clamp(static_cast<std::size_t>(std::max(threads, 1)),
-                                         std::size_t{1},
-                                         std::max(all, std::size_t{1}));
+    const std::size_t parts =
+        std::clamp(static_cast<std::size_t>(threads > 1 ? kPartsPerThread * threads : 1),
+                   std::size_t{1},
+                   std::max(all, std::size_t{1}));
     const auto batches_of = [&](std::size_t part) {
         const std::size_t begin = all * part / parts;
         return Batches(cells.batches).subspan(begin, all * (part + 1) / parts - begin);
     };
-    // How many a part has in each tile, then where its next one goes.
-    std::vector<std::vector<std::size_t>> next(parts);
-    parallel_for(static_cast<int>(parts), threads, [&](int task) {
-        const auto part = static_cast<std::size_t>(task);
-        next[part].resize(ends_.size() - 1);
-        visit_tiles(batches_of(part), [&](const Entry&, std::size_t tile) { ++next[part][tile]; });
-    });
-    std::size_t end = 0;
-    for (std::size_t tile = 0; tile + 1 < ends_.size(); ++tile) {
-        for (std::vector<std::size_t>& places : next) {
-            end += std::exchange(places[tile], end);
-        }
-        ends_[tile + 1] = end;
-    }
-    entries_.resize(end);
-    parallel_for(static_cast<int>(parts), threads, [&](int task) {
-        const auto part = static_cast<std::size_t>(task);
-        visit_tiles(batches_of(part), [&](const Entry& entry, std::size_t tile) {
-            entries_[next[part][tile]++] = entry;
+    entries_ = into_bins<Entry>(
+        static_cast<std::size_t>(count()) * tiles_,
+        parts,
+        threads,
+        [&](std::size_t part, const auto& put) {
+            visit_tiles(batches_of(part),
+                        [&](const Entry& entry, std::size_t tile) { put(tile, entry); });
         });
-    });
 }
 
 int ArcBands::row_count(int band) const {
     return std::min(1 << row_bits_, grid_.height - first_row(band));
-}
-
-std::span<const ArcBands::Entry> ArcBands::entries(int band) const {
-    const std::size_t k = static_cast<std::size_t>(band) * tiles_;
-    return std::span(entries_).subspan(ends_[k], ends_[k + tiles_] - ends_[k]);
 }
 
 // By its lower end; arcs of unwrapped outlines lie some periods to the left or right.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "texgen/raster/bins.h"
 #include "texgen/raster/cell_arcs.h"
 
 #include <cstddef>
@@ -28,7 +29,10 @@ class ArcBands {
     int count() const { return ((grid_.height - 1) >> row_bits_) + 1; }
     int first_row(int band) const { return band << row_bits_; }
     int row_count(int band) const;
-    std::span<const Entry> entries(int band) const;
+    std::span<const Entry> entries(int band) const {
+        const std::size_t first = static_cast<std::size_t>(band) * tiles_;
+        return entries_.of(first, first + tiles_);
+    }
 
   private:
     using Batches = std::span<const std::vector<CellArc>>;
@@ -45,9 +49,8 @@ class ArcBands {
     RasterGrid grid_;
     std::int32_t shear_;
     int row_bits_;
-    std::size_t tiles_;              // of a band
-    std::vector<std::size_t> ends_;  // entries of tile k of all: from ends_[k] to ends_[k + 1]
-    std::vector<Entry> entries_;
+    std::size_t tiles_;    // of a band
+    Bins<Entry> entries_;  // by the tiles of all bands
 };
 
 }  // namespace foam::texgen

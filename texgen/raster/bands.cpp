@@ -7,12 +7,6 @@ namespace foam::texgen {
 
 namespace {
 
-// Moves a region by whole periods along x, so that its first point lies within the grid's columns.
-SubpixelPoint into_columns(const RasterGrid& grid, SubpixelPoint first, SubpixelPoint moved) {
-    const std::int32_t period = grid.width * kSubpixel;
-    return {moved.x - floor_div(first.x + moved.x, period) * period, moved.y};
-}
-
 std::vector<RegionExtent> extents_of(const CellOutlines& cells) {
     std::vector<RegionExtent> extents;
     extents.reserve(cells.outlines.size());
@@ -43,7 +37,9 @@ Bands::Bands(const RasterGrid& grid,
       ends_(static_cast<std::size_t>((grid_.height - 1) >> row_bits_) + 2) {
     const auto visit_all = [&](const auto& visit) {
         for (std::size_t k = 0; k < regions.size(); ++k) {
-            visit_copies(static_cast<std::uint32_t>(k), regions[k], visit);
+            for_each_copy(grid_, shear_, regions[k], [&](SubpixelPoint by) {
+                visit_bands({static_cast<std::uint32_t>(k), by}, regions[k], visit);
+            });
         }
     };
     visit_all([&](const Entry&, std::size_t band) { ++ends_[band + 1]; });
@@ -62,24 +58,6 @@ int Bands::row_count(int band) const {
 std::span<const Bands::Entry> Bands::entries(int band) const {
     const auto k = static_cast<std::size_t>(band);
     return std::span(entries_).subspan(ends_[k], ends_[k + 1] - ends_[k]);
-}
-
-template <class Visit>
-void Bands::visit_copies(std::uint32_t index,
-                         const RegionExtent& region,
-                         const Visit& visit) const {
-    if (grid_.view) {
-        visit_bands({index, {}}, region, visit);
-        return;
-    }
-    const SubpixelPoint shift = shift_of(grid_);
-    const int low = pixel_of(region.lowest.y + shift.y);
-    const int high = pixel_of(region.highest.y + shift.y);
-    for (int period = floor_div(low, grid_.height); period * grid_.height <= high; ++period) {
-        const std::int32_t base = period * grid_.height * kSubpixel;
-        const SubpixelPoint moved{shift.x - period * shear_, shift.y - base};
-        visit_bands({index, into_columns(grid_, region.first, moved)}, region, visit);
-    }
 }
 
 template <class Visit>

@@ -75,7 +75,7 @@ CellArcs arcs_on_torus(const PixelFrame& pixels, double film_width, int threads)
     const std::vector<PixelArc> shapes = film_shapes(pixels.frame, pixels.scale, threads);
     if (film_width == 0.0) {
         const std::vector<std::int16_t> periods = periods_of_sides(network);
-        const std::vector<SubpixelPoint> junctions = pixels.junctions();
+        const std::vector<SubpixelPoint> junctions = pixels.junctions(threads);
         const FilmArcs films(pixels, shapes, junctions, periods);
         return make_arcs(pixels.grid, network.film_slots(), kFilmsPerTask, films, threads);
     }

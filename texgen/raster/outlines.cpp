@@ -17,7 +17,7 @@ namespace {
 class FilmChains {
   public:
     FilmChains(const PixelFrame& pixels, int threads)
-        : junctions_(pixels.junctions()),
+        : junctions_(pixels.junctions(threads)),
           ends_(pixels.frame.network.film_slots()),
           tasks_((ends_.size() + kFilmsPerTask - 1) / kFilmsPerTask) {
         parallel_for(static_cast<int>(tasks_.size()), threads, [&](int task) {

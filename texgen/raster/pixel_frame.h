@@ -1,8 +1,11 @@
 #pragma once
 
 #include "core/foam/frame.h"
+#include "texgen/raster/parallel_for.h"
 #include "texgen/raster/raster_grid.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace foam::texgen {
@@ -23,12 +26,16 @@ struct PixelFrame {
         return snap(grid, frame.torus, frame.positions[junction]);
     }
     /// All of them, by their index.
-    std::vector<SubpixelPoint> junctions() const {
-        std::vector<SubpixelPoint> points;
-        points.reserve(frame.positions.size());
-        for (const Vec2& position : frame.positions) {
-            points.push_back(snap(grid, frame.torus, position));
-        }
+    std::vector<SubpixelPoint> junctions(int threads) const {
+        constexpr std::size_t kPerTask = 8192;
+        std::vector<SubpixelPoint> points(frame.positions.size());
+        const std::size_t tasks = (points.size() + kPerTask - 1) / kPerTask;
+        parallel_for(static_cast<int>(tasks), threads, [&](int task) {
+            const std::size_t begin = static_cast<std::size_t>(task) * kPerTask;
+            for (std::size_t k = begin; k < std::min(begin + kPerTask, points.size()); ++k) {
+                points[k] = junction(id_at<JunctionId>(k));
+            }
+        });
         return points;
     }
     /// The same without rounding, in pixels.

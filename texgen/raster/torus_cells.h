@@ -1,73 +1,55 @@
 #pragma once
 
-#include "texgen/raster/bands.h"
+#include "texgen/raster/bins.h"
+#include "texgen/raster/cell_group.h"
+#include "texgen/raster/film_steps.h"
 #include "texgen/raster/pixel_frame.h"
-#include "texgen/raster/side_lanes.h"
 
-#include <array>
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <vector>
 
 namespace foam::texgen {
 
-/// The bubbles of a frame on a torus, laid out so that each is quickly placed. Borrows the frame.
+/// The bubbles of a frame on a torus in the order of the plane, ready to be gone around. Borrows
+/// the frame.
 class TorusCells {
   public:
+    /// Rows of a band, but for the last one. Bands, as the order, are of the unshifted grid.
+    static constexpr int kBandRows = 128;
+
     /// The same for any number of threads. Throws std::invalid_argument as pixels_per_unit does.
     TorusCells(const Frame& frame, const RasterGrid& grid, int threads);
 
     TorusCells(const TorusCells&) = delete;
     TorusCells& operator=(const TorusCells&) = delete;
 
-    std::int32_t shear() const { return pixels_.shear; }
-    /// The bubbles in an order in which those near to each other mostly lie near in memory, too.
-    std::span<const BubbleId> bubbles() const { return bubbles_; }
-    /// Of each of them; somewhat too large. Begins with the tail of its first side.
-    std::span<const RegionExtent> extents() const { return extents_; }
+    int bands() const { return (grid_.height - 1) / kBandRows + 1; }
+    /// Those of which the first side begins within a band; neighbours mostly follow each other.
+    std::span<const TorusBubble> bubbles(int band) const;
+    /// By their index.
+    const FilmStep* films() const { return films_.get(); }
 
-    /// By the bubble's place among them.
-    BubbleSides sides(std::size_t bubble) const;
-    /// Has the memory fetched that sides() will be read from.
-    void expect(std::size_t bubble) const;
+    /// How far a copy one period up lies to the right; subpixels.
+    std::int32_t shear() const { return pixels_.shear; }
 
   private:
-    // The bubbles of a task.
-    struct Batch {
-        struct Bubble {
-            std::uint32_t first_lanes;
-            std::uint32_t sides;
-        };
-        std::unique_ptr<SideLanes[]> lanes;
-        std::vector<Bubble> bubbles;
+    struct Start {
+        TorusBubble bubble;
+        std::size_t square = 0;
     };
 
-    // Around a bubble.
-    struct Walk {
-        HalfEdgeId side{};
-        LatticeOffset lift;
-        SideLanes* to = nullptr;
-        std::size_t sides = 0;
-    };
-
-    static constexpr std::size_t kPerTask = 1024;
-    static constexpr std::size_t kTogether = 16;  // bubbles, a part of a task
-
-    void order_bubbles();
-    void gather_bubbles(int task);
-    void gather(std::size_t begin, std::size_t end, Batch& batch);
-    void go(std::size_t step, Walk& walk) const;
+    Bins<TorusBubble> ordered_bubbles(int threads) const;
+    void find_starts(std::size_t first, std::span<Start> starts) const;
 
     RasterGrid grid_;
     PixelFrame pixels_;
-    std::vector<PixelArc> shapes_;  // of films
+    std::size_t square_columns_;
     std::vector<SubpixelPoint> junctions_;
-    std::vector<BubbleId> bubbles_;
-    std::vector<RegionExtent> extents_;
-    std::vector<Vec2> firsts_;  // the tails of their first sides without rounding; pixels
-    std::vector<Batch> batches_;
+    std::unique_ptr<FilmStep[]> films_;
+    Bins<TorusBubble> bubbles_;  // by squares of the grid, row by row
 };
 
 }  // namespace foam::texgen

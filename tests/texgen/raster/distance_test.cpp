@@ -48,6 +48,10 @@ TEST(Distance, IsThatOfTheNearestFilmOfAll) {
     expect_nearest(test::fitted_frame(test::bent_foam(8, 0.5, 4), 130, 61), 130, 61);
 }
 
+TEST(Distance, HoldsInManyBandsOfRows) {
+    expect_nearest(test::fitted_frame(test::polydisperse_foam(40, 7), 140, 140), 140, 140);
+}
+
 TEST(Distance, HoldsForTinyAndLargeBubbles) {
     expect_nearest(test::fitted_frame(test::polydisperse_foam(60, 5), 64, 64), 64, 64);
     expect_nearest(test::fitted_frame(test::polydisperse_foam(60, 6), 9, 9), 9, 9);
@@ -93,11 +97,32 @@ void expect_shifted(const DistanceField& shifted, const DistanceField& field, in
 }
 
 TEST(Distance, ShiftsBitForBit) {
-    for (const Foam& foam : {test::bent_foam(30, 0.4, 3), test::single_bubble()}) {
+    for (const Foam& foam :
+         {test::bent_foam(30, 0.4, 3), test::single_bubble(), test::bent_foam(600, 0.3, 5)}) {
         const Frame frame = test::fitted_frame(foam, 75, 140);
         const DistanceField field = distance_field(frame, {75, 140}, kAll, 1);
         for (const auto& [dx, dy] : {std::pair{1, 0}, {0, 1}, {74, 139}, {33, 70}}) {
             expect_shifted(distance_field(frame, {75, 140, dx, dy}, kAll, 1), field, dx, dy);
+        }
+    }
+}
+
+// Bubbles that lie within a band of rows, across two of them, and across the border.
+TEST(Distance, ShiftsSmallBubblesBitForBit) {
+    Foam foam = test::bent_foam(900, 0.3, 3);
+    shear(foam, 0.21);
+    const Frame frame = test::fitted_frame(foam, 110, 300);
+    const DistanceField field = distance_field(frame, {110, 300}, kAll, 1);
+    for (const auto& [dx, dy] : {std::pair{1, 0}, {0, 1}, {0, 64}, {109, 299}, {33, 150}}) {
+        const RasterGrid grid{110, 300, dx, dy};
+        const DistanceField shifted = distance_field(frame, grid, kAll, 2);
+        const int rows = 300 - dy;  // those beyond have moved along, as the torus is sheared
+        for (int y = 0; y < rows; ++y) {
+            for (int x = 0; x < 110; ++x) {
+                const int from_x = (x + dx) % 110;
+                ASSERT_EQ(shifted.ids.pixel(x, y)[0], field.ids.pixel(from_x, y + dy)[0]);
+                ASSERT_EQ(shifted.distance.pixel(x, y)[0], field.distance.pixel(from_x, y + dy)[0]);
+            }
         }
     }
 }

@@ -5,8 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <map>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -32,33 +34,50 @@ void collect(const PixelBatch& batch, Measured& pixels) {
     }
 }
 
-// Bubbles of all kinds, those that are cut by a band too; how many were small.
-int count_equal(const Frame& frame, int side, int cut) {
-    const RasterGrid grid{side, side};
-    const TorusCells cells(frame, grid, 1);
-    SmallCell small;
-    RowCrossings crossings;
-    CellMask mask;
-    RegionField region;
-    int count = 0;
-    for (std::size_t k = 0; k < cells.bubbles().size(); ++k) {
-        const PixelBox box = box_around(cells.extents()[k], {});
+// Compares what both have of a cell, without its rows below a cut; whether the cell is small.
+class Comparison {
+  public:
+    bool compare(const TorusCell& cell, int cut) {
+        const PixelBox box = box_around(cell.extent, {});
         const SubpixelPoint corner{box.left * kSubpixel, box.bottom * kSubpixel};
         const CellPlace at{{}, corner, corner};
         const int begin = std::min(cut, box.rows());
-        const BubbleSides sides = cells.sides(k);
-        if (!small.place(sides, at, {box.columns(), box.rows(), {begin, box.rows()}})) {
-            continue;
+        if (!small_.place(cell.sides, at, {box.columns(), box.rows(), {begin, box.rows()}})) {
+            return false;
         }
         Measured ours;
-        collect(small.measure(kAll), ours);
-        mask.reset(box.columns(), box.rows(), begin);
-        place_cell(sides, at, crossings, mask, region);
+        collect(small_.measure(kAll), ours);
+        mask_.reset(box.columns(), box.rows(), begin);
+        place_cell(cell.sides, at, crossings_, mask_, region_);
         Measured theirs;
-        region.measure(
-            {mask, 0, box.rows()}, kAll, [&](const PixelBatch& batch) { collect(batch, theirs); });
-        EXPECT_EQ(ours, theirs) << "bubble " << k;
-        ++count;
+        region_.measure(
+            {mask_, 0, box.rows()}, kAll, [&](const PixelBatch& batch) { collect(batch, theirs); });
+        EXPECT_EQ(ours, theirs) << "bubble " << index_of(cell.bubble);
+        return true;
+    }
+
+  private:
+    SmallCell small_;
+    RowCrossings crossings_;
+    CellMask mask_;
+    RegionField region_;
+};
+
+// Of bubbles of all kinds, those that are cut by a band too; how many were small.
+int count_equal(const Frame& frame, int side, int cut) {
+    const TorusCells cells(frame, {side, side}, 1);
+    Comparison comparison;
+    CellGroup group;
+    int count = 0;
+    for (int band = 0; band < cells.bands(); ++band) {
+        std::span<const TorusBubble> bubbles = cells.bubbles(band);
+        while (!bubbles.empty()) {
+            group.begin(bubbles, cells.films());
+            for (const TorusCell& cell : group.cells()) {
+                count += comparison.compare(cell, cut) ? 1 : 0;
+                bubbles = bubbles.subspan(1);
+            }
+        }
     }
     return count;
 }
