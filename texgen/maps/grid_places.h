@@ -35,7 +35,7 @@ void for_each_copy(const RasterGrid& grid,
     }
     const Vec2 home = place - torus.translation(torus.cell_of(place));
     const SubpixelPoint shift{grid.shift_x * kSubpixel, grid.shift_y * kSubpixel};
-    const SubpixelPoint first = snap(grid, torus, home) - shift;
+    const SubpixelPoint first = Snap(grid, torus)(home) - shift;
     const Vec2 scale(size.x() / torus.width, size.y() / torus.height);
     const Vec2 middle = 0.5 * size + Vec2(grid.shift_x, grid.shift_y);
     const Vec2 from_middle = middle.cwiseQuotient(scale) - home;

@@ -21,8 +21,8 @@ void ArcWalk::add(const CellArc& arc, SubpixelPoint translation) {
     const SubpixelPoint low = arc.low + translation;
     const SubpixelPoint high = arc.high + translation;
     const SubpixelPoint chord = high - low;
-    const RisingArc rising(Vec2(chord.x, chord.y), arc.sine);
-    const std::int32_t from = low.y < 0 ? low.x + rounded(rising.x_at(-low.y)) : low.x;
+    const SubpixelArc rising(chord, arc.sine);
+    const std::int32_t from = low.y < 0 ? low.x + rising.x_at(-low.y) : low.x;
     const std::size_t k = size_++;
     Arc& own = arcs_[k];
     own.low = low;
@@ -31,10 +31,10 @@ void ArcWalk::add(const CellArc& arc, SubpixelPoint translation) {
     own.bias = chord.x < 0 ? kSubpixel - 1 : 0;
     own.from = {own.sign * from, std::max(low.y, 0)};
     own.to = {own.sign * high.x, std::min(high.y, rows_ * kSubpixel)};
-    own.half_curvature = static_cast<float>(rising.half_curvature());
+    own.half_curvature = static_cast<float>(arc.sine / Vec2(chord.x, chord.y).norm());
     const std::int32_t row = pixel_of(own.from.y);
     row_crossings_[k] = {rising,
-                         static_cast<double>((row + 1) * kSubpixel - low.y),
+                         (row + 1) * kSubpixel - low.y,
                          kSubpixel,
                          low.x,
                          own.sign,
@@ -82,8 +82,8 @@ void ArcWalk::find_columns(std::size_t k) {
     arc.border = (is_mirrored ? first_column : first_column + 1) * kSubpixel;
     const auto columns = static_cast<std::size_t>(last_column - first_column);
     column_crossings_[k] = {rows.arc,
-                            static_cast<double>(arc.sign * arc.border - arc.low.x),
-                            static_cast<double>(arc.sign * kSubpixel),
+                            arc.sign * arc.border - arc.low.x,
+                            arc.sign * kSubpixel,
                             arc.low.y,
                             1,
                             columns,

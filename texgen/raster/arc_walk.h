@@ -1,7 +1,7 @@
 #pragma once
 
+#include "texgen/raster/arc_crossings.h"
 #include "texgen/raster/cell_arcs.h"
-#include "texgen/raster/rising_arc.h"
 
 #include <array>
 #include <cstddef>

@@ -13,7 +13,7 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr std::size_t kFilmsPerTask = 2048;
+constexpr std::size_t kGroupsPerTask = 256;  // of films
 
 // By how many periods further right each side's film lies in its bubble's unwrapped outline: by
 // none but around bubbles of which a side crosses the torus' border.
@@ -44,41 +44,42 @@ std::vector<std::int16_t> periods_of_sides(const Network& network) {
 // The films, of no width.
 class FilmArcs {
   public:
-    FilmArcs(const PixelFrame& pixels,
-             const std::vector<PixelArc>& shapes,
-             const std::vector<SubpixelPoint>& junctions,
-             const std::vector<std::int16_t>& periods)
-        : pixels_(pixels), shapes_(shapes), junctions_(junctions), periods_(periods) {}
+    FilmArcs(const PixelFrame& pixels, const std::vector<std::int16_t>& periods)
+        : pixels_(pixels), periods_(periods) {}
 
-    void make(std::size_t film, ArcBatch& batch) const {
+    // A group of films.
+    void make(std::size_t group, ArcBatch& batch) const {
         const Network& network = pixels_.frame.network;
-        const HalfEdgeId h = forward_side(id_at<FilmId>(film));
-        append_arc(shapes_[film],
-                   junctions_[index_of(network.tail(h))],
-                   junctions_[index_of(network.head(h))] + pixels_.translation(network.offset(h)),
-                   {arc_side(network.left(h)),
-                    arc_side(network.right(h)),
-                    periods_[index_of(h)],
-                    periods_[index_of(twin(h))]},
-                   batch.arcs);
+        const auto append = [&](std::size_t film, const PixelArc& shape) {
+            const HalfEdgeId h = forward_side(id_at<FilmId>(film));
+            append_arc(shape,
+                       pixels_.junction(network.tail(h)),
+                       pixels_.junction(network.head(h)) + pixels_.translation(network.offset(h)),
+                       {arc_side(network.left(h)),
+                        arc_side(network.right(h)),
+                        periods_[index_of(h)],
+                        periods_[index_of(twin(h))]},
+                       batch.arcs);
+        };
+        shape_some(pixels_.frame, pixels_.scale, group * kFilmsAtOnce, append);
     }
 
   private:
     const PixelFrame& pixels_;
-    const std::vector<PixelArc>& shapes_;
-    const std::vector<SubpixelPoint>& junctions_;
     const std::vector<std::int16_t>& periods_;
 };
 
 CellArcs arcs_on_torus(const PixelFrame& pixels, double film_width, int threads) {
     const Network& network = pixels.frame.network;
-    const std::vector<PixelArc> shapes = film_shapes(pixels.frame, pixels.scale, threads);
     if (film_width == 0.0) {
         const std::vector<std::int16_t> periods = periods_of_sides(network);
-        const std::vector<SubpixelPoint> junctions = pixels.junctions(threads);
-        const FilmArcs films(pixels, shapes, junctions, periods);
-        return make_arcs(pixels.grid, network.film_slots(), kFilmsPerTask, films, threads);
+        return make_arcs(pixels.grid,
+                         (network.film_slots() + kFilmsAtOnce - 1) / kFilmsAtOnce,
+                         kGroupsPerTask,
+                         FilmArcs(pixels, periods),
+                         threads);
     }
+    const std::vector<PixelArc> shapes = film_shapes(pixels.frame, pixels.scale, threads);
     return inset_arcs(pixels, shapes, 0.5 * film_width, threads);
 }
 

@@ -16,7 +16,8 @@ RisingPiece between(const RisingPiece& piece, double low, double high) {
     };
     RisingPiece part{low > piece.low.y() ? point_at(low) : piece.low,
                      high < piece.high.y() ? point_at(high) : piece.high};
-    part.sine = arc.half_curvature() * (part.high - part.low).norm();
+    const double half_curvature = piece.sine / (piece.high - piece.low).norm();
+    part.sine = half_curvature * (part.high - part.low).norm();
     return part;
 }
 

@@ -12,6 +12,7 @@ namespace foam::texgen {
 namespace {
 
 constexpr std::size_t kFlagsPerWord = 64;
+constexpr std::size_t kArcsAhead = 2;  // of which the sums are fetched beforehand
 
 // From row to row. Rows a power of two apart would share the few places that a cache has for each
 // such distance, and arcs go up and down.
@@ -116,8 +117,11 @@ void Coverage<Sums>::add(const CellArc& arc, SubpixelPoint translation, const St
 template <class Sums>
 void Coverage<Sums>::finish() {
     walk_.split();
+    for (std::size_t k = 0; k < kArcsAhead; ++k) {
+        fetch_parts(k);
+    }
     for (std::size_t k = 0; k < walk_.size(); ++k) {
-        fetch_parts(k + 1);
+        fetch_parts(k + kArcsAhead);
         if (is_inside(k)) [[likely]] {
             add_inside(walk_.parts(k), steps_[k]);
         } else {

@@ -12,33 +12,38 @@
 
 namespace foam::texgen {
 
-/// Calls take(index, arc) for all films, each as its forward side, in pixels of a scale (pixels per
-/// foam unit); on up to `threads` threads, in no certain order.
+/// How many films are shaped at once.
+inline constexpr std::size_t kFilmsAtOnce = HalfTurns::kLanes;
+
+/// Calls take(index, arc) for up to kFilmsAtOnce films from one on, each as its forward side, in
+/// pixels of a scale (pixels per foam unit).
+template <class Take>
+void shape_some(const Frame& frame, double scale, std::size_t first, const Take& take) {
+    const std::size_t count = std::min(kFilmsAtOnce, frame.network.film_slots() - first);
+    const auto arc_of = [&](std::size_t lane) -> const FilmArc& {
+        return frame.arcs[id_at<FilmId>(first + lane)];
+    };
+    HalfTurns turns;
+    for (std::size_t lane = 0; lane < count; ++lane) {
+        turns.angle[lane] = arc_of(lane).half_angle;
+    }
+    find_turns(turns);
+    for (std::size_t lane = 0; lane < count; ++lane) {
+        take(first + lane,
+             PixelArc{scale * arc_of(lane).chord, turns.cosine[lane], turns.sine[lane]});
+    }
+}
+
+/// The same for all films; on up to `threads` threads, in no certain order.
 template <class Take>
 void shape_films(const Frame& frame, double scale, int threads, const Take& take) {
-    constexpr std::size_t kPerTask = 64 * HalfTurns::kLanes;
+    constexpr std::size_t kPerTask = 64 * kFilmsAtOnce;
     const std::size_t count = frame.network.film_slots();
-    const auto arc_of = [&](std::size_t k) -> const FilmArc& {
-        return frame.arcs[id_at<FilmId>(k)];
-    };
-    const auto shape_some = [&](std::size_t first) {
-        const std::size_t lanes = std::min(HalfTurns::kLanes, count - first);
-        HalfTurns turns;
-        for (std::size_t lane = 0; lane < lanes; ++lane) {
-            turns.angle[lane] = arc_of(first + lane).half_angle;
-        }
-        find_turns(turns);
-        for (std::size_t lane = 0; lane < lanes; ++lane) {
-            take(
-                first + lane,
-                PixelArc{scale * arc_of(first + lane).chord, turns.cosine[lane], turns.sine[lane]});
-        }
-    };
     const std::size_t tasks = (count + kPerTask - 1) / kPerTask;
     parallel_for(static_cast<int>(tasks), threads, [&](int task) {
         const std::size_t begin = static_cast<std::size_t>(task) * kPerTask;
-        for (std::size_t k = begin; k < std::min(begin + kPerTask, count); k += HalfTurns::kLanes) {
-            shape_some(k);
+        for (std::size_t k = begin; k < std::min(begin + kPerTask, count); k += kFilmsAtOnce) {
+            shape_some(frame, scale, k, take);
         }
     });
 }

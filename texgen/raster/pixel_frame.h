@@ -16,15 +16,14 @@ struct PixelFrame {
         : frame(of),
           grid(on),
           scale(pixels_per_unit(on, of.torus)),
-          shear(shear_in_subpixels(on, of.torus)) {}
+          shear(shear_in_subpixels(on, of.torus)),
+          snap(on, of.torus) {}
 
     FilmArc arc(HalfEdgeId h) const {
         const FilmArc arc = frame.arc(h);
         return {scale * arc.chord, arc.half_angle};
     }
-    SubpixelPoint junction(JunctionId junction) const {
-        return snap(grid, frame.torus, frame.positions[junction]);
-    }
+    SubpixelPoint junction(JunctionId junction) const { return snap(frame.positions[junction]); }
     /// All of them, by their index.
     std::vector<SubpixelPoint> junctions(int threads) const {
         constexpr std::size_t kPerTask = 8192;
@@ -49,6 +48,7 @@ struct PixelFrame {
     const RasterGrid& grid;
     double scale;        // pixels per foam unit
     std::int32_t shear;  // subpixels
+    Snap snap;
 };
 
 }  // namespace foam::texgen

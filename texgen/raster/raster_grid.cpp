@@ -36,11 +36,6 @@ double pixels_per_unit(const RasterGrid& grid, const Torus& torus) {
     return across;
 }
 
-SubpixelPoint snap(const RasterGrid& grid, const Torus& torus, const Vec2& position) {
-    return {to_subpixel(position.x() * (grid.width / torus.width)),
-            to_subpixel(position.y() * (grid.height / torus.height))};
-}
-
 std::int32_t shear_in_subpixels(const RasterGrid& grid, const Torus& torus) {
     return to_subpixel(torus.shear * (grid.width / torus.width));
 }

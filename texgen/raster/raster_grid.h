@@ -38,7 +38,19 @@ inline SubpixelPoint shift_of(const RasterGrid& grid) {
 /// A position in the torus' own cell, in foam units, as the nearest subpixel of the unshifted grid:
 /// from 0 to its width and height, both included. A point at the far border stays there, or the
 /// outlines around it would be torn.
-SubpixelPoint snap(const RasterGrid& grid, const Torus& torus, const Vec2& position);
+class Snap {
+  public:
+    Snap(const RasterGrid& grid, const Torus& torus)
+        : across_(grid.width / torus.width), up_(grid.height / torus.height) {}
+
+    SubpixelPoint operator()(const Vec2& position) const {
+        return {to_subpixel(position.x() * across_), to_subpixel(position.y() * up_)};
+    }
+
+  private:
+    double across_;  // pixels per unit
+    double up_;
+};
 
 /// A position in the plane in pixels, from the lower left corner of a grid with a view.
 inline Vec2 pixel_in_view(const RasterGrid& grid, const Vec2& position) {

@@ -94,17 +94,18 @@ class CellPainter {
     void paint_within(int band, const TorusCell& cell, Beyond& beyond) {
         const PixelBox box = box_in_grid(cell, grid_.height);
         const int begin = band * kBandRows;
-        if (!FieldRows{0, grid_.height}.hold(box)) {
-            beyond.others.add(cell);
-        } else if (rows_from(begin).hold(box)) {
-            paint(cell);
-        } else if (rows_from(begin - kBandRows / 2).hold(box)) {
-            beyond.below.add(cell);
-        } else if (rows_from(begin + kBandRows / 2).hold(box)) {
-            beyond.above.add(cell);
-        } else {
-            beyond.others.add(cell);
+        if (FieldRows{0, grid_.height}.hold(box)) {
+            if (rows_from(begin).hold(box)) {
+                return paint(cell);
+            }
+            if (rows_from(begin - kBandRows / 2).hold(box)) {
+                return beyond.below.add(cell);
+            }
+            if (rows_from(begin + kBandRows / 2).hold(box)) {
+                return beyond.above.add(cell);
+            }
         }
+        beyond.others.add(cell);
     }
 
     const TorusCells& cells_;

@@ -31,11 +31,10 @@ TEST(RasterGrid, HasAViewOfThePlaneAndOfNothingElse) {
 }
 
 TEST(RasterGrid, SnapsIntoTheGrid) {
-    const RasterGrid grid{10, 20, 3, 4};
-    const Torus torus{1.0, 2.0};
-    EXPECT_EQ(snap(grid, torus, {0.25, 1.5}), (SubpixelPoint{2560, 15360}));
+    const Snap snap({10, 20, 3, 4}, {1.0, 2.0});
+    EXPECT_EQ(snap({0.25, 1.5}), (SubpixelPoint{2560, 15360}));
     // The nearest subpixel to a position just below the upper border is the border.
-    EXPECT_EQ(snap(grid, torus, {0.0, 2.0 - 1e-9}), (SubpixelPoint{0, 20480}));
+    EXPECT_EQ(snap({0.0, 2.0 - 1e-9}), (SubpixelPoint{0, 20480}));
 }
 
 // Half a period to the left of 10 pixels a unit, 1024 subpixels a pixel.
