@@ -8,8 +8,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <span>
-#include <tuple>
 
 namespace foam::texgen {
 
@@ -17,28 +15,6 @@ namespace foam::texgen {
 inline constexpr int kAreaBits = 2 * kSubpixelBits + 1;
 
 inline constexpr std::int32_t kLargestMean = std::numeric_limits<std::uint16_t>::max();
-
-/// A mean per channel of a sum.
-template <class Sum>
-using MeansOf = std::array<std::int32_t, std::tuple_size_v<Sum>>;
-
-/// Arcs of an invalid foam may overlap: a mean may then lie out of range, and is held there.
-template <class Means>
-void hold_in_range(std::span<Means> all) {
-    std::int32_t bits = 0;
-    for (const Means& means : all) {
-        for (const std::int32_t mean : means) {
-            bits |= mean;
-        }
-    }
-    if ((bits & ~kLargestMean) != 0) [[unlikely]] {
-        for (Means& means : all) {
-            for (std::int32_t& mean : means) {
-                mean = std::clamp(mean, 0, kLargestMean);
-            }
-        }
-    }
-}
 
 /// Sums of values of 16 bits times areas, per channel: as they are, in doubles, which hold them
 /// exactly below 2^53. Channels are rounded up to a power of two, the others being 0, as processors
@@ -55,14 +31,12 @@ struct ExactSums {
     /// What a value of `base` everywhere has a row begin with.
     static Number start(std::int32_t base) { return base * kPixel; }
 
-    /// The nearest to sum / kPixel, not held in range.
-    static MeansOf<Sum> means(const Sum& sum) {
+    /// The nearest to sum / kPixel. Arcs of an invalid foam may overlap: a mean out of range is
+    /// held there.
+    static std::int32_t mean(Number sum) {
         constexpr double kHalf = 0.5;  // makes truncation the nearest
-        MeansOf<Sum> means{};
-        for (std::size_t c = 0; c < sum.size(); ++c) {
-            means[c] = static_cast<std::int32_t>(sum[c] * (1.0 / kPixel) + kHalf);
-        }
-        return means;
+        const auto mean = static_cast<std::int32_t>(sum * (1.0 / kPixel) + kHalf);
+        return std::min(std::max(mean, 0), kLargestMean);
     }
 };
 
@@ -87,13 +61,10 @@ struct SmallSums {
         return static_cast<Number>((base - kMiddle) * (1 << kPixelBits));
     }
 
-    static MeansOf<Sum> means(const Sum& sum) {
+    static std::int32_t mean(Number sum) {
         constexpr Number kHalf = 1 << (kPixelBits - 1);
-        MeansOf<Sum> means{};
-        for (std::size_t c = 0; c < sum.size(); ++c) {
-            means[c] = (static_cast<std::int32_t>(sum[c] + kHalf) >> kPixelBits) + kMiddle;
-        }
-        return means;
+        const std::int32_t mean = (static_cast<std::int32_t>(sum + kHalf) >> kPixelBits) + kMiddle;
+        return std::min(std::max(mean, 0), kLargestMean);
     }
 };
 

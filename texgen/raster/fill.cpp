@@ -238,7 +238,7 @@ void fill_cells(const CellArcs& cells,
                 const Encoding<std::uint8_t>& encoding,
                 int threads,
                 ImageView<std::uint8_t> image) {
-    const auto encode = [&](std::uint16_t value) { return encoding[value]; };
+    const auto encode = [codes = encoding.data()](std::uint16_t value) { return codes[value]; };
     fill_channels(cells, values, image, [&](auto channels) {
         using Sums = SmallSums<channels>;
         const EncodedMeans<channels, Sums, decltype(encode)> means(encode);

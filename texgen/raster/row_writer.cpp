@@ -6,19 +6,21 @@ namespace foam::texgen {
 
 namespace {
 
-// Pixels side by side, in three vectors of words: as many as it takes for those of three bytes, or
-// of six, to begin anew.
-constexpr std::size_t kWords = 24;
+// Of pixels side by side: whole vectors, whatever the processor.
+constexpr std::size_t kBlockBytes = kPaintedBeyond;
+
+template <std::size_t PixelBytes>
+constexpr std::size_t kWords = kBlockBytes / sizeof(PixelWord<PixelBytes>);
 
 // Words hold the pixel from byte f on, and then the next one.
 template <std::size_t PixelBytes>
 struct Shifts {
     using Word = PixelWord<PixelBytes>;
-    std::array<Word, kWords> right{};
-    std::array<Word, kWords> left{};
+    std::array<Word, kWords<PixelBytes>> right{};
+    std::array<Word, kWords<PixelBytes>> left{};
 
     constexpr Shifts() {
-        for (std::size_t k = 0; k < kWords; ++k) {
+        for (std::size_t k = 0; k < kWords<PixelBytes>; ++k) {
             const std::size_t first = k * sizeof(Word) % PixelBytes;
             right[k] = static_cast<Word>(8 * first);
             left[k] = static_cast<Word>(8 * (PixelBytes - first));
@@ -36,15 +38,13 @@ std::uint64_t in_memory(std::uint64_t word) {
 template <std::size_t PixelBytes>
 [[gnu::always_inline]] inline void store_block(PixelWord<PixelBytes> pixel, std::uint8_t* to) {
     using Word = PixelWord<PixelBytes>;
-    static_assert(kWords * sizeof(Word) % PixelBytes == 0);
-    static_assert(kWords * sizeof(Word) <= kPaintedBeyond);
     static constexpr Shifts<PixelBytes> kShifts;
     constexpr bool kIsPart = sizeof(Word) % PixelBytes == 0;  // a word holds whole pixels
     constexpr Word kAll = ~Word{0};
     if constexpr (kIsPart) {
         pixel *= kAll / (kAll >> 8 * (sizeof(Word) - PixelBytes));
     }
-    for (std::size_t k = 0; k < kWords; ++k) {
+    for (std::size_t k = 0; k < kWords<PixelBytes>; ++k) {
         const Word word =
             in_memory(kIsPart ? pixel : (pixel >> kShifts.right[k]) | (pixel << kShifts.left[k]));
         std::memcpy(to + k * sizeof(Word), &word, sizeof(Word));
@@ -56,7 +56,7 @@ template <std::size_t PixelBytes>
 template <std::size_t PixelBytes>
 [[gnu::always_inline]] inline void paint(const Stretches<PixelBytes>& stretches,
                                          std::uint8_t* __restrict row) {
-    constexpr std::size_t kPixels = kWords * sizeof(PixelWord<PixelBytes>) / PixelBytes;
+    constexpr std::size_t kPixels = kBlockBytes / PixelBytes;
     const auto [count, begins, pixels] = stretches;
     for (std::size_t k = 0; k < count; ++k) {
         const std::size_t end = begins[k + 1];

@@ -27,7 +27,7 @@ struct Stretches {
 };
 
 /// By how many bytes paint_row may write beyond the end of a row.
-inline constexpr std::size_t kPaintedBeyond = 192;
+inline constexpr std::size_t kPaintedBeyond = 128;
 
 /// Writes a row of pixels, of 1, 2, 3, 4, 6 or 8 bytes.
 void paint_row(const Stretches<1>& stretches, std::uint8_t* row);
@@ -56,10 +56,8 @@ class RowWriter {
     /// over.
     void write(RowSums<typename Sums::Sum>& sums, std::size_t width, std::span<Sample> room) {
         make_room(pixels_, sums.count);
-        to_samples_(std::span(sums.sums).first(sums.count),
-                    [&](std::size_t k, const std::array<Sample, Channels>& samples) {
-                        pixels_[k] = packed(samples);
-                    });
+        to_samples_(std::span<const typename Sums::Sum>(sums.sums).first(sums.count),
+                    pixels_.data());
         sums.begins[sums.count] = static_cast<std::uint32_t>(width);
         const Stretches<kPixelBytes> stretches{sums.count, sums.begins.data(), pixels_.data()};
         const std::size_t row_bytes = width * kPixelBytes;
@@ -75,18 +73,6 @@ class RowWriter {
   private:
     static constexpr std::size_t kPixelBytes = Channels * sizeof(Sample);
     using Word = PixelWord<kPixelBytes>;
-
-    static Word packed(const std::array<Sample, Channels>& samples) {
-        Word pixel = 0;
-        for (std::size_t c = 0; c < Channels; ++c) {
-            Sample sample = samples[c];
-            if constexpr (std::endian::native == std::endian::big && sizeof(Sample) == 2) {
-                sample = __builtin_bswap16(sample);
-            }
-            pixel |= static_cast<Word>(sample) << (8 * sizeof(Sample) * c);
-        }
-        return pixel;
-    }
 
     ToSamples to_samples_;
     std::vector<Word> pixels_;

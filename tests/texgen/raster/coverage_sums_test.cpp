@@ -12,9 +12,7 @@ template <class Sums>
 std::int32_t mean_of(std::int32_t base, std::int32_t other, std::int32_t area) {
     typename Sums::Sum sum{Sums::start(base)};
     sum[0] += Sums::of_area(area) * Sums::of_value(other - base);
-    std::array<MeansOf<typename Sums::Sum>, 1> all{Sums::means(sum)};
-    hold_in_range<MeansOf<typename Sums::Sum>>(all);
-    return all[0][0];
+    return Sums::mean(sum[0]);
 }
 
 template <class Sums>
