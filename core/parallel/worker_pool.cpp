@@ -1,8 +1,26 @@
 #include "core/parallel/worker_pool.h"
 
 #include <algorithm>
+#include <chrono>
+#include <thread>
 
 namespace foam {
+
+namespace {
+
+// About what it takes to put a thread to sleep and to wake it.
+constexpr std::chrono::microseconds kMoment{50};
+
+// Until the condition holds, or a moment is over.
+template <class Condition>
+void look_around(const Condition& condition) {
+    const auto end = std::chrono::steady_clock::now() + kMoment;
+    while (!condition() && std::chrono::steady_clock::now() < end) {
+        std::this_thread::yield();
+    }
+}
+
+}  // namespace
 
 WorkerPool& WorkerPool::shared() {
     static WorkerPool pool;
@@ -22,19 +40,29 @@ void WorkerPool::run(int helpers, const std::function<void()>& work) {
         work();
         return;
     }
-    Offer offer{&work, helpers, 0};
+    Offer offer;
+    offer.work = &work;
+    offer.unclaimed = helpers;
     {
         const std::scoped_lock lock(mutex_);
         start_threads(helpers);
         offers_.push_back(&offer);
+        offered_ = offers_.size();
     }
     for (int k = 0; k < helpers; ++k) {
         changed_.notify_one();
     }
     work();
+    withdraw(offer);
+    look_around([&] { return offer.running == 0; });
     std::unique_lock lock(mutex_);
-    offers_.erase(std::remove(offers_.begin(), offers_.end(), &offer), offers_.end());
     finished_.wait(lock, [&] { return offer.running == 0; });
+}
+
+void WorkerPool::withdraw(Offer& offer) {
+    const std::scoped_lock lock(mutex_);
+    offers_.erase(std::remove(offers_.begin(), offers_.end(), &offer), offers_.end());
+    offered_ = offers_.size();
 }
 
 void WorkerPool::start_threads(int count) {
@@ -44,8 +72,9 @@ void WorkerPool::start_threads(int count) {
 }
 
 void WorkerPool::serve() {
-    std::unique_lock lock(mutex_);
     while (true) {
+        look_around([this] { return offered_ > 0; });
+        std::unique_lock lock(mutex_);
         changed_.wait(lock, [this] { return closing_ || !offers_.empty(); });
         if (closing_) {
             return;
@@ -55,7 +84,7 @@ void WorkerPool::serve() {
         (*offer->work)();
         lock.lock();
         --offer->running;
-        finished_.notify_all();
+        finished_.notify_all();  // under the lock: the offer may end right after it
     }
 }
 
@@ -64,6 +93,7 @@ WorkerPool::Offer* WorkerPool::claim() {
     ++offer->running;
     if (--offer->unclaimed == 0) {
         offers_.pop_back();
+        offered_ = offers_.size();
     }
     return offer;
 }

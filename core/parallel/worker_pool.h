@@ -1,6 +1,8 @@
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
+#include <cstddef>
 #include <functional>
 #include <mutex>
 #include <thread>
@@ -8,8 +10,9 @@
 
 namespace foam {
 
-/// Threads that sleep until there is work and stay for the next: starting one takes longer than
-/// most of what `parallel_for` hands out.
+/// Threads that wait for work and stay for the next: starting one takes longer than most of what
+/// `parallel_for` hands out. As waking one takes long, too, they look around for a moment before
+/// they sleep; meanwhile any other thread may have their processor.
 class WorkerPool {
   public:
     /// The one pool of the program. Its threads are started when first asked for.
@@ -30,18 +33,20 @@ class WorkerPool {
   private:
     struct Offer {
         const std::function<void()>* work = nullptr;
-        int unclaimed = 0;  // helpers that may still join
-        int running = 0;    // helpers that have, and have not come back
+        int unclaimed = 0;            // helpers that may still join
+        std::atomic<int> running{0};  // helpers that have, and have not come back
     };
 
     void start_threads(int count);
     void serve();
     Offer* claim();
+    void withdraw(Offer& offer);
 
     std::mutex mutex_;
     std::condition_variable changed_;   // an offer, or the end
     std::condition_variable finished_;  // a helper has come back
     std::vector<Offer*> offers_;
+    std::atomic<std::size_t> offered_{0};  // how many offers there are, to look at without waiting
     bool closing_ = false;
     std::vector<std::jthread> threads_;
 };
