@@ -39,10 +39,8 @@ template <class Take>
 void shape_films(const Frame& frame, double scale, int threads, const Take& take) {
     constexpr std::size_t kPerTask = 64 * kFilmsAtOnce;
     const std::size_t count = frame.network.film_slots();
-    const std::size_t tasks = (count + kPerTask - 1) / kPerTask;
-    parallel_for(static_cast<int>(tasks), threads, [&](int task) {
-        const std::size_t begin = static_cast<std::size_t>(task) * kPerTask;
-        for (std::size_t k = begin; k < std::min(begin + kPerTask, count); k += kFilmsAtOnce) {
+    parallel_for(count, kPerTask, threads, [&](std::size_t first, std::size_t last) {
+        for (std::size_t k = first; k < last; k += kFilmsAtOnce) {
             shape_some(frame, scale, k, take);
         }
     });

@@ -12,8 +12,15 @@ namespace foam::texgen {
 /// calls not yet begun are left out and the first exception is thrown here.
 void parallel_for(int count, int threads, const std::function<void(int)>& body);
 
-/// The same on one thread per worker, each with a state of its own: calls call(worker, k). There is
-/// at least one worker.
+/// Calls body(first, last) for pieces of [0, count) of `grain` each, the last one cut off;
+/// otherwise the same.
+void parallel_for(std::size_t count,
+                  std::size_t grain,
+                  int threads,
+                  const std::function<void(std::size_t, std::size_t)>& body);
+
+/// The first one on one thread per worker, each with a state of its own: calls call(worker, k).
+/// There is at least one worker.
 template <class Worker, class Call>
 void parallel_for(int count, std::vector<Worker>& workers, const Call& call) {
     std::atomic<int> next{0};

@@ -4,7 +4,6 @@
 #include "texgen/raster/parallel_for.h"
 #include "texgen/raster/raster_grid.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -28,10 +27,8 @@ struct PixelFrame {
     std::vector<SubpixelPoint> junctions(int threads) const {
         constexpr std::size_t kPerTask = 8192;
         std::vector<SubpixelPoint> points(frame.positions.size());
-        const std::size_t tasks = (points.size() + kPerTask - 1) / kPerTask;
-        parallel_for(static_cast<int>(tasks), threads, [&](int task) {
-            const std::size_t begin = static_cast<std::size_t>(task) * kPerTask;
-            for (std::size_t k = begin; k < std::min(begin + kPerTask, points.size()); ++k) {
+        parallel_for(points.size(), kPerTask, threads, [&](std::size_t first, std::size_t last) {
+            for (std::size_t k = first; k < last; ++k) {
                 points[k] = junction(id_at<JunctionId>(k));
             }
         });

@@ -2,7 +2,7 @@
 
 #include "texgen/raster/parallel_for.h"
 
-#include <array>
+#include <algorithm>
 #include <vector>
 
 namespace foam::texgen {
@@ -40,9 +40,8 @@ Bins<TorusBubble> TorusCells::ordered_bubbles(int threads) const {
         const std::size_t begin = part * kBubblesPerPart;
         return std::span(starts).subspan(begin, std::min(kBubblesPerPart, starts.size() - begin));
     };
-    parallel_for(static_cast<int>(parts), threads, [&](int part) {
-        const auto k = static_cast<std::size_t>(part);
-        find_starts(k * kBubblesPerPart, of_part(k));
+    parallel_for(starts.size(), kBubblesPerPart, threads, [&](std::size_t first, std::size_t last) {
+        find_starts(first, std::span(starts).subspan(first, last - first));
     });
     const std::size_t squares = square_columns_ * squares_along(grid_.height);
     return into_bins<TorusBubble>(squares, parts, threads, [&](std::size_t part, const auto& put) {

@@ -5,7 +5,6 @@
 #include "texgen/raster/film_steps.h"
 #include "texgen/raster/pixel_frame.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
