@@ -1,5 +1,7 @@
 #pragma once
 
+#include <boost/align/aligned_allocator.hpp>
+
 #include <algorithm>
 #include <cassert>
 #include <cstddef>
@@ -50,6 +52,9 @@ class ImageView {
     int channels_ = 0;
 };
 
+/// Samples begin at a line of a cache, as vectors of them are best written.
+inline constexpr std::size_t kImageAlignment = 64;
+
 /// Owns the samples of a picture; laid out as ImageView says.
 template <class Sample>
 class Image {
@@ -91,7 +96,7 @@ class Image {
     int width_ = 0;
     int height_ = 0;
     int channels_ = 0;
-    std::vector<Sample> samples_;
+    std::vector<Sample, boost::alignment::aligned_allocator<Sample, kImageAlignment>> samples_;
 };
 
 }  // namespace foam::texgen

@@ -1,5 +1,6 @@
 #include "texgen/raster/coverage.h"
 
+#include "texgen/raster/flag_places.h"
 #include "texgen/raster/make_room.h"
 #include "texgen/raster/vector_clones.h"
 
@@ -11,7 +12,6 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr std::size_t kFlagsPerWord = 64;
 constexpr std::size_t kArcsAhead = 2;  // of which the sums are fetched beforehand
 
 // From row to row. Rows a power of two apart would share the few places that a cache has for each
@@ -182,53 +182,37 @@ void Coverage<Sums>::add_outside(Parts parts, const Step& step) {
     }
 }
 
-// Has the touched pixels of a row fetched before their turn.
-template <class Sums>
-void Coverage<Sums>::fetch_row(std::size_t row) const {
-    if (row >= starts_.size()) {
-        return;
-    }
-    const Sum* differences = &differences_[row * stride_];
-    for (std::size_t word = 0; word < words_; ++word) {
-        std::uint64_t bits = touched_[row * words_ + word];
-        bits &= ~(bits << 1) | 0x5555555555555555;
-        for (; bits != 0; bits &= bits - 1) {
-            const std::size_t x =
-                word * kFlagsPerWord + static_cast<std::size_t>(std::countr_zero(bits));
-            __builtin_prefetch(differences + x, 1);
-        }
-    }
-}
-
 // The pixel beyond the last one takes what leaves on the right, and shows nothing.
 template <class Sums>
 void Coverage<Sums>::take_row(int row, const Sum& start, RowSums<Sum>& sums) {
     const auto index = static_cast<std::size_t>(row);
-    Sum* differences = &differences_[index * stride_];
-    std::uint64_t* touched = &touched_[index * words_];
-    fetch_row(index + 1);
     const auto width = static_cast<std::size_t>(width_);
-    make_room(sums.begins, width + 2);
+    const std::span<std::uint64_t> touched(&touched_[index * words_], words_);
+    make_room(sums.flags, words_);
+    make_room(sums.begins, width + 2 + kPlacesBeyond);
     make_room(sums.sums, width + 2);
     Sum sum = start;
     add_times(1, std::exchange(starts_[index], Sum{}), sum);
-    std::uint32_t* begin = sums.begins.data();
+    const std::size_t untouched = (touched[0] & 1) == 0 ? 1 : 0;  // stretches: up to the first arc
+    sums.begins[0] = 0;
+    sums.sums[0] = sum;
+    sums.count = untouched + find_places(touched, &sums.begins[untouched]);
+    Sum* differences = &differences_[index * stride_];
+    const std::uint16_t* begins = sums.begins.data();
     Sum* to = sums.sums.data();
-    *begin++ = 0;
-    *to++ = sum;
-    for (std::size_t word = 0; word < words_; ++word) {
-        for (std::uint64_t bits = std::exchange(touched[word], 0); bits != 0; bits &= bits - 1) {
-            const std::size_t x =
-                word * kFlagsPerWord + static_cast<std::size_t>(std::countr_zero(bits));
-            add_times(1, std::exchange(differences[x], Sum{}), sum);
-            *begin++ = static_cast<std::uint32_t>(x);
-            *to++ = sum;
-        }
+    for (std::size_t k = untouched; k < sums.count; ++k) {
+        add_times(1, std::exchange(differences[begins[k]], Sum{}), sum);
+        to[k] = sum;
     }
-    sums.count = static_cast<std::size_t>(begin - sums.begins.data());
-    if (begin[-1] == width) {
+    for (std::size_t word = 0; word < words_; ++word) {
+        sums.flags[word] = std::exchange(touched[word], 0);
+    }
+    sums.flags[0] |= 1;
+    if (sums.begins[sums.count - 1] == width) {
+        sums.flags[width / kFlagsPerWord] -= std::uint64_t{1} << width % kFlagsPerWord;
         --sums.count;
     }
+    sums.begins[sums.count] = static_cast<std::uint16_t>(width);
 }
 
 template class Coverage<ExactSums<1>>;

@@ -18,7 +18,8 @@ enum class RowKind { Ring, Line };
 template <class Sum>
 struct RowSums {
     std::size_t count = 0;
-    std::vector<std::uint32_t> begins;  // the first pixel of each
+    std::vector<std::uint64_t> flags;   // a bit per pixel: whether a stretch begins there
+    std::vector<std::uint16_t> begins;  // where those are, and the width of the row
     std::vector<Sum> sums;
 };
 
@@ -58,8 +59,9 @@ class Coverage {
     /// Has the last arcs added, which wait for others.
     void finish();
 
-    /// The sums along a row, from left to right: each holds from its pixel to the next one's, the
-    /// first from pixel 0 on, where every sum begins with `start`. Then clears the row.
+    /// The sums along a row, from left to right: each holds from where it begins to where the next
+    /// one does, the first from pixel 0 on, where every sum begins with `start`. Then clears the
+    /// row.
     void take_row(int row, const Sum& start, RowSums<Sum>& sums);
 
   private:
@@ -72,7 +74,6 @@ class Coverage {
     void add_inside(Parts parts, const Step& step);
     void add_outside(Parts parts, const Step& step);
     void add_around(Parts parts, const Step& step);
-    void fetch_row(std::size_t row) const;
 
     int width_;
     RowKind kind_;

@@ -71,6 +71,9 @@ class Filler {
           to_samples_(to_samples),
           image_(image),
           threads_(threads),
+          stores_(stores_for(image.data(),
+                             image.row_samples() * sizeof(Sample),
+                             static_cast<std::size_t>(image.height()))),
           bands_(cells, rows_per_band(image.width(), sizeof(typename BandCoverage::Sum)), threads) {
     }
 
@@ -92,7 +95,7 @@ class Filler {
             : coverage(filler.image_.width(),
                        filler.bands_.row_count(0),
                        filler.cells_.grid.view ? RowKind::Line : RowKind::Ring),
-              writer(filler.to_samples_) {}
+              writer(filler.to_samples_, filler.stores_) {}
 
         BandCoverage coverage;
         RowSums<typename Sums::Sum> sums;
@@ -123,6 +126,7 @@ class Filler {
             worker.coverage.take_row(row, start, worker.sums);
             worker.writer.write(worker.sums, static_cast<std::size_t>(image_.width()), room);
         }
+        worker.writer.finish();
     }
 
     std::span<const std::uint16_t, Channels> value_of(BubbleId bubble) const {
@@ -178,6 +182,7 @@ class Filler {
     ToSamples to_samples_;
     ImageView<Sample> image_;
     int threads_;
+    Stores stores_;
     ArcBands bands_;
 };
 

@@ -1,13 +1,18 @@
-#include "texgen/raster/row_writer.h"
+#include "texgen/raster/paint_blocks.h"
 
 #include "texgen/raster/vector_clones.h"
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstring>
 
 namespace foam::texgen {
 
 namespace {
 
 // Of pixels side by side: whole vectors, whatever the processor.
-constexpr std::size_t kBlockBytes = kPaintedBeyond;
+constexpr std::size_t kBlockBytes = 128;
 
 template <std::size_t PixelBytes>
 constexpr std::size_t kWords = kBlockBytes / sizeof(PixelWord<PixelBytes>);
@@ -57,33 +62,34 @@ template <std::size_t PixelBytes>
 [[gnu::always_inline]] inline void paint(const Stretches<PixelBytes>& stretches,
                                          std::uint8_t* __restrict row) {
     constexpr std::size_t kPixels = kBlockBytes / PixelBytes;
-    const auto [count, begins, pixels] = stretches;
+    const std::uint16_t* begins = stretches.begins.data();
+    const std::size_t count = stretches.begins.size() - 1;
     for (std::size_t k = 0; k < count; ++k) {
         const std::size_t end = begins[k + 1];
         for (std::size_t x = begins[k]; x < end; x += kPixels) {
-            store_block<PixelBytes>(pixels[k], row + x * PixelBytes);
+            store_block<PixelBytes>(stretches.pixels[k], row + x * PixelBytes);
         }
     }
 }
 
 }  // namespace
 
-FOAMTEX_VECTOR_CLONES void paint_row(const Stretches<1>& stretches, std::uint8_t* row) {
+FOAMTEX_VECTOR_CLONES void paint_blocks(const Stretches<1>& stretches, std::uint8_t* row) {
     paint(stretches, row);
 }
-FOAMTEX_VECTOR_CLONES void paint_row(const Stretches<2>& stretches, std::uint8_t* row) {
+FOAMTEX_VECTOR_CLONES void paint_blocks(const Stretches<2>& stretches, std::uint8_t* row) {
     paint(stretches, row);
 }
-FOAMTEX_VECTOR_CLONES void paint_row(const Stretches<3>& stretches, std::uint8_t* row) {
+FOAMTEX_VECTOR_CLONES void paint_blocks(const Stretches<3>& stretches, std::uint8_t* row) {
     paint(stretches, row);
 }
-FOAMTEX_VECTOR_CLONES void paint_row(const Stretches<4>& stretches, std::uint8_t* row) {
+FOAMTEX_VECTOR_CLONES void paint_blocks(const Stretches<4>& stretches, std::uint8_t* row) {
     paint(stretches, row);
 }
-FOAMTEX_VECTOR_CLONES void paint_row(const Stretches<6>& stretches, std::uint8_t* row) {
+FOAMTEX_VECTOR_CLONES void paint_blocks(const Stretches<6>& stretches, std::uint8_t* row) {
     paint(stretches, row);
 }
-FOAMTEX_VECTOR_CLONES void paint_row(const Stretches<8>& stretches, std::uint8_t* row) {
+FOAMTEX_VECTOR_CLONES void paint_blocks(const Stretches<8>& stretches, std::uint8_t* row) {
     paint(stretches, row);
 }
 

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "texgen/raster/stretches.h"
+
+#include <cstdint>
+
+namespace foam::texgen {
+
+/// As paint_row, on any processor.
+void paint_blocks(const Stretches<1>& stretches, std::uint8_t* row);
+void paint_blocks(const Stretches<2>& stretches, std::uint8_t* row);
+void paint_blocks(const Stretches<3>& stretches, std::uint8_t* row);
+void paint_blocks(const Stretches<4>& stretches, std::uint8_t* row);
+void paint_blocks(const Stretches<6>& stretches, std::uint8_t* row);
+void paint_blocks(const Stretches<8>& stretches, std::uint8_t* row);
+
+}  // namespace foam::texgen

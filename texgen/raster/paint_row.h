@@ -1,0 +1,28 @@
+#pragma once
+
+#include "texgen/raster/stretches.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace foam::texgen {
+
+/// Whether caches keep what is stored. Past them no line is read before it is written, and what
+/// they hold stays there; other threads see it after finish_stores.
+enum class Stores { Kept, Streamed };
+
+/// For rows of so many bytes, one after the other, that begin at `first`: kept if caches are likely
+/// to have them when they are read, if the rows do not all begin at a line of a cache, or if this
+/// processor does nothing else.
+Stores stores_for(const void* first, std::size_t row_bytes, std::size_t rows);
+void finish_stores();
+
+/// Writes a row of pixels of 1, 2, 3, 4, 6 or 8 bytes.
+void paint_row(const Stretches<1>& stretches, Stores stores, std::uint8_t* row);
+void paint_row(const Stretches<2>& stretches, Stores stores, std::uint8_t* row);
+void paint_row(const Stretches<3>& stretches, Stores stores, std::uint8_t* row);
+void paint_row(const Stretches<4>& stretches, Stores stores, std::uint8_t* row);
+void paint_row(const Stretches<6>& stretches, Stores stores, std::uint8_t* row);
+void paint_row(const Stretches<8>& stretches, Stores stores, std::uint8_t* row);
+
+}  // namespace foam::texgen
