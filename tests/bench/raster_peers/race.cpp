@@ -9,6 +9,8 @@ namespace foam::bench {
 
 namespace {
 
+constexpr int kRunsInARow = 4;
+
 double now(Clock clock) {
     if (clock == Clock::Processor) {
         return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
@@ -21,14 +23,15 @@ double now(Clock clock) {
 
 void race(std::vector<Contender>& contenders, int rounds, Clock clock) {
     for (Contender& contender : contenders) {
-        contender.run();
         contender.seconds = std::numeric_limits<double>::infinity();
     }
     for (int round = 0; round < rounds; ++round) {
         for (Contender& contender : contenders) {
-            const double begin = now(clock);
-            contender.run();
-            contender.seconds = std::min(contender.seconds, now(clock) - begin);
+            for (int run = 0; run < kRunsInARow; ++run) {
+                const double begin = now(clock);
+                contender.run();
+                contender.seconds = std::min(contender.seconds, now(clock) - begin);
+            }
         }
     }
 }

@@ -18,7 +18,8 @@ enum class Clock {
     Wall,
 };
 
-/// Runs all in turn, `rounds` times over, after once to warm up.
+/// Lets all take turns, `rounds` times over: each has a few runs in a row, as frames of a sequence
+/// have, so that caches and threads are as its own last run left them.
 void race(std::vector<Contender>& contenders, int rounds, Clock clock);
 
 }  // namespace foam::bench

@@ -24,8 +24,8 @@ using texgen::Image;
 
 constexpr int kSide = 2048;
 constexpr int kLargeSide = 4096;
-constexpr int kRounds = 15;
-constexpr int kWallRounds = 40;  // short, and disturbed by whatever else the machine does
+constexpr int kRounds = 5;
+constexpr int kWallRounds = 12;  // short, and disturbed by whatever else the machine does
 
 const texgen::Encoding<std::uint8_t>& high_bytes() {
     static const auto encoding = [] {
