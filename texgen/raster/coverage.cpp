@@ -4,15 +4,12 @@
 #include "texgen/raster/make_room.h"
 #include "texgen/raster/vector_clones.h"
 
-#include <bit>
 #include <type_traits>
 #include <utility>
 
 namespace foam::texgen {
 
 namespace {
-
-constexpr std::size_t kArcsAhead = 2;  // of which the sums are fetched beforehand
 
 // From row to row. Rows a power of two apart would share the few places that a cache has for each
 // such distance, and arcs go up and down.
@@ -117,11 +114,7 @@ void Coverage<Sums>::add(const CellArc& arc, SubpixelPoint translation, const St
 template <class Sums>
 void Coverage<Sums>::finish() {
     walk_.split();
-    for (std::size_t k = 0; k < kArcsAhead; ++k) {
-        fetch_parts(k);
-    }
     for (std::size_t k = 0; k < walk_.size(); ++k) {
-        fetch_parts(k + kArcsAhead);
         if (is_inside(k)) [[likely]] {
             add_inside(walk_.parts(k), steps_[k]);
         } else {
@@ -132,18 +125,6 @@ void Coverage<Sums>::finish() {
         }
     }
     walk_.clear();
-}
-
-// The sums of a band lie further apart than the nearest caches reach.
-template <class Sums>
-void Coverage<Sums>::fetch_parts(std::size_t arc) const {
-    if (arc < walk_.size() && is_inside(arc)) {
-        for (const ArcWalk::Part& part : walk_.parts(arc)) {
-            __builtin_prefetch(&differences_[static_cast<std::size_t>(part.row) * stride_ +
-                                             static_cast<std::size_t>(part.column)],
-                               1);
-        }
-    }
 }
 
 template <class Sums>

@@ -67,7 +67,6 @@ class Coverage {
   private:
     using Parts = std::span<const ArcWalk::Part>;
 
-    void fetch_parts(std::size_t arc) const;
     bool is_inside(std::size_t arc) const {
         return walk_.leftmost(arc) >= 0 && walk_.rightmost(arc) < width_;
     }
