@@ -11,8 +11,7 @@ namespace foam::texgen {
 
 namespace {
 
-// Of pixels side by side: whole vectors, whatever the processor.
-constexpr std::size_t kBlockBytes = 128;
+static_assert(kBlockBytes % 64 == 0, "whole vectors of pixels side by side, on any processor");
 
 template <std::size_t PixelBytes>
 constexpr std::size_t kWords = kBlockBytes / sizeof(PixelWord<PixelBytes>);

@@ -176,6 +176,14 @@ void finish_stores() {
 #endif
 }
 
+// Lanes write whole words of flags.
+std::size_t painted_bytes(std::size_t width, std::size_t pixel_bytes) {
+    if (has_avx512()) {
+        return (width + kFlagsPerWord - 1) / kFlagsPerWord * kFlagsPerWord * pixel_bytes;
+    }
+    return width * pixel_bytes + kBlockBytes;
+}
+
 void paint_row(const Stretches<1>& stretches, Stores stores, std::uint8_t* row) {
     paint(stretches, stores, row);
 }

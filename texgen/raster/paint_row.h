@@ -17,6 +17,9 @@ enum class Stores { Kept, Streamed };
 Stores stores_for(const void* first, std::size_t row_bytes, std::size_t rows);
 void finish_stores();
 
+/// How many bytes paint_row may write of a row, whose own are the first of them.
+std::size_t painted_bytes(std::size_t width, std::size_t pixel_bytes);
+
 /// Writes a row of pixels of 1, 2, 3, 4, 6 or 8 bytes.
 void paint_row(const Stretches<1>& stretches, Stores stores, std::uint8_t* row);
 void paint_row(const Stretches<2>& stretches, Stores stores, std::uint8_t* row);

@@ -40,14 +40,14 @@ class RowWriter {
         const Stretches<kPixelBytes> stretches{std::span(sums.flags).first(words),
                                                std::span(sums.begins).first(sums.count + 1),
                                                pixels};
-        const std::size_t row_bytes = width * kPixelBytes;
-        if (room.size_bytes() >= row_bytes + kPaintedBeyond<kPixelBytes>) {
+        const std::size_t painted = painted_bytes(width, kPixelBytes);
+        if (room.size_bytes() >= painted) {
             paint_row(stretches, stores_, reinterpret_cast<std::uint8_t*>(room.data()));
             return;
         }
-        bytes_.resize(row_bytes + kPaintedBeyond<kPixelBytes>);
+        bytes_.resize(painted);
         paint_row(stretches, Stores::Kept, bytes_.data());
-        std::memcpy(room.data(), bytes_.data(), row_bytes);
+        std::memcpy(room.data(), bytes_.data(), width * kPixelBytes);
     }
 
     /// After the last row that other threads may then read.

@@ -25,8 +25,4 @@ struct Stretches {
 };
 inline constexpr std::size_t kPixelsAround = 16;
 
-/// By how many bytes painting a row may go beyond its end.
-template <std::size_t PixelBytes>
-inline constexpr std::size_t kPaintedBeyond = kFlagsPerWord* PixelBytes + 128;
-
 }  // namespace foam::texgen

@@ -11,16 +11,17 @@
 namespace foam::texgen {
 namespace {
 
-constexpr std::size_t kWords = 5;  // of flags
+constexpr std::size_t kWidth = 300;  // not of whole words of flags
 
 // A row of stretches, and what is around it.
 template <std::size_t PixelBytes>
 class Row {
   public:
-    Row(std::mt19937_64& random, unsigned longest) : flags_(kWords), pixels_(kPixelsAround) {
+    Row(std::mt19937_64& random, unsigned longest)
+        : flags_(kWidth / kFlagsPerWord + 1), pixels_(kPixelsAround) {
         std::size_t next = 0;  // where the next stretch begins
         PixelWord<PixelBytes> pixel{};
-        for (std::size_t x = 0; x < kWords * kFlagsPerWord; ++x) {
+        for (std::size_t x = 0; x < kWidth; ++x) {
             if (x == next) {
                 begins_.push_back(static_cast<std::uint16_t>(x));
                 flags_[x / kFlagsPerWord] |= std::uint64_t{1} << x % kFlagsPerWord;
@@ -32,19 +33,21 @@ class Row {
                 expected_.push_back(static_cast<std::uint8_t>(pixel >> 8 * k));
             }
         }
-        begins_.push_back(kWords * kFlagsPerWord);
+        begins_.push_back(kWidth);
         pixels_.resize(pixels_.size() + kPixelsAround);
     }
 
+    std::size_t bytes() const { return expected_.size(); }
+    std::size_t painted() const { return painted_bytes(kWidth, PixelBytes); }
     Stretches<PixelBytes> stretches() const {
         return {flags_, begins_, pixels_.data() + kPixelsAround};
     }
 
-    // paint(bytes) writes the row, which begins `offset` bytes after a line of a cache.
+    // paint(bytes) writes the row, and at most so many bytes; it begins `offset` bytes after a line
+    // of a cache.
     template <class Paint>
-    void expect_painted_by(const Paint& paint, std::size_t offset) const {
-        const std::size_t size = offset + expected_.size() + kPaintedBeyond<PixelBytes>;
-        Image<std::uint8_t> bytes(static_cast<int>(size) + 1, 1, 1);
+    void expect_painted_by(const Paint& paint, std::size_t painted, std::size_t offset) const {
+        Image<std::uint8_t> bytes(static_cast<int>(offset + painted) + 1, 1, 1);
         std::ranges::fill(bytes.samples(), kUntouched);
         paint(bytes.samples().data() + offset);
         const std::span<const std::uint8_t> all = bytes.samples();
@@ -75,8 +78,8 @@ void expect_painted() {
             const auto blocks = [&](std::uint8_t* to) { paint_blocks(all, to); };
             const auto kept = [&](std::uint8_t* to) { paint_row(all, Stores::Kept, to); };
             for (const std::size_t offset : {0UL, 1UL, 48UL}) {
-                row.expect_painted_by(blocks, offset);
-                row.expect_painted_by(kept, offset);
+                row.expect_painted_by(blocks, row.bytes() + kBlockBytes, offset);
+                row.expect_painted_by(kept, row.painted(), offset);
             }
         }
     }
@@ -107,7 +110,7 @@ TEST(PaintRow, StreamsLargeImages) {
             paint_row(row.stretches(), large, to);
             finish_stores();
         };
-        row.expect_painted_by(streamed, 0);
+        row.expect_painted_by(streamed, row.painted(), 0);
     }
 }
 
