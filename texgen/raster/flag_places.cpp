@@ -6,10 +6,6 @@
 #include <bit>
 #include <numeric>
 
-#ifdef FOAMTEX_AVX512
-#include <immintrin.h>
-#endif
-
 namespace foam::texgen {
 
 namespace {

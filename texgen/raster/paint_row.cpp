@@ -6,10 +6,6 @@
 #include <array>
 #include <bit>
 
-#ifdef FOAMTEX_AVX512
-#include <immintrin.h>
-#endif
-
 namespace foam::texgen {
 
 namespace {
