@@ -81,10 +81,12 @@ CellArcs make_arcs(const RasterGrid& grid,
     std::vector<ArcBatch> batches((count + per_task - 1) / per_task);
     parallel_for(static_cast<int>(batches.size()), threads, [&](int task) {
         Maker own = maker;
+        ArcBatch batch;  // far from those that other threads are filling
         const std::size_t begin = static_cast<std::size_t>(task) * per_task;
         for (std::size_t k = begin; k < std::min(begin + per_task, count); ++k) {
-            own.make(k, batches[static_cast<std::size_t>(task)]);
+            own.make(k, batch);
         }
+        batches[static_cast<std::size_t>(task)] = std::move(batch);
     });
     CellArcs cells;
     cells.grid = grid;
