@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace foam::texgen {
@@ -37,10 +38,12 @@ CellOutlines outline_all(const RasterGrid& grid,
     std::vector<OutlineBatch> batches((count + kBubblesPerTask - 1) / kBubblesPerTask);
     parallel_for(static_cast<int>(batches.size()), threads, [&](int task) {
         Outliner own = outliner;
+        OutlineBatch batch;  // far from those that other threads are filling
         const std::size_t begin = static_cast<std::size_t>(task) * kBubblesPerTask;
         for (std::size_t k = begin; k < std::min(begin + kBubblesPerTask, count); ++k) {
-            own.outline(id_at<BubbleId>(k), batches[static_cast<std::size_t>(task)]);
+            own.outline(id_at<BubbleId>(k), batch);
         }
+        batches[static_cast<std::size_t>(task)] = std::move(batch);
     });
     return gather(grid, batches);
 }

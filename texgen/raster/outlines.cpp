@@ -7,6 +7,7 @@
 #include "texgen/raster/pixel_frame.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace foam::texgen {
 
@@ -22,12 +23,13 @@ class FilmChains {
           tasks_((ends_.size() + kFilmsPerTask - 1) / kFilmsPerTask) {
         parallel_for(static_cast<int>(tasks_.size()), threads, [&](int task) {
             const std::size_t begin = static_cast<std::size_t>(task) * kFilmsPerTask;
-            std::vector<SubpixelPoint>& points = tasks_[static_cast<std::size_t>(task)];
+            std::vector<SubpixelPoint> points;  // far from those that other threads are filling
             for (std::size_t k = begin; k < std::min(begin + kFilmsPerTask, ends_.size()); ++k) {
                 const HalfEdgeId side = forward_side(id_at<FilmId>(k));
                 append_inner_points(pixels.arc(side), Vec2::Zero(), {}, points);
                 ends_[k] = points.size();
             }
+            tasks_[static_cast<std::size_t>(task)] = std::move(points);
         });
     }
 
