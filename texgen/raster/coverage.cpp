@@ -2,14 +2,18 @@
 
 #include "texgen/raster/flag_places.h"
 #include "texgen/raster/make_room.h"
+#include "texgen/raster/raster_grid.h"
 #include "texgen/raster/vector_clones.h"
 
+#include <limits>
 #include <type_traits>
 #include <utility>
 
 namespace foam::texgen {
 
 namespace {
+
+static_assert(kLargestSide <= std::numeric_limits<std::uint16_t>::max(), "places have 16 bits");
 
 // From row to row. Rows a power of two apart would share the few places that a cache has for each
 // such distance, and arcs go up and down.

@@ -12,7 +12,7 @@ namespace {
 
 #ifdef FOAMTEX_AVX512
 struct Places {
-    alignas(kFlagsPerWord) std::array<std::uint8_t, kFlagsPerWord> of_word{};
+    alignas(sizeof(__m512i)) std::array<std::uint8_t, kFlagsPerWord> of_word{};
 
     constexpr Places() { std::iota(of_word.begin(), of_word.end(), std::uint8_t{0}); }
 };

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <bit>
+#include <cassert>
 
 namespace foam::texgen {
 
@@ -141,6 +142,7 @@ void paint(const Stretches<PixelBytes>& stretches, Stores stores, std::uint8_t* 
 #ifdef FOAMTEX_AVX512
     if (has_avx512()) {
         if (stores == Stores::Streamed) {
+            assert(reinterpret_cast<std::uintptr_t>(row) % kLineBytes == 0);
             paint_lanes<PixelBytes, Stores::Streamed>(stretches, row);
         } else {
             paint_lanes<PixelBytes, Stores::Kept>(stretches, row);

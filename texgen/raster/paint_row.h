@@ -8,12 +8,13 @@
 namespace foam::texgen {
 
 /// Whether caches keep what is stored. Past them no line is read before it is written, and what
-/// they hold stays there; other threads see it after finish_stores.
+/// they hold stays there; but a row has to begin at such a line, and other threads see it only
+/// after finish_stores.
 enum class Stores { Kept, Streamed };
 
 /// For rows of so many bytes, one after the other, that begin at `first`: kept if caches are likely
 /// to have them when they are read, if the rows do not all begin at a line of a cache, or if this
-/// processor does nothing else.
+/// processor can do nothing else.
 Stores stores_for(const void* first, std::size_t row_bytes, std::size_t rows);
 void finish_stores();
 

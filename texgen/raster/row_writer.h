@@ -33,13 +33,12 @@ class RowWriter {
     /// Writes a row of `width` pixels, of which `room` begins with: what is beyond may be written
     /// over.
     void write(const RowSums<typename Sums::Sum>& sums, std::size_t width, std::span<Sample> room) {
-        make_room(pixels_, sums.count + 2 * kPixelsAround);
-        Word* pixels = pixels_.data() + kPixelsAround;
-        to_samples_(std::span(sums.sums).first(sums.count), pixels);
+        make_room(pixels_, sums.count + kPixelsBeyond);
+        to_samples_(std::span(sums.sums).first(sums.count), pixels_.data());
         const std::size_t words = (width + kFlagsPerWord - 1) / kFlagsPerWord;
         const Stretches<kPixelBytes> stretches{std::span(sums.flags).first(words),
                                                std::span(sums.begins).first(sums.count + 1),
-                                               pixels};
+                                               pixels_.data()};
         const std::size_t painted = painted_bytes(width, kPixelBytes);
         if (room.size_bytes() >= painted) {
             paint_row(stretches, stores_, reinterpret_cast<std::uint8_t*>(room.data()));

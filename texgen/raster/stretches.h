@@ -20,9 +20,9 @@ struct Stretches {
     std::span<const std::uint64_t> flags;
     /// Where those are, and the width of the row.
     std::span<const std::uint16_t> begins;
-    /// One per stretch, with kPixelsAround more before them and behind them, of any value.
+    /// One per stretch, and kPixelsBeyond more, of any value.
     const PixelWord<PixelBytes>* pixels = nullptr;
 };
-inline constexpr std::size_t kPixelsAround = 16;
+inline constexpr std::size_t kPixelsBeyond = 16;
 
 }  // namespace foam::texgen

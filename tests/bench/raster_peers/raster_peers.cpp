@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 
 namespace foam::bench {
@@ -169,8 +170,8 @@ void compare_threads(int side, int bubbles) {
         contenders.push_back({"two threads", [&work] { work.run(2); }});
         contenders.push_back({"one thread", [&work] { work.run(1); }});
     }
-    race(
-        contenders, kWallRounds, Clock::Wall);  // all in one, which lasts longer than a disturbance
+    // All in one race, which lasts longer than a disturbance.
+    race(contenders, kWallRounds, Clock::Wall);
     for (std::size_t k = 0; k < works.size(); ++k) {
         print_row(name_of(works[k].name + " on two threads", side, bubbles),
                   contenders[2 * k],

@@ -31,6 +31,11 @@ std::vector<std::int64_t> take(Coverage<ExactSums<1>>& coverage, int row, int wi
         values.push_back(static_cast<std::int64_t>(sums.sums.at(stretch - 1)[0]));
     }
     EXPECT_EQ(stretch, sums.count);
+    for (std::size_t k = 0; k < sums.count; ++k) {
+        EXPECT_TRUE(begins_at(sums.flags, sums.begins[k]));
+        EXPECT_LT(sums.begins[k], sums.begins[k + 1]);
+    }
+    EXPECT_EQ(sums.begins[sums.count], width);
     return values;
 }
 

@@ -184,14 +184,13 @@ TEST(Fill, DoesNotDependOnThreads) {
 
 // Rows that begin at a line of a cache may be stored past it; others are not.
 TEST(Fill, LargeImagesAreTheSameWhereverTheyLie) {
-    constexpr int kWide = 2048;
-    constexpr int kHigh = 1024;
-    const Frame frame = test::fitted_frame(test::bent_foam(60, 0.5, 3), kWide, kHigh);
-    const CellArcs cells = cell_arcs(frame, {kWide, kHigh, 0, 0}, 3.0, 1);
-    const CellValues values = random_values(frame.bubbles.size(), 3, 5);
+    constexpr int kSide = 1120;  // whole lines a row, but not whole words of flags
+    const Frame frame = test::fitted_frame(test::bent_foam(60, 0.5, 3), kSide, kSide);
+    const CellArcs cells = cell_arcs(frame, {kSide, kSide, 0, 0}, 3.0, 1);
+    const CellValues values = random_values(frame.bubbles.size(), 4, 5);
     const Image16 image = filled(cells, values, 2);
     std::vector<std::uint16_t> moved(image.samples().size() + 1);
-    fill_cells(cells, values, 1, {moved.data() + 1, kWide, kHigh, 3});
+    fill_cells(cells, values, 1, {moved.data() + 1, kSide, kSide, 4});
     EXPECT_TRUE(std::ranges::equal(image.samples(), std::span(moved).subspan(1)));
 }
 

@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
+#include <span>
 #include <vector>
 
 namespace foam::texgen {
@@ -17,8 +19,7 @@ constexpr std::size_t kWidth = 300;  // not of whole words of flags
 template <std::size_t PixelBytes>
 class Row {
   public:
-    Row(std::mt19937_64& random, unsigned longest)
-        : flags_(kWidth / kFlagsPerWord + 1), pixels_(kPixelsAround) {
+    Row(std::mt19937_64& random, unsigned longest) : flags_(kWidth / kFlagsPerWord + 1) {
         std::size_t next = 0;  // where the next stretch begins
         PixelWord<PixelBytes> pixel{};
         for (std::size_t x = 0; x < kWidth; ++x) {
@@ -34,14 +35,12 @@ class Row {
             }
         }
         begins_.push_back(kWidth);
-        pixels_.resize(pixels_.size() + kPixelsAround);
+        pixels_.resize(pixels_.size() + kPixelsBeyond);
     }
 
     std::size_t bytes() const { return expected_.size(); }
     std::size_t painted() const { return painted_bytes(kWidth, PixelBytes); }
-    Stretches<PixelBytes> stretches() const {
-        return {flags_, begins_, pixels_.data() + kPixelsAround};
-    }
+    Stretches<PixelBytes> stretches() const { return {flags_, begins_, pixels_.data()}; }
 
     // paint(bytes) writes the row, and at most so many bytes; it begins `offset` bytes after a line
     // of a cache.
