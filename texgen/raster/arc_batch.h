@@ -1,10 +1,9 @@
 #pragma once
 
+#include "texgen/raster/batches.h"
 #include "texgen/raster/cell_arcs.h"
-#include "texgen/raster/parallel_for.h"
 #include "texgen/raster/pixel_arc.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -78,19 +77,17 @@ CellArcs make_arcs(const RasterGrid& grid,
                    std::size_t per_task,
                    const Maker& maker,
                    int threads) {
-    std::vector<ArcBatch> batches((count + per_task - 1) / per_task);
-    parallel_for(static_cast<int>(batches.size()), threads, [&](int task) {
+    const auto make = [&](std::size_t first, std::size_t last) {
         Maker own = maker;
-        ArcBatch batch;  // far from those that other threads are filling
-        const std::size_t begin = static_cast<std::size_t>(task) * per_task;
-        for (std::size_t k = begin; k < std::min(begin + per_task, count); ++k) {
+        ArcBatch batch;
+        for (std::size_t k = first; k < last; ++k) {
             own.make(k, batch);
         }
-        batches[static_cast<std::size_t>(task)] = std::move(batch);
-    });
+        return batch;
+    };
     CellArcs cells;
     cells.grid = grid;
-    for (ArcBatch& batch : batches) {
+    for (ArcBatch& batch : make_batches(count, per_task, threads, make)) {
         cells.batches.push_back(std::move(batch.arcs));
         cells.unresolved += batch.unresolved;
     }

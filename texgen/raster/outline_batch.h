@@ -1,12 +1,10 @@
 #pragma once
 
+#include "texgen/raster/batches.h"
 #include "texgen/raster/outlines.h"
-#include "texgen/raster/parallel_for.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace foam::texgen {
@@ -35,16 +33,15 @@ CellOutlines outline_all(const RasterGrid& grid,
                          std::size_t count,
                          const Outliner& outliner,
                          int threads) {
-    std::vector<OutlineBatch> batches((count + kBubblesPerTask - 1) / kBubblesPerTask);
-    parallel_for(static_cast<int>(batches.size()), threads, [&](int task) {
+    const auto outline = [&](std::size_t first, std::size_t last) {
         Outliner own = outliner;
-        OutlineBatch batch;  // far from those that other threads are filling
-        const std::size_t begin = static_cast<std::size_t>(task) * kBubblesPerTask;
-        for (std::size_t k = begin; k < std::min(begin + kBubblesPerTask, count); ++k) {
+        OutlineBatch batch;
+        for (std::size_t k = first; k < last; ++k) {
             own.outline(id_at<BubbleId>(k), batch);
         }
-        batches[static_cast<std::size_t>(task)] = std::move(batch);
-    });
+        return batch;
+    };
+    std::vector<OutlineBatch> batches = make_batches(count, kBubblesPerTask, threads, outline);
     return gather(grid, batches);
 }
 

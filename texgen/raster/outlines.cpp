@@ -1,13 +1,10 @@
 #include "texgen/raster/outlines.h"
 
+#include "texgen/raster/batches.h"
 #include "texgen/raster/flatten.h"
 #include "texgen/raster/outline_batch.h"
-#include "texgen/raster/parallel_for.h"
 #include "texgen/raster/patch_outlines.h"
 #include "texgen/raster/pixel_frame.h"
-
-#include <algorithm>
-#include <utility>
 
 namespace foam::texgen {
 
@@ -18,19 +15,17 @@ namespace {
 class FilmChains {
   public:
     FilmChains(const PixelFrame& pixels, int threads)
-        : junctions_(pixels.junctions(threads)),
-          ends_(pixels.frame.network.film_slots()),
-          tasks_((ends_.size() + kFilmsPerTask - 1) / kFilmsPerTask) {
-        parallel_for(static_cast<int>(tasks_.size()), threads, [&](int task) {
-            const std::size_t begin = static_cast<std::size_t>(task) * kFilmsPerTask;
-            std::vector<SubpixelPoint> points;  // far from those that other threads are filling
-            for (std::size_t k = begin; k < std::min(begin + kFilmsPerTask, ends_.size()); ++k) {
+        : junctions_(pixels.junctions(threads)), ends_(pixels.frame.network.film_slots()) {
+        const auto place = [&](std::size_t first, std::size_t last) {
+            std::vector<SubpixelPoint> points;
+            for (std::size_t k = first; k < last; ++k) {
                 const HalfEdgeId side = forward_side(id_at<FilmId>(k));
                 append_inner_points(pixels.arc(side), Vec2::Zero(), {}, points);
                 ends_[k] = points.size();
             }
-            tasks_[static_cast<std::size_t>(task)] = std::move(points);
-        });
+            return points;
+        };
+        tasks_ = make_batches(ends_.size(), kFilmsPerTask, threads, place);
     }
 
     SubpixelPoint junction(JunctionId junction) const { return junctions_[index_of(junction)]; }
