@@ -1,5 +1,7 @@
 #pragma once
 
+#include "texgen/image/cache_line.h"
+
 #include <boost/align/aligned_allocator.hpp>
 
 #include <algorithm>
@@ -52,10 +54,8 @@ class ImageView {
     int channels_ = 0;
 };
 
-/// Samples begin at a line of a cache, as vectors of them are best written.
-inline constexpr std::size_t kImageAlignment = 64;
-
-/// Owns the samples of a picture; laid out as ImageView says.
+/// Owns the samples of a picture; laid out as ImageView says. They begin at a line of a cache, as
+/// vectors of them are best written.
 template <class Sample>
 class Image {
   public:
@@ -96,7 +96,7 @@ class Image {
     int width_ = 0;
     int height_ = 0;
     int channels_ = 0;
-    std::vector<Sample, boost::alignment::aligned_allocator<Sample, kImageAlignment>> samples_;
+    std::vector<Sample, boost::alignment::aligned_allocator<Sample, kLineBytes>> samples_;
 };
 
 }  // namespace foam::texgen

@@ -1,5 +1,6 @@
 #include "texgen/raster/coverage.h"
 
+#include "texgen/image/cache_line.h"
 #include "texgen/raster/flag_places.h"
 #include "texgen/raster/make_room.h"
 #include "texgen/raster/raster_grid.h"
@@ -18,7 +19,6 @@ static_assert(kLargestSide <= std::numeric_limits<std::uint16_t>::max(), "places
 // From row to row. Rows a power of two apart would share the few places that a cache has for each
 // such distance, and arcs go up and down.
 std::size_t stride_of(int width, std::size_t sum_bytes) {
-    constexpr std::size_t kLineBytes = 64;
     constexpr std::size_t kOdd = 5;  // lines, of each eight
     const std::size_t per_line = kLineBytes / sum_bytes;
     std::size_t lines = static_cast<std::size_t>(width) / per_line + 1;

@@ -8,6 +8,11 @@ namespace foam::texgen {
 
 inline constexpr std::size_t kFlagsPerWord = 64;
 
+/// How many words hold so many flags.
+constexpr std::size_t flag_words(std::size_t flags) {
+    return (flags + kFlagsPerWord - 1) / kFlagsPerWord;
+}
+
 /// By how many places find_places may write beyond those that it finds.
 inline constexpr std::size_t kPlacesBeyond = 32;
 

@@ -55,11 +55,13 @@ template <std::size_t PixelBytes>
     }
 }
 
+}  // namespace
+
 // Nearly all stretches of a row are shorter than a block: what is too long is written over by the
 // next, without a branch that a processor would have to foresee.
 template <std::size_t PixelBytes>
-[[gnu::always_inline]] inline void paint(const Stretches<PixelBytes>& stretches,
-                                         std::uint8_t* __restrict row) {
+FOAMTEX_VECTOR_CLONES void paint_blocks(const Stretches<PixelBytes>& stretches,
+                                        std::uint8_t* __restrict row) {
     constexpr std::size_t kPixels = kBlockBytes / PixelBytes;
     const std::uint16_t* begins = stretches.begins.data();
     const std::size_t count = stretches.begins.size() - 1;
@@ -71,25 +73,11 @@ template <std::size_t PixelBytes>
     }
 }
 
-}  // namespace
-
-FOAMTEX_VECTOR_CLONES void paint_blocks(const Stretches<1>& stretches, std::uint8_t* row) {
-    paint(stretches, row);
-}
-FOAMTEX_VECTOR_CLONES void paint_blocks(const Stretches<2>& stretches, std::uint8_t* row) {
-    paint(stretches, row);
-}
-FOAMTEX_VECTOR_CLONES void paint_blocks(const Stretches<3>& stretches, std::uint8_t* row) {
-    paint(stretches, row);
-}
-FOAMTEX_VECTOR_CLONES void paint_blocks(const Stretches<4>& stretches, std::uint8_t* row) {
-    paint(stretches, row);
-}
-FOAMTEX_VECTOR_CLONES void paint_blocks(const Stretches<6>& stretches, std::uint8_t* row) {
-    paint(stretches, row);
-}
-FOAMTEX_VECTOR_CLONES void paint_blocks(const Stretches<8>& stretches, std::uint8_t* row) {
-    paint(stretches, row);
-}
+template void paint_blocks(const Stretches<1>& stretches, std::uint8_t* row);
+template void paint_blocks(const Stretches<2>& stretches, std::uint8_t* row);
+template void paint_blocks(const Stretches<3>& stretches, std::uint8_t* row);
+template void paint_blocks(const Stretches<4>& stretches, std::uint8_t* row);
+template void paint_blocks(const Stretches<6>& stretches, std::uint8_t* row);
+template void paint_blocks(const Stretches<8>& stretches, std::uint8_t* row);
 
 }  // namespace foam::texgen

@@ -11,11 +11,7 @@ namespace foam::texgen {
 inline constexpr std::size_t kBlockBytes = 128;
 
 /// As paint_row, on any processor.
-void paint_blocks(const Stretches<1>& stretches, std::uint8_t* row);
-void paint_blocks(const Stretches<2>& stretches, std::uint8_t* row);
-void paint_blocks(const Stretches<3>& stretches, std::uint8_t* row);
-void paint_blocks(const Stretches<4>& stretches, std::uint8_t* row);
-void paint_blocks(const Stretches<6>& stretches, std::uint8_t* row);
-void paint_blocks(const Stretches<8>& stretches, std::uint8_t* row);
+template <std::size_t PixelBytes>
+void paint_blocks(const Stretches<PixelBytes>& stretches, std::uint8_t* row);
 
 }  // namespace foam::texgen

@@ -1,5 +1,6 @@
 #include "texgen/raster/paint_row.h"
 
+#include "texgen/image/cache_line.h"
 #include "texgen/raster/avx512.h"
 #include "texgen/raster/paint_blocks.h"
 
@@ -11,10 +12,9 @@ namespace foam::texgen {
 
 namespace {
 
-#ifdef FOAMTEX_AVX512
-
-constexpr std::size_t kLineBytes = 64;
 constexpr std::size_t kStreamedBytes = std::size_t{8} << 20;  // of an image
+
+#ifdef FOAMTEX_AVX512
 
 constexpr std::size_t kVectorBytes = 64;
 
@@ -137,35 +137,13 @@ FOAMTEX_AVX512 void paint_lanes(const Stretches<PixelBytes>& stretches, std::uin
 
 #endif
 
-template <std::size_t PixelBytes>
-void paint(const Stretches<PixelBytes>& stretches, Stores stores, std::uint8_t* row) {
-#ifdef FOAMTEX_AVX512
-    if (has_avx512()) {
-        if (stores == Stores::Streamed) {
-            assert(reinterpret_cast<std::uintptr_t>(row) % kLineBytes == 0);
-            paint_lanes<PixelBytes, Stores::Streamed>(stretches, row);
-        } else {
-            paint_lanes<PixelBytes, Stores::Kept>(stretches, row);
-        }
-        return;
-    }
-#endif
-    static_cast<void>(stores);
-    paint_blocks(stretches, row);
-}
-
 }  // namespace
 
-Stores stores_for([[maybe_unused]] const void* first,
-                  [[maybe_unused]] std::size_t row_bytes,
-                  [[maybe_unused]] std::size_t rows) {
-#ifdef FOAMTEX_AVX512
+Stores stores_for(const void* first, std::size_t row_bytes, std::size_t rows) {
     const std::size_t place = reinterpret_cast<std::uintptr_t>(first) | row_bytes;
-    if (has_avx512() && row_bytes * rows >= kStreamedBytes && place % kLineBytes == 0) {
-        return Stores::Streamed;
-    }
-#endif
-    return Stores::Kept;
+    const bool streams =
+        has_avx512() && row_bytes * rows >= kStreamedBytes && place % kLineBytes == 0;
+    return streams ? Stores::Streamed : Stores::Kept;
 }
 
 void finish_stores() {
@@ -177,28 +155,34 @@ void finish_stores() {
 // Lanes write whole words of flags.
 std::size_t painted_bytes(std::size_t width, std::size_t pixel_bytes) {
     if (has_avx512()) {
-        return (width + kFlagsPerWord - 1) / kFlagsPerWord * kFlagsPerWord * pixel_bytes;
+        return flag_words(width) * kFlagsPerWord * pixel_bytes;
     }
     return width * pixel_bytes + kBlockBytes;
 }
 
-void paint_row(const Stretches<1>& stretches, Stores stores, std::uint8_t* row) {
-    paint(stretches, stores, row);
+template <std::size_t PixelBytes>
+void paint_row(const Stretches<PixelBytes>& stretches,
+               [[maybe_unused]] Stores stores,
+               std::uint8_t* row) {
+#ifdef FOAMTEX_AVX512
+    if (has_avx512()) {
+        if (stores == Stores::Streamed) {
+            assert(reinterpret_cast<std::uintptr_t>(row) % kLineBytes == 0);
+            paint_lanes<PixelBytes, Stores::Streamed>(stretches, row);
+        } else {
+            paint_lanes<PixelBytes, Stores::Kept>(stretches, row);
+        }
+        return;
+    }
+#endif
+    paint_blocks(stretches, row);
 }
-void paint_row(const Stretches<2>& stretches, Stores stores, std::uint8_t* row) {
-    paint(stretches, stores, row);
-}
-void paint_row(const Stretches<3>& stretches, Stores stores, std::uint8_t* row) {
-    paint(stretches, stores, row);
-}
-void paint_row(const Stretches<4>& stretches, Stores stores, std::uint8_t* row) {
-    paint(stretches, stores, row);
-}
-void paint_row(const Stretches<6>& stretches, Stores stores, std::uint8_t* row) {
-    paint(stretches, stores, row);
-}
-void paint_row(const Stretches<8>& stretches, Stores stores, std::uint8_t* row) {
-    paint(stretches, stores, row);
-}
+
+template void paint_row(const Stretches<1>& stretches, Stores stores, std::uint8_t* row);
+template void paint_row(const Stretches<2>& stretches, Stores stores, std::uint8_t* row);
+template void paint_row(const Stretches<3>& stretches, Stores stores, std::uint8_t* row);
+template void paint_row(const Stretches<4>& stretches, Stores stores, std::uint8_t* row);
+template void paint_row(const Stretches<6>& stretches, Stores stores, std::uint8_t* row);
+template void paint_row(const Stretches<8>& stretches, Stores stores, std::uint8_t* row);
 
 }  // namespace foam::texgen

@@ -22,11 +22,7 @@ void finish_stores();
 std::size_t painted_bytes(std::size_t width, std::size_t pixel_bytes);
 
 /// Writes a row of pixels of 1, 2, 3, 4, 6 or 8 bytes.
-void paint_row(const Stretches<1>& stretches, Stores stores, std::uint8_t* row);
-void paint_row(const Stretches<2>& stretches, Stores stores, std::uint8_t* row);
-void paint_row(const Stretches<3>& stretches, Stores stores, std::uint8_t* row);
-void paint_row(const Stretches<4>& stretches, Stores stores, std::uint8_t* row);
-void paint_row(const Stretches<6>& stretches, Stores stores, std::uint8_t* row);
-void paint_row(const Stretches<8>& stretches, Stores stores, std::uint8_t* row);
+template <std::size_t PixelBytes>
+void paint_row(const Stretches<PixelBytes>& stretches, Stores stores, std::uint8_t* row);
 
 }  // namespace foam::texgen

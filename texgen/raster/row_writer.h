@@ -1,5 +1,6 @@
 #pragma once
 
+#include "texgen/image/cache_line.h"
 #include "texgen/raster/coverage.h"
 #include "texgen/raster/make_room.h"
 #include "texgen/raster/paint_row.h"
@@ -23,7 +24,6 @@ class RowWriter {
     /// Has a row's memory fetched before it is written: stores would wait for it one by one.
     void fetch(std::span<const Sample> row) const {
         if (stores_ == Stores::Kept) {
-            constexpr std::size_t kLineBytes = 64;
             for (std::size_t k = 0; k < row.size(); k += kLineBytes / sizeof(Sample)) {
                 __builtin_prefetch(&row[k], 1);
             }
@@ -35,8 +35,7 @@ class RowWriter {
     void write(const RowSums<typename Sums::Sum>& sums, std::size_t width, std::span<Sample> room) {
         make_room(pixels_, sums.count + kPixelsBeyond);
         to_samples_(std::span(sums.sums).first(sums.count), pixels_.data());
-        const std::size_t words = (width + kFlagsPerWord - 1) / kFlagsPerWord;
-        const Stretches<kPixelBytes> stretches{std::span(sums.flags).first(words),
+        const Stretches<kPixelBytes> stretches{std::span(sums.flags).first(flag_words(width)),
                                                std::span(sums.begins).first(sums.count + 1),
                                                pixels_.data()};
         const std::size_t painted = painted_bytes(width, kPixelBytes);

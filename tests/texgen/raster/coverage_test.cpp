@@ -179,6 +179,7 @@ TEST(Coverage, OrderDoesNotMatter) {
         ASSERT_EQ(a.count, b.count);
         EXPECT_EQ(a.flags, b.flags);
         for (std::size_t k = 0; k < a.count; ++k) {
+            EXPECT_EQ(a.begins[k], b.begins[k]);
             EXPECT_EQ(a.sums[k], b.sums[k]);
         }
     }

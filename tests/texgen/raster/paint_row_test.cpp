@@ -19,7 +19,7 @@ constexpr std::size_t kWidth = 300;  // not of whole words of flags
 template <std::size_t PixelBytes>
 class Row {
   public:
-    Row(std::mt19937_64& random, unsigned longest) : flags_(kWidth / kFlagsPerWord + 1) {
+    Row(std::mt19937_64& random, unsigned longest) : flags_(flag_words(kWidth)) {
         std::size_t next = 0;  // where the next stretch begins
         PixelWord<PixelBytes> pixel{};
         for (std::size_t x = 0; x < kWidth; ++x) {
