@@ -1,7 +1,7 @@
 #include "core/dynamics/collapse.h"
 
-#include "core/equilibrium/rafts.h"
-#include "core/equilibrium/t1_rule.h"
+#include "core/foam/rafts.h"
+#include "core/foam/t1_rule.h"
 #include "core/network/t1.h"
 #include "core/network/t2.h"
 

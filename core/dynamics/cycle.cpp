@@ -33,7 +33,7 @@ Vec2 mean(const std::vector<Vec2>& points) {
 
 // On a torus one of many copies.
 std::map<BubbleIdentity, Vec2> centres(const Foam& foam) {
-    if (foam.torus.is_plane()) {
+    if (foam.domain.is_plane()) {
         return bubble_centres(foam);
     }
     std::map<BubbleIdentity, Vec2> all;
@@ -44,12 +44,12 @@ std::map<BubbleIdentity, Vec2> centres(const Foam& foam) {
 }
 
 // Of the corners of one bubble from the nearest of another, all in the places of their own foams.
-double farthest(const Torus& torus, const std::vector<Vec2>& from, const std::vector<Vec2>& to) {
+double farthest(const Domain& domain, const std::vector<Vec2>& from, const std::vector<Vec2>& to) {
     double largest = 0.0;
     for (const Vec2& a : from) {
         double least = std::numeric_limits<double>::infinity();
         for (const Vec2& b : to) {
-            least = std::min(least, torus.nearest_copy(a - b).norm());
+            least = std::min(least, domain.nearest_copy(a - b).norm());
         }
         largest = std::max(largest, least);
     }
@@ -68,7 +68,7 @@ double mean_diameter(const Foam& foam) {
 }  // namespace
 
 Cycle::Cycle(const Foam& foam, const CycleOptions& options)
-    : options_(options), shear_(foam.torus.shear), centres_(centres(foam)) {
+    : options_(options), shear_(foam.domain.shear), centres_(centres(foam)) {
     Random random(options.seed);
     for (const BubbleId bubble : foam.network.bubbles()) {
         swings_.push_back({foam.identities[bubble], foam.target_areas[bubble], random.uniform()});
@@ -81,13 +81,13 @@ Cycle::Cycle(const Foam& foam, const CycleOptions& options)
 StepSummary Cycle::step_to(int place, Foam& foam, double time, const StepOptions& options) const {
     StepOptions without_diffusion = options;
     without_diffusion.coarsening.kappa = 0.0;
-    const StepSummary summary = step(foam, time, change_to(place, foam.torus), without_diffusion);
+    const StepSummary summary = step(foam, time, change_to(place, foam.domain), without_diffusion);
     hold(foam);
     return summary;
 }
 
 // Whole turns are taken off, so that every cycle has the same bits.
-StateChange Cycle::change_to(int place, const Torus& torus) const {
+StateChange Cycle::change_to(int place, const Domain& domain) const {
     const auto swing = [&](double phase) {
         const double turns = static_cast<double>(place % options_.steps) / options_.steps;
         return std::sin(2.0 * std::numbers::pi * (turns + phase));
@@ -98,14 +98,14 @@ StateChange Cycle::change_to(int place, const Torus& torus) const {
         change.driven.push_back({bubble.bubble, area, false});
     }
     if (options_.strain != 0.0) {
-        change.strain = options_.strain * swing(0.0) + (shear_ - torus.shear) / torus.height;
+        change.strain = options_.strain * swing(0.0) + (shear_ - domain.shear) / domain.height;
     }
     return change;
 }
 
 // The mean place on a torus, whatever happens in between; each raft of a patch in its own.
 void Cycle::hold(Foam& foam) const {
-    if (foam.torus.is_plane()) {
+    if (foam.domain.is_plane()) {
         hold_rafts(foam, centres_);
         return;
     }
@@ -113,7 +113,7 @@ void Cycle::hold(Foam& foam) const {
     std::size_t count = 0;
     for (const auto& [bubble, centre] : centres(foam)) {
         if (const auto start = centres_.find(bubble); start != centres_.end()) {
-            sum += foam.torus.nearest_copy(centre - start->second);
+            sum += foam.domain.nearest_copy(centre - start->second);
             ++count;
         }
     }
@@ -138,7 +138,7 @@ double closing_error(const Foam& one, const Foam& other) {
         if (found == bubbles.end() || found->second.size() != here.size()) {
             return kApart;
         }
-        largest = std::max(largest, farthest(one.torus, here, found->second));
+        largest = std::max(largest, farthest(one.domain, here, found->second));
     }
     return largest / mean_diameter(one);
 }

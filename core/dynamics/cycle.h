@@ -37,7 +37,7 @@ class Cycle {
         double phase = 0.0;  // in turns
     };
 
-    StateChange change_to(int place, const Torus& torus) const;
+    StateChange change_to(int place, const Domain& domain) const;
     void hold(Foam& foam) const;
 
     CycleOptions options_;

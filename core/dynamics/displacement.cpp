@@ -1,6 +1,6 @@
 #include "core/dynamics/displacement.h"
 
-#include "core/equilibrium/t1_rule.h"
+#include "core/foam/t1_rule.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,7 @@ double length_of(const Foam& foam, FilmId film) {
 void move_junctions(Foam& foam, const Displacement& step) {
     for (const JunctionId junction : foam.network.junctions()) {
         const Vec2 at = foam.positions[junction];
-        const double u = foam.torus.nearest_copy(at - step.center).norm() / step.radius;
+        const double u = foam.domain.nearest_copy(at - step.center).norm() / step.radius;
         if (u < 1.0) {
             const double weight = (1.0 - u * u) * (1.0 - u * u);
             place_junction(foam, junction, at + weight * step.by);

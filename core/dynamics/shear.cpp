@@ -5,7 +5,7 @@
 namespace foam {
 
 void shear(Foam& foam, double strain) {
-    foam.torus.shear += strain * foam.torus.height;
+    foam.domain.shear += strain * foam.domain.height;
     for (const JunctionId junction : foam.network.junctions()) {
         const Vec2 at = foam.positions[junction];
         place_junction(foam, junction, {at.x() + strain * at.y(), at.y()});
@@ -14,13 +14,13 @@ void shear(Foam& foam, double strain) {
 }
 
 void reduce_lattice(Foam& foam) {
-    Torus& torus = foam.torus;
-    if (std::abs(torus.shear) <= 0.5 * torus.width) {
+    Domain& domain = foam.domain;
+    if (std::abs(domain.shear) <= 0.5 * domain.width) {
         return;
     }
     // A period up is now one up and so many to the right.
-    const auto widths = static_cast<std::int32_t>(std::lround(torus.shear / torus.width));
-    torus.shear -= widths * torus.width;
+    const auto widths = static_cast<std::int32_t>(std::lround(domain.shear / domain.width));
+    domain.shear -= widths * domain.width;
     for (const FilmId film : foam.network.films()) {
         const HalfEdgeId h = forward_side(film);
         const LatticeOffset offset = foam.network.offset(h);

@@ -60,7 +60,7 @@ void share_torus(Foam& foam, const Indexed<BubbleId, char>& is_driven) {
     if (driven == 0.0) {
         return;
     }
-    const double area = foam.torus.area();
+    const double area = foam.domain.area();
     const double to_driven = others == 0.0 ? area : std::min(driven, kLargestDrivenShare * area);
     for (const BubbleId bubble : foam.network.bubbles()) {
         foam.target_areas[bubble] *=
@@ -81,7 +81,7 @@ void drive(Foam& foam, const StateChange& change, double part) {
         target += part * (live.driven.target_area - target);
         is_driven[live.bubble] = 1;
     }
-    if (foam.torus.is_plane()) {
+    if (foam.domain.is_plane()) {
         drive_lone(foam, change, part);
     } else {
         share_torus(foam, is_driven);

@@ -45,7 +45,7 @@ double safe_time(const Foam& foam, const StepOptions& options) {
 
 // Takes away the rounding of many additions. In the plane, the total is what is left.
 void restore_total(Foam& foam) {
-    if (foam.torus.is_plane()) {
+    if (foam.domain.is_plane()) {
         return;
     }
     double total = 0.0;
@@ -53,7 +53,7 @@ void restore_total(Foam& foam) {
         total += foam.target_areas[bubble];
     }
     for (const BubbleId bubble : foam.network.bubbles()) {
-        foam.target_areas[bubble] *= foam.torus.area() / total;
+        foam.target_areas[bubble] *= foam.domain.area() / total;
     }
 }
 

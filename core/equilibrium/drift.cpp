@@ -20,7 +20,7 @@ void undo_drift(Foam& foam, const Positions& before) {
     std::vector<double> along_x;
     std::vector<double> along_y;
     for (const JunctionId junction : foam.network.junctions()) {
-        const Vec2 motion = foam.torus.nearest_copy(foam.positions[junction] - before[junction]);
+        const Vec2 motion = foam.domain.nearest_copy(foam.positions[junction] - before[junction]);
         along_x.push_back(motion.x());
         along_y.push_back(motion.y());
     }

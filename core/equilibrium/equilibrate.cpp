@@ -4,7 +4,7 @@
 #include "core/equilibrium/relaxation.h"
 #include "core/equilibrium/residual.h"
 #include "core/equilibrium/spots.h"
-#include "core/equilibrium/t1_rule.h"
+#include "core/foam/t1_rule.h"
 #include "core/equilibrium/untangle.h"
 #include "core/foam/measure.h"
 
@@ -257,7 +257,7 @@ class Equilibration {
     // Whether a patch is far from equilibrium, and not in spots alone. A torus holds itself, and to
     // begin anew again and again would shut its two-sided bubbles.
     bool is_far_all_over() const {
-        if (!foam_.torus.is_plane()) {
+        if (!foam_.domain.is_plane()) {
             return false;
         }
         const Unknowns all = all_unknowns(foam_.network);

@@ -2,7 +2,7 @@
 
 #include "core/equilibrium/gauss_seidel.h"
 #include "core/equilibrium/newton.h"
-#include "core/equilibrium/topology_thresholds.h"
+#include "core/foam/topology_thresholds.h"
 #include "core/foam/foam.h"
 
 namespace foam {

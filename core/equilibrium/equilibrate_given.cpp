@@ -1,6 +1,6 @@
 #include "core/equilibrium/equilibrate_given.h"
 
-#include "core/equilibrium/t1_rule.h"
+#include "core/foam/t1_rule.h"
 #include "core/foam/measure.h"
 
 #include <cmath>
@@ -25,8 +25,8 @@ struct Units {
 };
 
 double total_area(const Foam& foam) {
-    if (!foam.torus.is_plane()) {
-        return foam.torus.area();
+    if (!foam.domain.is_plane()) {
+        return foam.domain.area();
     }
     double total = 0.0;
     for (const BubbleId bubble : foam.network.bubbles()) {
@@ -49,9 +49,9 @@ void scale_lone_bubbles(Foam& foam, double factor) {
 }
 
 Foam in_units(Foam foam, const Units& units) {
-    foam.torus = {foam.torus.width / units.length,
-                  foam.torus.height / units.length,
-                  foam.torus.shear / units.length};
+    foam.domain = {foam.domain.width / units.length,
+                  foam.domain.height / units.length,
+                  foam.domain.shear / units.length};
     foam.film_tension = 1.0;
     for (const JunctionId junction : foam.network.junctions()) {
         place_junction(foam, junction, foam.positions[junction] / units.length);

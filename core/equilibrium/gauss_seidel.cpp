@@ -2,7 +2,7 @@
 
 #include "core/equilibrium/junction_coloring.h"
 #include "core/equilibrium/moves.h"
-#include "core/equilibrium/t1_rule.h"
+#include "core/foam/t1_rule.h"
 #include "core/foam/measure.h"
 #include "core/parallel/parallel_for.h"
 

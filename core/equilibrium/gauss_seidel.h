@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/equilibrium/block_step.h"
-#include "core/equilibrium/topology_thresholds.h"
+#include "core/foam/topology_thresholds.h"
 #include "core/foam/foam.h"
 
 namespace foam {

@@ -15,7 +15,7 @@ Vec2 middle_of(const Foam& foam, BubbleId bubble) {
         from_start += chord(foam, h);
     }
     const Vec2 middle = start + sum / foam.network.sides(bubble);
-    return middle - foam.torus.translation(foam.torus.cell_of(middle));
+    return middle - foam.domain.translation(foam.domain.cell_of(middle));
 }
 
 }  // namespace
@@ -41,7 +41,7 @@ void LinearSolver::start(const Foam& foam,
                          Precision precision,
                          int threads) {
     nodes_ = solver_nodes(foam, unknowns);
-    torus_ = foam.torus;
+    domain_ = foam.domain;
     precision_ = precision;
     threads_ = threads_meant(threads);
     analyzed_ = false;
@@ -50,7 +50,7 @@ void LinearSolver::start(const Foam& foam,
 bool LinearSolver::factor(const Eigen::SparseMatrix<double>& matrix) {
     const auto factor_with = [&](auto& factors) {
         if (!analyzed_) {
-            factors.analyze(matrix, nodes_, torus_, {}, threads_);
+            factors.analyze(matrix, nodes_, domain_, {}, threads_);
             analyzed_ = true;
         }
         return factors.factor(matrix, threads_);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/equilibrium/sparse_ldlt.h"
+#include "core/sparse/sparse_ldlt.h"
 #include "core/equilibrium/unknowns.h"
 #include "core/foam/foam.h"
 
@@ -36,7 +36,7 @@ class LinearSolver {
 
   private:
     std::vector<SolverNode> nodes_;
-    Torus torus_;
+    Domain domain_;
     Precision precision_ = Precision::Double;
     int threads_ = 1;
     bool analyzed_ = false;

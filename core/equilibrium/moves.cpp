@@ -1,6 +1,6 @@
 #include "core/equilibrium/moves.h"
 
-#include "core/equilibrium/t1_rule.h"
+#include "core/foam/t1_rule.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/equilibrium/topology_thresholds.h"
+#include "core/foam/topology_thresholds.h"
 #include "core/equilibrium/unknowns.h"
 
 #include <Eigen/Core>

@@ -2,7 +2,7 @@
 
 #include "core/equilibrium/hessian.h"
 #include "core/equilibrium/linear_solver.h"
-#include "core/equilibrium/topology_thresholds.h"
+#include "core/foam/topology_thresholds.h"
 #include "core/equilibrium/unknowns.h"
 
 #include <optional>

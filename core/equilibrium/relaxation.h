@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/equilibrium/soft_foam.h"
-#include "core/equilibrium/topology_thresholds.h"
+#include "core/foam/topology_thresholds.h"
 #include "core/equilibrium/unknowns.h"
 
 namespace foam {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/equilibrium/t1_rule.h"
+#include "core/foam/t1_rule.h"
 #include "core/equilibrium/unknowns.h"
 
 #include <array>

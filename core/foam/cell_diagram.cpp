@@ -53,7 +53,7 @@ void add_bubbles(const HalfEdgeTable& table, Network& network) {
 // The junction at the tail of h, shared by the three half-edges that leave it.
 void add_junction_at(HalfEdgeId h, const Vec2& point, Foam& foam) {
     const JunctionId junction = foam.network.add_junction();
-    foam.positions.push_back(point - foam.torus.translation(foam.torus.cell_of(point)));
+    foam.positions.push_back(point - foam.domain.translation(foam.domain.cell_of(point)));
     HalfEdgeId leaving = h;
     for (int k = 0; k < 3; ++k) {
         foam.network.set_tail(leaving, junction);
@@ -65,10 +65,10 @@ void add_junction_at(HalfEdgeId h, const Vec2& point, Foam& foam) {
 }
 
 // Which copy of its junction a corner is.
-LatticeOffset copy_of(const Torus& torus, const Vec2& point, const Vec2& junction) {
+LatticeOffset copy_of(const Domain& domain, const Vec2& point, const Vec2& junction) {
     const Vec2 apart = point - junction;
-    return {static_cast<std::int32_t>(std::lround(apart.x() / torus.width)),
-            static_cast<std::int32_t>(std::lround(apart.y() / torus.height))};
+    return {static_cast<std::int32_t>(std::lround(apart.x() / domain.width)),
+            static_cast<std::int32_t>(std::lround(apart.y() / domain.height))};
 }
 
 void add_junctions(const CellDiagram& cells, const HalfEdgeTable& table, Foam& foam) {
@@ -96,8 +96,8 @@ void set_offsets(const CellDiagram& cells, const HalfEdgeTable& table, Foam& foa
             const Vec2& tail = corners[k].point;
             foam.network.set_offset(
                 h,
-                copy_of(foam.torus, head, foam.positions[foam.network.head(h)]) -
-                    copy_of(foam.torus, tail, foam.positions[foam.network.tail(h)]));
+                copy_of(foam.domain, head, foam.positions[foam.network.head(h)]) -
+                    copy_of(foam.domain, tail, foam.positions[foam.network.tail(h)]));
         }
     }
 }
@@ -124,9 +124,9 @@ Vec2 cell_centroid(const std::vector<CellCorner>& cell) {
     return cell[0].point + weighted / twice;
 }
 
-Foam foam_from_cells(const Torus& torus, const CellDiagram& cells) {
+Foam foam_from_cells(const Domain& domain, const CellDiagram& cells) {
     Foam foam;
-    foam.torus = torus;
+    foam.domain = domain;
     const HalfEdgeTable table = add_films(cells, foam.network);
     add_bubbles(table, foam.network);
     add_junctions(cells, table, foam);

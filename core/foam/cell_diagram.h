@@ -19,7 +19,7 @@ using CellDiagram = std::vector<std::vector<CellCorner>>;
 /// The tiling as a foam of straight films and pressure 0, whose target areas are the cells' areas
 /// and whose bubbles are the cells in their order. Throws std::runtime_error where a corner does
 /// not join exactly three cells, or the sides do not match up.
-Foam foam_from_cells(const Torus& torus, const CellDiagram& cells);
+Foam foam_from_cells(const Domain& domain, const CellDiagram& cells);
 
 /// Area within a cell's corners.
 double cell_area(const std::vector<CellCorner>& cell);

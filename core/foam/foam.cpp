@@ -36,7 +36,7 @@ bool is_compact(const Network& network) {
 
 Vec2 chord(const Foam& foam, HalfEdgeId h) {
     const Network& network = foam.network;
-    return foam.positions[network.head(h)] + foam.torus.translation(network.offset(h)) -
+    return foam.positions[network.head(h)] + foam.domain.translation(network.offset(h)) -
            foam.positions[network.tail(h)];
 }
 
@@ -72,7 +72,7 @@ void fit_half_angle(Foam& foam, FilmId film) {
 }
 
 void complete_patch(Foam& foam) {
-    foam.torus = kPlane;
+    foam.domain = kPlane;
     foam.pressures.push_back(0.0);
     foam.target_areas.push_back(std::numeric_limits<double>::infinity());
     foam.identities.push_back(kNoIndex);
@@ -83,8 +83,8 @@ void complete_patch(Foam& foam) {
 }
 
 void place_junction(Foam& foam, JunctionId junction, const Vec2& point) {
-    const LatticeOffset cell = foam.torus.cell_of(point);
-    foam.positions[junction] = point - foam.torus.translation(cell);
+    const LatticeOffset cell = foam.domain.cell_of(point);
+    foam.positions[junction] = point - foam.domain.translation(cell);
     if (cell != LatticeOffset{}) {
         foam.network.rebase(junction, cell);
     }

@@ -2,7 +2,7 @@
 
 #include "core/foam/topology_event.h"
 #include "core/geometry/film_arc.h"
-#include "core/geometry/torus.h"
+#include "core/geometry/domain.h"
 #include "core/network/network.h"
 
 #include <vector>
@@ -24,7 +24,7 @@ struct LoneBubble {
 /// A patch lies in the plane and has a ghost, whose pressure is 0 and whose target area is
 /// infinite: the atmosphere gives and takes any amount.
 struct Foam {
-    Torus torus;
+    Domain domain;
     double film_tension = 1.0;  // T = 2 gamma
     double time = 0.0;          // foam time
     Network network;

@@ -7,7 +7,7 @@ namespace foam {
 Frame snapshot(const Foam& foam, int number) {
     Foam dense = foam;
     compact(dense);
-    Frame frame{number, dense.time, dense.torus, dense.film_tension, {}, {}, {}, {}, {}};
+    Frame frame{number, dense.time, dense.domain, dense.film_tension, {}, {}, {}, {}, {}};
     for (const FilmId film : dense.network.films()) {
         frame.arcs.push_back(film_arc(dense, forward_side(film)));
     }

@@ -17,7 +17,7 @@ struct FrameBubble {
 struct Frame {
     int number = 0;  // as in file names; the first is 1
     double time = 0.0;
-    Torus torus;
+    Domain domain;
     double film_tension = 1.0;
     Network network;
     Indexed<JunctionId, Vec2> positions;

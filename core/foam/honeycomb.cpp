@@ -48,14 +48,14 @@ Foam honeycomb(int columns, int rows) {
             "a honeycomb needs at least one column and an even number of rows");
     }
     const double side = std::sqrt(2.0 / (3.0 * std::sqrt(3.0)));
-    const Torus torus{std::sqrt(3.0) * side * columns, 1.5 * side * rows};
+    const Domain domain{std::sqrt(3.0) * side * columns, 1.5 * side * rows};
     CellDiagram cells;
     for (int row = 0; row < rows; ++row) {
         for (int column = 0; column < columns; ++column) {
             cells.push_back(hexagon(column, row, columns, rows, side));
         }
     }
-    return foam_from_cells(torus, cells);
+    return foam_from_cells(domain, cells);
 }
 
 }  // namespace foam

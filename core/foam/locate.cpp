@@ -92,10 +92,10 @@ double distance_to_segment(const Vec2& from, const Vec2& along) {
 double distance_to_chord(const Foam& foam, FilmId film, const Vec2& point) {
     const HalfEdgeId h = forward_side(film);
     const Vec2 along = chord(foam, h);
-    const Vec2 from = foam.torus.nearest_copy(foam.positions[foam.network.tail(h)] - point);
+    const Vec2 from = foam.domain.nearest_copy(foam.positions[foam.network.tail(h)] - point);
     double least = std::numeric_limits<double>::infinity();
-    for (const LatticeOffset offset : foam.torus.offsets_near(Vec2::Zero(), along.norm())) {
-        const Vec2 copy = from + foam.torus.translation(offset);
+    for (const LatticeOffset offset : foam.domain.offsets_near(Vec2::Zero(), along.norm())) {
+        const Vec2 copy = from + foam.domain.translation(offset);
         least = std::min(least, distance_to_segment(copy, along));
     }
     return least;
@@ -128,8 +128,8 @@ int winding_number(const Foam& foam, BubbleId bubble, const Vec2& point) {
     const Outline outline = outline_of(foam, bubble);
     const Vec2& first = foam.positions[foam.network.tail(foam.network.first(bubble))];
     int winding = 0;
-    for (const LatticeOffset copy : foam.torus.offsets_near(point - first, outline.reach)) {
-        winding += winding_around(outline, point - first - foam.torus.translation(copy));
+    for (const LatticeOffset copy : foam.domain.offsets_near(point - first, outline.reach)) {
+        winding += winding_around(outline, point - first - foam.domain.translation(copy));
     }
     return winding;
 }
@@ -143,7 +143,7 @@ std::optional<BubbleId> bubble_at(const Foam& foam, const Vec2& point) {
         }
     }
     // A torus is covered.
-    return foam.torus.is_plane() ? std::nullopt : std::optional(*foam.network.bubbles().begin());
+    return foam.domain.is_plane() ? std::nullopt : std::optional(*foam.network.bubbles().begin());
 }
 
 std::optional<BubbleIdentity> identity_at(const Foam& foam, const Vec2& point) {
@@ -173,7 +173,7 @@ std::vector<BubbleId> bubbles_of_sides(const Foam& foam, int sides) {
 
 JunctionId nearest_junction(const Foam& foam, const Vec2& point) {
     return least_of(foam.network.junctions(), [&](JunctionId junction) {
-        return foam.torus.nearest_copy(foam.positions[junction] - point).norm();
+        return foam.domain.nearest_copy(foam.positions[junction] - point).norm();
     });
 }
 

@@ -61,7 +61,7 @@ Outline moved_and_scaled(Outline outline, const Vec2& by, double scale) {
 // their sites do not matter.
 struct Site {
     Outline outline;
-    Torus torus;
+    Domain domain;
 };
 
 Site prepared(const Outline& outline, int bubbles) {
@@ -87,7 +87,7 @@ std::vector<Vec2> random_sites(const Outline& outline, int count, Random& random
 }
 
 ClippedCells cells_of(const Site& place, const std::vector<Vec2>& sites) {
-    return clip_cells(place.outline, voronoi_cells(place.torus, sites));
+    return clip_cells(place.outline, voronoi_cells(place.domain, sites));
 }
 
 ClippedCells draw_cells(const Site& place, const PatchOptions& options, Random& random) {

@@ -28,38 +28,38 @@ void check(const SeedingOptions& options) {
     }
 }
 
-Torus torus_for(const SeedingOptions& options) {
+Domain torus_for(const SeedingOptions& options) {
     const double height = std::sqrt(options.bubbles / options.aspect);
     return {options.aspect * height, height};
 }
 
-std::vector<Vec2> random_sites(const Torus& torus, int count, Random& random) {
+std::vector<Vec2> random_sites(const Domain& domain, int count, Random& random) {
     std::vector<Vec2> sites;
     for (int k = 0; k < count; ++k) {
-        const double x = torus.width * random.uniform();
-        const double y = torus.height * random.uniform();
+        const double x = domain.width * random.uniform();
+        const double y = domain.height * random.uniform();
         sites.emplace_back(x, y);
     }
     return sites;
 }
 
-CellDiagram lloyd_relaxed(const Torus& torus, std::vector<Vec2> sites, int iterations) {
-    CellDiagram cells = voronoi_cells(torus, sites);
+CellDiagram lloyd_relaxed(const Domain& domain, std::vector<Vec2> sites, int iterations) {
+    CellDiagram cells = voronoi_cells(domain, sites);
     for (int k = 0; k < iterations; ++k) {
         for (std::size_t cell = 0; cell < cells.size(); ++cell) {
             const Vec2 centre = cell_centroid(cells[cell]);
-            sites[cell] = centre - torus.translation(torus.cell_of(centre));
+            sites[cell] = centre - domain.translation(domain.cell_of(centre));
         }
-        cells = voronoi_cells(torus, sites);
+        cells = voronoi_cells(domain, sites);
     }
     return cells;
 }
 
-Foam draw_foam(const SeedingOptions& options, const Torus& torus, Random& random) {
+Foam draw_foam(const SeedingOptions& options, const Domain& domain, Random& random) {
     for (int draw = 1;; ++draw) {
         try {
-            const std::vector<Vec2> sites = random_sites(torus, options.bubbles, random);
-            return foam_from_cells(torus, lloyd_relaxed(torus, sites, options.lloyd_iterations));
+            const std::vector<Vec2> sites = random_sites(domain, options.bubbles, random);
+            return foam_from_cells(domain, lloyd_relaxed(domain, sites, options.lloyd_iterations));
         } catch (const std::runtime_error&) {
             if (draw == kMostDraws) {
                 throw;
@@ -73,14 +73,14 @@ Foam draw_foam(const SeedingOptions& options, const Torus& torus, Random& random
 Foam seed_foam(const SeedingOptions& options) {
     check(options);
     Random random(options.seed);
-    const Torus torus = torus_for(options);
-    Foam foam = draw_foam(options, torus, random);
+    const Domain domain = torus_for(options);
+    Foam foam = draw_foam(options, domain, random);
     foam.film_tension = 2.0 * options.surface_tension;
     const std::span<double> targets(foam.target_areas.begin(), foam.target_areas.end());
     if (options.area_ratio > 0.0) {
         spread_areas(targets, options.area_ratio);
     }
-    scale_to_total(targets, torus.area());
+    scale_to_total(targets, domain.area());
     return foam;
 }
 

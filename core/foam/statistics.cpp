@@ -107,8 +107,8 @@ std::map<BubbleIdentity, Neighbourhood> neighbourhoods(const Frame& frame) {
 
 double mean_area(const Frame& frame) {
     const auto bubbles = static_cast<double>(bubble_count(frame));
-    if (!frame.torus.is_plane()) {
-        return frame.torus.area() / bubbles;
+    if (!frame.domain.is_plane()) {
+        return frame.domain.area() / bubbles;
     }
     double total = 0.0;
     for (const FrameBubble& bubble : frame.bubbles) {

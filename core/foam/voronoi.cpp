@@ -26,11 +26,11 @@ struct Grid {
     std::int32_t height;
 };
 
-Grid grid_of(const Torus& torus) {
-    const double spacing = std::max(torus.width, torus.height) / kGridPoints;
+Grid grid_of(const Domain& domain) {
+    const double spacing = std::max(domain.width, domain.height) / kGridPoints;
     return {spacing,
-            static_cast<std::int32_t>(std::lround(torus.width / spacing)),
-            static_cast<std::int32_t>(std::lround(torus.height / spacing))};
+            static_cast<std::int32_t>(std::lround(domain.width / spacing)),
+            static_cast<std::int32_t>(std::lround(domain.height / spacing))};
 }
 
 // A copy of a site; the sites' own cells come first, in their order.
@@ -141,8 +141,8 @@ void check_every_site_has_a_cell(const CellDiagram& cells) {
 
 }  // namespace
 
-CellDiagram voronoi_cells(const Torus& torus, const std::vector<Vec2>& sites) {
-    const Grid grid = grid_of(torus);
+CellDiagram voronoi_cells(const Domain& domain, const std::vector<Vec2>& sites) {
+    const Grid grid = grid_of(domain);
     std::vector<GridPoint> points;
     points.reserve(sites.size());
     for (const Vec2& site : sites) {

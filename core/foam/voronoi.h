@@ -10,6 +10,6 @@ namespace foam {
 /// longer side, where the diagram is exact. Throws std::runtime_error where two sites fall
 /// together. Where four lie on one circle, a corner joins more than three cells, which
 /// foam_from_cells refuses.
-CellDiagram voronoi_cells(const Torus& torus, const std::vector<Vec2>& sites);
+CellDiagram voronoi_cells(const Domain& domain, const std::vector<Vec2>& sites);
 
 }  // namespace foam

@@ -52,7 +52,7 @@ class HeaderReader {
         }
         check_model();
         if (!is_torus_) {
-            header_.torus = kPlane;
+            header_.domain = kPlane;
         }
         return std::move(header_);
     }
@@ -135,7 +135,7 @@ class HeaderReader {
         if (periods[0] <= 0.0 || periods[3] <= 0.0) {
             tokens_.fail(line_, "the periods have to be positive");
         }
-        header_.torus = {periods[0], periods[3], periods[2]};
+        header_.domain = {periods[0], periods[3], periods[2]};
     }
 
     void read_parameter() {

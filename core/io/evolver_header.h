@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/torus.h"
+#include "core/geometry/domain.h"
 #include "core/io/evolver_expression.h"
 #include "core/io/evolver_tokens.h"
 
@@ -11,7 +11,7 @@ namespace foam::evolver {
 
 /// What the top of a data file says about the whole foam.
 struct Header {
-    Torus torus;  // the plane for a free cluster
+    Domain domain;  // the plane for a free cluster
     Parameters parameters;
     double added_tension = 0.0;      // of every film, by named quantities of its length
     std::vector<std::string> notes;  // what was left out, one line each

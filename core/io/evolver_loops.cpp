@@ -19,8 +19,8 @@ using Loop = std::vector<EdgeSide>;
 
 class LoopBuilder {
   public:
-    LoopBuilder(const Mesh& mesh, const Torus& torus, const std::string& file)
-        : mesh_(mesh), torus_(torus), file_(file) {}
+    LoopBuilder(const Mesh& mesh, const Domain& domain, const std::string& file)
+        : mesh_(mesh), domain_(domain), file_(file) {}
 
     std::vector<FilmLoop> build() {
         check_points();
@@ -49,17 +49,17 @@ class LoopBuilder {
         return side.forward ? wraps_[side.edge] : -wraps_[side.edge];
     }
     Vec2 chord(EdgeSide side) const {
-        return mesh_.vertices[head(side)].point + torus_.translation(wrap(side)) -
+        return mesh_.vertices[head(side)].point + domain_.translation(wrap(side)) -
                mesh_.vertices[tail(side)].point;
     }
 
     void check_points() const {
-        if (torus_.is_plane()) {
+        if (domain_.is_plane()) {
             return;
         }
         for (const Vertex& vertex : mesh_.vertices) {
-            if (std::abs(vertex.point.x()) > kFarthest * torus_.width ||
-                std::abs(vertex.point.y()) > kFarthest * torus_.height) {
+            if (std::abs(vertex.point.x()) > kFarthest * domain_.width ||
+                std::abs(vertex.point.y()) > kFarthest * domain_.height) {
                 fail(vertex.line, fmt::format("vertex {} lies too far away", vertex.id));
             }
         }
@@ -70,7 +70,7 @@ class LoopBuilder {
                                          mesh_.edges.end(),
                                          [](const Edge& edge) { return edge.wrap.has_value(); });
         for (const Edge& edge : mesh_.edges) {
-            if (torus_.is_plane()) {
+            if (domain_.is_plane()) {
                 wraps_.emplace_back();
                 continue;
             }
@@ -80,9 +80,9 @@ class LoopBuilder {
 
     LatticeOffset nearest_copy(const Edge& edge) const {
         const Vec2 back = mesh_.vertices[edge.tail].point - mesh_.vertices[edge.head].point;
-        const auto j = static_cast<std::int32_t>(std::lround(back.y() / torus_.height));
-        const double along = back.x() - j * torus_.shear;
-        return {static_cast<std::int32_t>(std::lround(along / torus_.width)), j};
+        const auto j = static_cast<std::int32_t>(std::lround(back.y() / domain_.height));
+        const double along = back.x() - j * domain_.shear;
+        return {static_cast<std::int32_t>(std::lround(along / domain_.width)), j};
     }
 
     // Each face as its body sees it.
@@ -137,7 +137,7 @@ class LoopBuilder {
         }
         for (std::size_t edge = 0; edge < mesh_.edges.size(); ++edge) {
             const int count = faces[2 * edge] + faces[2 * edge + 1];
-            if (count < (torus_.is_plane() ? 1 : 2)) {
+            if (count < (domain_.is_plane() ? 1 : 2)) {
                 fail(mesh_.edges[edge].line,
                      fmt::format("edge {} has no face on {} side",
                                  mesh_.edges[edge].id,
@@ -163,8 +163,8 @@ class LoopBuilder {
         for (const Loop& loop : loops_) {
             total += polygon_area(loop);
         }
-        if (!torus_.is_plane() &&
-            !(std::abs(std::abs(total) / torus_.area() - 1.0) < kCoverTolerance)) {
+        if (!domain_.is_plane() &&
+            !(std::abs(std::abs(total) / domain_.area() - 1.0) < kCoverTolerance)) {
             fail(mesh_.end_line, "the faces do not cover the torus once");
         }
         if (total < 0.0) {
@@ -219,7 +219,7 @@ class LoopBuilder {
     }
 
     const Mesh& mesh_;
-    const Torus& torus_;
+    const Domain& domain_;
     const std::string& file_;
     std::vector<LatticeOffset> wraps_;
     std::vector<Loop> loops_;
@@ -228,8 +228,8 @@ class LoopBuilder {
 
 }  // namespace
 
-std::vector<FilmLoop> film_loops(const Mesh& mesh, const Torus& torus, const std::string& file) {
-    return LoopBuilder(mesh, torus, file).build();
+std::vector<FilmLoop> film_loops(const Mesh& mesh, const Domain& domain, const std::string& file) {
+    return LoopBuilder(mesh, domain, file).build();
 }
 
 }  // namespace foam::evolver

@@ -26,6 +26,6 @@ struct FilmLoop {
 /// file gives no edge a wrap, each edge goes to the nearest copy of its head. Throws FormatError,
 /// in the name of `file`, where they do not cover the torus once, a film has no face on a side (in
 /// the plane, on both), or a vertex joins other than three films.
-std::vector<FilmLoop> film_loops(const Mesh& mesh, const Torus& torus, const std::string& file);
+std::vector<FilmLoop> film_loops(const Mesh& mesh, const Domain& domain, const std::string& file);
 
 }  // namespace foam::evolver

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/torus.h"
+#include "core/geometry/domain.h"
 #include "core/io/evolver_header.h"
 
 #include <cstddef>

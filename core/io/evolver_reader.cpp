@@ -27,15 +27,15 @@ class FoamBuilder {
         : header_(header), mesh_(mesh), file_(file) {}
 
     Foam build() {
-        foam_.torus = header_.torus;
+        foam_.domain = header_.domain;
         foam_.film_tension = film_tension();
-        loops_ = film_loops(mesh_, header_.torus, file_);
+        loops_ = film_loops(mesh_, header_.domain, file_);
         add_junctions();
         add_films();
         for (const FilmLoop& loop : loops_) {
             add_bubble(loop);
         }
-        if (foam_.torus.is_plane()) {
+        if (foam_.domain.is_plane()) {
             add_outside(foam_.network);
         }
         if (const auto fault = find_fault(foam_.network)) {
@@ -43,7 +43,7 @@ class FoamBuilder {
         }
         place_junctions();
         set_areas_and_pressures();
-        if (foam_.torus.is_plane()) {
+        if (foam_.domain.is_plane()) {
             complete_patch(foam_);
         }
         return std::move(foam_);
@@ -170,8 +170,8 @@ class FoamBuilder {
         }
         if (missing.size() == mesh_.faces.size() && missing.size() == mesh_.bodies.size()) {
             keep_areas();
-        } else if (missing.size() == 1 && !foam_.torus.is_plane()) {
-            foam_.target_areas[id_at<BubbleId>(missing.front())] = foam_.torus.area() - sum;
+        } else if (missing.size() == 1 && !foam_.domain.is_plane()) {
+            foam_.target_areas[id_at<BubbleId>(missing.front())] = foam_.domain.area() - sum;
         } else if (!missing.empty()) {
             const Face& face = mesh_.faces[missing.back()];
             fail(face.line, fmt::format("face {} has no body with a volume", face.id));
@@ -193,15 +193,15 @@ class FoamBuilder {
             }
             sum += foam_.target_areas[bubble];
         }
-        if (foam_.torus.is_plane()) {
+        if (foam_.domain.is_plane()) {
             return;
         }
-        const double excess = sum / foam_.torus.area() - 1.0;
+        const double excess = sum / foam_.domain.area() - 1.0;
         if (!(std::abs(excess) < kVolumeTolerance)) {
             fail(mesh_.end_line,
                  fmt::format("the volumes add up to {}, but the torus has an area of {}",
                              sum,
-                             foam_.torus.area()));
+                             foam_.domain.area()));
         }
         if (std::abs(excess) > kVolumeRounding) {
             for (double& area : foam_.target_areas) {

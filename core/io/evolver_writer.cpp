@@ -50,16 +50,16 @@ class Writer {
     void write_top() {
         put("// A foam of {} bubbles {}\n\n",
             foam_.network.bubble_count(),
-            foam_.torus.is_plane() ? "in the plane" : "on a torus");
+            foam_.domain.is_plane() ? "in the plane" : "on a torus");
         put("STRING\nSPACE_DIMENSION 2\n");
         put("LENGTH_METHOD_NAME \"circular_arc_length\"\n");
         put("AREA_METHOD_NAME \"circular_arc_area\"\n");
         put("{}\n", arcs_ ? "QUADRATIC" : "LINEAR");
-        if (!foam_.torus.is_plane()) {
+        if (!foam_.domain.is_plane()) {
             put("TORUS_FILLED\nPERIODS\n{} 0\n{} {}\n",
-                foam_.torus.width,
-                foam_.torus.shear,
-                foam_.torus.height);
+                foam_.domain.width,
+                foam_.domain.shear,
+                foam_.domain.height);
         }
     }
 
@@ -98,7 +98,7 @@ class Writer {
             if (arcs_) {
                 put(" /*midpt*/ {}", midpoint(film));
             }
-            if (!foam_.torus.is_plane()) {
+            if (!foam_.domain.is_plane()) {
                 write_wrap(foam_.network.offset(h));
             }
             if (foam_.film_tension != 1.0) {
@@ -142,7 +142,7 @@ class Writer {
         double reference = 0.0;
         for (const BubbleId bubble : foam_.network.bubbles()) {
             const int number = bubbles_[bubble];
-            if (number == 1 && !foam_.torus.is_plane()) {
+            if (number == 1 && !foam_.domain.is_plane()) {
                 reference = foam_.pressures[bubble];
             }
             put("{} {} volume {} lagrange_multiplier {}\n",

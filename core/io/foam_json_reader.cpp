@@ -36,7 +36,7 @@ class Reader {
         for (const JsonTree& row : array(member("bubbles"))) {
             read_bubble(row);
         }
-        if (foam_.torus.is_plane()) {
+        if (foam_.domain.is_plane()) {
             read_patch();
         }
         set_outgoing();
@@ -130,13 +130,13 @@ class Reader {
     // Width, height and, where it is not 0, shear.
     void read_torus(const JsonTree& line) {
         const std::size_t size = array(line).size() == 3 ? 3 : 2;
-        const JsonTree::Array& torus = row(line, size);
-        const bool is_plane = number(torus[0]) == 0.0 && number(torus[1]) == 0.0;
-        foam_.torus = is_plane ? kPlane : Torus{positive(torus[0]), positive(torus[1])};
+        const JsonTree::Array& domain = row(line, size);
+        const bool is_plane = number(domain[0]) == 0.0 && number(domain[1]) == 0.0;
+        foam_.domain = is_plane ? kPlane : Domain{positive(domain[0]), positive(domain[1])};
         if (size == 3) {
-            foam_.torus.shear = number(torus[2]);
+            foam_.domain.shear = number(domain[2]);
         }
-        if (std::abs(foam_.torus.shear) > foam_.torus.width) {
+        if (std::abs(foam_.domain.shear) > foam_.domain.width) {
             fail(line.line, "the shear of a torus is at most its width");
         }
     }
@@ -144,8 +144,8 @@ class Reader {
     void read_junction(const JsonTree& line) {
         const JsonTree::Array& values = row(line, 3);
         const Vec2 position(number(values[0]), number(values[1]));
-        if (!foam_.torus.is_plane() && !(is_inside(position.x(), foam_.torus.width) &&
-                                         is_inside(position.y(), foam_.torus.height))) {
+        if (!foam_.domain.is_plane() && !(is_inside(position.x(), foam_.domain.width) &&
+                                         is_inside(position.y(), foam_.domain.height))) {
             fail(line.line, "this junction lies outside of the torus' own cell");
         }
         foam_.network.add_junction();
@@ -170,7 +170,7 @@ class Reader {
         const HalfEdgeId h = forward_side(foam_.network.add_film());
         foam_.network.set_tail(h, id_at<JunctionId>(index(values[0], junctions)));
         foam_.network.set_tail(twin(h), id_at<JunctionId>(index(values[1], junctions)));
-        const std::size_t sides = bubbles_ + (foam_.torus.is_plane() ? 1 : 0);  // with the ghost
+        const std::size_t sides = bubbles_ + (foam_.domain.is_plane() ? 1 : 0);  // with the ghost
         foam_.network.set_left(h, id_at<BubbleId>(index(values[2], sides)));
         foam_.network.set_left(twin(h), id_at<BubbleId>(index(values[3], sides)));
         foam_.network.set_next(h, half_edge(values[4]));
@@ -249,14 +249,14 @@ class Reader {
         if (const auto fault = find_fault(foam_.network)) {
             fail(member("films").line, fmt::format("this is no valid foam: {}", *fault));
         }
-        if (foam_.torus.is_plane()) {
+        if (foam_.domain.is_plane()) {
             return;
         }
         double sum = 0.0;
         for (const BubbleId bubble : foam_.network.bubbles()) {
             sum += foam_.target_areas[bubble];
         }
-        if (!(std::abs(sum / foam_.torus.area() - 1.0) < kAreaTolerance)) {
+        if (!(std::abs(sum / foam_.domain.area() - 1.0) < kAreaTolerance)) {
             fail(member("bubbles").line, "the target areas do not add up to that of the torus");
         }
     }

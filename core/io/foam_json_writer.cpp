@@ -37,7 +37,7 @@ class Writer {
     }
 
   private:
-    bool needs_version_2() const { return is_patch() || foam_.torus.shear != 0.0; }
+    bool needs_version_2() const { return is_patch() || foam_.domain.shear != 0.0; }
 
     bool is_patch() const { return foam_.network.ghost() != kNone<BubbleId>; }
 
@@ -48,9 +48,9 @@ class Writer {
 
     // Without a shear as it has always been.
     void put_torus() {
-        put("\"torus\": [{:#}, {:#}", foam_.torus.width, foam_.torus.height);
-        if (foam_.torus.shear != 0.0) {
-            put(", {:#}", foam_.torus.shear);
+        put("\"torus\": [{:#}, {:#}", foam_.domain.width, foam_.domain.height);
+        if (foam_.domain.shear != 0.0) {
+            put(", {:#}", foam_.domain.shear);
         }
         put("],\n");
     }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/torus.h"
+#include "core/geometry/domain.h"
 #include "core/network/indexed.h"
 #include "core/network/live_range.h"
 

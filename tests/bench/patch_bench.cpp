@@ -58,13 +58,13 @@ void print_rows(int bubbles) {
         add(tori, seed_foam({.bubbles = bubbles, .seed = seed}), seeds);
         add(patches, raw_patch(bubbles, seed), seeds);
     }
-    const auto print_row = [&](const char* work, double torus, double patch) {
+    const auto print_row = [&](const char* work, double domain, double patch) {
         fmt::print("| {} bubbles, {} | {:.3g} | {:.3g} | {:.2f} |\n",
                    bubbles,
                    work,
-                   torus,
+                   domain,
                    patch,
-                   patch / torus);
+                   patch / domain);
     };
     print_row("from a raw diagram", tori.raw, patches.raw);
     print_row("a frame", tori.frame, patches.frame);

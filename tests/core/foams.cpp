@@ -1,7 +1,7 @@
 #include "tests/core/foams.h"
 
 #include "core/equilibrium/equilibrate.h"
-#include "core/equilibrium/t1_rule.h"
+#include "core/foam/t1_rule.h"
 #include "core/foam/honeycomb.h"
 #include "core/foam/seeding.h"
 #include "core/network/validate.h"
@@ -76,8 +76,8 @@ AssertionResult are_same(const Network& a, const Network& b) {
 }
 
 AssertionResult are_same(const Foam& a, const Foam& b) {
-    if (a.torus.width != b.torus.width || a.torus.height != b.torus.height ||
-        a.torus.shear != b.torus.shear) {
+    if (a.domain.width != b.domain.width || a.domain.height != b.domain.height ||
+        a.domain.shear != b.domain.shear) {
         return AssertionFailure() << "the tori differ";
     }
     if (a.film_tension != b.film_tension || a.time != b.time) {

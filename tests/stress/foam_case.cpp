@@ -47,8 +47,8 @@ Outline random_outline(Random& random) {
 }
 
 double total_area(const Foam& foam) {
-    if (!foam.torus.is_plane()) {
-        return foam.torus.area();
+    if (!foam.domain.is_plane()) {
+        return foam.domain.area();
     }
     double total = 0.0;
     for (const BubbleId bubble : foam.network.bubbles()) {

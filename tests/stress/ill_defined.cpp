@@ -48,7 +48,7 @@ void change_pressures(Foam& foam, Random& random) {
 void pull_head_to_tail(Foam& foam, HalfEdgeId h) {
     const Vec2 tail = foam.positions[foam.network.tail(h)];
     place_junction(
-        foam, foam.network.head(h), tail - foam.torus.translation(foam.network.offset(h)));
+        foam, foam.network.head(h), tail - foam.domain.translation(foam.network.offset(h)));
 }
 
 void collapse_films(Foam& foam, Random& random) {

@@ -37,10 +37,10 @@ std::optional<std::string> find_target_fault(const Foam& foam) {
             return fmt::format("a lone bubble has a target area of {:.3g}", bubble.target_area);
         }
     }
-    if (foam.torus.is_plane()) {
+    if (foam.domain.is_plane()) {
         return std::nullopt;
     }
-    const double error = std::abs(total / foam.torus.area() - 1.0);
+    const double error = std::abs(total / foam.domain.area() - 1.0);
     if (error > kTotalTolerance) {
         return fmt::format("the target areas miss the torus' area by {:.3g} of it", error);
     }
@@ -95,7 +95,7 @@ std::optional<std::string> find_unsoundness(const Foam& foam, double tolerance) 
     if (auto error = find_error(foam, tolerance)) {
         return error;
     }
-    return foam.torus.is_plane() ? find_work_error(foam, tolerance) : std::nullopt;
+    return foam.domain.is_plane() ? find_work_error(foam, tolerance) : std::nullopt;
 }
 
 const char* name_of(EquilibriumStatus status) {

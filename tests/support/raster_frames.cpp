@@ -39,8 +39,8 @@ BubbleId add_bubble(Foam& foam, double pressure) {
 }  // namespace
 
 Frame fitted_frame(Foam foam, int width, int height) {
-    const double stretch = foam.torus.width / foam.torus.height * height / width;
-    foam.torus.height *= stretch;
+    const double stretch = foam.domain.width / foam.domain.height * height / width;
+    foam.domain.height *= stretch;
     for (Vec2& position : foam.positions) {
         position.y() *= stretch;
     }

@@ -92,7 +92,7 @@ std::vector<FilmCopy> all_copies(const Frame& frame, double scale) {
     for (const FilmId film : frame.network.films()) {
         for (int i = -2; i <= 2; ++i) {
             for (int j = -2; j <= 2; ++j) {
-                copies.push_back(film_copy(frame, film, scale, frame.torus.translation({i, j})));
+                copies.push_back(film_copy(frame, film, scale, frame.domain.translation({i, j})));
             }
         }
     }
@@ -208,7 +208,7 @@ SampledCoverage sample_films(const std::vector<FilmCopy>& films,
 
 SampledCoverage sample_coverage(
     const Frame& frame, int width, int height, double film_width, Samples samples) {
-    return sample_films(all_copies(frame, width / frame.torus.width),
+    return sample_films(all_copies(frame, width / frame.domain.width),
                         width,
                         height,
                         film_width,
@@ -231,7 +231,7 @@ struct NearestFilms::Films {
 };
 
 NearestFilms::NearestFilms(const Frame& frame, int width)
-    : films_(new Films{all_copies(frame, width / frame.torus.width)}) {}
+    : films_(new Films{all_copies(frame, width / frame.domain.width)}) {}
 
 NearestFilms::NearestFilms(const Frame& frame, const texgen::View& view, int width, int height)
     : films_(new Films{all_films(frame, view.pixels_per_unit, origin_of(view, width, height))}) {}

@@ -3,7 +3,7 @@
 #include "texgen/bake/bounded_workers.h"
 #include "texgen/bake/file_pattern.h"
 #include "texgen/bake/frame_files.h"
-#include "texgen/bake/simulate_frames.h"
+#include "texgen/animation/simulate_frames.h"
 #include "texgen/maps/fade_order.h"
 
 #include <algorithm>

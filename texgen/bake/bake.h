@@ -1,7 +1,7 @@
 #pragma once
 
 #include "texgen/bake/progress_meter.h"
-#include "texgen/bake/simulate_frames.h"
+#include "texgen/animation/simulate_frames.h"
 #include "texgen/bake/written_file.h"
 #include "texgen/preset/preset.h"
 

@@ -41,8 +41,8 @@ std::vector<const Map*> maps_of(const Preset& preset) {
 
 }  // namespace
 
-bool tiles(const Torus& torus) {
-    return !torus.is_plane() && torus.shear == 0.0;
+bool tiles(const Domain& domain) {
+    return !domain.is_plane() && domain.shear == 0.0;
 }
 
 FrameFiles::FrameFiles(const Preset& preset)
@@ -151,7 +151,7 @@ WrittenFile FrameFiles::write_exr(std::span<const Map* const> maps,
             maps.size() > 1 ? map->name : std::string_view(), map->channels, std::move(image));
     }
     ExrMetadata metadata = exr_metadata(maps, channels.has_colors());
-    metadata.periodic = tiles(shown.layers.frame().torus);
+    metadata.periodic = tiles(shown.layers.frame().domain);
     const Bytes stream = encode_exr(channels.channels(),
                                     metadata,
                                     {.compression = output.exr_compression,

@@ -17,7 +17,7 @@
 namespace foam::texgen {
 
 /// Whether images of a torus tile: under shear, only where it is that of a rectangle again.
-bool tiles(const Torus& torus);
+bool tiles(const Domain& domain);
 
 /// The image files of a bake. Its functions may be called from several threads at once.
 class FrameFiles {

@@ -1,7 +1,7 @@
 #include "texgen/cache/cache.h"
 
-#include "texgen/bake/camera.h"
-#include "texgen/bake/frame_assembly.h"
+#include "texgen/animation/camera.h"
+#include "texgen/animation/frame_assembly.h"
 #include "texgen/bake/frame_range.h"
 #include "texgen/cache/byte_stream.h"
 #include "texgen/cache/cache_files.h"

@@ -31,9 +31,9 @@ Vec2 read_point(ByteReader& reader) {
 void write_torus(const Frame& frame, ByteWriter& writer) {
     writer.put(std::int32_t{frame.number});
     for (const double number : {frame.time,
-                                frame.torus.width,
-                                frame.torus.height,
-                                frame.torus.shear,
+                                frame.domain.width,
+                                frame.domain.height,
+                                frame.domain.shear,
                                 frame.film_tension}) {
         writer.put(number);
     }
@@ -99,9 +99,9 @@ class FrameReader {
     Frame read() {
         const int number = reader_.take<std::int32_t>();
         for (double* const value : {&foam_.time,
-                                    &foam_.torus.width,
-                                    &foam_.torus.height,
-                                    &foam_.torus.shear,
+                                    &foam_.domain.width,
+                                    &foam_.domain.height,
+                                    &foam_.domain.shear,
                                     &foam_.film_tension}) {
             *value = reader_.take<double>();
         }

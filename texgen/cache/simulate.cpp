@@ -1,4 +1,4 @@
-#include "texgen/bake/frame_assembly.h"
+#include "texgen/animation/frame_assembly.h"
 #include "texgen/cache/cache.h"
 #include "texgen/cache/cache_files.h"
 #include "texgen/cache/packed_file.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "texgen/bake/simulate_frames.h"
+#include "texgen/animation/simulate_frames.h"
 #include "texgen/cli/exit_code.h"
 
 #include <filesystem>

@@ -75,7 +75,7 @@ ManifestFrame numbers_of(const BakedFrame& baked) {
     const Frame& frame = *baked.shown.frame;
     const FrameEffort& effort = baked.shown.effort;
     return {.frame = frame.number,
-            .tiles = tiles(frame.torus),
+            .tiles = tiles(frame.domain),
             .time = frame.time,
             .bubbles = static_cast<int>(frame.bubbles.size() + frame.lone_bubbles.size()),
             .mean_area = mean_area(frame),

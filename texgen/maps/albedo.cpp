@@ -23,24 +23,24 @@ std::vector<double> pressures_of(const Frame& frame, PressureUnit unit) {
         [&](const LoneBubble& bubble) { return frame.film_tension / lone_radius(bubble) * scale; });
 }
 
-double diameters_in_pixels(double diameters, const RasterGrid& grid, const Torus& torus) {
+double diameters_in_pixels(double diameters, const RasterGrid& grid, const Domain& domain) {
     const double diameter = 2.0 * std::numbers::inv_sqrtpi;  // of a circle of area 1
-    return diameters * diameter * pixels_per_unit(grid, torus);
+    return diameters * diameter * pixels_per_unit(grid, domain);
 }
 
 double film_width_in_pixels(const AlbedoOptions& options,
                             const RasterGrid& grid,
-                            const Torus& torus) {
+                            const Domain& domain) {
     if (options.film_unit == WidthUnit::Pixels) {
         return options.film_width;
     }
-    return diameters_in_pixels(options.film_width, grid, torus);
+    return diameters_in_pixels(options.film_width, grid, domain);
 }
 
 namespace {
 
 ColorPixels draw_flat(FrameLayers& layers, const AlbedoOptions& options) {
-    const double width = film_width_in_pixels(options, layers.grid(), layers.frame().torus);
+    const double width = film_width_in_pixels(options, layers.grid(), layers.frame().domain);
     return fill_colors(layers,
                        cell_colors(layers.frame(), options),
                        to_linear(parse_color(options.film_color)),

@@ -71,13 +71,13 @@ std::vector<double> pressures_of(const Frame& frame, PressureUnit unit);
 
 /// A length in diameters of a circle of the seeded mean bubble area, in pixels. Throws
 /// std::invalid_argument as pixels_per_unit does.
-double diameters_in_pixels(double diameters, const RasterGrid& grid, const Torus& torus);
+double diameters_in_pixels(double diameters, const RasterGrid& grid, const Domain& domain);
 
 /// The whole width of a film in pixels.
 /// Throws std::invalid_argument as pixels_per_unit does.
 double film_width_in_pixels(const AlbedoOptions& options,
                             const RasterGrid& grid,
-                            const Torus& torus);
+                            const Domain& domain);
 
 /// The colours of a frame's cells and films: as fill_colors mixes them, or with wet films and
 /// shades as paint_films does. Throws as cell_colors, and std::invalid_argument for the colour of

@@ -11,11 +11,11 @@ NumberPixels draw_distance(FrameLayers& layers,
                            const DistanceOptions& options,
                            const AlbedoOptions& films) {
     const DistanceField& field = layers.distance();
-    const Torus& torus = layers.frame().torus;
+    const Domain& domain = layers.frame().domain;
     const bool is_signed = options.kind == DistanceKind::Signed;
-    const double edge = is_signed ? 0.5 * film_width_in_pixels(films, layers.grid(), torus) : 0.0;
+    const double edge = is_signed ? 0.5 * film_width_in_pixels(films, layers.grid(), domain) : 0.0;
     const double unit =
-        options.unit == DistanceUnit::Foam ? pixels_per_unit(layers.grid(), torus) : 1.0;
+        options.unit == DistanceUnit::Foam ? pixels_per_unit(layers.grid(), domain) : 1.0;
     const double outwards = is_signed ? -1.0 : 0.0;
     Image<float> image(layers.grid().width, layers.grid().height, 1);
     for (std::size_t k = 0; k < image.samples().size(); ++k) {

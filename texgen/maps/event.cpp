@@ -46,7 +46,7 @@ NumberPixels draw_event(FrameLayers& layers, const EventMapOptions& options) {
     const Frame& frame = layers.frame();
     const RasterGrid& grid = layers.grid();
     const double diameter = diameter_of(MeanBubble::Seed, frame);
-    const double radius = options.radius * diameter * pixels_per_unit(grid, frame.torus);
+    const double radius = options.radius * diameter * pixels_per_unit(grid, frame.domain);
     Image<float> image(grid.width, grid.height, 3);
     for (const RecordedEvent& event : layers.record().events) {
         const int since = layers.record().frame - event.frame;
@@ -55,7 +55,7 @@ NumberPixels draw_event(FrameLayers& layers, const EventMapOptions& options) {
         }
         const float height = 1.0F - static_cast<float>(since) / static_cast<float>(options.fade);
         const Spot spot{radius, height, static_cast<std::size_t>(event.kind)};
-        for_each_copy(grid, frame.torus, event.place, radius, [&](SubpixelPoint middle) {
+        for_each_copy(grid, frame.domain, event.place, radius, [&](SubpixelPoint middle) {
             paint_copy(spot, middle, image.view());
         });
     }

@@ -43,7 +43,7 @@ void write_pixel(const LinearRgb& color, double opacity, std::span<std::uint16_t
 }  // namespace
 
 Image<float> film_cover(FrameLayers& layers, const AlbedoOptions& options) {
-    const double width = film_width_in_pixels(options, layers.grid(), layers.frame().torus);
+    const double width = film_width_in_pixels(options, layers.grid(), layers.frame().domain);
     return options.film_profile == FilmProfile::Even ? fill_cover(layers, Part::Films, width)
                                                      : wet_films(layers, width);
 }
@@ -62,7 +62,7 @@ Image<float> foam_cover(FrameLayers& layers,
         return whole;
     }
     if (options.film_profile == FilmProfile::Even) {
-        const double width = film_width_in_pixels(options, layers.grid(), layers.frame().torus);
+        const double width = film_width_in_pixels(options, layers.grid(), layers.frame().domain);
         return fill_cover(layers, Part::Foam, width);
     }
     Image<float> foam = fill_cover(layers, Part::Foam, 0.0);
@@ -76,7 +76,7 @@ Image<float> foam_cover(FrameLayers& layers,
 
 Image<float> film_shade(FrameLayers& layers, const AlbedoOptions& options) {
     const double width =
-        diameters_in_pixels(options.shade_width, layers.grid(), layers.frame().torus);
+        diameters_in_pixels(options.shade_width, layers.grid(), layers.frame().domain);
     const DistanceField& field = layers.distance();
     Image<float> shade(layers.grid().width, layers.grid().height, 1);
     std::transform(field.smooth.samples().begin(),

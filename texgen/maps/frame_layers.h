@@ -32,7 +32,7 @@ class FrameLayers {
     const Frame& next() const;
     const RasterGrid& grid() const { return grid_; }
     int threads() const { return threads_; }
-    bool is_patch() const { return frame().torus.is_plane(); }
+    bool is_patch() const { return frame().domain.is_plane(); }
 
     /// The outlines of cells between films of no width. Throws as outline_cells.
     const CellOutlines& outlines();

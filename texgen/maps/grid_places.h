@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/torus.h"
+#include "core/geometry/domain.h"
 #include "texgen/raster/raster_grid.h"
 
 #include <cmath>
@@ -18,7 +18,7 @@ inline SubpixelPoint pixel_centre(int x, int y) {
 /// shifted. Shifts of the grid move all of them by whole pixels.
 template <class Visit>
 void for_each_copy(const RasterGrid& grid,
-                   const Torus& torus,
+                   const Domain& domain,
                    const Vec2& place,
                    double reach,
                    const Visit& visit) {
@@ -26,24 +26,24 @@ void for_each_copy(const RasterGrid& grid,
     const auto is_near = [&](const Vec2& at) {
         return (at.array() >= -reach).all() && (at.array() <= size.array() + reach).all();
     };
-    if (torus.is_plane()) {
+    if (domain.is_plane()) {
         const Vec2 at = pixel_in_view(grid, place);
         if (is_near(at)) {
             visit(to_subpixel(at));
         }
         return;
     }
-    const Vec2 home = place - torus.translation(torus.cell_of(place));
+    const Vec2 home = place - domain.translation(domain.cell_of(place));
     const SubpixelPoint shift{grid.shift_x * kSubpixel, grid.shift_y * kSubpixel};
-    const SubpixelPoint first = Snap(grid, torus)(home) - shift;
-    const Vec2 scale(size.x() / torus.width, size.y() / torus.height);
+    const SubpixelPoint first = Snap(grid, domain)(home) - shift;
+    const Vec2 scale(size.x() / domain.width, size.y() / domain.height);
     const Vec2 middle = 0.5 * size + Vec2(grid.shift_x, grid.shift_y);
     const Vec2 from_middle = middle.cwiseQuotient(scale) - home;
     const double far = reach + 0.5 * size.maxCoeff() + 1.0;
-    for (const LatticeOffset offset : torus.offsets_near(from_middle, far / scale.minCoeff())) {
+    for (const LatticeOffset offset : domain.offsets_near(from_middle, far / scale.minCoeff())) {
         const SubpixelPoint copy =
             first + SubpixelPoint{offset.i * grid.width * kSubpixel +
-                                      offset.j * shear_in_subpixels(grid, torus),
+                                      offset.j * shear_in_subpixels(grid, domain),
                                   offset.j * grid.height * kSubpixel};
         if (is_near(Vec2(copy.x, copy.y) / kSubpixel)) {
             visit(copy);

@@ -37,12 +37,12 @@ std::map<Corner, std::vector<Vec2>> places_of(const Frame& frame) {
     return places;
 }
 
-std::optional<Vec2> shortest_way(const Torus& torus,
+std::optional<Vec2> shortest_way(const Domain& domain,
                                  const Vec2& from,
                                  const std::vector<Vec2>& places) {
     std::optional<Vec2> shortest;
     for (const Vec2& place : places) {
-        const Vec2 way = torus.nearest_copy(place - from);
+        const Vec2 way = domain.nearest_copy(place - from);
         if (!shortest || way.squaredNorm() < shortest->squaredNorm()) {
             shortest = way;
         }
@@ -57,7 +57,7 @@ Motion motion_of_kept(const Frame& frame, const Frame& next) {
         const auto found = places.find(corner_at(frame, junction));
         motion.push_back(found == places.end()
                              ? std::nullopt
-                             : shortest_way(next.torus, frame.positions[junction], found->second));
+                             : shortest_way(next.domain, frame.positions[junction], found->second));
     }
     return motion;
 }

@@ -26,9 +26,9 @@ class FoamMotion {
   public:
     FoamMotion(FrameLayers& layers)
         : frame_(layers.frame()),
-          scale_(pixels_per_unit(layers.grid(), frame_.torus)),
+          scale_(pixels_per_unit(layers.grid(), frame_.domain)),
           junctions_(junction_motion(frame_, layers.next())),
-          shear_(layers.next().torus.shear_since(frame_.torus)) {}
+          shear_(layers.next().domain.shear_since(frame_.domain)) {}
 
     // Relative to the bubble's first junction.
     BoundaryMotion around(BubbleId bubble) const {
@@ -93,7 +93,7 @@ class MotionPainter {
         : layers_(layers),
           cells_(layers.outlines()),
           foam_(layers),
-          scale_(pixels_per_unit(layers.grid(), layers.frame().torus)),
+          scale_(pixels_per_unit(layers.grid(), layers.frame().domain)),
           unit_(options.unit == MotionUnit::Image ? layers.grid().width : 1.0),
           up_(options.y == MotionY::Up ? 1.0 : -1.0) {}
 

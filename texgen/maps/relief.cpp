@@ -20,7 +20,7 @@ std::vector<double> units_of(FrameLayers& layers, const ReliefOptions& options, 
         const auto same = [&](const auto&) { return width; };
         return by_cell_id(layers, per_bubble<double>(frame, same, same), width);
     }
-    const double scale = pixels_per_unit(layers.grid(), frame.torus);
+    const double scale = pixels_per_unit(layers.grid(), frame.domain);
     const auto radii = per_bubble<double>(
         frame,
         [&](BubbleId bubble) {
@@ -37,7 +37,7 @@ Relief::Relief(FrameLayers& layers, const ReliefOptions& options)
       section_(options.profile, options.angle * kDegree),
       strength_(options.strength),
       diameter_(diameter_of(options.mean_bubble, layers.frame()) *
-                pixels_per_unit(layers.grid(), layers.frame().torus)),
+                pixels_per_unit(layers.grid(), layers.frame().domain)),
       units_(units_of(layers, options, diameter_)) {}
 
 double Relief::height(std::size_t index) const {

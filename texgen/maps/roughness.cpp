@@ -24,7 +24,7 @@ NumberPixels draw_roughness(FrameLayers& layers,
         [&](BubbleId bubble) { return roughness_of(frame.bubbles[bubble].identity); },
         [&](const LoneBubble& bubble) { return roughness_of(bubble.identity); });
     if (films.film_profile == FilmProfile::Even) {
-        const double width = film_width_in_pixels(films, layers.grid(), frame.torus);
+        const double width = film_width_in_pixels(films, layers.grid(), frame.domain);
         return {fill_numbers(layers, {cells, options.film}, width), 0.0, 1.0};
     }
     Image<float> image = fill_numbers(layers, cells);

@@ -107,7 +107,7 @@ struct Film {
 
 std::vector<Film> films_of(FrameLayers& layers, const ThinFilmOptions& options) {
     const Frame& frame = layers.frame();
-    const double scale = pixels_per_unit(layers.grid(), frame.torus);
+    const double scale = pixels_per_unit(layers.grid(), frame.domain);
     const auto thickness_of = [&](BubbleIdentity bubble) {
         const double number = identity_number(bubble, IdentityStream::Second) - 0.5;
         return options.thickness * (1.0 + options.variation * number);

@@ -1,6 +1,6 @@
 #include "texgen/preset/event_schema.h"
 
-#include "texgen/preset/domain.h"
+#include "texgen/preset/value_kinds.h"
 #include "texgen/preset/event_frames.h"
 
 #include <fmt/core.h>
@@ -117,43 +117,43 @@ bool is_unsaid(const std::vector<T>& value) {
     return value.empty();
 }
 
-template <class Domain>
-std::optional<Value> said(const Domain& domain, const auto& value) {
-    return is_unsaid(value) ? std::nullopt : std::optional(domain.write(value));
+template <class ValueKind>
+std::optional<Value> said(const ValueKind& kind, const auto& value) {
+    return is_unsaid(value) ? std::nullopt : std::optional(kind.write(value));
 }
 
 /// The key whose value is kept in a member; not written where it is what an event has anyway.
-template <class Domain, class Member>
+template <class ValueKind, class Member>
 EventKey key(std::string_view name,
-             const Domain& domain,
+             const ValueKind& kind,
              std::string_view meaning,
              EventKinds kinds,
              Member Event::*member) {
     return {name,
-            domain.allowed(),
+            kind.allowed(),
             meaning,
             kinds,
-            said(domain, Event{}.*member),
-            [=](const Value& value, Event& event) { return domain.read(value, event.*member); },
+            said(kind, Event{}.*member),
+            [=](const Value& value, Event& event) { return kind.read(value, event.*member); },
             [=](const Event& event) -> std::optional<Value> {
                 return event.*member == Event{}.*member
                            ? std::nullopt
-                           : std::optional(domain.write(event.*member));
+                           : std::optional(kind.write(event.*member));
             }};
 }
 
-EventKey frame_key(std::string_view name, const auto& domain, std::string_view meaning) {
+EventKey frame_key(std::string_view name, const auto& kind, std::string_view meaning) {
     return {name,
-            domain.allowed(),
+            kind.allowed(),
             meaning,
             kAll,
             std::nullopt,
             [=](const Value& value, Event& event) {
-                const bool allowed = domain.read(value, event.frames);
+                const bool allowed = kind.read(value, event.frames);
                 event.time = allowed ? std::nullopt : event.time;
                 return allowed;
             },
-            [=](const Event& event) { return domain.write(event.frames); }};
+            [=](const Event& event) { return kind.write(event.frames); }};
 }
 
 EventKey time_key() {

@@ -14,22 +14,22 @@ auto& at(Object& object, Members... members) {
 
 /// The key whose value is kept in the preset at the end of the path of members. A domain is one of
 /// the kinds of value of domain.h.
-template <class Domain, class... Members>
-Key key(std::string_view path, Domain domain, std::string_view meaning, Members... members) {
+template <class ValueKind, class... Members>
+Key key(std::string_view path, ValueKind kind, std::string_view meaning, Members... members) {
     return {path,
-            domain.allowed(),
+            kind.allowed(),
             meaning,
             [=](const Value& value, Preset& preset) {
-                return domain.read(value, at(preset, members...));
+                return kind.read(value, at(preset, members...));
             },
-            [=](const Preset& preset) { return domain.write(at(preset, members...)); }};
+            [=](const Preset& preset) { return kind.write(at(preset, members...)); }};
 }
 
 /// Makes keys of the options of one map: path, domain, meaning, member.
 template <class Options>
 auto keys_in(Options MapOptions::*map) {
-    return [map](std::string_view path, const auto& domain, std::string_view meaning, auto member) {
-        return key(path, domain, meaning, &Preset::maps, map, member);
+    return [map](std::string_view path, const auto& kind, std::string_view meaning, auto member) {
+        return key(path, kind, meaning, &Preset::maps, map, member);
     };
 }
 

@@ -1,5 +1,5 @@
 #include "texgen/image/colormap.h"
-#include "texgen/preset/domain.h"
+#include "texgen/preset/value_kinds.h"
 #include "texgen/preset/key_of_member.h"
 #include "texgen/preset/map_choices.h"
 #include "texgen/preset/map_schema.h"

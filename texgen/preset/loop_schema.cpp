@@ -1,6 +1,6 @@
 #include "texgen/preset/loop_schema.h"
 
-#include "texgen/preset/domain.h"
+#include "texgen/preset/value_kinds.h"
 #include "texgen/preset/key_of_member.h"
 #include "texgen/preset/refusal.h"
 
@@ -91,8 +91,8 @@ void check_flow(const Preset& preset, std::span<const Assignment> assignments) {
 
 std::vector<Key> loop_keys() {
     using Options = LoopOptions;
-    const auto one = [](std::string_view path, auto domain, std::string_view meaning, auto member) {
-        return key(path, domain, meaning, &Preset::loop, member);
+    const auto one = [](std::string_view path, auto kind, std::string_view meaning, auto member) {
+        return key(path, kind, meaning, &Preset::loop, member);
     };
     std::vector<Key> keys = {
         one("loop.kind",

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "texgen/preset/domain.h"
+#include "texgen/preset/value_kinds.h"
 
 namespace foam::texgen {
 

@@ -1,6 +1,6 @@
 #include "texgen/preset/output_schema.h"
 
-#include "texgen/preset/domain.h"
+#include "texgen/preset/value_kinds.h"
 #include "texgen/preset/key_of_member.h"
 
 namespace foam::texgen {

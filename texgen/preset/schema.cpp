@@ -1,7 +1,7 @@
 #include "texgen/preset/schema.h"
 
 #include "texgen/maps/map.h"
-#include "texgen/preset/domain.h"
+#include "texgen/preset/value_kinds.h"
 #include "texgen/preset/key_of_member.h"
 #include "texgen/preset/loop_schema.h"
 #include "texgen/preset/map_schema.h"

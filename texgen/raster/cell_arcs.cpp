@@ -89,7 +89,7 @@ CellArcs cell_arcs(const Frame& frame, const RasterGrid& grid, double film_width
     if (!(film_width >= 0.0) || !std::isfinite(film_width)) {
         throw std::invalid_argument("film width must be 0 or more");
     }
-    if (frame.torus.is_plane()) {
+    if (frame.domain.is_plane()) {
         return arcs_of_patch(frame, grid, film_width, threads);
     }
     const PixelFrame pixels(frame, grid);

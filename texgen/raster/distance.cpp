@@ -33,9 +33,9 @@ void write_distance_field(const Frame& frame,
                           DistanceNeeds needs,
                           int threads,
                           DistanceField& field) {
-    pixels_per_unit(grid, frame.torus);  // throws before anything is changed
+    pixels_per_unit(grid, frame.domain);  // throws before anything is changed
     ask_for(needs, grid, field);
-    if (frame.torus.is_plane()) {
+    if (frame.domain.is_plane()) {
         write_patch_field(frame, grid, needs, threads, field);
     } else {
         write_torus_field(frame, grid, needs, threads, field);

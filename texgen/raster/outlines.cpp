@@ -101,7 +101,7 @@ PixelBox box_around(const Outline& outline, SubpixelPoint translation) {
 }
 
 CellOutlines outline_cells(const Frame& frame, const RasterGrid& grid, int threads) {
-    if (frame.torus.is_plane()) {
+    if (frame.domain.is_plane()) {
         return outline_patch(frame, grid, threads);
     }
     const PixelFrame pixels(frame, grid);

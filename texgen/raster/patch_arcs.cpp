@@ -176,7 +176,7 @@ class PatchArcs {
 }  // namespace
 
 CellArcs arcs_of_patch(const Frame& frame, const RasterGrid& grid, double film_width, int threads) {
-    const PixelPatch pixels{frame, grid, pixels_per_unit(grid, frame.torus)};
+    const PixelPatch pixels{frame, grid, pixels_per_unit(grid, frame.domain)};
     const PatchArcs arcs(pixels, film_width);
     CellArcs cells = make_arcs(grid, region_count(frame), kBubblesPerTask, arcs, threads);
     cells.outside = frame.network.ghost();

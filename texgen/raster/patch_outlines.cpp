@@ -74,7 +74,7 @@ class PatchOutliner {
 }  // namespace
 
 CellOutlines outline_patch(const Frame& frame, const RasterGrid& grid, int threads) {
-    const PixelPatch pixels{frame, grid, pixels_per_unit(grid, frame.torus)};
+    const PixelPatch pixels{frame, grid, pixels_per_unit(grid, frame.domain)};
     CellOutlines cells = outline_all(grid, region_count(frame), PatchOutliner(pixels), threads);
     cells.outside = frame.network.ghost();
     return cells;

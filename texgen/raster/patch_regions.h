@@ -10,7 +10,7 @@ namespace foam::texgen {
 class PatchRegions {
   public:
     PatchRegions(const Frame& frame, const RasterGrid& grid)
-        : frame_(frame), grid_(grid), scale_(pixels_per_unit(grid, frame.torus)) {}
+        : frame_(frame), grid_(grid), scale_(pixels_per_unit(grid, frame.domain)) {}
 
     /// The boundaries of a bubble, of a lone one or of what is around, relative to a pixel's
     /// corner.

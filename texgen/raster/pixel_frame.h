@@ -14,9 +14,9 @@ struct PixelFrame {
     PixelFrame(const Frame& of, const RasterGrid& on)
         : frame(of),
           grid(on),
-          scale(pixels_per_unit(on, of.torus)),
-          shear(shear_in_subpixels(on, of.torus)),
-          snap(on, of.torus) {}
+          scale(pixels_per_unit(on, of.domain)),
+          shear(shear_in_subpixels(on, of.domain)),
+          snap(on, of.domain) {}
 
     FilmArc arc(HalfEdgeId h) const {
         const FilmArc arc = frame.arc(h);

@@ -19,25 +19,25 @@ void check_side(int side) {
 
 }  // namespace
 
-double pixels_per_unit(const RasterGrid& grid, const Torus& torus) {
+double pixels_per_unit(const RasterGrid& grid, const Domain& domain) {
     check_side(grid.width);
     check_side(grid.height);
-    if (torus.is_plane() != grid.view.has_value()) {
+    if (domain.is_plane() != grid.view.has_value()) {
         throw std::invalid_argument("a grid must have a view of the plane, and of nothing else");
     }
     if (grid.view) {
         return grid.view->pixels_per_unit;
     }
-    const double across = grid.width / torus.width;
-    const double up = grid.height / torus.height;
+    const double across = grid.width / domain.width;
+    const double up = grid.height / domain.height;
     if (!(std::abs(across / up - 1.0) <= kLargestAnisotropy)) {
         throw std::invalid_argument("image and torus must have the same aspect: pixels are square");
     }
     return across;
 }
 
-std::int32_t shear_in_subpixels(const RasterGrid& grid, const Torus& torus) {
-    return to_subpixel(torus.shear * (grid.width / torus.width));
+std::int32_t shear_in_subpixels(const RasterGrid& grid, const Domain& domain) {
+    return to_subpixel(domain.shear * (grid.width / domain.width));
 }
 
 }  // namespace foam::texgen

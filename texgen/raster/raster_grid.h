@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/torus.h"
+#include "core/geometry/domain.h"
 #include "texgen/raster/fixed_point.h"
 #include "texgen/raster/view.h"
 
@@ -27,7 +27,7 @@ inline constexpr double kShortestSide = 1e-9;
 /// Pixels per foam unit. Throws std::invalid_argument if a side of the grid is not in [1,
 /// kLargestSide], on a torus if its pixels are not square to one part in a million, in the plane if
 /// the grid has no view of it.
-double pixels_per_unit(const RasterGrid& grid, const Torus& torus);
+double pixels_per_unit(const RasterGrid& grid, const Domain& domain);
 
 /// What moves subpixels of the unshifted grid to where they are in this one.
 inline SubpixelPoint shift_of(const RasterGrid& grid) {
@@ -40,8 +40,8 @@ inline SubpixelPoint shift_of(const RasterGrid& grid) {
 /// outlines around it would be torn.
 class Snap {
   public:
-    Snap(const RasterGrid& grid, const Torus& torus)
-        : across_(grid.width / torus.width), up_(grid.height / torus.height) {}
+    Snap(const RasterGrid& grid, const Domain& domain)
+        : across_(grid.width / domain.width), up_(grid.height / domain.height) {}
 
     SubpixelPoint operator()(const Vec2& position) const {
         return {to_subpixel(position.x() * across_), to_subpixel(position.y() * up_)};
@@ -60,6 +60,6 @@ inline Vec2 pixel_in_view(const RasterGrid& grid, const Vec2& position) {
 
 /// How far the copy of a point one period up lies to the right, in subpixels: a sheared torus
 /// covers the plane with grids whose rows are moved against each other.
-std::int32_t shear_in_subpixels(const RasterGrid& grid, const Torus& torus);
+std::int32_t shear_in_subpixels(const RasterGrid& grid, const Domain& domain);
 
 }  // namespace foam::texgen

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/foam/statistics.h"
-#include "texgen/bake/simulate_frames.h"
+#include "texgen/animation/simulate_frames.h"
 #include "texgen/preset/preset.h"
 
 #include <memory>

@@ -47,7 +47,7 @@ using FilmCopy = std::tuple<FilmId, std::int32_t, std::int32_t>;
 class SceneBuilder {
   public:
     SceneBuilder(const Frame& frame, int side)
-        : frame_(frame), scale_(side / frame.torus.width), scene_{side, {}, {}, {}} {}
+        : frame_(frame), scale_(side / frame.domain.width), scene_{side, {}, {}, {}} {}
 
     Scene build() {
         for (const BubbleId bubble : frame_.network.bubbles()) {
@@ -73,7 +73,7 @@ class SceneBuilder {
     }
     Vec2 tail(HalfEdgeId h, LatticeOffset copy) const {
         const Vec2& position = frame_.positions[frame_.network.tail(h)];
-        return scale_ * (position + frame_.torus.translation(copy));
+        return scale_ * (position + frame_.domain.translation(copy));
     }
 
     void add_cell(BubbleId bubble) {

@@ -48,7 +48,7 @@ TEST(Coarsening, DiffuseKeepsTheTotal) {
     for (const int bubbles : {2, 5, 200}) {
         Foam foam = test::raw_foam(bubbles, 3);
         diffuse(foam, 2.0, {.kappa = 1.0});
-        EXPECT_NEAR(test::total_target(foam) / foam.torus.area(), 1.0, 1e-13);
+        EXPECT_NEAR(test::total_target(foam) / foam.domain.area(), 1.0, 1e-13);
     }
 }
 

@@ -114,7 +114,7 @@ TEST(Collapse, FromAnyBubbleOfASettledFoamLeadsToAnEquilibrium) {
         ASSERT_TRUE(collapse(foam, bubble, counts));
         ASSERT_TRUE(is_valid(foam.network));
         compact(foam);
-        EXPECT_NEAR(total_target(foam), foam.torus.area(), 1e-12);
+        EXPECT_NEAR(total_target(foam), foam.domain.area(), 1e-12);
         EXPECT_TRUE(equilibrate(foam, {}).converged());
     }
 }

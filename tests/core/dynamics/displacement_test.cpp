@@ -31,10 +31,10 @@ TEST(Displacement, FadesOutTowardsItsEdge) {
     EXPECT_EQ(displace(foam, {center, 2.0, {0.01, 0.0}}, {}), 0);
     for (const JunctionId junction : before.network.junctions()) {
         const double u =
-            before.torus.nearest_copy(before.positions[junction] - center).norm() / 2.0;
+            before.domain.nearest_copy(before.positions[junction] - center).norm() / 2.0;
         const double weight = u < 1.0 ? (1.0 - u * u) * (1.0 - u * u) : 0.0;
         const Vec2 moved =
-            foam.torus.nearest_copy(foam.positions[junction] - before.positions[junction]);
+            foam.domain.nearest_copy(foam.positions[junction] - before.positions[junction]);
         EXPECT_NEAR(moved.x(), 0.01 * weight, 1e-14);
         EXPECT_NEAR(moved.y(), 0.0, 1e-14);
     }

@@ -33,7 +33,7 @@ void expect_exact(const Foam& foam, const StepSummary& summary) {
     ASSERT_TRUE(is_valid(foam.network));
     EXPECT_LT(summary.equilibrium.area_error, 1e-9);
     EXPECT_LT(summary.equilibrium.angle_error, 1e-9);
-    EXPECT_NEAR(total_target(foam) / foam.torus.area(), 1.0, 1e-12);
+    EXPECT_NEAR(total_target(foam) / foam.domain.area(), 1.0, 1e-12);
 }
 
 // Shrinks a bubble over so many steps without diffusion; it is there to the last and then gone, and

@@ -40,23 +40,23 @@ TEST(Shear, IsAffine) {
             const Vec2 expected(old.x() + strain * old.y(), old.y());
             EXPECT_LT((chord(foam, forward_side(film)) - expected).norm(), 1e-12) << strain;
         }
-        EXPECT_LE(std::abs(foam.torus.shear), 0.5 * foam.torus.width);
+        EXPECT_LE(std::abs(foam.domain.shear), 0.5 * foam.domain.width);
     }
 }
 
 // The lattice spanned by (w, 0) and (s, h) holds (s - w, h) as well.
 TEST(Shear, TheReducedLatticeIsTheSame) {
     Foam foam = settled_foam(40, 1);
-    const double width = foam.torus.width;
+    const double width = foam.domain.width;
     shear(foam, 0.45);
     const Foam before = foam;
-    foam.torus.shear += width;  // as other periods, by hand
+    foam.domain.shear += width;  // as other periods, by hand
     for (const FilmId film : foam.network.films()) {
         const LatticeOffset offset = foam.network.offset(forward_side(film));
         foam.network.set_offset(forward_side(film), {offset.i - offset.j, offset.j});
     }
     reduce_lattice(foam);
-    EXPECT_NEAR(foam.torus.shear, before.torus.shear, 1e-15 * width);
+    EXPECT_NEAR(foam.domain.shear, before.domain.shear, 1e-15 * width);
     for (const FilmId film : foam.network.films()) {
         EXPECT_TRUE(foam.network.offset(forward_side(film)) ==
                     before.network.offset(forward_side(film)));
@@ -66,8 +66,8 @@ TEST(Shear, TheReducedLatticeIsTheSame) {
 // A shear of one width over the height is the same torus again, and so is its foam.
 TEST(Shear, OfAWholePeriodGivesTheSameLattice) {
     Foam foam = honeycomb(4, 4);
-    shear(foam, foam.torus.width / foam.torus.height);
-    EXPECT_NEAR(foam.torus.shear, 0.0, 1e-14);
+    shear(foam, foam.domain.width / foam.domain.height);
+    EXPECT_NEAR(foam.domain.shear, 0.0, 1e-14);
     EXPECT_TRUE(is_valid(foam.network));
     EXPECT_NEAR(bubble_area(foam, BubbleId{5}), 1.0, 1e-12);
 }
@@ -84,7 +84,7 @@ TEST(Shear, BackAndForthIsNothingWithoutT1) {
     for (const BubbleId bubble : foam.network.bubbles()) {
         EXPECT_NEAR(foam.pressures[bubble], before.pressures[bubble], 1e-8);
     }
-    EXPECT_NEAR(foam.torus.shear, 0.0, 1e-14);
+    EXPECT_NEAR(foam.domain.shear, 0.0, 1e-14);
 }
 
 // Princen's shear modulus of a honeycomb of films of length l, T / (2 sqrt(3) l), gives the energy
@@ -96,7 +96,7 @@ TEST(Shear, EnergyOfAHoneycombGrowsByItsModulus) {
     for (const double strain : {0.01, 0.02}) {
         Foam foam = before;
         ASSERT_TRUE(step(foam, 0.0, strain_of(strain), {}).equilibrium.converged());
-        const double expected = 0.5 * modulus * strain * strain * foam.torus.area();
+        const double expected = 0.5 * modulus * strain * strain * foam.domain.area();
         EXPECT_NEAR((energy(foam) - energy(before)) / expected, 1.0, 2.0 * strain * strain);
     }
 }
@@ -115,7 +115,7 @@ TEST(Shear, FlowsThroughSeveralPeriods) {
         flips += summary.equilibrium.t1;
     }
     EXPECT_GT(flips, 60);
-    EXPECT_NEAR(total_target(foam), foam.torus.area(), 1e-9);
+    EXPECT_NEAR(total_target(foam), foam.domain.area(), 1e-9);
     EXPECT_EQ(foam.network.bubble_count(), 60U);
 }
 
@@ -131,7 +131,7 @@ Vec2 median_motion(const Foam& before, const Foam& after, double strain) {
     for (const JunctionId junction : before.network.junctions()) {
         const Vec2 old = before.positions[junction];
         const Vec2 expected(old.x() + strain * old.y(), old.y());
-        const Vec2 motion = after.torus.nearest_copy(after.positions[junction] - expected);
+        const Vec2 motion = after.domain.nearest_copy(after.positions[junction] - expected);
         along_x.push_back(motion.x());
         along_y.push_back(motion.y());
     }
@@ -164,17 +164,17 @@ TEST(Shear, PointsAreFoundInAShearedFoam) {
     Foam foam = settled_foam(30, 3);
     ASSERT_TRUE(step(foam, 0.0, strain_of(0.37), {}).equilibrium.converged());
     for (int k = 0; k < 300; ++k) {
-        const Vec2 point(0.013 + foam.torus.width * std::fmod(0.618 * k, 1.0),
-                         foam.torus.height * (k + 0.5) / 300.0);
+        const Vec2 point(0.013 + foam.domain.width * std::fmod(0.618 * k, 1.0),
+                         foam.domain.height * (k + 0.5) / 300.0);
         int covered = 0;
         for (const BubbleId bubble : foam.network.bubbles()) {
             covered += winding_number(foam, bubble, point);
         }
         EXPECT_EQ(covered, 1) << point.transpose();
-        EXPECT_EQ(bubble_at(foam, point), bubble_at(foam, point + foam.torus.translation({2, -3})));
+        EXPECT_EQ(bubble_at(foam, point), bubble_at(foam, point + foam.domain.translation({2, -3})));
     }
     for (const JunctionId junction : foam.network.junctions()) {
-        const Vec2 copy = foam.positions[junction] + foam.torus.translation({1, 2});
+        const Vec2 copy = foam.positions[junction] + foam.domain.translation({1, 2});
         EXPECT_EQ(nearest_junction(foam, copy), junction);
     }
 }
@@ -189,7 +189,7 @@ TEST(Shear, ADataFileKeepsIt) {
     Foam foam = settled_foam(30, 3);
     ASSERT_TRUE(step(foam, 0.0, strain_of(0.37), {}).equilibrium.converged());
     const Foam back = read_evolver(write_evolver(foam, EvolverEdges::Arcs), "a.fe").foam;
-    EXPECT_EQ(back.torus.shear, foam.torus.shear);
+    EXPECT_EQ(back.domain.shear, foam.domain.shear);
     EXPECT_NEAR(energy(back), energy(foam), 1e-9);
     EXPECT_LT(equilibrium_errors(back).angle, 1e-9);
     EXPECT_LT(equilibrium_errors(back).area, 1e-9);

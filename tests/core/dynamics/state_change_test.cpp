@@ -77,7 +77,7 @@ TEST(StateChange, IsImposedInTheCourseOfAStep) {
     EXPECT_NEAR(foam.time, 2.0, 1e-12);
     EXPECT_NEAR(foam.target_areas[BubbleId{5}], 3.0, 1e-12);
     EXPECT_NEAR(foam.target_areas[BubbleId{9}], 0.2, 1e-12);
-    EXPECT_NEAR(total_target(foam), foam.torus.area(), 1e-10);
+    EXPECT_NEAR(total_target(foam), foam.domain.area(), 1e-10);
     EXPECT_LT(summary.equilibrium.area_error, 1e-9);
 }
 

@@ -23,7 +23,7 @@ using test::settled_foam;
 using test::total_target;
 
 double mean_area(const Foam& foam) {
-    return foam.torus.area() / static_cast<double>(foam.network.bubble_count());
+    return foam.domain.area() / static_cast<double>(foam.network.bubble_count());
 }
 
 std::set<BubbleIdentity> identities_of(const Foam& foam) {
@@ -130,7 +130,7 @@ TEST(Step, IsCutWhereKappaIsLarge) {
     EXPECT_GT(summary.substeps, 1);
     EXPECT_TRUE(summary.equilibrium.converged());
     EXPECT_NEAR(foam.time, 1.0, 1e-14);
-    EXPECT_NEAR(total_target(foam), foam.torus.area(), 1e-10);
+    EXPECT_NEAR(total_target(foam), foam.domain.area(), 1e-10);
 }
 
 // Only the product of kappa and time counts.
@@ -187,11 +187,11 @@ TEST(Step, LeavesNoDeadSlots) {
 void expect_sound(const Foam& foam, const StepSummary& summary) {
     ASSERT_TRUE(summary.equilibrium.converged());
     ASSERT_TRUE(is_valid(foam.network));
-    EXPECT_NEAR(total_target(foam) / foam.torus.area(), 1.0, 1e-10);
+    EXPECT_NEAR(total_target(foam) / foam.domain.area(), 1.0, 1e-10);
     const Indexed<BubbleId, double> areas = bubble_areas(foam);
     EXPECT_GT(*std::min_element(areas.begin(), areas.end()), 0.0);
     for (const Vec2& position : foam.positions) {
-        EXPECT_TRUE(foam.torus.cell_of(position) == (LatticeOffset{0, 0}));
+        EXPECT_TRUE(foam.domain.cell_of(position) == (LatticeOffset{0, 0}));
     }
 }
 
@@ -238,7 +238,7 @@ TEST(Step, CoarsensPolydisperseFoamsToFour) {
     for (const BubbleId bubble : foam.network.bubbles()) {
         foam.target_areas[bubble] = std::pow(50.0, static_cast<double>(index_of(bubble)) / 100.0);
     }
-    const double scale = foam.torus.area() / total_target(foam);
+    const double scale = foam.domain.area() / total_target(foam);
     for (double& area : foam.target_areas) {
         area *= scale;
     }

@@ -1,6 +1,6 @@
 // Two bubbles by themselves, in closed form.
 #include "core/equilibrium/equilibrate.h"
-#include "core/equilibrium/rafts.h"
+#include "core/foam/rafts.h"
 #include "core/foam/measure.h"
 #include "tests/core/foams.h"
 #include "tests/core/patches.h"

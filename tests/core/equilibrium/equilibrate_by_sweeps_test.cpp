@@ -1,5 +1,5 @@
 #include "core/equilibrium/equilibrate.h"
-#include "core/equilibrium/t1_rule.h"
+#include "core/foam/t1_rule.h"
 #include "tests/core/foams.h"
 
 #include <gtest/gtest.h>

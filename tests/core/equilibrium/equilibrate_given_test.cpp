@@ -13,7 +13,7 @@ namespace {
 
 // The foam in units in which its lengths and its tension are so many times larger.
 Foam scaled(Foam foam, double length, double tension) {
-    foam.torus = {length * foam.torus.width, length * foam.torus.height};
+    foam.domain = {length * foam.domain.width, length * foam.domain.height};
     foam.film_tension *= tension;
     for (const JunctionId junction : foam.network.junctions()) {
         foam.positions[junction] *= length;
@@ -96,11 +96,11 @@ TEST(EquilibrateGiven, LeavesWhatIsGivenToTheLastBit) {
     ASSERT_TRUE(equilibrate_given(foam, 1).converged());
     EXPECT_EQ(foam.time, 0.7);
     EXPECT_EQ(foam.film_tension, given.film_tension);
-    EXPECT_EQ(foam.torus.width, given.torus.width);
+    EXPECT_EQ(foam.domain.width, given.domain.width);
     EXPECT_TRUE(foam.target_areas == given.target_areas);
     EXPECT_TRUE(foam.identities == given.identities);
     for (const Vec2& position : foam.positions) {
-        EXPECT_TRUE(foam.torus.cell_of(position) == LatticeOffset{});
+        EXPECT_TRUE(foam.domain.cell_of(position) == LatticeOffset{});
     }
 }
 

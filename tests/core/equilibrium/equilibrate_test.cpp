@@ -32,7 +32,7 @@ std::string case_name(const SeedingOptions& s) {
 
 // So that the targets add up to the torus.
 void scale_targets(Foam& foam) {
-    const double scale = foam.torus.area() / test::total_target(foam);
+    const double scale = foam.domain.area() / test::total_target(foam);
     for (double& area : foam.target_areas) {
         area *= scale;
     }

@@ -42,7 +42,7 @@ Foam disturbed_foam(int bubbles, std::uint64_t seed) {
     for (double& area : foam.target_areas) {
         area *= 0.95 + 0.1 * random.uniform();
     }
-    const double scale = foam.torus.area() / test::total_target(foam);
+    const double scale = foam.domain.area() / test::total_target(foam);
     for (double& area : foam.target_areas) {
         area *= scale;
     }
@@ -179,7 +179,7 @@ TEST_P(GaussSeidelIn, StaysFiniteFarFromEquilibrium) {
     for (const BubbleId bubble : foam.network.bubbles()) {
         foam.target_areas[bubble] = std::pow(100.0, static_cast<double>(index_of(bubble)) / 60.0);
     }
-    const double scale = foam.torus.area() / test::total_target(foam);
+    const double scale = foam.domain.area() / test::total_target(foam);
     for (double& area : foam.target_areas) {
         area *= scale;
     }
@@ -196,7 +196,7 @@ TEST_P(GaussSeidelIn, LeavesJunctionsInTheTorusOwnCell) {
     gauss_seidel(foam, {.max_sweeps = 5, .order = GetParam()});
     EXPECT_TRUE(is_valid(foam.network));
     for (const Vec2& position : foam.positions) {
-        EXPECT_TRUE(foam.torus.cell_of(position) == (LatticeOffset{0, 0}));
+        EXPECT_TRUE(foam.domain.cell_of(position) == (LatticeOffset{0, 0}));
     }
 }
 

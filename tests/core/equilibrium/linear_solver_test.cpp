@@ -86,11 +86,11 @@ TEST(LinearSolver, NodesStandWhereTheUnknownsDo) {
     ASSERT_EQ(nodes.size(), 32U + 16U);
     for (std::size_t k = 0; k < nodes.size(); ++k) {
         EXPECT_EQ(nodes[k].rows, k < 32 ? 2 : 1);
-        EXPECT_TRUE(foam.torus.cell_of(nodes[k].position) == (LatticeOffset{0, 0}));
+        EXPECT_TRUE(foam.domain.cell_of(nodes[k].position) == (LatticeOffset{0, 0}));
     }
     EXPECT_EQ(nodes[7].position, foam.positions[JunctionId{7}]);
     // Bubble 5 is second in its row and second from below: at (2 w, 2.5 a), w = sqrt(3) a wide.
-    const Vec2 middle(foam.torus.width * 2.0 / 4.0, foam.torus.height * 2.5 / 6.0);
+    const Vec2 middle(foam.domain.width * 2.0 / 4.0, foam.domain.height * 2.5 / 6.0);
     EXPECT_LT((nodes[32 + 5].position - middle).norm(), 1e-14);
 }
 

@@ -103,7 +103,7 @@ TEST(State, WrapsIntoTheTorusAndKeepsChords) {
     wrap(foam, all_unknowns(foam.network));
     EXPECT_TRUE(test::is_valid(foam.network));
     for (const Vec2& position : foam.positions) {
-        EXPECT_TRUE(foam.torus.cell_of(position) == (LatticeOffset{0, 0}));
+        EXPECT_TRUE(foam.domain.cell_of(position) == (LatticeOffset{0, 0}));
     }
     for (const FilmId film : foam.network.films()) {
         const HalfEdgeId h = forward_side(film);

@@ -139,7 +139,7 @@ TEST(Newton, LeavesJunctionsInTheTorusOwnCell) {
     run(foam, {});
     EXPECT_TRUE(is_valid(foam.network));
     for (const Vec2& position : foam.positions) {
-        EXPECT_TRUE(foam.torus.cell_of(position) == (LatticeOffset{0, 0}));
+        EXPECT_TRUE(foam.domain.cell_of(position) == (LatticeOffset{0, 0}));
     }
 }
 

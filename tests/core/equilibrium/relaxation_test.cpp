@@ -102,7 +102,7 @@ TEST(Relaxation, LeavesJunctionsInTheTorusOwnCell) {
     Foam foam = raw_foam(60, 3);
     relax(foam, {});
     for (const Vec2& position : foam.positions) {
-        EXPECT_TRUE(foam.torus.cell_of(position) == (LatticeOffset{0, 0}));
+        EXPECT_TRUE(foam.domain.cell_of(position) == (LatticeOffset{0, 0}));
     }
 }
 

@@ -68,7 +68,7 @@ TEST(Foam, PlaceJunctionWrapsAndKeepsChords) {
             // All junctions move alike; in the end no chord has changed.
             place_junction(after,
                            junction,
-                           before.positions[junction] + shift + before.torus.translation(periods));
+                           before.positions[junction] + shift + before.domain.translation(periods));
         }
         EXPECT_TRUE(is_valid(after.network));
         for (const FilmId film : before.network.films()) {
@@ -76,7 +76,7 @@ TEST(Foam, PlaceJunctionWrapsAndKeepsChords) {
             EXPECT_LT((chord(after, h) - chord(before, h)).norm(), kRounding);
         }
         for (const Vec2& position : after.positions) {
-            EXPECT_TRUE(after.torus.cell_of(position) == (LatticeOffset{0, 0}));
+            EXPECT_TRUE(after.domain.cell_of(position) == (LatticeOffset{0, 0}));
         }
     }
 }

@@ -20,8 +20,8 @@ TEST(Frame, HoldsTheValuesOfTheFoam) {
     EXPECT_EQ(frame.number, 12);
     EXPECT_EQ(frame.time, 1.25);
     EXPECT_EQ(frame.film_tension, 0.5);
-    EXPECT_EQ(frame.torus.width, foam.torus.width);
-    EXPECT_EQ(frame.torus.height, foam.torus.height);
+    EXPECT_EQ(frame.domain.width, foam.domain.width);
+    EXPECT_EQ(frame.domain.height, foam.domain.height);
     EXPECT_EQ(frame.positions, foam.positions);
     EXPECT_TRUE(test::are_same(frame.network, foam.network));
     ASSERT_EQ(frame.bubbles.size(), 30U);

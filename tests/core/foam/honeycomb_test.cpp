@@ -36,10 +36,10 @@ TEST(Honeycomb, IsMadeOfHexagonsOfAreaOne) {
 
 // Rows of hexagons with a point at the top are sqrt(3) a wide a bubble and 3a/2 high.
 TEST(Honeycomb, FitsItsTorus) {
-    const Torus torus = honeycomb(3, 4).torus;
-    EXPECT_NEAR(torus.width, 3.0 * kRoot3 * kSide, kRounding);
-    EXPECT_NEAR(torus.height, 4.0 * 1.5 * kSide, kRounding);
-    EXPECT_NEAR(torus.area(), 12.0, kRounding);
+    const Domain domain = honeycomb(3, 4).domain;
+    EXPECT_NEAR(domain.width, 3.0 * kRoot3 * kSide, kRounding);
+    EXPECT_NEAR(domain.height, 4.0 * 1.5 * kSide, kRounding);
+    EXPECT_NEAR(domain.area(), 12.0, kRounding);
 }
 
 // Each bubble has half of six films of length a: 3a = sqrt(2 sqrt(3)).

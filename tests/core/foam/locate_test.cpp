@@ -37,7 +37,7 @@ TEST(Locate, HoldsItsMiddleAndAllCopiesOfIt) {
     const Foam foam = settled_foam(40, 2);
     for (const BubbleId bubble : foam.network.bubbles()) {
         for (const LatticeOffset copy : {LatticeOffset{0, 0}, {3, -2}, {-5, 4}}) {
-            const Vec2 point = middle_of(foam, bubble) + foam.torus.translation(copy);
+            const Vec2 point = middle_of(foam, bubble) + foam.domain.translation(copy);
             EXPECT_EQ(winding_number(foam, bubble, point), 1);
             EXPECT_EQ(bubble_at(foam, point), bubble);
         }
@@ -49,8 +49,8 @@ TEST(Locate, BubblesCoverTheTorusOnce) {
     for (const int bubbles : {1, 2, 3, 12, 60}) {
         const Foam foam = bubbles == 1 ? test::single_bubble() : settled_foam(bubbles, 3);
         for (int k = 0; k < 400; ++k) {
-            const Vec2 point(0.013 + foam.torus.width * std::fmod(0.618 * k, 1.0),
-                             foam.torus.height * (k + 0.5) / 400.0);
+            const Vec2 point(0.013 + foam.domain.width * std::fmod(0.618 * k, 1.0),
+                             foam.domain.height * (k + 0.5) / 400.0);
             int covered = 0;
             for (const BubbleId bubble : foam.network.bubbles()) {
                 covered += winding_number(foam, bubble, point);
@@ -104,7 +104,7 @@ TEST(Locate, ListsThoseOfANumberOfSidesSmallestFirst) {
 // Points a little beside each, seen from another copy of the torus.
 TEST(Locate, FindsTheNearestJunctionAndFilm) {
     const Foam foam = settled_foam(40, 2);
-    const Vec2 far = foam.torus.translation({-2, 3});
+    const Vec2 far = foam.domain.translation({-2, 3});
     for (const JunctionId junction : foam.network.junctions()) {
         const Vec2 point = foam.positions[junction] + Vec2(0.01, -0.004);
         EXPECT_EQ(nearest_junction(foam, point + far), junction);

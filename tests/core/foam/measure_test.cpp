@@ -35,7 +35,7 @@ TEST(Measure, AreasAddUpToTheTorusForAnyPressures) {
             const Foam foam = bent_foam(bubbles, pressure, 7);
             const Indexed<BubbleId, double> areas = bubble_areas(foam);
             const double total = std::accumulate(areas.begin(), areas.end(), 0.0);
-            EXPECT_NEAR(total / foam.torus.area(), 1.0, 1e-13) << bubbles << ' ' << pressure;
+            EXPECT_NEAR(total / foam.domain.area(), 1.0, 1e-13) << bubbles << ' ' << pressure;
         }
     }
 }

@@ -22,7 +22,7 @@ TEST(PolygonMesh, MakesValidPatches) {
                              test::chain(),
                              test::ring()}) {
         EXPECT_TRUE(is_valid(foam.network));
-        EXPECT_TRUE(foam.torus.is_plane());
+        EXPECT_TRUE(foam.domain.is_plane());
         EXPECT_EQ(foam.half_angles.size(), foam.network.film_slots());
         EXPECT_EQ(foam.pressures[foam.network.ghost()], 0.0);
         EXPECT_TRUE(std::isinf(foam.target_areas[foam.network.ghost()]));

@@ -56,8 +56,8 @@ TEST(Seeding, TheMeanAreaIsOne) {
         SeedingOptions options = options_for(200, 4);
         options.area_ratio = ratio;
         const Foam foam = seed_foam(options);
-        EXPECT_NEAR(foam.torus.area(), 200.0, 1e-11);
-        EXPECT_NEAR(test::total_target(foam), foam.torus.area(), 1e-11);
+        EXPECT_NEAR(foam.domain.area(), 200.0, 1e-11);
+        EXPECT_NEAR(test::total_target(foam), foam.domain.area(), 1e-11);
     }
 }
 
@@ -99,9 +99,9 @@ TEST(Seeding, AFilmHasTwoSurfaces) {
 TEST(Seeding, TheTorusHasItsAspect) {
     SeedingOptions options = options_for(12, 1);
     options.aspect = 4.0;
-    const Torus torus = seed_foam(options).torus;
-    EXPECT_NEAR(torus.height, std::sqrt(3.0), 1e-14);
-    EXPECT_NEAR(torus.width, 4.0 * std::sqrt(3.0), 1e-14);
+    const Domain domain = seed_foam(options).domain;
+    EXPECT_NEAR(domain.height, std::sqrt(3.0), 1e-14);
+    EXPECT_NEAR(domain.width, 4.0 * std::sqrt(3.0), 1e-14);
 }
 
 // Areas a bubble apart in rank differ by one factor, here 100^(1/99), and all of them by 100.

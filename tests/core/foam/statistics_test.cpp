@@ -1,7 +1,7 @@
 #include "core/foam/statistics.h"
 
 #include "core/dynamics/step.h"
-#include "core/equilibrium/t1_rule.h"
+#include "core/foam/t1_rule.h"
 #include "core/foam/honeycomb.h"
 #include "core/foam/measure.h"
 #include "core/network/t2.h"
@@ -99,7 +99,7 @@ RC_GTEST_PROP(StatisticsProperty, CountsAndMeansAddUp, ()) {
     RC_ASSERT(all.bubbles == bubbles);
     RC_ASSERT(sides_above_six == 0);
     RC_ASSERT(all.mean_sides == 6.0);
-    RC_ASSERT(std::abs(area / foam.torus.area() - 1.0) < 1e-12);
+    RC_ASSERT(std::abs(area / foam.domain.area() - 1.0) < 1e-12);
 }
 
 // (2 pi/3) gamma kappa (n - 6) for T = 1 and the default kappa of 0.01: (pi/300) (n - 6).

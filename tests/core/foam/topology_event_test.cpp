@@ -3,7 +3,7 @@
 #include "core/dynamics/collapse.h"
 #include "core/dynamics/nucleation.h"
 #include "core/dynamics/step.h"
-#include "core/equilibrium/t1_rule.h"
+#include "core/foam/t1_rule.h"
 #include "core/foam/honeycomb.h"
 #include "tests/core/equilibrium/crossing.h"
 #include "tests/core/foams.h"
@@ -55,7 +55,7 @@ TEST(TopologyEvent, ABirthAndAnEndAreNotedWithTheThreeAround) {
     EXPECT_EQ(foam.events[0].kind, TopologyEventKind::Birth);
     EXPECT_EQ(foam.events[0].place, place);
     EXPECT_EQ(foam.events[1].kind, TopologyEventKind::T2);
-    EXPECT_LT(foam.torus.nearest_copy(foam.events[1].place - place).norm(), 0.1);
+    EXPECT_LT(foam.domain.nearest_copy(foam.events[1].place - place).norm(), 0.1);
     for (TopologyEvent& event : foam.events) {
         std::sort(event.bubbles.begin(), event.bubbles.end());
         EXPECT_EQ(event.bubbles, expected);

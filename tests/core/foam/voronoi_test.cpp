@@ -19,29 +19,29 @@ namespace {
 constexpr double kGrid = 0x1.0p-26;
 constexpr double kTolerance = 1000.0 * kGrid;
 
-std::vector<Vec2> random_sites(const Torus& torus, int count, std::uint64_t seed) {
+std::vector<Vec2> random_sites(const Domain& domain, int count, std::uint64_t seed) {
     Random random(seed);
     std::vector<Vec2> sites;
     for (int k = 0; k < count; ++k) {
-        const double x = torus.width * random.uniform();
-        const double y = torus.height * random.uniform();
+        const double x = domain.width * random.uniform();
+        const double y = domain.height * random.uniform();
         sites.emplace_back(x, y);
     }
     return sites;
 }
 
 // Least distance of a point from any copy of a site.
-double distance_to_site(const Torus& torus, const Vec2& site, const Vec2& point) {
+double distance_to_site(const Domain& domain, const Vec2& site, const Vec2& point) {
     const Vec2 apart = site - point;
-    const Vec2 nearest = apart - Vec2(std::round(apart.x() / torus.width) * torus.width,
-                                      std::round(apart.y() / torus.height) * torus.height);
+    const Vec2 nearest = apart - Vec2(std::round(apart.x() / domain.width) * domain.width,
+                                      std::round(apart.y() / domain.height) * domain.height);
     return nearest.norm();
 }
 
-double distance_to_nearest(const Torus& torus, const std::vector<Vec2>& sites, const Vec2& point) {
+double distance_to_nearest(const Domain& domain, const std::vector<Vec2>& sites, const Vec2& point) {
     double least = std::numeric_limits<double>::infinity();
     for (const Vec2& site : sites) {
-        least = std::min(least, distance_to_site(torus, site, point));
+        least = std::min(least, distance_to_site(domain, site, point));
     }
     return least;
 }
@@ -58,14 +58,14 @@ double depth_in(const std::vector<CellCorner>& cell, const Vec2& point) {
 }
 
 // The copy of a point that lies the nearest to a site.
-Vec2 copy_near(const Torus& torus, const Vec2& point, const Vec2& site) {
+Vec2 copy_near(const Domain& domain, const Vec2& point, const Vec2& site) {
     const Vec2 apart = point - site;
-    return point - Vec2(std::round(apart.x() / torus.width) * torus.width,
-                        std::round(apart.y() / torus.height) * torus.height);
+    return point - Vec2(std::round(apart.x() / domain.width) * domain.width,
+                        std::round(apart.y() / domain.height) * domain.height);
 }
 
 struct Case {
-    Torus torus;
+    Domain domain;
     int sites;
     std::uint64_t seed;
 };
@@ -84,28 +84,28 @@ std::vector<Case> cases() {
 // A corner is as far from its cell's site as from the one across the side that leaves it and the
 // one across the side that arrives, and no site at all is nearer: this is what makes it a corner of
 // a Voronoi diagram.
-void expect_empty_circumcentre(const Torus& torus,
+void expect_empty_circumcentre(const Domain& domain,
                                const std::vector<Vec2>& sites,
                                const Vec2& own_site,
                                const CellCorner& before,
                                const CellCorner& corner) {
-    const double tolerance = kTolerance * std::max(torus.width, torus.height);
+    const double tolerance = kTolerance * std::max(domain.width, domain.height);
     const double radius = (corner.point - own_site).norm();
     for (const CellCorner& side : {before, corner}) {
-        const Vec2 across = sites[side.across] + torus.translation(side.offset);
+        const Vec2 across = sites[side.across] + domain.translation(side.offset);
         EXPECT_NEAR((corner.point - across).norm(), radius, tolerance);
     }
-    EXPECT_NEAR(distance_to_nearest(torus, sites, corner.point), radius, tolerance);
+    EXPECT_NEAR(distance_to_nearest(domain, sites, corner.point), radius, tolerance);
 }
 
 TEST(Voronoi, CornersAreEmptyCircumcentres) {
     for (const Case& c : cases()) {
-        const std::vector<Vec2> sites = random_sites(c.torus, c.sites, c.seed);
-        const CellDiagram cells = voronoi_cells(c.torus, sites);
+        const std::vector<Vec2> sites = random_sites(c.domain, c.sites, c.seed);
+        const CellDiagram cells = voronoi_cells(c.domain, sites);
         for (std::size_t k = 0; k < cells.size(); ++k) {
             CellCorner before = cells[k].back();
             for (const CellCorner& corner : cells[k]) {
-                expect_empty_circumcentre(c.torus, sites, sites[k], before, corner);
+                expect_empty_circumcentre(c.domain, sites, sites[k], before, corner);
                 before = corner;
             }
         }
@@ -115,16 +115,16 @@ TEST(Voronoi, CornersAreEmptyCircumcentres) {
 // A sample of points, each in the cell of its nearest site and in no other, to within rounding.
 TEST(Voronoi, PointsLieInTheCellOfTheirNearestSite) {
     for (const Case& c : cases()) {
-        const std::vector<Vec2> sites = random_sites(c.torus, c.sites, c.seed);
-        const CellDiagram cells = voronoi_cells(c.torus, sites);
-        const double tolerance = kTolerance * std::max(c.torus.width, c.torus.height);
-        for (const Vec2& point : random_sites(c.torus, 100, 1000 + c.seed)) {
+        const std::vector<Vec2> sites = random_sites(c.domain, c.sites, c.seed);
+        const CellDiagram cells = voronoi_cells(c.domain, sites);
+        const double tolerance = kTolerance * std::max(c.domain.width, c.domain.height);
+        for (const Vec2& point : random_sites(c.domain, 100, 1000 + c.seed)) {
             const auto nearer = [&](const Vec2& a, const Vec2& b) {
-                return distance_to_site(c.torus, a, point) < distance_to_site(c.torus, b, point);
+                return distance_to_site(c.domain, a, point) < distance_to_site(c.domain, b, point);
             };
             const auto nearest = static_cast<std::size_t>(
                 std::min_element(sites.begin(), sites.end(), nearer) - sites.begin());
-            const Vec2 copy = copy_near(c.torus, point, sites[nearest]);
+            const Vec2 copy = copy_near(c.domain, point, sites[nearest]);
             EXPECT_GT(depth_in(cells[nearest], copy), -tolerance);
         }
     }
@@ -132,39 +132,39 @@ TEST(Voronoi, PointsLieInTheCellOfTheirNearestSite) {
 
 TEST(Voronoi, CellsAreConvexAndFillTheTorus) {
     for (const Case& c : cases()) {
-        const CellDiagram cells = voronoi_cells(c.torus, random_sites(c.torus, c.sites, c.seed));
+        const CellDiagram cells = voronoi_cells(c.domain, random_sites(c.domain, c.sites, c.seed));
         double total = 0.0;
         for (const std::vector<CellCorner>& cell : cells) {
             EXPECT_GT(depth_in(cell, cell_centroid(cell)), 0.0);
             total += cell_area(cell);
         }
         // Only the torus' sides are rounded to the grid.
-        EXPECT_NEAR(total / c.torus.area(), 1.0, 8.0 * kGrid);
+        EXPECT_NEAR(total / c.domain.area(), 1.0, 8.0 * kGrid);
     }
 }
 
 TEST(Voronoi, RefusesSitesThatFallTogether) {
-    const Torus torus{3.0, 3.0};
-    EXPECT_THROW(voronoi_cells(torus, {{0.1, 0.2}, {1.5, 1.1}, {1.5, 1.1}, {2.2, 0.7}, {0.9, 2.5}}),
+    const Domain domain{3.0, 3.0};
+    EXPECT_THROW(voronoi_cells(domain, {{0.1, 0.2}, {1.5, 1.1}, {1.5, 1.1}, {2.2, 0.7}, {0.9, 2.5}}),
                  std::runtime_error);
     // Nearer than half a grid spacing, 2.2e-8.
-    EXPECT_THROW(voronoi_cells(torus, {{0.1, 0.2}, {1.5, 1.1}, {1.5, 1.1 + 1e-9}, {2.2, 0.7}}),
+    EXPECT_THROW(voronoi_cells(domain, {{0.1, 0.2}, {1.5, 1.1}, {1.5, 1.1 + 1e-9}, {2.2, 0.7}}),
                  std::runtime_error);
 }
 
 // The cells of a square grid are squares, whose corners join four.
 TEST(Voronoi, FourSitesOnACircleMakeNoFoam) {
-    const Torus torus{2.0, 2.0};
+    const Domain domain{2.0, 2.0};
     const CellDiagram cells =
-        voronoi_cells(torus, {{0.5, 0.5}, {1.5, 0.5}, {0.5, 1.5}, {1.5, 1.5}});
-    EXPECT_THROW(foam_from_cells(torus, cells), std::runtime_error);
+        voronoi_cells(domain, {{0.5, 0.5}, {1.5, 0.5}, {0.5, 1.5}, {1.5, 1.5}});
+    EXPECT_THROW(foam_from_cells(domain, cells), std::runtime_error);
 }
 
 // Copies of the sites are looked for 15 periods around; those of one site on a torus a hundred
 // times as wide as high leave its neighbours farther away.
 TEST(Voronoi, RefusesATorusThatIsTooSlender) {
-    const Torus torus{100.0, 1.0};
-    EXPECT_THROW(voronoi_cells(torus, {{20.0, 0.5}, {70.0, 0.3}}), std::runtime_error);
+    const Domain domain{100.0, 1.0};
+    EXPECT_THROW(voronoi_cells(domain, {{20.0, 0.5}, {70.0, 0.3}}), std::runtime_error);
 }
 
 }  // namespace

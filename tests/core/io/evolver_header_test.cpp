@@ -31,9 +31,9 @@ void expect_refused(const std::string& text, const std::string& what) {
 
 TEST(EvolverHeader, ReadsTheTorus) {
     const Header header = header_with("parameter lx = 2*sqrt(3)\nPERIODS\nlx 0\n0 lx/2");
-    EXPECT_EQ(header.torus.width, 2.0 * std::sqrt(3.0));
-    EXPECT_EQ(header.torus.height, header.torus.width / 2.0);
-    EXPECT_EQ(header_with("").torus.width, 1.0);  // as Evolver has it
+    EXPECT_EQ(header.domain.width, 2.0 * std::sqrt(3.0));
+    EXPECT_EQ(header.domain.height, header.domain.width / 2.0);
+    EXPECT_EQ(header_with("").domain.width, 1.0);  // as Evolver has it
 }
 
 TEST(EvolverHeader, KnowsEveryWayToSayTorus) {
@@ -42,7 +42,7 @@ TEST(EvolverHeader, KnowsEveryWayToSayTorus) {
           "string Space_Dimension 2 Torus_Filled periods 3 0 0 2 Vertices",
           "STRING SPACE_DIMENSION 2 SYMMETRY_GROUP \"torus\" PERIODS 3 0 0 2 VERTEX"}) {
         TokenReader reader(text, file_name);
-        EXPECT_EQ(read_header(reader).torus.height, 2.0) << text;
+        EXPECT_EQ(read_header(reader).domain.height, 2.0) << text;
     }
 }
 
@@ -107,8 +107,8 @@ TEST(EvolverHeader, NotesWhatIsNotHeld) {
 
 TEST(EvolverHeader, AFreeClusterLiesInThePlane) {
     TokenReader reader("STRING\nSPACE_DIMENSION 2\nvertices", file_name);
-    EXPECT_TRUE(read_header(reader).torus.is_plane());
-    EXPECT_FALSE(header_with("").torus.is_plane());
+    EXPECT_TRUE(read_header(reader).domain.is_plane());
+    EXPECT_FALSE(header_with("").domain.is_plane());
 }
 
 TEST(EvolverHeader, RefusesOtherModels) {

@@ -13,7 +13,7 @@ std::vector<FilmLoop> loops_of(const std::string& text) {
     TokenReader reader(text, file_name);
     const Header header = read_header(reader);
     const Mesh mesh = read_mesh(reader, header.parameters);
-    return film_loops(mesh, header.torus, file_name);
+    return film_loops(mesh, header.domain, file_name);
 }
 
 void expect_refused(std::string_view old, std::string_view replacement, const std::string& what) {

@@ -95,7 +95,7 @@ void expect_same(const Foam& foam, const Session& session) {
         area += foam.target_areas[bubble];
     }
     const double unit = foam.film_tension / std::sqrt(area / static_cast<double>(bubbles));
-    const double reference = foam.torus.is_plane() ? 0.0 : foam.pressures[BubbleId{0}];
+    const double reference = foam.domain.is_plane() ? 0.0 : foam.pressures[BubbleId{0}];
     for (std::size_t start : {std::size_t{0}, 1 + 2 * bubbles}) {
         const double* value = &session.values[start];
         EXPECT_NEAR(*value / energy(foam), 1.0, kTolerance);
@@ -143,7 +143,7 @@ TEST_F(EvolverProgram, FindsOurEquilibriumInAFreeCluster) {
 
 TEST_F(EvolverProgram, TakesOtherUnitsAndAreas) {
     Foam foam = test::settled_foam(100, 7);
-    foam.torus = {3.0 * foam.torus.width, 3.0 * foam.torus.height};
+    foam.domain = {3.0 * foam.domain.width, 3.0 * foam.domain.height};
     foam.film_tension = 0.25;
     for (Vec2& position : foam.positions) {
         position *= 3.0;

@@ -50,8 +50,8 @@ TEST(EvolverReader, ReadsOneBubble) {
     const EvolverFoam read = read_evolver(test::kSmallTorus, "a.fe");
     const Foam& foam = read.foam;
     EXPECT_TRUE(test::is_valid(foam.network));
-    EXPECT_EQ(foam.torus.width, 3.0);
-    EXPECT_EQ(foam.torus.height, 2.0);
+    EXPECT_EQ(foam.domain.width, 3.0);
+    EXPECT_EQ(foam.domain.height, 2.0);
     EXPECT_EQ(foam.film_tension, 1.0);
     EXPECT_EQ(foam.network.junction_count(), 2U);
     EXPECT_EQ(foam.network.film_count(), 3U);

@@ -77,7 +77,7 @@ TEST(EvolverWriter, WhatIsWrittenReadsBackToTheSameBits) {
 TEST(EvolverWriter, WritesLongWrapsAsNumbers) {
     Foam foam = read_evolver(test::kSmallTorus, "a.fe").foam;
     foam.network.rebase(JunctionId{1}, {-2, 3});
-    foam.positions[JunctionId{1}] += foam.torus.translation({2, -3});
+    foam.positions[JunctionId{1}] += foam.domain.translation({2, -3});
     const std::string text = write_evolver(foam);
     EXPECT_NE(text.find("1 1 2 /*midpt*/ 3 wrap 222\n"), std::string::npos) << text;  // (-2, 3)
     EXPECT_TRUE(test::are_same(read_evolver(text, "a.fe").foam,

@@ -111,7 +111,7 @@ TEST(Network, RebaseKeepsChords) {
         Foam after = before;
         const LatticeOffset by{2, -3};
         after.network.rebase(junction, by);
-        after.positions[junction] -= after.torus.translation(by);
+        after.positions[junction] -= after.domain.translation(by);
         EXPECT_TRUE(is_valid(after.network));
         for (std::size_t k = 0; k < 2 * before.network.film_slots(); ++k) {
             const auto h = id_at<HalfEdgeId>(k);

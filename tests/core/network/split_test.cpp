@@ -33,9 +33,9 @@ TEST(Split, IsForFilmsWithTheGhostAtBothEnds) {
     const Network chain = test::chain().network;
     EXPECT_TRUE(can_split(chain, film_between(chain, 1, 2)));
     EXPECT_FALSE(can_flip(chain, film_between(chain, 1, 2)));
-    const Network torus = test::raw_foam(10, 1).network;
-    for (const FilmId film : torus.films()) {
-        EXPECT_FALSE(can_split(torus, film));
+    const Network domain = test::raw_foam(10, 1).network;
+    for (const FilmId film : domain.films()) {
+        EXPECT_FALSE(can_split(domain, film));
     }
 }
 

@@ -1,6 +1,6 @@
 #include "texgen/cache/frame_codec.h"
 
-#include "texgen/bake/simulation.h"
+#include "texgen/animation/simulation.h"
 
 #include <gtest/gtest.h>
 
@@ -37,9 +37,9 @@ void expect_same_network(const Network& a, const Network& b) {
 void expect_same(const Frame& a, const Frame& b) {
     EXPECT_EQ(a.number, b.number);
     EXPECT_EQ(a.time, b.time);
-    EXPECT_EQ(a.torus.width, b.torus.width);
-    EXPECT_EQ(a.torus.height, b.torus.height);
-    EXPECT_EQ(a.torus.shear, b.torus.shear);
+    EXPECT_EQ(a.domain.width, b.domain.width);
+    EXPECT_EQ(a.domain.height, b.domain.height);
+    EXPECT_EQ(a.domain.shear, b.domain.shear);
     EXPECT_EQ(a.film_tension, b.film_tension);
     expect_same_network(a.network, b.network);
     EXPECT_EQ(a.positions, b.positions);

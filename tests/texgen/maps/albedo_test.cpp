@@ -41,7 +41,7 @@ Srgb8 color_inside(const Frame& frame, BubbleId bubble, const Image<std::uint8_t
         sum += at;
         at += frame.arc(h).chord;
     }
-    const Vec2 center = sum / frame.network.sides(bubble) * (image.width() / frame.torus.width);
+    const Vec2 center = sum / frame.network.sides(bubble) * (image.width() / frame.domain.width);
     return color_at(image,
                     wrap(static_cast<int>(std::floor(center.x())), image.width()),
                     wrap(static_cast<int>(std::floor(center.y())), image.height()));
@@ -71,9 +71,9 @@ TEST(Albedo, ColoursTheEntriesOfTheMapExactly) {
 TEST(Albedo, MeasuresPressureInTheFramesOwnMeanArea) {
     // A torus of area 16 with four bubbles: mean area 4, so p sqrt(4) / T.
     Frame frame = four_bubbles(40);
-    const double grown = 2.0 / std::sqrt(frame.torus.area() / 4.0);
-    frame.torus.width *= grown;
-    frame.torus.height *= grown;
+    const double grown = 2.0 / std::sqrt(frame.domain.area() / 4.0);
+    frame.domain.width *= grown;
+    frame.domain.height *= grown;
     for (Vec2& position : frame.positions) {
         position *= grown;
     }
@@ -123,7 +123,7 @@ TEST(Albedo, MixesLight) {
     Image<std::uint16_t> parts(64, 64, 4);
     fill_cells(cells, values, 1, parts.view());
     const LinearRgb film = to_linear(parse_color(options.film_color));
-    const double unit = std::sqrt(frame.torus.area() / 4.0) / frame.film_tension;
+    const double unit = std::sqrt(frame.domain.area() / 4.0) / frame.film_tension;
     for (int y = 0; y < 64; ++y) {
         for (int x = 0; x < 64; ++x) {
             LinearRgb mix = film;

@@ -201,14 +201,14 @@ Image<std::uint8_t> golden_codes(const MapCase& one) {
     const auto codes = [&](const test::MapSubject& subject, const RasterGrid& grid) {
         return std::get<Image<std::uint8_t>>(quantize(draw_case(one, subject, grid), 8).codes);
     };
-    const Image<std::uint8_t> torus = codes(test::torus_subject(), test::torus_grid(kSize));
+    const Image<std::uint8_t> domain = codes(test::torus_subject(), test::torus_grid(kSize));
     const Image<std::uint8_t> patch = codes(test::patch_subject(), test::patch_grid(kSize));
     Image<std::uint8_t> both(kSize, 2 * kSize, patch.channels());
     for (int y = 0; y < kSize; ++y) {
         for (int x = 0; x < kSize; ++x) {
             std::ranges::copy(patch.pixel(x, y), both.pixel(x, y).begin());
             std::ranges::fill(both.pixel(x, y + kSize), std::uint8_t{255});
-            std::ranges::copy(torus.pixel(x, y), both.pixel(x, y + kSize).begin());
+            std::ranges::copy(domain.pixel(x, y), both.pixel(x, y + kSize).begin());
         }
     }
     return both;

@@ -204,7 +204,7 @@ TEST(CellMaps, TonesAreThoseOfTheFirstFrame) {
     for (int k = 0; k <= 100; ++k) {
         hexagons.record.first_pressures.push_back(k);
     }
-    hexagons.frame.film_tension = std::sqrt(hexagons.frame.torus.area() / 4.0);
+    hexagons.frame.film_tension = std::sqrt(hexagons.frame.domain.area() / 4.0);
     for (FrameBubble& bubble : hexagons.frame.bubbles) {
         bubble.pressure = 50.0;
     }

@@ -125,7 +125,7 @@ TEST(FilmLook, AShadeIsStrongestAtFilmsAndEndsWithItsWidth) {
     options.shade_width = 0.2;
     const Image<float> shades = film_shade(layers, options);
     const double reach =
-        diameters_in_pixels(options.shade_width, layers.grid(), subject.frame.torus);
+        diameters_in_pixels(options.shade_width, layers.grid(), subject.frame.domain);
     const std::span<const float> smooth = layers.distance().smooth.samples();
     for (std::size_t k = 0; k < smooth.size(); ++k) {
         const float shade = shades.samples()[k];

@@ -32,7 +32,7 @@ TEST(Motion, OfAFoamThatMovesAsAWholeIsTheSameEverywhere) {
     for (const JunctionId junction : foam.network.junctions()) {
         place_junction(foam, junction, foam.positions[junction] + Vec2(0.3, -0.2));
     }
-    const double scale = kSize / foam.torus.width;
+    const double scale = kSize / foam.domain.width;
     const NumberPixels image = motion_of(frame, snapshot(foam, 2), {kSize, kSize});
     for (int y = 0; y < kSize; ++y) {
         for (int x = 0; x < kSize; ++x) {
@@ -46,9 +46,9 @@ TEST(Motion, OfAFoamThatMovesAsAWholeIsTheSameEverywhere) {
 // a shear of 0.05 is 0.05 y.
 TEST(Motion, OfAShearIsLinear) {
     Foam foam = honeycomb(4, 4);
-    const double scale = kSize / foam.torus.width;
+    const double scale = kSize / foam.domain.width;
     const Frame frame = foam::test::fitted_frame(foam, kSize, kSize);
-    foam.torus.height = frame.torus.height;
+    foam.domain.height = frame.domain.height;
     foam.positions = frame.positions;
     shear(foam, 0.05);
     const NumberPixels image = motion_of(frame, snapshot(foam, 2), {kSize, kSize});
@@ -58,7 +58,7 @@ TEST(Motion, OfAShearIsLinear) {
             ASSERT_NEAR(image.pixels.pixel(x, y)[1], 0.0, 1e-3) << x << " " << y;
         }
     }
-    EXPECT_NEAR(snapshot(foam, 2).torus.shear_since(frame.torus) * scale, 0.05 * kSize, 1e-9);
+    EXPECT_NEAR(snapshot(foam, 2).domain.shear_since(frame.domain) * scale, 0.05 * kSize, 1e-9);
 }
 
 TEST(Motion, UnitsAndDirectionsAreTheOnesAskedFor) {

@@ -50,7 +50,7 @@ TEST(CellArcs, LeaveAStripOfHalfTheWidthFree) {
     // = 1.7320508.
     Foam foam = honeycomb(4, 4);
     const Frame frame = test::fitted_frame(foam, 1351, 1170);
-    const double scale = 1351.0 / frame.torus.width;
+    const double scale = 1351.0 / frame.domain.width;
     const CellArcs cells = cell_arcs(frame, {1351, 1170, 0, 0}, 8.0, 1);
     const double side = std::sqrt(2.0 / (3.0 * std::sqrt(3.0))) * scale;  // of area 1
     const double h = 4.0;
@@ -90,7 +90,7 @@ TEST(CellArcs, AreTheInsetsOfBubblesWithFewSidesAndMany) {
     }
     ASSERT_EQ(foam.network.sides(crowded), 18);
     const Frame frame = test::fitted_frame(foam, 256, 222);
-    const double scale = 256.0 / frame.torus.width;
+    const double scale = 256.0 / frame.domain.width;
     const std::map<std::uint32_t, double> found = areas(cell_arcs(frame, {256, 222, 0, 0}, 2.0, 1));
     EXPECT_EQ(found.size(), 22U);
     for (const auto& [index, area] : found) {

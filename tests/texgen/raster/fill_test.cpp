@@ -130,7 +130,7 @@ TEST(Fill, LeavesNoGapsAtTheBorder) {
     const Foam foam = test::bent_foam(30, 0.3, 3);
     for (const JunctionId junction : foam.network.junctions()) {
         Foam moved = foam;
-        const Vec2 corner(moved.torus.width - 1e-9, moved.torus.height - 1e-9);
+        const Vec2 corner(moved.domain.width - 1e-9, moved.domain.height - 1e-9);
         const Vec2 by = corner - foam.positions[junction];
         for (const JunctionId each : foam.network.junctions()) {
             place_junction(moved, each, foam.positions[each] + by);
@@ -162,7 +162,7 @@ TEST(Fill, AShearedTorusShowsTheBubblesWhereTheyAre) {
         int matching = 0;
         for (int y = 0; y < 80; ++y) {
             for (int x = 0; x < 80; ++x) {
-                const Vec2 point = foam.torus.width / 80.0 * Vec2(x + 17.5, y + shift_y + 0.5);
+                const Vec2 point = foam.domain.width / 80.0 * Vec2(x + 17.5, y + shift_y + 0.5);
                 const std::uint16_t sample = image.row(y)[static_cast<std::size_t>(x)];
                 matching += sample == values.cells[index_of(*bubble_at(foam, point))] ? 1 : 0;
             }

@@ -39,7 +39,7 @@ TEST(Outlines, TileTheTorusExactly) {
 
 TEST(Outlines, OfEachBubbleHaveItsArea) {
     const Frame frame = test::fitted_frame(test::bent_foam(25, 0.5, 1), 96, 64);
-    const double scale = 96.0 / frame.torus.width;
+    const double scale = 96.0 / frame.domain.width;
     const CellOutlines cells = outline_cells(frame, {96, 64, 0, 0}, 1);
     for (const Outline& outline : cells.outlines) {
         const double area = frame.bubbles[outline.bubble].area * scale * scale;

@@ -1,0 +1,173 @@
+#include "core/foam/rafts.h"
+
+#include "core/foam/measure.h"
+#include "core/network/split.h"
+#include "core/network/t1.h"
+#include "core/network/t2.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+namespace foam {
+
+namespace {
+
+constexpr std::size_t kMostSidesOfSmallHole = 3;
+constexpr double kRaftShare = 0.5;  // of the areas along a boundary, which a raft has inside
+
+// One of the bubbles beside a film that tears.
+struct TornSide {
+    HalfEdgeId kept;  // its outer film that ends at the torn one
+    Vec2 at_tail;     // unit tangents where the joined film begins and ends
+    Vec2 at_head;
+    LoneBubble as_lone;  // if it has no other film
+};
+
+// With the middle of its circle to the left of the film.
+LoneBubble as_lone(const Foam& foam, HalfEdgeId h) {
+    const BubbleId bubble = foam.network.left(h);
+    LoneBubble lone{foam.identities[bubble], Vec2::Zero(), foam.target_areas[bubble]};
+    lone.centre = foam.positions[foam.network.tail(h)] +
+                  lone_radius(lone) * turned_left(tangent_at_tail(film_arc(foam, h)));
+    return lone;
+}
+
+TornSide torn_side(const Foam& foam, HalfEdgeId before, HalfEdgeId after) {
+    return {before,
+            tangent_at_tail(film_arc(foam, before)),
+            tangent_at_head(film_arc(foam, after)),
+            as_lone(foam, before)};
+}
+
+double angle_between(const Vec2& a, const Vec2& b) {
+    return std::atan2(cross(a, b), a.dot(b));
+}
+
+void fit_joined(Foam& foam, const TornSide& side) {
+    const Vec2 d = chord(foam, side.kept);
+    const double angle = 0.5 * (angle_between(side.at_tail, d) + angle_between(d, side.at_head));
+    set_half_angle(foam, side.kept, angle);
+    foam.t1_armed[film_of(side.kept)] = 1;
+}
+
+void add_lone(Foam& foam, const LoneBubble& bubble) {
+    const auto place =
+        std::find_if(foam.lone_bubbles.begin(), foam.lone_bubbles.end(), [&](const LoneBubble& b) {
+            return b.identity > bubble.identity;
+        });
+    foam.lone_bubbles.insert(place, bubble);
+}
+
+std::vector<HalfEdgeId> boundary_at(const Network& network, FilmId film) {
+    const HalfEdgeId forward = forward_side(film);
+    const HalfEdgeId first = network.left(forward) == network.ghost() ? forward : twin(forward);
+    std::vector<HalfEdgeId> boundary;
+    HalfEdgeId h = first;
+    do {
+        boundary.push_back(h);
+        h = network.next(h);
+    } while (h != first);
+    return boundary;
+}
+
+// Target areas of the bubbles along a boundary.
+double area_along(const Foam& foam, const std::vector<HalfEdgeId>& boundary) {
+    std::vector<BubbleId> bubbles;
+    bubbles.reserve(boundary.size());
+    for (const HalfEdgeId h : boundary) {
+        bubbles.push_back(foam.network.right(h));
+    }
+    std::sort(bubbles.begin(), bubbles.end());
+    const auto end = std::unique(bubbles.begin(), bubbles.end());
+    return std::accumulate(bubbles.begin(), end, 0.0, [&](double sum, BubbleId bubble) {
+        return sum + foam.target_areas[bubble];
+    });
+}
+
+// Within the arcs; negative for an outer boundary, which goes clockwise around its raft.
+double enclosed_area(const Foam& foam, const std::vector<HalfEdgeId>& boundary) {
+    double area = 0.0;
+    Vec2 at = Vec2::Zero();
+    for (const HalfEdgeId h : boundary) {
+        const FilmArc arc = film_arc(foam, h);
+        area += 0.5 * cross(at, arc.chord) + segment_area(arc);
+        at += arc.chord;
+    }
+    return area;
+}
+
+// The outer boundary of a raft, which goes clockwise around it, has all bubbles along it inside;
+// the films of a hole may overlap, but not by the areas of their bubbles.
+bool is_around_hole(const Foam& foam, const std::vector<HalfEdgeId>& boundary, double enclosed) {
+    return enclosed > -kRaftShare * area_along(foam, boundary);
+}
+
+}  // namespace
+
+bool is_inside_double_bubble(const Network& network, FilmId film) {
+    const HalfEdgeId h = forward_side(film);
+    return can_split(network, film) && network.sides(network.left(h)) == 2 &&
+           network.sides(network.right(h)) == 2;
+}
+
+void tear_film(Foam& foam, FilmId film) {
+    const T1Site site = t1_site(foam.network, film);
+    const std::array<TornSide, 2> sides{torn_side(foam, site.before_left, site.after_left),
+                                        torn_side(foam, site.before_right, site.after_right)};
+    const std::array<BubbleId, 2> bubbles{foam.network.left(site.film),
+                                          foam.network.right(site.film)};
+    note_t1(foam, film);
+    split(foam.network, film);
+    for (std::size_t k = 0; k < 2; ++k) {
+        if (foam.network.is_live(bubbles[k])) {
+            fit_joined(foam, sides[k]);
+        } else {
+            add_lone(foam, sides[k].as_lone);
+        }
+    }
+}
+
+bool is_small_hole(const Foam& foam, FilmId film, double length) {
+    const std::vector<HalfEdgeId> boundary = boundary_at(foam.network, film);
+    return boundary.size() <= kMostSidesOfSmallHole &&
+           std::all_of(boundary.begin(),
+                       boundary.end(),
+                       [&](HalfEdgeId h) { return chord(foam, h).norm() < length; }) &&
+           is_around_hole(foam, boundary, enclosed_area(foam, boundary));
+}
+
+bool is_overlapping_hole(const Foam& foam, FilmId film) {
+    const std::vector<HalfEdgeId> boundary = boundary_at(foam.network, film);
+    const double enclosed = enclosed_area(foam, boundary);
+    return enclosed < 0.0 && is_around_hole(foam, boundary, enclosed);
+}
+
+bool close_hole(Foam& foam, FilmId film) {
+    const std::vector<HalfEdgeId> boundary = boundary_at(foam.network, film);
+    if (boundary.size() > kMostSidesOfSmallHole || !can_close(foam.network, boundary)) {
+        return false;
+    }
+    Vec2 mean = Vec2::Zero();
+    for (const HalfEdgeId h : boundary) {
+        mean += foam.positions[foam.network.tail(h)] / static_cast<double>(boundary.size());
+    }
+    std::vector<BubbleId> bubbles;
+    bubbles.reserve(boundary.size());
+    for (const HalfEdgeId h : boundary) {
+        bubbles.push_back(foam.network.right(h));
+    }
+    note_event(foam, TopologyEventKind::T1, mean, bubbles);
+    const Vanished vanished = close(foam.network, boundary);
+    if (vanished.junction != kNone<JunctionId>) {
+        place_junction(foam, vanished.junction, mean);
+    } else {
+        foam.t1_armed[vanished.film] = 1;
+        fit_half_angle(foam, vanished.film);
+    }
+    return true;
+}
+
+}  // namespace foam

@@ -1,0 +1,200 @@
+#include "core/foam/t1_rule.h"
+
+#include "core/foam/rafts.h"
+#include "core/network/split.h"
+#include "core/network/t1.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace foam {
+
+namespace {
+
+constexpr double kDisarmedFraction = 0.1;    // of the T1 distance, for a film that has just flipped
+constexpr double kCollapsedFraction = 0.05;  // of the T1 distance
+constexpr double kReopenedLength = 2.0;      // of the length at which a film counts as collapsed
+constexpr double kRearmingFactor = 2.0;      // of the T1 distance
+
+double scaled_distance(const Foam& foam, FilmId film, const TopologyThresholds& thresholds) {
+    const T1Site site = t1_site(foam.network, film);
+    const double smallest = std::min({foam.target_areas[foam.network.left(site.film)],
+                                      foam.target_areas[foam.network.right(site.film)],
+                                      foam.target_areas[site.end_tail],
+                                      foam.target_areas[site.end_head]});
+    return thresholds.t1_distance * std::min(1.0, std::sqrt(smallest));
+}
+
+Vec2 tangent(const Foam& foam, HalfEdgeId h, Tangents tangents) {
+    const FilmArc arc =
+        tangents == Tangents::OfArcs ? film_arc(foam, h) : FilmArc{chord(foam, h), 0.0};
+    return arc.chord == Vec2::Zero() ? Vec2(0.0, 0.0) : tangent_at_tail(arc);
+}
+
+// Mean pull of the outer films on the ends of the film, from its tail to its head, in film
+// tensions: as it is, and as it would be flipped (from its right end to its left).
+struct OuterPull {
+    Vec2 present;
+    Vec2 flipped;
+};
+
+OuterPull outer_pull(const Foam& foam, FilmId film, Tangents tangents) {
+    const T1Site site = t1_site(foam.network, film);
+    const Vec2 tail_left = tangent(foam, twin(site.before_left), tangents);
+    const Vec2 tail_right = tangent(foam, site.after_right, tangents);
+    const Vec2 head_left = tangent(foam, site.after_left, tangents);
+    const Vec2 head_right = tangent(foam, twin(site.before_right), tangents);
+    return {0.5 * (head_left + head_right - tail_left - tail_right),
+            0.5 * (tail_left + head_left - tail_right - head_right)};
+}
+
+// Sets the ends of a film at `middle` plus and minus half a vector from tail to head; both given in
+// the frame of the tail.
+void lay_film(Foam& foam, FilmId film, const Vec2& middle, const Vec2& tail_to_head) {
+    const HalfEdgeId h = forward_side(film);
+    const Vec2 to_frame_of_head = foam.domain.translation(foam.network.offset(h));
+    const JunctionId tail = foam.network.tail(h);
+    const JunctionId head = foam.network.head(h);
+    place_junction(foam, tail, middle - 0.5 * tail_to_head);
+    place_junction(foam, head, middle + 0.5 * tail_to_head - to_frame_of_head);
+}
+
+bool is_short_and_flips(const Foam& foam,
+                        FilmId film,
+                        const TopologyThresholds& thresholds,
+                        Tangents tangents) {
+    const double length = chord(foam, forward_side(film)).norm();
+    return length < thresholds.t1_distance && length < t1_length(foam, film, thresholds) &&
+           can_change(foam.network, film) && flipped_pulls_apart(foam, film, tangents);
+}
+
+// Whether the outer films of a film that can tear pull it apart harder than along it.
+bool tears_apart(const Foam& foam, FilmId film, Tangents tangents) {
+    const OuterPull pull = outer_pull(foam, film, tangents);
+    return pull.flipped.norm() > pull.present.norm() - 1.0;
+}
+
+// Films of a hole that overlap pull its short ones the wrong way.
+bool shrink_hole(Foam& foam, FilmId film) {
+    if (close_hole(foam, film)) {
+        return true;
+    }
+    const bool flips = can_flip(foam.network, film);
+    if (flips) {
+        flip_film(foam, film);
+    }
+    return flips;
+}
+
+}  // namespace
+
+double t1_length(const Foam& foam, FilmId film, const TopologyThresholds& thresholds) {
+    return scaled_distance(foam, film, thresholds) *
+           (foam.t1_armed[film] != 0 ? 1.0 : kDisarmedFraction);
+}
+
+double collapsed_length(const Foam& foam, FilmId film, const TopologyThresholds& thresholds) {
+    return kCollapsedFraction * scaled_distance(foam, film, thresholds);
+}
+
+bool flipped_pulls_apart(const Foam& foam, FilmId film, Tangents tangents) {
+    const Vec2 pull = outer_pull(foam, film, tangents).flipped;
+    const Vec2 d = chord(foam, forward_side(film));
+    const double apart = d == Vec2::Zero() ? pull.norm() : pull.dot(turned_left(d).normalized());
+    return apart > (can_tear(foam.network, film) ? 0.0 : 1.0);
+}
+
+void flip_film(Foam& foam, FilmId film) {
+    const Vec2 right_to_left = turned_left(chord(foam, forward_side(film)));
+    const Vec2 middle = middle_of(foam, film);
+    note_t1(foam, film);
+    flip(foam.network, film);
+    lay_film(foam, film, middle, -right_to_left);  // its tail is now on the left side
+    fit_half_angle(foam, film);
+    foam.t1_armed[film] = 0;
+}
+
+bool reopen_film(Foam& foam, FilmId film, double length, Tangents tangents) {
+    const OuterPull pull = outer_pull(foam, film, tangents);
+    const Vec2 middle = middle_of(foam, film);
+    const bool flips =
+        pull.flipped.squaredNorm() > pull.present.squaredNorm() && can_flip(foam.network, film);
+    if (flips) {
+        note_t1(foam, film);
+        flip(foam.network, film);
+        foam.t1_armed[film] = 0;
+    }
+    const Vec2 along = flips ? Vec2(-pull.flipped) : pull.present;
+    const Vec2 direction = along == Vec2::Zero() ? Vec2(1.0, 0.0) : Vec2(along.normalized());
+    lay_film(foam, film, middle, length * direction);
+    fit_half_angle(foam, film);
+    return flips;
+}
+
+bool can_change(const Network& network, FilmId film) {
+    return can_flip(network, film) || can_tear(network, film);
+}
+
+bool can_tear(const Network& network, FilmId film) {
+    const HalfEdgeId h = forward_side(film);
+    return can_split(network, film) && network.sides(network.left(h)) > 2 &&
+           network.sides(network.right(h)) > 2;
+}
+
+bool settle_film(Foam& foam, FilmId film, const TopologyThresholds& thresholds, Tangents tangents) {
+    const double collapsed = collapsed_length(foam, film, thresholds);
+    const double length = chord(foam, forward_side(film)).norm();
+    if (can_tear(foam.network, film)) {
+        const bool tears = is_short_and_flips(foam, film, thresholds, tangents) ||
+                           (length < collapsed && tears_apart(foam, film, tangents));
+        if (tears) {
+            tear_film(foam, film);
+        }
+        return tears;
+    }
+    if (foam.network.is_outer(film)) {
+        if (is_small_hole(foam, film, thresholds.t1_distance)) {
+            return close_hole(foam, film);
+        }
+        if (is_overlapping_hole(foam, film)) {
+            return shrink_hole(foam, film);
+        }
+    }
+    if (length < collapsed) {
+        return reopen_film(foam, film, kReopenedLength * collapsed, tangents);
+    }
+    const bool flips = is_short_and_flips(foam, film, thresholds, tangents);
+    if (flips) {
+        flip_film(foam, film);
+    }
+    return flips;
+}
+
+std::vector<FilmId> short_films(const Foam& foam, const TopologyThresholds& thresholds) {
+    std::vector<FilmId> films;
+    for (const FilmId film : foam.network.films()) {
+        if (is_short_and_flips(foam, film, thresholds, Tangents::OfArcs)) {
+            films.push_back(film);
+        }
+    }
+    return films;
+}
+
+void rearm_grown_films(Foam& foam,
+                       std::span<const FilmId> films,
+                       const TopologyThresholds& thresholds) {
+    for (const FilmId film : films) {
+        if (foam.t1_armed[film] == 0) {
+            const double length = chord(foam, forward_side(film)).norm();
+            const bool grown = length > kRearmingFactor * scaled_distance(foam, film, thresholds);
+            foam.t1_armed[film] = grown ? 1 : 0;
+        }
+    }
+}
+
+void rearm_grown_films(Foam& foam, const TopologyThresholds& thresholds) {
+    const Network& network = foam.network;
+    rearm_grown_films(foam, network.films().ids(network.film_count()), thresholds);
+}
+
+}  // namespace foam

@@ -1,0 +1,70 @@
+#include "core/geometry/domain.h"
+
+#include <cmath>
+
+namespace foam {
+
+namespace {
+
+// floor(x / period), corrected so that x minus that many periods, as computed, lies in [0, period).
+std::int32_t periods_below(double x, double period) {
+    double k = std::floor(x / period);
+    if (x - k * period < 0.0) {
+        k -= 1.0;
+    } else if (x - k * period >= period) {
+        k += 1.0;
+    }
+    return static_cast<std::int32_t>(k);
+}
+
+}  // namespace
+
+LatticeOffset Domain::cell_of(const Vec2& point) const {
+    if (is_plane()) {
+        return {};
+    }
+    const std::int32_t j = periods_below(point.y(), height);
+    return {periods_below(point.x() - j * shear, width), j};
+}
+
+std::vector<LatticeOffset> Domain::offsets_near(const Vec2& point, double reach) const {
+    if (is_plane()) {
+        return {LatticeOffset{}};
+    }
+    std::vector<LatticeOffset> offsets;
+    const std::int32_t top = periods_below(point.y() + reach, height);
+    for (std::int32_t j = periods_below(point.y() - reach, height); j <= top; ++j) {
+        const double x = point.x() - j * shear;
+        const std::int32_t last = periods_below(x + reach, width);
+        for (std::int32_t i = periods_below(x - reach, width); i <= last; ++i) {
+            offsets.push_back({i, j});
+        }
+    }
+    return offsets;
+}
+
+Vec2 Domain::nearest_copy(const Vec2& vector) const {
+    if (is_plane()) {
+        return vector;
+    }
+    const double middle = std::round(vector.y() / height);
+    const auto nearest_in_row = [&](double j) {
+        const double x = vector.x() - j * shear;
+        return Vec2(x - width * std::round(x / width), vector.y() - j * height);
+    };
+    Vec2 nearest = nearest_in_row(middle);
+    // In this row a copy is no farther than half a width along x, and so no nearer one is farther
+    // than that along y.
+    const double rows = shear == 0.0 ? 0.0 : std::ceil(0.5 * width / height) + 1.0;
+    for (double j = middle - rows; j <= middle + rows; j += 1.0) {
+        const Vec2 copy = nearest_in_row(j);
+        nearest = copy.squaredNorm() < nearest.squaredNorm() ? copy : nearest;
+    }
+    return nearest;
+}
+
+double Domain::shear_since(const Domain& earlier) const {
+    return is_plane() ? 0.0 : std::remainder(shear - earlier.shear, width);
+}
+
+}  // namespace foam

@@ -1,0 +1,71 @@
+#include "core/sparse/front_entries.h"
+
+#include "core/geometry/narrow.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace foam {
+
+namespace {
+
+using Matrix = Eigen::SparseMatrix<double>;
+
+// Calls with each entry's number, and with its column and row in the order of elimination.
+template <class Action>
+void each_entry(const Matrix& lower, const FrontPlan& plan, const Action& action) {
+    std::size_t entry = 0;
+    for (Eigen::Index column = 0; column < lower.cols(); ++column) {
+        const std::uint32_t a = plan.elimination[static_cast<std::size_t>(column)];
+        for (Matrix::InnerIterator at(lower, column); at; ++at, ++entry) {
+            const std::uint32_t b = plan.elimination[static_cast<std::size_t>(at.row())];
+            action(entry, std::min(a, b), std::max(a, b));
+        }
+    }
+}
+
+// Where each column of the order of elimination begins among the entries sorted by column.
+std::vector<std::size_t> begins_of_columns(const Matrix& lower, const FrontPlan& plan) {
+    std::vector<std::size_t> begins(plan.elimination.size() + 1, 0);
+    each_entry(lower, plan, [&](std::size_t, std::uint32_t column, std::uint32_t) {
+        ++begins[column + 1];
+    });
+    for (std::size_t column = 0; column + 1 < begins.size(); ++column) {
+        begins[column + 1] += begins[column];
+    }
+    return begins;
+}
+
+// The entries sorted by column; for a place they have their row in the order of elimination.
+std::vector<FrontPlan::Entry> sorted_entries(const Matrix& lower,
+                                             const FrontPlan& plan,
+                                             std::vector<std::size_t> next_of_columns) {
+    std::vector<FrontPlan::Entry> entries(static_cast<std::size_t>(lower.nonZeros()));
+    each_entry(lower, plan, [&](std::size_t entry, std::uint32_t column, std::uint32_t row) {
+        entries[next_of_columns[column]++] = {narrow(entry), row};
+    });
+    return entries;
+}
+
+}  // namespace
+
+void place_entries(const Matrix& lower_pattern, FrontPlan& plan) {
+    assert(lower_pattern.isCompressed());
+    const std::vector<std::size_t> begins = begins_of_columns(lower_pattern, plan);
+    plan.entries = sorted_entries(lower_pattern, plan, begins);
+    std::vector<std::uint32_t> places(plan.elimination.size());
+    for (Front& front : plan.fronts) {
+        plan.write_places(front, places);
+        front.entries_begin = begins[front.first_row];
+        front.entries_end = begins[front.first_row + front.pivots];
+        for (std::size_t column = 0; column < front.pivots; ++column) {
+            const std::size_t row = front.first_row + column;
+            for (std::size_t k = begins[row]; k < begins[row + 1]; ++k) {
+                std::uint32_t& place = plan.entries[k].place;
+                place = narrow(column * front.rows() + places[place]);
+            }
+        }
+    }
+}
+
+}  // namespace foam

@@ -1,0 +1,61 @@
+#include "core/sparse/front_workspace.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace foam {
+
+namespace {
+
+// The two subtrees of a front on the topmost levels share no memory. 2^levels = kMostThreads.
+constexpr int kForkLevels = 4;
+static_assert(kMostThreads == 1 << kForkLevels);
+
+std::size_t remainder_size(const Front& front) {
+    return front.border * front.border;
+}
+
+// Remainders of even levels of the tree lie on one stack, those of odd levels on the other. So both
+// are popped in order, and a front's remainder never lies on those of its children.
+class Stacks {
+  public:
+    explicit Stacks(std::span<Front> fronts) : fronts_(fronts), odd_(fronts.size()) {}
+
+    std::size_t run() {
+        lay_out(fronts_.size() - 1, 0, {0, 0});
+        for (std::size_t k = 0; k < fronts_.size(); ++k) {
+            fronts_[k].remainder_begin += odd_[k] ? peaks_[0] : 0;
+        }
+        return peaks_[0] + peaks_[1];
+    }
+
+  private:
+    // Lays out a subtree of which nothing may lie below the given tops.
+    void lay_out(std::size_t root, int level, std::array<std::size_t, 2> tops) {
+        Front& front = fronts_[root];
+        const std::size_t own = level % 2 == 0 ? 0 : 1;
+        odd_[root] = own == 1;
+        front.remainder_begin = tops[own];
+        const std::size_t end = tops[own] + remainder_size(front);
+        if (!front.is_leaf()) {
+            front.may_fork = level < kForkLevels;
+            lay_out(front.left, level + 1, tops);
+            tops[1 - own] += remainder_size(fronts_[front.left]);
+            lay_out(front.right, level + 1, front.may_fork ? peaks_ : tops);
+        }
+        peaks_[own] = std::max(peaks_[own], end);
+    }
+
+    std::span<Front> fronts_;
+    std::vector<bool> odd_;  // the front is on an odd level
+    std::array<std::size_t, 2> peaks_{0, 0};
+};
+
+}  // namespace
+
+std::size_t share_workspace(std::span<Front> fronts) {
+    return Stacks(fronts).run();
+}
+
+}  // namespace foam

@@ -1,0 +1,141 @@
+#include "core/sparse/partial_ldlt.h"
+
+#include "core/sparse/dense_kernels.h"
+
+#include <cmath>
+
+namespace foam {
+
+namespace {
+
+using Eigen::Index;
+
+template <class Real>
+using Window =
+    Eigen::Map<Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>, 0, Eigen::OuterStride<>>;
+
+template <class Real>
+const DenseKernels<Real>& kernels() {
+    static const DenseKernels<Real> best = best_kernels<Real>();
+    return best;
+}
+
+template <class Real>
+Window<Real> window(DenseView<Real>& matrix, Index row, Index begin, Index end) {
+    return {matrix.data() + begin * matrix.rows() + row,
+            matrix.rows() - row,
+            end - begin,
+            Eigen::OuterStride<>(matrix.rows())};
+}
+
+// The rows of the right factor L D of a product, packed as DenseProduct wants them.
+template <class Real>
+void pack_scaled(const DenseView<Real>& panel,
+                 Index first_row,
+                 Index rows,
+                 Index begin,
+                 Index depth,
+                 Real* packed) {
+    for (Index group = 0; group < rows; group += kGroup) {
+        const Index width = std::min<Index>(kGroup, rows - group);
+        for (Index k = begin; k < begin + depth; ++k) {
+            const Real* column = &panel.coeffRef(first_row + group, k);
+            const Real pivot = panel.coeffRef(k, k);
+            for (Index row = 0; row < kGroup; ++row) {
+                *packed++ = row < width ? column[row] * pivot : Real(0);
+            }
+        }
+    }
+}
+
+// target -= L D Lᵀ over the factored columns begin to end, lower trapezoid. The target's rows are
+// those of the panel from first_row on, its columns are as many of these as it has.
+template <class Real>
+void subtract_share(
+    const DenseView<Real>& panel, Index begin, Index end, Window<Real> target, Real* scratch) {
+    const Index first_row = panel.rows() - target.rows();
+    for (Index k = begin; k < end; k += kLargestDepth) {
+        const Index depth = std::min(kLargestDepth, end - k);
+        pack_scaled(panel, first_row, target.cols(), k, depth, scratch);
+        kernels<Real>().subtract_product({.rows = target.rows(),
+                                          .cols = target.cols(),
+                                          .depth = depth,
+                                          .left = panel.data() + k * panel.rows() + first_row,
+                                          .left_stride = panel.rows(),
+                                          .right = scratch,
+                                          .target = target.data(),
+                                          .target_stride = target.outerStride()});
+    }
+}
+
+// The rows begin to end of these columns, out of which all earlier columns' shares have been taken.
+template <class Real>
+bool factor_triangle(DenseView<Real>& panel, Index begin, Index end) {
+    for (Index j = begin; j < end; ++j) {
+        const Real pivot = panel(j, j);
+        if (pivot == Real(0) || !std::isfinite(pivot)) {
+            return false;
+        }
+        const Real inverse = Real(1) / pivot;
+        for (Index k = j + 1; k < end; ++k) {
+            const Real share = panel(k, j) * inverse;
+            for (Index row = k; row < end; ++row) {
+                panel(row, k) -= share * panel(row, j);
+            }
+        }
+        for (Index row = j + 1; row < end; ++row) {
+            panel(row, j) *= inverse;
+        }
+    }
+    return true;
+}
+
+// Columns begin to end, out of which all earlier columns' shares have been taken.
+template <class Real>
+bool factor_columns(DenseView<Real>& panel, Index begin, Index end) {
+    if (!factor_triangle(panel, begin, end)) {
+        return false;
+    }
+    Real* const corner = panel.data() + begin * panel.rows() + begin;
+    kernels<Real>().eliminate({.rows = panel.rows() - end,
+                               .pivots = end - begin,
+                               .triangle = corner,
+                               .target = corner + (end - begin),
+                               .stride = panel.rows()});
+    return true;
+}
+
+// As factor_columns; halves the range, so that most of the work is in large products.
+template <class Real>
+bool factor_range(DenseView<Real>& panel, Index begin, Index end, Real* scratch) {
+    if (end - begin <= kNarrow) {
+        return factor_columns(panel, begin, end);
+    }
+    const Index middle = begin + ((end - begin) / 2 + kNarrow - 1) / kNarrow * kNarrow;
+    if (!factor_range(panel, begin, middle, scratch)) {
+        return false;
+    }
+    subtract_share(panel, begin, middle, window(panel, middle, middle, end), scratch);
+    return factor_range(panel, middle, end, scratch);
+}
+
+}  // namespace
+
+template <class Real>
+bool factor_panel(DenseView<Real> panel, Real* scratch) {
+    return factor_range(panel, 0, panel.cols(), scratch);
+}
+
+template <class Real>
+void update_remainder(const DenseView<Real>& panel, DenseView<Real> remainder, Real* scratch) {
+    if (remainder.cols() > 0) {
+        subtract_share(panel, 0, panel.cols(), window(remainder, 0, 0, remainder.cols()), scratch);
+    }
+}
+
+template bool factor_panel(DenseView<float>, float*);
+template bool factor_panel(DenseView<double>, double*);
+template void update_remainder(const DenseView<float>&, DenseView<float>, float*);
+template void update_remainder(const DenseView<double>&, DenseView<double>, double*);
+
+}  // namespace foam

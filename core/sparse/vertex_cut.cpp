@@ -1,0 +1,102 @@
+#include "core/sparse/vertex_cut.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace foam {
+
+namespace {
+
+constexpr std::uint32_t kNoArc = std::numeric_limits<std::uint32_t>::max();
+constexpr int kBoundless = std::numeric_limits<int>::max() / 2;
+constexpr std::size_t kSource = 0;
+constexpr std::size_t kSink = 1;
+
+}  // namespace
+
+void VertexCut::reset(std::size_t nodes) {
+    nodes_ = nodes;
+    arcs_.clear();
+    first_.assign(2 * nodes + 2, kNoArc);
+}
+
+void VertexCut::set_weight(std::size_t node, int weight) {
+    add_arc(entry(node), exit(node), weight);
+}
+
+void VertexCut::make_source(std::size_t node) {
+    add_arc(kSource, entry(node), kBoundless);
+}
+
+void VertexCut::make_sink(std::size_t node) {
+    add_arc(exit(node), kSink, kBoundless);
+}
+
+void VertexCut::connect(std::size_t from, std::size_t to) {
+    add_arc(exit(from), entry(to), kBoundless);
+}
+
+void VertexCut::add_arc(std::size_t from, std::size_t to, int room) {
+    const auto arc = static_cast<std::uint32_t>(arcs_.size());
+    arcs_.push_back({static_cast<std::uint32_t>(to), first_[from], room});
+    arcs_.push_back({static_cast<std::uint32_t>(from), first_[to], 0});
+    first_[from] = arc;
+    first_[to] = arc + 1;
+}
+
+// Counts the steps to each place, up to the sink. False where that is out of reach.
+bool VertexCut::find_levels() {
+    levels_.assign(first_.size(), -1);
+    queue_.assign(1, static_cast<std::uint32_t>(kSource));
+    levels_[kSource] = 0;
+    for (std::size_t k = 0; k < queue_.size() && levels_[kSink] < 0; ++k) {
+        const std::uint32_t place = queue_[k];
+        for (std::uint32_t arc = first_[place]; arc != kNoArc; arc = arcs_[arc].next) {
+            const std::uint32_t to = arcs_[arc].to;
+            if (arcs_[arc].room > 0 && levels_[to] < 0) {
+                levels_[to] = levels_[place] + 1;
+                queue_.push_back(to);
+            }
+        }
+    }
+    return levels_[kSink] >= 0;
+}
+
+// Pushes up to the amount from the place to the sink, by levels; returns what went through.
+int VertexCut::push(std::size_t place, int amount) {
+    if (place == kSink) {
+        return amount;
+    }
+    int pushed = 0;
+    for (std::uint32_t& arc = untried_[place]; arc != kNoArc; arc = arcs_[arc].next) {
+        Arc& out = arcs_[arc];
+        if (out.room > 0 && levels_[out.to] == levels_[place] + 1) {
+            const int through = push(out.to, std::min(amount - pushed, out.room));
+            out.room -= through;
+            arcs_[arc ^ 1U].room += through;
+            pushed += through;
+        }
+        if (pushed == amount) {
+            break;
+        }
+    }
+    return pushed;
+}
+
+const std::vector<CutSide>& VertexCut::solve() {
+    while (find_levels()) {
+        untried_ = first_;
+        push(kSource, kBoundless);
+    }
+    sides_.assign(nodes_, CutSide::Sink);
+    for (std::size_t node = 0; node < nodes_; ++node) {
+        if (levels_[exit(node)] >= 0) {
+            sides_[node] = CutSide::Source;
+        } else if (levels_[entry(node)] >= 0) {
+            sides_[node] = CutSide::Cut;
+        }
+    }
+    return sides_;
+}
+
+}  // namespace foam

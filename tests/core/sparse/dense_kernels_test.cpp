@@ -1,0 +1,139 @@
+#include "core/sparse/dense_kernels.h"
+
+#include "core/sparse/partial_ldlt.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <vector>
+
+namespace foam {
+namespace {
+
+template <class Real>
+std::vector<Real> random_numbers(std::size_t count) {
+    std::mt19937_64 bits(11);
+    std::vector<Real> numbers(count);
+    for (Real& number : numbers) {
+        number = static_cast<Real>(static_cast<double>(bits() >> 11U) * 0x1p-53 - 0.5);
+    }
+    return numbers;
+}
+
+template <class Real>
+class DenseKernelsTest : public testing::Test {
+  public:
+    using Index = std::ptrdiff_t;
+    static constexpr Index kStride = 140;
+    static constexpr Index kMostCols = 64;
+
+    // The target after a product of numbers that do not depend on its shape.
+    static std::vector<Real> product_of(const DenseKernels<Real>& kernels,
+                                        Index rows,
+                                        Index cols,
+                                        Index depth) {
+        const std::vector<Real> left = random_numbers<Real>(kStride * kLargestDepth);
+        const std::vector<Real> right = random_numbers<Real>(kMostCols * kLargestDepth);
+        std::vector<Real> target = random_numbers<Real>(kStride * kMostCols);
+        kernels.subtract_product({.rows = rows,
+                                  .cols = cols,
+                                  .depth = depth,
+                                  .left = left.data(),
+                                  .left_stride = kStride,
+                                  .right = right.data(),
+                                  .target = target.data(),
+                                  .target_stride = kStride});
+        return target;
+    }
+
+    static std::vector<Real> plain_product(Index rows, Index cols, Index depth) {
+        const std::vector<Real> left = random_numbers<Real>(kStride * kLargestDepth);
+        const std::vector<Real> right = random_numbers<Real>(kMostCols * kLargestDepth);
+        std::vector<Real> target = random_numbers<Real>(kStride * kMostCols);
+        for (Index col = 0; col < cols; ++col) {
+            for (Index row = col; row < rows; ++row) {
+                Real sum = 0;
+                for (Index k = 0; k < depth; ++k) {
+                    const Index group = col / kGroup * kGroup * depth;
+                    sum +=
+                        at(left, row + k * kStride) * at(right, group + k * kGroup + col % kGroup);
+                }
+                target[static_cast<std::size_t>(row + col * kStride)] -= sum;
+            }
+        }
+        return target;
+    }
+
+    static void expect_product(Index rows, Index cols, Index depth) {
+        const std::vector<Real> expected = plain_product(rows, cols, depth);
+        for (const auto& kernels : {baseline_kernels<Real>(), best_kernels<Real>()}) {
+            EXPECT_EQ(product_of(kernels, rows, cols, depth), expected)
+                << rows << " rows, " << cols << " columns, depth " << depth;
+        }
+    }
+
+    static std::vector<Real> eliminated_by(const DenseKernels<Real>& kernels,
+                                           Index rows,
+                                           Index pivots) {
+        std::vector<Real> numbers = random_numbers<Real>(kStride * kNarrow);
+        kernels.eliminate({.rows = rows,
+                           .pivots = pivots,
+                           .triangle = numbers.data(),
+                           .target = numbers.data() + pivots,
+                           .stride = kStride});
+        return numbers;
+    }
+
+    static std::vector<Real> plainly_eliminated(Index rows, Index pivots) {
+        std::vector<Real> numbers = random_numbers<Real>(kStride * kNarrow);
+        for (Index row = pivots; row < pivots + rows; ++row) {
+            std::vector<Real> y;
+            for (Index col = 0; col < pivots; ++col) {
+                y.push_back(at(numbers, row + col * kStride));
+                for (Index k = 0; k < col; ++k) {
+                    y.back() -= at(y, k) * at(numbers, col + k * kStride);
+                }
+            }
+            for (Index col = 0; col < pivots; ++col) {
+                const Real inverse = Real(1) / at(numbers, col + col * kStride);
+                numbers[static_cast<std::size_t>(row + col * kStride)] = at(y, col) * inverse;
+            }
+        }
+        return numbers;
+    }
+
+  private:
+    static Real at(const std::vector<Real>& numbers, Index place) {
+        return numbers[static_cast<std::size_t>(place)];
+    }
+};
+
+using Reals = testing::Types<float, double>;
+TYPED_TEST_SUITE(DenseKernelsTest, Reals);
+
+// Nothing is written above the diagonal or outside the target.
+TYPED_TEST(DenseKernelsTest, MultiplyAsAPlainLoopDoesToTheBit) {
+    for (const std::ptrdiff_t rows : {1, 3, 4, 8, 13, 24, 31, 64, 131}) {
+        for (const std::ptrdiff_t cols : {1, 2, 4, 7, 33, 64}) {
+            for (const std::ptrdiff_t depth : {1, 17, 128}) {
+                this->expect_product(rows, std::min(rows, cols), depth);
+            }
+        }
+    }
+}
+
+TYPED_TEST(DenseKernelsTest, EliminateAsAPlainLoopDoesToTheBit) {
+    for (const std::ptrdiff_t rows : {0, 1, 4, 7, 8, 29, 120}) {
+        for (const std::ptrdiff_t pivots : {1, 2, 9, 16}) {
+            const auto expected = this->plainly_eliminated(rows, pivots);
+            for (const auto& kernels : {baseline_kernels<TypeParam>(), best_kernels<TypeParam>()}) {
+                EXPECT_EQ(this->eliminated_by(kernels, rows, pivots), expected)
+                    << rows << " rows, " << pivots << " pivots";
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace foam

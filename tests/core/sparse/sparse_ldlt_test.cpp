@@ -1,0 +1,188 @@
+#include "core/sparse/sparse_ldlt.h"
+
+#include "core/equilibrium/hessian.h"
+#include "core/equilibrium/linear_solver.h"
+#include "core/equilibrium/relaxation.h"
+#include "core/foam/honeycomb.h"
+#include "core/foam/seeding.h"
+#include "tests/support/raster_frames.h"
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <vector>
+
+namespace foam {
+namespace {
+
+using SparseMatrix = Eigen::SparseMatrix<double>;
+
+struct System {
+    Domain domain;
+    std::vector<SolverNode> nodes;
+    SparseMatrix matrix;  // lower triangle
+    Eigen::VectorXd right_hand_side;
+    Eigen::Index positions = 0;  // rows of positions, before those of pressures
+};
+
+// The Hessian, moved away from its null modes: K + shift and -D - shift on the diagonal.
+System system_of(const Foam& foam, double shift) {
+    const Unknowns unknowns = all_unknowns(foam.network);
+    Hessian hessian(foam.network, unknowns);
+    const auto positions = static_cast<Eigen::Index>(2 * unknowns.junctions.size());
+    System system{foam.domain, solver_nodes(foam, unknowns), hessian.evaluate(foam), {}, positions};
+    for (Eigen::Index row = 0; row < system.matrix.rows(); ++row) {
+        system.matrix.coeffRef(row, row) += row < positions ? shift : -shift;
+    }
+    system.right_hand_side = Eigen::VectorXd::LinSpaced(system.matrix.rows(), -1.0, 2.0);
+    return system;
+}
+
+Foam relaxed_foam(int bubbles, double aspect = 1.0, std::uint64_t seed = 1) {
+    SeedingOptions options;
+    options.bubbles = bubbles;
+    options.aspect = aspect;
+    options.seed = seed;
+    Foam foam = seed_foam(options);
+    relax(foam, {});
+    return foam;
+}
+
+SparseLdlt<double> factored(const System& system, int threads = 1) {
+    SparseLdlt<double> solver;
+    solver.analyze(system.matrix, system.nodes, system.domain);
+    EXPECT_TRUE(solver.factor(system.matrix, threads));
+    return solver;
+}
+
+double largest_entry(const SparseMatrix& matrix) {
+    return matrix.coeffs().abs().maxCoeff();
+}
+
+// |A x - b| <= 1e-14 n |A| |x|, with largest entries for norms.
+void expect_solves(const SparseLdlt<double>& solver, const System& system) {
+    const Eigen::VectorXd x = solver.solve(system.right_hand_side);
+    const Eigen::VectorXd residual =
+        system.matrix.selfadjointView<Eigen::Lower>() * x - system.right_hand_side;
+    EXPECT_LE(residual.cwiseAbs().maxCoeff(),
+              1e-14 * static_cast<double>(x.size()) * largest_entry(system.matrix) *
+                  x.cwiseAbs().maxCoeff());
+}
+
+// With a shift of 0.1 the condition is some 1e3: agreement to 1e-11 is agreement to rounding.
+void expect_agrees_with_dense(const System& system) {
+    const SparseMatrix whole = system.matrix.selfadjointView<Eigen::Lower>();
+    const Eigen::MatrixXd dense(whole);
+    const Eigen::VectorXd expected = dense.partialPivLu().solve(system.right_hand_side);
+    const Eigen::VectorXd x = factored(system).solve(system.right_hand_side);
+    EXPECT_LT((x - expected).cwiseAbs().maxCoeff(), 1e-11 * expected.cwiseAbs().maxCoeff());
+}
+
+TEST(SparseLdlt, AgreesWithADenseSolver) {
+    for (const int bubbles : {2, 3, 7, 20, 60, 150}) {
+        for (const double aspect : {1.0, 4.0}) {
+            SCOPED_TRACE(testing::Message() << bubbles << " bubbles, aspect " << aspect);
+            expect_agrees_with_dense(system_of(relaxed_foam(bubbles, aspect), 0.1));
+        }
+    }
+}
+
+TEST(SparseLdlt, SolvesWhereBubblesMeetThemselves) {
+    expect_agrees_with_dense(system_of(test::single_bubble(), 0.1));
+    expect_agrees_with_dense(system_of(honeycomb(1, 2), 0.1));
+    expect_agrees_with_dense(system_of(honeycomb(2, 30), 0.1));
+}
+
+// The shift with which Newton's method takes care of the null modes.
+TEST(SparseLdlt, SolvesNearlySingularSystems) {
+    for (const double aspect : {1.0, 4.0}) {
+        const System system = system_of(relaxed_foam(500, aspect), 1e-9);
+        expect_solves(factored(system), system);
+    }
+}
+
+// The Hessian of a stable foam has a positive eigenvalue for each coordinate and a negative one
+// for each pressure (E3).
+TEST(SparseLdlt, CountsPositivePivots) {
+    for (const int bubbles : {2, 50, 500}) {
+        const System system = system_of(relaxed_foam(bubbles), 1e-6);
+        EXPECT_EQ(factored(system).positive_pivots(), static_cast<std::size_t>(system.positions));
+    }
+}
+
+TEST(SparseLdlt, CountsPivotsOfADiagonalMatrix) {
+    SparseMatrix matrix(40, 40);
+    std::vector<SolverNode> nodes;
+    for (Eigen::Index row = 0; row < 40; ++row) {
+        matrix.insert(row, row) = row % 4 == 0 ? 2.0 : -1.0;
+        nodes.push_back({Vec2(static_cast<double>(row), 0.0), 1});
+    }
+    matrix.makeCompressed();
+    SparseLdlt<double> solver;
+    solver.analyze(matrix, nodes, {40.0, 1.0});
+    ASSERT_TRUE(solver.factor(matrix, 1));
+    EXPECT_EQ(solver.positive_pivots(), 10U);
+    EXPECT_GE(solver.nonzeros(), 40U);
+}
+
+// 800 bubbles have 4000 rows: enough for threads to be used.
+TEST(SparseLdlt, HasTheSameBitsOnAnyNumberOfThreads) {
+    const System system = system_of(relaxed_foam(800), 1e-9);
+    const Eigen::VectorXd expected = factored(system, 1).solve(system.right_hand_side);
+    for (const int threads : {2, 3, 8, 100}) {
+        const Eigen::VectorXd x = factored(system, threads).solve(system.right_hand_side);
+        EXPECT_TRUE((x.array() == expected.array()).all()) << threads << " threads";
+    }
+}
+
+TEST(SparseLdlt, FactorsNewValuesOfThePattern) {
+    Foam foam = relaxed_foam(200);
+    SparseLdlt<double> solver = factored(system_of(foam, 0.1));
+    for (const JunctionId junction : foam.network.junctions()) {
+        foam.positions[junction] *= 1.001;
+    }
+    foam.domain.width *= 1.001;
+    foam.domain.height *= 1.001;
+    const System moved = system_of(foam, 0.1);
+    ASSERT_TRUE(solver.factor(moved.matrix, 1));
+    expect_solves(solver, moved);
+}
+
+TEST(SparseLdlt, TakesUpANewPattern) {
+    SparseLdlt<double> solver = factored(system_of(relaxed_foam(100), 0.1));
+    for (const int bubbles : {30, 200}) {
+        const System other = system_of(relaxed_foam(bubbles), 0.1);
+        solver.analyze(other.matrix, other.nodes, other.domain);
+        ASSERT_TRUE(solver.factor(other.matrix, 1));
+        expect_solves(solver, other);
+    }
+}
+
+TEST(SparseLdlt, ReportsASingularMatrix) {
+    const System system = system_of(relaxed_foam(800), 0.1);
+    SparseLdlt<double> solver = factored(system);
+    SparseMatrix singular = system.matrix;
+    const Eigen::Index zero = system.matrix.rows() / 2;
+    for (Eigen::Index column = 0; column < singular.cols(); ++column) {
+        for (SparseMatrix::InnerIterator entry(singular, column); entry; ++entry) {
+            if (entry.row() == zero || column == zero) {
+                entry.valueRef() = 0.0;
+            }
+        }
+    }
+    EXPECT_FALSE(solver.factor(singular, 1));
+    EXPECT_FALSE(solver.factor(singular, 2));
+    ASSERT_TRUE(solver.factor(system.matrix, 2));
+    expect_solves(solver, system);
+}
+
+TEST(SparseLdlt, ReportsValuesThatAreNotFinite) {
+    System system = system_of(relaxed_foam(50), 0.1);
+    SparseLdlt<double> solver = factored(system);
+    system.matrix.coeffRef(0, 0) = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(solver.factor(system.matrix, 1));
+}
+
+}  // namespace
+}  // namespace foam

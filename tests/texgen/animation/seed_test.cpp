@@ -1,0 +1,61 @@
+#include "texgen/animation/seed.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <string>
+
+namespace foam::texgen {
+namespace {
+
+Preset preset_of(FoamKind kind) {
+    Preset preset;
+    preset.shape.kind = kind;
+    preset.seeding.bubbles = 60;
+    preset.image.width = 96;
+    preset.image.height = 48;
+    return preset;
+}
+
+TEST(Seed, ATorusHasTheAspectOfTheImageAndAreaOneABubble) {
+    const Domain domain = seeded_foam(preset_of(FoamKind::Torus)).domain;
+    EXPECT_NEAR(domain.width / domain.height, 2.0, 1e-12);
+    EXPECT_NEAR(domain.area(), 60.0, 1e-12);
+}
+
+// An ellipse of area 60 and aspect 4 is 17.5 wide and 4.4 high, whatever the image.
+TEST(Seed, APatchHasTheShapeOfItsOutlineAndAreaOneABubble) {
+    Preset preset = preset_of(FoamKind::Patch);
+    preset.shape.outline_aspect = 4.0;
+    const Foam foam = seeded_foam(preset);
+    EXPECT_TRUE(foam.domain.is_plane());
+    const auto count = static_cast<double>(foam.network.bubble_count());
+    EXPECT_NEAR(count, 60.0, 6.0);
+    double area = 0.0;
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        area += foam.target_areas[bubble];
+    }
+    EXPECT_NEAR(area / count, 1.0, 1e-9);
+    Vec2 reach = Vec2::Zero();
+    for (const Vec2& position : foam.positions) {
+        reach = reach.cwiseMax(position.cwiseAbs());
+    }
+    EXPECT_NEAR(reach.x(), 8.7, 1.0);
+    EXPECT_NEAR(reach.y(), 2.2, 0.6);
+}
+
+// Of two cells of a sliver, one has no corner of three sides.
+TEST(Seed, AnOutlineThatHoldsNoFoamIsABadRequest) {
+    Preset preset = preset_of(FoamKind::Patch);
+    preset.seeding.bubbles = 2;
+    preset.shape.outline = "POLYGON((0 0, 1 0, 2 0.00001))";
+    try {
+        seeded_foam(preset);
+        FAIL();
+    } catch (const std::invalid_argument& error) {
+        EXPECT_EQ(std::string(error.what()).find("foam.outline: no 2 bubbles can be seeded"), 0U);
+    }
+}
+
+}  // namespace
+}  // namespace foam::texgen

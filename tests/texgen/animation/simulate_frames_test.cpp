@@ -1,0 +1,166 @@
+#include "texgen/animation/simulate_frames.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace foam::texgen {
+namespace {
+
+Preset small_preset() {
+    Preset preset;
+    preset.seeding.bubbles = 60;
+    preset.frames.time_step = 3.0;
+    return preset;
+}
+
+struct Visit {
+    int number;
+    double time;
+    FrameEffort effort;
+};
+
+std::vector<Visit> visits(const std::vector<int>& numbers) {
+    std::vector<Visit> all;
+    const RunOutcome outcome = simulate_frames(
+        small_preset(), 1, numbers, NextFrames::LeftOut, [&](const SimulatedFrame& shown) {
+            all.push_back({shown.frame->number, shown.frame->time, shown.effort});
+        });
+    EXPECT_EQ(outcome.status, RunStatus::Complete);
+    return all;
+}
+
+TEST(SimulateFrames, HandsOutTheFramesInIncreasingOrder) {
+    const std::vector<Visit> all = visits({4, 1, 2});
+    ASSERT_EQ(all.size(), 3U);
+    EXPECT_EQ(all[0].number, 1);
+    EXPECT_EQ(all[1].number, 2);
+    EXPECT_EQ(all[2].number, 4);
+    EXPECT_NEAR(all[2].time, 9.0, 1e-12);
+}
+
+TEST(SimulateFrames, EffortsAddUpOverFramesInBetween) {
+    const std::vector<Visit> each = visits({1, 2, 3, 4, 5, 6});
+    const std::vector<Visit> two = visits({1, 6});
+    FrameEffort sum;
+    for (std::size_t k = 1; k < each.size(); ++k) {
+        sum.t1 += each[k].effort.t1;
+        sum.t2 += each[k].effort.t2;
+    }
+    EXPECT_GT(sum.t2, 0);
+    EXPECT_EQ(two[1].effort.t1, sum.t1);
+    EXPECT_EQ(two[1].effort.t2, sum.t2);
+    EXPECT_EQ(two[1].effort.area_error, each.back().effort.area_error);
+    EXPECT_EQ(two[0].effort.t1, each[0].effort.t1);
+    EXPECT_GT(two[0].effort.seconds, 0.0);
+}
+
+// Of frames 2, 3 and 5.
+TEST(SimulateFrames, HandsOutTheFramesAfterThem) {
+    std::vector<std::pair<int, int>> pairs;
+    std::vector<std::shared_ptr<const Frame>> frames;
+    simulate_frames(
+        small_preset(), 1, {5, 2, 3}, NextFrames::HandedOut, [&](const SimulatedFrame& shown) {
+            pairs.emplace_back(shown.frame->number, shown.next->number);
+            frames.push_back(shown.frame);
+            frames.push_back(shown.next);
+        });
+    EXPECT_EQ(pairs, (std::vector<std::pair<int, int>>{{2, 3}, {3, 4}, {5, 6}}));
+    EXPECT_EQ(frames[1], frames[2]);
+}
+
+TEST(SimulateFrames, EffortsDoNotDependOnWhetherNextFramesAreHandedOut) {
+    const std::vector<Visit> usual = visits({1, 4, 6});
+    std::size_t k = 0;
+    simulate_frames(
+        small_preset(), 1, {1, 4, 6}, NextFrames::HandedOut, [&](const SimulatedFrame& shown) {
+            EXPECT_EQ(shown.effort.t1, usual[k].effort.t1);
+            EXPECT_EQ(shown.effort.t2, usual[k].effort.t2);
+            EXPECT_EQ(shown.effort.area_error, usual[k].effort.area_error);
+            ++k;
+        });
+    EXPECT_EQ(k, 3U);
+}
+
+// Six frames: 1 2 3 4 3 2 of the foam, each with the one that is shown after it.
+TEST(SimulateFrames, APingpongComesBackFromItsMiddle) {
+    Preset preset = small_preset();
+    preset.loop.kind = LoopKind::PingPong;
+    preset.frames.count = 6;
+    preset.frames.step_growth = 1.0;
+    std::map<int, std::pair<double, double>> times;
+    simulate_frames(
+        preset, 1, {1, 2, 3, 4, 5, 6}, NextFrames::HandedOut, [&](const SimulatedFrame& shown) {
+            times[shown.frame->number] = {shown.frame->time, shown.next->time};
+        });
+    ASSERT_EQ(times.size(), 6U);
+    const std::array<double, 7> steps = {0.0, 1.0, 2.0, 3.0, 2.0, 1.0, 0.0};
+    for (int number = 1; number <= 6; ++number) {
+        const auto k = static_cast<std::size_t>(number);
+        const double step = preset.frames.time_step;
+        EXPECT_NEAR(times[number].first, steps[k - 1] * step, 1e-12) << number;
+        EXPECT_NEAR(times[number].second, steps[k] * step, 1e-12) << number;
+    }
+}
+
+TEST(FrameAssembly, NeedsTheStatesOfItsFramesAndThoseAfterThem) {
+    Preset preset;
+    EXPECT_EQ(FrameAssembly(preset, {5, 2, 3}, NextFrames::LeftOut, {}).states(),
+              (std::vector<int>{2, 3, 5}));
+    EXPECT_EQ(FrameAssembly(preset, {5, 2, 3}, NextFrames::HandedOut, {}).states(),
+              (std::vector<int>{2, 3, 4, 5, 6}));
+    preset.loop.kind = LoopKind::PingPong;
+    preset.frames.count = 6;
+    EXPECT_EQ(FrameAssembly(preset, {5, 6}, NextFrames::HandedOut, {}).states(),
+              (std::vector<int>{1, 2, 3}));
+}
+
+// Eight frames, the last four of which fade: states 5 to 12, and 1 to 4.
+TEST(SimulateFrames, AFlowFadesIntoItsBeginning) {
+    Preset preset = small_preset();
+    preset.loop = {.kind = LoopKind::Flow, .fade = 0.5};
+    preset.frames.count = 8;
+    const double step = preset.frames.time_step;
+    std::vector<int> numbers;
+    std::shared_ptr<const Frame> first;
+    std::shared_ptr<const Frame> last_next;
+    simulate_frames(preset,
+                    1,
+                    {1, 2, 3, 4, 5, 6, 7, 8},
+                    NextFrames::HandedOut,
+                    [&](const SimulatedFrame& shown) {
+                        const int number = shown.frame->number;
+                        numbers.push_back(number);
+                        first = number == 1 ? shown.frame : first;
+                        last_next = shown.rising.next;
+                        EXPECT_NEAR(shown.frame->time, (3 + number) * step, 1e-9);
+                        EXPECT_NEAR(shown.next->time, (4 + number) * step, 1e-9);
+                        ASSERT_EQ(shown.rising.frame != nullptr, number > 4);
+                        if (number > 4) {
+                            EXPECT_NEAR(shown.rising.frame->time, (number - 5) * step, 1e-9);
+                            EXPECT_NEAR(shown.rising.next->time, (number - 4) * step, 1e-9);
+                            EXPECT_EQ(shown.rising.record->frame, number - 4);
+                        }
+                    });
+    EXPECT_EQ(numbers, (std::vector<int>{1, 2, 3, 4, 5, 6, 7, 8}));
+    ASSERT_TRUE(first && last_next);
+    EXPECT_EQ(first->positions, last_next->positions);
+}
+
+TEST(SimulateFrames, SaysHowFarALoopIsFromClosing) {
+    Preset preset = small_preset();
+    preset.loop = {.kind = LoopKind::Breathe, .amplitude = 0.8, .cycles = 1};
+    preset.frames.count = 6;
+    const RunOutcome outcome =
+        simulate_frames(preset, 1, {1}, NextFrames::LeftOut, [](const SimulatedFrame&) {
+            FAIL() << "a frame of an open loop";
+        });
+    EXPECT_EQ(outcome.status, RunStatus::OpenLoop);
+    EXPECT_GT(outcome.closing_error.value_or(0.0), 1e-9);
+}
+
+}  // namespace
+}  // namespace foam::texgen

@@ -1,0 +1,83 @@
+#include "texgen/animation/camera.h"
+
+#include "core/foam/measure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace foam::texgen {
+
+namespace {
+
+// What holds all points that it was told of.
+struct Box {
+    Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
+    Vec2 high = -low;
+
+    void include(const Vec2& point) {
+        low = low.cwiseMin(point);
+        high = high.cwiseMax(point);
+    }
+    bool is_empty() const { return !(low.x() <= high.x()); }
+};
+
+// Its ends, and its points farthest to the left, right, top and bottom, where it runs along an
+// axis.
+void include_arc(const FilmArc& arc, const Vec2& tail, Box& box) {
+    constexpr double kQuarter = 0.5 * std::numbers::pi;
+    const double first = std::atan2(arc.chord.y(), arc.chord.x()) - arc.half_angle;
+    box.include(tail);
+    box.include(tail + arc.chord);
+    for (int k = -4; k <= 4; ++k) {  // the tangent lies between -2 pi and 2 pi
+        const double fraction = (k * kQuarter - first) / (2.0 * arc.half_angle);
+        if (fraction > 0.0 && fraction < 1.0) {
+            box.include(tail + point_at(arc, fraction));
+        }
+    }
+}
+
+Box box_of(const Frame& frame) {
+    Box box;
+    for (const FilmId film : frame.network.films()) {
+        const JunctionId tail = frame.network.tail(forward_side(film));
+        include_arc(frame.arcs[film], frame.positions[tail], box);
+    }
+    for (const LoneBubble& bubble : frame.lone_bubbles) {
+        const Vec2 radius = Vec2::Constant(lone_radius(bubble));
+        box.include(bubble.centre - radius);
+        box.include(bubble.centre + radius);
+    }
+    return box;
+}
+
+View fitted_view(const Box& box, const Vec2& pixels, double margin) {
+    if (box.is_empty()) {
+        return {};
+    }
+    const Vec2 inner = pixels - Vec2::Constant(2.0 * margin * pixels.minCoeff());
+    return {0.5 * (box.low + box.high), (inner.array() / (box.high - box.low).array()).minCoeff()};
+}
+
+Vec2 pixels_of(const ImageOptions& image) {
+    return {image.width, image.height};
+}
+
+}  // namespace
+
+View camera_view(const Frame& first, const ImageOptions& image, const CameraOptions& camera) {
+    View view = fitted_view(box_of(first), pixels_of(image), camera.margin);
+    view.center = point_in_view(view, image, camera.center);
+    view.pixels_per_unit *= camera.zoom;
+    return view;
+}
+
+Vec2 point_in_view(const View& view,
+                   const ImageOptions& image,
+                   const std::array<double, 2>& place) {
+    const Vec2 from_middle(place[0] - 0.5, place[1] - 0.5);
+    return view.center + from_middle.cwiseProduct(pixels_of(image)) / view.pixels_per_unit;
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,53 @@
+#include "texgen/animation/history.h"
+
+#include "core/foam/frame.h"
+#include "texgen/maps/albedo.h"
+
+#include <algorithm>
+
+namespace foam::texgen {
+
+History::History(const Foam& foam) : time_(foam.time), domain_(foam.domain) {}
+
+void History::take_events(Foam& foam, int frame) {
+    carry_events(foam.domain);
+    record_.births.resize(foam.next_identity, time_);
+    record_.changes.resize(foam.next_identity, time_);
+    for (const TopologyEvent& event : foam.events) {
+        for (const BubbleIdentity bubble : event.bubbles) {
+            record_.changes[bubble] = event.time;
+        }
+        record_.events.push_back({event.kind, frame, event.place});
+    }
+    foam.events.clear();
+    record_.frame = frame;
+    std::erase_if(record_.events, [&](const RecordedEvent& event) {
+        return event.frame <= frame - kRecordedFrames;
+    });
+    time_ = foam.time;
+}
+
+void History::renumber(int frames) {
+    for (RecordedEvent& event : record_.events) {
+        event.frame += frames;
+    }
+}
+
+// A shear is small from frame to frame.
+void History::carry_events(const Domain& domain) {
+    if (domain.is_plane()) {
+        return;
+    }
+    const double shear = domain.shear_since(domain_);
+    for (RecordedEvent& event : record_.events) {
+        event.place.x() += shear * event.place.y() / domain.height;
+    }
+    domain_ = domain;
+}
+
+void History::take_pressures(const Foam& foam) {
+    record_.first_pressures = pressures_of(snapshot(foam, 1), PressureUnit::Current);
+    std::sort(record_.first_pressures.begin(), record_.first_pressures.end());
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,37 @@
+#include "texgen/animation/loop_pose.h"
+
+#include "core/dynamics/shear.h"
+
+namespace foam::texgen {
+
+namespace {
+
+// Travelled by drift.
+Vec2 way(const Domain& domain, const LoopOptions& loop, double passed) {
+    return {passed * loop.drift[0] * domain.width, passed * loop.drift[1] * domain.height};
+}
+
+}  // namespace
+
+bool is_posed(const LoopOptions& loop) {
+    return loop.kind == LoopKind::Shear || loop.drift != std::array{0, 0};
+}
+
+Foam posed(Foam foam, const LoopOptions& loop, double passed) {
+    if (loop.kind == LoopKind::Shear) {
+        shear(foam, -foam.domain.shear / foam.domain.height);
+        foam.domain.shear = 0.0;  // but for rounding it is
+    }
+    if (loop.drift != std::array{0, 0}) {
+        translate(foam, way(foam.domain, loop, passed));
+    }
+    return foam;
+}
+
+Vec2 posed(const Vec2& place, const Domain& domain, const LoopOptions& loop, double passed) {
+    const double sheared =
+        loop.kind == LoopKind::Shear ? domain.shear * place.y() / domain.height : 0.0;
+    return place - Vec2(sheared, 0.0) + way(domain, loop, passed);
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,44 @@
+#include "texgen/animation/seed.h"
+
+#include "core/foam/patch.h"
+
+#include <fmt/core.h>
+
+#include <stdexcept>
+
+namespace foam::texgen {
+
+namespace {
+
+SeedingOptions seeding_of(const Preset& preset) {
+    SeedingOptions seeding = preset.seeding;
+    seeding.aspect = static_cast<double>(preset.image.width) / preset.image.height;
+    return seeding;
+}
+
+PatchOptions patch_options_of(const SeedingOptions& seeding) {
+    return {.bubbles = seeding.bubbles,
+            .lloyd_iterations = seeding.lloyd_iterations,
+            .area_ratio = seeding.area_ratio,
+            .surface_tension = seeding.surface_tension,
+            .seed = seeding.seed};
+}
+
+}  // namespace
+
+Foam seeded_foam(const Preset& preset) {
+    if (preset.shape.kind == FoamKind::Torus) {
+        return seed_foam(seeding_of(preset));
+    }
+    try {
+        return seed_patch(outline_of(preset.shape), patch_options_of(preset.seeding));
+    } catch (const std::runtime_error& error) {
+        throw std::invalid_argument(
+            fmt::format("foam.outline: no {} bubbles can be seeded in it with foam.seed = {}: {}",
+                        preset.seeding.bubbles,
+                        preset.seeding.seed,
+                        error.what()));
+    }
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,58 @@
+#include "texgen/animation/shown_states.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace foam::texgen {
+
+namespace {
+
+int shown_in_pingpong(int number, int count) {
+    const int place = (number - 1) % count;
+    return 1 + (2 * place <= count ? place : count - place);
+}
+
+ShownStates shown_in_flow(int number, const LoopOptions& loop, int count) {
+    const int ahead = states_ahead(loop, count);
+    const int place = (number - 1) % count;
+    const int state = ahead + 1 + place;
+    const int rising = state - count;
+    if (rising < 1) {
+        return {.state = state, .next = state + 1};
+    }
+    return {.state = state,
+            .next = state + 1,
+            .rising = rising,
+            .faded = static_cast<double>(rising) / (ahead + 1)};
+}
+
+}  // namespace
+
+ShownStates shown_states(int number, const LoopOptions& loop, int count) {
+    switch (loop.kind) {
+        case LoopKind::PingPong:
+            return {.state = shown_in_pingpong(number, count),
+                    .next = shown_in_pingpong(number + 1, count)};
+        case LoopKind::Flow:
+            return shown_in_flow(number, loop, count);
+        case LoopKind::None:
+        case LoopKind::Breathe:
+        case LoopKind::Shear:
+        case LoopKind::Drift:
+            break;
+    }
+    return {.state = number, .next = number + 1};
+}
+
+int states_ahead(const LoopOptions& loop, int count) {
+    if (!loop.is_cross_faded()) {
+        return 0;
+    }
+    return std::clamp(static_cast<int>(std::lround(loop.fade * count)), 1, count);
+}
+
+int frame_of_state(int state, const LoopOptions& loop, int count) {
+    return std::max(state - states_ahead(loop, count), 1);
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,80 @@
+#include "texgen/animation/simulate_frames.h"
+
+#include "texgen/animation/shown_states.h"
+
+#include <chrono>
+#include <utility>
+
+namespace foam::texgen {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+bool advance(Simulation& simulation, FrameEffort& effort) {
+    const Clock::time_point begin = Clock::now();
+    const bool found = simulation.advance();
+    const EquilibriumSummary& equilibrium = simulation.equilibrium();
+    effort.t1 += equilibrium.t1;
+    effort.t2 += equilibrium.t2;
+    effort.area_error = equilibrium.area_error;
+    effort.angle_error = equilibrium.angle_error;
+    effort.seconds += std::chrono::duration<double>(Clock::now() - begin).count();
+    return found;
+}
+
+SimulatedFrame state_of(const Simulation& simulation, const FrameEffort& effort) {
+    SimulatedFrame state;
+    state.frame = std::make_shared<const Frame>(simulation.frame());
+    state.record = std::make_shared<const FoamRecord>(simulation.record());
+    state.effort = effort;
+    state.view = simulation.view();
+    state.closing_error = simulation.closing_error();
+    return state;
+}
+
+RunOutcome failed(const Simulation& simulation, const Preset& preset) {
+    return {simulation.equilibrium().converged() ? RunStatus::OpenLoop : RunStatus::NoEquilibrium,
+            frame_of_state(simulation.number(), preset.loop, preset.frames.count),
+            simulation.closing_error()};
+}
+
+}  // namespace
+
+FrameSource simulation_of(const Preset& preset, int threads) {
+    return
+        [preset, threads](
+            const std::vector<int>& numbers, NextFrames next_frames, const FrameVisitor& on_frame) {
+            return simulate_frames(preset, threads, numbers, next_frames, on_frame);
+        };
+}
+
+RunOutcome simulate_states(const Preset& preset,
+                           int threads,
+                           const std::vector<int>& states,
+                           const FrameVisitor& on_state) {
+    Simulation simulation(preset, threads);
+    for (const int number : states) {
+        FrameEffort effort;
+        while (simulation.number() < number) {
+            if (!advance(simulation, effort)) {
+                return failed(simulation, preset);
+            }
+        }
+        on_state(state_of(simulation, effort));
+    }
+    return {RunStatus::Complete, 0, simulation.closing_error()};
+}
+
+RunOutcome simulate_frames(const Preset& preset,
+                           int threads,
+                           const std::vector<int>& numbers,
+                           NextFrames next_frames,
+                           const FrameVisitor& on_frame) {
+    FrameAssembly assembly(preset, numbers, next_frames, on_frame);
+    return simulate_states(preset, threads, assembly.states(), [&](const SimulatedFrame& state) {
+        assembly.add(state);
+    });
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,194 @@
+#include "texgen/animation/simulation.h"
+
+#include "core/foam/measure.h"
+#include "texgen/animation/loop_pose.h"
+#include "texgen/animation/seed.h"
+#include "texgen/animation/shown_states.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr double kClosed = 1e-9;  // of a loop: diameters of a mean bubble
+
+CycleOptions cycle_options_of(const LoopOptions& loop, int steps, std::uint64_t seed) {
+    CycleOptions options{.steps = steps, .seed = seed};
+    (loop.kind == LoopKind::Breathe ? options.breath : options.strain) = loop.amplitude;
+    return options;
+}
+
+void hold_above(double oldest, std::vector<double>& times) {
+    for (double& time : times) {
+        time = std::max(time, oldest);
+    }
+}
+
+StepOptions step_options_of(const Preset& preset, int threads) {
+    StepOptions options;
+    options.coarsening = preset.coarsening;
+    options.equilibrium.solver = preset.equilibrium.solver;
+    options.equilibrium.tolerance = preset.equilibrium.tolerance;
+    options.equilibrium.thresholds = preset.thresholds;
+    options.equilibrium.threads = threads;
+    return options;
+}
+
+}  // namespace
+
+Simulation::Simulation(const Preset& preset, int threads)
+    : frames_(preset.frames),
+      loop_(preset.loop),
+      image_(preset.image),
+      camera_(preset.camera),
+      next_step_(preset.frames.time_step),
+      options_(step_options_of(preset, threads)),
+      foam_(seeded_foam(preset)),
+      timeline_(preset),
+      history_(foam_),
+      seed_(preset.seeding.seed) {}
+
+bool Simulation::advance() {
+    ++number_;
+    const bool found = reach_frame();
+    history_.take_events(foam_, number_);
+    return found;
+}
+
+bool Simulation::reach_frame() {
+    if (number_ == 1) {
+        return reach_first_frame();
+    }
+    equilibrium_.sweeps = equilibrium_.iterations = equilibrium_.t1 = equilibrium_.t2 = 0;
+    if (number_ == 2 && frames_.first == FirstFrame::Diagram && !settle()) {
+        return false;
+    }
+    if (cycle_) {
+        return step_cycle(number_ - 1);
+    }
+    if (loop_.kind == LoopKind::Drift) {
+        return true;
+    }
+    const double time = next_step_;
+    next_step_ *= frames_.step_growth;
+    return step_by(time, timeline_.changes_to(number_, foam_));
+}
+
+bool Simulation::reach_first_frame() {
+    if (frames_.first == FirstFrame::Diagram) {
+        measure_diagram();
+    } else if (!settle()) {
+        return false;
+    }
+    history_.take_events(foam_, number_);
+    history_.forget_events();
+    if (foam_.domain.is_plane()) {
+        view_ = camera_view(frame(), image_, camera_);
+        timeline_.set_view(*view_);
+    }
+    return !loop_.is_cycle() || close_loop();
+}
+
+Frame Simulation::frame() const {
+    if (!is_posed(loop_)) {
+        return snapshot(foam_, number_);
+    }
+    return snapshot(posed(foam_, loop_, passed()), number_);
+}
+
+FoamRecord Simulation::record() const {
+    FoamRecord record = history_.record();
+    for (RecordedEvent& event : record.events) {
+        event.place = posed(event.place, foam_.domain, loop_, passed());
+    }
+    if (loop_.is_cycle()) {
+        // What lies a period back or more looks the same in every cycle.
+        const double oldest = foam_.time - frames_.count * frames_.time_step;
+        hold_above(oldest, record.births);
+        hold_above(oldest, record.changes);
+    }
+    return record;
+}
+
+double Simulation::passed() const {
+    const int number = number_ - states_ahead(loop_, frames_.count) + frames_.count;
+    return static_cast<double>((number - 1) % frames_.count) / frames_.count;
+}
+
+// Cycles until one ends where it began.
+bool Simulation::close_loop() {
+    cycle_.emplace(foam_, cycle_options_of(loop_, frames_.count, seed_));
+    bool found = step_cycle(0);
+    for (int cycle = 0; cycle < loop_.cycles && found; ++cycle) {
+        const Foam start = foam_;
+        history_.renumber(-frames_.count);
+        for (int place = 1; place <= frames_.count && found; ++place) {
+            found = step_cycle(place);
+            history_.take_events(foam_, 1 + place - frames_.count);
+        }
+        closing_error_ = foam::closing_error(start, foam_);
+        if (found && *closing_error_ < kClosed) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool Simulation::step_cycle(int place) {
+    const EquilibriumSummary before = equilibrium_;
+    equilibrium_ = cycle_->step_to(place, foam_, frames_.time_step, options_).equilibrium;
+    add_effort(before);
+    return equilibrium_.converged();
+}
+
+void Simulation::add_effort(const EquilibriumSummary& before) {
+    equilibrium_.sweeps += before.sweeps;
+    equilibrium_.iterations += before.iterations;
+    equilibrium_.t1 += before.t1;
+    equilibrium_.t2 += before.t2;
+}
+
+void Simulation::measure_diagram() {
+    const EquilibriumErrors errors = equilibrium_errors(foam_);
+    equilibrium_.area_error = errors.area;
+    equilibrium_.angle_error = errors.angle;
+    equilibrium_.energy = energy(foam_);
+}
+
+bool Simulation::settle() {
+    equilibrium_ = equilibrate(foam_, options_.equilibrium);
+    if (!equilibrium_.converged() || !warm_up()) {
+        return false;
+    }
+    history_.take_pressures(foam_);
+    return true;
+}
+
+// Of a flow in steps of about that from frame to frame, the last of which leads to frame 1.
+bool Simulation::warm_up() {
+    if (loop_.kind != LoopKind::Flow) {
+        return step_by(frames_.warm_up, {});
+    }
+    const int steps = static_cast<int>(std::ceil(frames_.warm_up / frames_.time_step));
+    for (int frame = 2 - steps; frame <= 1; ++frame) {
+        if (!step_by(frames_.warm_up / steps, timeline_.changes_to(frame, foam_))) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool Simulation::step_by(double time, const StateChange& change) {
+    if (time == 0.0 && change.empty()) {
+        return true;
+    }
+    const EquilibriumSummary before = equilibrium_;
+    equilibrium_ = step(foam_, time, change, options_).equilibrium;
+    add_effort(before);
+    return equilibrium_.converged();
+}
+
+}  // namespace foam::texgen
