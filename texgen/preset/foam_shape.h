@@ -7,7 +7,7 @@
 namespace foam::texgen {
 
 /// Where a foam lies: around a torus, which tiles, or as a patch with a free surface in the plane.
-enum class FoamKind { Domain, Patch };
+enum class FoamKind { Torus, Patch };
 
 /// The kind of a foam and, of a patch, the shape it is seeded in. Its size follows from the number
 /// of bubbles, whose mean area is 1.
