@@ -1,7 +1,7 @@
 #include "core/equilibrium/equilibrate_given.h"
 
-#include "core/foam/t1_rule.h"
 #include "core/foam/measure.h"
+#include "core/foam/t1_rule.h"
 
 #include <cmath>
 #include <utility>
@@ -50,8 +50,8 @@ void scale_lone_bubbles(Foam& foam, double factor) {
 
 Foam in_units(Foam foam, const Units& units) {
     foam.domain = {foam.domain.width / units.length,
-                  foam.domain.height / units.length,
-                  foam.domain.shear / units.length};
+                   foam.domain.height / units.length,
+                   foam.domain.shear / units.length};
     foam.film_tension = 1.0;
     for (const JunctionId junction : foam.network.junctions()) {
         place_junction(foam, junction, foam.positions[junction] / units.length);

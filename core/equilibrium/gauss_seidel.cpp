@@ -2,8 +2,8 @@
 
 #include "core/equilibrium/junction_coloring.h"
 #include "core/equilibrium/moves.h"
-#include "core/foam/t1_rule.h"
 #include "core/foam/measure.h"
+#include "core/foam/t1_rule.h"
 #include "core/parallel/parallel_for.h"
 
 #include <algorithm>
@@ -123,8 +123,7 @@ class Sweeps {
     // bubbles, which another of its colour may change.
     void sweep_color(const std::vector<JunctionId>& color) {
         changes_.resize(color.size());
-        parallel_for(0,
-                     color.size(),
+        parallel_for(color.size(),
                      kBlocksPerChunk,
                      options_.threads,
                      [&](std::size_t first, std::size_t last) {

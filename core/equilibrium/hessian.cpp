@@ -239,7 +239,7 @@ void Hessian::add_outer_film(const FilmPlace& place, const Foam& foam, FilmId fi
 
 const Eigen::SparseMatrix<double>& Hessian::evaluate(const Foam& foam, int threads) {
     std::vector<FilmEnergyHessian> films(places_.size());
-    parallel_for(0, films.size(), kGrain, threads, [&](std::size_t first, std::size_t last) {
+    parallel_for(films.size(), kGrain, threads, [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k) {
             const HalfEdgeId h = forward_side(unknowns_.films[k]);
             films[k] = film_energy_hessian(

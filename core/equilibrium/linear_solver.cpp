@@ -43,7 +43,7 @@ void LinearSolver::start(const Foam& foam,
     nodes_ = solver_nodes(foam, unknowns);
     domain_ = foam.domain;
     precision_ = precision;
-    threads_ = threads_meant(threads);
+    threads_ = thread_count(threads);
     analyzed_ = false;
 }
 

@@ -17,7 +17,7 @@ constexpr std::size_t kGrain = 1024;  // films or bubbles that a thread takes at
 
 template <class Body>
 void for_each_index(std::size_t count, int threads, const Body& body) {
-    parallel_for(0, count, kGrain, threads, [&](std::size_t first, std::size_t last) {
+    parallel_for(count, kGrain, threads, [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k) {
             body(k);
         }

@@ -3,7 +3,6 @@
 #include "core/parallel/worker_pool.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cassert>
 #include <exception>
 #include <mutex>
@@ -14,24 +13,24 @@ namespace foam {
 
 namespace {
 
-constexpr std::size_t kMostThreads = 256;  // whatever an option asks for
+constexpr std::size_t kMaxThreads = 256;  // however many an option asks for
 
+// The chunks of one parallel_for, which several threads take one after another.
 class Chunks {
   public:
-    Chunks(std::size_t begin,
-           std::size_t end,
+    Chunks(std::size_t count,
            std::size_t grain,
            const std::function<void(std::size_t, std::size_t)>& body)
-        : begin_(begin), end_(end), grain_(grain), body_(body) {}
+        : count_(count), grain_(grain), body_(body) {}
 
-    std::size_t count() const { return (end_ - begin_ + grain_ - 1) / grain_; }
+    std::size_t chunks() const { return (count_ + grain_ - 1) / grain_; }
 
-    // Takes chunk after chunk until none is left. Any number of threads may.
+    // Processes chunks until none is left. May run on any number of threads at once.
     void work() {
-        for (std::size_t k = next_++; k < count(); k = next_++) {
+        for (std::size_t k = next_++; k < chunks(); k = next_++) {
             try {
-                const std::size_t first = begin_ + k * grain_;
-                body_(first, std::min(end_, first + grain_));
+                const std::size_t first = k * grain_;
+                body_(first, std::min(count_, first + grain_));
             } catch (...) {
                 stop(std::current_exception());
             }
@@ -50,11 +49,10 @@ class Chunks {
         if (!failure_) {
             failure_ = std::move(failure);
         }
-        next_ = count();
+        next_ = chunks();
     }
 
-    std::size_t begin_;
-    std::size_t end_;
+    std::size_t count_;
     std::size_t grain_;
     const std::function<void(std::size_t, std::size_t)>& body_;
     std::atomic<std::size_t> next_{0};
@@ -64,25 +62,30 @@ class Chunks {
 
 }  // namespace
 
-int threads_meant(int threads) {
+int thread_count(int threads) {
     return threads > 0 ? threads
                        : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-void parallel_for(std::size_t begin,
-                  std::size_t end,
+void parallel_for(std::size_t count,
                   std::size_t grain,
                   int threads,
                   const std::function<void(std::size_t, std::size_t)>& body) {
     assert(grain > 0);
-    if (begin >= end) {
+    if (count == 0) {
         return;
     }
-    Chunks chunks(begin, end, grain, body);
-    const auto wanted = static_cast<std::size_t>(threads_meant(threads));
-    const std::size_t used = std::min({wanted, chunks.count(), kMostThreads});
+    Chunks chunks(count, grain, body);
+    const auto wanted = static_cast<std::size_t>(thread_count(threads));
+    const std::size_t used = std::min({wanted, chunks.chunks(), kMaxThreads});
     WorkerPool::shared().run(static_cast<int>(used) - 1, [&chunks] { chunks.work(); });
     chunks.rethrow();
+}
+
+void parallel_for(int count, int threads, const std::function<void(int)>& body) {
+    const auto indices = static_cast<std::size_t>(std::max(count, 0));
+    parallel_for(
+        indices, 1, threads, [&](std::size_t k, std::size_t) { body(static_cast<int>(k)); });
 }
 
 }  // namespace foam

@@ -8,13 +8,13 @@ namespace foam {
 
 namespace {
 
-// About what it takes to put a thread to sleep and to wake it.
-constexpr std::chrono::microseconds kMoment{50};
+// About as long as it takes to put a thread to sleep and to wake it again.
+constexpr std::chrono::microseconds kSpinTime{50};
 
-// Until the condition holds, or a moment is over.
+// Spins until the condition holds, or kSpinTime is over.
 template <class Condition>
-void look_around(const Condition& condition) {
-    const auto end = std::chrono::steady_clock::now() + kMoment;
+void spin_until(const Condition& condition) {
+    const auto end = std::chrono::steady_clock::now() + kSpinTime;
     while (!condition() && std::chrono::steady_clock::now() < end) {
         std::this_thread::yield();
     }
@@ -54,7 +54,7 @@ void WorkerPool::run(int helpers, const std::function<void()>& work) {
     }
     work();
     withdraw(offer);
-    look_around([&] { return offer.running == 0; });
+    spin_until([&] { return offer.running == 0; });
     std::unique_lock lock(mutex_);
     finished_.wait(lock, [&] { return offer.running == 0; });
 }
@@ -73,7 +73,7 @@ void WorkerPool::start_threads(int count) {
 
 void WorkerPool::serve() {
     while (true) {
-        look_around([this] { return offered_ > 0; });
+        spin_until([this] { return offered_ > 0; });
         std::unique_lock lock(mutex_);
         changed_.wait(lock, [this] { return closing_ || !offers_.empty(); });
         if (closing_) {

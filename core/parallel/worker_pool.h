@@ -10,12 +10,12 @@
 
 namespace foam {
 
-/// Threads that wait for work and stay for the next: starting one takes longer than most of what
-/// `parallel_for` hands out. As waking one takes long, too, they look around for a moment before
-/// they sleep; meanwhile any other thread may have their processor.
+/// A pool of threads that outlive the work given to them: starting a thread takes longer than most
+/// loops of `parallel_for`. Waking a thread is slow, too, so an idle thread first spins for 50
+/// microseconds, yielding its processor to any other thread, and then sleeps.
 class WorkerPool {
   public:
-    /// The one pool of the program. Its threads are started when first asked for.
+    /// Returns the only pool of the program. Its threads are started when first needed.
     static WorkerPool& shared();
 
     WorkerPool() = default;
@@ -23,18 +23,19 @@ class WorkerPool {
     WorkerPool& operator=(const WorkerPool&) = delete;
     ~WorkerPool();
 
-    /// Calls work() on the caller's thread and at the same time on up to `helpers` others; returns
-    /// when all these calls have. A helper that is still busy elsewhere when the caller's call
-    /// returns is not waited for: so work() may itself run work here, and any number of threads may
-    /// call at once. Precondition: work() does not throw, and may be called any number of times
-    /// from once on. Throws std::system_error where a thread cannot be started.
+    /// Calls work() on the caller's thread and concurrently on up to `helpers` threads of the pool;
+    /// returns when all these calls have returned. A helper that has not begun when the caller's
+    /// own call returns is no longer waited for: this is why work() may itself call run(), and why
+    /// any number of threads may call run() at once. Precondition: work() does not throw, and is
+    /// correct for any number of calls from one on. Throws std::system_error if a thread cannot be
+    /// started.
     void run(int helpers, const std::function<void()>& work);
 
   private:
     struct Offer {
         const std::function<void()>* work = nullptr;
         int unclaimed = 0;            // helpers that may still join
-        std::atomic<int> running{0};  // helpers that have, and have not come back
+        std::atomic<int> running{0};  // helpers that are inside work()
     };
 
     void start_threads(int count);
@@ -43,10 +44,10 @@ class WorkerPool {
     void withdraw(Offer& offer);
 
     std::mutex mutex_;
-    std::condition_variable changed_;   // an offer, or the end
-    std::condition_variable finished_;  // a helper has come back
+    std::condition_variable changed_;   // notified of a new offer and of closing
+    std::condition_variable finished_;  // notified when a helper leaves work()
     std::vector<Offer*> offers_;
-    std::atomic<std::size_t> offered_{0};  // how many offers there are, to look at without waiting
+    std::atomic<std::size_t> offered_{0};  // offers_.size(), readable without the lock
     bool closing_ = false;
     std::vector<std::jthread> threads_;
 };

@@ -1,7 +1,7 @@
 #include "core/sparse/dissection.h"
 
-#include "core/sparse/vertex_cut.h"
 #include "core/parallel/parallel_for.h"
+#include "core/sparse/vertex_cut.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,7 @@ struct Box {
 // The plane's are so large that no coordinate reaches half of one.
 Vec2 periods_of(const Domain& domain) {
     return domain.is_plane() ? Vec2(Vec2::Constant(std::numeric_limits<double>::max()))
-                            : Vec2(domain.width, domain.height);
+                             : Vec2(domain.width, domain.height);
 }
 
 Box bounding_box(std::span<const SolverNode> nodes) {
@@ -114,7 +114,7 @@ class Dissector {
     BothParts dissect_at_once(const Half& low, const Half& high, int threads) {
         Dissector other(graph_, nodes_, periods_, options_, memory_);
         const int half = threads / 2;
-        parallel_for(0, 2, 1, 2, [&](std::size_t which, std::size_t) {
+        parallel_for(2, 2, [&](int which) {
             if (which == 0) {
                 dissect(low.begin, low.end, low.box, half);
             } else {

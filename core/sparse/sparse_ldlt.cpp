@@ -1,8 +1,8 @@
 #include "core/sparse/sparse_ldlt.h"
 
+#include "core/parallel/parallel_for.h"
 #include "core/sparse/front_workspace.h"
 #include "core/sparse/partial_ldlt.h"
-#include "core/parallel/parallel_for.h"
 
 #include <algorithm>
 #include <atomic>
@@ -52,7 +52,7 @@ class Factorization {
             return;
         }
         const std::size_t half = threads / 2;
-        parallel_for(0, 2, 1, 2, [&](std::size_t which, std::size_t) {
+        parallel_for(2, 2, [&](int which) {
             if (which == 0) {
                 factor_subtree(front.left, first_thread, half);
             } else {
@@ -254,7 +254,7 @@ class Substitution {
     template <class Body>
     static void both(std::size_t threads, const Body& body) {
         const std::size_t half = threads / 2;
-        parallel_for(0, 2, 1, threads > 1 ? 2 : 1, [&](std::size_t which, std::size_t) {
+        parallel_for(2, threads > 1 ? 2 : 1, [&](int which) {
             body(which == 0, which == 0 ? half : threads - half);
         });
     }

@@ -1,9 +1,10 @@
 #include "texgen/bake/bake.h"
 
+#include "core/parallel/parallel_for.h"
+#include "texgen/animation/simulate_frames.h"
 #include "texgen/bake/bounded_workers.h"
 #include "texgen/bake/file_pattern.h"
 #include "texgen/bake/frame_files.h"
-#include "texgen/animation/simulate_frames.h"
 #include "texgen/maps/fade_order.h"
 
 #include <algorithm>
@@ -12,20 +13,12 @@
 #include <mutex>
 #include <optional>
 #include <stdexcept>
-#include <thread>
 
 namespace foam::texgen {
 
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-int thread_count(const BakeOptions& options) {
-    if (options.threads > 0) {
-        return options.threads;
-    }
-    return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-}
 
 double seconds_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
@@ -106,7 +99,7 @@ BakeSummary bake(const Preset& preset, const BakeOptions& options, const BakeCal
     BakeSummary summary;
     const FrameSource source =
         options.source ? options.source : simulation_of(preset, options.threads);
-    BoundedWorkers workers(thread_count(options) - 1);
+    BoundedWorkers workers(thread_count(options.threads) - 1);
     std::set<int> done;
     const auto visit = [&](const SimulatedFrame& shown) {
         done.insert(shown.frame->number);

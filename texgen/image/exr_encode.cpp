@@ -1,3 +1,4 @@
+#include "core/parallel/parallel_for.h"
 #include "texgen/image/exr.h"
 #include "texgen/image/exr_planes.h"
 #include "texgen/image/exr_stream.h"
@@ -16,7 +17,6 @@
 #include <mutex>
 #include <set>
 #include <string_view>
-#include <thread>
 
 namespace foam::texgen {
 
@@ -118,8 +118,7 @@ int library_threads(int threads) {
     if (threads == 1) {
         return 0;
     }
-    const int wanted =
-        threads > 1 ? threads : static_cast<int>(std::thread::hardware_concurrency());
+    const int wanted = thread_count(threads);
     const std::scoped_lock lock(mutex);
     if (Imf::globalThreadCount() < wanted) {
         Imf::setGlobalThreadCount(wanted);

@@ -38,7 +38,7 @@ PngData::PngData(const PngRows& rows, const PngEncoding& encoding, std::vector<P
       parts_(parts),
       rows_per_part_(rows_per_part(rows, encoding.compression)) {
     const int count = (rows.height() + rows_per_part_ - 1) / rows_per_part_;
-    const int at_once = std::clamp(threads_meant(encoding.threads), 1, count);
+    const int at_once = std::min(thread_count(encoding.threads), count);
     chunks_.resize(static_cast<std::size_t>(at_once));
     parts_.resize(std::max(parts_.size(), chunks_.size()));
 }
@@ -48,7 +48,7 @@ std::span<const PngData::Chunk> PngData::next_chunks() {
     while (count < chunks_.size() && first_row(count) < rows_.height()) {
         ++count;
     }
-    parallel_for(0, count, 1, encoding_.threads, [this](std::size_t k, std::size_t) {
+    parallel_for(count, 1, encoding_.threads, [this](std::size_t k, std::size_t) {
         make(parts_[k], first_row(k), first_row(k + 1));
     });
     for (std::size_t k = 0; k < count; ++k) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "texgen/raster/parallel_for.h"
+#include "core/parallel/parallel_for.h"
 
 #include <cstddef>
 #include <type_traits>

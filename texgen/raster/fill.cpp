@@ -1,8 +1,8 @@
 #include "texgen/raster/fill.h"
 
+#include "core/parallel/parallel_for.h"
 #include "texgen/raster/arc_bands.h"
 #include "texgen/raster/coverage.h"
-#include "texgen/raster/parallel_for.h"
 #include "texgen/raster/row_means.h"
 #include "texgen/raster/row_writer.h"
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/foam/frame.h"
+#include "core/parallel/parallel_for.h"
 #include "texgen/raster/half_turns.h"
-#include "texgen/raster/parallel_for.h"
 #include "texgen/raster/pixel_arc.h"
 
 #include <algorithm>

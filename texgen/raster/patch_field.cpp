@@ -1,9 +1,9 @@
 #include "texgen/raster/patch_field.h"
 
+#include "core/parallel/parallel_for.h"
 #include "texgen/raster/bands.h"
 #include "texgen/raster/field_rows.h"
 #include "texgen/raster/field_writer.h"
-#include "texgen/raster/parallel_for.h"
 #include "texgen/raster/patch_regions.h"
 #include "texgen/raster/region_field.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/foam/frame.h"
-#include "texgen/raster/parallel_for.h"
+#include "core/parallel/parallel_for.h"
 #include "texgen/raster/raster_grid.h"
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 #include "texgen/raster/torus_cells.h"
 
-#include "texgen/raster/parallel_for.h"
+#include "core/parallel/parallel_for.h"
 
 #include <algorithm>
 #include <vector>

@@ -1,10 +1,10 @@
 #include "texgen/raster/torus_field.h"
 
+#include "core/parallel/parallel_for.h"
 #include "texgen/raster/cell_place.h"
 #include "texgen/raster/field_rows.h"
 #include "texgen/raster/field_writer.h"
 #include "texgen/raster/kept_cells.h"
-#include "texgen/raster/parallel_for.h"
 #include "texgen/raster/small_cell.h"
 #include "texgen/raster/torus_cells.h"
 

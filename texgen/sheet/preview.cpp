@@ -41,7 +41,7 @@ Codes codes_within(const ShownFrame& frame, int size) {
 /// All frames of a map at one size.
 std::vector<Codes> frames_within(const MapSequence& sequence, int size, int threads) {
     std::vector<Codes> frames(sequence.files.size());
-    parallel_for(0, frames.size(), 1, threads, [&](std::size_t k, std::size_t) {
+    parallel_for(frames.size(), 1, threads, [&](std::size_t k, std::size_t) {
         frames[k] = codes_within(read_shown(sequence.files[k], sequence.map), size);
     });
     return frames;
@@ -76,7 +76,7 @@ std::vector<MapFile> spread(const std::vector<MapFile>& files, std::size_t most)
 
 Bytes animation(const std::vector<Codes>& frames, FrameRate rate, int threads) {
     std::vector<Bytes> streams(frames.size());
-    parallel_for(0, frames.size(), 1, threads, [&](std::size_t k, std::size_t) {
+    parallel_for(frames.size(), 1, threads, [&](std::size_t k, std::size_t) {
         streams[k] = encoded(frames[k]);
     });
     ApngMuxer muxer(static_cast<int>(frames.size()), rate);

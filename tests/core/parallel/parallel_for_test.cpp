@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <mutex>
 #include <set>
@@ -15,28 +16,28 @@ namespace {
 
 using Range = std::pair<std::size_t, std::size_t>;
 
-std::set<Range> chunks_of(std::size_t begin, std::size_t end, std::size_t grain, int threads) {
+std::set<Range> chunks_of(std::size_t count, std::size_t grain, int threads) {
     std::set<Range> chunks;
     std::mutex mutex;
-    parallel_for(begin, end, grain, threads, [&](std::size_t first, std::size_t last) {
+    parallel_for(count, grain, threads, [&](std::size_t first, std::size_t last) {
         const std::scoped_lock lock(mutex);
         EXPECT_TRUE(chunks.emplace(first, last).second);
     });
     return chunks;
 }
 
-TEST(ParallelFor, CutsTheSameChunksForAnyNumberOfThreads) {
+TEST(ParallelFor, MakesTheSameChunksForAnyNumberOfThreads) {
     for (const int threads : {-1, 0, 1, 2, 3, 7}) {
-        EXPECT_EQ(chunks_of(3, 13, 4, threads), (std::set<Range>{{3, 7}, {7, 11}, {11, 13}}));
-        EXPECT_EQ(chunks_of(0, 8, 4, threads), (std::set<Range>{{0, 4}, {4, 8}}));
-        EXPECT_EQ(chunks_of(5, 6, 100, threads), (std::set<Range>{{5, 6}}));
+        EXPECT_EQ(chunks_of(10, 4, threads), (std::set<Range>{{0, 4}, {4, 8}, {8, 10}}));
+        EXPECT_EQ(chunks_of(8, 4, threads), (std::set<Range>{{0, 4}, {4, 8}}));
+        EXPECT_EQ(chunks_of(1, 100, threads), (std::set<Range>{{0, 1}}));
     }
 }
 
-TEST(ParallelFor, CallsEveryIndexOnceHoweverManyCallsThereAre) {
+TEST(ParallelFor, VisitsEveryIndexOnceInEachOfManyCalls) {
     std::vector<std::atomic<int>> calls(1000);
     for (int repeat = 1; repeat <= 200; ++repeat) {
-        parallel_for(0, calls.size(), 7, 3, [&](std::size_t first, std::size_t last) {
+        parallel_for(calls.size(), 7, 3, [&](std::size_t first, std::size_t last) {
             for (std::size_t k = first; k < last; ++k) {
                 ++calls[k];
             }
@@ -47,18 +48,18 @@ TEST(ParallelFor, CallsEveryIndexOnceHoweverManyCallsThereAre) {
     }
 }
 
-TEST(ParallelFor, DoesNothingForNothing) {
-    const auto fail = [](std::size_t, std::size_t) { FAIL(); };
-    parallel_for(4, 4, 1, 4, fail);
-    parallel_for(5, 4, 1, 4, fail);
+TEST(ParallelFor, DoesNothingForAnEmptyRange) {
+    parallel_for(0, 1, 4, [](std::size_t, std::size_t) { FAIL(); });
+    parallel_for(0, 4, [](int) { FAIL(); });
+    parallel_for(-3, 4, [](int) { FAIL(); });
 }
 
-// Each of three chunks waits for the others, which takes three threads.
-TEST(ParallelFor, RunsChunksAtTheSameTime) {
+// Each of three calls waits for the others, which takes three threads.
+TEST(ParallelFor, RunsCallsAtTheSameTime) {
     std::atomic<int> begun{0};
     std::set<std::thread::id> threads;
     std::mutex mutex;
-    parallel_for(0, 3, 1, 3, [&](std::size_t, std::size_t) {
+    parallel_for(3, 3, [&](int) {
         ++begun;
         while (begun < 3) {
             std::this_thread::yield();
@@ -70,31 +71,29 @@ TEST(ParallelFor, RunsChunksAtTheSameTime) {
     EXPECT_EQ(threads.count(std::this_thread::get_id()), 1U);
 }
 
-TEST(ParallelFor, RunsOnTheCallerAloneWithOneThread) {
-    parallel_for(0, 10, 1, 1, [caller = std::this_thread::get_id()](std::size_t, std::size_t) {
+TEST(ParallelFor, RunsOnTheCallerOnlyWithOneThread) {
+    parallel_for(10, 1, [caller = std::this_thread::get_id()](int) {
         EXPECT_EQ(std::this_thread::get_id(), caller);
     });
 }
 
-TEST(ParallelFor, PassesAnExceptionOnAndLeavesTheRestOut) {
+TEST(ParallelFor, RethrowsAnExceptionAndSkipsTheRest) {
     std::atomic<int> calls{0};
-    const auto body = [&](std::size_t first, std::size_t) {
+    const auto body = [&](int k) {
         ++calls;
-        if (first == 3) {
+        if (k == 3) {
             throw std::runtime_error("three");
         }
     };
-    EXPECT_THROW(parallel_for(0, 100, 1, 1, body), std::runtime_error);
+    EXPECT_THROW(parallel_for(100, 1, body), std::runtime_error);
     EXPECT_EQ(calls, 4);
-    EXPECT_THROW(parallel_for(0, 100, 1, 3, body), std::runtime_error);
-    EXPECT_EQ(chunks_of(0, 10, 1, 3).size(), 10U);  // the threads are as good as before
+    EXPECT_THROW(parallel_for(100, 3, body), std::runtime_error);
+    EXPECT_EQ(chunks_of(10, 1, 3).size(), 10U);  // the pool works as before
 }
 
 TEST(ParallelFor, MayBeNested) {
     std::atomic<int> calls{0};
-    parallel_for(0, 8, 1, 4, [&](std::size_t, std::size_t) {
-        parallel_for(0, 8, 1, 4, [&](std::size_t, std::size_t) { ++calls; });
-    });
+    parallel_for(8, 4, [&](int) { parallel_for(8, 4, [&](int) { ++calls; }); });
     EXPECT_EQ(calls, 64);
 }
 
@@ -102,7 +101,7 @@ TEST(ParallelFor, MayBeCalledFromManyThreads) {
     std::atomic<int> calls{0};
     const auto call_often = [&calls] {
         for (int repeat = 0; repeat < 100; ++repeat) {
-            parallel_for(0, 10, 1, 3, [&](std::size_t, std::size_t) { ++calls; });
+            parallel_for(10, 3, [&](int) { ++calls; });
         }
     };
     {
@@ -113,10 +112,33 @@ TEST(ParallelFor, MayBeCalledFromManyThreads) {
     EXPECT_EQ(calls, 3000);
 }
 
-TEST(ParallelFor, ThreadsMeantIsAtLeastOne) {
-    EXPECT_EQ(threads_meant(3), 3);
-    EXPECT_GE(threads_meant(0), 1);
-    EXPECT_EQ(threads_meant(-2), threads_meant(0));
+TEST(ParallelFor, CallsEveryIndexOnce) {
+    for (const int threads : {-1, 0, 1, 2, 5}) {
+        std::vector<std::atomic<int>> calls(37);
+        parallel_for(37, threads, [&](int k) { ++calls[static_cast<std::size_t>(k)]; });
+        for (const std::atomic<int>& count : calls) {
+            EXPECT_EQ(count, 1);
+        }
+    }
+}
+
+TEST(ParallelFor, GivesEachWorkerToOneCallAtATime) {
+    std::vector<std::atomic<bool>> busy(3);
+    std::vector<std::atomic<int>> calls(5000);
+    parallel_for(5000, busy, [&](std::atomic<bool>& own, int k) {
+        EXPECT_FALSE(own.exchange(true));
+        ++calls[static_cast<std::size_t>(k)];
+        own = false;
+    });
+    for (const std::atomic<int>& count : calls) {
+        EXPECT_EQ(count, 1);
+    }
+}
+
+TEST(ParallelFor, ThreadCountResolvesNoneAndNegativeToTheHardware) {
+    EXPECT_EQ(thread_count(3), 3);
+    EXPECT_EQ(thread_count(0), std::max(1, static_cast<int>(std::thread::hardware_concurrency())));
+    EXPECT_EQ(thread_count(-2), thread_count(0));
 }
 
 }  // namespace
