@@ -1,6 +1,7 @@
 #include "core/dynamics/collapse.h"
 
 #include "core/foam/rafts.h"
+#include "core/foam/record_event.h"
 #include "core/foam/t1_rule.h"
 #include "core/network/t1.h"
 #include "core/network/t2.h"

@@ -1,5 +1,6 @@
 #include "core/dynamics/nucleation.h"
 
+#include "core/foam/record_event.h"
 #include "core/network/insertion.h"
 
 #include <algorithm>

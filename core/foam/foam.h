@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/foam/topology_event.h"
-#include "core/geometry/film_arc.h"
 #include "core/geometry/domain.h"
+#include "core/geometry/film_arc.h"
 #include "core/network/network.h"
 
 #include <vector>

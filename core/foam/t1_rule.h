@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/foam/topology_thresholds.h"
 #include "core/foam/foam.h"
+#include "core/foam/topology_thresholds.h"
 
 #include <span>
 #include <vector>

@@ -8,8 +8,6 @@
 
 namespace foam {
 
-struct Foam;
-
 /// The number under which a bubble is known from its birth to its end; never used again.
 using BubbleIdentity = std::uint32_t;
 
@@ -28,14 +26,5 @@ struct TopologyEvent {
 
     friend bool operator==(const TopologyEvent&, const TopologyEvent&) = default;
 };
-
-/// Adds an event to those of the foam, at its present time. The ghost is left out of the bubbles.
-void note_event(Foam& foam,
-                TopologyEventKind kind,
-                const Vec2& place,
-                const std::vector<BubbleId>& bubbles);
-
-/// A T1 at a film, before it is carried out.
-void note_t1(Foam& foam, FilmId film);
 
 }  // namespace foam

@@ -3,7 +3,7 @@
 #include "core/equilibrium/equilibrate.h"
 #include "core/foam/honeycomb.h"
 #include "tests/core/foams.h"
-#include "tests/support/raster_frames.h"
+#include "tests/support/sample_foams.h"
 
 #include <gtest/gtest.h>
 

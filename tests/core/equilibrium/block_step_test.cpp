@@ -6,7 +6,7 @@
 #include "tests/core/equilibrium/derivative_foams.h"
 #include "tests/core/foams.h"
 #include "tests/core/patches.h"
-#include "tests/support/raster_frames.h"
+#include "tests/support/sample_foams.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "core/foam/honeycomb.h"
 #include "core/foam/random.h"
 #include "tests/core/patches.h"
-#include "tests/support/raster_frames.h"
+#include "tests/support/sample_foams.h"
 
 #include <algorithm>
 #include <cstdint>

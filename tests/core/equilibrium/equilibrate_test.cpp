@@ -5,7 +5,7 @@
 #include "core/foam/random.h"
 #include "core/foam/seeding.h"
 #include "tests/core/foams.h"
-#include "tests/support/raster_frames.h"
+#include "tests/support/sample_foams.h"
 
 #include <gtest/gtest.h>
 

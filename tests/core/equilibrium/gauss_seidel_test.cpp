@@ -6,7 +6,7 @@
 #include "core/foam/random.h"
 #include "tests/core/equilibrium/crossing.h"
 #include "tests/core/foams.h"
-#include "tests/support/raster_frames.h"
+#include "tests/support/sample_foams.h"
 
 #include <gtest/gtest.h>
 

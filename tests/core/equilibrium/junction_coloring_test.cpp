@@ -5,7 +5,7 @@
 #include "core/network/t2.h"
 #include "tests/core/foams.h"
 #include "tests/core/patches.h"
-#include "tests/support/raster_frames.h"
+#include "tests/support/sample_foams.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "core/foam/measure.h"
 #include "tests/core/equilibrium/derivative_foams.h"
 #include "tests/core/foams.h"
-#include "tests/support/raster_frames.h"
+#include "tests/support/sample_foams.h"
 
 #include <gtest/gtest.h>
 

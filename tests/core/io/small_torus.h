@@ -31,6 +31,29 @@ bodies    // 16
 1 1 volume 6
 )";
 
+/// The same foam as a state file.
+inline constexpr const char* kSmallState = R"({
+"format": "foamtex-foam",
+"version": 1,
+"torus": [3.0, 2.0],
+"film_tension": 1.0,
+"time": 0.0,
+"next_identity": 1,
+"junctions": [
+[0.0, 0.5, 3],
+[1.0, 1.0, 4]
+],
+"films": [
+[0, 1, 0, 0, 2, 3, 0, 0, 1],
+[1, 0, 0, 0, 5, 4, 1, 1, 1],
+[1, 0, 0, 0, 0, 1, 1, 0, 1]
+],
+"bubbles": [
+[0, 0.0, 6.0, 0, 6]
+]
+}
+)";
+
 /// The text with the first place of `old` replaced; it has to hold it.
 inline std::string edited(std::string text, std::string_view old, std::string_view replacement) {
     const std::size_t at = text.find(old);

@@ -3,7 +3,7 @@
 #include "core/foam/honeycomb.h"
 #include "core/network/t1.h"
 #include "tests/core/foams.h"
-#include "tests/support/raster_frames.h"
+#include "tests/support/sample_foams.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "core/equilibrium/linear_solver.h"
 #include "core/foam/honeycomb.h"
 #include "core/foam/seeding.h"
-#include "tests/support/raster_frames.h"
+#include "tests/support/sample_foams.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include "core/equilibrium/relaxation.h"
 #include "core/foam/honeycomb.h"
 #include "core/foam/seeding.h"
-#include "tests/support/raster_frames.h"
+#include "tests/support/sample_foams.h"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>

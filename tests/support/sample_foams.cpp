@@ -1,4 +1,4 @@
-#include "tests/support/raster_frames.h"
+#include "tests/support/sample_foams.h"
 
 #include "core/equilibrium/equilibrate.h"
 #include "core/foam/patch.h"

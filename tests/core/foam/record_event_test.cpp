@@ -1,13 +1,13 @@
-#include "core/foam/topology_event.h"
+#include "core/foam/record_event.h"
 
 #include "core/dynamics/collapse.h"
 #include "core/dynamics/nucleation.h"
 #include "core/dynamics/step.h"
-#include "core/foam/t1_rule.h"
 #include "core/foam/honeycomb.h"
+#include "core/foam/t1_rule.h"
 #include "tests/core/equilibrium/crossing.h"
 #include "tests/core/foams.h"
-#include "tests/support/raster_frames.h"
+#include "tests/support/sample_foams.h"
 
 #include <gtest/gtest.h>
 

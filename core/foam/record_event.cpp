@@ -1,6 +1,5 @@
-#include "core/foam/topology_event.h"
+#include "core/foam/record_event.h"
 
-#include "core/foam/foam.h"
 #include "core/network/t1.h"
 
 #include <utility>

@@ -1,0 +1,92 @@
+#include "core/foam/clipped_cells.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace foam {
+namespace {
+
+constexpr double kClipping = 1e-6;  // the clipping library rounds to a grid
+
+std::vector<CellCorner> rectangle_cell(double left, double bottom, double right, double top) {
+    return {{{left, bottom}, 0, {}},
+            {{right, bottom}, 0, {}},
+            {{right, top}, 0, {}},
+            {{left, top}, 0, {}}};
+}
+
+Outline rectangle(double left, double bottom, double right, double top) {
+    return {{{left, bottom}, {right, bottom}, {right, top}, {left, top}}, {}};
+}
+
+// Two squares of side 2 beside each other, cut to a rectangle of 2 x 1 in their middle: a unit
+// square of each is left, and both share the two points on their border.
+TEST(ClipCells, CutsCellsThatShareABorder) {
+    const CellDiagram diagram{rectangle_cell(0, 0, 2, 2), rectangle_cell(2, 0, 4, 2)};
+    const ClippedCells clipped = clip_cells(rectangle(1.0, 0.5, 3.0, 1.5), diagram);
+    ASSERT_EQ(clipped.mesh.cells.size(), 2U);
+    EXPECT_EQ(clipped.mesh.points.size(), 6U);
+    for (const PolygonMesh::Cell& cell : clipped.mesh.cells) {
+        EXPECT_NEAR(polygon_area(clipped.mesh, cell), 1.0, kClipping);
+    }
+    ASSERT_EQ(clipped.centres.size(), 2U);
+    EXPECT_NEAR((clipped.centres[0] - Vec2(1.5, 1.0)).norm(), 0.0, kClipping);
+    EXPECT_NEAR((clipped.centres[1] - Vec2(2.5, 1.0)).norm(), 0.0, kClipping);
+}
+
+TEST(ClipCells, LeavesNothingOfACellOutsideButItsMiddle) {
+    const CellDiagram diagram{rectangle_cell(0, 0, 2, 2)};
+    const ClippedCells clipped = clip_cells(rectangle(5.0, 0.0, 6.0, 1.0), diagram);
+    EXPECT_TRUE(clipped.mesh.cells.empty());
+    ASSERT_EQ(clipped.centres.size(), 1U);
+    EXPECT_NEAR((clipped.centres[0] - Vec2(1.0, 1.0)).norm(), 0.0, kClipping);
+}
+
+// A U of two legs, 1 and 2 wide, across the cell: each leg cuts out a part, and the middle of the
+// larger one counts.
+TEST(ClipCells, MakesACellOfEachPart) {
+    const CellDiagram diagram{rectangle_cell(0, 2, 6, 3)};
+    const Outline u{{{0, 0}, {5, 0}, {5, 4}, {3, 4}, {3, 1}, {1, 1}, {1, 4}, {0, 4}}, {}};
+    const ClippedCells clipped = clip_cells(u, diagram);
+    ASSERT_EQ(clipped.mesh.cells.size(), 2U);
+    EXPECT_NEAR(polygon_area(clipped.mesh, clipped.mesh.cells[0]) +
+                    polygon_area(clipped.mesh, clipped.mesh.cells[1]),
+                3.0,
+                kClipping);
+    EXPECT_NEAR((clipped.centres[0] - Vec2(4.0, 2.5)).norm(), 0.0, kClipping);
+}
+
+// Unit squares to both sides of a strip of 0.05: its area is below a tenth of the mean, 0.68.
+PolygonMesh squares_with_a_strip_between() {
+    return {{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {1.05, 0}, {1.05, 1}, {2.05, 0}, {2.05, 1}},
+            {{0, 1, 2, 3}, {1, 4, 5, 2}, {4, 6, 7, 5}}};
+}
+
+TEST(MergeSlivers, MergesAStripIntoANeighbor) {
+    PolygonMesh mesh = squares_with_a_strip_between();
+    merge_slivers(mesh);
+    ASSERT_EQ(mesh.cells.size(), 2U);
+    EXPECT_NEAR(polygon_area(mesh, mesh.cells[0]), 1.05, 1e-12);
+    EXPECT_NEAR(polygon_area(mesh, mesh.cells[1]), 1.0, 1e-12);
+}
+
+TEST(MergeSlivers, DropsASliverWithoutNeighbors) {
+    PolygonMesh mesh = squares_with_a_strip_between();
+    mesh.cells[1] = mesh.cells[2];
+    mesh.cells.pop_back();
+    mesh.points.insert(mesh.points.end(), {{5.0, 0.0}, {5.1, 0.0}, {5.0, 0.1}});
+    mesh.cells.push_back({8, 9, 10});
+    merge_slivers(mesh);
+    EXPECT_EQ(mesh.cells.size(), 2U);
+}
+
+TEST(MergeSlivers, LeavesCellsOfLikeSizesAlone) {
+    PolygonMesh mesh{{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {2, 0}, {2, 1}},
+                     {{0, 1, 2, 3}, {1, 4, 5, 2}}};
+    merge_slivers(mesh);
+    EXPECT_EQ(mesh.cells, (std::vector<PolygonMesh::Cell>{{0, 1, 2, 3}, {1, 4, 5, 2}}));
+}
+
+}  // namespace
+}  // namespace foam

@@ -1,0 +1,47 @@
+#include "core/foam/target_areas.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace foam {
+namespace {
+
+// Three areas, evenly spread in the logarithm between 1 and 100: 1, 10, 100, by their present
+// order.
+TEST(SpreadAreas, KeepsTheOrderAndReachesTheRatio) {
+    std::vector<double> areas{5.0, 1.0, 3.0};
+    spread_areas(areas, 100.0);
+    EXPECT_DOUBLE_EQ(areas[0], 100.0);
+    EXPECT_DOUBLE_EQ(areas[1], 1.0);
+    EXPECT_DOUBLE_EQ(areas[2], 10.0);
+}
+
+TEST(SpreadAreas, GivesEqualAreasInTheirOrder) {
+    std::vector<double> areas{2.0, 2.0};
+    spread_areas(areas, 9.0);
+    EXPECT_DOUBLE_EQ(areas[0], 1.0);
+    EXPECT_DOUBLE_EQ(areas[1], 9.0);
+}
+
+TEST(SpreadAreas, OfARatioOfOneMakesAllAreasEqual) {
+    std::vector<double> areas{4.0, 2.0, 7.0};
+    spread_areas(areas, 1.0);
+    EXPECT_EQ(areas, (std::vector<double>{1.0, 1.0, 1.0}));
+}
+
+TEST(SpreadAreas, LeavesALoneBubbleAtOne) {
+    std::vector<double> areas{3.0};
+    spread_areas(areas, 50.0);
+    EXPECT_EQ(areas, std::vector<double>{1.0});
+}
+
+// 1 + 3 = 4 become 8: every area doubles.
+TEST(ScaleToTotal, ScalesAllAreasAlike) {
+    std::vector<double> areas{1.0, 3.0};
+    scale_to_total(areas, 8.0);
+    EXPECT_EQ(areas, (std::vector<double>{2.0, 6.0}));
+}
+
+}  // namespace
+}  // namespace foam
