@@ -13,10 +13,11 @@ namespace foam {
 
 namespace {
 
-constexpr double kSlowFraction = 0.1;   // of the T2 area, for bubbles of four and five sides
-constexpr double kLeastFraction = 0.1;  // of the T2 area: the target of a bubble that cannot vanish
+constexpr double kSlowFraction = 0.1;  // of the T2 area, for bubbles of four and five sides
+constexpr double kMinFraction = 0.1;   // of the T2 area: target of a bubble that cannot vanish
 
-// Puts the vertex that remains of a three-sided bubble at the mean of its junctions (paper eq. 3).
+// Moves the junction that will remain of a three-sided bubble to the mean of its three junctions
+// (paper eq. 3).
 void move_to_mean(Foam& foam, BubbleId bubble) {
     const HalfEdgeId first = foam.network.first(bubble);
     Vec2 at = Vec2::Zero();
@@ -30,12 +31,12 @@ void move_to_mean(Foam& foam, BubbleId bubble) {
 }
 
 void share_out(Foam& foam, double gas, const std::vector<BubbleId>& neighbours) {
-    for (const BubbleId neighbour : neighbours) {
-        foam.target_areas[neighbour] += gas / static_cast<double>(neighbours.size());
+    for (const BubbleId neighbor : neighbours) {
+        foam.target_areas[neighbor] += gas / static_cast<double>(neighbours.size());
     }
 }
 
-// Where its first side is: it is small.
+// Records the event at the first side of the bubble, which is small.
 void note_t2(Foam& foam, BubbleId bubble) {
     std::vector<BubbleId> bubbles{bubble};
     for (const HalfEdgeId h : foam.network.around(bubble)) {
@@ -59,7 +60,7 @@ void apply_t2(Foam& foam, BubbleId bubble) {
     }
 }
 
-// The film to the other bubble of a raft of two; none elsewhere.
+// Returns the film between the two bubbles of a raft of two, or none.
 FilmId film_of_raft_of_two(const Network& network, BubbleId bubble) {
     for (const HalfEdgeId h : network.around(bubble)) {
         if (is_inside_double_bubble(network, film_of(h))) {
@@ -69,7 +70,7 @@ FilmId film_of_raft_of_two(const Network& network, BubbleId bubble) {
     return kNone<FilmId>;
 }
 
-// The other one gets half of its gas, the ghost the rest, as from any bubble between two.
+// The other bubble gets half of the gas and the ghost the rest, as from any bubble between two.
 void vanish_from_raft_of_two(Foam& foam, BubbleId bubble, FilmId film) {
     const HalfEdgeId h = forward_side(film);
     const bool is_left = foam.network.left(h) == bubble;
@@ -81,7 +82,7 @@ void vanish_from_raft_of_two(Foam& foam, BubbleId bubble, FilmId film) {
     std::erase_if(foam.lone_bubbles, [&](const LoneBubble& b) { return b.identity == gone; });
 }
 
-// Flips the shortest film of the bubble that can; false where none can.
+// Flips the shortest film of the bubble that can flip. Returns false if none can.
 bool flip_shortest(Foam& foam, BubbleId bubble) {
     std::vector<HalfEdgeId> loop = foam.network.around(bubble);
     std::stable_sort(loop.begin(), loop.end(), [&](HalfEdgeId a, HalfEdgeId b) {
@@ -96,22 +97,23 @@ bool flip_shortest(Foam& foam, BubbleId bubble) {
     return false;
 }
 
-BubbleId largest_neighbour(const Foam& foam, BubbleId bubble) {
+BubbleId largest_neighbor(const Foam& foam, BubbleId bubble) {
     BubbleId largest = foam.network.right(foam.network.first(bubble));
     for (const HalfEdgeId h : foam.network.around(bubble)) {
-        const BubbleId neighbour = foam.network.right(h);
-        if (foam.target_areas[neighbour] > foam.target_areas[largest]) {
-            largest = neighbour;
+        const BubbleId neighbor = foam.network.right(h);
+        if (foam.target_areas[neighbor] > foam.target_areas[largest]) {
+            largest = neighbor;
         }
     }
     return largest;
 }
 
-// A bubble that stays takes what it lacks of the least target from its largest neighbour.
+// Raises the target of a bubble that stays to the smallest one, at the cost of its largest
+// neighbor.
 void keep_alive(Foam& foam, BubbleId bubble, double least) {
     const double lacking = least - foam.target_areas[bubble];
     if (lacking > 0.0) {
-        foam.target_areas[largest_neighbour(foam, bubble)] -= lacking;
+        foam.target_areas[largest_neighbor(foam, bubble)] -= lacking;
         foam.target_areas[bubble] += lacking;
     }
 }
@@ -157,7 +159,7 @@ bool collapse(Foam& foam, BubbleId bubble, TopologyCounts& counts) {
 
 TopologyCounts collapse_due(Foam& foam, const TopologyThresholds& thresholds) {
     TopologyCounts counts;
-    const double least = kLeastFraction * thresholds.t2_area;
+    const double least = kMinFraction * thresholds.t2_area;
     for (const BubbleId bubble : foam.network.bubbles()) {
         if (is_due_to_vanish(foam, bubble, thresholds)) {
             collapse_or_keep(foam, bubble, least, counts);
@@ -165,7 +167,7 @@ TopologyCounts collapse_due(Foam& foam, const TopologyThresholds& thresholds) {
     }
     counts.t2 += collapse_lone(
         foam, [&](const LoneBubble& bubble) { return bubble.target_area <= thresholds.t2_area; });
-    // The debts of those that vanished with a negative target can starve the ones that had enough.
+    // The negative targets of those that have vanished may leave others with too little.
     for (int before = -1; counts.t2 != before;) {
         before = counts.t2;
         for (const BubbleId bubble : foam.network.bubbles()) {

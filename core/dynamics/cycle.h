@@ -8,26 +8,25 @@
 
 namespace foam {
 
-/// What is done to a foam over and over (E9).
+/// A periodic change of a foam (E9).
 struct CycleOptions {
-    int steps = 48;       // of a cycle
-    double breath = 0.0;  // every target area swings by this part of itself, in a phase of its own
-    double strain = 0.0;  // the shear of a torus swings by this
+    int steps = 48;          // per cycle
+    double breath = 0.0;     // amplitude of each target area, relative, in a phase of its own
+    double strain = 0.0;     // amplitude of the shear of a torus
     std::uint64_t seed = 1;  // of the phases
 };
 
-/// A foam in equilibrium is a function of who touches whom, of its target areas and of its torus.
-/// Where these go round in a cycle, it comes back to where it was, once the T1s and T2s of the
-/// first cycles are through. No gas diffuses meanwhile. As a whole it is held where it was at the
-/// start.
+/// A foam in equilibrium is a function of its topology, its target areas and its domain. If these
+/// are periodic, it returns to its state after each cycle, once the T1s and T2s of the first cycles
+/// have happened. No gas diffuses meanwhile. The foam as a whole is held where it was at the start.
 class Cycle {
   public:
-    /// Target areas swing around those that the foam has.
+    /// Target areas oscillate around those of the foam.
     Cycle(const Foam& foam, const CycleOptions& options);
 
-    /// From the state that a cycle began with, or from anywhere near, to place `place` of it, from
-    /// 0, its start, on; and so on, round and round. Place k comes from place k - 1. As for any
-    /// step, the foam is left between the two where the summary is not converged.
+    /// Steps from position `place` - 1 of the cycle, or from a state near it, to position `place`;
+    /// 0 is the start of a cycle. If the summary is not converged, the foam is left between the
+    /// two, as after any step.
     StepSummary step_to(int place, Foam& foam, double time, const StepOptions& options) const;
 
   private:
@@ -41,14 +40,14 @@ class Cycle {
     void hold(Foam& foam) const;
 
     CycleOptions options_;
-    double shear_;  // of the torus, at the start
+    double shear_;  // of the domain, at the start
     std::vector<Swing> swings_;
     std::map<BubbleIdentity, Vec2> centres_;  // of the bubbles of the foam
 };
 
-/// How far apart two states of a foam are: the largest distance of a junction of a bubble from the
-/// nearest that the bubble has in the other, in diameters of a circle of the mean bubble area.
-/// Infinite where a bubble has other sides or is not in both.
+/// Returns the distance of two states of a foam: the largest distance of a junction of a bubble
+/// from the nearest junction of the same bubble in the other state, in diameters of a circle of the
+/// mean bubble area. Infinite if a bubble has another number of sides or is not in both.
 double closing_error(const Foam& one, const Foam& other);
 
 }  // namespace foam

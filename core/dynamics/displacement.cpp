@@ -9,11 +9,12 @@ namespace foam {
 
 namespace {
 
-// Of the radius, in a step. The slope of (1 - u²)² is at most 1.54, so that a step of less than
-// 0.64 keeps the order of all points.
+// Largest step, in radii. The slope of (1 - u²)² is at most 1.54, so that a step of less than 0.64
+// keeps the order of all points.
 constexpr double kLargestStep = 0.1;
-// While it is pushed, a film may flip that has lost half of its length, up to the upper end of what
-// the paper finds good (its eq. 16). At the distance of a foam at rest, 0.05, hardly any would.
+// While the foam is pushed, a film may flip that has lost half of its length, at a T1 distance at
+// the upper end of the range that the paper recommends (eq. 16). At 0.05, that of a foam at rest,
+// hardly any film would.
 constexpr double kT1Distance = 0.25;
 constexpr double kShortened = 0.5;
 
@@ -32,13 +33,14 @@ void move_junctions(Foam& foam, const Displacement& step) {
     }
 }
 
-// Flips what the push has shortened since `lengths`, and returns how many.
+// Applies the T1 rule to the films that the push has shortened since `lengths`. Returns the number
+// of T1s.
 int flip_shortened(Foam& foam, TopologyThresholds thresholds, Indexed<FilmId, double>& lengths) {
     thresholds.t1_distance = std::max(thresholds.t1_distance, kT1Distance);
     int flips = 0;
     for (const FilmId film : short_films(foam, thresholds)) {
         if (length_of(foam, film) < kShortened * lengths[film] &&
-            settle_film(foam, film, thresholds, Tangents::OfArcs)) {
+            apply_t1_rule(foam, film, thresholds)) {
             lengths[film] = length_of(foam, film);
             ++flips;
         }

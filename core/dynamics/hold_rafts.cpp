@@ -7,15 +7,15 @@ namespace foam {
 
 namespace {
 
-// From the middle of its chord to the mean of all points of an arc, over half of the chord: 1 / a -
-// cot a for a half angle a, to the side of its bulge.
+// Returns the distance between the middle of the chord and the mean of all points of an arc, over
+// half of the chord, to the side of its bulge: 1 / a - cot a for a half angle a.
 double bulge(double half_angle) {
     constexpr double kSmall = 1e-3;  // below, the next term of the series is under 1e-11
     return std::abs(half_angle) < kSmall ? half_angle / 3.0
                                          : 1.0 / half_angle - 1.0 / std::tan(half_angle);
 }
 
-// Relative to the tail.
+// Returns the mean of all points of the arc, relative to its tail.
 Vec2 mean_of_arc(const FilmArc& arc) {
     return 0.5 * (arc.chord - bulge(arc.half_angle) * turned_left(arc.chord));
 }
@@ -37,7 +37,7 @@ Centre centre_of(const Foam& patch, BubbleId bubble) {
     return centre;
 }
 
-// A raft, by its bubbles: all that hang together by films.
+// The bubbles of a raft: a connected component of the patch.
 using Raft = std::vector<BubbleId>;
 
 Raft raft_around(const Network& network, BubbleId first, Indexed<BubbleId, char>& seen) {
@@ -56,8 +56,8 @@ Raft raft_around(const Network& network, BubbleId first, Indexed<BubbleId, char>
 }
 
 struct RigidMotion {
-    Vec2 from{0.0, 0.0};  // this point goes ...
-    Vec2 to{0.0, 0.0};    // ... there, and all around it turns
+    Vec2 from{0.0, 0.0};  // center of rotation, before ...
+    Vec2 to{0.0, 0.0};    // ... and after the motion
     double cosine = 1.0;
     double sine = 0.0;
 
@@ -67,7 +67,7 @@ struct RigidMotion {
     }
 };
 
-// Back to the centres before, by least squares.
+// Returns the motion that brings the raft back to the centers before, by least squares.
 RigidMotion motion_back(const Foam& patch,
                         const Raft& raft,
                         const std::map<BubbleIdentity, Vec2>& before) {

@@ -14,22 +14,22 @@ namespace foam {
 
 namespace {
 
-// A bubble up to this many T2 areas may lose all it has in one substep.
+// A bubble of up to this many T2 areas may lose all its area in one substep.
 constexpr double kVanishingAreas = 4.0;
-// Of a step with a change, a substep is at least this share, as far as the change is concerned: one
-// that cannot be had, as when all bubbles are to shrink, comes to an end all the same.
-constexpr double kLeastShare = 0.01;
+// Smallest share of a driven step that one substep may cover. It bounds the number of substeps if
+// the change is impossible, for example if every bubble is to shrink.
+constexpr double kMinShare = 0.01;
 constexpr double kLargestStrain = 0.05;  // of a substep
 
-// The longest time in which a bubble does not lose too large a part of its area, unless it
-// vanishes.
+// Returns the longest time in which a bubble does not lose too large a share of its area, unless it
+// is about to vanish.
 double safe_time(double area, double rate, const StepOptions& options) {
     const double vanishing = kVanishingAreas * options.equilibrium.thresholds.t2_area;
     return rate < 0.0 && area > vanishing ? options.largest_loss * area / -rate
                                           : std::numeric_limits<double>::infinity();
 }
 
-// The same for all bubbles.
+// Returns the shortest of these times over all bubbles.
 double safe_time(const Foam& foam, const StepOptions& options) {
     double time = std::numeric_limits<double>::infinity();
     for (const BubbleId bubble : foam.network.bubbles()) {
@@ -43,7 +43,7 @@ double safe_time(const Foam& foam, const StepOptions& options) {
     return time;
 }
 
-// Takes away the rounding of many additions. In the plane, the total is what is left.
+// Removes the rounding errors of many additions. In the plane there is no total to restore.
 void restore_total(Foam& foam) {
     if (foam.domain.is_plane()) {
         return;
@@ -57,7 +57,7 @@ void restore_total(Foam& foam) {
     }
 }
 
-// The share of the way of every push; returns the number of T1.
+// Moves every push by a share of its displacement. Returns the number of T1s.
 int push(Foam& foam,
          const StateChange& change,
          double share,
@@ -70,14 +70,15 @@ int push(Foam& foam,
     return flips;
 }
 
-// From near an equilibrium to it. A patch stays in its place.
-EquilibriumSummary settle(Foam& foam, EquilibriumOptions options) {
+// Brings a foam from near an equilibrium to it. A patch stays where it is.
+EquilibriumSummary equilibrate_in_place(Foam& foam, const StepOptions& step_options) {
+    EquilibriumOptions options = step_options.equilibrium;
     options.relaxes_first = false;
     if (foam.network.ghost() == kNone<BubbleId>) {
-        return equilibrate(foam, options);
+        return equilibrate_with(step_options.solver, foam, options);
     }
     const std::map<BubbleIdentity, Vec2> before = bubble_centres(foam);
-    const EquilibriumSummary summary = equilibrate(foam, options);
+    const EquilibriumSummary summary = equilibrate_with(step_options.solver, foam, options);
     compact(foam);  // films may have torn
     if (summary.converged()) {
         hold_rafts(foam, before);
@@ -85,35 +86,35 @@ EquilibriumSummary settle(Foam& foam, EquilibriumOptions options) {
     return summary;
 }
 
-// What a substep takes: its time, its share of a whole change, and its part of what is left of it.
-struct Passing {
+// The extent of a substep.
+struct Extent {
     double time = 0.0;
-    double share = 1.0;
-    double part = 1.0;
+    double share = 1.0;  // of the whole change
+    double part = 1.0;   // of what is left of the change
 };
 
 EquilibriumSummary substep(Foam& foam,
-                           const Passing& passing,
+                           const Extent& extent,
                            const StateChange& change,
                            const StepOptions& options) {
-    diffuse(foam, passing.time, options.coarsening);
-    drive(foam, change, passing.part);
+    diffuse(foam, extent.time, options.coarsening);
+    drive(foam, change, extent.part);
     if (change.strain != 0.0) {
-        shear(foam, passing.share * change.strain);
+        shear(foam, extent.share * change.strain);
     }
     TopologyCounts counts = collapse_due(foam, options.equilibrium.thresholds);
-    counts.t1 += push(foam, change, passing.share, options.equilibrium.thresholds);
-    if (passing.part == 1.0) {
+    counts.t1 += push(foam, change, extent.share, options.equilibrium.thresholds);
+    if (extent.part == 1.0) {
         const TopologyCounts forced = collapse_forced(foam, change);
         counts.t1 += forced.t1;
         counts.t2 += forced.t2;
     }
     compact(foam);
     restore_total(foam);
-    EquilibriumSummary summary = settle(foam, options.equilibrium);
+    EquilibriumSummary summary = equilibrate_in_place(foam, options);
     summary.t1 += counts.t1;
     summary.t2 += counts.t2;
-    foam.time += passing.time;
+    foam.time += extent.time;
     return summary;
 }
 
@@ -127,8 +128,8 @@ void add(StepSummary& sum, const EquilibriumSummary& part) {
     ++sum.substeps;
 }
 
-// A substep of the given length or, where that leads to no equilibrium, of a shorter one; returns
-// its length. `substep_of` takes the foam and the length.
+// Makes a substep of the given length or, if that leads to no equilibrium, of a shorter one.
+// Returns the length, 0 if there is none. `substep_of` takes the foam and the length.
 template <class Substep>
 double advance(Foam& foam,
                double length,
@@ -154,7 +155,7 @@ double advance(Foam& foam,
     }
 }
 
-// The largest share of a step that may pass at once, of which `left` is left.
+// Returns the largest share of a step that one substep may cover, up to the share `left`.
 double safe_share(const Foam& foam,
                   double time,
                   const StateChange& change,
@@ -163,7 +164,7 @@ double safe_share(const Foam& foam,
     const double vanishing = kVanishingAreas * options.equilibrium.thresholds.t2_area;
     const double part = safe_part(foam, change, options.largest_loss, vanishing);
     const double strained = change.strain == 0.0 ? left : kLargestStrain / std::abs(change.strain);
-    const double share = std::min({left, strained, std::max(part * left, kLeastShare)});
+    const double share = std::min({left, strained, std::max(part * left, kMinShare)});
     return time > 0.0 ? std::min(share, safe_time(foam, options) / time) : share;
 }
 
@@ -198,8 +199,8 @@ StepSummary step(Foam& foam, double time, const StateChange& change, const StepO
                                     options,
                                     summary,
                                     [&](Foam& next, double share) {
-                                        const Passing passing{share * time, share, share / left};
-                                        return substep(next, passing, change, options);
+                                        const Extent extent{share * time, share, share / left};
+                                        return substep(next, extent, change, options);
                                     });
         if (used == 0.0) {
             break;

@@ -7,7 +7,7 @@ namespace foam {
 
 namespace {
 
-// Of an even number the upper one. Precondition: not empty.
+// Returns the median, of an even number of values the upper one. Precondition: not empty.
 double median(std::vector<double>& values) {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::nth_element(values.begin(), middle, values.end());

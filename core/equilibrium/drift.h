@@ -4,12 +4,13 @@
 
 namespace foam {
 
-/// Where all junctions are.
+/// The position of every junction.
 using Positions = Indexed<JunctionId, Vec2>;
 
-/// Moves the foam back as a whole by the median motion, along x and along y, of the junctions that
-/// it still has: nothing else says where it is, and so what happens in one place leaves the rest at
-/// rest. Precondition: `before` are positions of the same network, T1 and T2 since then aside.
+/// Moves the whole foam back by the median motion, along x and along y, of the junctions that it
+/// still has. Equilibrium leaves open where the foam is; the median keeps everything at rest that
+/// is far from a change. Precondition: `before` holds the positions of the same network, T1s and
+/// T2s since then aside.
 void undo_drift(Foam& foam, const Positions& before);
 
 }  // namespace foam

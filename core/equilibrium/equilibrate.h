@@ -1,43 +1,23 @@
 #pragma once
 
-#include "core/equilibrium/gauss_seidel.h"
-#include "core/equilibrium/newton.h"
-#include "core/foam/topology_thresholds.h"
+#include "core/equilibrium/drift.h"
+#include "core/equilibrium/equilibrium_options.h"
 #include "core/foam/foam.h"
 
 namespace foam {
 
-/// What solves for equilibrium.
-enum class Solver {
-    Newton,              // of the whole foam (E3)
-    GaussSeidel,         // block by block, the paper's own (E5)
-    ColoredGaussSeidel,  // the same, many blocks at once
-};
-
-struct EquilibriumOptions {
-    Solver solver = Solver::Newton;
-    TopologyThresholds thresholds{};
-    // Succeeds when the largest area and angle errors are below this. Gauss-Seidel also stops
-    // there; below 1e-4 it takes long.
-    double tolerance = 1e-9;
-    bool relaxes_first = true;   // for a foam that is far from equilibrium (E4)
-    int relaxation_sweeps = 60;  // at first, and where Newton's method stalls
-    int threads = 0;             // as in NewtonOptions
-    int max_rounds = 100;        // of the solver, each ended by T1s or by relaxation
-};
-
 enum class EquilibriumStatus {
     Converged,
     RoundLimit,       // T1s and relaxation led to no equilibrium in max_rounds
-    ToleranceMissed,  // Newton's method stands still, or Gauss-Seidel has used up its sweeps, but
-                      // an error is above the tolerance
+    ToleranceMissed,  // the solver has come to its end, but an error is above the
+                      // tolerance
 };
 
 /// How a foam came to equilibrium, and how near.
 struct EquilibriumSummary {
     EquilibriumStatus status = EquilibriumStatus::RoundLimit;
-    int sweeps = 0;      // of relaxation
-    int iterations = 0;  // of Newton's method, or sweeps of Gauss-Seidel
+    int sweeps = 0;      // of relaxation of the whole foam
+    int iterations = 0;  // of Newton's method for the whole foam, or sweeps of Gauss-Seidel
     int t1 = 0;
     int t2 = 0;
     double area_error = 0.0;   // largest, relative
@@ -47,9 +27,19 @@ struct EquilibriumSummary {
     bool converged() const { return status == EquilibriumStatus::Converged; }
 };
 
-/// Brings the foam to mechanical equilibrium (E2) at its target areas, with T1 (E7) where a film
-/// collapses and where one rests below the T1 distance. Pressures come out with an area-weighted
-/// mean of 0. Preconditions: a valid network, positive targets that on a torus add up to its area.
+/// Brings the foam to mechanical equilibrium (E2) at its target areas by Newton's method (E3), with
+/// T1 (E7) where a film collapses and where one rests below the T1 distance. On a torus, pressures
+/// come out with an area-weighted mean of 0. Preconditions: a valid network; positive targets,
+/// which on a torus add up to its area.
 EquilibriumSummary equilibrate(Foam& foam, const EquilibriumOptions& options);
+
+/// Ends an equilibration, whichever solver it used: moves the foam back by its drift from the
+/// positions `before`, centers the pressures, rearms grown films, and measures the errors and the
+/// energy for the summary. `is_at_rest`: the solver has come to its end, and no T1 is due.
+EquilibriumSummary conclude(Foam& foam,
+                            const Positions& before,
+                            const EquilibriumOptions& options,
+                            bool is_at_rest,
+                            EquilibriumSummary summary);
 
 }  // namespace foam

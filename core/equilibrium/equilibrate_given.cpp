@@ -13,10 +13,10 @@ namespace {
 
 constexpr TopologyThresholds kKeepTopology{.t1_distance = 0.0, .t2_area = 0.0};
 
-// A foam whose mean area is 1 but for rounding is taken as it is.
+// A mean area that differs less from 1 counts as 1.
 constexpr double kRounding = 1e-9;
 
-// In which a foam has mean area 1 and film tension 1.
+// The units in which a foam has mean area 1 and film tension 1.
 struct Units {
     double length = 1.0;
     double tension = 1.0;
@@ -64,7 +64,8 @@ Foam in_units(Foam foam, const Units& units) {
     return foam;
 }
 
-// Torus, tension and target areas stay as they were given, to the last bit.
+// Takes over the solution. Domain, tension and target areas stay as they were given, to the last
+// bit.
 void take_solution(Foam& foam, Foam solved, const Units& units) {
     foam.network = std::move(solved.network);
     foam.t1_armed = std::move(solved.t1_armed);

@@ -11,16 +11,17 @@ namespace foam {
 
 namespace {
 
-constexpr std::size_t kGrain = 1024;  // films that a thread takes at a time
+constexpr std::size_t kGrain = 1024;  // films per chunk
 
 using FilmMatrix = Eigen::Matrix<double, 6, 6>;
 using OuterFilmMatrix = Eigen::Matrix<double, 7, 7>;
 
-// Of tail, head, left, right, and half angle.
+// Rows of tail, head, left pressure, right pressure, and half angle.
 constexpr std::array<int, 5> kFilmRows = {2, 2, 1, 1, 1};
 constexpr std::array<int, 5> kFirstFilmRow = {0, 2, 4, 5, 6};
 
-// Second derivatives of one film's part of L by (tail, head, left pressure, right pressure).
+// Returns the second derivatives of one film's part of L by (tail, head, left pressure, right
+// pressure).
 FilmMatrix film_matrix(const Vec2& d, double delta, const FilmEnergyHessian& hessian) {
     Mat2 turn_right;
     turn_right << 0.0, 1.0, -1.0, 0.0;
@@ -40,7 +41,7 @@ FilmMatrix film_matrix(const Vec2& d, double delta, const FilmEnergyHessian& hes
     return m;
 }
 
-// The same with the half angle as the last.
+// The same for an outer film, with its half angle as the last row.
 OuterFilmMatrix outer_film_matrix(const Vec2& d, double delta, const BulgeEnergyHessian& hessian) {
     OuterFilmMatrix m = OuterFilmMatrix::Zero();
     m.topLeftCorner<6, 6>() =
@@ -54,7 +55,8 @@ OuterFilmMatrix outer_film_matrix(const Vec2& d, double delta, const BulgeEnergy
     return m;
 }
 
-// The block of rows of the pair's first and columns of its second; of a node's own, the lower part.
+// Adds the block with the rows of the pair's first node and the columns of its second; of a node's
+// own block only the lower triangle.
 template <class Matrix>
 void add_block(
     double* values, int stride, const Matrix& film, std::array<std::size_t, 2> pair, bool is_own) {
@@ -75,9 +77,9 @@ void append_rows(int begin, int end, std::vector<int>& rows) {
 
 }  // namespace
 
-// Which nodes are coupled to each node, of those that come later, each once and in order.
+// For each node, the later nodes that are coupled to it, each once and in order.
 struct Hessian::NodePattern {
-    std::vector<int> begins;  // of each node's among `later`, and the end
+    std::vector<int> begins;  // of each node's range in `later`, and the end
     std::vector<int> later;
 
     NodePattern(std::size_t node_count, std::span<const FilmNodes> films) {
@@ -101,7 +103,7 @@ struct Hessian::NodePattern {
     }
 
   private:
-    static constexpr std::size_t kInnerPairs = 6;  // those without a half angle
+    static constexpr std::size_t kInnerPairs = 6;  // the pairs without a half angle
     static constexpr std::array<std::array<std::size_t, 2>, 10> kPairs = {
         {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}, {0, 4}, {1, 4}, {2, 4}, {3, 4}}};
 
@@ -157,13 +159,14 @@ Hessian::Hessian(const Network& network, const Unknowns& unknowns)
     const NodePattern pattern(
         unknowns.junctions.size() + unknowns.bubbles.size() + unknowns.outer_films.size(), films);
     fill_pattern(pattern);
-    places_.reserve(films.size());
+    slots_.reserve(films.size());
     for (const FilmNodes& nodes : films) {
-        places_.push_back(place_of(pattern, nodes));
+        slots_.push_back(slots_of(pattern, nodes));
     }
 }
 
-// Column by column: a node's own rows from the diagonal on, then those of the later nodes.
+// Fills the pattern column by column: a node's own rows from the diagonal on, then those of the
+// later nodes that are coupled to it.
 void Hessian::fill_pattern(const NodePattern& pattern) {
     const auto node_count = static_cast<int>(pattern.begins.size()) - 1;
     std::vector<int> rows;
@@ -182,26 +185,26 @@ void Hessian::fill_pattern(const NodePattern& pattern) {
     std::copy(rows.begin(), rows.end(), matrix_.innerIndexPtr());
 }
 
-Hessian::FilmPlace Hessian::place_of(const NodePattern& pattern, const FilmNodes& nodes) const {
-    FilmPlace place{};
-    place.blocks.fill(-1);
-    for (std::size_t b = 0; b < kMostNodes; ++b) {
+Hessian::FilmSlots Hessian::slots_of(const NodePattern& pattern, const FilmNodes& nodes) const {
+    FilmSlots slots{};
+    slots.blocks.fill(-1);
+    for (std::size_t b = 0; b < kMaxNodes; ++b) {
         if (nodes[b] < 0) {
             continue;
         }
         const int* column = matrix_.outerIndexPtr() + first_row_of(nodes[b]);
-        place.strides[b] = column[1] - column[0] - 1;  // the second column lacks one row
-        for (std::size_t a = 0; a < kMostNodes; ++a) {
+        slots.strides[b] = column[1] - column[0] - 1;  // the second column has one row less
+        for (std::size_t a = 0; a < kMaxNodes; ++a) {
             if (nodes[a] >= nodes[b]) {
-                place.blocks[kMostNodes * b + a] =
+                slots.blocks[kMaxNodes * b + a] =
                     column[0] + rows_before(pattern, nodes[b], nodes[a]);
             }
         }
     }
-    return place;
+    return slots;
 }
 
-// Of the node's first column, above those of a later node.
+// Returns the number of rows in the node's first column above those of a later node.
 int Hessian::rows_before(const NodePattern& pattern, int node, int later) const {
     if (node == later) {
         return 0;
@@ -214,31 +217,31 @@ int Hessian::rows_before(const NodePattern& pattern, int node, int later) const 
 }
 
 template <int Rows>
-void Hessian::add_film(const FilmPlace& place, const Eigen::Matrix<double, Rows, Rows>& film) {
+void Hessian::add_film(const FilmSlots& slots, const Eigen::Matrix<double, Rows, Rows>& film) {
     constexpr std::size_t kNodes = Rows - 2;  // two of them have two rows
     for (std::size_t b = 0; b < kNodes; ++b) {
         for (std::size_t a = 0; a < kNodes; ++a) {
-            const int block = place.blocks[kMostNodes * b + a];
+            const int block = slots.blocks[kMaxNodes * b + a];
             if (block < 0) {
                 continue;
             }
-            const bool is_own = block == place.blocks[(kMostNodes + 1) * b];
-            add_block(matrix_.valuePtr() + block, place.strides[b], film, {a, b}, is_own);
+            const bool is_own = block == slots.blocks[(kMaxNodes + 1) * b];
+            add_block(matrix_.valuePtr() + block, slots.strides[b], film, {a, b}, is_own);
         }
     }
 }
 
-void Hessian::add_outer_film(const FilmPlace& place, const Foam& foam, FilmId film) {
+void Hessian::add_outer_film(const FilmSlots& slots, const Foam& foam, FilmId film) {
     const HalfEdgeId h = forward_side(film);
     const FilmArc arc = film_arc(foam, h);
     const double delta = pressure_difference(foam, h);
     add_film(
-        place,
+        slots,
         outer_film_matrix(arc.chord, delta, bulge_energy_hessian(arc, delta, foam.film_tension)));
 }
 
 const Eigen::SparseMatrix<double>& Hessian::evaluate(const Foam& foam, int threads) {
-    std::vector<FilmEnergyHessian> films(places_.size());
+    std::vector<FilmEnergyHessian> films(slots_.size());
     parallel_for(films.size(), kGrain, threads, [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k) {
             const HalfEdgeId h = forward_side(unknowns_.films[k]);
@@ -248,13 +251,13 @@ const Eigen::SparseMatrix<double>& Hessian::evaluate(const Foam& foam, int threa
     });
     double* values = matrix_.valuePtr();
     std::fill(values, values + matrix_.nonZeros(), 0.0);
-    for (std::size_t k = 0; k < places_.size(); ++k) {
+    for (std::size_t k = 0; k < slots_.size(); ++k) {
         if (foam.network.is_outer(unknowns_.films[k])) {
-            add_outer_film(places_[k], foam, unknowns_.films[k]);
+            add_outer_film(slots_[k], foam, unknowns_.films[k]);
             continue;
         }
         const HalfEdgeId h = forward_side(unknowns_.films[k]);
-        add_film(places_[k], film_matrix(chord(foam, h), pressure_difference(foam, h), films[k]));
+        add_film(slots_[k], film_matrix(chord(foam, h), pressure_difference(foam, h), films[k]));
     }
     return matrix_;
 }

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/sparse/sparse_ldlt.h"
 #include "core/equilibrium/unknowns.h"
 #include "core/foam/foam.h"
+#include "core/sparse/sparse_ldlt.h"
 
 #include <Eigen/SparseCore>
 
@@ -10,28 +10,28 @@
 
 namespace foam {
 
-/// The unknowns of a foam where they stand: junctions at their positions, the pressure of a bubble
-/// in the middle of its junctions, the half angle of an outer film in the middle of its chord. In
-/// the order of the rows.
+/// Returns the positions of the unknowns, in the order of their rows: of a junction its own, of the
+/// pressure of a bubble the mean of its junctions, of the half angle of an outer film the middle of
+/// its chord.
 std::vector<SolverNode> solver_nodes(const Foam& foam, const Unknowns& unknowns);
 
-/// Of the factor. Single takes half the time and memory, and is enough for steps whose residual is
-/// taken in double precision, unless a pivot is nearly zero.
+/// The precision of a factor. Single precision takes half the time and memory, and is enough for
+/// steps whose residual is computed in double precision, unless a pivot is nearly zero.
 enum class Precision { Single, Double };
 
-/// Solves with the Hessian of E3, lower triangle given: near a stable state it is quasi-definite,
-/// so that no pivoting is needed.
+/// A direct solver for the Hessian of E3, given as a lower triangle. Near a stable state it is
+/// quasi-definite, so that no pivoting is needed.
 class LinearSolver {
   public:
-    /// Positions only guide the order of elimination: what follows stays good while the foam moves,
-    /// and as long as its network is the same. 0 threads are as many as the machine runs at once.
+    /// Prepares for a network. Positions only guide the order of elimination, so that everything
+    /// stays valid while the foam moves and its network is the same. `threads` as in parallel_for.
     void start(const Foam& foam, const Unknowns& unknowns, Precision precision, int threads = 0);
 
-    /// All matrices have the pattern of the first since `start`. False where a pivot vanished:
-    /// there is then nothing to solve with.
+    /// Factors a matrix; all matrices since `start` have the same pattern. Returns false if a pivot
+    /// vanished: then there is no factor to solve with.
     bool factor(const Eigen::SparseMatrix<double>& matrix);
 
-    /// To about six digits with a factor of single precision.
+    /// Solves with the factor, to about six digits if it is of single precision.
     Eigen::VectorXd solve(const Eigen::VectorXd& right_hand_side) const;
 
   private:

@@ -17,7 +17,7 @@ Vec2 move_of(const Unknowns& unknowns, const Eigen::VectorXd& step, JunctionId j
     return row < 0 ? Vec2(0.0, 0.0) : Vec2(step.segment<2>(row));
 }
 
-// Whether the whole step leaves the film below a length, and its flipped state stays open.
+// Returns true if the whole step leaves the film below a length, and its flipped state stays open.
 bool awaits_flip(const Foam& foam,
                  const Unknowns& unknowns,
                  const Eigen::VectorXd& step,
@@ -27,10 +27,11 @@ bool awaits_flip(const Foam& foam,
     const Vec2 after = chord(foam, h) + move_of(unknowns, step, foam.network.head(h)) -
                        move_of(unknowns, step, foam.network.tail(h));
     return after.norm() < length && can_change(foam.network, film) &&
-           flipped_pulls_apart(foam, film, Tangents::OfArcs);
+           flipped_pulls_apart(foam, film);
 }
 
-// The collapsed films, and those below their T1 distance that are due.
+// Returns the films that have collapsed, and those below their T1 distance for which
+// is_due(film, length) holds.
 template <class IsDue>
 std::vector<FilmId> films_for_t1(const Foam& foam,
                                  const Unknowns& unknowns,
@@ -62,7 +63,7 @@ void add_move(const Unknowns& unknowns,
     }
 }
 
-// Each of the two ends takes half of what is cut, or the only one that is free takes all.
+// Each of the two ends takes half of the cut, or all of it if the other end is held.
 bool limit_film(const Foam& foam,
                 const Unknowns& unknowns,
                 FilmId film,
@@ -95,9 +96,9 @@ bool limit_half_angle(const Foam& foam,
     double& change = step[unknowns.angle_row(film)];
     const double angle = foam.half_angles[film];
     const double room = std::numbers::pi - std::copysign(angle, angle * change);
-    const double most = largest * std::min(1.0, room);
-    const bool cut = std::abs(change) > most;
-    change = std::clamp(change, -most, most);
+    const double limit = largest * std::min(1.0, room);
+    const bool cut = std::abs(change) > limit;
+    change = std::clamp(change, -limit, limit);
     return cut;
 }
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <optional>
 
 namespace foam {
 
@@ -13,216 +13,148 @@ namespace {
 
 constexpr double kSufficientDecrease = 1e-4;  // of the sum of squares, per unit of the step
 constexpr double kSmallestStep = 1.0 / 64.0;
-// Takes care of the null modes (E3): of the film tension for junctions, of the diagonal for
-// pressures. Small against the softest shear of the foam, and large against rounding in the factor.
-// A small foam may have a null mode of its junctions that only a later pressure holds: its pivot is
-// then this small and the next one as large as 1 over it. That takes double precision.
-constexpr double kSingleRegularization = 1e-6;
-constexpr double kDoubleRegularization = 1e-7;
-constexpr int kFewUnknowns = 500;  // too few for single precision to pay
-// A factor is kept while no more than so many further steps are expected. Renewing it takes about
-// as long as this many.
+// A factor is kept while at most this many further steps with it are expected; a new factor costs
+// about as much as this many steps.
 constexpr double kStepsPerFactor = 6.0;
-constexpr double kNearEquilibrium = 0.05;  // largest force and area error at which T1 are foreseen
+constexpr double kNewFactorRatio = 0.5;    // a new factor is kept if its step leaves less than this
+constexpr double kNearEquilibrium = 0.05;  // largest force and area error at which T1 are predicted
+
+// The residual at the foam's present state.
+struct Evaluation {
+    Eigen::VectorXd residual;
+    ResidualNorms norms;
+};
+
+// What a line search did to the foam.
+struct Advance {
+    bool moved = false;
+    bool was_limited = false;  // the step had to be cut (limit_moves)
+    double ratio = 1.0;        // of the residuals' Euclidean norms, after over before
+};
+
+Evaluation evaluate(const Foam& foam, const NewtonSystem& system) {
+    Evaluation here;
+    here.residual = residual(foam, system.unknowns(), system.threads());
+    here.norms = norms(foam, system.unknowns(), here.residual);
+    return here;
+}
+
+// Returns the status with which the method ends here, if it does.
+std::optional<NewtonStatus> ending(const ResidualNorms& norms,
+                                   int iterations,
+                                   bool is_slow,
+                                   const NewtonOptions& options) {
+    if (std::isfinite(norms.squares) && norms.force < options.force_tolerance &&
+        norms.area < options.area_tolerance) {
+        return NewtonStatus::Converged;
+    }
+    if (iterations == options.max_iterations) {
+        return NewtonStatus::IterationLimit;
+    }
+    return is_slow ? std::optional(NewtonStatus::Slow) : std::nullopt;
+}
+
+std::vector<FilmId> films_for_t1(const Foam& foam,
+                                 const Unknowns& unknowns,
+                                 const Eigen::VectorXd& step,
+                                 const ResidualNorms& norms,
+                                 const NewtonOptions& options) {
+    const bool is_near =
+        options.predicts_t1 && norms.force < kNearEquilibrium && norms.area < kNearEquilibrium;
+    return is_near ? closing_films(foam, unknowns, step, options.thresholds)
+                   : collapsing_films(foam, unknowns, step, options.thresholds);
+}
+
+// Moves the foam along the step to the first of the fractions 1, 1/2, 1/4 ... at which the residual
+// is sufficiently smaller. Returns false, with the foam as it was, if there is none.
+bool backtrack(Foam& foam,
+               const NewtonSystem& system,
+               const Eigen::VectorXd& step,
+               Evaluation& here) {
+    const State start = state_of(foam, system.unknowns());
+    for (double fraction = 1.0; fraction >= kSmallestStep; fraction *= 0.5) {
+        set_state(foam, system.unknowns(), start, step, fraction);
+        Evaluation trial = evaluate(foam, system);
+        if (trial.norms.squares < (1.0 - kSufficientDecrease * fraction) * here.norms.squares) {
+            here = std::move(trial);
+            return true;
+        }
+    }
+    set_state(foam, system.unknowns(), start, step, 0.0);
+    return false;
+}
+
+// Backtracks along the step with its moves limited or, since that may be no direction of descent,
+// along the step as it is.
+Advance line_search(Foam& foam,
+                    const NewtonSystem& system,
+                    const Eigen::VectorXd& step,
+                    double largest_move,
+                    Evaluation& here) {
+    const double before = here.norms.squares;
+    Advance advance;
+    Eigen::VectorXd limited = step;
+    advance.was_limited = limit_moves(foam, system.unknowns(), largest_move, limited);
+    advance.moved = backtrack(foam, system, limited, here) ||
+                    (advance.was_limited && backtrack(foam, system, step, here));
+    advance.ratio = std::sqrt(here.norms.squares / before);
+    return advance;
+}
+
+// Returns true if the factor promises to converge faster than a new one. Its first step tells
+// little of those to come, as it is Newton's own.
+bool is_worth_keeping(const Advance& advance,
+                      bool is_chord_step,
+                      const ResidualNorms& norms,
+                      const NewtonOptions& options) {
+    if (!advance.moved || advance.was_limited) {
+        return false;
+    }
+    if (!is_chord_step) {
+        return advance.ratio < kNewFactorRatio;
+    }
+    const double digits = std::log(
+        std::max(norms.force / options.force_tolerance, norms.area / options.area_tolerance));
+    return digits < -kStepsPerFactor * std::log(advance.ratio);
+}
 
 }  // namespace
 
-// One call of NewtonSolver::run.
-class NewtonRun {
-  public:
-    NewtonRun(Foam& foam, NewtonSolver& solver)
-        : foam_(foam),
-          solver_(solver),
-          unknowns_(solver.unknowns_),
-          options_(solver.options_),
-          residual_(residual(foam, unknowns_, options_.threads)),
-          norms_(norms(foam, unknowns_, residual_)) {}
-
-    NewtonSummary run() {
-        while (!is_over()) {
-            iterate();
+NewtonSummary newton(Foam& foam, NewtonSystem& system, const NewtonOptions& options) {
+    NewtonSummary summary;
+    Evaluation here = evaluate(foam, system);
+    std::optional<NewtonStatus> end = ending(here.norms, 0, false, options);
+    while (!end) {
+        const bool is_chord_step = system.has_factor();
+        const Eigen::VectorXd step = system.step(foam, here.residual);
+        summary.collapsing = films_for_t1(foam, system.unknowns(), step, here.norms, options);
+        if (!summary.collapsing.empty()) {
+            end = NewtonStatus::FilmsCollapse;
+            break;
         }
-        wrap(foam_, unknowns_);
-        summary_.residual = std::max(norms_.force, norms_.area);
-        return summary_;
-    }
-
-  private:
-    bool is_over() {
-        if (std::isfinite(norms_.squares) && norms_.force < options_.force_tolerance &&
-            norms_.area < options_.area_tolerance) {
-            stop(NewtonStatus::Converged);
-        } else if (summary_.iterations == options_.max_iterations) {
-            stop(NewtonStatus::IterationLimit);
+        const Advance advance = line_search(foam, system, step, options.largest_move, here);
+        summary.iterations += advance.moved ? 1 : 0;
+        if (!is_worth_keeping(advance, is_chord_step, here.norms, options)) {
+            system.drop_factor();
         }
-        return over_;
-    }
-
-    void stop(NewtonStatus status) {
-        summary_.status = status;
-        over_ = true;
-    }
-
-    void iterate() {
-        const bool is_chord_step = solver_.has_factor_;
-        const Eigen::VectorXd step = full_step();
-        summary_.collapsing = films_for_t1(step);
-        if (!summary_.collapsing.empty()) {
-            stop(NewtonStatus::FilmsCollapse);
-            return;
+        // Where Newton's own step leads nowhere, the factor may be to blame.
+        if (!advance.moved && !is_chord_step && !system.raise_precision(foam)) {
+            end = NewtonStatus::Stalled;
+            break;
         }
-        const double before = norms_.squares;
-        const bool advanced = advance_safely(step);
-        const double ratio = std::sqrt(norms_.squares / before);
-        solver_.has_factor_ = advanced && !cut_ && is_worth_keeping(ratio, is_chord_step);
-        summary_.iterations += advanced ? 1 : 0;
-        if (is_chord_step) {
-            return;
-        }
-        if (!advanced) {
-            give_up_or_refine();
-        } else if (ratio > options_.slow_ratio) {
-            stop(NewtonStatus::Slow);
-        }
+        const bool is_slow = advance.moved && !is_chord_step && advance.ratio > options.slow_ratio;
+        end = ending(here.norms, summary.iterations, is_slow, options);
     }
-
-    // Where Newton's step leads nowhere, the factor may be to blame.
-    void give_up_or_refine() {
-        if (solver_.precision_ == Precision::Double) {
-            stop(NewtonStatus::Stalled);
-        } else {
-            solver_.start_linear_solver(foam_, Precision::Double);
-        }
-    }
-
-    // Newton's step or, with a factor from before, the chord method's; zero where there is none.
-    Eigen::VectorXd full_step() {
-        if (!solver_.has_factor_) {
-            solver_.renew_factor(foam_);
-        }
-        if (!solver_.has_factor_) {
-            return Eigen::VectorXd::Zero(residual_.size());
-        }
-        Eigen::VectorXd step = -solver_.solver_.solve(solvable_part());
-        if (solver_.is_whole_) {
-            hold_mean_position(step);
-        }
-        return step;
-    }
-
-    // Nothing holds a foam as a whole where it is. Without this, rounding in a factor of a softly
-    // sheared foam now and then throws all of it by a bubble's size.
-    void hold_mean_position(Eigen::VectorXd& step) const {
-        const auto junctions = static_cast<Eigen::Index>(unknowns_.junctions.size());
-        auto moves = step.head(2 * junctions).reshaped(2, junctions);
-        moves.colwise() -= Vec2(moves.rowwise().mean());
-    }
-
-    // What no motion of the whole foam and, on a torus, no common pressure can change is taken out,
-    // evenly: the sums of forces and of areas, which are zero but for rounding.
-    Eigen::VectorXd solvable_part() const {
-        const auto junctions = static_cast<Eigen::Index>(unknowns_.junctions.size());
-        const auto bubbles = static_cast<Eigen::Index>(unknowns_.bubbles.size());
-        Eigen::VectorXd r = residual_;
-        if (solver_.is_whole_) {
-            auto forces = r.head(2 * junctions).reshaped(2, junctions);
-            forces.colwise() -= Vec2(forces.rowwise().mean());
-        }
-        if (solver_.is_whole_ && foam_.network.ghost() == kNone<BubbleId>) {
-            r.tail(bubbles).array() -= r.tail(bubbles).mean();
-        }
-        return r;
-    }
-
-    std::vector<FilmId> films_for_t1(const Eigen::VectorXd& step) const {
-        const bool is_near = options_.foresees_t1 && norms_.force < kNearEquilibrium &&
-                             norms_.area < kNearEquilibrium;
-        return is_near ? closing_films(foam_, unknowns_, step, options_.thresholds)
-                       : collapsing_films(foam_, unknowns_, step, options_.thresholds);
-    }
-
-    // Goes along the step, its moves limited, or else, since that may be no way down, along the
-    // step as it is.
-    bool advance_safely(const Eigen::VectorXd& step) {
-        Eigen::VectorXd limited = step;
-        cut_ = limit_moves(foam_, unknowns_, options_.largest_move, limited);
-        return advance(limited) || (cut_ && advance(step));
-    }
-
-    // Goes along the step as far as the residual shrinks; false, unmoved, where it does not.
-    bool advance(const Eigen::VectorXd& step) {
-        const State start = state_of(foam_, unknowns_);
-        for (double fraction = 1.0; fraction >= kSmallestStep; fraction *= 0.5) {
-            set_state(foam_, unknowns_, start, step, fraction);
-            Eigen::VectorXd trial = residual(foam_, unknowns_, options_.threads);
-            const ResidualNorms trial_norms = norms(foam_, unknowns_, trial);
-            if (trial_norms.squares < (1.0 - kSufficientDecrease * fraction) * norms_.squares) {
-                residual_ = std::move(trial);
-                norms_ = trial_norms;
-                return true;
-            }
-        }
-        set_state(foam_, unknowns_, start, step, 0.0);
-        return false;
-    }
-
-    // From the step that was taken last. One with a new factor tells little of those to come.
-    bool is_worth_keeping(double ratio, bool is_chord_step) const {
-        if (!is_chord_step) {
-            return ratio < 0.5;
-        }
-        const double digits = std::log(std::max(norms_.force / options_.force_tolerance,
-                                                norms_.area / options_.area_tolerance));
-        return digits < -kStepsPerFactor * std::log(ratio);
-    }
-
-    Foam& foam_;
-    NewtonSolver& solver_;
-    const Unknowns& unknowns_;
-    const NewtonOptions& options_;
-    Eigen::VectorXd residual_;
-    ResidualNorms norms_;
-    NewtonSummary summary_;
-    bool cut_ = false;  // the last step was limited
-    bool over_ = false;
-};
-
-void NewtonSolver::start(const Foam& foam, Unknowns unknowns) {
-    unknowns_ = std::move(unknowns);
-    is_whole_ = unknowns_.bubbles.size() == foam.network.bubble_count();
-    hessian_.emplace(foam.network, unknowns_);
-    start_linear_solver(foam,
-                        unknowns_.size() < kFewUnknowns ? Precision::Double : Precision::Single);
-}
-
-void NewtonSolver::start_linear_solver(const Foam& foam, Precision precision) {
-    precision_ = precision;
-    solver_.start(foam, unknowns_, precision, options_.threads);
-    has_factor_ = false;
-}
-
-NewtonSummary NewtonSolver::run(Foam& foam) {
-    return NewtonRun(foam, *this).run();
-}
-
-void NewtonSolver::renew_factor(const Foam& foam) {
-    hessian_->evaluate(foam, options_.threads);
-    const double regularization =
-        precision_ == Precision::Single ? kSingleRegularization : kDoubleRegularization;
-    for (int row = 0; row < unknowns_.size(); ++row) {
-        double& diagonal = hessian_->diagonal(row);
-        const bool is_pressure =
-            row >= unknowns_.first_pressure_row() && row < unknowns_.first_angle_row();
-        diagonal += is_pressure ? -regularization * (std::abs(diagonal) + 1e-12)
-                                : regularization * foam.film_tension;
-    }
-    has_factor_ = solver_.factor(hessian_->matrix());
+    wrap(foam, system.unknowns());
+    summary.status = *end;
+    summary.residual = std::max(here.norms.force, here.norms.area);
+    return summary;
 }
 
 NewtonSummary newton(Foam& foam, const Unknowns& unknowns, const NewtonOptions& options) {
-    NewtonSolver solver(options);
-    solver.start(foam, unknowns);
-    return solver.run(foam);
+    NewtonSystem system;
+    system.start(foam, unknowns, 0);
+    return newton(foam, system, options);
 }
 
 }  // namespace foam

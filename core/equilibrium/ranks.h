@@ -9,15 +9,15 @@
 
 namespace foam {
 
-/// Where an id stands in a list. Of a list that holds a good part of all ids it is a table by id,
-/// of a shorter one a hash table of the list's size, so that to number a few bubbles costs nothing
-/// in a large foam.
+/// The index of each id in a list. For a list that holds a good part of all ids it is a table by
+/// id; for a shorter one it is a hash table of the list's size, so that numbering a few bubbles is
+/// cheap in a large foam.
 template <class Id>
 class Ranks {
   public:
     Ranks() = default;
 
-    /// Each id of the list is below `slots` and there once.
+    /// Precondition: each id of the list is below `slots` and occurs once.
     Ranks(std::span<const Id> list, std::size_t slots) {
         is_direct_ = list.size() * kSparse >= slots;
         const std::size_t size =
@@ -30,14 +30,15 @@ class Ranks {
         }
     }
 
-    /// Negative for an id that is not in the list.
+    /// Returns the index of the id, negative if it is not in the list.
     int operator[](Id id) const {
-        return is_direct_ ? direct_[index_of(id)] : entries_[place_of(id)].rank;
+        return is_direct_ ? direct_[index_of(id)] : entries_[slot_of(id)].rank;
     }
 
   private:
-    static constexpr std::size_t kSparse = 16;  // a list is short with fewer than one in so many
-    static constexpr std::size_t kRoom = 2;     // places in the hash table, at least, per id
+    static constexpr std::size_t kSparse =
+        16;  // a list is short if it has fewer than one id in so many
+    static constexpr std::size_t kRoom = 2;  // slots of the hash table per id, at least
 
     struct Entry {
         Id id = kNone<Id>;
@@ -48,18 +49,18 @@ class Ranks {
         if (is_direct_) {
             direct_[index_of(id)] = rank;
         } else {
-            entries_[place_of(id)] = {id, rank};
+            entries_[slot_of(id)] = {id, rank};
         }
     }
 
-    // That of the id, or the free one where it would stand.
-    std::size_t place_of(Id id) const {
+    // Returns the slot of the id, or the free one that it would take.
+    std::size_t slot_of(Id id) const {
         constexpr std::uint32_t kGoldenRatio = 0x9E3779B9;  // of 2^32: Fibonacci hashing
-        std::size_t place = (static_cast<std::uint32_t>(id) * kGoldenRatio) >> shift_;
-        while (entries_[place].id != id && entries_[place].id != kNone<Id>) {
-            place = (place + 1) & (entries_.size() - 1);
+        std::size_t slot = (static_cast<std::uint32_t>(id) * kGoldenRatio) >> shift_;
+        while (entries_[slot].id != id && entries_[slot].id != kNone<Id>) {
+            slot = (slot + 1) & (entries_.size() - 1);
         }
-        return place;
+        return slot;
     }
 
     bool is_direct_ = true;

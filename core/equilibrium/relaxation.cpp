@@ -1,8 +1,9 @@
 #include "core/equilibrium/relaxation.h"
 
+#include "core/equilibrium/flip_short_films.h"
 #include "core/equilibrium/moves.h"
-#include "core/equilibrium/settle_short_films.h"
 #include "core/foam/measure.h"
+#include "core/foam/t1_rule.h"
 #include "core/geometry/film_energy.h"
 
 #include <Eigen/LU>
@@ -15,18 +16,19 @@ namespace foam {
 
 namespace {
 
-constexpr int kSweepsPerUpdate = 10;  // of the pressures at which bubbles have their targets
+constexpr int kSweepsPerUpdate = 10;  // of the method of multipliers (E4)
 constexpr double kLargestBend = 0.3;  // of a half angle in a sweep, radians
-// Of a film against bending, of that of a straight one, and along the chord of an outer one.
-constexpr double kLeastStiffness = 0.1;
+// Smallest stiffness of a film against bending, in that of a straight film; and of an outer film
+// along its chord.
+constexpr double kMinStiffness = 0.1;
 
-// How an arc pulls at the end of its chord c, in film tensions, while that moves. Inner arcs keep
-// their half angles, so that their length c q and their segment c² h / 4 grow. Outer arcs keep
-// their segments, else a bubble that hangs on a short chord would collapse: with c² h constant,
+// The pull of an arc on the end of its chord c, in film tensions, as that end moves. Inner arcs
+// keep their half angles, so that their length c q and their segment c² h / 4 grow. Outer arcs keep
+// their segments, since otherwise a bubble on a short chord would collapse: with c² h constant,
 // d(c q)/dc = cos alpha and d(alpha)/dc = -h / (w c) (E3).
 struct Pull {
     double tension = 0.0;    // along the chord
-    double segment = 0.0;    // h, along the half-edge, where it grows with the chord
+    double segment = 0.0;    // h, along the half-edge, if it grows with the chord
     double stiffness = 0.0;  // along the chord, times c
 };
 
@@ -48,7 +50,7 @@ class Relaxation {
             if ((summary.sweeps + 1) % kSweepsPerUpdate == 0) {
                 keep_pressures();
             }
-            summary.t1 += settle();
+            summary.t1 += flip_short();
         }
         publish_pressures();
         wrap(foam_, part_);
@@ -61,23 +63,23 @@ class Relaxation {
             begin_anew();
         }
         soft_.begin(options_.stiffness);
-        for (const FilmId film : part_.films) {  // those around the part are felt, too
+        for (const FilmId film : part_.films) {  // with the bubbles around the part
             soft_.load(foam_.network.left(forward_side(film)));
             soft_.load(foam_.network.right(forward_side(film)));
         }
     }
 
-    // Inner films straight, pressures at about those of equilibrium.
+    // Starts from straight inner films and from pressures near those of equilibrium.
     void begin_anew() {
-        const double pressure = work_per_area();
+        const double pressure = mean_pressure();
         for (const BubbleId bubble : part_.bubbles) {
             bulge_outer_films(foam_, bubble);
             foam_.pressures[bubble] = pressure;
         }
     }
 
-    // In equilibrium the energy is 2 sum p A.
-    double work_per_area() const {
+    // Returns the mean pressure that would hold the films: in equilibrium the energy is 2 sum p A.
+    double mean_pressure() const {
         double length = 0.0;
         for (const FilmId film : part_.films) {
             length += chord(foam_, forward_side(film)).norm();
@@ -113,7 +115,7 @@ class Relaxation {
         const SoftFoam::Arc& arc = soft_.arc(film_of(h));
         if (foam_.network.is_outer(film_of(h))) {
             const double stiffness = arc.sine * arc.shape.segment / arc.shape.bulging;
-            return {arc.cosine, 0.0, std::max(stiffness, kLeastStiffness)};
+            return {arc.cosine, 0.0, std::max(stiffness, kMinStiffness)};
         }
         return {arc.shape.length, soft_.segment_of(h), 0.0};
     }
@@ -145,7 +147,7 @@ class Relaxation {
         return determinant > 0.0 ? Vec2(stiffness.inverse() * force) : force;
     }
 
-    // The arc of a film whose squared chord has changed.
+    // Updates the arc of a film whose squared chord has changed.
     void follow(FilmId film, double before, double after) {
         const SoftFoam::Arc& arc = soft_.arc(film);
         const double angle = foam_.network.is_outer(film) && after > 0.0
@@ -154,7 +156,7 @@ class Relaxation {
         soft_.set_arc(film, angle, before, after);
     }
 
-    // A Newton step of the half angle, with the junctions held.
+    // Makes a Newton step of the half angle, with the junctions held.
     void bend(FilmId film) {
         const HalfEdgeId h = forward_side(film);
         const BubbleId left = foam_.network.left(h);
@@ -168,13 +170,13 @@ class Relaxation {
         const double tension = foam_.film_tension * std::sqrt(squared) * arc.shape.bulging;
         const double force =
             growth * (soft_.pressure(left) - soft_.pressure(right)) - tension * arc.sine;
-        const double stiffness = tension * std::max(arc.cosine, kLeastStiffness) +
+        const double stiffness = tension * std::max(arc.cosine, kMinStiffness) +
                                  growth * growth * (soft_.slope(left) + soft_.slope(right));
         const double step = std::clamp(force / stiffness, -kLargestBend, kLargestBend);
-        soft_.set_arc(film, held(film, arc.half_angle + step), squared, squared);
+        soft_.set_arc(film, clamped(film, arc.half_angle + step), squared, squared);
     }
 
-    double held(FilmId film, double angle) const {
+    double clamped(FilmId film, double angle) const {
         static const double largest = std::asin(kLargestSine);
         return foam_.network.is_outer(film) ? angle : std::clamp(angle, -largest, largest);
     }
@@ -191,20 +193,19 @@ class Relaxation {
         }
     }
 
-    int settle() {
+    int flip_short() {
         publish_pressures();
         const auto renew = [this](FilmId film, const FourBubbles& around, bool changed) {
             renew_around(film, around, changed);
         };
-        const int changes =
-            settle_short_films(foam_, part_, options_.thresholds, Tangents::OfArcs, renew);
+        const int changes = flip_short_films(foam_, part_, options_.thresholds, renew);
         rearm_grown_films(foam_, part_.films, options_.thresholds);
         return changes;
     }
 
     void renew_around(FilmId film, const FourBubbles& around, bool changed) {
         if (foam_.network.is_live(film)) {
-            soft_.take_arc(film);
+            soft_.load_arc(film);
         }
         for (const BubbleId bubble : around) {
             if (foam_.network.is_live(bubble) && bubble != foam_.network.ghost()) {

@@ -13,7 +13,7 @@ namespace foam {
 
 namespace {
 
-constexpr std::size_t kGrain = 1024;  // films or bubbles that a thread takes at a time
+constexpr std::size_t kGrain = 1024;  // films or bubbles per chunk
 
 template <class Body>
 void for_each_index(std::size_t count, int threads, const Body& body) {
@@ -24,12 +24,13 @@ void for_each_index(std::size_t count, int threads, const Body& body) {
     });
 }
 
-// What a film adds to the gradient of L by its tail, its head and the pressure on its right.
+// The contribution of a film to the gradient of L, by its tail, its head and the pressure on its
+// right.
 struct FilmPart {
     Vec2 tail = Vec2::Zero();
     Vec2 head = Vec2::Zero();
     double right = 0.0;
-    double angle = 0.0;  // by the half angle, of an outer film
+    double angle = 0.0;  // by the half angle; only of an outer film
 };
 
 FilmPart film_part(const Foam& foam, FilmId film) {
@@ -47,7 +48,7 @@ FilmPart film_part(const Foam& foam, FilmId film) {
     return {push - energy.gradient, push + energy.gradient, energy.segment_area};
 }
 
-// Nothing where the row is that of something held.
+// Adds to a row, unless it is negative: that of something held.
 void add(Eigen::VectorXd& r, int row, const Vec2& force) {
     if (row >= 0) {
         r.segment<2>(row) += force;

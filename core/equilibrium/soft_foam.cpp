@@ -8,7 +8,7 @@ namespace foam {
 
 namespace {
 
-constexpr double kEmptyShare = 0.5;  // of its target, below which a bubble may be filled
+constexpr double kEmptyShare = 0.5;  // of its target area, below which a bubble counts as empty
 
 SoftFoam::Arc arc_of(double half_angle) {
     return {half_angle, std::sin(half_angle), std::cos(half_angle), arc_shape(half_angle)};
@@ -36,7 +36,7 @@ void SoftFoam::load(BubbleId bubble) {
     bubbles_[bubble] = {0.0, foam_.pressures[bubble], slope, target};
     loaded_.push_back(bubble);
     for (const HalfEdgeId h : foam_.network.around(bubble)) {
-        take_arc(film_of(h));
+        load_arc(film_of(h));
     }
     measure(bubble);
 }
@@ -53,7 +53,7 @@ void SoftFoam::measure(BubbleId bubble) {
     bubbles_[bubble].area = area;
 }
 
-void SoftFoam::take_arc(FilmId film) {
+void SoftFoam::load_arc(FilmId film) {
     arcs_[film] = arc_of(film_arc(foam_, forward_side(film)).half_angle);
 }
 
@@ -81,19 +81,19 @@ void SoftFoam::bend_to(FilmId film, double half_angle) {
 }
 
 void SoftFoam::renew(BubbleId bubble, bool may_be_empty) {
-    take_outer_arcs(bubble);
+    load_outer_arcs(bubble);
     measure(bubble);
     if (may_be_empty && bubbles_[bubble].area < kEmptyShare * bubbles_[bubble].target) {
         bulge_outer_films(foam_, bubble);
-        take_outer_arcs(bubble);
+        load_outer_arcs(bubble);
         measure(bubble);
     }
 }
 
-void SoftFoam::take_outer_arcs(BubbleId bubble) {
+void SoftFoam::load_outer_arcs(BubbleId bubble) {
     for (const HalfEdgeId h : foam_.network.around(bubble)) {
         if (foam_.network.is_outer(film_of(h))) {
-            take_arc(film_of(h));
+            load_arc(film_of(h));
         }
     }
 }

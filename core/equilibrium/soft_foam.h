@@ -7,9 +7,10 @@
 
 namespace foam {
 
-/// A foam as relaxation (E4) sees it: bubbles that give way, and films that are arcs with half
-/// angles of their own. Knows those that have been loaded; its memory, one value for each bubble
-/// and each film, serves one part of the foam after the other.
+/// The foam of relaxation (E4): soft bubbles, whose pressure depends on their area, and films that
+/// are arcs with half angles of their own. Holds the bubbles that have been loaded, and their
+/// films. Its memory, one slot for each bubble and each film, serves one part of the foam after
+/// another.
 class SoftFoam {
   public:
     struct Arc {
@@ -21,46 +22,47 @@ class SoftFoam {
 
     explicit SoftFoam(Foam& foam) : foam_(foam) {}
 
-    /// Forgets what has been loaded. Stiffness of a bubble against a change of its area, in film
-    /// tensions.
+    /// Forgets all loaded bubbles. `stiffness` is that of a bubble against a change of its area, in
+    /// film tensions.
     void begin(double stiffness);
 
-    /// A bubble and its films, as the foam has them; nothing where it is loaded already or is the
-    /// ghost, which has no stiffness and no pressure.
+    /// Loads a bubble and its films from the foam. Does nothing if the bubble is loaded already,
+    /// has gone, or is the ghost, which has no stiffness and no pressure.
     void load(BubbleId bubble);
 
-    /// That of its target, and more the more it lacks of it; 0 of the ghost.
+    /// Returns the pressure at the target area, raised by what the bubble lacks of that area; 0 for
+    /// the ghost.
     double pressure(BubbleId bubble) const { return bubbles_[bubble].pressure(); }
-    /// What the pressure loses per area gained.
+    /// Returns the loss of pressure per area gained.
     double slope(BubbleId bubble) const { return bubbles_[bubble].slope; }
     void add_area(BubbleId bubble, double area) { bubbles_[bubble].area += area; }
-    /// The pressure that the bubble has now becomes the one of its target.
+    /// Makes the present pressure the one at the target area (method of multipliers, E4).
     void keep_pressure(BubbleId bubble);
 
-    /// Along its forward side.
+    /// The film's arc, along its forward side.
     const Arc& arc(FilmId film) const { return arcs_[film]; }
-    /// ArcShape::segment along the half-edge.
+    /// Returns ArcShape::segment along the half-edge.
     double segment_of(HalfEdgeId h) const {
         const double segment = arcs_[film_of(h)].shape.segment;
         return is_forward(h) ? segment : -segment;
     }
-    /// Gives the film another half angle, that of an outer one in the foam, too, and the bubbles on
-    /// its sides their areas, from the squared chord before and after.
+    /// Sets the half angle of a film, for an outer film in the foam, too, and updates the areas of
+    /// the bubbles beside it, from the squared chord before and after.
     void set_arc(FilmId film, double half_angle, double squared_before, double squared_after);
 
-    /// Takes the arc that the film has by the foam's pressures or, an outer one, by its half angle.
-    void take_arc(FilmId film);
-    /// The same for the outer films of a bubble, and measures its area anew: after a change of the
-    /// network, where one that has been kept may stand for two. Of a bubble that may be left next
-    /// to nothing, as where a film tears, they are made to bulge if it is.
+    /// Loads the film's arc: for an inner film as the foam's pressures give it, for an outer film
+    /// by its half angle.
+    void load_arc(FilmId film);
+    /// Loads the arcs of the bubble's outer films and measures its area anew, after a change of the
+    /// network, which may have joined two films into one. With `may_be_empty`, as where a film has
+    /// torn, a bubble with less than half of its target area gets outer films that bulge.
     void renew(BubbleId bubble, bool may_be_empty);
 
   private:
-    // A bubble in the energy of E4: p + B (1 - A / A_target) / sqrt(A_target), where p is to become
-    // the pressure at which it has its target.
+    // The pressure of a bubble is p + B (1 - A / A_target) / sqrt(A_target) (E4).
     struct SoftBubble {
-        double area = 0.0;  // within the arcs; kept up to date
-        double pressure_at_target = 0.0;
+        double area = 0.0;                // A, within the arcs
+        double pressure_at_target = 0.0;  // p
         double slope = 0.0;
         double target = 0.0;
 
@@ -68,17 +70,18 @@ class SoftFoam {
     };
 
     void measure(BubbleId bubble);
-    void take_outer_arcs(BubbleId bubble);
+    void load_outer_arcs(BubbleId bubble);
     void bend_to(FilmId film, double half_angle);
 
     Foam& foam_;
     double stiffness_ = 0.0;
-    Indexed<BubbleId, SoftBubble> bubbles_;  // of no target where not loaded
+    Indexed<BubbleId, SoftBubble> bubbles_;  // with target 0 if not loaded
     Indexed<FilmId, Arc> arcs_;
     std::vector<BubbleId> loaded_;
 };
 
-/// Lays what a bubble lacks of its target within its chords into the segments of its outer films.
+/// Bends the outer films of a bubble so that their segments hold, in equal shares, what its polygon
+/// lacks of the target area.
 void bulge_outer_films(Foam& foam, BubbleId bubble);
 
 }  // namespace foam

@@ -12,12 +12,12 @@ namespace foam {
 
 namespace {
 
-constexpr int kReach = 2;            // films from a tangled junction to those that move with it
+constexpr int kReach = 2;            // films between a tangled junction and those that move with it
 constexpr int kSweeps = 20;          // no state among a thousand needed more
 constexpr double kNoLength = 1e-9;   // foam units
-constexpr double kSameAngle = 1e-9;  // radians; the chords of a two-sided bubble are the same
+constexpr double kSameAngle = 1e-9;  // radians; the two chords of a two-sided bubble coincide
 
-// From a to b, clockwise, in [0, 2 pi) but for rounding.
+// Returns the clockwise angle from a to b, in [0, 2 pi) but for rounding.
 double clockwise_angle(const Vec2& a, const Vec2& b) {
     const double angle = std::atan2(cross(b, a), a.dot(b));
     return angle < -kSameAngle ? angle + 2.0 * std::numbers::pi : angle;
@@ -33,21 +33,21 @@ std::vector<JunctionId> tangled_junctions(const Foam& foam) {
     return tangled;
 }
 
-// Adds the neighbours of a junction that are not yet taken.
-void take_neighbours(const Network& network,
-                     JunctionId junction,
-                     Indexed<JunctionId, std::uint8_t>& taken,
-                     std::vector<JunctionId>& junctions) {
+// Adds the neighbors of a junction that are not yet taken.
+void take_neighbors(const Network& network,
+                    JunctionId junction,
+                    Indexed<JunctionId, std::uint8_t>& taken,
+                    std::vector<JunctionId>& junctions) {
     for (const HalfEdgeId h : network.leaving(junction)) {
-        const JunctionId neighbour = network.head(h);
-        if (taken[neighbour] == 0) {
-            taken[neighbour] = 1;
-            junctions.push_back(neighbour);
+        const JunctionId neighbor = network.head(h);
+        if (taken[neighbor] == 0) {
+            taken[neighbor] = 1;
+            junctions.push_back(neighbor);
         }
     }
 }
 
-// The given junctions, then those up to so many films away.
+// Returns the given junctions, followed by those up to kReach films away.
 std::vector<JunctionId> within_reach(const Network& network, std::vector<JunctionId> junctions) {
     Indexed<JunctionId, std::uint8_t> taken(network.junction_slots(), 0);
     for (const JunctionId junction : junctions) {
@@ -56,7 +56,7 @@ std::vector<JunctionId> within_reach(const Network& network, std::vector<Junctio
     std::size_t next = 0;
     for (int films = 0; films < kReach; ++films) {
         for (const std::size_t end = junctions.size(); next < end; ++next) {
-            take_neighbours(network, junctions[next], taken, junctions);
+            take_neighbors(network, junctions[next], taken, junctions);
         }
     }
     return junctions;
@@ -69,12 +69,12 @@ bool is_at_ghost(const Network& network, JunctionId junction) {
     });
 }
 
-// Of a film that is not without length. An outer film may leave far from its chord.
+// Returns the direction of a film that has a length. An outer arc may leave far from its chord.
 Vec2 direction_at_tail(const Foam& foam, HalfEdgeId h) {
     return foam.network.is_outer(film_of(h)) ? tangent_at_tail(film_arc(foam, h)) : chord(foam, h);
 }
 
-void move_to_mean_of_neighbours(Foam& foam, JunctionId junction) {
+void move_to_mean_of_neighbors(Foam& foam, JunctionId junction) {
     Vec2 sum = Vec2::Zero();
     for (const HalfEdgeId h : foam.network.leaving(junction)) {
         sum += chord(foam, h);
@@ -84,7 +84,7 @@ void move_to_mean_of_neighbours(Foam& foam, JunctionId junction) {
 
 }  // namespace
 
-// Going clockwise from film to film takes one turn, or two where their order is the reverse.
+// The clockwise angles from film to film add up to one turn, or to two if their order is reversed.
 bool is_tangled(const Foam& foam, JunctionId junction) {
     const std::array<HalfEdgeId, 3> leaving = foam.network.leaving(junction);
     std::array<Vec2, 3> directions;
@@ -107,7 +107,7 @@ int untangle(Foam& foam) {
     std::erase_if(moving, [&](JunctionId junction) { return is_at_ghost(foam.network, junction); });
     for (int sweep = 0; sweep < kSweeps; ++sweep) {
         for (const JunctionId junction : moving) {
-            move_to_mean_of_neighbours(foam, junction);
+            move_to_mean_of_neighbors(foam, junction);
         }
     }
     return static_cast<int>(tangled.size());

@@ -16,8 +16,9 @@ namespace foam {
 
 namespace {
 
-constexpr std::size_t kMostSidesOfSmallHole = 3;
-constexpr double kRaftShare = 0.5;  // of the areas along a boundary, which a raft has inside
+constexpr std::size_t kMaxSidesOfSmallHole = 3;
+constexpr double kRaftShare =
+    0.5;  // of the areas along a boundary: an outer boundary encloses more
 
 // One of the bubbles beside a film that tears.
 struct TornSide {
@@ -27,7 +28,7 @@ struct TornSide {
     LoneBubble as_lone;  // if it has no other film
 };
 
-// With the middle of its circle to the left of the film.
+// Returns the left bubble of the film as a circle that touches the film at its tail.
 LoneBubble as_lone(const Foam& foam, HalfEdgeId h) {
     const BubbleId bubble = foam.network.left(h);
     LoneBubble lone{foam.identities[bubble], Vec2::Zero(), foam.target_areas[bubble]};
@@ -74,7 +75,7 @@ std::vector<HalfEdgeId> boundary_at(const Network& network, FilmId film) {
     return boundary;
 }
 
-// Target areas of the bubbles along a boundary.
+// Returns the sum of the target areas of the bubbles along a boundary.
 double area_along(const Foam& foam, const std::vector<HalfEdgeId>& boundary) {
     std::vector<BubbleId> bubbles;
     bubbles.reserve(boundary.size());
@@ -88,7 +89,8 @@ double area_along(const Foam& foam, const std::vector<HalfEdgeId>& boundary) {
     });
 }
 
-// Within the arcs; negative for an outer boundary, which goes clockwise around its raft.
+// Returns the area within the arcs, negative for an outer boundary, which runs clockwise around its
+// raft.
 double enclosed_area(const Foam& foam, const std::vector<HalfEdgeId>& boundary) {
     double area = 0.0;
     Vec2 at = Vec2::Zero();
@@ -100,8 +102,8 @@ double enclosed_area(const Foam& foam, const std::vector<HalfEdgeId>& boundary) 
     return area;
 }
 
-// The outer boundary of a raft, which goes clockwise around it, has all bubbles along it inside;
-// the films of a hole may overlap, but not by the areas of their bubbles.
+// Tells a hole from the outer boundary of a raft, which runs clockwise and encloses all bubbles
+// along it. The films of a hole may overlap, but not by the areas of their bubbles.
 bool is_around_hole(const Foam& foam, const std::vector<HalfEdgeId>& boundary, double enclosed) {
     return enclosed > -kRaftShare * area_along(foam, boundary);
 }
@@ -133,7 +135,7 @@ void tear_film(Foam& foam, FilmId film) {
 
 bool is_small_hole(const Foam& foam, FilmId film, double length) {
     const std::vector<HalfEdgeId> boundary = boundary_at(foam.network, film);
-    return boundary.size() <= kMostSidesOfSmallHole &&
+    return boundary.size() <= kMaxSidesOfSmallHole &&
            std::all_of(boundary.begin(),
                        boundary.end(),
                        [&](HalfEdgeId h) { return chord(foam, h).norm() < length; }) &&
@@ -148,7 +150,7 @@ bool is_overlapping_hole(const Foam& foam, FilmId film) {
 
 bool close_hole(Foam& foam, FilmId film) {
     const std::vector<HalfEdgeId> boundary = boundary_at(foam.network, film);
-    if (boundary.size() > kMostSidesOfSmallHole || !can_close(foam.network, boundary)) {
+    if (boundary.size() > kMaxSidesOfSmallHole || !can_close(foam.network, boundary)) {
         return false;
     }
     Vec2 mean = Vec2::Zero();

@@ -12,11 +12,14 @@ namespace foam {
 
 namespace {
 
-constexpr double kDisarmedFraction = 0.1;    // of the T1 distance, for a film that has just flipped
-constexpr double kCollapsedFraction = 0.05;  // of the T1 distance
-constexpr double kReopenedLength = 2.0;      // of the length at which a film counts as collapsed
-constexpr double kRearmingFactor = 2.0;      // of the T1 distance
+// Lengths, in T1 distances at the film:
+constexpr double kDisarmedFraction = 0.1;    // below which a film flips that has just flipped
+constexpr double kCollapsedFraction = 0.05;  // below which a film counts as collapsed
+constexpr double kRearmingFactor = 2.0;      // above which a film that has flipped is armed again
+// Length at which a collapsed film is opened, in lengths at which it counts as collapsed.
+constexpr double kReopenedLength = 2.0;
 
+// Returns the T1 distance at the film: scaled down to the smallest of the four bubbles around it.
 double scaled_distance(const Foam& foam, FilmId film, const TopologyThresholds& thresholds) {
     const T1Site site = t1_site(foam.network, film);
     const double smallest = std::min({foam.target_areas[foam.network.left(site.film)],
@@ -26,31 +29,31 @@ double scaled_distance(const Foam& foam, FilmId film, const TopologyThresholds& 
     return thresholds.t1_distance * std::min(1.0, std::sqrt(smallest));
 }
 
-Vec2 tangent(const Foam& foam, HalfEdgeId h, Tangents tangents) {
-    const FilmArc arc =
-        tangents == Tangents::OfArcs ? film_arc(foam, h) : FilmArc{chord(foam, h), 0.0};
+// Returns the unit tangent of the film's arc where it leaves its tail; zero if it has no length.
+Vec2 tangent(const Foam& foam, HalfEdgeId h) {
+    const FilmArc arc = film_arc(foam, h);
     return arc.chord == Vec2::Zero() ? Vec2(0.0, 0.0) : tangent_at_tail(arc);
 }
 
-// Mean pull of the outer films on the ends of the film, from its tail to its head, in film
-// tensions: as it is, and as it would be flipped (from its right end to its left).
+// Mean pull of the four outer films on the ends of a film, in film tensions.
 struct OuterPull {
-    Vec2 present;
-    Vec2 flipped;
+    Vec2 present;  // of the film as it is, from its tail to its head
+    Vec2 flipped;  // of the film as it would be flipped, from its right end to its
+                   // left
 };
 
-OuterPull outer_pull(const Foam& foam, FilmId film, Tangents tangents) {
+OuterPull outer_pull(const Foam& foam, FilmId film) {
     const T1Site site = t1_site(foam.network, film);
-    const Vec2 tail_left = tangent(foam, twin(site.before_left), tangents);
-    const Vec2 tail_right = tangent(foam, site.after_right, tangents);
-    const Vec2 head_left = tangent(foam, site.after_left, tangents);
-    const Vec2 head_right = tangent(foam, twin(site.before_right), tangents);
+    const Vec2 tail_left = tangent(foam, twin(site.before_left));
+    const Vec2 tail_right = tangent(foam, site.after_right);
+    const Vec2 head_left = tangent(foam, site.after_left);
+    const Vec2 head_right = tangent(foam, twin(site.before_right));
     return {0.5 * (head_left + head_right - tail_left - tail_right),
             0.5 * (tail_left + head_left - tail_right - head_right)};
 }
 
-// Sets the ends of a film at `middle` plus and minus half a vector from tail to head; both given in
-// the frame of the tail.
+// Places the film by its middle and the vector from its tail to its head; both are given in the
+// frame of the tail.
 void lay_film(Foam& foam, FilmId film, const Vec2& middle, const Vec2& tail_to_head) {
     const HalfEdgeId h = forward_side(film);
     const Vec2 to_frame_of_head = foam.domain.translation(foam.network.offset(h));
@@ -60,22 +63,20 @@ void lay_film(Foam& foam, FilmId film, const Vec2& middle, const Vec2& tail_to_h
     place_junction(foam, head, middle + 0.5 * tail_to_head - to_frame_of_head);
 }
 
-bool is_short_and_flips(const Foam& foam,
-                        FilmId film,
-                        const TopologyThresholds& thresholds,
-                        Tangents tangents) {
+bool is_short_and_flips(const Foam& foam, FilmId film, const TopologyThresholds& thresholds) {
     const double length = chord(foam, forward_side(film)).norm();
     return length < thresholds.t1_distance && length < t1_length(foam, film, thresholds) &&
-           can_change(foam.network, film) && flipped_pulls_apart(foam, film, tangents);
+           can_change(foam.network, film) && flipped_pulls_apart(foam, film);
 }
 
-// Whether the outer films of a film that can tear pull it apart harder than along it.
-bool tears_apart(const Foam& foam, FilmId film, Tangents tangents) {
-    const OuterPull pull = outer_pull(foam, film, tangents);
+// Returns true if the outer films of a film that can tear pull harder across it than along it.
+bool tears_apart(const Foam& foam, FilmId film) {
+    const OuterPull pull = outer_pull(foam, film);
     return pull.flipped.norm() > pull.present.norm() - 1.0;
 }
 
-// Films of a hole that overlap pull its short ones the wrong way.
+// Closes the hole or flips the film, whatever the films pull: where bubbles overlap in a hole, its
+// films pull the short ones the wrong way.
 bool shrink_hole(Foam& foam, FilmId film) {
     if (close_hole(foam, film)) {
         return true;
@@ -98,8 +99,8 @@ double collapsed_length(const Foam& foam, FilmId film, const TopologyThresholds&
     return kCollapsedFraction * scaled_distance(foam, film, thresholds);
 }
 
-bool flipped_pulls_apart(const Foam& foam, FilmId film, Tangents tangents) {
-    const Vec2 pull = outer_pull(foam, film, tangents).flipped;
+bool flipped_pulls_apart(const Foam& foam, FilmId film) {
+    const Vec2 pull = outer_pull(foam, film).flipped;
     const Vec2 d = chord(foam, forward_side(film));
     const double apart = d == Vec2::Zero() ? pull.norm() : pull.dot(turned_left(d).normalized());
     return apart > (can_tear(foam.network, film) ? 0.0 : 1.0);
@@ -110,13 +111,14 @@ void flip_film(Foam& foam, FilmId film) {
     const Vec2 middle = middle_of(foam, film);
     note_t1(foam, film);
     flip(foam.network, film);
-    lay_film(foam, film, middle, -right_to_left);  // its tail is now on the left side
+    lay_film(foam, film, middle,
+             -right_to_left);  // its tail is now on the left side
     fit_half_angle(foam, film);
     foam.t1_armed[film] = 0;
 }
 
-bool reopen_film(Foam& foam, FilmId film, double length, Tangents tangents) {
-    const OuterPull pull = outer_pull(foam, film, tangents);
+bool reopen_film(Foam& foam, FilmId film, double length) {
+    const OuterPull pull = outer_pull(foam, film);
     const Vec2 middle = middle_of(foam, film);
     const bool flips =
         pull.flipped.squaredNorm() > pull.present.squaredNorm() && can_flip(foam.network, film);
@@ -142,12 +144,12 @@ bool can_tear(const Network& network, FilmId film) {
            network.sides(network.right(h)) > 2;
 }
 
-bool settle_film(Foam& foam, FilmId film, const TopologyThresholds& thresholds, Tangents tangents) {
+bool apply_t1_rule(Foam& foam, FilmId film, const TopologyThresholds& thresholds) {
     const double collapsed = collapsed_length(foam, film, thresholds);
     const double length = chord(foam, forward_side(film)).norm();
     if (can_tear(foam.network, film)) {
-        const bool tears = is_short_and_flips(foam, film, thresholds, tangents) ||
-                           (length < collapsed && tears_apart(foam, film, tangents));
+        const bool tears = is_short_and_flips(foam, film, thresholds) ||
+                           (length < collapsed && tears_apart(foam, film));
         if (tears) {
             tear_film(foam, film);
         }
@@ -162,19 +164,28 @@ bool settle_film(Foam& foam, FilmId film, const TopologyThresholds& thresholds, 
         }
     }
     if (length < collapsed) {
-        return reopen_film(foam, film, kReopenedLength * collapsed, tangents);
+        return reopen_film(foam, film, kReopenedLength * collapsed);
     }
-    const bool flips = is_short_and_flips(foam, film, thresholds, tangents);
+    const bool flips = is_short_and_flips(foam, film, thresholds);
     if (flips) {
         flip_film(foam, film);
     }
     return flips;
 }
 
+int apply_t1_rule(Foam& foam, std::span<const FilmId> films, const TopologyThresholds& thresholds) {
+    int changes = 0;
+    for (const FilmId film : films) {
+        const bool is_live = foam.network.is_live(film);  // it may have gone with one before it
+        changes += is_live && apply_t1_rule(foam, film, thresholds) ? 1 : 0;
+    }
+    return changes;
+}
+
 std::vector<FilmId> short_films(const Foam& foam, const TopologyThresholds& thresholds) {
     std::vector<FilmId> films;
     for (const FilmId film : foam.network.films()) {
-        if (is_short_and_flips(foam, film, thresholds, Tangents::OfArcs)) {
+        if (is_short_and_flips(foam, film, thresholds)) {
             films.push_back(film);
         }
     }

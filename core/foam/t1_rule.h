@@ -8,55 +8,58 @@
 
 namespace foam {
 
-/// The T1 distance at a film: the threshold, scaled down to the smallest of the four bubbles around
-/// it where that is smaller than 1, and tenfold shorter for a film that has flipped and not grown
-/// since (E7).
+/// The T1 rule (E7): decides whether a film flips, tears, closes a hole or is opened anew, and does
+/// it. The surgery itself is in core/network (t1.h, split.h, t2.h) and rafts.h.
+///
+/// In order: a film with the ghost at both ends tears where it would otherwise flip, since nothing
+/// holds the flipped film together. An outer film around a small hole closes the hole; one around a
+/// hole in which bubbles overlap closes it or flips. A collapsed film is opened anew (reopen_film).
+/// Another short film flips if its flipped state stays open (flipped_pulls_apart).
+///
+/// Returns true if the network changed; the film may then be gone.
+bool apply_t1_rule(Foam& foam, FilmId film, const TopologyThresholds& thresholds);
+
+/// Applies the T1 rule to each of the films, in their order, unless it has gone with an earlier
+/// one. Returns the number of changes of the network.
+int apply_t1_rule(Foam& foam, std::span<const FilmId> films, const TopologyThresholds& thresholds);
+
+/// Returns the films below their T1 distance that would stay open when flipped, or would tear, in
+/// increasing order.
+std::vector<FilmId> short_films(const Foam& foam, const TopologyThresholds& thresholds);
+
+/// Returns the length below which the film may flip: the T1 distance, scaled down to the smallest
+/// of the four bubbles around the film if that is smaller than 1, and to a tenth of it for a film
+/// that has flipped and has not grown since (rearm_grown_films).
 double t1_length(const Foam& foam, FilmId film, const TopologyThresholds& thresholds);
 
-/// Below this length a film is as good as a point where four films meet.
+/// Returns the length below which the film is as good as a point where four films meet.
 double collapsed_length(const Foam& foam, FilmId film, const TopologyThresholds& thresholds);
 
-/// How the tangents of a film's outer films are taken.
-enum class Tangents {
-    OfArcs,
-    OfChords,  // while films are straight (E4)
-};
-
-/// Whether the outer films would pull the flipped film apart: their mean pull along it exceeds the
-/// pull of the film itself, if there is one between them.
-bool flipped_pulls_apart(const Foam& foam, FilmId film, Tangents tangents);
+/// Returns true if the outer films would pull the flipped film apart: if their mean pull along it
+/// exceeds its own. A film that would tear has no pull of its own.
+bool flipped_pulls_apart(const Foam& foam, FilmId film);
 
 /// Flips the film (t1.h), sets its junctions perpendicular to the old film around its middle at the
 /// same distance (paper 3), and disarms it. Precondition: can_flip.
 void flip_film(Foam& foam, FilmId film);
 
-/// Opens a film that has collapsed to a point of four films: lays it, with the given length, in the
-/// direction in which its outer films pull the hardest, flipped or not. Returns whether it was
+/// Opens a film that has collapsed to a point of four films: places it, with the given length, in
+/// the direction in which its outer films pull the hardest, flipped or not. Returns true if it was
 /// flipped.
-bool reopen_film(Foam& foam, FilmId film, double length, Tangents tangents);
+bool reopen_film(Foam& foam, FilmId film, double length);
 
-/// Whether the film has the ghost at both ends (split.h), and neither of its bubbles comes loose
-/// with it: one of two sides is held by it at any size.
+/// Returns true if the film has the ghost at both ends (split.h) and neither of its bubbles has
+/// only two sides: such a bubble is held by the film at any size.
 bool can_tear(const Network& network, FilmId film);
 
-/// Whether the film can flip or tear.
+/// Returns true if the film can flip or tear.
 bool can_change(const Network& network, FilmId film);
 
-/// The T1 that is due at a short film, if any: a collapsed film is opened anew, another one flipped
-/// where its flipped state stays open. With the ghost at both ends it tears instead, as nothing
-/// holds what would be the flipped film together; and a hole that it goes around is closed where it
-/// is small, and loses the film where the bubbles around it overlap.
-/// Returns whether the network changed; the film may then be gone.
-bool settle_film(Foam& foam, FilmId film, const TopologyThresholds& thresholds, Tangents tangents);
-
-/// Films below their T1 distance that would stay open when flipped, or torn, in increasing order.
-std::vector<FilmId> short_films(const Foam& foam, const TopologyThresholds& thresholds);
-
-/// Arms every one of the films that has grown to twice its T1 distance.
+/// Arms each of the films that has grown to twice the T1 distance at it.
 void rearm_grown_films(Foam& foam,
                        std::span<const FilmId> films,
                        const TopologyThresholds& thresholds);
-/// The same for all films.
+/// Arms each film of the foam that has grown to twice the T1 distance at it.
 void rearm_grown_films(Foam& foam, const TopologyThresholds& thresholds);
 
 }  // namespace foam

@@ -5,7 +5,7 @@
 // A run of Gauss-Seidel ends after SECONDS, by default 140, whatever it has reached, and then says
 // so. All together take about 8 minutes.
 
-#include "core/equilibrium/gauss_seidel.h"
+#include "core/reference/gauss_seidel.h"
 #include "core/foam/measure.h"
 #include "tests/bench/bench_foams.h"
 

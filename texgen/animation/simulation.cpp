@@ -30,7 +30,7 @@ void hold_above(double oldest, std::vector<double>& times) {
 StepOptions step_options_of(const Preset& preset, int threads) {
     StepOptions options;
     options.coarsening = preset.coarsening;
-    options.equilibrium.solver = preset.equilibrium.solver;
+    options.solver = preset.equilibrium.solver;
     options.equilibrium.tolerance = preset.equilibrium.tolerance;
     options.equilibrium.thresholds = preset.thresholds;
     options.equilibrium.threads = threads;
@@ -159,7 +159,7 @@ void Simulation::measure_diagram() {
 }
 
 bool Simulation::settle() {
-    equilibrium_ = equilibrate(foam_, options_.equilibrium);
+    equilibrium_ = equilibrate_with(options_.solver, foam_, options_.equilibrium);
     if (!equilibrium_.converged() || !warm_up()) {
         return false;
     }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/dynamics/coarsening.h"
-#include "core/equilibrium/equilibrate.h"
+#include "core/dynamics/solver.h"
 #include "core/foam/seeding.h"
 #include "texgen/image/deflate.h"
 #include "texgen/image/exr.h"

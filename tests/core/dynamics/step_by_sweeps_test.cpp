@@ -33,7 +33,7 @@ void expect_the_life_of_newton(int bubbles, int frames, Solver solver) {
     Foam by_newton = settled_foam(bubbles, 1);
     Foam foam = by_newton;
     StepOptions options;
-    options.equilibrium.solver = solver;
+    options.solver = solver;
     options.equilibrium.tolerance = 1e-4;
     const double time = 0.01 / kGrowthOfSeven;
     for (int frame = 0; frame < frames; ++frame) {

@@ -1,8 +1,8 @@
 #include "core/foam/rafts.h"
 
 #include "core/equilibrium/equilibrate.h"
-#include "core/foam/t1_rule.h"
 #include "core/foam/measure.h"
+#include "core/foam/t1_rule.h"
 #include "core/network/split.h"
 #include "tests/core/foams.h"
 #include "tests/core/patches.h"
@@ -73,11 +73,11 @@ TEST(Rafts, TheLastTwoComeLooseTogether) {
 TEST(Rafts, AShortFilmBetweenTwoGhostsTears) {
     Foam foam = settled(test::chain());
     const FilmId film = film_between(foam, 1, 2);
-    EXPECT_FALSE(settle_film(foam, film, {}, Tangents::OfArcs));
+    EXPECT_FALSE(apply_t1_rule(foam, film, {}));
     EXPECT_TRUE(short_films(foam, {}).empty());
     const double length = chord(foam, forward_side(film)).norm();
     const TopologyThresholds thresholds{.t1_distance = 1.1 * length, .t2_area = 0.01};
-    EXPECT_TRUE(settle_film(foam, film, thresholds, Tangents::OfArcs));
+    EXPECT_TRUE(apply_t1_rule(foam, film, thresholds));
     EXPECT_FALSE(foam.network.is_live(film));
     EXPECT_TRUE(test::is_valid(foam.network));
 }

@@ -59,32 +59,30 @@ TEST(T1Length, IsATenthForADisarmedFilm) {
 TEST(FlippedPullsApart, FromThirtyDegreesOn) {
     const Crossing below = crossing(29.99, 1e-6);
     const Crossing above = crossing(30.01, 1e-6);
-    for (const Tangents tangents : {Tangents::OfArcs, Tangents::OfChords}) {
-        EXPECT_FALSE(flipped_pulls_apart(below.foam, below.film, tangents));
-        EXPECT_TRUE(flipped_pulls_apart(above.foam, above.film, tangents));
-    }
+    EXPECT_FALSE(flipped_pulls_apart(below.foam, below.film));
+    EXPECT_TRUE(flipped_pulls_apart(above.foam, above.film));
 }
 
 TEST(FlippedPullsApart, OfAPointFromThirtyDegreesOn) {
     const Crossing below = crossing(29.99, 0.0);
     const Crossing above = crossing(30.01, 0.0);
-    EXPECT_FALSE(flipped_pulls_apart(below.foam, below.film, Tangents::OfArcs));
-    EXPECT_TRUE(flipped_pulls_apart(above.foam, above.film, Tangents::OfArcs));
+    EXPECT_FALSE(flipped_pulls_apart(below.foam, below.film));
+    EXPECT_TRUE(flipped_pulls_apart(above.foam, above.film));
 }
 
 // Bubbles 5 and 6, above and below, at a pressure below that of 2 and 10: outer films of chord 0.6
 // and s = 0.3 delta = sin 10 degrees turn their tangents by 10 degrees towards 5 and 6, away from
 // the film's line.
-TEST(FlippedPullsApart, LooksAtTheArcsOrAtTheChords) {
+TEST(FlippedPullsApart, FollowsTheTangentsOfTheArcs) {
     Crossing c = crossing(25.0, 1e-6);
     const double delta = std::sin(10.0 * std::acos(-1.0) / 180.0) / 0.3;
+    EXPECT_FALSE(flipped_pulls_apart(c.foam, c.film));
     c.foam.pressures[BubbleId{2}] = delta;
     c.foam.pressures[BubbleId{10}] = delta;
-    EXPECT_FALSE(flipped_pulls_apart(c.foam, c.film, Tangents::OfChords));
-    EXPECT_TRUE(flipped_pulls_apart(c.foam, c.film, Tangents::OfArcs));
+    EXPECT_TRUE(flipped_pulls_apart(c.foam, c.film));
     c.foam.pressures[BubbleId{2}] = -delta;
     c.foam.pressures[BubbleId{10}] = -delta;
-    EXPECT_FALSE(flipped_pulls_apart(c.foam, c.film, Tangents::OfArcs));
+    EXPECT_FALSE(flipped_pulls_apart(c.foam, c.film));
 }
 
 TEST(FlipFilm, TurnsTheFilmAboutItsMiddle) {
@@ -146,13 +144,13 @@ TEST(FlipFilm, FourTimesIsAFullTurn) {
 TEST(ReopenFilm, OpensInTheDirectionThatPullsHardest) {
     for (const double degrees : {10.0, 30.0, 44.0}) {
         Crossing c = crossing(degrees, 1e-9);
-        EXPECT_FALSE(reopen_film(c.foam, c.film, 0.02, Tangents::OfArcs)) << degrees;
+        EXPECT_FALSE(reopen_film(c.foam, c.film, 0.02)) << degrees;
         EXPECT_LT((chord(c.foam, forward_side(c.film)) - Vec2(0.02, 0.0)).norm(), 1e-8);
         EXPECT_EQ(c.foam.t1_armed[c.film], 1);
     }
     for (const double degrees : {46.0, 60.0, 80.0}) {
         Crossing c = crossing(degrees, 1e-9);
-        EXPECT_TRUE(reopen_film(c.foam, c.film, 0.02, Tangents::OfArcs)) << degrees;
+        EXPECT_TRUE(reopen_film(c.foam, c.film, 0.02)) << degrees;
         // From the side of bubble 5, above, to the side of bubble 6.
         EXPECT_LT((chord(c.foam, forward_side(c.film)) - Vec2(0.0, -0.02)).norm(), 1e-8);
         EXPECT_EQ(c.foam.t1_armed[c.film], 0);
@@ -163,7 +161,7 @@ TEST(ReopenFilm, KeepsTheMiddleAndTheNetworkValid) {
     for (const double degrees : {30.0, 60.0}) {
         for (const double length : {0.0, 1e-12, 0.001}) {
             Crossing c = crossing(degrees, length);
-            reopen_film(c.foam, c.film, 0.02, Tangents::OfChords);
+            reopen_film(c.foam, c.film, 0.02);
             EXPECT_TRUE(is_valid(c.foam.network));
             EXPECT_NEAR(chord(c.foam, forward_side(c.film)).norm(), 0.02, kRounding);
             EXPECT_LT((middle_of(c.foam, c.film) - c.middle).norm(), kRounding);
@@ -180,7 +178,7 @@ TEST(ReopenFilm, OpensAlongItselfWhereAFlipIsRefused) {
     const FilmId film = film_of(foam.network.first(lens));
     const Vec2 before = chord(foam, forward_side(film));
     ASSERT_FALSE(can_flip(foam.network, film));
-    EXPECT_FALSE(reopen_film(foam, film, 0.02, Tangents::OfArcs));
+    EXPECT_FALSE(reopen_film(foam, film, 0.02));
     EXPECT_EQ(foam.network.sides(lens), 2);
     EXPECT_LT((chord(foam, forward_side(film)) - 0.02 * before.normalized()).norm(), kRounding);
 }
@@ -190,38 +188,39 @@ TEST(ReopenFilm, OpensAlongItselfWhereAFlipIsRefused) {
 TEST(ReopenFilm, HasTheGivenLengthWhereNothingPulls) {
     Foam foam = honeycomb(4, 4);
     const BubbleId lens = test::insert_lens(foam, FilmId{0}, 0.5);
+    foam.pressures[lens] = 0.0;  // that of all others
     const FilmId film = film_of(foam.network.first(lens));
-    EXPECT_FALSE(reopen_film(foam, film, 0.02, Tangents::OfChords));
+    EXPECT_FALSE(reopen_film(foam, film, 0.02));
     EXPECT_NEAR(chord(foam, forward_side(film)).norm(), 0.02, kRounding);
 }
 
-TEST(SettleFilm, LeavesAFilmAboveTheDistance) {
+TEST(ApplyT1Rule, LeavesAFilmAboveTheDistance) {
     Crossing c = crossing(60.0, 0.0501);
     const Foam before = c.foam;
-    EXPECT_FALSE(settle_film(c.foam, c.film, {}, Tangents::OfArcs));
+    EXPECT_FALSE(apply_t1_rule(c.foam, c.film, {}));
     EXPECT_TRUE(test::are_same(c.foam, before));
 }
 
-TEST(SettleFilm, FlipsAShortFilmThatStaysOpen) {
+TEST(ApplyT1Rule, FlipsAShortFilmThatStaysOpen) {
     Crossing c = crossing(60.0, 0.0499);
-    EXPECT_TRUE(settle_film(c.foam, c.film, {}, Tangents::OfArcs));
+    EXPECT_TRUE(apply_t1_rule(c.foam, c.film, {}));
     EXPECT_LT((chord(c.foam, forward_side(c.film)) - Vec2(0.0, -0.0499)).norm(), kRounding);
 }
 
-TEST(SettleFilm, LeavesAShortFilmThatWouldCloseAgain) {
+TEST(ApplyT1Rule, LeavesAShortFilmThatWouldCloseAgain) {
     Crossing c = crossing(25.0, 0.0499);
     const Foam before = c.foam;
-    EXPECT_FALSE(settle_film(c.foam, c.film, {}, Tangents::OfArcs));
+    EXPECT_FALSE(apply_t1_rule(c.foam, c.film, {}));
     EXPECT_TRUE(test::are_same(c.foam, before));
 }
 
 // Collapsed below 0.05 * 0.05 = 0.0025, it is opened to twice that.
-TEST(SettleFilm, OpensACollapsedFilmEitherWay) {
+TEST(ApplyT1Rule, OpensACollapsedFilmEitherWay) {
     Crossing along = crossing(25.0, 0.0024);
-    EXPECT_FALSE(settle_film(along.foam, along.film, {}, Tangents::OfArcs));
+    EXPECT_FALSE(apply_t1_rule(along.foam, along.film, {}));
     EXPECT_NEAR(chord(along.foam, forward_side(along.film)).norm(), 0.005, kRounding);
     Crossing across = crossing(60.0, 0.0024);
-    EXPECT_TRUE(settle_film(across.foam, across.film, {}, Tangents::OfArcs));
+    EXPECT_TRUE(apply_t1_rule(across.foam, across.film, {}));
     EXPECT_NEAR(chord(across.foam, forward_side(across.film)).norm(), 0.005, kRounding);
 }
 
@@ -229,12 +228,12 @@ TEST(SettleFilm, OpensACollapsedFilmEitherWay) {
 // would flip to and fro.
 TEST(Hysteresis, AFilmThatHasFlippedDoesNotFlipBack) {
     Crossing c = crossing(45.0, 0.04);
-    ASSERT_TRUE(settle_film(c.foam, c.film, {}, Tangents::OfArcs));
-    ASSERT_TRUE(flipped_pulls_apart(c.foam, c.film, Tangents::OfArcs));
-    EXPECT_FALSE(settle_film(c.foam, c.film, {}, Tangents::OfArcs));
+    ASSERT_TRUE(apply_t1_rule(c.foam, c.film, {}));
+    ASSERT_TRUE(flipped_pulls_apart(c.foam, c.film));
+    EXPECT_FALSE(apply_t1_rule(c.foam, c.film, {}));
     EXPECT_TRUE(short_films(c.foam, {}).empty());
     c.foam.t1_armed[c.film] = 1;
-    EXPECT_TRUE(settle_film(c.foam, c.film, {}, Tangents::OfArcs));
+    EXPECT_TRUE(apply_t1_rule(c.foam, c.film, {}));
 }
 
 // Twice the distance, and the distance is scaled: for a bubble of area 1/4, from 0.05 on.
@@ -249,6 +248,18 @@ TEST(Hysteresis, AFilmIsArmedAgainWhenItHasGrown) {
             EXPECT_EQ(c.foam.t1_armed[c.film], length > 2.0 * distance ? 1 : 0);
         }
     }
+}
+
+TEST(ApplyT1Rule, CountsTheChangesAtSeveralFilms) {
+    Crossing flips = crossing(60.0, 0.04);
+    Foam expected = flips.foam;
+    ASSERT_TRUE(apply_t1_rule(expected, flips.film, {}));
+    const Network& network = flips.foam.network;
+    const std::vector<FilmId> all = network.films().ids(network.film_count());
+    EXPECT_EQ(apply_t1_rule(flips.foam, all, {}), 1);
+    EXPECT_TRUE(test::are_same(flips.foam, expected));
+    Crossing stays = crossing(25.0, 0.04);
+    EXPECT_EQ(apply_t1_rule(stays.foam, all, {}), 0);
 }
 
 TEST(ShortFilms, AreThoseThatStayOpenWhenFlipped) {

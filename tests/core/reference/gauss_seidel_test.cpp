@@ -1,4 +1,4 @@
-#include "core/equilibrium/gauss_seidel.h"
+#include "core/reference/gauss_seidel.h"
 
 #include "core/equilibrium/newton.h"
 #include "core/foam/honeycomb.h"

@@ -1,4 +1,4 @@
-#include "core/equilibrium/junction_coloring.h"
+#include "core/reference/junction_coloring.h"
 
 #include "core/foam/foam.h"
 #include "core/foam/honeycomb.h"
@@ -92,7 +92,7 @@ TEST(JunctionColoring, GivesEveryJunctionOfASingleBubbleItsOwn) {
 }
 
 // A junction shares bubbles with 3 (6 - 1) others at most, two of a bubble with its neighbour's
-// counted twice: with 12. So 13 colours are enough for a honeycomb, and 6 are the fewest.
+// counted twice: with 12. So 13 colors are enough for a honeycomb, and 6 are the fewest.
 TEST(JunctionColoring, TakesFewColorsForAHoneycomb) {
     const Colors colors = color_junctions(honeycomb(12, 12).network);
     EXPECT_GE(colors.size(), 6U);

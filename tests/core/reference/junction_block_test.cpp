@@ -1,4 +1,4 @@
-#include "core/equilibrium/junction_block.h"
+#include "core/reference/junction_block.h"
 
 #include "core/foam/honeycomb.h"
 #include "core/foam/measure.h"
@@ -98,7 +98,7 @@ TEST(JunctionBlock, LacksNothingInTheHoneycomb) {
     JunctionBlock block;
     for (const JunctionId junction : foam.network.junctions()) {
         block.load(foam, junction);
-        EXPECT_LT(block.lacking(BlockVector::Zero(5)).norm(), 1e-13);
+        EXPECT_LT(block.constraint_errors(BlockVector::Zero(5)).norm(), 1e-13);
     }
 }
 
@@ -110,12 +110,14 @@ void expect_what_measuring_says(const std::vector<Foam>& foams) {
         for (const JunctionId junction : foam.network.junctions()) {
             block.load(foam, junction);
             BlockVector change = BlockVector::Zero(block.size());
-            EXPECT_LT((block.lacking(change) - measured(foam, junction, block)).norm(), 1e-12);
+            EXPECT_LT((block.constraint_errors(change) - measured(foam, junction, block)).norm(),
+                      1e-12);
             for (Index unknown = 0; unknown < block.size(); ++unknown) {
                 change[unknown] = 0.1 + 0.03 * static_cast<double>(unknown);
                 const Foam changed = after(foam, junction, block, change);
-                EXPECT_LT((block.lacking(change) - measured(changed, junction, block)).norm(),
-                          1e-12);
+                EXPECT_LT(
+                    (block.constraint_errors(change) - measured(changed, junction, block)).norm(),
+                    1e-12);
             }
         }
     }
@@ -137,7 +139,8 @@ TEST(JunctionBlock, ForgetsTheJunctionBefore) {
     used.load(foam, JunctionId{2});
     JunctionBlock fresh;
     fresh.load(foam, JunctionId{2});
-    EXPECT_EQ(used.lacking(BlockVector::Zero(5)), fresh.lacking(BlockVector::Zero(5)));
+    EXPECT_EQ(used.constraint_errors(BlockVector::Zero(5)),
+              fresh.constraint_errors(BlockVector::Zero(5)));
 }
 
 // A pressure is in tensions over the root of the target, a coordinate in lengths of the shortest

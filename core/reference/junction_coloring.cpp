@@ -1,4 +1,4 @@
-#include "core/equilibrium/junction_coloring.h"
+#include "core/reference/junction_coloring.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@ class Coloring {
   public:
     explicit Coloring(const Network& network) : network_(network), taken_(network.bubble_slots()) {}
 
-    // The first colour that no junction of the junction's bubbles has yet.
+    // Takes and returns the first color that no other junction of its bubbles has taken.
     std::size_t take(JunctionId junction) {
         const std::array<HalfEdgeId, 3> leaving = network_.leaving(junction);
         std::size_t color = 0;

@@ -1,10 +1,10 @@
-#include "core/equilibrium/gauss_seidel.h"
+#include "core/reference/gauss_seidel.h"
 
-#include "core/equilibrium/junction_coloring.h"
 #include "core/equilibrium/moves.h"
 #include "core/foam/measure.h"
 #include "core/foam/t1_rule.h"
 #include "core/parallel/parallel_for.h"
+#include "core/reference/junction_coloring.h"
 
 #include <algorithm>
 #include <array>
@@ -16,15 +16,16 @@ namespace foam {
 namespace {
 
 constexpr std::size_t kBlocksPerChunk = 16;  // some 300 microseconds of work
-// A film that ends up long may be short for a while in the first sweeps, while areas are far off.
+// Sweeps after which all short films are tried. In the first ones, while areas are far off, a film
+// may be short for a while that ends up long.
 constexpr int kSweepsBetweenT1 = 30;
 
 struct OuterChange {
     FilmId film;
-    double half_angle;  // along its forward side
+    double half_angle;  // change along its forward side
 };
 
-// What a block changes, in foam units.
+// The changes of one block, in foam units.
 struct BlockChange {
     Vec2 move{0.0, 0.0};
     std::size_t bubble_count = 0;
@@ -33,8 +34,8 @@ struct BlockChange {
     std::vector<OuterChange> half_angles;
 };
 
-// The step of the block, shortened to the largest change; none where a film has no length, which is
-// left to the T1 rule.
+// Returns the step of the block, shortened to the largest change. Returns no change if a film has
+// no length: that is left to the T1 rule.
 BlockChange change_of(const JunctionBlock& block, const GaussSeidelOptions& options) {
     BlockChange change;
     if (block.is_degenerate()) {
@@ -56,7 +57,7 @@ BlockChange change_of(const JunctionBlock& block, const GaussSeidelOptions& opti
     return change;
 }
 
-// Positions may leave the torus' own cell.
+// Positions may leave the fundamental cell of the torus.
 void apply(Foam& foam, JunctionId junction, const BlockChange& change) {
     foam.positions[junction] += change.move;
     for (std::size_t k = 0; k < change.bubble_count; ++k) {
@@ -80,13 +81,13 @@ class Sweeps {
         }
     }
 
-    // T1 at the films that have collapsed and, after some sweeps, at all that are short. Returns
-    // how many flipped.
-    int settle_films(int sweep) {
+    // Applies the T1 rule to the films that have collapsed and, after some sweeps, to all that are
+    // short. Returns the number of changes.
+    int flip_short_films(int sweep) {
         int flips = 0;
         for (const FilmId film : foam_.network.films()) {
             if (is_due(film, sweep % kSweepsBetweenT1 == 0)) {
-                flips += settle_film(foam_, film, options_.thresholds, Tangents::OfArcs) ? 1 : 0;
+                flips += apply_t1_rule(foam_, film, options_.thresholds) ? 1 : 0;
             }
         }
         if (flips > 0) {
@@ -119,8 +120,8 @@ class Sweeps {
         }
     }
 
-    // All blocks are solved before any is applied: a block also reads the pressures around its
-    // bubbles, which another of its colour may change.
+    // Solves all blocks before it applies any: a block also reads the pressures around its bubbles,
+    // which another block of the color may change.
     void sweep_color(const std::vector<JunctionId>& color) {
         changes_.resize(color.size());
         parallel_for(color.size(),
@@ -140,7 +141,7 @@ class Sweeps {
 
     Foam& foam_;
     const GaussSeidelOptions& options_;
-    std::vector<std::vector<JunctionId>> colors_;  // empty where the network has changed since
+    std::vector<std::vector<JunctionId>> colors_;  // empty if the network has changed since
     std::vector<BlockChange> changes_;
 };
 
@@ -153,7 +154,7 @@ GaussSeidelSummary gauss_seidel(Foam& foam, const GaussSeidelOptions& options) {
     while (!converged && summary.sweeps < options.max_sweeps) {
         sweeps.sweep();
         ++summary.sweeps;
-        summary.t1 += sweeps.settle_films(summary.sweeps);
+        summary.t1 += sweeps.flip_short_films(summary.sweeps);
         converged = equilibrium_errors(foam).are_below(options.tolerance);
     }
     wrap(foam, all_unknowns(foam.network));

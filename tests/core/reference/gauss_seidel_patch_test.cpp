@@ -1,10 +1,11 @@
 // The paper's solver in a patch (paper 4.2, eq. 15), beside Newton's method.
 #include "core/equilibrium/equilibrate.h"
-#include "core/equilibrium/gauss_seidel.h"
 #include "core/equilibrium/newton.h"
 #include "core/foam/measure.h"
 #include "core/foam/patch.h"
 #include "core/foam/random.h"
+#include "core/reference/equilibrate_by_sweeps.h"
+#include "core/reference/gauss_seidel.h"
 #include "tests/core/foams.h"
 #include "tests/core/patches.h"
 
@@ -122,12 +123,11 @@ TEST_P(PatchGaussSeidelIn, FindsTheEnergyOfARow) {
 
 // From the diagram to the end of the policy, T1s at the rim included.
 TEST_P(PatchGaussSeidelIn, SettlesRawDiagrams) {
-    const Solver solver =
-        GetParam() == SweepOrder::Colored ? Solver::ColoredGaussSeidel : Solver::GaussSeidel;
     int t1 = 0;
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
         Foam foam = seed_patch(disc_outline(), {.bubbles = 40, .seed = seed});
-        const EquilibriumSummary summary = equilibrate(foam, {.solver = solver, .tolerance = 1e-4});
+        const EquilibriumSummary summary =
+            equilibrate_by_sweeps(foam, GetParam(), {.tolerance = 1e-4});
         EXPECT_TRUE(summary.converged()) << "seed " << seed;
         EXPECT_TRUE(equilibrium_errors(foam).are_below(1e-4));
         EXPECT_TRUE(test::is_valid(foam.network));

@@ -1,4 +1,4 @@
-#include "core/equilibrium/block_step.h"
+#include "core/reference/block_step.h"
 
 #include <Eigen/SVD>
 
@@ -11,16 +11,16 @@ namespace {
 
 using Eigen::Index;
 
-// Singular values below this share of the largest are zero: differences are not more exact. Of a
-// block that is not singular all are well above it, thanks to its units.
+// Singular values below this share of the largest count as zero: differences are not more accurate.
+// The scaling of the unknowns keeps those of a regular block well above it.
 constexpr double kSingular = 1e-6;
 
 BlockVector central_difference(const JunctionBlock& block, Index unknown, double step) {
     BlockVector change = BlockVector::Zero(block.size());
     change[unknown] = step;
-    BlockVector difference = block.lacking(change);
+    BlockVector difference = block.constraint_errors(change);
     change[unknown] = -step;
-    difference -= block.lacking(change);
+    difference -= block.constraint_errors(change);
     for (double& turn : difference.tail<2>()) {
         turn = std::remainder(turn, 2.0 * std::numbers::pi);
     }
@@ -56,7 +56,7 @@ BlockVector block_step(const JunctionBlock& block, const DifferenceOptions& opti
     Eigen::JacobiSVD<BlockMatrix> svd(block_slopes(block, options),
                                       Eigen::ComputeFullU | Eigen::ComputeFullV);
     svd.setThreshold(kSingular);
-    return -svd.solve(block.lacking(BlockVector::Zero(block.size())));
+    return -svd.solve(block.constraint_errors(BlockVector::Zero(block.size())));
 }
 
 }  // namespace foam

@@ -1,4 +1,4 @@
-#include "core/equilibrium/junction_block.h"
+#include "core/reference/junction_block.h"
 
 #include "core/geometry/bulge_energy.h"
 #include "core/geometry/film_energy.h"
@@ -16,7 +16,7 @@ using Eigen::Index;
 constexpr double kPi = std::numbers::pi;
 
 template <class Id>
-int place_in(std::span<const Id> known, Id id, int if_none) {
+int find_in(std::span<const Id> known, Id id, int if_none) {
     const auto found = std::find(known.begin(), known.end(), id);
     return found == known.end() ? if_none : static_cast<int>(found - known.begin());
 }
@@ -50,7 +50,7 @@ void JunctionBlock::load(const Foam& foam, JunctionId junction) {
 }
 
 void JunctionBlock::add_bubble(const Foam& foam, BubbleId bubble) {
-    if (place_of(bubble) == kHeld && bubble != foam.network.ghost()) {
+    if (find(bubble) == kHeld && bubble != foam.network.ghost()) {
         bubbles_[bubble_count_] = bubble;
         targets_[bubble_count_] = foam.target_areas[bubble];
         pressure_units_[bubble_count_] = 1.0 / std::sqrt(foam.target_areas[bubble]);
@@ -69,12 +69,12 @@ void JunctionBlock::add_outer_films(const Network& network, BubbleId bubble) {
     } while (h != first);
 }
 
-int JunctionBlock::place_of(BubbleId bubble) const {
-    return place_in(bubbles(), bubble, kHeld);
+int JunctionBlock::find(BubbleId bubble) const {
+    return find_in(bubbles(), bubble, kHeld);
 }
 
-int JunctionBlock::place_of(FilmId film) const {
-    return place_in(outer_films(), film, kHeld);
+int JunctionBlock::find(FilmId film) const {
+    return find_in(outer_films(), film, kHeld);
 }
 
 FilmArc JunctionBlock::arc_of(const Side& side) {
@@ -96,7 +96,7 @@ JunctionBlock::Side JunctionBlock::side_of(const Foam& foam, HalfEdgeId h) const
     Side side;
     side.chord = chord(foam, h);
     side.pressure = pressure_difference(foam, h) / tension_;
-    side.outer = place_of(film_of(h));
+    side.outer = find(film_of(h));
     if (side.outer != kHeld) {
         side.half_angle = film_arc(foam, h).half_angle;
         side.forward_share = is_forward(h) ? 1.0 : -1.0;
@@ -104,8 +104,8 @@ JunctionBlock::Side JunctionBlock::side_of(const Foam& foam, HalfEdgeId h) const
     side.segment = segment_of(side);
     side.start_share = foam.network.tail(h) == junction_ ? 1.0 : 0.0;
     side.chord_share = (foam.network.head(h) == junction_ ? 1.0 : 0.0) - side.start_share;
-    side.left = place_of(foam.network.left(h));
-    side.right = place_of(foam.network.right(h));
+    side.left = find(foam.network.left(h));
+    side.right = find(foam.network.right(h));
     return side;
 }
 
@@ -126,8 +126,8 @@ std::array<Vec2, 3> JunctionBlock::chords() const {
     return {leaving_[0].chord, leaving_[1].chord, leaving_[2].chord};
 }
 
-double JunctionBlock::pressure_change_at(const BlockVector& change, int place) const {
-    return place == kHeld ? 0.0 : pressure_units_[static_cast<std::size_t>(place)] * change[place];
+double JunctionBlock::pressure_change_at(const BlockVector& change, int index) const {
+    return index == kHeld ? 0.0 : pressure_units_[static_cast<std::size_t>(index)] * change[index];
 }
 
 double JunctionBlock::pressure_change(const BlockVector& change, std::size_t bubble) const {
@@ -151,14 +151,14 @@ JunctionBlock::Side JunctionBlock::changed(const Side& side, const BlockVector& 
     return result;
 }
 
-BlockVector JunctionBlock::lacking(const BlockVector& change) const {
-    BlockVector lacking = BlockVector::Ones(size());
+BlockVector JunctionBlock::constraint_errors(const BlockVector& change) const {
+    BlockVector errors = BlockVector::Ones(size());
     for (const Side& side : sides_) {
         const Side now = changed(side, change);
         const double area = 0.5 * cross(now.start, now.chord) + now.segment;
-        lacking[side.left] -= area / targets_[static_cast<std::size_t>(side.left)];
+        errors[side.left] -= area / targets_[static_cast<std::size_t>(side.left)];
         if (side.outer != kHeld) {
-            lacking[static_cast<Index>(bubble_count_) + side.outer] =
+            errors[static_cast<Index>(bubble_count_) + side.outer] =
                 -side.forward_share * laplace_young_error(arc_of(now), now.pressure, 1.0);
         }
     }
@@ -168,10 +168,10 @@ BlockVector JunctionBlock::lacking(const BlockVector& change) const {
     }
     for (std::size_t k = 0; k < 2; ++k) {
         const double angle = directions[(k + 2) % 3] - directions[k];
-        lacking[size() - 2 + static_cast<Index>(k)] =
+        errors[size() - 2 + static_cast<Index>(k)] =
             std::remainder(2.0 * kPi / 3.0 - angle, 2.0 * kPi);
     }
-    return lacking;
+    return errors;
 }
 
 }  // namespace foam

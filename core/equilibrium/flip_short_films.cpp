@@ -1,5 +1,6 @@
-#include "core/equilibrium/settle_short_films.h"
+#include "core/equilibrium/flip_short_films.h"
 
+#include "core/foam/t1_rule.h"
 #include "core/network/t1.h"
 
 #include <vector>
@@ -29,11 +30,10 @@ void drop_dead(const Network& network, Unknowns& part) {
 
 }  // namespace
 
-int settle_short_films(Foam& foam,
-                       Unknowns& part,
-                       const TopologyThresholds& thresholds,
-                       Tangents tangents,
-                       const OnSettled& on_settled) {
+int flip_short_films(Foam& foam,
+                     Unknowns& part,
+                     const TopologyThresholds& thresholds,
+                     const OnT1Rule& on_t1_rule) {
     int changes = 0;
     for (const FilmId film : part.films) {
         if (!foam.network.is_live(film) || !is_within(foam, part, film)) {
@@ -41,8 +41,8 @@ int settle_short_films(Foam& foam,
         }
         if (chord(foam, forward_side(film)).norm() < thresholds.t1_distance) {
             const FourBubbles around = bubbles_around(foam.network, film);
-            const bool changed = settle_film(foam, film, thresholds, tangents);
-            on_settled(film, around, changed);
+            const bool changed = apply_t1_rule(foam, film, thresholds);
+            on_t1_rule(film, around, changed);
             changes += changed ? 1 : 0;
         }
     }

@@ -1,4 +1,5 @@
-#include "core/equilibrium/equilibrate.h"
+#include "core/reference/equilibrate_by_sweeps.h"
+
 #include "core/foam/t1_rule.h"
 #include "tests/core/foams.h"
 
@@ -13,11 +14,11 @@ using test::is_valid;
 using test::settled_foam;
 
 TEST(EquilibrateBySweeps, SettlesRawDiagrams) {
-    for (const Solver solver : {Solver::GaussSeidel, Solver::ColoredGaussSeidel}) {
+    for (const SweepOrder order : {SweepOrder::Sequential, SweepOrder::Colored}) {
         for (std::uint64_t seed = 1; seed <= 3; ++seed) {
             Foam foam = test::raw_foam(50, seed);
             const EquilibriumSummary summary =
-                equilibrate(foam, {.solver = solver, .tolerance = 1e-4});
+                equilibrate_by_sweeps(foam, order, {.tolerance = 1e-4});
             EXPECT_TRUE(summary.converged()) << "seed " << seed;
             EXPECT_EQ(summary.sweeps, EquilibriumOptions{}.relaxation_sweeps);
             EXPECT_GT(summary.iterations, 10);
@@ -34,11 +35,10 @@ TEST(EquilibrateBySweeps, LeavesNoFilmThatWaitsForAT1) {
     int t1 = 0;
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
         Foam foam = settled_foam(30, seed);
-        const EquilibriumSummary summary = equilibrate(foam,
-                                                       {.solver = Solver::GaussSeidel,
-                                                        .thresholds = thresholds,
-                                                        .tolerance = 1e-3,
-                                                        .relaxes_first = false});
+        const EquilibriumSummary summary = equilibrate_by_sweeps(
+            foam,
+            SweepOrder::Sequential,
+            {.thresholds = thresholds, .tolerance = 1e-3, .relaxes_first = false});
         EXPECT_TRUE(summary.converged());
         EXPECT_TRUE(short_films(foam, thresholds).empty());
         t1 += summary.t1;

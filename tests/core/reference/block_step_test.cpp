@@ -1,4 +1,4 @@
-#include "core/equilibrium/block_step.h"
+#include "core/reference/block_step.h"
 
 #include "core/equilibrium/equilibrate.h"
 #include "core/foam/honeycomb.h"
@@ -133,9 +133,9 @@ TEST(BlockStep, LeavesTheSquareOfWhatTheBlockLacks) {
     JunctionBlock block;
     for (const JunctionId junction : foam.network.junctions()) {
         block.load(foam, junction);
-        const double before = block.lacking(BlockVector::Zero(5)).norm();
+        const double before = block.constraint_errors(BlockVector::Zero(5)).norm();
         EXPECT_GT(before, 1e-3);
-        EXPECT_LT(block.lacking(block_step(block, {})).norm(), 4.0 * before * before);
+        EXPECT_LT(block.constraint_errors(block_step(block, {})).norm(), 4.0 * before * before);
     }
 }
 
@@ -154,9 +154,9 @@ TEST(BlockStep, LeavesTheSquareAtNinetyDegreesToo) {
     JunctionBlock block;
     for (const JunctionId junction : foam.network.junctions()) {
         block.load(foam, junction);
-        const double before = block.lacking(BlockVector::Zero(block.size())).norm();
+        const double before = block.constraint_errors(BlockVector::Zero(block.size())).norm();
         EXPECT_GT(before, 1e-3);
-        EXPECT_LT(block.lacking(block_step(block, {})).norm(), 4.0 * before * before);
+        EXPECT_LT(block.constraint_errors(block_step(block, {})).norm(), 4.0 * before * before);
     }
 }
 

@@ -1,0 +1,53 @@
+#include "core/equilibrium/global_relaxation.h"
+
+#include "core/equilibrium/defect_regions.h"
+#include "core/equilibrium/residual.h"
+#include "core/equilibrium/untangle.h"
+#include "core/foam/measure.h"
+
+namespace foam {
+
+namespace {
+
+constexpr int kFewAtLimit = 10;        // films at the limit, as around a bubble of two sides
+constexpr int kMaxFurtherPasses = 10;  // of a foam that stays far from equilibrium
+
+// Returns true if a patch is far from equilibrium, and not in a few regions alone. A torus holds
+// itself together, and to begin anew again and again would shut its two-sided bubbles.
+bool is_far_all_over(const Foam& foam, int threads) {
+    if (!foam.domain.is_plane()) {
+        return false;
+    }
+    const Unknowns all = all_unknowns(foam.network);
+    const Eigen::VectorXd r = residual(foam, all, threads);
+    const ResidualNorms worst = norms(foam, all, r);
+    const bool is_near = worst.force < DefectOptions{}.force && worst.area < DefectOptions{}.area;
+    return !is_near && find_defect_regions(foam, all, r, {}).empty();
+}
+
+}  // namespace
+
+RelaxationSummary relax_globally(Foam& foam,
+                                 const GlobalRelaxationOptions& options,
+                                 SoftFoam& memory) {
+    const bool begins_anew = untangle(foam) > 0 || options.begins_anew ||
+                             films_at_limit(foam) > 0 || is_far_all_over(foam, options.threads);
+    RelaxationOptions pass{
+        .sweeps = options.sweeps, .begins_anew = begins_anew, .thresholds = options.thresholds};
+    RelaxationSummary sum = relax(foam, all_unknowns(foam.network), pass, memory);
+    pass.sweeps = options.further_sweeps;
+    pass.begins_anew = false;
+    const bool has_many_at_limit = films_at_limit(foam) > kFewAtLimit;
+    const auto goes_on = [&] {
+        return is_far_all_over(foam, options.threads) ||
+               (has_many_at_limit && films_at_limit(foam) > 0);
+    };
+    for (int k = 0; k < kMaxFurtherPasses && goes_on(); ++k) {
+        const RelaxationSummary further = relax(foam, all_unknowns(foam.network), pass, memory);
+        sum.sweeps += further.sweeps;
+        sum.t1 += further.t1;
+    }
+    return sum;
+}
+
+}  // namespace foam

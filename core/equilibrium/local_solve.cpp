@@ -1,0 +1,103 @@
+#include "core/equilibrium/local_solve.h"
+
+#include "core/equilibrium/newton.h"
+#include "core/equilibrium/relaxation.h"
+#include "core/equilibrium/residual.h"
+#include "core/foam/t1_rule.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace foam {
+
+namespace {
+
+constexpr double kTolerance = 1e-3;  // the surroundings are held, so there is no need to be exact
+constexpr int kMaxIterations = 12;
+constexpr int kMaxRounds = 5;          // of Newton's method, each followed by T1s or relaxation
+constexpr int kRelaxationSweeps = 30;  // where Newton's method stalls
+constexpr int kWorstRings = 3;         // of neighbors around the worst defects
+constexpr double kWorstShare = 0.2;    // of the largest residual, from which a defect is among them
+
+// Removes bubbles that came loose when a film of an earlier region tore.
+void drop_dead(const Network& network, DefectRegion& region) {
+    std::erase_if(region, [&](BubbleId bubble) { return !network.is_live(bubble); });
+}
+
+// Returns the number of T1s.
+int solve_region(Foam& foam,
+                 DefectRegion region,
+                 const TopologyThresholds& thresholds,
+                 LocalMemory& memory) {
+    const NewtonOptions options{.max_iterations = kMaxIterations,
+                                .force_tolerance = kTolerance,
+                                .area_tolerance = kTolerance,
+                                .thresholds = thresholds};
+    int t1 = 0;
+    bool was_relaxed = false;
+    for (int round = 0; round < kMaxRounds; ++round) {
+        drop_dead(foam.network, region);
+        if (region.empty()) {
+            break;
+        }
+        memory.system.start(foam, unknowns_around(foam.network, region), 1);
+        const NewtonSummary summary = newton(foam, memory.system, options);
+        if (summary.status == NewtonStatus::FilmsCollapse) {
+            t1 += apply_t1_rule(foam, summary.collapsing, thresholds);
+        } else if (summary.status == NewtonStatus::Converged || was_relaxed) {
+            break;
+        } else {
+            const RelaxationOptions relaxation{
+                .sweeps = kRelaxationSweeps, .begins_anew = false, .thresholds = thresholds};
+            t1 += relax(foam, memory.system.unknowns(), relaxation, memory.soft).t1;
+            was_relaxed = true;
+        }
+    }
+    return t1;
+}
+
+}  // namespace
+
+LocalSummary solve_defect_regions(Foam& foam,
+                                  const EquilibriumOptions& options,
+                                  LocalMemory& memory) {
+    const Unknowns all = all_unknowns(foam.network);
+    const std::vector<DefectRegion> regions =
+        find_defect_regions(foam, all, residual(foam, all, options.threads), {});
+    LocalSummary summary{.regions = regions.size()};
+    for (const DefectRegion& region : regions) {
+        summary.t1 += solve_region(foam, region, options.thresholds, memory);
+    }
+    return summary;
+}
+
+std::vector<DefectRegion> worst_regions(const Foam& foam, int threads) {
+    const Unknowns all = all_unknowns(foam.network);
+    const Eigen::VectorXd r = residual(foam, all, threads);
+    const ResidualNorms worst = norms(foam, all, r);
+    DefectOptions options;
+    options.force = std::max(options.force, kWorstShare * worst.force);
+    options.area = std::max(options.area, kWorstShare * worst.area);
+    options.rings = kWorstRings;
+    return find_defect_regions(foam, all, r, options);
+}
+
+int relax_regions(Foam& foam,
+                  std::vector<DefectRegion> regions,
+                  const EquilibriumOptions& options,
+                  LocalMemory& memory) {
+    const RelaxationOptions relaxation{.sweeps = options.relaxation_sweeps,
+                                       .begins_anew = false,
+                                       .thresholds = options.thresholds};
+    int t1 = 0;
+    for (DefectRegion& region : regions) {
+        drop_dead(foam.network, region);
+        if (!region.empty()) {
+            t1 += relax(foam, unknowns_around(foam.network, region), relaxation, memory.soft).t1;
+        }
+    }
+    return t1;
+}
+
+}  // namespace foam

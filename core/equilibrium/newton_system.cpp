@@ -1,0 +1,94 @@
+#include "core/equilibrium/newton_system.h"
+
+#include <cmath>
+#include <utility>
+
+namespace foam {
+
+namespace {
+
+// Regularization of the null modes (E3), relative to the film tension for junctions and to the
+// diagonal entry for pressures. It is small against the softest shear of the foam, and large
+// against rounding in the factor. In a small foam a null mode of the junctions may be held by a
+// later pressure alone: one pivot is then this small and the next one as large as its inverse,
+// which takes double precision.
+constexpr double kSingleRegularization = 1e-6;
+constexpr double kDoubleRegularization = 1e-7;
+constexpr int kFewUnknowns = 500;  // below, single precision saves nothing
+
+// Subtracts the mean of the junctions' vectors, which are the first rows, from each of them.
+void remove_mean(Eigen::VectorXd& rows, std::size_t junction_count) {
+    const auto junctions = static_cast<Eigen::Index>(junction_count);
+    auto vectors = rows.head(2 * junctions).reshaped(2, junctions);
+    vectors.colwise() -= Vec2(vectors.rowwise().mean());
+}
+
+}  // namespace
+
+void NewtonSystem::start(const Foam& foam, Unknowns unknowns, int threads) {
+    unknowns_ = std::move(unknowns);
+    threads_ = threads;
+    is_whole_ = unknowns_.bubbles.size() == foam.network.bubble_count();
+    hessian_.emplace(foam.network, unknowns_);
+    start_solver(foam, unknowns_.size() < kFewUnknowns ? Precision::Double : Precision::Single);
+}
+
+void NewtonSystem::start_solver(const Foam& foam, Precision precision) {
+    precision_ = precision;
+    solver_.start(foam, unknowns_, precision, threads_);
+    has_factor_ = false;
+}
+
+bool NewtonSystem::raise_precision(const Foam& foam) {
+    if (precision_ == Precision::Double) {
+        return false;
+    }
+    start_solver(foam, Precision::Double);
+    return true;
+}
+
+Eigen::VectorXd NewtonSystem::step(const Foam& foam, const Eigen::VectorXd& residual) {
+    if (!has_factor_) {
+        factor(foam);
+    }
+    if (!has_factor_) {
+        return Eigen::VectorXd::Zero(residual.size());
+    }
+    Eigen::VectorXd step = -solver_.solve(solvable_part(foam, residual));
+    if (is_whole_) {
+        // Nothing holds the foam as a whole: without this, rounding in the factor of a softly
+        // sheared foam now and then moves all of it by the size of a bubble.
+        remove_mean(step, unknowns_.junctions.size());
+    }
+    return step;
+}
+
+void NewtonSystem::factor(const Foam& foam) {
+    hessian_->evaluate(foam, threads_);
+    const double regularization =
+        precision_ == Precision::Single ? kSingleRegularization : kDoubleRegularization;
+    for (int row = 0; row < unknowns_.size(); ++row) {
+        double& diagonal = hessian_->diagonal(row);
+        const bool is_pressure =
+            row >= unknowns_.first_pressure_row() && row < unknowns_.first_angle_row();
+        diagonal += is_pressure ? -regularization * (std::abs(diagonal) + 1e-12)
+                                : regularization * foam.film_tension;
+    }
+    has_factor_ = solver_.factor(hessian_->matrix());
+}
+
+// Removes from the residual what no step can change: the mean force, since no step moves the foam
+// as a whole, and on a torus the mean area error, since a common pressure changes no area. Both are
+// zero but for rounding, which a factor of single precision would concentrate in one bubble.
+Eigen::VectorXd NewtonSystem::solvable_part(const Foam& foam, Eigen::VectorXd residual) const {
+    if (is_whole_) {
+        remove_mean(residual, unknowns_.junctions.size());
+    }
+    if (is_whole_ && foam.network.ghost() == kNone<BubbleId>) {
+        auto areas = residual.tail(static_cast<Eigen::Index>(unknowns_.bubbles.size()));
+        areas.array() -= areas.mean();
+    }
+    return residual;
+}
+
+}  // namespace foam

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "core/equilibrium/equilibrate.h"
+#include "core/reference/gauss_seidel.h"
+
+namespace foam {
+
+/// Brings the foam to mechanical equilibrium as `equilibrate` does, but by the paper's solver (E5)
+/// in place of Newton's method: relaxation first if asked for, then rounds of Gauss-Seidel, each
+/// followed by the T1s that are due at films at rest.
+EquilibriumSummary equilibrate_by_sweeps(Foam& foam,
+                                         SweepOrder order,
+                                         const EquilibriumOptions& options);
+
+}  // namespace foam

@@ -1,0 +1,111 @@
+#include "core/equilibrium/flip_short_films.h"
+
+#include "core/foam/t1_rule.h"
+#include "tests/core/equilibrium/crossing.h"
+#include "tests/core/foams.h"
+#include "tests/core/patches.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace foam {
+namespace {
+
+using test::Crossing;
+using test::crossing;
+
+struct Call {
+    FilmId film;
+    FourBubbles around;
+    bool changed;
+};
+
+struct Outcome {
+    int t1 = 0;
+    std::vector<Call> calls;
+};
+
+Outcome run(Foam& foam, Unknowns& part) {
+    Outcome result;
+    result.t1 =
+        flip_short_films(foam, part, {}, [&](FilmId film, const FourBubbles& around, bool changed) {
+            result.calls.push_back({film, around, changed});
+        });
+    return result;
+}
+
+// The film of a crossing parts bubbles 5 and 6, between 2 and 10.
+TEST(FlipShortFilms, FlipsAFilmThatStaysOpenAndTellsOfIt) {
+    Crossing c = crossing(60.0, 0.04);
+    Foam expected = c.foam;
+    ASSERT_TRUE(apply_t1_rule(expected, c.film, {}));
+    Unknowns part = all_unknowns(c.foam.network);
+    const Outcome result = run(c.foam, part);
+    EXPECT_EQ(result.t1, 1);
+    ASSERT_EQ(result.calls.size(), 1U);
+    EXPECT_EQ(result.calls.front().film, c.film);
+    EXPECT_TRUE(result.calls.front().changed);
+    FourBubbles around = result.calls.front().around;
+    std::sort(around.begin(), around.end());
+    EXPECT_EQ(around, (FourBubbles{BubbleId{2}, BubbleId{5}, BubbleId{6}, BubbleId{10}}));
+    EXPECT_TRUE(test::are_same(c.foam, expected));
+}
+
+TEST(FlipShortFilms, TellsOfAShortFilmThatDoesNotFlip) {
+    Crossing c = crossing(25.0, 0.04);
+    const Foam before = c.foam;
+    Unknowns part = all_unknowns(c.foam.network);
+    const Outcome result = run(c.foam, part);
+    EXPECT_EQ(result.t1, 0);
+    ASSERT_EQ(result.calls.size(), 1U);
+    EXPECT_FALSE(result.calls.front().changed);
+    EXPECT_TRUE(test::are_same(c.foam, before));
+}
+
+TEST(FlipShortFilms, PassesOverLongFilms) {
+    Crossing c = crossing(60.0, 0.06);
+    Unknowns part = all_unknowns(c.foam.network);
+    EXPECT_TRUE(run(c.foam, part).calls.empty());
+}
+
+// Bubble 2 has one end of the film; 5 has both.
+TEST(FlipShortFilms, PassesOverFilmsThatLeaveThePart) {
+    for (const BubbleId bubble : {BubbleId{2}, BubbleId{5}}) {
+        Crossing c = crossing(60.0, 0.04);
+        const std::vector<BubbleId> bubbles{bubble};
+        Unknowns part = unknowns_around(c.foam.network, bubbles);
+        ASSERT_TRUE(std::count(part.films.begin(), part.films.end(), c.film) == 1);
+        EXPECT_EQ(run(c.foam, part).t1, bubble == BubbleId{5} ? 1 : 0);
+    }
+}
+
+// The middle film of a row of four bubbles tears, and takes its two junctions with it; the two
+// outer films on each side become one.
+TEST(FlipShortFilms, RemovesFromThePartWhatHasGone) {
+    Foam foam = test::chain();
+    const FilmId film = film_of(test::side_between(foam.network, BubbleId{1}, BubbleId{2}));
+    const HalfEdgeId h = forward_side(film);
+    const Vec2 middle = middle_of(foam, film);
+    const Vec2 half = 0.01 * chord(foam, h).normalized();
+    place_junction(foam, foam.network.tail(h), middle - half);
+    place_junction(foam, foam.network.head(h), middle + half);
+    Unknowns part = all_unknowns(foam.network);
+    const std::size_t junctions = part.junctions.size();
+    const std::size_t films = part.films.size();
+    EXPECT_EQ(run(foam, part).t1, 1);
+    EXPECT_TRUE(test::is_valid(foam.network));
+    EXPECT_EQ(part.junctions.size(), junctions - 2);
+    EXPECT_EQ(part.films.size(), films - 3);
+    EXPECT_EQ(part.bubbles.size(), 4U);
+    for (const JunctionId junction : part.junctions) {
+        EXPECT_TRUE(foam.network.is_live(junction));
+    }
+    for (const FilmId left : part.films) {
+        EXPECT_TRUE(foam.network.is_live(left));
+    }
+}
+
+}  // namespace
+}  // namespace foam

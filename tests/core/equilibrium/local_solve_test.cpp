@@ -1,0 +1,106 @@
+#include "core/equilibrium/local_solve.h"
+
+#include "core/equilibrium/residual.h"
+#include "core/foam/honeycomb.h"
+#include "tests/core/foams.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace foam {
+namespace {
+
+constexpr BubbleId kBubble{66};
+
+// A honeycomb of twelve columns and rows in which one bubble is to have half of its area.
+Foam with_a_defect() {
+    Foam foam = honeycomb(12, 12);
+    foam.target_areas[kBubble] = 0.5;
+    return foam;
+}
+
+std::vector<BubbleId> with_neighbors(const Network& network, BubbleId bubble) {
+    std::vector<BubbleId> region{bubble};
+    for (const HalfEdgeId h : network.around(bubble)) {
+        region.push_back(network.right(h));
+    }
+    std::sort(region.begin(), region.end());
+    return region;
+}
+
+ResidualNorms norms_of(const Foam& foam, const Unknowns& unknowns) {
+    return norms(foam, unknowns, residual(foam, unknowns));
+}
+
+// Junctions that are no unknowns of the part are where they were, to the last bit.
+void expect_held_outside(const Foam& foam, const Foam& before, const Unknowns& part) {
+    for (const JunctionId junction : foam.network.junctions()) {
+        if (part.position_row(junction) < 0) {
+            EXPECT_EQ(foam.positions[junction], before.positions[junction]);
+        }
+    }
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        if (part.pressure_row(bubble) < 0) {
+            EXPECT_EQ(foam.pressures[bubble], before.pressures[bubble]);
+        }
+    }
+}
+
+TEST(LocalSolve, LeavesAFoamInEquilibriumAsItIs) {
+    Foam foam = test::settled_foam(60, 2);
+    const Foam before = foam;
+    LocalMemory memory(foam);
+    const LocalSummary summary = solve_defect_regions(foam, {}, memory);
+    EXPECT_EQ(summary.regions, 0U);
+    EXPECT_EQ(summary.t1, 0);
+    EXPECT_TRUE(test::are_same(foam, before));
+}
+
+// The region is the bubble and its six neighbors; all else is held. Within it, forces and area
+// errors end below 1e-3.
+TEST(LocalSolve, BringsARegionToEquilibriumWithAllElseHeld) {
+    Foam foam = with_a_defect();
+    const Foam before = foam;
+    const Unknowns part = unknowns_around(foam.network, with_neighbors(foam.network, kBubble));
+    ASSERT_GE(norms_of(foam, part).area, 0.3);
+    LocalMemory memory(foam);
+    const LocalSummary summary = solve_defect_regions(foam, {.threads = 1}, memory);
+    EXPECT_EQ(summary.regions, 1U);
+    EXPECT_EQ(summary.t1, 0);
+    const ResidualNorms after = norms_of(foam, part);
+    EXPECT_LT(after.area, 1e-3);
+    EXPECT_LT(after.force, 1e-3);
+    expect_held_outside(foam, before, part);
+}
+
+// Half of the pressures and positions that the largest residual belongs to are in one region.
+TEST(LocalSolve, WorstRegionsAreThoseOfTheLargestErrors) {
+    Foam foam = with_a_defect();                   // lacks 1 of 0.5: an error of 1
+    foam.target_areas[BubbleId{0}] = 0.8;          // an error of 0.25, which is above a fifth of it
+    EXPECT_EQ(worst_regions(foam, 1).size(), 1U);  // but below 0.3
+    foam.target_areas[BubbleId{0}] = 0.75;         // an error of a third
+    std::vector<DefectRegion> regions = worst_regions(foam, 1);
+    EXPECT_TRUE(regions.empty());      // with three rings, 2 x 37 of 144 bubbles: more than 30 %
+    foam.target_areas[kBubble] = 0.1;  // an error of 9, beside which a third is little
+    regions = worst_regions(foam, 1);
+    ASSERT_EQ(regions.size(), 1U);
+    EXPECT_EQ(regions.front().size(), 37U);  // 1 + 6 + 12 + 18
+}
+
+TEST(LocalSolve, RelaxesRegionsWithAllElseHeld) {
+    Foam foam = with_a_defect();
+    const Foam before = foam;
+    const std::vector<DefectRegion> regions = worst_regions(foam, 1);
+    ASSERT_EQ(regions.size(), 1U);
+    const Unknowns part = unknowns_around(foam.network, regions.front());
+    const double squares = norms_of(foam, part).squares;
+    LocalMemory memory(foam);
+    EXPECT_EQ(relax_regions(foam, regions, {.relaxation_sweeps = 30}, memory), 0);
+    EXPECT_LT(norms_of(foam, part).squares, squares);
+    expect_held_outside(foam, before, part);
+}
+
+}  // namespace
+}  // namespace foam

@@ -1,0 +1,128 @@
+#include "core/equilibrium/newton_system.h"
+
+#include "core/equilibrium/residual.h"
+#include "core/foam/honeycomb.h"
+#include "core/foam/random.h"
+
+#include <gtest/gtest.h>
+
+namespace foam {
+namespace {
+
+// A honeycomb whose junctions are moved by up to 0.05 in x and y.
+Foam shaken_honeycomb(int side) {
+    Foam foam = honeycomb(side, side);
+    Random random(3);
+    for (Vec2& position : foam.positions) {
+        const double x = 0.05 * (2.0 * random.uniform() - 1.0);
+        const double y = 0.05 * (2.0 * random.uniform() - 1.0);
+        position += Vec2(x, y);
+    }
+    return foam;
+}
+
+struct Case {
+    explicit Case(int side)
+        : foam(shaken_honeycomb(side)),
+          unknowns(all_unknowns(foam.network)),
+          r(residual(foam, unknowns)) {}
+
+    Foam foam;
+    Unknowns unknowns;
+    Eigen::VectorXd r;
+};
+
+Vec2 mean_move(const Unknowns& unknowns, const Eigen::VectorXd& step) {
+    const auto junctions = static_cast<Eigen::Index>(unknowns.junctions.size());
+    return step.head(2 * junctions).reshaped(2, junctions).rowwise().mean();
+}
+
+// Returns the norm of H s + r, with the Hessian H of the foam without regularization.
+double error_of(const Case& c, const Eigen::VectorXd& step) {
+    Hessian hessian(c.foam.network, c.unknowns);
+    const Eigen::VectorXd image = hessian.evaluate(c.foam).selfadjointView<Eigen::Lower>() * step;
+    return (image + c.r).norm();
+}
+
+// 180 unknowns take double precision, in which the regularization of 1e-7 limits the error; 720
+// take single precision, whose rounding of 6e-8 adds up over some hundred terms of the size of 10.
+TEST(NewtonSystem, SolvesWithTheHessian) {
+    for (const int side : {6, 12}) {
+        Case c(side);
+        NewtonSystem system;
+        system.start(c.foam, c.unknowns, 1);
+        const Eigen::VectorXd step = system.step(c.foam, c.r);
+        const double tolerance = side == 6 ? 1e-6 : 1e-3;
+        EXPECT_LT(error_of(c, step), tolerance * (c.r.norm() + step.norm())) << side;
+    }
+}
+
+TEST(NewtonSystem, DoesNotMoveTheWholeFoam) {
+    for (const int side : {6, 12}) {
+        Case c(side);
+        NewtonSystem system;
+        system.start(c.foam, c.unknowns, 1);
+        EXPECT_LT(mean_move(c.unknowns, system.step(c.foam, c.r)).norm(), 1e-15);
+    }
+}
+
+TEST(NewtonSystem, MovesAPartAsItIsPulled) {
+    Case c(6);
+    const std::vector<BubbleId> bubble{BubbleId{7}};
+    const Unknowns part = unknowns_around(c.foam.network, bubble);
+    NewtonSystem system;
+    system.start(c.foam, part, 1);
+    const Eigen::VectorXd step = system.step(c.foam, residual(c.foam, part));
+    EXPECT_EQ(step.size(), 6 * 2 + 1);
+    EXPECT_GT(mean_move(part, step).norm(), 1e-3);
+}
+
+TEST(NewtonSystem, KeepsAFactorUntilItIsDropped) {
+    Case c(6);
+    NewtonSystem system;
+    system.start(c.foam, c.unknowns, 1);
+    EXPECT_FALSE(system.has_factor());
+    const Eigen::VectorXd first = system.step(c.foam, c.r);
+    EXPECT_TRUE(system.has_factor());
+    Foam moved = c.foam;
+    moved.positions[JunctionId{0}] += Vec2(0.02, 0.0);
+    EXPECT_EQ(system.step(moved, c.r),
+              first);  // the chord method: the factor is of the state before
+    system.drop_factor();
+    EXPECT_FALSE(system.has_factor());
+    EXPECT_NE(system.step(moved, c.r), first);
+    EXPECT_TRUE(system.has_factor());
+    system.start(c.foam, c.unknowns, 1);
+    EXPECT_FALSE(system.has_factor());
+    EXPECT_EQ(system.step(c.foam, c.r), first);
+}
+
+TEST(NewtonSystem, RaisesThePrecisionOnce) {
+    Case large(12);
+    NewtonSystem system;
+    system.start(large.foam, large.unknowns, 1);
+    const Eigen::VectorXd single = system.step(large.foam, large.r);
+    EXPECT_TRUE(system.raise_precision(large.foam));
+    EXPECT_FALSE(system.has_factor());
+    const Eigen::VectorXd twice = system.step(large.foam, large.r);
+    EXPECT_LT(error_of(large, twice), 0.1 * error_of(large, single));
+    EXPECT_FALSE(system.raise_precision(large.foam));
+    EXPECT_TRUE(system.has_factor());
+    Case small(6);  // begins with double precision
+    system.start(small.foam, small.unknowns, 1);
+    EXPECT_FALSE(system.raise_precision(small.foam));
+}
+
+TEST(NewtonSystem, GivesTheSameBitsForAnyNumberOfThreads) {
+    Case c(12);
+    NewtonSystem system;
+    system.start(c.foam, c.unknowns, 1);
+    const Eigen::VectorXd one = system.step(c.foam, c.r);
+    for (const int threads : {0, 2, 3}) {
+        system.start(c.foam, c.unknowns, threads);
+        EXPECT_EQ(system.step(c.foam, c.r), one) << threads;
+    }
+}
+
+}  // namespace
+}  // namespace foam
