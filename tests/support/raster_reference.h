@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/foam/frame.h"
-#include "texgen/raster/view.h"
+#include "texgen/raster/coords/raster_grid.h"
 
 #include <limits>
 #include <memory>

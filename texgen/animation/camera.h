@@ -2,7 +2,7 @@
 
 #include "core/foam/frame.h"
 #include "texgen/preset/preset.h"
-#include "texgen/raster/view.h"
+#include "texgen/raster/coords/raster_grid.h"
 
 namespace foam::texgen {
 

@@ -2,7 +2,7 @@
 
 #include "core/foam/frame.h"
 #include "texgen/maps/foam_record.h"
-#include "texgen/raster/view.h"
+#include "texgen/raster/coords/raster_grid.h"
 
 #include <functional>
 #include <memory>

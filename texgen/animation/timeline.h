@@ -5,7 +5,7 @@
 #include "core/foam/foam.h"
 #include "core/foam/random.h"
 #include "texgen/preset/preset.h"
-#include "texgen/raster/view.h"
+#include "texgen/raster/coords/raster_grid.h"
 
 #include <map>
 #include <optional>

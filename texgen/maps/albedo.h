@@ -3,7 +3,7 @@
 #include "core/foam/frame.h"
 #include "texgen/image/image.h"
 #include "texgen/maps/map_image.h"
-#include "texgen/raster/raster_grid.h"
+#include "texgen/raster/coords/raster_grid.h"
 
 #include <cstdint>
 #include <string>

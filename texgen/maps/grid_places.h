@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/geometry/domain.h"
-#include "texgen/raster/raster_grid.h"
+#include "texgen/raster/coords/raster_grid.h"
 
 #include <cmath>
 #include <cstdint>

@@ -26,7 +26,7 @@ ArcBands::ArcBands(const CellArcs& cells, int rows_per_band, int threads)
         const std::size_t begin = all * part / parts;
         return Batches(cells.batches).subspan(begin, all * (part + 1) / parts - begin);
     };
-    entries_ = into_bins<Entry>(
+    entries_ = counting_sort<Entry>(
         static_cast<std::size_t>(count()) * tiles_,
         parts,
         threads,

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "texgen/raster/bins.h"
+#include "core/parallel/counting_sort.h"
 #include "texgen/raster/cell_arcs.h"
 
 #include <cstddef>
@@ -49,8 +49,8 @@ class ArcBands {
     RasterGrid grid_;
     std::int32_t shear_;
     int row_bits_;
-    std::size_t tiles_;    // of a band
-    Bins<Entry> entries_;  // by the tiles of all bands
+    std::size_t tiles_;       // of a band
+    Buckets<Entry> entries_;  // by the tiles of all bands
 };
 
 }  // namespace foam::texgen

@@ -1,6 +1,6 @@
 #include "texgen/raster/arc_batch.h"
 
-#include "texgen/raster/monotone.h"
+#include "texgen/raster/arcs/monotone.h"
 
 namespace foam::texgen {
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "texgen/raster/batches.h"
+#include "core/parallel/parallel_map.h"
+#include "texgen/raster/arcs/pixel_arc.h"
 #include "texgen/raster/cell_arcs.h"
-#include "texgen/raster/pixel_arc.h"
 
 #include <array>
 #include <cstddef>
@@ -87,7 +87,7 @@ CellArcs make_arcs(const RasterGrid& grid,
     };
     CellArcs cells;
     cells.grid = grid;
-    for (ArcBatch& batch : make_batches(count, per_task, threads, make)) {
+    for (ArcBatch& batch : parallel_map(count, per_task, threads, make)) {
         cells.batches.push_back(std::move(batch.arcs));
         cells.unresolved += batch.unresolved;
     }

@@ -1,8 +1,8 @@
 #include "texgen/raster/arc_walk.h"
 
-#include "texgen/raster/make_room.h"
-#include "texgen/raster/monotone.h"
-#include "texgen/raster/vector_clones.h"
+#include "texgen/raster/arcs/monotone.h"
+#include "texgen/raster/simd/kernel.h"
+#include "texgen/raster/simd/vector_clones.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,18 +47,18 @@ void ArcWalk::split() {
     if (size_ == 0) {
         return;
     }
-    make_room(xs_, row_crossings_[size_ - 1].end());
+    grow(xs_, row_crossings_[size_ - 1].end());
     find_xs(std::span(row_crossings_).first(size_), xs_.data());
     for (std::size_t k = 0; k < size_; ++k) {
         find_columns(k);
     }
-    make_room(ys_, column_crossings_[size_ - 1].end());
+    grow(ys_, column_crossings_[size_ - 1].end());
     find_ys(std::span(column_crossings_).first(size_), ys_.data());
     const std::size_t points = arcs_[size_ - 1].first_part + arcs_[size_ - 1].parts + 1 + kLanes;
-    make_room(point_x_, points);
-    make_room(point_y_, points);
-    make_room(parts_, points);
-    make_room(rows_left_, points);
+    grow(point_x_, points);
+    grow(point_y_, points);
+    grow(parts_, points);
+    grow(rows_left_, points);
     for (std::size_t k = 0; k < size_; ++k) {
         place_rows(k);
         place_columns(k);

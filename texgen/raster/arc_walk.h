@@ -1,6 +1,6 @@
 #pragma once
 
-#include "texgen/raster/arc_crossings.h"
+#include "texgen/raster/arcs/arc_crossings.h"
 #include "texgen/raster/cell_arcs.h"
 
 #include <array>

@@ -1,10 +1,10 @@
 #include "texgen/raster/cell_arcs.h"
 
 #include "texgen/raster/arc_batch.h"
-#include "texgen/raster/film_shapes.h"
+#include "texgen/raster/arcs/film_shapes.h"
+#include "texgen/raster/coords/pixel_frame.h"
 #include "texgen/raster/inset_arcs.h"
 #include "texgen/raster/patch_arcs.h"
-#include "texgen/raster/pixel_frame.h"
 
 #include <cmath>
 #include <stdexcept>

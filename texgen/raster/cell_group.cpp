@@ -1,7 +1,7 @@
 #include "texgen/raster/cell_group.h"
 
-#include "texgen/raster/make_room.h"
-#include "texgen/raster/vector_clones.h"
+#include "texgen/raster/simd/kernel.h"
+#include "texgen/raster/simd/vector_clones.h"
 
 #include <algorithm>
 #include <cmath>
@@ -67,7 +67,7 @@ void CellGroup::begin(std::span<const TorusBubble> bubbles, const FilmStep* film
         blocks += blocks_of(bubble.sides);
         most_sides_ = std::max<std::size_t>(most_sides_, bubble.sides);
     }
-    make_room(lanes_, blocks);
+    grow(lanes_, blocks);
     SideLanes* to = lanes_.data();
     for (std::size_t k = 0; k < bubbles_.size(); ++k) {
         walks_[k] = {bubbles_[k].side, {}, to};

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "texgen/raster/fixed_point.h"
+#include "texgen/raster/coords/fixed_point.h"
 
 #include <algorithm>
 #include <cstddef>

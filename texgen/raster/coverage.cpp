@@ -1,10 +1,10 @@
 #include "texgen/raster/coverage.h"
 
 #include "texgen/image/cache_line.h"
+#include "texgen/raster/coords/raster_grid.h"
 #include "texgen/raster/flag_places.h"
-#include "texgen/raster/make_room.h"
-#include "texgen/raster/raster_grid.h"
-#include "texgen/raster/vector_clones.h"
+#include "texgen/raster/simd/kernel.h"
+#include "texgen/raster/simd/vector_clones.h"
 
 #include <limits>
 #include <type_traits>
@@ -173,9 +173,9 @@ void Coverage<Sums>::take_row(int row, const Sum& start, RowSums<Sum>& sums) {
     const auto index = static_cast<std::size_t>(row);
     const auto width = static_cast<std::size_t>(width_);
     const std::span<std::uint64_t> touched(&touched_[index * words_], words_);
-    make_room(sums.flags, words_);
-    make_room(sums.begins, width + 2 + kPlacesBeyond);
-    make_room(sums.sums, width + 2);
+    grow(sums.flags, words_);
+    grow(sums.begins, width + 2 + kPlacesBeyond);
+    grow(sums.sums, width + 2);
     Sum sum = start;
     add_times(1, std::exchange(starts_[index], Sum{}), sum);
     const std::size_t untouched = (touched[0] & 1) == 0 ? 1 : 0;  // stretches: up to the first arc

@@ -1,7 +1,7 @@
 #include "texgen/raster/distance.h"
 
+#include "texgen/raster/coords/raster_grid.h"
 #include "texgen/raster/patch_field.h"
-#include "texgen/raster/raster_grid.h"
 #include "texgen/raster/torus_field.h"
 
 namespace foam::texgen {

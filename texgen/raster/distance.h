@@ -2,7 +2,7 @@
 
 #include "core/foam/frame.h"
 #include "texgen/image/image.h"
-#include "texgen/raster/raster_grid.h"
+#include "texgen/raster/coords/raster_grid.h"
 
 #include <cstdint>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "texgen/raster/pixel_arc.h"
+#include "texgen/raster/arcs/pixel_arc.h"
 
 #include <array>
 

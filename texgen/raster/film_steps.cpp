@@ -1,6 +1,6 @@
 #include "texgen/raster/film_steps.h"
 
-#include "texgen/raster/film_shapes.h"
+#include "texgen/raster/arcs/film_shapes.h"
 
 namespace foam::texgen {
 

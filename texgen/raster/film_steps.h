@@ -1,6 +1,6 @@
 #pragma once
 
-#include "texgen/raster/pixel_frame.h"
+#include "texgen/raster/coords/pixel_frame.h"
 
 #include <array>
 #include <cstddef>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/geometry/film_arc.h"
-#include "texgen/raster/fixed_point.h"
+#include "texgen/raster/coords/fixed_point.h"
 
 #include <vector>
 

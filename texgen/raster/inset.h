@@ -1,6 +1,6 @@
 #pragma once
 
-#include "texgen/raster/arc_loop.h"
+#include "texgen/raster/arcs/pixel_arc.h"
 #include "texgen/raster/side_arc.h"
 
 #include <cstddef>
@@ -8,6 +8,9 @@
 #include <vector>
 
 namespace foam::texgen {
+
+/// A piece of an inset that is shorter, in pixels, is left out.
+inline constexpr double kShortestPiece = 1e-6;
 
 /// Finds the part of a bubble that its films leave free: all its points at least a distance away
 /// from all its sides. That part is bounded by the sides' offsets alone, wherever two sides meet at

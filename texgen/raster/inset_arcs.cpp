@@ -1,7 +1,7 @@
 #include "texgen/raster/inset_arcs.h"
 
 #include "texgen/raster/arc_batch.h"
-#include "texgen/raster/film_shapes.h"
+#include "texgen/raster/arcs/film_shapes.h"
 #include "texgen/raster/inset.h"
 #include "texgen/raster/plain_insets.h"
 

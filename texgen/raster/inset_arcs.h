@@ -1,8 +1,8 @@
 #pragma once
 
+#include "texgen/raster/arcs/pixel_arc.h"
 #include "texgen/raster/cell_arcs.h"
-#include "texgen/raster/pixel_arc.h"
-#include "texgen/raster/pixel_frame.h"
+#include "texgen/raster/coords/pixel_frame.h"
 
 #include <vector>
 

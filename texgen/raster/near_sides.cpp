@@ -1,8 +1,8 @@
 #include "texgen/raster/near_sides.h"
 
-#include "texgen/raster/make_room.h"
-#include "texgen/raster/raster_grid.h"
-#include "texgen/raster/vector_clones.h"
+#include "texgen/raster/coords/raster_grid.h"
+#include "texgen/raster/simd/kernel.h"
+#include "texgen/raster/simd/vector_clones.h"
 
 #include <algorithm>
 #include <cmath>
@@ -142,7 +142,7 @@ FieldArc NearSides::arc(std::size_t k) const {
 void NearSides::measure(double reach, bool gradient, PixelBatch& batch) {
     look_from(batch.middle());
     const double farthest = horizon(reach);
-    make_room(near_, size_);
+    grow(near_, size_);
     std::size_t count = 0;  // no branch: nobody foresees which are near
     for (std::size_t k = 0; k < size_; ++k) {
         near_[count] = in_floats(k);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "texgen/raster/batches.h"
+#include "core/parallel/parallel_map.h"
 #include "texgen/raster/outlines.h"
 
 #include <cstddef>
@@ -41,7 +41,7 @@ CellOutlines outline_all(const RasterGrid& grid,
         }
         return batch;
     };
-    std::vector<OutlineBatch> batches = make_batches(count, kBubblesPerTask, threads, outline);
+    std::vector<OutlineBatch> batches = parallel_map(count, kBubblesPerTask, threads, outline);
     return gather(grid, batches);
 }
 

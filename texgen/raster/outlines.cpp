@@ -1,10 +1,10 @@
 #include "texgen/raster/outlines.h"
 
-#include "texgen/raster/batches.h"
+#include "core/parallel/parallel_map.h"
+#include "texgen/raster/coords/pixel_frame.h"
 #include "texgen/raster/flatten.h"
 #include "texgen/raster/outline_batch.h"
 #include "texgen/raster/patch_outlines.h"
-#include "texgen/raster/pixel_frame.h"
 
 namespace foam::texgen {
 
@@ -25,7 +25,7 @@ class FilmChains {
             }
             return points;
         };
-        tasks_ = make_batches(ends_.size(), kFilmsPerTask, threads, place);
+        tasks_ = parallel_map(ends_.size(), kFilmsPerTask, threads, place);
     }
 
     SubpixelPoint junction(JunctionId junction) const { return junctions_[index_of(junction)]; }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/foam/frame.h"
-#include "texgen/raster/raster_grid.h"
+#include "texgen/raster/coords/raster_grid.h"
 
 #include <cstddef>
 #include <optional>

@@ -1,6 +1,6 @@
 #include "texgen/raster/paint_blocks.h"
 
-#include "texgen/raster/vector_clones.h"
+#include "texgen/raster/simd/vector_clones.h"
 
 #include <array>
 #include <bit>

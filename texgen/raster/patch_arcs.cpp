@@ -1,10 +1,10 @@
 #include "texgen/raster/patch_arcs.h"
 
 #include "texgen/raster/arc_batch.h"
-#include "texgen/raster/clip_arc.h"
+#include "texgen/raster/arcs/clip_arc.h"
+#include "texgen/raster/arcs/monotone.h"
+#include "texgen/raster/arcs/patch_boundaries.h"
 #include "texgen/raster/inset.h"
-#include "texgen/raster/monotone.h"
-#include "texgen/raster/patch_boundaries.h"
 
 #include <utility>
 

@@ -1,9 +1,9 @@
 #include "texgen/raster/patch_outlines.h"
 
+#include "texgen/raster/arcs/patch_boundaries.h"
 #include "texgen/raster/clip.h"
 #include "texgen/raster/flatten.h"
 #include "texgen/raster/outline_batch.h"
-#include "texgen/raster/patch_boundaries.h"
 
 #include <utility>
 

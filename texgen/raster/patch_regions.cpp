@@ -1,6 +1,6 @@
 #include "texgen/raster/patch_regions.h"
 
-#include "texgen/raster/patch_boundaries.h"
+#include "texgen/raster/arcs/patch_boundaries.h"
 
 namespace foam::texgen {
 

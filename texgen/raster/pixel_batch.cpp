@@ -1,6 +1,6 @@
 #include "texgen/raster/pixel_batch.h"
 
-#include "texgen/raster/vector_clones.h"
+#include "texgen/raster/simd/vector_clones.h"
 
 #include <algorithm>
 #include <bit>
@@ -53,7 +53,7 @@ inline SeenArc seen_from(const FloatArc& arc, float x, float y) {
     const float past_tail = arc.tail.value + x * arc.tail.x + y * arc.tail.y;
     const float before_head = arc.head.value + x * arc.head.x + y * arc.head.y;
     const float far = kFar;
-    const float here = least(past_tail, before_head) >= -kPastEnd ? value : far;
+    const float here = min_value(past_tail, before_head) >= -kPastEnd ? value : far;
     return {here, 1.0F + length, twice, slope_x, slope_y};
 }
 
@@ -175,11 +175,11 @@ FOAMTEX_VECTOR_CLONES void PixelBatch::add_film(const FloatQuadratic& across,
         const float f = 0.5F * (a.twice_value + x * (a.x + fx) + y * (a.y + fy));
         const float t = 0.5F * (b.twice_value + x * (b.x + tx) + y * (b.y + ty));
         const float bend = f * f * over_chord;
-        const float root = most(std::sqrt(t * t + bend * bend), kLeastRoot);
+        const float root = max_value(std::sqrt(t * t + bend * bend), kLeastRoot);
         const float sum = root + std::abs(t);
         const float inside = 0.5F * bend * (bend / sum);
         const float r = t > 0.0F ? inside : 0.5F * sum;
-        const float weight = 1.0F / most(f * f + r * r, kLeastSquare);
+        const float weight = 1.0F / max_value(f * f + r * r, kLeastSquare);
         const float part = r / root;  // at most 1
         const float from_f = f + part * (f * over_chord) * bend;
         const float from_t = -part * r;

@@ -1,9 +1,9 @@
 #include "texgen/raster/plain_insets.h"
 
-#include "texgen/raster/monotone.h"
-#include "texgen/raster/raster_grid.h"
+#include "texgen/raster/arcs/monotone.h"
+#include "texgen/raster/coords/raster_grid.h"
 #include "texgen/raster/side_arc.h"
-#include "texgen/raster/vector_clones.h"
+#include "texgen/raster/simd/vector_clones.h"
 
 #include <cmath>
 
@@ -86,13 +86,15 @@ FOAMTEX_VECTOR_CLONES void PlainInsets::cross_offsets() {
             head_along_x_[k] * tail_along_x_[n] + head_along_y_[k] * tail_along_y_[n];
         const Crossings there = crossings(offset_circle(k), offset_circle(n));
         const Crossings back = crossings(offset_circle(n), offset_circle(k));
-        const bool turns_plainly = both(sine > kLeastSine, cosine > kLeastCosine);
-        const bool again_there = both(there.entering > there.leaving, there.entering <= reach_[k]);
-        const bool again_back = both(back.leaving < back.entering, back.leaving >= -reach_[n]);
-        const bool is_once = both(!again_there, !again_back);
+        const bool turns_plainly = and_nonshort(sine > kLeastSine, cosine > kLeastCosine);
+        const bool again_there =
+            and_nonshort(there.entering > there.leaving, there.entering <= reach_[k]);
+        const bool again_back =
+            and_nonshort(back.leaving < back.entering, back.leaving >= -reach_[n]);
+        const bool is_once = and_nonshort(!again_there, !again_back);
         const bool is_on_both =
-            both(std::abs(there.leaving) < reach_[k], std::abs(back.entering) < reach_[n]);
-        const bool is_plain = both(turns_plainly, both(is_once, is_on_both));
+            and_nonshort(std::abs(there.leaving) < reach_[k], std::abs(back.entering) < reach_[n]);
+        const bool is_plain = and_nonshort(turns_plainly, and_nonshort(is_once, is_on_both));
         corner_doubts_[k] |= is_plain ? 0 : kNotPlain;
         to_[k] = there.leaving;
         from_[n] = back.entering;
@@ -129,7 +131,7 @@ FOAMTEX_VECTOR_CLONES void PlainInsets::join_arcs() {
         monotone_[k] = texgen::is_monotone(x, y, cosine_[k], sine_[k]) ? 1 : 0;
     }
     for (std::size_t k = 0; k < count; ++k) {
-        const bool is_near = both(std::abs(tail_x_[k]) < kFar, std::abs(tail_y_[k]) < kFar);
+        const bool is_near = and_nonshort(std::abs(tail_x_[k]) < kFar, std::abs(tail_y_[k]) < kFar);
         rounded_x_[k] = to_subpixel(is_near ? tail_x_[k] : 0.0);
         rounded_y_[k] = to_subpixel(is_near ? tail_y_[k] : 0.0);
     }

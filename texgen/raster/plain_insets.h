@@ -1,8 +1,8 @@
 #pragma once
 
-#include "texgen/raster/arc_loop.h"
-#include "texgen/raster/fixed_point.h"
-#include "texgen/raster/pixel_arc.h"
+#include "texgen/raster/arcs/pixel_arc.h"
+#include "texgen/raster/coords/fixed_point.h"
+#include "texgen/raster/inset.h"
 #include "texgen/raster/side_arc.h"
 
 #include <array>

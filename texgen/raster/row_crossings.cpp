@@ -1,8 +1,8 @@
 #include "texgen/raster/row_crossings.h"
 
-#include "texgen/raster/make_room.h"
-#include "texgen/raster/rising_arc.h"
-#include "texgen/raster/vector_clones.h"
+#include "texgen/raster/arcs/rising_arc.h"
+#include "texgen/raster/simd/kernel.h"
+#include "texgen/raster/simd/vector_clones.h"
 
 namespace foam::texgen {
 
@@ -44,7 +44,7 @@ void RowCrossings::add_rising(const SnappedArc& arc, const CellMask& mask) {
 }
 
 void RowCrossings::mark(CellMask& mask) {
-    make_room(xs_, count_);
+    grow(xs_, count_);
     find(arcs_, xs_.data());
     for (const Rising& arc : arcs_) {
         for (std::size_t k = 0; k < arc.count; ++k) {

@@ -1,6 +1,6 @@
 #include "texgen/raster/row_means.h"
 
-#include "texgen/raster/vector_clones.h"
+#include "texgen/raster/simd/vector_clones.h"
 
 namespace foam::texgen {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "texgen/raster/coverage_sums.h"
-#include "texgen/raster/make_room.h"
+#include "texgen/raster/simd/kernel.h"
 
 #include <algorithm>
 #include <array>
@@ -41,7 +41,7 @@ class EncodedMeans {
     template <class Word>
     void operator()(std::span<const typename Sums::Sum> sums, Word* pixels) {
         constexpr std::size_t kChannels = std::tuple_size_v<typename Sums::Sum>;
-        make_room(means_, kChannels * sums.size());
+        grow(means_, kChannels * sums.size());
         find_means({sums.front().data(), kChannels * sums.size()}, means_.data());
         const Encode encode = encode_;  // a copy, which no pixel changes
         const std::uint16_t* means = means_.data();

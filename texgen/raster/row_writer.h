@@ -2,8 +2,8 @@
 
 #include "texgen/image/cache_line.h"
 #include "texgen/raster/coverage.h"
-#include "texgen/raster/make_room.h"
 #include "texgen/raster/paint_row.h"
+#include "texgen/raster/simd/kernel.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -33,7 +33,7 @@ class RowWriter {
     /// Writes a row of `width` pixels, of which `room` begins with: what is beyond may be written
     /// over.
     void write(const RowSums<typename Sums::Sum>& sums, std::size_t width, std::span<Sample> room) {
-        make_room(pixels_, sums.count + kPixelsBeyond);
+        grow(pixels_, sums.count + kPixelsBeyond);
         to_samples_(std::span(sums.sums).first(sums.count), pixels_.data());
         const Stretches<kPixelBytes> stretches{std::span(sums.flags).first(flag_words(width)),
                                                std::span(sums.begins).first(sums.count + 1),

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "texgen/raster/fixed_point.h"
-#include "texgen/raster/pixel_arc.h"
+#include "texgen/raster/arcs/pixel_arc.h"
+#include "texgen/raster/coords/fixed_point.h"
 
 #include <array>
 #include <cstddef>

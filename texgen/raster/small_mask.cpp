@@ -1,7 +1,7 @@
 #include "texgen/raster/small_mask.h"
 
-#include "texgen/raster/rising_arc.h"
-#include "texgen/raster/vector_clones.h"
+#include "texgen/raster/arcs/rising_arc.h"
+#include "texgen/raster/simd/vector_clones.h"
 
 #include <algorithm>
 #include <bit>
@@ -154,11 +154,12 @@ FOAMTEX_VECTOR_CLONES void SmallMask::cross(const Rising& arcs,
         const int groups = (last - first + kGroup - 1) / kGroup;
         for (int row = first; row < first + groups * kGroup; ++row) {
             const double height = kHeights[static_cast<std::size_t>(row)];
-            const double raised = most(height - middle, -half_y);
-            const double at = crossing_at(least(raised, half_y), half_x, sine, bulge, across, up);
-            const double held = least(most(low_x + rounded_number(at), 0.0), last_column);
+            const double raised = max_value(height - middle, -half_y);
+            const double at =
+                crossing_at(min_value(raised, half_y), half_x, sine, bulge, across, up);
+            const double held = min_value(max_value(low_x + rounded_number(at), 0.0), last_column);
             const std::uint64_t column = (whole_bits(held) + kSubpixel / 2 - 1) >> kSubpixelBits;
-            const bool is_crossed = both(height >= first_height, height < last_height);
+            const bool is_crossed = and_nonshort(height >= first_height, height < last_height);
             words[row] ^= (is_crossed ? ~std::uint64_t{0} : 0) << column;
         }
     }

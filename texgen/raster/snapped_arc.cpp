@@ -1,7 +1,7 @@
 #include "texgen/raster/snapped_arc.h"
 
-#include "texgen/raster/monotone.h"
-#include "texgen/raster/rising_arc.h"
+#include "texgen/raster/arcs/monotone.h"
+#include "texgen/raster/arcs/rising_arc.h"
 
 namespace foam::texgen {
 

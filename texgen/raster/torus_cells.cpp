@@ -33,7 +33,7 @@ TorusCells::TorusCells(const Frame& frame, const RasterGrid& grid, int threads)
       films_(film_steps(pixels_, junctions_, threads)),
       bubbles_(ordered_bubbles(threads)) {}
 
-Bins<TorusBubble> TorusCells::ordered_bubbles(int threads) const {
+Buckets<TorusBubble> TorusCells::ordered_bubbles(int threads) const {
     std::vector<Start> starts(pixels_.frame.network.bubble_slots());
     const std::size_t parts = (starts.size() + kBubblesPerPart - 1) / kBubblesPerPart;
     const auto of_part = [&](std::size_t part) {
@@ -44,11 +44,12 @@ Bins<TorusBubble> TorusCells::ordered_bubbles(int threads) const {
         find_starts(first, std::span(starts).subspan(first, last - first));
     });
     const std::size_t squares = square_columns_ * squares_along(grid_.height);
-    return into_bins<TorusBubble>(squares, parts, threads, [&](std::size_t part, const auto& put) {
-        for (const Start& start : of_part(part)) {
-            put(start.square, start.bubble);
-        }
-    });
+    return counting_sort<TorusBubble>(
+        squares, parts, threads, [&](std::size_t part, const auto& put) {
+            for (const Start& start : of_part(part)) {
+                put(start.square, start.bubble);
+            }
+        });
 }
 
 // In short loops, so that processors ask for many junctions before the first one is there.

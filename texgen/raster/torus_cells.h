@@ -1,9 +1,9 @@
 #pragma once
 
-#include "texgen/raster/bins.h"
+#include "core/parallel/counting_sort.h"
 #include "texgen/raster/cell_group.h"
+#include "texgen/raster/coords/pixel_frame.h"
 #include "texgen/raster/film_steps.h"
-#include "texgen/raster/pixel_frame.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -40,7 +40,7 @@ class TorusCells {
         std::size_t square = 0;
     };
 
-    Bins<TorusBubble> ordered_bubbles(int threads) const;
+    Buckets<TorusBubble> ordered_bubbles(int threads) const;
     void find_starts(std::size_t first, std::span<Start> starts) const;
 
     RasterGrid grid_;
@@ -48,7 +48,7 @@ class TorusCells {
     std::size_t square_columns_;
     std::vector<SubpixelPoint> junctions_;
     std::unique_ptr<FilmStep[]> films_;
-    Bins<TorusBubble> bubbles_;  // by squares of the grid, row by row
+    Buckets<TorusBubble> bubbles_;  // by squares of the grid, row by row
 };
 
 }  // namespace foam::texgen

@@ -2,8 +2,8 @@
 
 #include "core/foam/honeycomb.h"
 #include "tests/support/raster_frames.h"
+#include "texgen/raster/arcs/monotone.h"
 #include "texgen/raster/inset.h"
-#include "texgen/raster/monotone.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,112 @@
+#pragma once
+
+#include <atomic>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace foam {
+
+/// Instruction sets that vectorized loops are compiled for. Each level performs the same IEEE
+/// operations, without fused multiply-add, so that results have the same bits on every level.
+enum class SimdLevel {
+    Baseline,  // of the processor's architecture: SSE2 on x86-64
+    Avx2,
+    Avx512,  // x86-64-v4: F, BW, CD, DQ and VL
+};
+
+/// Returns the levels that this machine can run, lowest first.
+std::vector<SimdLevel> available_simd_levels();
+
+/// Returns "baseline", "avx2" or "avx512".
+std::string_view name_of(SimdLevel level);
+
+namespace detail {
+inline constexpr int kUndecided = -1;
+inline std::atomic<int> simd_level{kUndecided};
+SimdLevel decide_simd_level();
+}  // namespace detail
+
+/// Returns the level in use: the highest available, unless the environment variable FOAMTEX_SIMD
+/// names another or force_simd_level was called. Throws std::invalid_argument if FOAMTEX_SIMD names
+/// no available level.
+inline SimdLevel simd_level() {
+    const int level = detail::simd_level.load(std::memory_order_relaxed);
+    return level != detail::kUndecided ? static_cast<SimdLevel>(level)
+                                       : detail::decide_simd_level();
+}
+
+/// Makes every later kernel run at a level; for tests. Throws std::invalid_argument if the level is
+/// not available.
+void force_simd_level(SimdLevel level);
+
+/// Forces a level for a scope, then restores the previous one.
+class ForcedSimdLevel {
+  public:
+    explicit ForcedSimdLevel(SimdLevel level) : previous_(simd_level()) { force_simd_level(level); }
+    ~ForcedSimdLevel() {
+        detail::simd_level.store(static_cast<int>(previous_), std::memory_order_relaxed);
+    }
+    ForcedSimdLevel(const ForcedSimdLevel&) = delete;
+    ForcedSimdLevel& operator=(const ForcedSimdLevel&) = delete;
+
+  private:
+    SimdLevel previous_;
+};
+
+#if defined(__GNUC__) && defined(__x86_64__)
+#define FOAM_HAS_SIMD_LEVELS
+#endif
+
+namespace detail {
+
+template <SimdLevel Level, class Kernel>
+[[gnu::always_inline]] inline auto call_kernel(Kernel& kernel) {
+    if constexpr (std::is_invocable_v<Kernel&, std::integral_constant<SimdLevel, Level>>) {
+        return kernel(std::integral_constant<SimdLevel, Level>{});
+    } else {
+        return kernel();
+    }
+}
+
+// `flatten` inlines the kernel and all that it calls, which compiles them for the level.
+template <class Kernel>
+[[gnu::flatten, gnu::noinline]] auto run_at_baseline(Kernel kernel) {
+    return call_kernel<SimdLevel::Baseline>(kernel);
+}
+#ifdef FOAM_HAS_SIMD_LEVELS
+template <class Kernel>
+[[gnu::target("avx2"), gnu::flatten, gnu::noinline]] auto run_at_avx2(Kernel kernel) {
+    return call_kernel<SimdLevel::Avx2>(kernel);
+}
+template <class Kernel>
+[[gnu::target("arch=x86-64-v4"), gnu::flatten, gnu::noinline]] auto run_at_avx512(Kernel kernel) {
+    return call_kernel<SimdLevel::Avx512>(kernel);
+}
+#endif
+
+}  // namespace detail
+
+/// Runs a kernel, compiled once for each level, at simd_level(). The kernel is a lambda whose loops
+/// the compiler vectorizes; it is called as kernel(), or as kernel(level) with a
+/// std::integral_constant if it wants to know the level. It should capture by value: what it
+/// captures by reference has an address, so that every store might change it.
+///
+/// Precondition: all that the kernel calls is defined in the same source, so that it is inlined.
+template <class Kernel>
+auto at_simd_level(Kernel kernel) {
+#ifdef FOAM_HAS_SIMD_LEVELS
+    switch (simd_level()) {
+        case SimdLevel::Avx512:
+            return detail::run_at_avx512(std::move(kernel));
+        case SimdLevel::Avx2:
+            return detail::run_at_avx2(std::move(kernel));
+        case SimdLevel::Baseline:
+            break;
+    }
+#endif
+    return detail::run_at_baseline(std::move(kernel));
+}
+
+}  // namespace foam

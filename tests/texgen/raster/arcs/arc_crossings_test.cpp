@@ -1,0 +1,86 @@
+#include "texgen/raster/arcs/arc_crossings.h"
+
+#include "tests/support/simd_levels.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <random>
+#include <vector>
+
+namespace foam::texgen {
+namespace {
+
+// Of random arcs with sides of up to a length, in pixels: how far the crossings of borders of
+// pixels are from the arc, at most; in subpixels, along a chord that goes up, or across.
+class LargestErrors {
+  public:
+    explicit LargestErrors(double length) {
+        for (int k = 0; k < 300; ++k) {
+            add(length);
+        }
+    }
+
+    double of_xs = 0.0;
+    double of_ys = 0.0;
+
+  private:
+    void add(double length) {
+        std::uniform_real_distribution<double> side(length / 8, length);
+        const SubpixelPoint head{to_subpixel(side(random_)), to_subpixel(side(random_))};
+        // An arc that goes back neither in x nor in y.
+        const double steep = std::atan2(std::min(head.x, head.y), std::max(head.x, head.y));
+        const double sine = std::sin(std::uniform_real_distribution(-steep, steep)(random_));
+        const SubpixelArc arc(head, sine);
+        const RisingArc exact(Vec2(head.x, head.y), sine);
+        const std::int32_t rows = head.y / kSubpixel;
+        const std::int32_t columns = head.x / kSubpixel;
+        std::vector<std::int32_t> found(static_cast<std::size_t>(std::max(rows, columns)) +
+                                        ArcCrossings::kLanes);
+        ArcCrossings crossings{.arc = arc, .first = kSubpixel / 2, .step = kSubpixel, .offset = 7};
+        crossings.sign = -1;
+        crossings.count = static_cast<std::size_t>(rows);
+        find_xs({&crossings, 1}, found.data());
+        for (std::int32_t row = 0; row < rows; ++row) {
+            const std::int32_t y = row * kSubpixel + kSubpixel / 2;
+            const std::int32_t x = -found[static_cast<std::size_t>(row)] - 7;
+            ASSERT_EQ(x, arc.x_at(y));
+            of_xs = std::max(of_xs, std::abs(x - exact.x_at(y)));
+        }
+        crossings.count = static_cast<std::size_t>(columns);
+        find_ys({&crossings, 1}, found.data());
+        for (std::int32_t column = 0; column < columns; ++column) {
+            const std::int32_t x = column * kSubpixel + kSubpixel / 2;
+            const std::int32_t y = -found[static_cast<std::size_t>(column)] - 7;
+            const double here = exact.y_at(x);
+            const double slope = (exact.y_at(x + 1) - exact.y_at(x - 1)) / 2;
+            of_ys = std::max(of_ys, std::abs(y - here) / std::max(std::abs(slope), 1.0));
+        }
+    }
+
+    std::mt19937 random_{5};
+};
+
+TEST(ArcCrossings, AreRoundedToTheNearest) {
+    at_every_simd_level([] {
+        for (const double length : {1.5, 20.0, 256.0}) {
+            const LargestErrors errors(length);
+            EXPECT_LT(errors.of_xs, 0.6) << length;
+            EXPECT_LT(errors.of_ys, 0.6) << length;
+        }
+    });
+}
+
+// Where floats would be wrong by several subpixels.
+TEST(ArcCrossings, OfLongArcsAreAsGood) {
+    at_every_simd_level([] {
+        const LargestErrors errors(16000.0);
+        EXPECT_LT(errors.of_xs, 0.5 + 1e-6);
+        EXPECT_LT(errors.of_ys, 0.5 + 1e-6);
+    });
+}
+
+}  // namespace
+}  // namespace foam::texgen

@@ -1,0 +1,36 @@
+#include "texgen/raster/arcs/film_shapes.h"
+
+#include "core/foam/frame.h"
+#include "tests/support/raster_frames.h"
+
+#include <gtest/gtest.h>
+
+namespace foam::texgen {
+namespace {
+
+TEST(FilmShapes, AreThoseOfTheFilms) {
+    const Frame frame = snapshot(test::bent_foam(2500, 0.3, 3), 1);  // several tasks
+    const std::vector<PixelArc> one = film_shapes(frame, 40.0, 1);
+    const std::vector<PixelArc> two = film_shapes(frame, 40.0, 2);
+    ASSERT_EQ(one.size(), frame.network.film_slots());
+    for (const FilmId film : frame.network.films()) {
+        const PixelArc& shape = one[index_of(film)];
+        const PixelArc expected = pixel_arc(frame.arc(forward_side(film)));
+        EXPECT_EQ(shape.chord, 40.0 * expected.chord);
+        EXPECT_NEAR(shape.cosine, expected.cosine, 1e-14);
+        EXPECT_NEAR(shape.sine, expected.sine, 1e-14);
+        EXPECT_EQ(shape.sine, two[index_of(film)].sine);
+    }
+}
+
+TEST(PixelArc, TurnsAsFarAsItsFilm) {
+    for (const double half_angle : {-3.0, -1.0, 0.0, 1e-9, 0.3, 2.5}) {
+        const FilmArc arc{{3.0, -4.0}, half_angle};
+        EXPECT_NEAR(film_arc(pixel_arc(arc)).half_angle, half_angle, 1e-15);
+        EXPECT_NEAR(film_arc(reversed(pixel_arc(arc))).half_angle, -half_angle, 1e-15);
+        EXPECT_EQ(reversed(pixel_arc(arc)).chord, -arc.chord);
+    }
+}
+
+}  // namespace
+}  // namespace foam::texgen

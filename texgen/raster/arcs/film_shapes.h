@@ -1,0 +1,59 @@
+#pragma once
+
+#include "core/foam/frame.h"
+#include "core/parallel/parallel_for.h"
+#include "texgen/raster/arcs/half_turns.h"
+#include "texgen/raster/arcs/pixel_arc.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace foam::texgen {
+
+/// How many films are shaped at once.
+inline constexpr std::size_t kFilmsAtOnce = HalfTurns::kLanes;
+
+/// Calls take(index, arc) for up to kFilmsAtOnce films from one on, each as its forward side, in
+/// pixels of a scale (pixels per foam unit).
+template <class Take>
+void shape_some(const Frame& frame, double scale, std::size_t first, const Take& take) {
+    const std::size_t count = std::min(kFilmsAtOnce, frame.network.film_slots() - first);
+    const auto arc_of = [&](std::size_t lane) -> const FilmArc& {
+        return frame.arcs[id_at<FilmId>(first + lane)];
+    };
+    HalfTurns turns;
+    for (std::size_t lane = 0; lane < count; ++lane) {
+        turns.angle[lane] = arc_of(lane).half_angle;
+    }
+    find_turns(turns);
+    for (std::size_t lane = 0; lane < count; ++lane) {
+        take(first + lane,
+             PixelArc{scale * arc_of(lane).chord, turns.cosine[lane], turns.sine[lane]});
+    }
+}
+
+/// The same for all films; on up to `threads` threads, in no certain order.
+template <class Take>
+void shape_films(const Frame& frame, double scale, int threads, const Take& take) {
+    constexpr std::size_t kPerTask = 64 * kFilmsAtOnce;
+    const std::size_t count = frame.network.film_slots();
+    parallel_for(count, kPerTask, threads, [&](std::size_t first, std::size_t last) {
+        for (std::size_t k = first; k < last; k += kFilmsAtOnce) {
+            shape_some(frame, scale, k, take);
+        }
+    });
+}
+
+/// The arcs of all films.
+std::vector<PixelArc> film_shapes(const Frame& frame, double scale, int threads);
+
+/// One of them as a side of its film; without a branch, as nobody foresees which way it is walked.
+inline PixelArc shape_along(std::span<const PixelArc> shapes, HalfEdgeId side) {
+    const PixelArc& forward = shapes[index_of(film_of(side))];
+    const double along = static_cast<int>(is_forward(side)) * 2 - 1;
+    return {along * forward.chord, forward.cosine, along * forward.sine};
+}
+
+}  // namespace foam::texgen

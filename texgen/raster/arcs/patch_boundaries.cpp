@@ -1,0 +1,84 @@
+#include "texgen/raster/arcs/patch_boundaries.h"
+
+#include "core/foam/measure.h"
+
+namespace foam::texgen {
+
+namespace {
+
+void append_network_loop(const PixelPatch& pixels, HalfEdgeId first, Boundaries& to) {
+    HalfEdgeId h = first;
+    do {
+        to.arcs.push_back(pixels.arc(h));
+        h = pixels.frame.network.next(h);
+    } while (h != first);
+    to.loop_ends.push_back(to.arcs.size());
+}
+
+// Two halves; counter-clockwise for sign 1.
+void append_circle(const PixelPatch& pixels, const LoneBubble& bubble, int sign, Boundaries& to) {
+    const Vec2 radius(pixels.scale * lone_radius(bubble), 0.0);
+    const Vec2 center = pixels.pixel(bubble.centre);
+    const double sine = sign;  // of half a turn's half
+    to.arcs.push_back({center - radius, {2.0 * radius, 0.0, sine}});
+    to.arcs.push_back({center + radius, {-2.0 * radius, 0.0, sine}});
+    to.loop_ends.push_back(to.arcs.size());
+}
+
+Boundaries boundaries_of_ghost(const PixelPatch& pixels) {
+    const Network& network = pixels.frame.network;
+    Boundaries boundaries;
+    std::vector<bool> seen(network.film_slots(), false);
+    for (const FilmId film : network.films()) {
+        if (!network.is_outer(film) || seen[index_of(film)]) {
+            continue;
+        }
+        const HalfEdgeId forward = forward_side(film);
+        const HalfEdgeId first = network.left(forward) == network.ghost() ? forward : twin(forward);
+        append_network_loop(pixels, first, boundaries);
+        for (HalfEdgeId h = first; !seen[index_of(film_of(h))]; h = network.next(h)) {
+            seen[index_of(film_of(h))] = true;
+        }
+    }
+    for (const LoneBubble& bubble : pixels.frame.lone_bubbles) {
+        append_circle(pixels, bubble, -1, boundaries);
+    }
+    return boundaries;
+}
+
+}  // namespace
+
+bool may_show(const RasterGrid& grid, std::span<const ArcLoops::Arc> loop) {
+    if (loop.empty()) {
+        return false;
+    }
+    Vec2 low = loop.front().tail;
+    Vec2 high = low;
+    for (const ArcLoops::Arc& arc : loop) {
+        const Vec2 reach = Vec2::Constant(arc_length(film_arc(arc.arc)));
+        low = low.cwiseMin(arc.tail - reach);
+        high = high.cwiseMax(arc.tail + reach);
+    }
+    return low.x() < grid.width && low.y() < grid.height && high.x() > 0.0 && high.y() > 0.0;
+}
+
+std::size_t region_count(const Frame& frame) {
+    return frame.network.bubble_slots() + frame.lone_bubbles.size();
+}
+
+Boundaries boundaries_of(const PixelPatch& pixels, BubbleId bubble) {
+    const Network& network = pixels.frame.network;
+    if (bubble == network.ghost()) {
+        return boundaries_of_ghost(pixels);
+    }
+    Boundaries boundaries;
+    if (index_of(bubble) < network.bubble_slots()) {
+        append_network_loop(pixels, network.first(bubble), boundaries);
+    } else {
+        const std::size_t k = index_of(bubble) - network.bubble_slots();
+        append_circle(pixels, pixels.frame.lone_bubbles[k], 1, boundaries);
+    }
+    return boundaries;
+}
+
+}  // namespace foam::texgen

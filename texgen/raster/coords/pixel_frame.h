@@ -1,0 +1,51 @@
+#pragma once
+
+#include "core/foam/frame.h"
+#include "core/parallel/parallel_for.h"
+#include "texgen/raster/coords/raster_grid.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace foam::texgen {
+
+/// A frame on a torus as the grid sees it.
+struct PixelFrame {
+    PixelFrame(const Frame& of, const RasterGrid& on)
+        : frame(of),
+          grid(on),
+          scale(pixels_per_unit(on, of.domain)),
+          shear(shear_in_subpixels(on, of.domain)),
+          snap(on, of.domain) {}
+
+    FilmArc arc(HalfEdgeId h) const {
+        const FilmArc arc = frame.arc(h);
+        return {scale * arc.chord, arc.half_angle};
+    }
+    SubpixelPoint junction(JunctionId junction) const { return snap(frame.positions[junction]); }
+    /// All of them, by their index.
+    std::vector<SubpixelPoint> junctions(int threads) const {
+        constexpr std::size_t kPerTask = 8192;
+        std::vector<SubpixelPoint> points(frame.positions.size());
+        parallel_for(points.size(), kPerTask, threads, [&](std::size_t first, std::size_t last) {
+            for (std::size_t k = first; k < last; ++k) {
+                points[k] = junction(id_at<JunctionId>(k));
+            }
+        });
+        return points;
+    }
+    /// The same without rounding, in pixels.
+    Vec2 exact(JunctionId junction) const { return scale * frame.positions[junction]; }
+    SubpixelPoint translation(LatticeOffset offset) const {
+        return {offset.i * grid.width * kSubpixel + offset.j * shear,
+                offset.j * grid.height * kSubpixel};
+    }
+
+    const Frame& frame;
+    const RasterGrid& grid;
+    double scale;        // pixels per foam unit
+    std::int32_t shear;  // subpixels
+    Snap snap;
+};
+
+}  // namespace foam::texgen

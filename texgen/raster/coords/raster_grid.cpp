@@ -1,0 +1,43 @@
+#include "texgen/raster/coords/raster_grid.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr double kLargestAnisotropy = 1e-6;
+
+void check_side(int side) {
+    if (side < 1 || side > kLargestSide) {
+        throw std::invalid_argument("image width and height must lie in 1.." +
+                                    std::to_string(kLargestSide));
+    }
+}
+
+}  // namespace
+
+double pixels_per_unit(const RasterGrid& grid, const Domain& domain) {
+    check_side(grid.width);
+    check_side(grid.height);
+    if (domain.is_plane() != grid.view.has_value()) {
+        throw std::invalid_argument("a grid must have a view of the plane, and of nothing else");
+    }
+    if (grid.view) {
+        return grid.view->pixels_per_unit;
+    }
+    const double across = grid.width / domain.width;
+    const double up = grid.height / domain.height;
+    if (!(std::abs(across / up - 1.0) <= kLargestAnisotropy)) {
+        throw std::invalid_argument("image and torus must have the same aspect: pixels are square");
+    }
+    return across;
+}
+
+std::int32_t shear_in_subpixels(const RasterGrid& grid, const Domain& domain) {
+    return to_subpixel(domain.shear * (grid.width / domain.width));
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "core/parallel/simd_level.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace foam::texgen {
+
+/// std::min and std::max of values instead of references. As nothing has an address, compilers
+/// vectorize them.
+template <class Number>
+[[gnu::always_inline]] inline Number min_value(Number a, Number b) {
+    return a < b ? a : b;
+}
+template <class Number>
+[[gnu::always_inline]] inline Number max_value(Number a, Number b) {
+    return a > b ? a : b;
+}
+
+/// Returns a && b, but evaluates both, so that compilers see no branch and vectorize it.
+[[gnu::always_inline]] inline bool and_nonshort(bool a, bool b) {
+    return (static_cast<int>(a) & static_cast<int>(b)) != 0;
+}
+
+/// Grows a scratch array to at least `count` values. It never shrinks, so that it allocates rarely
+/// when it is used again and again.
+template <class Value>
+void grow(std::vector<Value>& values, std::size_t count) {
+    if (values.size() < count) {
+        values.resize(2 * count);
+    }
+}
+
+}  // namespace foam::texgen
