@@ -1,7 +1,7 @@
 #include "texgen/maps/cell_fill.h"
 
 #include "texgen/image/bleed.h"
-#include "texgen/raster/fill.h"
+#include "texgen/raster/coverage/fill.h"
 
 #include <algorithm>
 #include <array>

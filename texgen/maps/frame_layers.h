@@ -2,8 +2,8 @@
 
 #include "core/foam/frame.h"
 #include "texgen/maps/foam_record.h"
-#include "texgen/raster/cell_arcs.h"
 #include "texgen/raster/distance.h"
+#include "texgen/raster/outline/cell_arcs.h"
 #include "texgen/raster/outlines.h"
 
 #include <map>

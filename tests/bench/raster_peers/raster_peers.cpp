@@ -7,6 +7,7 @@
 #include "tests/support/raster_frames.h"
 #include "tests/support/raster_reference.h"
 #include "texgen/raster/distance.h"
+#include "texgen/raster/outline/cell_arcs.h"
 
 #include <fmt/core.h>
 

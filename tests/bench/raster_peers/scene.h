@@ -2,7 +2,7 @@
 
 #include "core/foam/frame.h"
 #include "texgen/image/image.h"
-#include "texgen/raster/fill.h"
+#include "texgen/raster/coverage/fill.h"
 
 #include <array>
 #include <cstdint>

@@ -4,7 +4,8 @@
 #include "tests/support/raster_frames.h"
 #include "texgen/image/color.h"
 #include "texgen/image/colormap.h"
-#include "texgen/raster/fill.h"
+#include "texgen/raster/coverage/fill.h"
+#include "texgen/raster/outline/cell_arcs.h"
 
 #include <gtest/gtest.h>
 

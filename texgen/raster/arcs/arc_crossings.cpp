@@ -31,9 +31,9 @@ void find(std::span<const ArcCrossings> arcs, const Crossing& crossing, std::int
     at_simd_level([=] {
         for (const ArcCrossings& crossings : arcs) {
             if (crossings.arc.is_short()) [[likely]] {
-                find_of(crossings.arc.in_floats(), crossings, crossing, to + crossings.place);
+                find_of(crossings.arc.in_floats(), crossings, crossing, to + crossings.position);
             } else {
-                find_of(crossings.arc.in_doubles(), crossings, crossing, to + crossings.place);
+                find_of(crossings.arc.in_doubles(), crossings, crossing, to + crossings.position);
             }
         }
     });

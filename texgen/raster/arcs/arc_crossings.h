@@ -9,13 +9,12 @@
 
 namespace foam::texgen {
 
-/// An arc that rises, from its lower end, in subpixels; its crossings are rounded to the nearest.
-/// They are found in floats, to 1/10 of a subpixel, where these hold them so well; in doubles of
-/// arcs that are longer.
+/// A rising arc in subpixels, from its lower end; crossings are rounded to the nearest. For arcs of
+/// up to 256 pixels they are computed in floats, to 1/10 of a subpixel; for longer ones in doubles.
 class SubpixelArc {
   public:
     SubpixelArc() = default;
-    /// As RisingArcOf.
+    /// See RisingArcOf.
     SubpixelArc(SubpixelPoint head, double sine)
         : head_(head.x, head.y), sine_(sine), in_floats_(head_, sine_) {}
 
@@ -36,10 +35,10 @@ class SubpixelArc {
     RisingArcOf<float> in_floats_;
 };
 
-/// Where an arc crosses heights y, y + step, ..., or places x, x + step, ..., moved by an offset
-/// and mirrored.
+/// A query for the crossings of an arc with heights y, y + step, ..., or columns x, x + step, ...;
+/// the results are moved by an offset and mirrored by a sign.
 struct ArcCrossings {
-    static constexpr std::size_t kLanes = 8;  // found at once
+    static constexpr std::size_t kLanes = 8;  // computed at once
 
     SubpixelArc arc;
     std::int32_t first = 0;
@@ -47,13 +46,13 @@ struct ArcCrossings {
     std::int32_t offset = 0;
     std::int32_t sign = 1;  // or -1
     std::size_t count = 0;
-    std::size_t place = 0;  // of the first among the results, with room for whole vectors
+    std::size_t position = 0;  // of the first among the results, with room for whole vectors
 
-    /// The place for those of the next arc.
-    std::size_t end() const { return place + (count + kLanes - 1) / kLanes * kLanes; }
+    /// Returns the position for the results of the next query.
+    std::size_t end() const { return position + (count + kLanes - 1) / kLanes * kLanes; }
 };
 
-/// Of several arcs, none of which has to wait for the roots of another. Each as SubpixelArc has it.
+/// Computes the crossings of several arcs, which do not wait for each other's square roots.
 void find_xs(std::span<const ArcCrossings> arcs, std::int32_t* xs);
 void find_ys(std::span<const ArcCrossings> arcs, std::int32_t* ys);
 

@@ -2,21 +2,34 @@
 
 #include "core/foam/frame.h"
 #include "core/parallel/parallel_for.h"
-#include "texgen/raster/arcs/half_turns.h"
 #include "texgen/raster/arcs/pixel_arc.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
 
 namespace foam::texgen {
 
-/// How many films are shaped at once.
+/// Angles in [-pi, pi] with their cosines and sines, which are computed by IEEE operations alone,
+/// to 1e-14.
+struct HalfTurns {
+    static constexpr std::size_t kLanes = 8;
+
+    std::array<double, kLanes> angle{};
+    std::array<double, kLanes> cosine{};
+    std::array<double, kLanes> sine{};
+};
+
+/// Computes the cosines and sines of all lanes.
+void find_turns(HalfTurns& turns);
+
+/// Films whose shapes are computed at once.
 inline constexpr std::size_t kFilmsAtOnce = HalfTurns::kLanes;
 
-/// Calls take(index, arc) for up to kFilmsAtOnce films from one on, each as its forward side, in
-/// pixels of a scale (pixels per foam unit).
+/// Calls take(index, arc) for up to kFilmsAtOnce films from index `first` on. The arc is that of
+/// the forward side in pixels; `scale` is in pixels per foam unit.
 template <class Take>
 void shape_some(const Frame& frame, double scale, std::size_t first, const Take& take) {
     const std::size_t count = std::min(kFilmsAtOnce, frame.network.film_slots() - first);
@@ -34,7 +47,7 @@ void shape_some(const Frame& frame, double scale, std::size_t first, const Take&
     }
 }
 
-/// The same for all films; on up to `threads` threads, in no certain order.
+/// Calls take(index, arc) for all films, on several threads and in no particular order.
 template <class Take>
 void shape_films(const Frame& frame, double scale, int threads, const Take& take) {
     constexpr std::size_t kPerTask = 64 * kFilmsAtOnce;
@@ -46,10 +59,10 @@ void shape_films(const Frame& frame, double scale, int threads, const Take& take
     });
 }
 
-/// The arcs of all films.
+/// Returns the arcs of all films by their index.
 std::vector<PixelArc> film_shapes(const Frame& frame, double scale, int threads);
 
-/// One of them as a side of its film; without a branch, as nobody foresees which way it is walked.
+/// Returns the arc of a side, without a branch: its direction is hard to predict.
 inline PixelArc shape_along(std::span<const PixelArc> shapes, HalfEdgeId side) {
     const PixelArc& forward = shapes[index_of(film_of(side))];
     const double along = static_cast<int>(is_forward(side)) * 2 - 1;

@@ -8,9 +8,9 @@ namespace foam::texgen {
 
 namespace {
 
-// The quarter of the plane that a direction lies in, counter-clockwise; each holds the axis that it
-// begins with.
-int quarter_of(const Vec2& direction) {
+// Returns the quadrant of a direction, counter-clockwise; each includes the axis that it begins
+// with.
+int quadrant_of(const Vec2& direction) {
     const auto [x, y] = std::pair(direction.x(), direction.y());
     if (y > 0.0) {
         return x > 0.0 ? 0 : 1;
@@ -30,16 +30,16 @@ Vec2 axis(int quarter) {
 }  // namespace
 
 MonotonePieces::MonotonePieces(const PixelArc& arc) {
-    if (is_monotone(arc.chord.x(), arc.chord.y(), arc.cosine, arc.sine)) {
+    if (is_monotone(arc)) {
         append(arc.chord, arc.sine);
     } else {
         split(arc);
     }
 }
 
-// Where the tangent is parallel to an axis. From where it is a to where it is b, unit vectors, an
-// arc that turns left goes by the radius times b - a, turned right; half of that is the sine of
-// half the angle between them. One that turns right is its mirror image.
+// Splits the arc where its tangent is parallel to an axis. From where the unit tangent is a to
+// where it is b, an arc that turns left moves by the radius times b - a, turned right; half of |b -
+// a| is the sine of half the angle between them. An arc that turns right is its mirror image.
 void MonotonePieces::split(const PixelArc& arc) {
     const double side = arc.sine < 0.0 ? -1.0 : 1.0;
     const Vec2 mirror(1.0, side);
@@ -49,8 +49,8 @@ void MonotonePieces::split(const PixelArc& arc) {
     const Vec2 across = turned_left(mirror.cwiseProduct(arc.chord)) * (std::abs(arc.sine) / length);
     const Vec2 first = along - across;
     const Vec2 last = along + across;
-    const int begin = quarter_of(first);
-    int end = quarter_of(last);
+    const int begin = quadrant_of(first);
+    int end = quadrant_of(last);
     if (end < begin || (end == begin && arc.cosine < 0.0)) {
         end += 4;
     }
@@ -62,6 +62,11 @@ void MonotonePieces::split(const PixelArc& arc) {
         from = to;
     }
     append(arc.chord, 0.5 * side * (last - from).norm());
+}
+
+void MonotonePieces::append(const Vec2& head, double sine) {
+    const Vec2 tail = count_ == 0 ? Vec2(0.0, 0.0) : pieces_[count_ - 1].head;
+    pieces_[count_++] = {tail, head, sine};
 }
 
 }  // namespace foam::texgen

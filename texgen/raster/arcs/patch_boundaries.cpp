@@ -15,7 +15,7 @@ void append_network_loop(const PixelPatch& pixels, HalfEdgeId first, Boundaries&
     to.loop_ends.push_back(to.arcs.size());
 }
 
-// Two halves; counter-clockwise for sign 1.
+// Appends a circle in two halves, counter-clockwise if sign is 1 and clockwise if it is -1.
 void append_circle(const PixelPatch& pixels, const LoneBubble& bubble, int sign, Boundaries& to) {
     const Vec2 radius(pixels.scale * lone_radius(bubble), 0.0);
     const Vec2 center = pixels.pixel(bubble.centre);

@@ -9,10 +9,10 @@
 
 namespace foam::texgen {
 
-/// Closed loops of arcs, in pixels from the image's lower left corner.
+/// Closed loops of arcs in pixels, from the lower left corner of the image.
 using Boundaries = ArcLoops;
 
-/// A frame in the plane as a grid with a view sees it.
+/// A frame in the plane in the coordinates of a grid with a view. Borrows both.
 struct PixelPatch {
     const Frame& frame;
     const RasterGrid& grid;
@@ -26,18 +26,19 @@ struct PixelPatch {
     }
 };
 
-/// How many have boundaries: the bubbles, the ghost, and the lone bubbles, in this order.
+/// Returns the number of regions: the bubbles with the ghost, then the lone bubbles.
 std::size_t region_count(const Frame& frame);
 
-/// What lies this many pixels beyond the image is cut off, as coordinates have 32 bits; so far away
-/// that the pixels do not depend on it.
+/// Arcs are cut off this many pixels beyond the image, as coordinates have 32 bits; no pixel
+/// depends on what is so far away.
 inline constexpr double kGuard = kLargestSide;
 
-/// Whether some of a loop may show: its arcs reach no farther than they are long.
+/// Returns true if part of a loop may show. Conservative: an arc reaches no farther than its
+/// length.
 bool may_show(const RasterGrid& grid, std::span<const ArcLoops::Arc> loop);
 
-/// Of a bubble, of the ghost, or of a lone bubble, by their place in that order. Each has its
-/// region on the left.
+/// Returns the boundary loops of a region, by its index in the order of region_count, with the
+/// region on their left.
 Boundaries boundaries_of(const PixelPatch& pixels, BubbleId bubble);
 
 }  // namespace foam::texgen

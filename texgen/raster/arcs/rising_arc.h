@@ -8,13 +8,13 @@
 
 namespace foam::texgen {
 
-/// To the nearest, ties up; |x| < 2^30.
+/// Rounds to the nearest, ties up. Precondition: |x| < 2^30.
 inline std::int32_t rounded(double x) {
     constexpr std::int32_t kBias = 1 << 30;  // makes the sum positive, where truncation is floor
     return static_cast<std::int32_t>(x + (kBias + 0.5)) - kBias;
 }
 
-/// To the nearest, ties to even; |x| < 2^22.
+/// Rounds to the nearest, ties to even. Precondition: |x| < 2^22.
 inline std::int32_t rounded(float x) {
     constexpr float kWhole = 0x1.8p23F;  // beside which floats are whole numbers
     return std::bit_cast<std::int32_t>(x + kWhole) - std::bit_cast<std::int32_t>(kWhole);

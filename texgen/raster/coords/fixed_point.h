@@ -6,8 +6,8 @@
 
 namespace foam::texgen {
 
-/// The rasterizer's coordinates are integers, so that sums do not depend on their order and a shift
-/// by whole pixels moves every point exactly. Subpixels per pixel, a power of two:
+/// Subpixels per pixel, a power of two. The rasterizer's coordinates are integers, so that sums do
+/// not depend on their order and a shift by whole pixels moves every point exactly.
 inline constexpr int kSubpixelBits = 10;
 inline constexpr std::int32_t kSubpixel = 1 << kSubpixelBits;
 
@@ -25,7 +25,7 @@ struct SubpixelPoint {
     friend bool operator==(SubpixelPoint a, SubpixelPoint b) = default;
 };
 
-/// Pixels to the nearest subpixel; |pixels| < 2^16.
+/// Converts pixels to the nearest subpixel. Precondition: |pixels| < 2^16.
 inline std::int32_t to_subpixel(double pixels) {
     constexpr std::int32_t kBias = 1 << 26;  // makes the sum positive, where truncation is floor
     return static_cast<std::int32_t>(pixels * kSubpixel + (kBias + 0.5)) - kBias;
@@ -35,7 +35,7 @@ inline SubpixelPoint to_subpixel(const Vec2& pixels) {
     return {to_subpixel(pixels.x()), to_subpixel(pixels.y())};
 }
 
-/// The pixel that a subpixel lies in, and its place within.
+/// Returns the pixel of a subpixel, and its position within that pixel.
 inline std::int32_t pixel_of(std::int32_t subpixel) {
     return subpixel >> kSubpixelBits;
 }
@@ -43,17 +43,17 @@ inline std::int32_t within_pixel(std::int32_t subpixel) {
     return subpixel & (kSubpixel - 1);
 }
 
-/// The first row or column of pixels whose middle is at or beyond a place.
+/// Returns the first row or column of pixels whose middle is at or beyond a position.
 inline std::int32_t first_middle_from(std::int32_t subpixel) {
     return pixel_of(subpixel + kSubpixel / 2 - 1);
 }
 
-/// n / d rounded down, for d > 0.
+/// Returns n / d rounded down. Precondition: d > 0.
 inline std::int32_t floor_div(std::int32_t n, std::int32_t d) {
     return n / d - (n % d < 0 ? 1 : 0);
 }
 
-/// Remainder of floor_div, in [0, d).
+/// Returns the remainder of floor_div, in [0, d).
 inline std::int32_t wrap(std::int32_t n, std::int32_t d) {
     return n - floor_div(n, d) * d;
 }

@@ -9,7 +9,7 @@
 
 namespace foam::texgen {
 
-/// A frame on a torus as the grid sees it.
+/// A frame on a torus in the coordinates of a grid. Borrows both.
 struct PixelFrame {
     PixelFrame(const Frame& of, const RasterGrid& on)
         : frame(of),
@@ -23,7 +23,7 @@ struct PixelFrame {
         return {scale * arc.chord, arc.half_angle};
     }
     SubpixelPoint junction(JunctionId junction) const { return snap(frame.positions[junction]); }
-    /// All of them, by their index.
+    /// Returns all junctions, by their index.
     std::vector<SubpixelPoint> junctions(int threads) const {
         constexpr std::size_t kPerTask = 8192;
         std::vector<SubpixelPoint> points(frame.positions.size());
@@ -34,7 +34,7 @@ struct PixelFrame {
         });
         return points;
     }
-    /// The same without rounding, in pixels.
+    /// Returns a junction without rounding, in pixels.
     Vec2 exact(JunctionId junction) const { return scale * frame.positions[junction]; }
     SubpixelPoint translation(LatticeOffset offset) const {
         return {offset.i * grid.width * kSubpixel + offset.j * shear,

@@ -16,10 +16,10 @@ struct View {
     friend bool operator==(const View& a, const View& b) = default;
 };
 
-/// The pixels that cover one torus, or a part of the plane. Row 0 is the lowest; on a torus, pixel
-/// (0, 0) has its lower left corner at the origin when nothing is shifted.
+/// The pixels that cover a torus or a view of the plane. Row 0 is the lowest; on a torus, pixel (0,
+/// 0) has its lower left corner at the origin when nothing is shifted.
 struct RasterGrid {
-    int width = 0;  // pixels; so is all that follows
+    int width = 0;  // pixels, as are the next three
     int height = 0;
     int shift_x = 0;  // pixel (x, y) shows what pixel (x + shift_x, y + shift_y) of the unshifted
     int shift_y = 0;  // grid shows, around the torus, bit for bit; 0 <= shift_y < height if sheared
@@ -29,23 +29,23 @@ struct RasterGrid {
 /// The longest side of a grid, so that coordinates of a few periods fit 32 bits.
 inline constexpr int kLargestSide = 1 << 14;
 
-/// A side of a bubble that is shorter, in pixels, has no direction to speak of, and is left out.
+/// A side of a bubble that is shorter, in pixels, has no reliable direction and is left out.
 inline constexpr double kShortestSide = 1e-9;
 
-/// Pixels per foam unit. Throws std::invalid_argument if a side of the grid is not in [1,
+/// Returns pixels per foam unit. Throws std::invalid_argument if a side of the grid is not in [1,
 /// kLargestSide], on a torus if its pixels are not square to one part in a million, in the plane if
 /// the grid has no view of it.
 double pixels_per_unit(const RasterGrid& grid, const Domain& domain);
 
-/// What moves subpixels of the unshifted grid to where they are in this one.
+/// Returns the translation from subpixels of the unshifted grid to subpixels of this one.
 inline SubpixelPoint shift_of(const RasterGrid& grid) {
     return {-wrap(grid.shift_x, grid.width) * kSubpixel,
             -wrap(grid.shift_y, grid.height) * kSubpixel};
 }
 
-/// A position in the torus' own cell, in foam units, as the nearest subpixel of the unshifted grid:
-/// from 0 to its width and height, both included. A point at the far border stays there, or the
-/// outlines around it would be torn.
+/// Converts a position in the torus' own cell, in foam units, to the nearest subpixel of the
+/// unshifted grid: from 0 to its width and height, both included. A point on the far border stays
+/// there; wrapped, it would tear the outlines around it.
 class Snap {
   public:
     Snap(const RasterGrid& grid, const Domain& domain)
@@ -60,14 +60,14 @@ class Snap {
     double up_;
 };
 
-/// A position in the plane in pixels, from the lower left corner of a grid with a view.
+/// Returns a position in the plane in pixels, from the lower left corner of a grid with a view.
 inline Vec2 pixel_in_view(const RasterGrid& grid, const Vec2& position) {
     return grid.view->pixels_per_unit * (position - grid.view->center) +
            0.5 * Vec2(grid.width, grid.height);
 }
 
-/// How far the copy of a point one period up lies to the right, in subpixels: a sheared torus
-/// covers the plane with grids whose rows are moved against each other.
+/// Returns by how many subpixels the copy of a point one period up lies to the right. A sheared
+/// torus covers the plane with rows of grids that are displaced against each other.
 std::int32_t shear_in_subpixels(const RasterGrid& grid, const Domain& domain);
 
 }  // namespace foam::texgen

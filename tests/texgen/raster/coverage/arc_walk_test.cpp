@@ -1,0 +1,237 @@
+#include "texgen/raster/coverage/arc_walk.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <numbers>
+#include <random>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace foam::texgen {
+namespace {
+
+// A straight edge; what is on its sides does not matter here.
+MonotoneArc edge(SubpixelPoint low, SubpixelPoint high) {
+    return {low, high, 0.0, {}};
+}
+
+using Parts = std::map<std::pair<int, int>, std::pair<int, std::int64_t>>;
+
+// Adds the parts up.
+Parts walk(const MonotoneArc& arc, SubpixelPoint translation, int rows) {
+    Parts parts;
+    ArcWalk walk(rows);
+    if (!walk.is_in_rows(arc, translation)) {
+        return parts;
+    }
+    walk.add(arc, translation);
+    walk.split();
+    for (const ArcWalk::Part& part : walk.parts(0)) {
+        EXPECT_LE(walk.leftmost(0), part.column);
+        EXPECT_GE(walk.rightmost(0), part.column);
+        if (part.whole == 0) {
+            EXPECT_EQ(part.on_left, 0);
+            continue;
+        }
+        auto& [height, area] = parts[{part.row, part.column}];
+        height += part.whole / (2 * kSubpixel);
+        area += part.on_left;
+    }
+    return parts;
+}
+
+// The straight edges of a chain; those that go down take away.
+Parts walk(const std::vector<SubpixelPoint>& chain, SubpixelPoint translation, int rows) {
+    Parts all;
+    SubpixelPoint from = chain.back();
+    for (const SubpixelPoint to : chain) {
+        const int sign = from.y < to.y ? 1 : -1;
+        const auto parts = from.y == to.y  ? Parts{}
+                           : from.y < to.y ? walk(edge(from, to), translation, rows)
+                                           : walk(edge(to, from), translation, rows);
+        for (const auto& [pixel, part] : parts) {
+            all[pixel].first += sign * part.first;
+            all[pixel].second += sign * part.second;
+        }
+        from = to;
+    }
+    return all;
+}
+
+TEST(ArcWalk, SquareInTheMiddleOfAPixel) {
+    // Half a pixel wide and high, counter-clockwise. Left side at x = 256, down: area 512 x (2 x
+    // 256); right side at x = 768, up: 512 x (2 x 768).
+    const Parts parts = walk({{256, 256}, {768, 256}, {768, 768}, {256, 768}}, {}, 1);
+    ASSERT_EQ(parts.size(), 1U);
+    EXPECT_EQ(parts.at({0, 0}).first, 0);
+    EXPECT_EQ(parts.at({0, 0}).second, 512 * 1536 - 512 * 512);
+}
+
+TEST(ArcWalk, DiagonalAcrossFourPixels) {
+    // Up from (0, 0) to (2, 2) pixels and down again at x = 0: half of two pixels, all of one.
+    const Parts parts = walk({{0, 0}, {2048, 2048}, {0, 2048}}, {}, 2);
+    EXPECT_EQ(parts.at({0, 0}), (std::pair<int, std::int64_t>{0, 1024 * 1024}));
+    EXPECT_EQ(parts.at({1, 0}), (std::pair<int, std::int64_t>{-1024, 0}));
+    EXPECT_EQ(parts.at({1, 1}), (std::pair<int, std::int64_t>{1024, 1024 * 1024}));
+}
+
+// Each 1024 to the left is 50 up: at the borders y is 125, 175, 225 and 275.
+TEST(ArcWalk, FlatArcCrossesManyColumnsOfARow) {
+    const Parts parts = walk(edge({4608, 100}, {512, 300}), {}, 1);
+    ASSERT_EQ(parts.size(), 5U);
+    EXPECT_EQ(parts.at({0, 4}).first, 25);
+    EXPECT_EQ(parts.at({0, 3}).first, 50);
+    EXPECT_EQ(parts.at({0, 2}).first, 50);
+    EXPECT_EQ(parts.at({0, 1}).first, 50);
+    EXPECT_EQ(parts.at({0, 0}).first, 25);
+}
+
+// Each 1 to the left is 20 up: x is 1024 at y = 76 x 20, in row 1.
+TEST(ArcWalk, SteepArcCrossesManyRowsOfAColumn) {
+    const Parts parts = walk(edge({1100, 0}, {900, 4000}), {}, 4);
+    ASSERT_EQ(parts.size(), 5U);
+    EXPECT_EQ(parts.at({0, 1}).first, 1024);
+    EXPECT_EQ(parts.at({1, 1}).first, 1520 - 1024);
+    EXPECT_EQ(parts.at({1, 0}).first, 2048 - 1520);
+    EXPECT_EQ(parts.at({2, 0}).first, 1024);
+    EXPECT_EQ(parts.at({3, 0}).first, 4000 - 3072);
+}
+
+// A border is that of the pixel on its right: from the left the arc ends in pixel 1, from the right
+// in it, too.
+TEST(ArcWalk, EndsOnBorders) {
+    const Parts right = walk(edge({0, 0}, {1024, 1024}), {}, 1);
+    const Parts left = walk(edge({2048, 0}, {1024, 1024}), {}, 1);
+    EXPECT_EQ(right.at({0, 0}), (std::pair<int, std::int64_t>{1024, 1024 * 1024}));
+    EXPECT_EQ(left.at({0, 1}), (std::pair<int, std::int64_t>{1024, 1024 * 1024}));
+}
+
+TEST(ArcWalk, LeavesOutOtherRows) {
+    const std::vector<SubpixelPoint> square{{100, -3000}, {900, -3000}, {900, 9000}, {100, 9000}};
+    const Parts parts = walk(square, {}, 3);
+    EXPECT_EQ(parts.size(), 3U);
+    EXPECT_EQ(parts.at({2, 0}).second, 1024 * 1800 - 1024 * 200);
+}
+
+class ArcWalkOfRandomChains : public ::testing::Test {
+  protected:
+    std::vector<SubpixelPoint> chain(int range) {
+        std::uniform_int_distribution<std::int32_t> coordinate(-range, range);
+        std::vector<SubpixelPoint> points(3 + random_() % 5);
+        for (SubpixelPoint& point : points) {
+            point = {coordinate(random_), coordinate(random_)};
+        }
+        return points;
+    }
+
+  private:
+    std::mt19937 random_{7};
+};
+
+// Flat ones cross many columns within a row, which steep ones do not.
+TEST_F(ArcWalkOfRandomChains, ArcsSplitTogetherAreSplitAsOneByOne) {
+    const auto list = [](std::span<const ArcWalk::Part> parts) {
+        std::vector<std::array<std::int32_t, 4>> numbers;
+        for (const ArcWalk::Part& part : parts) {
+            numbers.push_back({part.row, part.column, part.whole, part.on_left});
+        }
+        return numbers;
+    };
+    for (int round = 0; round < 100; ++round) {
+        ArcWalk together(40);
+        std::vector<MonotoneArc> arcs;
+        while (arcs.size() < ArcWalk::kMaxArcs) {
+            const std::vector<SubpixelPoint> ends = chain(round % 2 == 0 ? 40000 : 3000);
+            const MonotoneArc arc{
+                ends[0], {ends[1].x, ends[0].y + 1 + std::abs(ends[1].y)}, 0.1, {}};
+            if (together.is_in_rows(arc, {})) {
+                together.add(arc, {});
+                arcs.push_back(arc);
+            }
+        }
+        together.split();
+        ArcWalk alone(40);
+        for (std::size_t k = 0; k < arcs.size(); ++k) {
+            alone.clear();
+            alone.add(arcs[k], {});
+            alone.split();
+            ASSERT_EQ(list(together.parts(k)), list(alone.parts(0)));
+        }
+    }
+}
+
+TEST_F(ArcWalkOfRandomChains, MovesWithWholePixels) {
+    for (int k = 0; k < 500; ++k) {
+        const std::vector<SubpixelPoint> points = chain(5000);
+        const Parts here = walk(points, {7 * kSubpixel, 5 * kSubpixel}, 50);
+        const Parts there = walk(points, {-90 * kSubpixel, 11 * kSubpixel}, 50);
+        EXPECT_EQ(here.size(), there.size());
+        for (const auto& [pixel, part] : here) {
+            EXPECT_EQ(part, there.at({pixel.first + 6, pixel.second - 97}));
+        }
+    }
+}
+
+TEST_F(ArcWalkOfRandomChains, BentArcsMoveWithWholePixels) {
+    for (int k = 0; k < 500; ++k) {
+        const std::vector<SubpixelPoint> points = chain(5000);
+        if (points[0].y >= points[1].y) {
+            continue;
+        }
+        const MonotoneArc arc{points[0], points[1], 0.7 * std::sin(k), {}};
+        const Parts here = walk(arc, {7 * kSubpixel, 5 * kSubpixel}, 50);
+        const Parts there = walk(arc, {-90 * kSubpixel, 11 * kSubpixel}, 50);
+        EXPECT_EQ(here.size(), there.size());
+        for (const auto& [pixel, part] : here) {
+            EXPECT_EQ(part, there.at({pixel.first + 6, pixel.second - 97}));
+        }
+    }
+}
+
+// A circle of radius r around the origin, in quarters: pixels get what of them is nearer to the
+// origin than r, which 400 lines per pixel find to 1e-5 and subpixels spoil by their half.
+TEST(ArcWalk, OfACircleHasItsAreaInEveryPixel) {
+    constexpr int kLines = 400;
+    for (const int radius : {1024, 1500, 4000, 30000}) {
+        const double sine = std::sin(0.125 * 2.0 * std::numbers::pi);
+        const Parts parts = walk(MonotoneArc{{radius, 0}, {0, radius}, sine, {}}, {}, 40);
+        for (const auto& [pixel, part] : parts) {
+            double area = 0.0;
+            for (int k = 0; k < kLines; ++k) {
+                const double y = pixel.first + (k + 0.5) / kLines;
+                const double r = static_cast<double>(radius) / kSubpixel;
+                const double x = std::sqrt(std::max(0.0, r * r - y * y));
+                area += y < r ? std::clamp(x - pixel.second, 0.0, 1.0) / kLines : 0.0;
+            }
+            // The pixels on the right of the arc's last one in the row are left out of the sum.
+            double own = static_cast<double>(part.second);
+            for (const auto& [other, right] : parts) {
+                const bool is_right = other.first == pixel.first && other.second > pixel.second;
+                own += is_right ? 2.0 * kSubpixel * right.first : 0.0;
+            }
+            EXPECT_NEAR(0.5 * own / (kSubpixel * kSubpixel), area, 2e-3)
+                << radius << " " << pixel.first << " " << pixel.second;
+        }
+    }
+}
+
+TEST_F(ArcWalkOfRandomChains, HeightsCancelInEveryRow) {
+    for (int k = 0; k < 500; ++k) {
+        std::map<int, int> heights;
+        for (const auto& [pixel, part] : walk(chain(20000), {}, 20)) {
+            heights[pixel.first] += part.first;
+        }
+        for (const auto& [row, height] : heights) {
+            EXPECT_EQ(height, 0) << row;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace foam::texgen

@@ -1,0 +1,175 @@
+#include "texgen/raster/coverage/coverage.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace foam::texgen {
+namespace {
+
+constexpr std::int64_t kFull = std::int64_t{1} << kAreaBits;
+
+// Returns the sum of each pixel of a row.
+std::vector<std::int64_t> take(Coverage<ExactSums<1>>& coverage, int row, int width) {
+    RowSums<ExactSums<1>::Sum> sums;
+    coverage.finish();
+    coverage.take_row(row, {}, sums);
+    EXPECT_EQ(sums.begins[0], 0);
+    EXPECT_EQ(sums.begins[sums.count], width);
+    std::vector<std::int64_t> values;
+    for (std::size_t k = 0; k < sums.count; ++k) {
+        EXPECT_LT(sums.begins[k], sums.begins[k + 1]);
+        values.resize(sums.begins[k + 1], static_cast<std::int64_t>(sums.sums[k][0]));
+    }
+    return values;
+}
+
+// Adds the straight edges of a closed chain, with a value on the left of each.
+template <std::size_t Channels>
+void add(Coverage<ExactSums<Channels>>& coverage,
+         const std::vector<SubpixelPoint>& chain,
+         SubpixelPoint translation,
+         const std::array<double, Channels>& value) {
+    SubpixelPoint from = chain.back();
+    for (const SubpixelPoint to : chain) {
+        typename Coverage<ExactSums<Channels>>::Step step;
+        for (std::size_t c = 0; c < Channels; ++c) {
+            step.across[c] = from.y < to.y ? -value[c] : value[c];
+        }
+        if (from.y < to.y) {
+            coverage.add({from, to, 0.0, {}}, translation, step);
+        } else if (to.y < from.y) {
+            coverage.add({to, from, 0.0, {}}, translation, step);
+        }
+        from = to;
+    }
+}
+
+std::vector<SubpixelPoint> box(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1) {
+    return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
+}
+
+TEST(Coverage, OfABoxAcrossPixels) {
+    // From x = 0.5 to 2.25 pixels, in the lower half of row 0.
+    Coverage<ExactSums<1>> coverage(4, 1);
+    add<1>(coverage, box(512, 0, 2304, 512), {}, {4});
+    const std::vector<std::int64_t> expected{kFull, 2 * kFull, kFull / 2, 0};
+    EXPECT_EQ(take(coverage, 0, 4), expected);
+}
+
+TEST(Coverage, TakingARowClearsIt) {
+    Coverage<ExactSums<1>> coverage(4, 1);
+    add<1>(coverage, box(512, 0, 2304, 512), {}, {4});
+    take(coverage, 0, 4);
+    EXPECT_EQ(take(coverage, 0, 4), std::vector<std::int64_t>(4, 0));
+}
+
+TEST(Coverage, WrapsAroundInX) {
+    // From x = 3.5 to 5.5 of a torus 4 pixels wide: half of pixels 3 and 1, all of pixel 0.
+    const std::vector<std::int64_t> expected{kFull, kFull / 2, 0, kFull / 2};
+    for (const int periods : {-3, -1, 0, 1, 2}) {
+        Coverage<ExactSums<1>> coverage(4, 1);
+        add<1>(coverage, box(3584, 0, 5632, 1024), {periods * 4 * kSubpixel, 0}, {1});
+        EXPECT_EQ(take(coverage, 0, 4), expected) << periods;
+    }
+}
+
+// From x = -1.5 to 2.25 of a line 4 pixels wide; what is beyond either end does not come back.
+TEST(Coverage, OfALineEndsAtItsEnds) {
+    Coverage<ExactSums<1>> coverage(4, 1, RowKind::Line);
+    add<1>(coverage, box(-1536, 0, 2304, 1024), {}, {1});
+    add<1>(coverage, box(3072, 0, 9000, 1024), {}, {5});
+    add<1>(coverage, box(-9000, 0, -2000, 1024), {}, {7});
+    add<1>(coverage, box(5000, 0, 6000, 1024), {}, {7});
+    const std::vector<std::int64_t> expected{kFull, kFull, kFull / 4, 5 * kFull};
+    EXPECT_EQ(take(coverage, 0, 4), expected);
+    EXPECT_EQ(take(coverage, 0, 4), std::vector<std::int64_t>(4, 0));
+}
+
+TEST(Coverage, OfABoxWiderThanTheTorus) {
+    // 2.5 times around: the half round falls on pixels 0 and 1.
+    Coverage<ExactSums<1>> coverage(4, 1);
+    add<1>(coverage, box(0, 0, 10 * kSubpixel, kSubpixel), {}, {1});
+    const std::vector<std::int64_t> expected{3 * kFull, 3 * kFull, 2 * kFull, 2 * kFull};
+    EXPECT_EQ(take(coverage, 0, 4), expected);
+}
+
+TEST(Coverage, LastColumnSpillsNothing) {
+    Coverage<ExactSums<1>> coverage(64, 1);
+    add<1>(coverage, box(63 * kSubpixel + 100, 0, 64 * kSubpixel, kSubpixel), {}, {1});
+    std::vector<std::int64_t> expected(64, 0);
+    expected[63] = kFull - std::int64_t{2} * kSubpixel * 100;
+    EXPECT_EQ(take(coverage, 0, 64), expected);
+    EXPECT_EQ(take(coverage, 0, 64), std::vector<std::int64_t>(64, 0));
+}
+
+TEST(Coverage, ClockwiseSubtracts) {
+    Coverage<ExactSums<1>> coverage(4, 1);
+    add<1>(coverage, box(0, 0, 4096, 1024), {}, {3});
+    const std::vector<SubpixelPoint> hole{{1024, 0}, {1024, 1024}, {2048, 1024}, {2048, 0}};
+    add<1>(coverage, hole, {}, {3});
+    const std::vector<std::int64_t> expected{3 * kFull, 0, 3 * kFull, 3 * kFull};
+    EXPECT_EQ(take(coverage, 0, 4), expected);
+}
+
+// Two bubbles around a torus 4 pixels wide: one from x = 1.5 to 3, the other from there to 5.5. The
+// arc between that and the first lies at x = 1.5, a period further right in the second's outline.
+TEST(Coverage, CountsAFilmOnceForBothItsSides) {
+    Coverage<ExactSums<1>> coverage(4, 1);
+    const double first = 3.0;
+    const double second = 10.0;
+    coverage.add({{3072, 0}, {3072, 1024}, 0.0, {}}, {}, {{second - first}, {}, false});
+    coverage.add({{1536, 0}, {1536, 1024}, 0.0, {}}, {}, {{first - second}, {-1.0 * second}, true});
+    const auto all = static_cast<std::int64_t>(second) * kFull;
+    const std::vector<std::int64_t> expected{all, 13 * kFull / 2, 3 * kFull, all};
+    EXPECT_EQ(take(coverage, 0, 4), expected);
+}
+
+// A quarter of a circle of radius 1 pixel around (1, 0), from (2, 0) up to (1, 1), and straight
+// down: pi / 4 of pixel 1, to half a thousandth; its chord would cut off half of it.
+TEST(Coverage, OfAQuarterOfACircle) {
+    Coverage<ExactSums<1>> coverage(4, 1);
+    const double sine = std::sin(0.125 * 2.0 * std::numbers::pi);
+    coverage.add({{2048, 0}, {1024, 1024}, sine, {}}, {}, {{-1.0}, {}, false});
+    coverage.add({{1024, 0}, {1024, 1024}, 0.0, {}}, {}, {{1.0}, {}, false});
+    const std::vector<std::int64_t> values = take(coverage, 0, 4);
+    EXPECT_NEAR(static_cast<double>(values[1]) / kFull, 0.25 * std::numbers::pi, 1e-3);
+    EXPECT_EQ(values[0], 0);
+    EXPECT_EQ(values[2], 0);
+}
+
+TEST(Coverage, OrderDoesNotMatter) {
+    Coverage<ExactSums<3>> there(40, 2);
+    Coverage<ExactSums<3>> back(40, 2);
+    std::vector<std::vector<SubpixelPoint>> chains(20);
+    for (int k = 0; k < 20; ++k) {
+        chains[static_cast<std::size_t>(k)] = {
+            {977 * k, 31 * k}, {1011 * k + 700, 40}, {900 * k + 100, 1900 - 13 * k}};
+    }
+    for (std::size_t k = 0; k < chains.size(); ++k) {
+        const auto value = [](std::size_t i) {
+            return std::array<double, 3>{static_cast<double>(i), 7, -65535};
+        };
+        add<3>(there, chains[k], {}, value(k));
+        const std::size_t last = chains.size() - 1 - k;
+        add<3>(back, chains[last], {}, value(last));
+    }
+    there.finish();
+    back.finish();
+    for (int row = 0; row < 2; ++row) {
+        RowSums<ExactSums<3>::Sum> a;
+        RowSums<ExactSums<3>::Sum> b;
+        there.take_row(row, {}, a);
+        back.take_row(row, {}, b);
+        ASSERT_EQ(a.count, b.count);
+        for (std::size_t k = 0; k < a.count; ++k) {
+            EXPECT_EQ(a.begins[k], b.begins[k]);
+            EXPECT_EQ(a.sums[k], b.sums[k]);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace foam::texgen

@@ -1,0 +1,53 @@
+#include "texgen/raster/arcs/monotone_arc.h"
+
+#include "texgen/raster/arcs/monotone.h"
+
+namespace foam::texgen {
+
+void append_arc(const PixelArc& arc,
+                SubpixelPoint tail,
+                SubpixelPoint head,
+                const ArcSides& sides,
+                std::vector<MonotoneArc>& to) {
+    if (is_monotone(arc)) [[likely]] {
+        append_piece(tail, head, arc.sine, sides, to);
+        return;
+    }
+    const MonotonePieces all(arc);
+    const std::span<const MonotonePiece> pieces = all.pieces();
+    SubpixelPoint from = tail;
+    for (std::size_t k = 0; k + 1 < pieces.size(); ++k) {
+        const SubpixelPoint end = tail + to_subpixel(pieces[k].head);
+        append_piece(from, end, pieces[k].sine, sides, to);
+        from = end;
+    }
+    append_piece(from, head, pieces.back().sine, sides, to);
+}
+
+void append_piece(SubpixelPoint tail,
+                  SubpixelPoint head,
+                  double sine,
+                  const ArcSides& sides,
+                  std::vector<MonotoneArc>& to) {
+    if (tail.y < head.y) {
+        to.push_back({tail, head, sine, sides});
+    } else if (head.y < tail.y) {
+        to.push_back({head, tail, -sine, reversed(sides)});
+    }
+}
+
+// The integral of 2 x dy, with x from the first arc.
+double twice_area(std::span<const MonotoneArc> chain, std::uint32_t bubble) {
+    double area = 0.0;
+    for (const MonotoneArc& arc : chain) {
+        const SubpixelPoint chord = arc.high - arc.low;
+        const double dx = chord.x;
+        const double dy = chord.y;
+        const double x = arc.low.x + arc.high.x - 2 * chain.front().low.x;
+        const double part = x * dy + twice_segment(dx * dx + dy * dy, arc.sine);
+        area += arc.sides.left == bubble ? part : -part;
+    }
+    return area;
+}
+
+}  // namespace foam::texgen

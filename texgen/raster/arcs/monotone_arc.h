@@ -1,0 +1,111 @@
+#pragma once
+
+#include "core/network/ids.h"
+#include "core/parallel/parallel_map.h"
+#include "texgen/raster/arcs/pixel_arc.h"
+#include "texgen/raster/coords/raster_grid.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace foam::texgen {
+
+/// Stands for films where a bubble's index could be.
+inline constexpr std::uint32_t kFilmSide = std::numeric_limits<std::uint32_t>::max();
+
+/// What an arc has on its two sides: a bubble's index or kFilmSide, and how many periods further
+/// right the arc lies in the closed, unwrapped outline of that bubble.
+struct ArcSides {
+    std::uint32_t left = kFilmSide;
+    std::uint32_t right = kFilmSide;
+    std::int16_t left_periods = 0;
+    std::int16_t right_periods = 0;
+
+    friend bool operator==(const ArcSides& a, const ArcSides& b) = default;
+};
+
+/// Returns the sides of the same arc, traversed the other way.
+inline ArcSides reversed(const ArcSides& sides) {
+    return {sides.right, sides.left, sides.right_periods, sides.left_periods};
+}
+
+inline std::uint32_t arc_side(BubbleId bubble) {
+    return static_cast<std::uint32_t>(index_of(bubble));
+}
+
+/// An arc that rises, and goes back neither in x nor in y, between two bubbles or a bubble and a
+/// film; in subpixels of the unshifted grid.
+struct MonotoneArc {
+    SubpixelPoint low;
+    SubpixelPoint high;
+    double sine = 0.0;  // of half the angle by which it turns left, at most 45 degrees
+    ArcSides sides;
+
+    friend bool operator==(const MonotoneArc& a, const MonotoneArc& b) = default;
+};
+
+/// All arcs that bound what shows of the bubbles of a frame, in no particular order.
+struct CellArcs {
+    RasterGrid grid;
+    std::int32_t shear = 0;  // subpixels by which a copy one period up lies to the right
+    std::vector<std::vector<MonotoneArc>> batches;  // one per task that made them
+    int unresolved = 0;  // parts left out because their boundary did not close; 0 for a valid foam
+    std::optional<BubbleId> outside = {};  // the ghost of a patch
+};
+
+/// The arcs that one task makes.
+struct ArcBatch {
+    std::vector<MonotoneArc> arcs;
+    int unresolved = 0;
+};
+
+/// Appends an arc whose ends were rounded, in monotone pieces. A piece that is level, to the
+/// subpixel, bounds no area and is left out. `sides` are those of the arc from tail to head.
+void append_arc(const PixelArc& arc,
+                SubpixelPoint tail,
+                SubpixelPoint head,
+                const ArcSides& sides,
+                std::vector<MonotoneArc>& to);
+
+/// Appends an arc that goes back neither in x nor in y, unless it is level.
+void append_piece(SubpixelPoint tail,
+                  SubpixelPoint head,
+                  double sine,
+                  const ArcSides& sides,
+                  std::vector<MonotoneArc>& to);
+
+/// Returns twice the area within a closed chain of arcs around one bubble, in square subpixels;
+/// negative if the chain goes clockwise.
+double twice_area(std::span<const MonotoneArc> chain, std::uint32_t bubble);
+
+/// Calls maker.make(k, batch) for each k in [0, count), in tasks of `per_task`. Every task has its
+/// own copy of the maker.
+template <class Maker>
+CellArcs make_arcs(const RasterGrid& grid,
+                   std::size_t count,
+                   std::size_t per_task,
+                   const Maker& maker,
+                   int threads) {
+    const auto make = [&](std::size_t first, std::size_t last) {
+        Maker own = maker;
+        ArcBatch batch;
+        for (std::size_t k = first; k < last; ++k) {
+            own.make(k, batch);
+        }
+        return batch;
+    };
+    CellArcs cells;
+    cells.grid = grid;
+    for (ArcBatch& batch : parallel_map(count, per_task, threads, make)) {
+        cells.batches.push_back(std::move(batch.arcs));
+        cells.unresolved += batch.unresolved;
+    }
+    return cells;
+}
+
+}  // namespace foam::texgen

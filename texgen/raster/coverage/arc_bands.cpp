@@ -1,0 +1,89 @@
+#include "texgen/raster/coverage/arc_bands.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr int kTileBits = 6;  // of columns
+constexpr int kPartsPerThread = 4;
+
+}  // namespace
+
+ArcBands::ArcBands(const CellArcs& cells, int rows_per_band, int threads)
+    : grid_(cells.grid),
+      shear_(cells.shear),
+      row_bits_(static_cast<int>(std::bit_width(static_cast<unsigned>(rows_per_band - 1)))),
+      tiles_(static_cast<std::size_t>((grid_.width - 1) >> kTileBits) + 1) {
+    const std::size_t all = cells.batches.size();
+    const std::size_t parts =
+        std::clamp(static_cast<std::size_t>(threads > 1 ? kPartsPerThread * threads : 1),
+                   std::size_t{1},
+                   std::max(all, std::size_t{1}));
+    const auto batches_of = [&](std::size_t part) {
+        const std::size_t begin = all * part / parts;
+        return Batches(cells.batches).subspan(begin, all * (part + 1) / parts - begin);
+    };
+    entries_ = counting_sort<Entry>(
+        static_cast<std::size_t>(count()) * tiles_,
+        parts,
+        threads,
+        [&](std::size_t part, const auto& put) {
+            visit_tiles(batches_of(part),
+                        [&](const Entry& entry, std::size_t tile) { put(tile, entry); });
+        });
+}
+
+int ArcBands::row_count(int band) const {
+    return std::min(1 << row_bits_, grid_.height - first_row(band));
+}
+
+// Returns the tile of the lower end. Arcs of unwrapped outlines lie some periods left or right.
+std::size_t ArcBands::tile_of(const Entry& entry) const {
+    int column = pixel_of(entry.arc->low.x + entry.translation.x);
+    if (grid_.view) {
+        column = std::clamp(column, 0, grid_.width - 1);
+    } else if (column < 0 || column >= grid_.width) {
+        column = wrap(column, grid_.width);
+    }
+    return static_cast<std::size_t>(column >> kTileBits);
+}
+
+template <class Visit>
+void ArcBands::visit_tiles(Batches batches, const Visit& visit) const {
+    visit_copies(batches, [&](const Entry& entry, std::size_t band) {
+        visit(entry, band * tiles_ + tile_of(entry));
+    });
+}
+
+template <class Visit>
+void ArcBands::visit_copies(Batches batches, const Visit& visit) const {
+    const SubpixelPoint shift = shift_of(grid_);
+    const std::int32_t period = grid_.height * kSubpixel;
+    for (const std::vector<MonotoneArc>& batch : batches) {
+        for (const MonotoneArc& arc : batch) {
+            if (grid_.view) {
+                visit_bands({&arc, {}}, visit);
+                continue;
+            }
+            const std::int32_t high = arc.high.y + shift.y;
+            for (int k = floor_div(arc.low.y + shift.y, period); k * period < high; ++k) {
+                visit_bands({&arc, {shift.x - k * shear_, shift.y - k * period}}, visit);
+            }
+        }
+    }
+}
+
+template <class Visit>
+void ArcBands::visit_bands(const Entry& entry, const Visit& visit) const {
+    const int bits = kSubpixelBits + row_bits_;
+    const int low = std::max((entry.arc->low.y + entry.translation.y) >> bits, 0);
+    const int high = std::min((entry.arc->high.y + entry.translation.y - 1) >> bits, count() - 1);
+    for (int band = low; band <= high; ++band) {
+        visit(entry, static_cast<std::size_t>(band));
+    }
+}
+
+}  // namespace foam::texgen

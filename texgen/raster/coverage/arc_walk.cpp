@@ -1,0 +1,188 @@
+#include "texgen/raster/coverage/arc_walk.h"
+
+#include "texgen/raster/arcs/monotone.h"
+#include "texgen/raster/simd/kernel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr std::size_t kLanes = 16;  // parts measured at once
+
+}  // namespace
+
+void ArcWalk::add(const MonotoneArc& arc, SubpixelPoint translation) {
+    const SubpixelPoint low = arc.low + translation;
+    const SubpixelPoint high = arc.high + translation;
+    const SubpixelPoint chord = high - low;
+    const SubpixelArc rising(chord, arc.sine);
+    const std::int32_t from = low.y < 0 ? low.x + rising.x_at(-low.y) : low.x;
+    const std::size_t k = size_++;
+    Arc& own = arcs_[k];
+    own.low = low;
+    own.high = high;
+    own.sign = chord.x < 0 ? -1 : 1;
+    own.bias = chord.x < 0 ? kSubpixel - 1 : 0;
+    own.from = {own.sign * from, std::max(low.y, 0)};
+    own.to = {own.sign * high.x, std::min(high.y, rows_ * kSubpixel)};
+    own.half_curvature = static_cast<float>(arc.sine / Vec2(chord.x, chord.y).norm());
+    const std::int32_t row = pixel_of(own.from.y);
+    row_crossings_[k] = {rising,
+                         (row + 1) * kSubpixel - low.y,
+                         kSubpixel,
+                         low.x,
+                         own.sign,
+                         static_cast<std::size_t>(pixel_of(own.to.y - 1) - row) + 1,
+                         k == 0 ? 0 : row_crossings_[k - 1].end()};
+}
+
+// Does one stage for all arcs before the next, so that their square roots overlap.
+void ArcWalk::split() {
+    if (size_ == 0) {
+        return;
+    }
+    grow(xs_, row_crossings_[size_ - 1].end());
+    find_xs(std::span(row_crossings_).first(size_), xs_.data());
+    for (std::size_t k = 0; k < size_; ++k) {
+        find_columns(k);
+    }
+    grow(ys_, column_crossings_[size_ - 1].end());
+    find_ys(std::span(column_crossings_).first(size_), ys_.data());
+    const std::size_t points = arcs_[size_ - 1].first_part + arcs_[size_ - 1].parts + 1 + kLanes;
+    grow(point_x_, points);
+    grow(point_y_, points);
+    grow(parts_, points);
+    grow(rows_left_, points);
+    for (std::size_t k = 0; k < size_; ++k) {
+        place_rows(k);
+        place_columns(k);
+    }
+    measure_parts();
+}
+
+// Finds which borders between columns an arc crosses.
+void ArcWalk::find_columns(std::size_t k) {
+    Arc& arc = arcs_[k];
+    const ArcCrossings& rows = row_crossings_[k];
+    if (arc.high.y > arc.to.y) {
+        arc.to.x = std::max(arc.from.x, xs_[rows.position + rows.count - 1]);
+    }
+    const std::int32_t first_column = column_of(arc, arc.from.x);
+    const std::int32_t last_column = column_of(arc, arc.to.x);
+    const bool is_mirrored = arc.sign < 0;
+    arc.leftmost = is_mirrored ? -last_column : first_column;
+    arc.rightmost = is_mirrored ? -first_column : last_column;
+    arc.border = (is_mirrored ? first_column : first_column + 1) * kSubpixel;
+    const auto columns = static_cast<std::size_t>(last_column - first_column);
+    column_crossings_[k] = {rows.arc,
+                            arc.sign * arc.border - arc.low.x,
+                            arc.sign * kSubpixel,
+                            arc.low.y,
+                            1,
+                            columns,
+                            k == 0 ? 0 : column_crossings_[k - 1].end()};
+    arc.parts = rows.count + columns;
+    arc.first_part = k == 0 ? 0 : arcs_[k - 1].first_part + arcs_[k - 1].parts + 1;
+}
+
+// Stores where an arc leaves each row, and leaves room for the borders between columns that it has
+// crossed before: no branch depends on which comes first. Rounding may have taken a step back,
+// which the minimum and maximum undo.
+void ArcWalk::place_rows(std::size_t k) {
+    const Arc arc = arcs_[k];  // a copy, which no point changes
+    const ArcCrossings& rows = row_crossings_[k];
+    const std::int32_t* xs = &xs_[rows.position];
+    const std::int32_t first_column = column_of(arc, arc.from.x);
+    std::int32_t* rows_left = rows_left_.data();
+    std::int32_t* to_x = &point_x_[arc.first_part];
+    std::int32_t* to_y = &point_y_[arc.first_part];
+    to_x[0] = arc.from.x;
+    to_y[0] = arc.from.y;
+    to_x[arc.parts] = arc.to.x;
+    to_y[arc.parts] = arc.to.y;
+    const std::int32_t first_row = pixel_of(arc.from.y);
+    const auto last = static_cast<std::int32_t>(rows.count) - 1;
+    std::int32_t x = arc.from.x;
+    for (std::int32_t row = 0; row < last;) {
+        x = std::min(std::max(x, xs[row]), arc.to.x);
+        const std::int32_t columns = column_of(arc, x) - first_column;
+        ++row;
+        to_x[row + columns] = x;
+        to_y[row + columns] = (first_row + row) * kSubpixel;
+        rows_left[columns] = row;
+    }
+}
+
+// Stores the crossings of borders between columns in that room, each within its row.
+void ArcWalk::place_columns(std::size_t k) {
+    const Arc& arc = arcs_[k];
+    const ArcCrossings& columns = column_crossings_[k];
+    const std::int32_t* ys = ys_.data() + columns.position;
+    std::int32_t* rows_left = rows_left_.data();
+    std::int32_t* to_x = &point_x_[arc.first_part + 1];
+    std::int32_t* to_y = &point_y_[arc.first_part + 1];
+    const std::int32_t first_row = pixel_of(arc.from.y);
+    const std::int32_t border = arc.border;
+    const auto count = static_cast<std::int32_t>(columns.count);
+    std::int32_t rows = 0;
+    for (std::int32_t column = 0; column < count; ++column) {
+        rows = std::max(rows, std::exchange(rows_left[column], 0));
+        const std::int32_t low = (first_row + rows) * kSubpixel;
+        to_x[rows + column] = border + column * kSubpixel;
+        to_y[rows + column] = std::min(std::max(ys[column], low), low + kSubpixel);
+    }
+    rows_left[count] = 0;
+}
+
+// The area to the left of a chord is a whole number that a float holds; the arc bulges beyond it.
+// The middle of a part tells its pixel, except where it has no height and adds nothing to any row.
+// Elements beyond the parts of an arc fill the last vector.
+void ArcWalk::measure_parts() {
+    at_simd_level([arcs = std::span(arcs_).first(size_),
+                   last_row = rows_ - 1,
+                   xs = point_x_.data(),
+                   ys = point_y_.data(),
+                   parts = parts_.data()] {
+        for (const Arc& arc : arcs) {
+            measure_arc(arc, last_row, xs, ys, parts);
+        }
+    });
+}
+
+inline void ArcWalk::measure_arc(const Arc& arc,
+                                 std::int32_t last_row,
+                                 const std::int32_t* __restrict xs,
+                                 const std::int32_t* __restrict ys,
+                                 Part* __restrict parts) {
+    constexpr float kHalf = 0.5F;  // makes truncation the nearest
+    const std::int32_t sign = arc.sign;
+    const float half_curvature = arc.half_curvature;
+    const std::size_t end = arc.first_part + arc.parts;
+    for (std::size_t from = arc.first_part; from < end; from += kLanes) {
+        const std::int32_t* x = xs + from;
+        const std::int32_t* y = ys + from;
+        for (std::size_t k = 0; k < kLanes; ++k) {
+            const std::int32_t height = y[k + 1] - y[k];
+            const std::int32_t row = (y[k] + y[k + 1]) >> (kSubpixelBits + 1);
+            const std::int32_t twice_x = sign * (x[k] + x[k + 1]);
+            const std::int32_t column = twice_x >> (kSubpixelBits + 1);
+            const auto dx = static_cast<float>(x[k + 1] - x[k]);
+            const auto dy = static_cast<float>(height);
+            const auto from_left = static_cast<float>(twice_x - 2 * kSubpixel * column);
+            const float squared = dx * dx + dy * dy;
+            const float bulge = twice_segment(squared, half_curvature * std::sqrt(squared));
+            const auto area = static_cast<std::int32_t>(dy * from_left + bulge + kHalf);
+            parts[from + k] = {row < last_row ? row : last_row,
+                               column,
+                               height * (2 * kSubpixel),
+                               height > 0 ? area : 0};
+        }
+    }
+}
+
+}  // namespace foam::texgen

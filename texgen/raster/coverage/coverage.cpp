@@ -1,0 +1,204 @@
+#include "texgen/raster/coverage/coverage.h"
+
+#include "texgen/image/cache_line.h"
+#include "texgen/raster/coords/raster_grid.h"
+#include "texgen/raster/simd/kernel.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+#include <utility>
+
+namespace foam::texgen {
+
+namespace {
+
+static_assert(kLargestSide <= std::numeric_limits<std::uint16_t>::max(), "begins have 16 bits");
+
+constexpr std::size_t kFlagsPerWord = 64;
+
+// Returns the distance from row to row. Rows a power of two apart would compete for few cache sets,
+// as arcs go up and down.
+std::size_t stride_of(int width, std::size_t sum_bytes) {
+    constexpr std::size_t kOdd = 5;  // lines, modulo eight
+    const std::size_t per_line = kLineBytes / sum_bytes;
+    std::size_t lines = static_cast<std::size_t>(width) / per_line + 1;
+    while (lines % 8 != kOdd) {
+        ++lines;
+    }
+    return lines * per_line;
+}
+
+// Reads all channels before it writes any, so that they are vectorized.
+template <class Sum>
+void add_times(typename Sum::value_type factor, const Sum& value, Sum& to) {
+    Sum sum = to;
+    for (std::size_t c = 0; c < sum.size(); ++c) {
+        sum[c] += factor * value[c];
+    }
+    to = sum;
+}
+
+// The arrays of a band.
+template <class Sums>
+struct Band {
+    using Sum = typename Sums::Sum;
+
+    Sum* differences;
+    std::size_t stride;
+    std::uint64_t* touched;
+    std::size_t words;
+
+    // What a part leaves out of its pixel is added to the next one.
+    void add(std::size_t row,
+             std::size_t column,
+             const ArcWalk::Part& part,
+             const Sum& across) const {
+        touch(&touched[row * words + column / kFlagsPerWord], column % kFlagsPerWord);
+        const auto on_left = Sums::of_area(part.on_left);
+        Sum* to = &differences[row * stride + column];
+        add_times(Sums::of_area(part.whole) - on_left, across, to[0]);
+        add_times(on_left, across, to[1]);
+    }
+
+    // A pixel and the one on its right.
+    static void touch(std::uint64_t* flags, std::size_t bit) {
+        flags[0] |= std::uint64_t{3} << bit;
+        if (bit + 1 == kFlagsPerWord) [[unlikely]] {
+            flags[1] |= 1;
+        }
+    }
+};
+
+// Appends the positions of the flags that are set; returns how many there are.
+std::size_t find_flags(std::span<const std::uint64_t> flags, std::uint16_t* positions) {
+    std::size_t count = 0;
+    for (std::size_t word = 0; word < flags.size(); ++word) {
+        for (std::uint64_t bits = flags[word]; bits != 0; bits &= bits - 1) {
+            const auto bit = static_cast<std::size_t>(std::countr_zero(bits));
+            positions[count++] = static_cast<std::uint16_t>(word * kFlagsPerWord + bit);
+        }
+    }
+    return count;
+}
+
+}  // namespace
+
+template <class Sums>
+Coverage<Sums>::Coverage(int width, int rows, RowKind kind)
+    : width_(width),
+      kind_(kind),
+      stride_(stride_of(width, sizeof(Sum))),
+      words_(static_cast<std::size_t>(width) / kFlagsPerWord + 1),
+      differences_(stride_ * static_cast<std::size_t>(rows)),
+      touched_(words_ * static_cast<std::size_t>(rows)),
+      walk_(rows),
+      starts_(static_cast<std::size_t>(rows)) {}
+
+template <class Sums>
+void Coverage<Sums>::add(const MonotoneArc& arc, SubpixelPoint translation, const Step& step) {
+    if (!walk_.is_in_rows(arc, translation)) {
+        return;
+    }
+    steps_[walk_.size()] = step;
+    walk_.add(arc, translation);
+    if (walk_.size() == ArcWalk::kMaxArcs) {
+        finish();
+    }
+}
+
+template <class Sums>
+void Coverage<Sums>::finish() {
+    walk_.split();
+    for (std::size_t k = 0; k < walk_.size(); ++k) {
+        if (is_inside(k)) [[likely]] {
+            add_inside(walk_.parts(k), steps_[k]);
+        } else {
+            add_outside(walk_.parts(k), steps_[k]);
+        }
+        if (steps_[k].goes_around) [[unlikely]] {
+            add_around(walk_.parts(k), steps_[k]);
+        }
+    }
+    walk_.clear();
+}
+
+template <class Sums>
+void Coverage<Sums>::add_inside(Parts parts, const Step& step) {
+    const Band<Sums> band{differences_.data(), stride_, touched_.data(), words_};
+    // A copy of `across` would let compilers merge both sums of a part into one wide store, on
+    // which the load of the next part, which overlaps it by half, stalls.
+    at_simd_level([parts, &across = step.across, band] {
+        for (const ArcWalk::Part& part : parts) {
+            band.add(static_cast<std::size_t>(part.row),
+                     static_cast<std::size_t>(part.column),
+                     part,
+                     across);
+        }
+    });
+}
+
+// Adds an arc that lies in another period of its sides' outlines.
+template <class Sums>
+void Coverage<Sums>::add_around(Parts parts, const Step& step) {
+    for (const ArcWalk::Part& part : parts) {
+        add_times(
+            Sums::of_area(-part.whole), step.around, starts_[static_cast<std::size_t>(part.row)]);
+    }
+}
+
+// Adds parts beyond the borders.
+template <class Sums>
+void Coverage<Sums>::add_outside(Parts parts, const Step& step) {
+    const Band<Sums> band{differences_.data(), stride_, touched_.data(), words_};
+    for (const ArcWalk::Part& part : parts) {
+        const auto row = static_cast<std::size_t>(part.row);
+        const std::int32_t periods = floor_div(part.column, width_);
+        const bool is_ring = kind_ == RowKind::Ring;
+        const std::int32_t times = is_ring ? -periods : periods < 0 ? 1 : 0;
+        add_times(Sums::of_value(times) * Sums::of_area(part.whole), step.across, starts_[row]);
+        if (is_ring || periods == 0) {
+            band.add(
+                row, static_cast<std::size_t>(part.column - periods * width_), part, step.across);
+        }
+    }
+}
+
+// The pixel beyond the last one takes what leaves on the right, and is not shown.
+template <class Sums>
+void Coverage<Sums>::take_row(int row, const Sum& start, RowSums<Sum>& sums) {
+    const auto index = static_cast<std::size_t>(row);
+    const auto width = static_cast<std::size_t>(width_);
+    const std::span<std::uint64_t> touched(&touched_[index * words_], words_);
+    grow(sums.begins, width + 2);
+    grow(sums.sums, width + 2);
+    Sum sum = start;
+    add_times(1, std::exchange(starts_[index], Sum{}), sum);
+    const std::size_t untouched = (touched[0] & 1) == 0 ? 1 : 0;  // spans before the first arc
+    sums.begins[0] = 0;
+    sums.sums[0] = sum;
+    sums.count = untouched + find_flags(touched, &sums.begins[untouched]);
+    std::fill(touched.begin(), touched.end(), 0);
+    Sum* differences = &differences_[index * stride_];
+    const std::uint16_t* begins = sums.begins.data();
+    Sum* to = sums.sums.data();
+    for (std::size_t k = untouched; k < sums.count; ++k) {
+        add_times(1, std::exchange(differences[begins[k]], Sum{}), sum);
+        to[k] = sum;
+    }
+    if (sums.begins[sums.count - 1] == width) {
+        --sums.count;
+    }
+    sums.begins[sums.count] = static_cast<std::uint16_t>(width);
+}
+
+template class Coverage<ExactSums<1>>;
+template class Coverage<ExactSums<2>>;
+template class Coverage<ExactSums<3>>;
+template class Coverage<ExactSums<4>>;
+template class Coverage<SmallSums<1>>;
+template class Coverage<SmallSums<2>>;
+template class Coverage<SmallSums<3>>;
+template class Coverage<SmallSums<4>>;
+
+}  // namespace foam::texgen

@@ -1,0 +1,249 @@
+#include "texgen/raster/coverage/fill.h"
+
+#include "core/parallel/parallel_for.h"
+#include "texgen/raster/coverage/arc_bands.h"
+#include "texgen/raster/coverage/coverage.h"
+#include "texgen/raster/coverage/pixel_means.h"
+#include "texgen/raster/coverage/row_writer.h"
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <type_traits>
+#include <vector>
+
+namespace foam::texgen {
+
+namespace {
+
+// Bytes of sums per band. Few of them are touched: cutting arcs at bands costs more than cache
+// misses (README).
+constexpr std::size_t kBandBytes = std::size_t{1} << 21;
+constexpr std::size_t kAhead = 6;  // arcs are not contiguous: how many ahead to prefetch
+constexpr int kMinRows = 4;
+constexpr int kMaxRows = 64;
+
+int rows_per_band(int width, std::size_t sum_bytes) {
+    const std::size_t row_bytes = static_cast<std::size_t>(width) * sum_bytes;
+    return std::clamp(static_cast<int>(kBandBytes / row_bytes), kMinRows, kMaxRows);
+}
+
+bool have_values(const CellArcs& cells, std::size_t values) {
+    const auto is_known = [&](std::uint32_t side) { return side == kFilmSide || side < values; };
+    for (const std::vector<MonotoneArc>& batch : cells.batches) {
+        for (const MonotoneArc& arc : batch) {
+            if (!is_known(arc.sides.left) || !is_known(arc.sides.right)) {
+                return false;
+            }
+        }
+    }
+    return !cells.outside || index_of(*cells.outside) < values;
+}
+
+template <class Sample>
+void check(const CellArcs& cells, const CellValues& values, ImageView<Sample> image) {
+    if (image.width() != cells.grid.width || image.height() != cells.grid.height) {
+        throw std::invalid_argument("the image must have the size of the raster grid");
+    }
+    if (values.channels < 1 || values.channels > kMaxChannels ||
+        values.channels != static_cast<std::size_t>(image.channels())) {
+        throw std::invalid_argument("the image must have the channels of the values, 1 to 4");
+    }
+    if (!have_values(cells, values.cells.size() / values.channels)) {
+        throw std::invalid_argument("every bubble needs a value");
+    }
+}
+
+// Fills an image of `Channels` channels; ToSamples computes the samples of a pixel from its sums.
+template <class Sums, std::size_t Channels, class Sample, class ToSamples>
+class Filler {
+  public:
+    using BandCoverage = Coverage<Sums>;
+
+    Filler(const CellArcs& cells,
+           const CellValues& values,
+           ToSamples to_samples,
+           int threads,
+           ImageView<Sample> image)
+        : cells_(cells),
+          values_(values),
+          to_samples_(to_samples),
+          image_(image),
+          threads_(threads),
+          bands_(cells, rows_per_band(image.width(), sizeof(typename BandCoverage::Sum)), threads) {
+    }
+
+    // Each worker allocates one buffer for all its bands.
+    void fill() const {
+        const int workers = std::clamp(threads_, 1, bands_.count());
+        std::vector<std::optional<Worker>> all(static_cast<std::size_t>(workers));
+        parallel_for(bands_.count(), all, [&](std::optional<Worker>& worker, int band) {
+            if (!worker) {
+                worker.emplace(*this);
+            }
+            fill_band(band, *worker);
+        });
+    }
+
+  private:
+    struct Worker {
+        explicit Worker(const Filler& filler)
+            : coverage(filler.image_.width(),
+                       filler.bands_.row_count(0),
+                       filler.cells_.grid.view ? RowKind::Line : RowKind::Ring),
+              writer(filler.to_samples_) {}
+
+        BandCoverage coverage;
+        RowSums<typename Sums::Sum> sums;
+        RowWriter<Sums, Channels, Sample, ToSamples> writer;
+    };
+
+    void fill_band(int band, Worker& worker) const {
+        const int first_row = bands_.first_row(band);
+        const SubpixelPoint origin{0, first_row * kSubpixel};
+        const std::span<const ArcBands::Entry> entries = bands_.entries(band);
+        for (std::size_t k = 0; k < entries.size(); ++k) {
+            const MonotoneArc* ahead = entries[std::min(k + kAhead, entries.size() - 1)].arc;
+            __builtin_prefetch(ahead);
+            __builtin_prefetch(&ahead->sides);  // often in another cache line
+            const MonotoneArc& arc = *entries[k].arc;
+            worker.coverage.add(arc, entries[k].translation - origin, step_across(arc));
+        }
+        worker.coverage.finish();
+        const typename Sums::Sum start = start_of_rows();
+        const std::size_t row_samples = image_.row_samples();
+        const std::span<Sample> rows(
+            image_.row(first_row).data(),
+            row_samples * static_cast<std::size_t>(bands_.row_count(band)));
+        for (int row = 0; row < bands_.row_count(band); ++row) {
+            const std::span<Sample> room =
+                rows.subspan(row_samples * static_cast<std::size_t>(row));
+            worker.writer.prefetch(room.first(row_samples));
+            worker.coverage.take_row(row, start, worker.sums);
+            worker.writer.write(worker.sums, static_cast<std::size_t>(image_.width()), room);
+        }
+    }
+
+    std::span<const std::uint16_t, Channels> value_of(BubbleId bubble) const {
+        return std::span<const std::uint16_t, Channels>(&values_.cells[index_of(bubble) * Channels],
+                                                        Channels);
+    }
+
+    // Returns the value of a pixel that no outline touches. In a patch that is the ghost's; its
+    // outlines subtract it elsewhere.
+    std::span<const std::uint16_t, Channels> base() const {
+        return cells_.outside ? value_of(*cells_.outside)
+                              : std::span(values_.film).template first<Channels>();
+    }
+
+    typename Sums::Sum start_of_rows() const {
+        typename Sums::Sum start{};
+        for (std::size_t c = 0; c < Channels; ++c) {
+            start[c] = Sums::start(base()[c]);
+        }
+        return start;
+    }
+
+    // Returns the value of a side minus the value of films, which is under everything.
+    typename BandCoverage::Sum over_film(std::uint32_t side) const {
+        typename BandCoverage::Sum value{};
+        if (side != kFilmSide) {
+            for (std::size_t c = 0; c < Channels; ++c) {
+                value[c] = Sums::of_value(values_.cells[side * Channels + c] - values_.film[c]);
+            }
+        }
+        return value;
+    }
+
+    typename BandCoverage::Step step_across(const MonotoneArc& arc) const {
+        const typename BandCoverage::Sum left = over_film(arc.sides.left);
+        const typename BandCoverage::Sum right = over_film(arc.sides.right);
+        typename BandCoverage::Step step;
+        for (std::size_t c = 0; c < Channels; ++c) {
+            step.across[c] = right[c] - left[c];
+        }
+        step.goes_around = arc.sides.left_periods != 0 || arc.sides.right_periods != 0;
+        if (step.goes_around) {
+            for (std::size_t c = 0; c < Channels; ++c) {
+                step.around[c] = Sums::of_value(arc.sides.right_periods) * right[c] -
+                                 Sums::of_value(arc.sides.left_periods) * left[c];
+            }
+        }
+        return step;
+    }
+
+    const CellArcs& cells_;
+    const CellValues& values_;
+    ToSamples to_samples_;
+    ImageView<Sample> image_;
+    int threads_;
+    ArcBands bands_;
+};
+
+// Calls fill with the number of channels as a std::integral_constant.
+template <class Sample, class Fill>
+void fill_channels(const CellArcs& cells,
+                   const CellValues& values,
+                   ImageView<Sample> image,
+                   const Fill& fill) {
+    check(cells, values, image);
+    switch (values.channels) {
+        case 1:
+            return fill(std::integral_constant<std::size_t, 1>{});
+        case 2:
+            return fill(std::integral_constant<std::size_t, 2>{});
+        case 3:
+            return fill(std::integral_constant<std::size_t, 3>{});
+        default:
+            return fill(std::integral_constant<std::size_t, 4>{});
+    }
+}
+
+template <class Sums, std::size_t Channels, class Sample, class ToSamples>
+void fill(const CellArcs& cells,
+          const CellValues& values,
+          const ToSamples& to_samples,
+          int threads,
+          ImageView<Sample> image) {
+    Filler<Sums, Channels, Sample, ToSamples>(cells, values, to_samples, threads, image).fill();
+}
+
+}  // namespace
+
+void fill_cells(const CellArcs& cells,
+                const CellValues& values,
+                int threads,
+                ImageView<std::uint16_t> image) {
+    const auto as_is = [](std::uint16_t value) { return value; };
+    fill_channels(cells, values, image, [&](auto channels) {
+        using Sums = ExactSums<channels>;
+        const EncodedMeans<channels, Sums, decltype(as_is)> means(as_is);
+        fill<Sums, channels>(cells, values, means, threads, image);
+    });
+}
+
+void fill_straight(const CellArcs& cells,
+                   const CellValues& values,
+                   int threads,
+                   ImageView<std::uint16_t> image) {
+    fill_channels(cells, values, image, [&](auto channels) {
+        const StraightMeans<channels> means;
+        fill<ExactSums<channels>, channels>(cells, values, means, threads, image);
+    });
+}
+
+void fill_cells(const CellArcs& cells,
+                const CellValues& values,
+                const Encoding<std::uint8_t>& encoding,
+                int threads,
+                ImageView<std::uint8_t> image) {
+    const auto encode = [codes = encoding.data()](std::uint16_t value) { return codes[value]; };
+    fill_channels(cells, values, image, [&](auto channels) {
+        using Sums = SmallSums<channels>;
+        const EncodedMeans<channels, Sums, decltype(encode)> means(encode);
+        fill<Sums, channels>(cells, values, means, threads, image);
+    });
+}
+
+}  // namespace foam::texgen

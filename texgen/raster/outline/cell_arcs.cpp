@@ -1,0 +1,164 @@
+#include "texgen/raster/outline/cell_arcs.h"
+
+#include "texgen/raster/arcs/film_shapes.h"
+#include "texgen/raster/arcs/monotone_arc.h"
+#include "texgen/raster/coords/pixel_frame.h"
+#include "texgen/raster/outline/inset.h"
+#include "texgen/raster/outline/patch_arcs.h"
+
+#include <cmath>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr std::size_t kBubblesPerTask = 256;
+constexpr std::size_t kGroupsPerTask = 256;  // of films
+
+// By how many periods further right the film of each side lies in its bubble's unwrapped outline.
+// 0 except around bubbles of which a side crosses the border of the torus.
+std::vector<std::int16_t> periods_of_sides(const Network& network) {
+    std::vector<std::int16_t> periods(2 * network.film_slots());
+    const auto circulate = [&](BubbleId bubble) {
+        const HalfEdgeId first = network.first(bubble);
+        LatticeOffset lift;
+        HalfEdgeId h = first;
+        do {
+            const LatticeOffset next_lift = lift + network.offset(h);
+            const LatticeOffset& of_film = is_forward(h) ? lift : next_lift;
+            periods[index_of(h)] = static_cast<std::int16_t>(of_film.i);
+            lift = next_lift;
+            h = network.next(h);
+        } while (h != first);
+    };
+    for (const FilmId film : network.films()) {
+        const HalfEdgeId side = forward_side(film);
+        if (network.offset(side).i != 0) {
+            circulate(network.left(side));
+            circulate(network.right(side));
+        }
+    }
+    return periods;
+}
+
+// The arcs of films without a width, for a group of films.
+class FilmArcs {
+  public:
+    FilmArcs(const PixelFrame& pixels, const std::vector<std::int16_t>& periods)
+        : pixels_(pixels), periods_(periods) {}
+
+    void make(std::size_t group, ArcBatch& batch) const {
+        const Network& network = pixels_.frame.network;
+        const auto append = [&](std::size_t film, const PixelArc& shape) {
+            const HalfEdgeId h = forward_side(id_at<FilmId>(film));
+            append_arc(shape,
+                       pixels_.junction(network.tail(h)),
+                       pixels_.junction(network.head(h)) + pixels_.translation(network.offset(h)),
+                       {arc_side(network.left(h)),
+                        arc_side(network.right(h)),
+                        periods_[index_of(h)],
+                        periods_[index_of(twin(h))]},
+                       batch.arcs);
+        };
+        shape_some(pixels_.frame, pixels_.scale, group * kFilmsAtOnce, append);
+    }
+
+  private:
+    const PixelFrame& pixels_;
+    const std::vector<std::int16_t>& periods_;
+};
+
+// The boundary of what films of a width leave free of a bubble.
+class InsetArcs {
+  public:
+    InsetArcs(const PixelFrame& pixels, const std::vector<PixelArc>& shapes, double inset)
+        : pixels_(pixels), shapes_(shapes), inset_(inset) {}
+
+    // Coordinates are relative to the tail of the first side.
+    void make(std::size_t index, ArcBatch& batch) {
+        const auto bubble = id_at<BubbleId>(index);
+        add_sides(bubble);
+        const SubpixelPoint origin = pixels_.junction(network().tail(network().first(bubble)));
+        const ArcLoops& loops = tracer_.trace(inset_);
+        std::size_t begin = 0;
+        for (const std::size_t end : loops.loop_ends) {
+            append_loop(std::span(loops.arcs).subspan(begin, end - begin), origin, bubble, batch);
+            begin = end;
+        }
+        batch.unresolved += loops.open_ends;
+    }
+
+  private:
+    const Network& network() const { return pixels_.frame.network; }
+
+    void add_sides(BubbleId bubble) {
+        tracer_.clear();
+        Vec2 tail = Vec2::Zero();
+        const HalfEdgeId first = network().first(bubble);
+        HalfEdgeId h = first;
+        do {
+            const PixelArc arc = shape_along(shapes_, h);
+            tracer_.add_side(arc, tail);
+            tail += arc.chord;
+            h = network().next(h);
+        } while (h != first);
+        tracer_.end_loop();
+    }
+
+    // Drops a loop that is too small for subpixels, or of an invalid bubble.
+    static void append_loop(std::span<const ArcLoops::Arc> arcs,
+                            SubpixelPoint origin,
+                            BubbleId bubble,
+                            ArcBatch& batch) {
+        const std::size_t begin = batch.arcs.size();
+        SubpixelPoint tail = origin + to_subpixel(arcs.front().tail);
+        for (std::size_t k = 0; k < arcs.size(); ++k) {
+            const ArcLoops::Arc& next = arcs[k + 1 < arcs.size() ? k + 1 : 0];
+            const SubpixelPoint head = origin + to_subpixel(next.tail);
+            append_arc(arcs[k].arc, tail, head, {arc_side(bubble)}, batch.arcs);
+            tail = head;
+        }
+        const auto loop = std::span<const MonotoneArc>(batch.arcs).subspan(begin);
+        if (!(twice_area(loop, arc_side(bubble)) > 0.0)) {
+            batch.arcs.resize(begin);
+        }
+    }
+
+    const PixelFrame& pixels_;
+    const std::vector<PixelArc>& shapes_;
+    double inset_;
+    InsetTracer tracer_;
+};
+
+CellArcs torus_arcs(const Frame& frame, const RasterGrid& grid, double film_width, int threads) {
+    const PixelFrame pixels(frame, grid);
+    const Network& network = frame.network;
+    if (film_width == 0.0) {
+        const std::vector<std::int16_t> periods = periods_of_sides(network);
+        const std::size_t groups = (network.film_slots() + kFilmsAtOnce - 1) / kFilmsAtOnce;
+        const FilmArcs films(pixels, periods);
+        return make_arcs(grid, groups, kGroupsPerTask, films, threads);
+    }
+    const std::vector<PixelArc> shapes = film_shapes(frame, pixels.scale, threads);
+    const InsetArcs insets(pixels, shapes, 0.5 * film_width);
+    return make_arcs(grid, network.bubble_slots(), kBubblesPerTask, insets, threads);
+}
+
+}  // namespace
+
+CellArcs cell_arcs(const Frame& frame, const RasterGrid& grid, double film_width, int threads) {
+    if (!(film_width >= 0.0) || !std::isfinite(film_width)) {
+        throw std::invalid_argument("film width must be 0 or more");
+    }
+    if (frame.domain.is_plane()) {
+        return patch_arcs(frame, grid, film_width, threads);
+    }
+    CellArcs cells = torus_arcs(frame, grid, film_width, threads);
+    cells.shear = shear_in_subpixels(grid, frame.domain);
+    return cells;
+}
+
+}  // namespace foam::texgen

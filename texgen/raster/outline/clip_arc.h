@@ -1,0 +1,28 @@
+#pragma once
+
+#include "texgen/raster/arcs/monotone.h"
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+namespace foam::texgen {
+
+/// What replaces a rising piece in a box: the part of it that is inside, and for the part to the
+/// left of the box the same heights on its border. What is below, above or to the right is dropped.
+class ClippedPiece {
+  public:
+    /// `low` and `high` are the corners of the box. Precondition: the piece rises.
+    ClippedPiece(const MonotonePiece& piece, const Vec2& low, const Vec2& high);
+
+    std::span<const MonotonePiece> pieces() const { return std::span(pieces_).first(count_); }
+
+  private:
+    void append(const MonotonePiece& piece);
+    void clip_in_x(const MonotonePiece& piece, double left, double right);
+
+    std::array<MonotonePiece, 2> pieces_;
+    std::size_t count_ = 0;
+};
+
+}  // namespace foam::texgen

@@ -1,0 +1,108 @@
+#pragma once
+
+#include "texgen/raster/arcs/pixel_arc.h"
+#include "texgen/raster/outline/offset_arc.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace foam::texgen {
+
+/// Finds the part of a region that its films leave free: all points at least a distance away from
+/// all its sides. Its boundary consists of pieces of the sides' offsets and, around corners that
+/// turn by more than 180 degrees, of circles.
+///
+/// Each offset is cut where it crosses another; a piece between two cuts belongs to the boundary
+/// exactly if its middle keeps the distance. So sides that are too short to show drop out, a narrow
+/// bubble falls into several parts, and one that is all film into none, without any case being told
+/// apart. Most bubbles show every side: then each offset is cut only by its neighbors, which cheap
+/// checks prove first. Both give the same bits.
+///
+/// Buffers are reused between regions.
+class InsetTracer {
+  public:
+    /// Begins a region.
+    void clear();
+
+    /// Adds the next side of a loop, which has the region on its left; pixels. A side without a
+    /// length is left out.
+    void add_side(const PixelArc& side, const Vec2& tail);
+
+    /// Ends a loop: its last side ended where the first one began. Loops go counter-clockwise
+    /// around the region, and clockwise around what is left out of it.
+    void end_loop();
+
+    /// Precondition: distance > 0, in pixels. The result is valid until the next call.
+    const ArcLoops& trace(double distance);
+
+    /// Traces one of the loops as if it were the only one.
+    const ArcLoops& trace_loop(std::size_t loop, double distance);
+
+  private:
+    struct Offset {
+        OffsetArc arc;
+        std::size_t side = 0;  // whose offset it is; kCorner for a circle around a corner
+        double from = 0.0;     // parameters where the neighbors cut it off, if every side shows
+        double to = 0.0;
+    };
+    struct Piece {
+        std::size_t offset = 0;
+        double from = 0.0;  // parameters
+        double to = 0.0;
+        Vec2 tail{0.0, 0.0};
+        Vec2 head{0.0, 0.0};
+        bool linked = false;
+    };
+
+    // Several sides, with the indices of their own piece and of those beside it.
+    static constexpr std::size_t kLanes = 8;
+    struct alignas(64) SideLanes {
+        std::array<double, kLanes> x, y, along_x, along_y, curvature;  // the middles
+        std::array<std::int64_t, kLanes> side, before, after;
+
+        void set(std::size_t lane, std::span<const OffsetArc> sides, std::size_t index);
+    };
+
+    const ArcLoops& trace(std::span<const OffsetArc> sides,
+                          std::span<const std::size_t> loop_ends,
+                          double distance);
+
+    bool every_side_shows();
+    bool cut_by_neighbors();
+    bool cut_corner(std::size_t before, std::size_t after);
+    void place_lanes();
+    bool pieces_keep_clear();
+    std::int64_t pieces_too_near(const SideLanes& sides) const;
+    void append_all_sides();
+
+    void trace_pieces(std::span<const std::size_t> loop_ends);
+    void collect_offsets(std::size_t first, std::size_t end);
+    void collect_cuts(const Offset& offset);
+    void collect_nearby(const Offset& offset);
+    void collect_pieces(std::size_t index);
+    bool keeps_distance(const Vec2& point) const;
+    Piece* successor(const Piece& piece, const Piece& first);
+    void link_loop(Piece& first);
+
+    std::vector<OffsetArc> all_sides_;
+    std::vector<std::size_t> all_loop_ends_;
+
+    std::span<const OffsetArc> sides_;  // of the loops that are traced
+    double distance_ = 0.0;
+    std::vector<Offset> offsets_;
+    ArcLoops loops_;
+
+    // If every side shows.
+    std::vector<Vec2> points_;  // the tail of each piece, and the first one again
+    std::vector<SideLanes> lanes_;
+
+    // Otherwise.
+    std::vector<double> cuts_;         // parameters along one offset
+    std::vector<std::size_t> nearby_;  // sides that may come too near to one offset
+    std::vector<Piece> pieces_;
+};
+
+}  // namespace foam::texgen

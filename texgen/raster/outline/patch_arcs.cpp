@@ -1,0 +1,179 @@
+#include "texgen/raster/outline/patch_arcs.h"
+
+#include "texgen/raster/arcs/monotone.h"
+#include "texgen/raster/arcs/monotone_arc.h"
+#include "texgen/raster/arcs/patch_boundaries.h"
+#include "texgen/raster/outline/clip_arc.h"
+#include "texgen/raster/outline/inset.h"
+
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr std::size_t kBubblesPerTask = 256;
+
+double area_of(std::span<const ArcLoops::Arc> loop) {
+    double area = 0.0;
+    const Vec2& origin = loop.front().tail;
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+        const Vec2& head = loop[(k + 1) % loop.size()].tail;
+        area +=
+            0.5 * cross(loop[k].tail - origin, head - origin) + segment_area(film_arc(loop[k].arc));
+    }
+    return area;
+}
+
+// What films leave free of each bubble and of the ghost.
+class PatchArcs {
+  public:
+    PatchArcs(const PixelPatch& pixels, double film_width)
+        : pixels_(pixels), inset_(0.5 * film_width) {}
+
+    void make(std::size_t index, ArcBatch& batch) {
+        const auto bubble = id_at<BubbleId>(index);
+        const Boundaries boundaries = boundaries_of(pixels_, bubble);
+        if (boundaries.arcs.empty()) {
+            return;
+        }
+        if (inset_ == 0.0) {
+            append_loops(boundaries, Vec2::Zero(), bubble, batch);
+            return;
+        }
+        // Near the origin, coordinates are most exact.
+        const Vec2 anchor = boundaries.arcs.front().tail;
+        add_sides(boundaries, anchor);
+        if (const ArcLoops& loops = tracer_.trace(inset_); loops.open_ends == 0) {
+            append_loops(loops, anchor, bubble, batch);
+        } else {
+            append_each(boundaries, anchor, bubble, batch);
+        }
+    }
+
+  private:
+    void add_sides(const Boundaries& boundaries, const Vec2& anchor) {
+        tracer_.clear();
+        std::size_t k = 0;
+        for (const std::size_t end : boundaries.loop_ends) {
+            for (; k < end; ++k) {
+                tracer_.add_side(boundaries.arcs[k].arc, boundaries.arcs[k].tail - anchor);
+            }
+            tracer_.end_loop();
+        }
+    }
+
+    // Rafts that overlap, which nothing forbids, have no common boundary: each has its own then.
+    // One that overlaps itself keeps its films without their outer half.
+    void append_each(const Boundaries& boundaries,
+                     const Vec2& anchor,
+                     BubbleId bubble,
+                     ArcBatch& batch) {
+        std::size_t begin = 0;
+        for (std::size_t k = 0; k < boundaries.loop_ends.size(); ++k) {
+            const std::size_t end = boundaries.loop_ends[k];
+            const ArcLoops& loops = tracer_.trace_loop(k, inset_);
+            batch.unresolved += loops.open_ends;
+            if (loops.open_ends == 0) {
+                append_loops(loops, anchor, bubble, batch);
+            } else if (bubble == pixels_.frame.network.ghost()) {
+                append_loop(std::span(boundaries.arcs).subspan(begin, end - begin),
+                            Vec2::Zero(),
+                            bubble,
+                            batch);
+            }
+            begin = end;
+        }
+    }
+
+    void append_loops(const ArcLoops& loops, const Vec2& anchor, BubbleId bubble, ArcBatch& batch) {
+        std::size_t begin = 0;
+        for (const std::size_t end : loops.loop_ends) {
+            append_loop(std::span(loops.arcs).subspan(begin, end - begin), anchor, bubble, batch);
+            begin = end;
+        }
+    }
+
+    // A loop of an invalid bubble may go clockwise; it is left out.
+    void append_loop(std::span<const ArcLoops::Arc> arcs,
+                     const Vec2& anchor,
+                     BubbleId bubble,
+                     ArcBatch& batch) {
+        loop_.assign(arcs.begin(), arcs.end());
+        for (ArcLoops::Arc& arc : loop_) {
+            arc.tail += anchor;
+        }
+        if (!may_show(pixels_.grid, loop_)) {
+            return;
+        }
+        if (bubble != pixels_.frame.network.ghost() && !(area_of(loop_) > 0.0)) {
+            return;
+        }
+        for (std::size_t k = 0; k < loop_.size(); ++k) {
+            const Vec2& head = loop_[(k + 1) % loop_.size()].tail;
+            append_side(loop_[k], head, {arc_side(bubble)}, batch.arcs);
+        }
+    }
+
+    // Both sides of a film split it into the same pieces.
+    void append_side(const ArcLoops::Arc& side,
+                     const Vec2& head,
+                     const ArcSides& sides,
+                     std::vector<MonotoneArc>& to) const {
+        const Vec2& tail = side.tail;
+        if (std::pair(tail.x(), tail.y()) < std::pair(head.x(), head.y())) {
+            append_pieces(tail, head, side.arc, sides, to);
+        } else {
+            append_pieces(head, tail, reversed(side.arc), reversed(sides), to);
+        }
+    }
+
+    void append_pieces(const Vec2& tail,
+                       const Vec2& head,
+                       const PixelArc& arc,
+                       const ArcSides& sides,
+                       std::vector<MonotoneArc>& to) const {
+        const MonotonePieces all(arc);
+        Vec2 from = tail;
+        for (std::size_t k = 0; k < all.pieces().size(); ++k) {
+            const MonotonePiece& piece = all.pieces()[k];
+            const Vec2 end = k + 1 < all.pieces().size() ? Vec2(tail + piece.head) : head;
+            if (from.y() < end.y()) {
+                append_clipped({from, end, piece.sine}, sides, to);
+            } else if (end.y() < from.y()) {
+                append_clipped({end, from, -piece.sine}, reversed(sides), to);
+            }
+            from = end;
+        }
+    }
+
+    void append_clipped(const MonotonePiece& piece,
+                        const ArcSides& sides,
+                        std::vector<MonotoneArc>& to) const {
+        const Vec2 guard(kGuard, kGuard);
+        const Vec2 size(pixels_.grid.width, pixels_.grid.height);
+        const ClippedPiece clipped(piece, -guard, size + guard);
+        for (const MonotonePiece& part : clipped.pieces()) {
+            append_piece(to_subpixel(part.tail), to_subpixel(part.head), part.sine, sides, to);
+        }
+    }
+
+    const PixelPatch& pixels_;
+    double inset_;
+    std::vector<ArcLoops::Arc> loop_;
+    InsetTracer tracer_;
+};
+
+}  // namespace
+
+CellArcs patch_arcs(const Frame& frame, const RasterGrid& grid, double film_width, int threads) {
+    const PixelPatch pixels{frame, grid, pixels_per_unit(grid, frame.domain)};
+    const PatchArcs arcs(pixels, film_width);
+    CellArcs cells = make_arcs(grid, region_count(frame), kBubblesPerTask, arcs, threads);
+    cells.outside = frame.network.ghost();
+    return cells;
+}
+
+}  // namespace foam::texgen
