@@ -145,7 +145,7 @@ class Reader {
         const JsonTree::Array& values = row(line, 3);
         const Vec2 position(number(values[0]), number(values[1]));
         if (!foam_.domain.is_plane() && !(is_inside(position.x(), foam_.domain.width) &&
-                                         is_inside(position.y(), foam_.domain.height))) {
+                                          is_inside(position.y(), foam_.domain.height))) {
             fail(line.line, "this junction lies outside of the torus' own cell");
         }
         foam_.network.add_junction();

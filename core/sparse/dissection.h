@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/sparse/node_graph.h"
 #include "core/geometry/domain.h"
+#include "core/sparse/node_graph.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,8 +1,8 @@
 #include "core/sparse/front_plan.h"
 
+#include "core/geometry/narrow.h"
 #include "core/sparse/front_entries.h"
 #include "core/sparse/front_workspace.h"
-#include "core/geometry/narrow.h"
 #include "core/sparse/partial_ldlt.h"
 
 #include <algorithm>

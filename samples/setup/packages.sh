@@ -9,7 +9,7 @@ foam_build_packages=(
     nlohmann-json3-dev
 )
 foam_test_packages=(
-    libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev evolver
+    libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev evolver gnuplot-nox
     pngcheck apngdis ffmpeg imagemagick openexr openimageio-tools
 )
 foam_check_packages=(clang clang-format clang-tidy ccache)

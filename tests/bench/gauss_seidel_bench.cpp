@@ -5,8 +5,8 @@
 // A run of Gauss-Seidel ends after SECONDS, by default 140, whatever it has reached, and then says
 // so. All together take about 8 minutes.
 
-#include "core/reference/gauss_seidel.h"
 #include "core/foam/measure.h"
+#include "core/reference/gauss_seidel.h"
 #include "tests/bench/bench_foams.h"
 
 #include <benchmark/benchmark.h>

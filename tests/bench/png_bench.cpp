@@ -142,12 +142,11 @@ void print_map(const std::string& name, const Image<Sample>& image, PngFilter fi
     const auto libpng = [&](int level) {
         return least_cost([&] { return libpng_encode(image.view(), filter, level, stream); });
     };
-    texgen::PngEncoder encoder;
     const auto ours = [&](Compression compression, int threads) {
         return least_cost([&] {
             const texgen::PngEncoding encoding{
                 .filter = filter, .compression = compression, .threads = threads};
-            return encoder.encode(image.view(), {}, encoding).size();
+            return texgen::encode_png(image.view(), {}, encoding).size();
         });
     };
     const Cost peer = libpng(1);

@@ -1,9 +1,9 @@
 #include "tests/core/foams.h"
 
 #include "core/equilibrium/equilibrate.h"
-#include "core/foam/t1_rule.h"
 #include "core/foam/honeycomb.h"
 #include "core/foam/seeding.h"
+#include "core/foam/t1_rule.h"
 #include "core/network/validate.h"
 
 #include <algorithm>

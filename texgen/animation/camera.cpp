@@ -1,6 +1,7 @@
 #include "texgen/animation/camera.h"
 
 #include "core/foam/measure.h"
+#include "texgen/events/event_stage.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +12,7 @@ namespace foam::texgen {
 
 namespace {
 
-// What holds all points that it was told of.
+// The bounding box of all included points.
 struct Box {
     Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
     Vec2 high = -low;
@@ -23,8 +24,8 @@ struct Box {
     bool is_empty() const { return !(low.x() <= high.x()); }
 };
 
-// Its ends, and its points farthest to the left, right, top and bottom, where it runs along an
-// axis.
+// Includes the ends of the arc, and its extreme points to the left, right, top and bottom, where it
+// runs along an axis.
 void include_arc(const FilmArc& arc, const Vec2& tail, Box& box) {
     constexpr double kQuarter = 0.5 * std::numbers::pi;
     const double first = std::atan2(arc.chord.y(), arc.chord.x()) - arc.half_angle;
@@ -68,16 +69,9 @@ Vec2 pixels_of(const ImageOptions& image) {
 
 View camera_view(const Frame& first, const ImageOptions& image, const CameraOptions& camera) {
     View view = fitted_view(box_of(first), pixels_of(image), camera.margin);
-    view.center = point_in_view(view, image, camera.center);
+    view.center = point_in_view(view, pixels_of(image), camera.center);
     view.pixels_per_unit *= camera.zoom;
     return view;
-}
-
-Vec2 point_in_view(const View& view,
-                   const ImageOptions& image,
-                   const std::array<double, 2>& place) {
-    const Vec2 from_middle(place[0] - 0.5, place[1] - 0.5);
-    return view.center + from_middle.cwiseProduct(pixels_of(image)) / view.pixels_per_unit;
 }
 
 }  // namespace foam::texgen

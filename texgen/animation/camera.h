@@ -6,13 +6,8 @@
 
 namespace foam::texgen {
 
-/// The view of a patch that the camera of a preset has from its first frame on: at a zoom of 1
-/// everything fits the image, in its middle and as large as the margin allows. Where there is
-/// nothing, a foam unit is a pixel.
+/// Returns the view of a patch in all frames. At a zoom of 1 the whole first frame fits the image,
+/// in its middle and as large as the margin allows. If the frame is empty, a foam unit is a pixel.
 View camera_view(const Frame& first, const ImageOptions& image, const CameraOptions& camera);
-
-/// The point of the plane at a place of the image, in parts of its width and height from its lower
-/// left corner.
-Vec2 point_in_view(const View& view, const ImageOptions& image, const std::array<double, 2>& place);
 
 }  // namespace foam::texgen

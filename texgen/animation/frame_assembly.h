@@ -9,26 +9,26 @@
 
 namespace foam::texgen {
 
-/// Whether frames come with those after them, for which the simulation goes on by one frame beyond
-/// the last.
+/// The presence of the next frame beside each frame. With it the simulation goes on by one frame
+/// beyond the last.
 enum class NextFrames { LeftOut, HandedOut };
 
 /// Makes the frames of an animation out of the states of a simulation, and hands out each as soon
-/// as it can: in increasing order, but in a pingpong, where a state is shown on both ways, in the
-/// order in which the simulation comes by. States are kept no longer than they are needed.
+/// as its states exist: in increasing order, except in a pingpong, which shows a state twice.
+/// States are kept no longer than they are needed.
 class FrameAssembly {
   public:
-    /// Of the frames of these numbers.
+    /// Assembles the frames of these numbers.
     FrameAssembly(const Preset& preset,
                   const std::vector<int>& numbers,
                   NextFrames next_frames,
                   FrameVisitor on_frame);
 
-    /// The states that these frames take, in increasing order; of a patch the first as well, which
-    /// decides what all of them see.
+    /// Returns the states that these frames need, in increasing order; for a patch also the first,
+    /// which decides the view of all frames.
     std::vector<int> states() const;
 
-    /// Takes one of them in; they come in that order. Its effort is that since the state before.
+    /// Adds a state; states come in that order. Its effort is that since the state before.
     void add(const SimulatedFrame& state);
 
   private:

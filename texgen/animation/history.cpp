@@ -1,7 +1,7 @@
 #include "texgen/animation/history.h"
 
 #include "core/foam/frame.h"
-#include "texgen/maps/albedo.h"
+#include "texgen/maps/bubble_pressure.h"
 
 #include <algorithm>
 
@@ -40,7 +40,7 @@ void History::carry_events(const Domain& domain) {
     }
     const double shear = domain.shear_since(domain_);
     for (RecordedEvent& event : record_.events) {
-        event.place.x() += shear * event.place.y() / domain.height;
+        event.position.x() += shear * event.position.y() / domain.height;
     }
     domain_ = domain;
 }

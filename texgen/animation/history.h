@@ -8,20 +8,20 @@ namespace foam::texgen {
 /// Keeps the record of a foam while it goes from frame to frame.
 class History {
   public:
-    /// Of a foam at time 0.
+    /// Begins with a foam at time 0.
     explicit History(const Foam& foam);
 
-    /// Takes the foam's events as those on the way to a frame from the one before it, and clears
-    /// them.
+    /// Records the foam's events as those on the way to a frame from the one before it, and clears
+    /// them in the foam.
     void take_events(Foam& foam, int frame);
 
-    /// As if none had been.
+    /// Removes all events.
     void forget_events() { record_.events.clear(); }
 
-    /// Adds to the frames of all events: where frames are counted anew, as in the cycles of a loop.
+    /// Adds `frames` to the frame numbers of all events, because each cycle of a loop counts anew.
     void renumber(int frames);
 
-    /// Takes the foam's pressures as those that scale all others.
+    /// Records the foam's pressures as the scale of all pressures.
     void take_pressures(const Foam& foam);
 
     const FoamRecord& record() const { return record_; }

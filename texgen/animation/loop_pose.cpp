@@ -6,7 +6,7 @@ namespace foam::texgen {
 
 namespace {
 
-// Travelled by drift.
+// Returns the way travelled by the drift.
 Vec2 way(const Domain& domain, const LoopOptions& loop, double passed) {
     return {passed * loop.drift[0] * domain.width, passed * loop.drift[1] * domain.height};
 }
@@ -28,10 +28,10 @@ Foam posed(Foam foam, const LoopOptions& loop, double passed) {
     return foam;
 }
 
-Vec2 posed(const Vec2& place, const Domain& domain, const LoopOptions& loop, double passed) {
+Vec2 posed(const Vec2& point, const Domain& domain, const LoopOptions& loop, double passed) {
     const double sheared =
-        loop.kind == LoopKind::Shear ? domain.shear * place.y() / domain.height : 0.0;
-    return place - Vec2(sheared, 0.0) + way(domain, loop, passed);
+        loop.kind == LoopKind::Shear ? domain.shear * point.y() / domain.height : 0.0;
+    return point - Vec2(sheared, 0.0) + way(domain, loop, passed);
 }
 
 }  // namespace foam::texgen

@@ -23,22 +23,22 @@ struct RunOutcome {
     std::optional<double> closing_error;  // of a loop (Simulation::closing_error)
 };
 
-/// Where frames come from: hands out those of these numbers, as simulate_frames does.
+/// A source of frames: hands out those of the given numbers, as simulate_frames does.
 using FrameSource = std::function<RunOutcome(
     const std::vector<int>& numbers, NextFrames next_frames, const FrameVisitor&)>;
 
-/// A simulation of a preset from its seed, each time it is asked.
+/// Returns a source that simulates a preset from its seed at every call.
 FrameSource simulation_of(const Preset& preset, int threads);
 
-/// Simulates a preset from its seed to the last of these states, and hands out each of them: in
-/// increasing order, its effort that since the one before.
+/// Simulates a preset from its seed to the last of these states, and hands them out in increasing
+/// order, each with the effort since the one before.
 RunOutcome simulate_states(const Preset& preset,
                            int threads,
                            const std::vector<int>& states,
                            const FrameVisitor& on_state);
 
 /// Simulates a preset from its seed as far as the frames of these numbers need, and hands out each
-/// of them as soon as it can (FrameAssembly).
+/// frame as soon as its states exist (FrameAssembly).
 RunOutcome simulate_frames(const Preset& preset,
                            int threads,
                            const std::vector<int>& numbers,

@@ -10,7 +10,7 @@
 
 namespace foam::texgen {
 
-/// What it took to come to a frame from the frame handed out before it, or from the seed.
+/// The effort to reach a frame from the frame handed out before it, or from the seed.
 struct FrameEffort {
     int t1 = 0;
     int t2 = 0;
@@ -29,10 +29,10 @@ struct DrawnState {
 /// A frame of an animation with all that is drawn or measured of it; or a state of the simulation.
 struct SimulatedFrame : DrawnState {
     FrameEffort effort;
-    std::optional<View> view = {};             // what images of a patch show, in all frames
+    std::optional<View> view = {};             // of a patch; the same in all frames
     std::optional<double> closing_error = {};  // of a loop (Simulation::closing_error)
-    DrawnState rising = {};                    // of a cross-fade, what takes its place; or empty
-    double faded = 0.0;                        // the part of the fade that has passed, 0 to 1
+    DrawnState rising = {};                    // in a cross-fade, the one that replaces it
+    double faded = 0.0;                        // fraction of the fade that has passed, 0 to 1
 };
 
 using FrameVisitor = std::function<void(const SimulatedFrame&)>;

@@ -102,10 +102,10 @@ Frame Simulation::frame() const {
 FoamRecord Simulation::record() const {
     FoamRecord record = history_.record();
     for (RecordedEvent& event : record.events) {
-        event.place = posed(event.place, foam_.domain, loop_, passed());
+        event.position = posed(event.position, foam_.domain, loop_, passed());
     }
     if (loop_.is_cycle()) {
-        // What lies a period back or more looks the same in every cycle.
+        // Everything older than a period looks the same in every cycle.
         const double oldest = foam_.time - frames_.count * frames_.time_step;
         hold_above(oldest, record.births);
         hold_above(oldest, record.changes);
@@ -167,7 +167,7 @@ bool Simulation::settle() {
     return true;
 }
 
-// Of a flow in steps of about that from frame to frame, the last of which leads to frame 1.
+// A flow warms up in steps of about a frame, the last of which leads to frame 1.
 bool Simulation::warm_up() {
     if (loop_.kind != LoopKind::Flow) {
         return step_by(frames_.warm_up, {});

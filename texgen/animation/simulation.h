@@ -26,23 +26,23 @@ class Simulation {
     /// the loop stays open; the foam is then of no more use.
     bool advance();
 
-    /// The frame that was reached. Which of them an animation shows: shown_states.
+    /// Returns the frame that was reached. An animation shows some of them (shown_states).
     Frame frame() const;
 
-    /// How far the end of a cycle is from its start, in diameters of a mean bubble (closing_error);
-    /// nothing where no loop was tried.
+    /// Returns the distance from the end of a cycle to its start, in diameters of a mean bubble
+    /// (closing_error); nothing if no loop was tried.
     const std::optional<double>& closing_error() const { return closing_error_; }
 
-    /// What images of a patch show, from frame 1 on; nothing for a torus.
+    /// Returns the view of a patch, from frame 1 on; nothing for a torus.
     const std::optional<View>& view() const { return view_; }
 
-    /// What the maps of the frame that was reached need to know of those before it.
+    /// Returns the record that the maps of this frame need.
     FoamRecord record() const;
 
-    /// Number of the frame that was reached; 0 before the first.
+    /// Returns the number of the frame that was reached; 0 before the first.
     int number() const { return number_; }
 
-    /// What the last advance took and how exact it came out.
+    /// Returns the effort and the accuracy of the last advance.
     const EquilibriumSummary& equilibrium() const { return equilibrium_; }
 
   private:

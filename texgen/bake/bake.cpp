@@ -24,6 +24,10 @@ double seconds_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
+FrameSource source_of(const Preset& preset, const BakeOptions& options) {
+    return options.source ? options.source : simulation_of(preset, options.threads);
+}
+
 FadeOrder::Options fade_order_options(const Preset& preset) {
     return {.width = preset.image.width,
             .height = preset.image.height,
@@ -32,7 +36,7 @@ FadeOrder::Options fade_order_options(const Preset& preset) {
             .seed = preset.seeding.seed};
 }
 
-// Draws frames into files and tells of them; called from several threads.
+/// Draws frames into files and reports them. `write` may be called from several threads.
 class FrameWriter {
   public:
     FrameWriter(const Preset& preset, int total, const BakeCallbacks& callbacks)
@@ -45,7 +49,23 @@ class FrameWriter {
         }
     }
 
-    const FrameFiles& files() const { return files_; }
+    /// Says whether the frames need the frame after each.
+    NextFrames next() const {
+        return files_.needs_next() ? NextFrames::HandedOut : NextFrames::LeftOut;
+    }
+
+    /// Returns the files of those frames that are done, in the order of `frames`.
+    std::vector<std::filesystem::path> paths(const std::vector<int>& frames,
+                                             const std::set<int>& done) const {
+        std::vector<std::filesystem::path> all;
+        for (const int frame : frames) {
+            if (done.contains(frame)) {
+                const std::vector<std::filesystem::path> paths = files_.paths(frame);
+                all.insert(all.end(), paths.begin(), paths.end());
+            }
+        }
+        return all;
+    }
 
     void write(const SimulatedFrame& shown) {
         const Clock::time_point begin = Clock::now();
@@ -94,14 +114,11 @@ void check_bake(const Preset& preset, const BakeOptions& options) {
 
 BakeSummary bake(const Preset& preset, const BakeOptions& options, const BakeCallbacks& callbacks) {
     check_bake(preset, options);
-    FrameWriter writer(
-        preset, static_cast<int>(options.frames.size() - options.there.size()), callbacks);
-    BakeSummary summary;
-    const FrameSource source =
-        options.source ? options.source : simulation_of(preset, options.threads);
+    const auto total = static_cast<int>(options.frames.size() - options.there.size());
+    FrameWriter writer(preset, total, callbacks);
     BoundedWorkers workers(thread_count(options.threads) - 1);
     std::set<int> done;
-    const auto visit = [&](const SimulatedFrame& shown) {
+    const auto draw = [&](const SimulatedFrame& shown) {
         done.insert(shown.frame->number);
         if (callbacks.on_frame) {
             callbacks.on_frame(shown);
@@ -110,17 +127,9 @@ BakeSummary bake(const Preset& preset, const BakeOptions& options, const BakeCal
             workers.submit([shown, &writer] { writer.write(shown); });
         }
     };
-    const NextFrames next =
-        writer.files().needs_next() ? NextFrames::HandedOut : NextFrames::LeftOut;
-    summary.outcome = source(options.frames, next, visit);
+    const RunOutcome outcome = source_of(preset, options)(options.frames, writer.next(), draw);
     workers.finish();
-    for (const int frame : options.frames) {
-        if (done.contains(frame)) {
-            const std::vector<std::filesystem::path> paths = writer.files().paths(frame);
-            summary.files.insert(summary.files.end(), paths.begin(), paths.end());
-        }
-    }
-    return summary;
+    return {outcome, writer.paths(options.frames, done)};
 }
 
 }  // namespace foam::texgen

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "texgen/bake/progress_meter.h"
+#include "texgen/animation/progress_meter.h"
 #include "texgen/animation/simulate_frames.h"
 #include "texgen/bake/written_file.h"
 #include "texgen/preset/preset.h"

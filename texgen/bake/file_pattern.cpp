@@ -1,5 +1,7 @@
 #include "texgen/bake/file_pattern.h"
 
+#include "texgen/image/format.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -29,9 +31,10 @@ std::string padded(int number, int digits) {
 
 }  // namespace
 
-FilePattern::FilePattern(std::string_view pattern) : pattern_(pattern) {
-    if (!pattern.ends_with(".png") && !pattern.ends_with(".exr")) {
-        refuse("must end in .png or .exr");
+FilePattern::FilePattern(std::string_view pattern)
+    : pattern_(pattern), format_(find_format(pattern)) {
+    if (format_ == nullptr) {
+        refuse("must end in " + format_suffixes());
     }
     for (std::string_view rest = pattern; !rest.empty();) {
         pieces_.push_back(take_piece(rest));
@@ -94,12 +97,8 @@ bool FilePattern::has() const {
     });
 }
 
-FileFormat FilePattern::format() const {
-    return pattern_.ends_with(".exr") ? FileFormat::Exr : FileFormat::Png;
-}
-
 bool FilePattern::joins_maps() const {
-    return format() == FileFormat::Exr && !has<MapName>();
+    return format_->has_layers && !has<MapName>();
 }
 
 void FilePattern::check_distinct(std::size_t frames, std::size_t maps) const {

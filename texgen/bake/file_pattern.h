@@ -10,7 +10,7 @@
 
 namespace foam::texgen {
 
-enum class FileFormat { Png, Exr };
+struct ImageFormat;
 
 /// Names the image files of a bake. In the pattern stand for
 ///
@@ -23,13 +23,14 @@ enum class FileFormat { Png, Exr };
 /// A number with more digits than asked for is written in full; shorter ones get leading zeros.
 class FilePattern {
   public:
-    /// Throws std::invalid_argument for a placeholder not listed above and unless it ends in
-    /// ".png" or ".exr".
+    /// Throws std::invalid_argument for a placeholder not listed above and unless the suffix of an
+    /// image format ends it.
     explicit FilePattern(std::string_view pattern);
 
-    FileFormat format() const;
+    const ImageFormat& format() const { return *format_; }
 
-    /// Whether all maps of a frame go into one file, as only an EXR without {map} has it.
+    /// Returns true if all maps of a frame go into one file: the format has layers and the pattern
+    /// has no {map}.
     bool joins_maps() const;
 
     /// Throws std::invalid_argument if two of this many frames would share a file, or two of this
@@ -62,6 +63,7 @@ class FilePattern {
     std::string fill(std::string_view preset, std::string_view map, std::optional<int> frame) const;
 
     std::string pattern_;
+    const ImageFormat* format_;
     std::vector<Piece> pieces_;
 };
 

@@ -1,5 +1,8 @@
 #include "texgen/bake/written_file.h"
 
+#include "texgen/maps/number_channels.h"
+
+#include <algorithm>
 #include <string_view>
 
 namespace foam::texgen {
@@ -13,7 +16,7 @@ std::string_view kind_of(const MapImage& image) {
     return kKinds.at(image.index());
 }
 
-/// Colours of a patch have an opacity as well.
+/// Returns true for the colors of a patch, which have an opacity.
 bool has_opacity(const MapImage& image) {
     const auto* colors = std::get_if<ColorPixels>(&image);
     return colors != nullptr && colors->pixels.channels() == kWithOpacity;
@@ -35,21 +38,9 @@ MapSamples common_samples(const Map& map, const MapImage& image) {
     return samples;
 }
 
-std::string_view type_of(const MapImage& image, ExrType numbers) {
-    if (is_color(image)) {
-        return "half";
-    }
-    if (std::holds_alternative<IdPixels>(image)) {
-        return "uint32";
-    }
-    return numbers == ExrType::Half ? "half" : "float";
-}
-
-}  // namespace
-
-MapSamples samples_in_png(const Map& map, const MapImage& image, int bits) {
-    MapSamples samples = common_samples(map, image);
-    samples.type = bits == 8 || is_color(image) ? "uint8" : "uint16";
+void describe_codes(const MapImage& image, int bits, MapSamples& samples) {
+    const bool fits_bytes = bits == 8 || is_color(image);
+    samples.type = name_of(fits_bytes ? SampleType::Uint8 : SampleType::Uint16);
     if (is_color(image)) {
         samples.color_space = "sRGB";
         samples.alpha = has_opacity(image) ? "straight" : "none";
@@ -57,15 +48,31 @@ MapSamples samples_in_png(const Map& map, const MapImage& image, int bits) {
     if (const auto* numbers = std::get_if<NumberPixels>(&image)) {
         samples.channels += numbers->pixels.channels() == 2 ? " 0" : "";
     }
-    return samples;
 }
 
-MapSamples samples_in_exr(const Map& map, const MapImage& image, ExrType numbers) {
-    MapSamples samples = common_samples(map, image);
-    samples.type = type_of(image, numbers);
+void describe_numbers(const MapImage& image, SampleType numbers, MapSamples& samples) {
+    samples.type = name_of(number_type(image, numbers));
     if (is_color(image)) {
         samples.color_space = "linear sRGB";
         samples.alpha = has_opacity(image) ? "premultiplied" : "none";
+    }
+}
+
+}  // namespace
+
+int code_bits(const Map& map, const ImageFormat& format) {
+    return std::min(map.png_bits, format.code_bits);
+}
+
+MapSamples describe_samples(const Map& map,
+                            const MapImage& image,
+                            const ImageFormat& format,
+                            SampleType numbers) {
+    MapSamples samples = common_samples(map, image);
+    if (format.samples == FormatSamples::Codes) {
+        describe_codes(image, code_bits(map, format), samples);
+    } else {
+        describe_numbers(image, numbers, samples);
     }
     return samples;
 }

@@ -4,7 +4,6 @@
 #include "texgen/animation/frame_assembly.h"
 #include "texgen/bake/frame_range.h"
 #include "texgen/cache/byte_stream.h"
-#include "texgen/cache/cache_files.h"
 #include "texgen/cache/packed_file.h"
 #include "texgen/cache/state_codec.h"
 
@@ -13,10 +12,6 @@
 #include <utility>
 
 namespace foam::texgen {
-
-bool is_cache(const std::filesystem::path& path) {
-    return std::filesystem::exists(path / kCacheName);
-}
 
 Cache::Cache(std::filesystem::path folder) : folder_(std::move(folder)), info_(read_info(folder_)) {
     const std::filesystem::path path = pressures_path(folder_);

@@ -1,25 +1,13 @@
 #pragma once
 
 #include "texgen/bake/bake.h"
+#include "texgen/cache/cache_files.h"
 #include "texgen/preset/preset.h"
 
 #include <filesystem>
-#include <optional>
-#include <string>
 #include <vector>
 
 namespace foam::texgen {
-
-/// What a cache says of itself.
-struct CacheInfo {
-    Preset preset;
-    std::string simulation;               // simulation_hash
-    std::vector<int> frames;              // that it was made for
-    std::optional<double> closing_error;  // of a loop (Simulation::closing_error)
-};
-
-/// Whether a path is a folder with a cache.
-bool is_cache(const std::filesystem::path& path);
 
 /// The states of a simulation in a folder, a file each, to draw frames of on any machine. Only
 /// read; many programs may at once, also while a simulation still adds states.

@@ -1,23 +1,37 @@
 #pragma once
 
-// The files of a cache; used by what writes and what reads it.
-
-#include "texgen/cache/cache.h"
+#include "texgen/preset/preset.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace foam::texgen {
 
+/// The name of the file that describes a cache.
 inline constexpr const char* kCacheName = "cache.json";
 
+/// The description of a cache.
+struct CacheInfo {
+    Preset preset;
+    std::string simulation;               // simulation_hash
+    std::vector<int> frames;              // that it was made for
+    std::optional<double> closing_error;  // of a loop (Simulation::closing_error)
+};
+
+/// Returns true if a path is a folder with a cache.
+bool is_cache(const std::filesystem::path& path);
+
+/// Return the files of a state, and of the pressures of the first equilibrium.
 std::filesystem::path state_path(const std::filesystem::path& folder, int number);
 std::filesystem::path pressures_path(const std::filesystem::path& folder);
 
-/// Throws OutputError.
+/// Writes the description of a cache. Throws OutputError.
 void write_info(const CacheInfo& info, const std::filesystem::path& folder);
 
-/// Throws InputError.
+/// Reads the description of a cache. Throws InputError if the folder is no cache, or one of another
+/// version.
 CacheInfo read_info(const std::filesystem::path& folder);
 
 }  // namespace foam::texgen

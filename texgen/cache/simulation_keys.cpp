@@ -3,8 +3,7 @@
 #include "texgen/image/pixel_hash.h"
 #include "texgen/preset/assignment.h"
 #include "texgen/preset/event_io.h"
-#include "texgen/preset/schema.h"
-#include "texgen/preset/value.h"
+#include "texgen/preset/preset_keys.h"
 
 #include <fmt/core.h>
 
@@ -18,9 +17,10 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> kTables = {"foam", "dynamics", "frames", "loop"};
+// The tables that decide only how states look, besides those of maps.
+constexpr std::array<std::string_view, 4> kLooks = {"preset", "image", "camera", "output"};
 
-/// Places of a patch's events are in parts of what the camera shows.
+// Positions of a patch's events are in fractions of the image.
 bool needs_camera(const Preset& preset) {
     return preset.shape.kind == FoamKind::Patch &&
            std::ranges::any_of(preset.events,
@@ -31,12 +31,11 @@ bool needs_aspect(const Preset& preset) {
     return preset.shape.kind == FoamKind::Torus || needs_camera(preset);
 }
 
-bool decides(const Key& key, const Preset& preset) {
-    return std::ranges::find(kTables, key.table()) != kTables.end() ||
-           (key.table() == "camera" && needs_camera(preset));
+bool decides(const KeyInfo& key, const Preset& preset) {
+    return decides_simulation(key.table()) || (key.table() == "camera" && needs_camera(preset));
 }
 
-/// "4:3".
+// Returns "4:3".
 std::string aspect_of(const ImageOptions& image) {
     const int common = std::gcd(image.width, image.height);
     return fmt::format("{}:{}", image.width / common, image.height / common);
@@ -47,11 +46,17 @@ constexpr const char* kAllowed =
 
 }  // namespace
 
+bool decides_simulation(std::string_view table) {
+    static const Keys<MapOptions> of_maps = map_keys();
+    return std::ranges::find(kLooks, table) == kLooks.end() &&
+           std::ranges::none_of(of_maps, [&](const KeyInfo& key) { return key.table() == table; });
+}
+
 std::string simulation_hash(const Preset& preset) {
     std::string text = FOAMTEX_VERSION "\n";
-    for (const Key& key : preset_keys()) {
+    for (const Key<Preset>& key : preset_keys()) {
         if (decides(key, preset)) {
-            text += fmt::format("{} = {}\n", key.path, to_toml(key.write(preset)));
+            text += fmt::format("{} = {}\n", key.path, to_toml(*key.write(preset)));
         }
     }
     text += events_to_toml(preset);
@@ -59,9 +64,9 @@ std::string simulation_hash(const Preset& preset) {
 }
 
 void check_same_simulation(const Preset& simulated, const Preset& changed) {
-    for (const Key& key : preset_keys()) {
-        const std::string was = to_toml(key.write(simulated));
-        const std::string is = to_toml(key.write(changed));
+    for (const Key<Preset>& key : preset_keys()) {
+        const std::string was = to_toml(*key.write(simulated));
+        const std::string is = to_toml(*key.write(changed));
         if (decides(key, simulated) && was != is) {
             throw PresetError(fmt::format("key '{}' = {}: was {} when the cache was simulated; {}",
                                           key.path,

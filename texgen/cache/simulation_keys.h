@@ -3,15 +3,22 @@
 #include "texgen/preset/preset.h"
 
 #include <string>
+#include <string_view>
 
 namespace foam::texgen {
 
-/// A hash of all that decides the states of a simulation, and of the version of foamtex.
+/// Returns true if the keys of a table of presets decide the states of a simulation. A table does,
+/// unless it is listed as one that decides only how states look: an unknown table makes a new
+/// simulation, never a stale picture.
+bool decides_simulation(std::string_view table);
+
+/// Returns a hash of everything that decides the states of a simulation, and of the version of
+/// foamtex.
 std::string simulation_hash(const Preset& preset);
 
-/// Throws PresetError, naming the key, where a preset that was changed would be simulated in
-/// another way than it was: what foam, dynamics, frames, loop and events say, the shape of a torus,
-/// and, where the events of a patch have places in the image, what the camera shows.
+/// Throws PresetError, which names the key, if the changed preset needs another simulation: one of
+/// its deciding keys or its events differ, or the shape of its torus, or, if events of a patch have
+/// positions in the image, its camera.
 void check_same_simulation(const Preset& simulated, const Preset& changed);
 
 }  // namespace foam::texgen

@@ -62,8 +62,8 @@ void write_events(const std::vector<RecordedEvent>& events, ByteWriter& writer) 
     for (const RecordedEvent& event : events) {
         writer.put(static_cast<std::uint8_t>(event.kind));
         writer.put(std::int32_t{event.frame});
-        writer.put(event.place.x());
-        writer.put(event.place.y());
+        writer.put(event.position.x());
+        writer.put(event.position.y());
     }
 }
 
@@ -81,8 +81,8 @@ std::vector<RecordedEvent> read_events(ByteReader& reader) {
     for (RecordedEvent& event : events) {
         event.kind = read_event_kind(reader);
         event.frame = reader.take<std::int32_t>();
-        event.place.x() = reader.take<double>();
-        event.place.y() = reader.take<double>();
+        event.position.x() = reader.take<double>();
+        event.position.y() = reader.take<double>();
     }
     return events;
 }

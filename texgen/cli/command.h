@@ -3,6 +3,7 @@
 #include "texgen/cli/exit_code.h"
 
 #include <functional>
+#include <span>
 
 namespace CLI {  // NOLINT(readability-identifier-naming): the library spells it so
 class App;
@@ -13,19 +14,11 @@ namespace foam::texgen {
 /// What the command line asked for, ready to run. Failures leave as exceptions.
 using Action = std::function<ExitCode()>;
 
-/// Each adds one command to the program; parsing a command line that names it sets `action`.
-void add_bake_command(CLI::App& app, Action& action);
-void add_compare_command(CLI::App& app, Action& action);
-void add_completion_command(CLI::App& app, Action& action);
-void add_flipbook_command(CLI::App& app, Action& action);
-void add_manual_command(CLI::App& app, Action& action);
-void add_maps_command(CLI::App& app, Action& action);
-void add_presets_command(CLI::App& app, Action& action);
-void add_preview_command(CLI::App& app, Action& action);
-void add_relax_command(CLI::App& app, Action& action);
-void add_render_command(CLI::App& app, Action& action);
-void add_simulate_command(CLI::App& app, Action& action);
-void add_stats_command(CLI::App& app, Action& action);
-void add_verify_command(CLI::App& app, Action& action);
+/// Adds one command to the program. Parsing a command line that names the command sets `action`.
+using AddCommand = void (*)(CLI::App& app, Action& action);
+
+/// All commands, in the order of the help. CMakeLists.txt has the list; the command `name` is the
+/// function `add_name_command` of the file name_command.cpp.
+std::span<const AddCommand> all_commands();
 
 }  // namespace foam::texgen

@@ -2,15 +2,15 @@
 #include "texgen/bake/frame_range.h"
 #include "texgen/cli/command.h"
 #include "texgen/cli/json_report.h"
+#include "texgen/cli/options.h"
 #include "texgen/image/compare.h"
+#include "texgen/image/format.h"
 #include "texgen/image/png.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <memory>
@@ -38,8 +38,6 @@ struct CompareArguments {
     bool quiet = false;
     bool json = false;
 };
-
-using Json = nlohmann::ordered_json;
 
 using Paths = std::pair<std::filesystem::path, std::filesystem::path>;
 
@@ -84,13 +82,12 @@ void print_line(const Paths& paths, const Comparison& found) {
     fmt::print("\n");
 }
 
-/// JSON has no word for a number that is not finite.
 Json to_json(const Paths& paths, const Comparison& found) {
     return {{"a", paths.first.string()},
             {"b", paths.second.string()},
             {"verdict", word_of(found.verdict)},
-            {"largest", std::isfinite(found.largest) ? Json(found.largest) : Json(nullptr)},
-            {"mean", std::isfinite(found.mean) ? Json(found.mean) : Json(nullptr)},
+            {"largest", number_or_null(found.largest)},
+            {"mean", number_or_null(found.mean)},
             {"channel", found.channel},
             {"x", found.x},
             {"y", found.y},
@@ -122,7 +119,7 @@ ExitCode run_compare(const CompareArguments& arguments) {
         images.push_back(to_json(paths, found));
     }
     if (arguments.json) {
-        fmt::print("{}\n", Json{{"status", word_of(worst)}, {"images", images}}.dump());
+        print_json({{"status", word_of(worst)}, {"images", images}});
     }
     return static_cast<ExitCode>(worst);
 }
@@ -133,7 +130,10 @@ void add_compare_command(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("compare", "Compare images, or sequences of images");
     const auto arguments = std::make_shared<CompareArguments>();
     const CLI::Range any_distance(0.0, std::numeric_limits<double>::max());
-    command->add_option("A", arguments->a, "An image, .png or .exr, or with --frames their pattern")
+    command
+        ->add_option("A",
+                     arguments->a,
+                     "An image, " + format_suffixes() + ", or with --frames their pattern")
         ->required()
         ->option_text(" ");
     command->add_option("B", arguments->b, "What is compared with it")
@@ -145,13 +145,11 @@ void add_compare_command(CLI::App& app, Action& action) {
     command->add_option("--warn", arguments->limits.warn, "Warns beyond this difference (1e-6)")
         ->check(any_distance)
         ->option_text("T");
-    command->add_option("--frames", arguments->frames, "Frames of the sequences, as 1-10x2")
-        ->option_text("RANGE");
+    add_frames_option(*command, arguments->frames, "Frames of the sequences, as 1-10x2");
     command->add_option("--diff", arguments->difference, "A grey PNG of where they differ")
         ->excludes("--frames")
         ->option_text("FILE");
-    command->add_flag("-q,--quiet", arguments->quiet, "Say nothing; only the exit code tells")
-        ->option_text(" ");
+    add_quiet_option(*command, arguments->quiet, "Say nothing; only the exit code tells");
     add_json_option(*command, arguments->json);
     command->footer(kExamples);
     command->callback(

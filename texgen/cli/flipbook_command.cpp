@@ -1,6 +1,7 @@
 #include "texgen/bake/frame_range.h"
 #include "texgen/cli/command.h"
 #include "texgen/cli/json_report.h"
+#include "texgen/cli/options.h"
 #include "texgen/cli/report.h"
 #include "texgen/manifest/manifest_file.h"
 #include "texgen/sheet/flipbook.h"
@@ -12,6 +13,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -33,6 +35,7 @@ constexpr int kLargestGutter = 1024;
 struct FlipbookArguments {
     std::filesystem::path given;  // a folder, or the manifest in it
     std::string preset;
+    std::optional<std::string> maps;
     std::optional<std::string> frames;
     std::optional<std::filesystem::path> out;
     FlipbookOptions options;
@@ -52,13 +55,13 @@ void warn_of_size(const SheetLayout& layout) {
 }
 
 /// The sheets, and what describes them.
-void print_json(const BakedSet& set, const std::vector<int>& frames, const Flipbook& flipbook) {
-    JsonReport report;
-    report.add("preset", set.preset);
-    report.add("frames", format_frame_range(frames));
-    report.add("layout", flipbook.files.back().string());
-    report.add("files", std::vector(flipbook.files.begin(), flipbook.files.end() - 1));
-    report.print();
+void print_report(const BakedSet& set, const std::vector<int>& frames, const Flipbook& flipbook) {
+    Json report = json_report();
+    report["preset"] = set.preset;
+    report["frames"] = format_frame_range(frames);
+    report["layout"] = flipbook.files.back().string();
+    report["files"] = path_list(std::span(flipbook.files).first(flipbook.files.size() - 1));
+    print_json(report);
 }
 
 ExitCode run_flipbook(const FlipbookArguments& arguments) {
@@ -68,11 +71,14 @@ ExitCode run_flipbook(const FlipbookArguments& arguments) {
     const std::filesystem::path folder =
         std::filesystem::is_directory(given) ? given : given.parent_path();
     FlipbookOptions options = arguments.options;
+    if (arguments.maps) {
+        options.maps = CLI::detail::split(*arguments.maps, ',');
+    }
     options.frames = arguments.frames ? parse_frame_range(*arguments.frames) : set.frames();
     const Flipbook flipbook = write_flipbook(set, folder, options, arguments.out.value_or(folder));
     warn_of_size(flipbook.layout);
     if (arguments.json) {
-        print_json(set, options.frames, flipbook);
+        print_report(set, options.frames, flipbook);
     } else if (!arguments.quiet) {
         print_files(flipbook.files);
     }
@@ -83,14 +89,9 @@ void add_choices(CLI::App& command, FlipbookArguments& arguments) {
     command.add_option("DIR", arguments.given, "A folder with a manifest.json, as bake leaves it")
         ->required()
         ->option_text(" ");
-    command.add_option("--preset", arguments.preset, "Which, where the folder has several sets")
-        ->option_text("NAME");
-    command.add_option("--maps", arguments.options.maps, "Maps, with commas; all without it")
-        ->delimiter(',')
-        ->allow_extra_args(false)
-        ->option_text("A,B");
-    command.add_option("--frames", arguments.frames, "As 1-48 or 1-48x2; all without it")
-        ->option_text("RANGE");
+    add_set_option(command, arguments.preset);
+    add_maps_option(command, arguments.maps, "Maps, with commas; all without it");
+    add_frames_option(command, arguments.frames, "As 1-48 or 1-48x2; all without it");
 }
 
 void add_layout(CLI::App& command, FlipbookArguments& arguments) {
@@ -108,10 +109,8 @@ void add_layout(CLI::App& command, FlipbookArguments& arguments) {
         ->excludes(columns)
         ->excludes(gutter)
         ->option_text(" ");
-    command.add_option("-o,--out", arguments.out, "Where the sheets go; into DIR without it")
-        ->option_text("FOLDER");
-    command.add_flag("-q,--quiet", arguments.quiet, "Say nothing but errors (and --json)")
-        ->option_text(" ");
+    add_out_folder_option(command, arguments.out, "Where the sheets go; into DIR without it");
+    add_quiet_option(command, arguments.quiet, "Say nothing but errors (and --json)");
     add_json_option(command, arguments.json);
 }
 

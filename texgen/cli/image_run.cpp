@@ -3,7 +3,9 @@
 #include "texgen/bake/file_pattern.h"
 #include "texgen/bake/frame_range.h"
 #include "texgen/cli/json_report.h"
+#include "texgen/cli/options.h"
 #include "texgen/cli/report.h"
+#include "texgen/image/format.h"
 #include "texgen/manifest/manifest_file.h"
 #include "texgen/manifest/recorded_bake.h"
 #include "texgen/stats/files.h"
@@ -36,18 +38,18 @@ void print_images(const Preset& preset,
     }
 }
 
-void print_json(const Preset& preset,
-                const BakeOptions& options,
-                const BakeSummary& summary,
-                const std::vector<std::filesystem::path>& tables_and_charts) {
-    JsonReport report(summary.outcome);
-    report.add("preset", preset.name);
-    report.add("frames", format_frame_range(options.frames));
-    report.add("kept", summary.kept);
-    report.add("manifest", (manifest_folder(preset) / kManifestName).string());
-    report.add("files", summary.files);
-    report.add("statistics", tables_and_charts);
-    report.print();
+void print_report(const Preset& preset,
+                  const BakeOptions& options,
+                  const BakeSummary& summary,
+                  const std::vector<std::filesystem::path>& statistics) {
+    Json report = json_report(summary.outcome);
+    report["preset"] = preset.name;
+    report["frames"] = format_frame_range(options.frames);
+    report["kept"] = summary.kept;
+    report["manifest"] = (manifest_folder(preset) / kManifestName).string();
+    report["files"] = path_list(summary.files);
+    report["statistics"] = path_list(statistics);
+    print_json(report);
 }
 
 std::filesystem::path statistics_folder(const Preset& preset, const FilePattern& pattern) {
@@ -58,12 +60,13 @@ std::filesystem::path statistics_folder(const Preset& preset, const FilePattern&
 }  // namespace
 
 void add_image_options(CLI::App& command, ImageArguments& arguments) {
-    command.add_option("--maps", arguments.maps, "Maps to draw, with commas")->option_text("A,B");
+    add_maps_option(command, arguments.maps, "Maps to draw, with commas");
     command.add_option("--normal-y", arguments.normal_y, "Green of normals: gl (up), dx (down)")
         ->option_text("gl|dx");
     command
-        .add_option(
-            "--out", arguments.out, "File names, .png or .exr; {preset} {map} #### are filled in")
+        .add_option("--out",
+                    arguments.out,
+                    "File names, " + format_suffixes() + "; {preset} {map} #### are filled in")
         ->option_text("PATTERN");
     command.add_flag("--stats", arguments.stats, "Statistics too, in {preset}_stats beside")
         ->option_text(" ");
@@ -99,19 +102,20 @@ ExitCode run_images(const Preset& preset,
                       {.on_progress = progress_reporter(verbosity),
                        .on_frame = arguments.stats ? recorder.visitor() : FrameVisitor()},
                       arguments.resume ? Resume::Yes : Resume::No);
-    std::vector<std::filesystem::path> tables_and_charts;
+    StatisticsFiles statistics;
     if (arguments.stats) {
-        tables_and_charts = write_statistics(recorder.run(), statistics_folder(preset, pattern));
+        statistics = write_statistics(recorder.run(), statistics_folder(preset, pattern));
     }
     if (arguments.json) {
-        print_json(preset, options, summary, tables_and_charts);
+        print_report(preset, options, summary, statistics.paths);
     }
     if (summary.outcome.status != RunStatus::Complete) {
         return report_failure(summary.outcome);
     }
     if (verbosity != Verbosity::Quiet && !arguments.json) {
         print_images(preset, pattern, options.frames);
-        print_files(tables_and_charts);
+        print_files(statistics.paths);
+        note_missing_charts(statistics);
     }
     return ExitCode::Success;
 }

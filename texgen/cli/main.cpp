@@ -54,19 +54,9 @@ ExitCode parse_and_run(int argc, char** argv) {
     app.set_version_flag("--version", "foamtex " FOAMTEX_VERSION);
     app.require_subcommand(1);
     app.footer(kFooter);
-    add_bake_command(app, action);
-    add_simulate_command(app, action);
-    add_render_command(app, action);
-    add_flipbook_command(app, action);
-    add_preview_command(app, action);
-    add_relax_command(app, action);
-    add_stats_command(app, action);
-    add_verify_command(app, action);
-    add_compare_command(app, action);
-    add_presets_command(app, action);
-    add_maps_command(app, action);
-    add_manual_command(app, action);
-    add_completion_command(app, action);
+    for (const AddCommand add : all_commands()) {
+        add(app, action);
+    }
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

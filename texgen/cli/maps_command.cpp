@@ -1,5 +1,6 @@
 #include "texgen/cli/command.h"
-#include "texgen/maps/map.h"
+#include "texgen/image/format.h"
+#include "texgen/maps/all_maps.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -13,7 +14,7 @@ namespace foam::texgen {
 namespace {
 
 constexpr const char* kNotes =
-    R"(Every map is written as PNG or EXR, as the end of --out says. In a PNG colours are 8-bit sRGB,
+    R"(Every map is written as {}, as the end of --out says. In a PNG colours are 8-bit sRGB,
 with an opacity in a patch; all else is data, 0 around a patch, where normals point up and occlusion
 is 1. Their options are keys of the preset: foamtex presets keys)";
 
@@ -49,7 +50,7 @@ void add_maps_command(CLI::App& app, Action& action) {
         "maps", "List the maps: name, channels, bits in a PNG, unit and range, meaning");
     const auto markdown = std::make_shared<bool>(false);
     command->add_flag("--markdown", *markdown, "As a table in Markdown")->option_text(" ");
-    command->footer(kNotes);
+    command->footer(fmt::format(kNotes, format_names()));
     command->callback([&action, markdown] { action = *markdown ? print_markdown : list_maps; });
 }
 

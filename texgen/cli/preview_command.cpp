@@ -1,6 +1,7 @@
 #include "texgen/bake/frame_range.h"
 #include "texgen/cli/command.h"
 #include "texgen/cli/json_report.h"
+#include "texgen/cli/options.h"
 #include "texgen/cli/report.h"
 #include "texgen/cli/run_arguments.h"
 #include "texgen/image/scratch_folder.h"
@@ -70,12 +71,12 @@ struct Shown {
     std::vector<std::filesystem::path> files = {};
 };
 
-void print(const PreviewArguments& arguments, const Shown& shown, JsonReport report) {
+void print(const PreviewArguments& arguments, const Shown& shown, Json report) {
     if (arguments.json) {
-        report.add("preset", shown.preset);
-        report.add("frames", format_frame_range(shown.frames));
-        report.add("files", shown.files);
-        report.print();
+        report["preset"] = shown.preset;
+        report["frames"] = format_frame_range(shown.frames);
+        report["files"] = path_list(shown.files);
+        print_json(report);
     } else if (!arguments.run.quiet) {
         print_files(shown.files);
     }
@@ -92,7 +93,7 @@ ExitCode preview_folder(const PreviewArguments& arguments) {
     options.frames = arguments.run.frames ? parse_frame_range(*arguments.run.frames) : set.frames();
     Shown shown{set.preset, options.frames};
     shown.files = write_previews(set, folder, options, arguments.out.value_or(folder));
-    print(arguments, shown, JsonReport());
+    print(arguments, shown, json_report());
     return ExitCode::Success;
 }
 
@@ -124,7 +125,7 @@ ExitCode preview_preset(const PreviewArguments& arguments) {
         shown.files = write_previews(
             manifest.sets.front(), scratch.path(), options, arguments.out.value_or("out"));
     }
-    print(arguments, shown, JsonReport(summary.outcome));
+    print(arguments, shown, json_report(summary.outcome));
     return complete ? ExitCode::Success : report_failure(summary.outcome);
 }
 
@@ -135,8 +136,7 @@ ExitCode run_preview(const PreviewArguments& arguments) {
 
 void add_choices(CLI::App& command, PreviewArguments& arguments) {
     command.get_option("PRESET")->description("A preset; or a folder that bake has left");
-    command.add_option("--maps", arguments.maps, "Maps, with commas; one without it")
-        ->option_text("A,B");
+    add_maps_option(command, arguments.maps, "Maps, with commas; one without it");
     command.add_option("--as", arguments.kinds, "Any, with commas; the first three without it")
         ->delimiter(',')
         ->allow_extra_args(false)
@@ -145,11 +145,9 @@ void add_choices(CLI::App& command, PreviewArguments& arguments) {
     command.add_option("--width", arguments.size, "Of what moves, on its longer side: 384")
         ->check(CLI::Range(1, kLargestLoop))
         ->option_text("PX");
-    command.add_option("--preset", arguments.which, "Which, where the folder has several sets")
-        ->option_text("NAME");
-    command
-        .add_option("-o,--out", arguments.out, "Into this folder; else out, or the folder given")
-        ->option_text("FOLDER");
+    add_set_option(command, arguments.which);
+    add_out_folder_option(
+        command, arguments.out, "Into this folder; else out, or the folder given");
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace {
 constexpr int kBarWidth = 24;  // characters between the brackets
 
 /// Minutes and seconds to go if the rest takes as long a frame as what is done.
-std::string time_left(const BakeProgress& progress) {
+std::string time_left(const RunProgress& progress) {
     const double share = static_cast<double>(progress.total - progress.done) / progress.done;
     const auto seconds = static_cast<long>(std::ceil(progress.seconds * share));
     return fmt::format("{}:{:02} left", seconds / 60, seconds % 60);
@@ -27,7 +27,7 @@ bool wants_color() {
 }
 
 /// Draws over the bar before it; the last one stays.
-void draw_bar(const BakeProgress& progress, bool color) {
+void draw_bar(const RunProgress& progress, bool color) {
     const std::string bar = progress_bar(progress);
     const char* end = progress.done == progress.total ? "\n" : "";
     fmt::print(
@@ -37,7 +37,7 @@ void draw_bar(const BakeProgress& progress, bool color) {
 
 }  // namespace
 
-std::string progress_bar(const BakeProgress& progress) {
+std::string progress_bar(const RunProgress& progress) {
     const int filled = progress.total > 0 ? kBarWidth * progress.done / progress.total : 0;
     const auto hashes = static_cast<std::size_t>(std::clamp(filled, 0, kBarWidth));
     const std::string bar = std::string(hashes, '#') + std::string(kBarWidth - hashes, '-');
@@ -51,7 +51,7 @@ std::string progress_bar(const BakeProgress& progress) {
                        left);
 }
 
-std::string progress_line(const BakeProgress& progress) {
+std::string progress_line(const RunProgress& progress) {
     return fmt::format("frame {}: {} bubbles, area error {:.1e}, angle error {:.1e}, {:.2f} s",
                        progress.frame,
                        progress.bubbles,
@@ -62,12 +62,12 @@ std::string progress_line(const BakeProgress& progress) {
 
 ProgressCallback progress_reporter(Verbosity verbosity) {
     if (verbosity == Verbosity::Verbose) {
-        return [](const BakeProgress& p) { fmt::print(stderr, "{}\n", progress_line(p)); };
+        return [](const RunProgress& p) { fmt::print(stderr, "{}\n", progress_line(p)); };
     }
     if (verbosity == Verbosity::Normal && isatty(STDERR_FILENO) != 0) {
-        return [color = wants_color()](const BakeProgress& p) { draw_bar(p, color); };
+        return [color = wants_color()](const RunProgress& p) { draw_bar(p, color); };
     }
-    return [](const BakeProgress&) {};
+    return [](const RunProgress&) {};
 }
 
 }  // namespace foam::texgen

@@ -1,12 +1,13 @@
 #include "core/equilibrium/equilibrate_given.h"
 #include "texgen/cli/command.h"
 #include "texgen/cli/foam_file.h"
+#include "texgen/cli/json_report.h"
+#include "texgen/cli/options.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -14,8 +15,6 @@
 namespace foam::texgen {
 
 namespace {
-
-constexpr int kMostThreads = 1024;
 
 constexpr const char* kExamples = R"(Examples:
   foamtex relax torus.fe -o relaxed.fe
@@ -54,24 +53,16 @@ RelaxReport relax_loaded(Foam& foam, int threads) {
     return {summary, foam.network.bubble_count() + foam.lone_bubbles.size(), elapsed.count()};
 }
 
-/// JSON has no word for a number that is not finite.
-std::string json_number(double value) {
-    return std::isfinite(value) ? fmt::format("{}", value) : "null";
-}
-
-void print_json(const RelaxReport& report) {
-    fmt::print(R"({{"status": "{}", "bubbles": {}, "energy": {}, "area_error": {}, )"
-               R"("angle_error": {}, "iterations": {}, "t1": {}, "t2": {}, "seconds": {:.6f}}})"
-               "\n",
-               status_word(report.summary.status),
-               report.bubbles,
-               json_number(report.summary.energy),
-               json_number(report.summary.area_error),
-               json_number(report.summary.angle_error),
-               report.summary.iterations,
-               report.summary.t1,
-               report.summary.t2,
-               report.seconds);
+void print_report(const RelaxReport& report) {
+    print_json({{"status", status_word(report.summary.status)},
+                {"bubbles", report.bubbles},
+                {"energy", number_or_null(report.summary.energy)},
+                {"area_error", number_or_null(report.summary.area_error)},
+                {"angle_error", number_or_null(report.summary.angle_error)},
+                {"iterations", report.summary.iterations},
+                {"t1", report.summary.t1},
+                {"t2", report.summary.t2},
+                {"seconds", report.seconds}});
 }
 
 void print_line(const RelaxReport& report, const std::string& out) {
@@ -109,7 +100,7 @@ ExitCode run_relax(const RelaxArguments& arguments) {
         fmt::print(stderr, "foamtex: {}: the foam found no equilibrium\n", arguments.in);
     }
     if (arguments.json) {
-        print_json(report);
+        print_report(report);
     } else if (converged && !arguments.quiet) {
         print_line(report, arguments.out);
     }
@@ -128,13 +119,9 @@ void add_relax_command(CLI::App& app, Action& action) {
     command->add_option("-o,--out", arguments->out, "Where its equilibrium goes, as such a file")
         ->required()
         ->option_text("OUT");
-    command->add_option("--threads", arguments->threads, "0: one per hardware thread (the default)")
-        ->check(CLI::Range(0, kMostThreads))
-        ->option_text("N");
-    command->add_flag("--json", arguments->json, "Print one JSON object of the results")
-        ->option_text(" ");
-    command->add_flag("-q,--quiet", arguments->quiet, "Say nothing but errors (and --json)")
-        ->option_text(" ");
+    add_threads_option(*command, arguments->threads);
+    add_json_option(*command, arguments->json);
+    add_quiet_option(*command, arguments->quiet, "Say nothing but errors (and --json)");
     command->footer(kExamples);
     command->callback(
         [&action, arguments] { action = [arguments] { return run_relax(*arguments); }; });

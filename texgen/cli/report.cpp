@@ -14,6 +14,18 @@ void print_files(std::span<const std::filesystem::path> files) {
     }
 }
 
+void note_missing_charts(const StatisticsFiles& statistics) {
+    if (statistics.charts == ChartStatus::Drawn) {
+        return;
+    }
+    const bool missing = statistics.charts == ChartStatus::NoGnuplot;
+    fmt::print(stderr,
+               "foamtex: note: charts are drawn by gnuplot, which {}; in '{}', run: gnuplot {}\n",
+               missing ? "is not installed" : "failed",
+               statistics.paths.front().parent_path().string(),
+               kChartsScriptName);
+}
+
 ExitCode report_failure(const RunOutcome& outcome) {
     if (outcome.status == RunStatus::OpenLoop) {
         const double error = *outcome.closing_error;

@@ -1,6 +1,7 @@
 #include "texgen/cli/run_arguments.h"
 
 #include "texgen/bake/frame_range.h"
+#include "texgen/cli/options.h"
 #include "texgen/preset/load_preset.h"
 #include "texgen/preset/preset_io.h"
 
@@ -13,8 +14,6 @@
 namespace foam::texgen {
 
 namespace {
-
-constexpr int kMostThreads = 1024;
 
 /// "W" or "WxH" as [W, H]; what is no number is left for the schema to refuse.
 Value size_value(const std::string& size) {
@@ -64,17 +63,13 @@ void add_frame_options(CLI::App& command, RunArguments& arguments) {
     command.add_option("--set", arguments.sets, "Change one key of the preset; may be repeated")
         ->allow_extra_args(false)
         ->option_text("KEY=VALUE");
-    command.add_option("--frames", arguments.frames, "As 5, 1-10, 1-10x2, 1-10y3 or 1-3,7")
-        ->option_text("RANGE");
+    add_frames_option(command, arguments.frames);
     command.add_option("--size", arguments.size, "Image size in pixels")->option_text("W[xH]");
 }
 
 void add_run_options(CLI::App& command, RunArguments& arguments) {
-    command.add_option("--threads", arguments.threads, "0: one per hardware thread (the default)")
-        ->check(CLI::Range(0, kMostThreads))
-        ->option_text("N");
-    CLI::Option* quiet =
-        command.add_flag("-q,--quiet", arguments.quiet, "Say nothing but errors")->option_text(" ");
+    add_threads_option(command, arguments.threads);
+    CLI::Option* const quiet = add_quiet_option(command, arguments.quiet);
     command.add_flag("-v,--verbose", arguments.verbose, "Say a line per frame")
         ->excludes(quiet)
         ->option_text(" ");

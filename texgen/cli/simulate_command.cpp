@@ -2,6 +2,7 @@
 #include "texgen/cache/cache.h"
 #include "texgen/cli/command.h"
 #include "texgen/cli/json_report.h"
+#include "texgen/cli/options.h"
 #include "texgen/cli/report.h"
 #include "texgen/cli/run_arguments.h"
 
@@ -36,11 +37,11 @@ ExitCode run_simulate(const SimulateArguments& arguments) {
     const RunOutcome outcome =
         simulate_into_cache(preset, options, arguments.cache, progress_reporter(verbosity));
     if (arguments.json) {
-        JsonReport report(outcome);
-        report.add("preset", preset.name);
-        report.add("frames", format_frame_range(options.frames));
-        report.add("cache", arguments.cache);
-        report.print();
+        Json report = json_report(outcome);
+        report["preset"] = preset.name;
+        report["frames"] = format_frame_range(options.frames);
+        report["cache"] = arguments.cache;
+        print_json(report);
     }
     if (outcome.status != RunStatus::Complete) {
         return report_failure(outcome);

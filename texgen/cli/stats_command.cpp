@@ -3,6 +3,7 @@
 #include "texgen/cache/simulation_keys.h"
 #include "texgen/cli/command.h"
 #include "texgen/cli/json_report.h"
+#include "texgen/cli/options.h"
 #include "texgen/cli/report.h"
 #include "texgen/cli/run_arguments.h"
 #include "texgen/stats/files.h"
@@ -56,20 +57,20 @@ ExitCode run_stats(const StatsArguments& arguments) {
     }
     const Verbosity verbosity = verbosity_of(arguments.run);
     const MeasureSummary summary = measure_run(preset, options, progress_reporter(verbosity));
-    const std::vector<std::filesystem::path> files =
-        write_statistics(summary.run, folder_of(arguments, preset));
+    const StatisticsFiles statistics = write_statistics(summary.run, folder_of(arguments, preset));
     if (arguments.json) {
-        JsonReport report(summary.outcome);
-        report.add("preset", preset.name);
-        report.add("frames", format_frame_range(options.frames));
-        report.add("files", files);
-        report.print();
+        Json report = json_report(summary.outcome);
+        report["preset"] = preset.name;
+        report["frames"] = format_frame_range(options.frames);
+        report["files"] = path_list(statistics.paths);
+        print_json(report);
     }
     if (summary.outcome.status != RunStatus::Complete) {
         return report_failure(summary.outcome);
     }
     if (verbosity != Verbosity::Quiet && !arguments.json) {
-        print_files(files);
+        print_files(statistics.paths);
+        note_missing_charts(statistics);
     }
     return ExitCode::Success;
 }

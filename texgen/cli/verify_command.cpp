@@ -1,5 +1,5 @@
 #include "texgen/cli/command.h"
-#include "texgen/cli/json_report.h"
+#include "texgen/cli/options.h"
 #include "texgen/verify/verify.h"
 
 #include <CLI/CLI.hpp>
@@ -45,8 +45,7 @@ void add_verify_command(CLI::App& app, Action& action) {
         ->required()
         ->option_text(" ");
     add_json_option(*command, arguments->json);
-    command->add_flag("-q,--quiet", arguments->quiet, "Say nothing; only the exit code tells")
-        ->option_text(" ");
+    add_quiet_option(*command, arguments->quiet, "Say nothing; only the exit code tells");
     command->footer(kExamples);
     command->callback(
         [&action, arguments] { action = [arguments] { return run_verify(*arguments); }; });

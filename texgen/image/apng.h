@@ -18,7 +18,7 @@ class ApngMuxer {
     /// a rate of which either number is beyond 1 to 65535.
     ApngMuxer(int frames, FrameRate rate);
 
-    /// The next frame, as encode_png made it, without a palette. Throws std::invalid_argument for
+    /// The next frame, as encode_png made it. Throws std::invalid_argument for
     /// another stream, for one of another size or kind of samples than the first, and for a frame
     /// too many.
     void add(std::span<const std::byte> png);

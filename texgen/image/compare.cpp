@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <string_view>
+#include <vector>
 
 namespace foam::texgen {
 
@@ -23,18 +25,23 @@ double difference(double a, double b) {
 bool have_one_form(const Picture& a, const Picture& b) {
     return a.width() == b.width() && a.height() == b.height() &&
            std::ranges::equal(
-               a.channels, b.channels, {}, &PictureChannel::name, &PictureChannel::name);
+               channels_of(a), channels_of(b), {}, &PictureChannel::name, &PictureChannel::name);
 }
 
-/// Calls visit(channel, x, y, difference) for every sample.
+/// Calls visit(channel name, x, y, difference) for every sample.
 template <class Visit>
 void visit_differences(const Picture& a, const Picture& b, const Visit& visit) {
-    for (std::size_t k = 0; k < a.channels.size(); ++k) {
-        const Image<double>& left = a.channels[k].numbers;
-        const Image<double>& right = b.channels[k].numbers;
-        for (int y = 0; y < left.height(); ++y) {
-            for (int x = 0; x < left.width(); ++x) {
-                visit(k, x, y, difference(left.pixel(x, y)[0], right.pixel(x, y)[0]));
+    const std::vector<PictureChannel> left = channels_of(a);
+    const std::vector<PictureChannel> right = channels_of(b);
+    std::vector<double> left_row(static_cast<std::size_t>(a.width()));
+    std::vector<double> right_row(left_row.size());
+    for (std::size_t k = 0; k < left.size(); ++k) {
+        for (int y = 0; y < a.height(); ++y) {
+            read_numbers(left[k], y, left_row);
+            read_numbers(right[k], y, right_row);
+            for (int x = 0; x < a.width(); ++x) {
+                const auto at = static_cast<std::size_t>(x);
+                visit(left[k].name, x, y, difference(left_row[at], right_row[at]));
             }
         }
     }
@@ -57,14 +64,14 @@ Comparison compare(const Picture& a, const Picture& b, const CompareLimits& limi
     }
     double sum = 0.0;
     std::size_t count = 0;
-    visit_differences(a, b, [&](std::size_t channel, int x, int y, double apart) {
+    visit_differences(a, b, [&](std::string_view channel, int x, int y, double apart) {
         sum += apart;
         ++count;
         found.warnings += apart > limits.warn ? 1U : 0U;
         found.failures += apart > limits.fail ? 1U : 0U;
         if (apart > found.largest) {
             found.largest = apart;
-            found.channel = a.channels[channel].name;
+            found.channel = channel;
             found.x = x;
             found.y = a.height() - 1 - y;
         }
@@ -78,7 +85,7 @@ Image<std::uint16_t> difference_picture(const Picture& a, const Picture& b) {
     assert(have_one_form(a, b));
     Image<double> most(a.width(), a.height(), 1);
     double largest = 0.0;
-    visit_differences(a, b, [&](std::size_t, int x, int y, double apart) {
+    visit_differences(a, b, [&](std::string_view, int x, int y, double apart) {
         const double finite = std::min(apart, std::numeric_limits<double>::max());
         most.pixel(x, y)[0] = std::max(most.pixel(x, y)[0], finite);
         largest = std::max(largest, finite);

@@ -26,11 +26,13 @@ constexpr std::size_t kLargestRatio = 1032;
 // Strings that the library gives a meaning to.
 constexpr std::array<std::string_view, 4> kNoTexts = {"wrapmodes", "name", "type", "view"};
 
-ExrType type_of(const Imf::Channel& channel) {
-    constexpr std::array<ExrType, Imf::NUM_PIXELTYPES> kTypes = {
-        ExrType::Uint, ExrType::Half, ExrType::Float};
+SampleType type_of(const Imf::Channel& channel) {
+    constexpr std::array<SampleType, Imf::NUM_PIXELTYPES> kTypes = {
+        SampleType::Uint32, SampleType::Half, SampleType::Float};
     return kTypes.at(static_cast<std::size_t>(channel.type));
 }
+
+using Groups = std::vector<ChannelGroup>;
 
 struct Extent {
     int width;
@@ -59,76 +61,76 @@ Extent extent_of(const Imath::Box2i& window, const Imf::Header& header, std::siz
     return {static_cast<int>(width), static_cast<int>(height)};
 }
 
-std::vector<ExrPlane> blank_planes(const Imf::Header& header, const Extent& extent) {
-    std::vector<ExrPlane> planes;
+Groups blank_groups(const Imf::Header& header, const Extent& extent) {
+    Groups groups;
     for (auto channel = header.channels().begin(); channel != header.channels().end(); ++channel) {
-        const ExrType type = type_of(channel.channel());
-        planes.push_back({channel.name(), type, {}});
-        if (type == ExrType::Uint) {
-            planes.back().pixels = Image<std::uint32_t>(extent.width, extent.height, 1);
+        const SampleType type = type_of(channel.channel());
+        groups.push_back({{channel.name()}, type, {}});
+        if (type == SampleType::Uint32) {
+            groups.back().samples = Image<std::uint32_t>(extent.width, extent.height, 1);
         } else {
-            planes.back().pixels = Image<float>(extent.width, extent.height, 1);
+            groups.back().samples = Image<float>(extent.width, extent.height, 1);
         }
     }
-    return planes;
+    return groups;
 }
 
-Imf::FrameBuffer buffer_of(std::vector<ExrPlane>& planes, const Imath::Box2i& window) {
+Imf::FrameBuffer buffer_of(Groups& groups, const Imath::Box2i& window) {
     Imf::FrameBuffer buffer;
-    for (ExrPlane& plane : planes) {
-        const Imf::PixelType type = plane.type == ExrType::Uint ? Imf::UINT : Imf::FLOAT;
+    for (ChannelGroup& group : groups) {
+        const Imf::PixelType type = group.type == SampleType::Uint32 ? Imf::UINT : Imf::FLOAT;
         void* const first =
-            std::visit([](auto& pixels) -> void* { return pixels.samples().data(); }, plane.pixels);
-        buffer.insert(plane.name, Imf::Slice::Make(type, first, window));
+            std::visit([](auto& image) -> void* { return image.samples().data(); }, group.samples);
+        buffer.insert(group.names.front(), Imf::Slice::Make(type, first, window));
     }
     return buffer;
 }
 
 /// The rows of an image run upward, those of a file downward.
 template <class Sample>
-void turn_over(Image<Sample>& image) {
+void flip_rows(Image<Sample>& image) {
     for (int y = 0; 2 * y + 1 < image.height(); ++y) {
         std::ranges::swap_ranges(image.row(y), image.row(image.height() - 1 - y));
     }
 }
 
-/// Planes of a window, filled by read(buffer).
+/// The channels of a window, filled by read(buffer).
 template <class Read>
-std::vector<ExrPlane> read_planes(const Imf::Header& header,
-                                  const Imath::Box2i& window,
-                                  std::size_t bytes,
-                                  const Read& read) {
-    std::vector<ExrPlane> planes = blank_planes(header, extent_of(window, header, bytes));
-    read(buffer_of(planes, window));
-    for (ExrPlane& plane : planes) {
-        std::visit([](auto& pixels) { turn_over(pixels); }, plane.pixels);
+Groups read_groups(const Imf::Header& header,
+                   const Imath::Box2i& window,
+                   std::size_t bytes,
+                   const Read& read) {
+    Groups groups = blank_groups(header, extent_of(window, header, bytes));
+    read(buffer_of(groups, window));
+    for (ChannelGroup& group : groups) {
+        std::visit([](auto& image) { flip_rows(image); }, group.samples);
     }
-    return planes;
+    return groups;
 }
 
-std::vector<ExrPlane> read_rows(Imf::InputFile& file, std::size_t bytes) {
+Groups read_rows(Imf::InputFile& file, std::size_t bytes) {
     const Imath::Box2i window = file.header().dataWindow();
-    return read_planes(file.header(), window, bytes, [&](const Imf::FrameBuffer& buffer) {
+    return read_groups(file.header(), window, bytes, [&](const Imf::FrameBuffer& buffer) {
         file.setFrameBuffer(buffer);
         file.readPixels(window.min.y, window.max.y);
     });
 }
 
-std::vector<ExrPlane> read_tiles(std::span<const std::byte> content, int level) {
+Groups read_tiles(std::span<const std::byte> content, int level) {
     ExrInput stream(content);
     Imf::TiledInputFile file(stream, 0);
     if (!file.isValidLevel(level, level)) {
         throw InputError(fmt::format("there is no mip level {}", level));
     }
     const Imath::Box2i window = file.dataWindowForLevel(level);
-    return read_planes(file.header(), window, content.size(), [&](const Imf::FrameBuffer& buffer) {
+    return read_groups(file.header(), window, content.size(), [&](const Imf::FrameBuffer& buffer) {
         file.setFrameBuffer(buffer);
         file.readTiles(0, file.numXTiles(level) - 1, 0, file.numYTiles(level) - 1, level);
     });
 }
 
-ExrMetadata metadata_of(const Imf::Header& header) {
-    ExrMetadata metadata;
+ImageMetadata metadata_of(const Imf::Header& header) {
+    ImageMetadata metadata;
     metadata.color = Imf::hasChromaticities(header);
     metadata.periodic = Imf::hasWrapmodes(header) && Imf::wrapmodes(header) == "periodic";
     if (Imf::hasFramesPerSecond(header)) {
@@ -144,7 +146,7 @@ ExrMetadata metadata_of(const Imf::Header& header) {
     return metadata;
 }
 
-ExrImage decode(std::span<const std::byte> content, int level) {
+Picture decode(std::span<const std::byte> content, int level) {
     ExrInput stream(content);
     Imf::InputFile file(stream, 0);
     const bool tiled = file.header().hasTileDescription();
@@ -160,22 +162,13 @@ ExrImage decode(std::span<const std::byte> content, int level) {
 
 }  // namespace
 
-ExrImage decode_exr(std::span<const std::byte> content, int level) {
+Picture decode_exr(std::span<const std::byte> content, int level) {
     try {
         return decode(content, level);
     } catch (const InputError& error) {
         throw InputError(fmt::format("unreadable EXR: {}", error.what()));
     } catch (const std::exception& error) {
         throw InputError(fmt::format("malformed EXR: {}", error.what()));
-    }
-}
-
-ExrImage read_exr(const std::filesystem::path& path, int level) {
-    const Bytes content = read_file(path);
-    try {
-        return decode_exr(content, level);
-    } catch (const InputError& error) {
-        throw InputError(fmt::format("cannot read '{}': {}", path.string(), error.what()));
     }
 }
 

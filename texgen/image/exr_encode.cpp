@@ -45,7 +45,7 @@ void check_channel(const ExrChannel& channel, const ExrSize& size) {
     if (channel.channel < 0 || channel.channel >= channels_of(channel)) {
         refuse_exr(fmt::format("channel '{}' lies outside of its pixels", channel.name));
     }
-    if (integers != (channel.type == ExrType::Uint)) {
+    if (integers != (channel.type == SampleType::Uint32)) {
         refuse_exr(fmt::format("channel '{}' has samples of another type", channel.name));
     }
 }
@@ -77,7 +77,7 @@ bool is_text_name(const Imf::Header& header, const std::string& name) {
            std::ranges::find(kReservedNames, name) == kReservedNames.end();
 }
 
-void add_texts(Imf::Header& header, const ExrMetadata& metadata) {
+void add_texts(Imf::Header& header, const ImageMetadata& metadata) {
     for (const auto& [name, text] : metadata.text) {
         if (!is_text_name(header, name)) {
             refuse_exr(fmt::format("'{}' is no name for a text", name));
@@ -87,7 +87,7 @@ void add_texts(Imf::Header& header, const ExrMetadata& metadata) {
 }
 
 Imf::Header header_of(std::span<const ExrChannel> channels,
-                      const ExrMetadata& metadata,
+                      const ImageMetadata& metadata,
                       const ExrEncoding& encoding) {
     const ExrSize size = size_of(channels.front());
     Imf::Header header(size.width, size.height);
@@ -153,7 +153,7 @@ void write_levels(std::span<const ExrChannel> channels,
 }  // namespace
 
 Bytes encode_exr(std::span<const ExrChannel> channels,
-                 const ExrMetadata& metadata,
+                 const ImageMetadata& metadata,
                  const ExrEncoding& encoding) {
     check_channels(channels);
     const Imf::Header header = header_of(channels, metadata, encoding);
@@ -172,17 +172,8 @@ Bytes encode_exr(std::span<const ExrChannel> channels,
     return bytes;
 }
 
-void write_exr(const std::filesystem::path& path,
-               std::span<const ExrChannel> channels,
-               const ExrMetadata& metadata,
-               const ExrEncoding& encoding) {
-    Bytes stream;
-    try {
-        stream = encode_exr(channels, metadata, encoding);
-    } catch (const OutputError& error) {
-        throw OutputError(fmt::format("cannot write '{}': {}", path.string(), error.what()));
-    }
-    write_file(path, stream);
+Bytes encode_exr(const Picture& picture, const ExrEncoding& encoding) {
+    return encode_exr(exr_channels(picture), picture.metadata, encoding);
 }
 
 }  // namespace foam::texgen

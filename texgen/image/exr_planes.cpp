@@ -5,7 +5,6 @@
 #include <Imath/half.h>
 #include <fmt/core.h>
 
-#include <array>
 #include <cmath>
 #include <cstring>
 #include <stdexcept>
@@ -44,13 +43,13 @@ Bytes stored_rows(ImageView<const Sample> view, int channel, const Convert& conv
 }
 
 Bytes stored_rows(const ExrChannel& channel) {
-    if (channel.type == ExrType::Uint) {
+    if (channel.type == SampleType::Uint32) {
         return stored_rows(std::get<ImageView<const std::uint32_t>>(channel.pixels),
                            channel.channel,
                            [](std::uint32_t id) { return id; });
     }
     const auto view = std::get<ImageView<const float>>(channel.pixels);
-    if (channel.type == ExrType::Half) {
+    if (channel.type == SampleType::Half) {
         return stored_rows(view, channel.channel, [&](float number) {
             return stored_number<half>(number, channel.name);
         });
@@ -79,13 +78,39 @@ ExrSize size_of(const ExrChannel& channel) {
         channel.pixels);
 }
 
-Imf::PixelType pixel_type(ExrType type) {
-    constexpr std::array<Imf::PixelType, 3> kTypes = {Imf::HALF, Imf::FLOAT, Imf::UINT};
-    return kTypes.at(static_cast<std::size_t>(type));
+Imf::PixelType pixel_type(SampleType type) {
+    switch (type) {
+        case SampleType::Half:
+            return Imf::HALF;
+        case SampleType::Float:
+            return Imf::FLOAT;
+        case SampleType::Uint32:
+            return Imf::UINT;
+        default:
+            refuse_exr(fmt::format("it does not hold {}", name_of(type)));
+    }
 }
 
 void refuse_exr(const std::string& why) {
     throw std::invalid_argument("cannot make an EXR: " + why);
+}
+
+std::vector<ExrChannel> exr_channels(const Picture& picture) {
+    std::vector<ExrChannel> channels;
+    for (const PictureChannel& channel : channels_of(picture)) {
+        ExrChannel& added = channels.emplace_back();
+        added.name = channel.name;
+        added.type = channel.group->type;
+        added.channel = channel.index;
+        if (const auto* ids = std::get_if<Image<std::uint32_t>>(&channel.group->samples)) {
+            added.pixels = ids->view();
+        } else if (const auto* numbers = std::get_if<Image<float>>(&channel.group->samples)) {
+            added.pixels = numbers->view();
+        } else {
+            refuse_exr(fmt::format("it does not hold {}", name_of(added.type)));
+        }
+    }
+    return channels;
 }
 
 ExrPlanes::ExrPlanes(std::span<const ExrChannel> channels) {

@@ -23,9 +23,12 @@ struct ExrSize {
 
 ExrSize size_of(const ExrChannel& channel);
 
-Imf::PixelType pixel_type(ExrType type);
+Imf::PixelType pixel_type(SampleType type);
 
 [[noreturn]] void refuse_exr(const std::string& why);
+
+/// The channels of a picture, which is borrowed. Throws std::invalid_argument for codes.
+std::vector<ExrChannel> exr_channels(const Picture& picture);
 
 /// All channels of one level as the library takes them: each by itself, the top row first, in the
 /// type of the file. Throws as encode_exr for numbers that this type cannot hold.

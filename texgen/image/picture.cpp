@@ -1,73 +1,109 @@
 #include "texgen/image/picture.h"
 
-#include "texgen/image/exr.h"
-#include "texgen/image/file_io.h"
-#include "texgen/image/png.h"
-
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstddef>
-#include <string_view>
-#include <variant>
+#include <limits>
+#include <type_traits>
 
 namespace foam::texgen {
 
 namespace {
 
-constexpr double kLargestSample = 65535.0;
+constexpr std::array<std::string_view, 5> kTypeNames = {
+    "uint8", "uint16", "half", "float", "uint32"};
 
+template <class Code>
+ChannelGroup group_of(Image<Code> codes, SampleType type) {
+    ChannelGroup group{{}, type, {}};
+    for (const char letter : code_channel_names(codes.channels())) {
+        group.names.emplace_back(1, letter);
+    }
+    group.samples = std::move(codes);
+    return group;
+}
+
+/// What the number 1 is stored as.
 template <class Sample>
-Image<double> numbers_of(ImageView<const Sample> view, int channel, double scale) {
-    Image<double> numbers(view.width(), view.height(), 1);
-    for (int y = 0; y < view.height(); ++y) {
-        for (int x = 0; x < view.width(); ++x) {
-            const Sample sample = view.pixel(x, y)[static_cast<std::size_t>(channel)];
-            numbers.pixel(x, y)[0] = static_cast<double>(sample) / scale;
-        }
+constexpr double unit_of(SampleType type) {
+    if constexpr (std::is_integral_v<Sample>) {
+        return type == SampleType::Uint32 ? 1.0 : std::numeric_limits<Sample>::max();
+    } else {
+        return 1.0;
     }
-    return numbers;
-}
-
-Picture picture_of(const PngImage16& image) {
-    Picture picture;
-    const std::string_view names = png_channel_names(image.pixels.channels());
-    for (int k = 0; k < image.pixels.channels(); ++k) {
-        picture.channels.push_back({std::string(1, names[static_cast<std::size_t>(k)]),
-                                    numbers_of(image.pixels.view(), k, kLargestSample)});
-    }
-    std::ranges::sort(picture.channels, {}, &PictureChannel::name);
-    return picture;
-}
-
-Picture picture_of(const ExrImage& image) {
-    Picture picture;
-    for (const ExrPlane& plane : image.channels) {
-        picture.channels.push_back(
-            {plane.name,
-             std::visit([](const auto& pixels) { return numbers_of(pixels.view(), 0, 1.0); },
-                        plane.pixels)});
-    }
-    return picture;
 }
 
 }  // namespace
 
-std::string_view png_channel_names(int channels) {
+std::span<const std::string_view> sample_type_names() {
+    return kTypeNames;
+}
+
+std::string_view name_of(SampleType type) {
+    return kTypeNames.at(static_cast<std::size_t>(type));
+}
+
+int ChannelGroup::width() const {
+    return std::visit([](const auto& image) { return image.width(); }, samples);
+}
+
+int ChannelGroup::height() const {
+    return std::visit([](const auto& image) { return image.height(); }, samples);
+}
+
+int ChannelGroup::channels() const {
+    return std::visit([](const auto& image) { return image.channels(); }, samples);
+}
+
+std::string_view code_channel_names(int channels) {
     constexpr std::array<std::string_view, 4> kNames = {"Y", "YA", "RGB", "RGBA"};
     return kNames.at(static_cast<std::size_t>(channels - 1));
 }
 
-Picture read_picture(const std::filesystem::path& path) {
-    if (path.extension() == ".png") {
-        return picture_of(read_png16(path));
+ChannelGroup code_channels(Image<std::uint8_t> codes) {
+    return group_of(std::move(codes), SampleType::Uint8);
+}
+
+ChannelGroup code_channels(Image<std::uint16_t> codes) {
+    return group_of(std::move(codes), SampleType::Uint16);
+}
+
+std::vector<const ChannelGroup*> groups_of(const Picture& picture, std::string_view layer) {
+    const std::string prefix = std::string(layer) + '.';
+    std::vector<const ChannelGroup*> groups;
+    for (const ChannelGroup& group : picture.groups) {
+        const std::string& name = group.names.front();
+        if (name.find('.') == std::string::npos || name.starts_with(prefix)) {
+            groups.push_back(&group);
+        }
     }
-    if (path.extension() == ".exr") {
-        return picture_of(read_exr(path));
+    return groups;
+}
+
+std::vector<PictureChannel> channels_of(const Picture& picture) {
+    std::vector<PictureChannel> channels;
+    for (const ChannelGroup& group : picture.groups) {
+        for (int k = 0; k < group.channels(); ++k) {
+            channels.push_back({group.names.at(static_cast<std::size_t>(k)), &group, k});
+        }
     }
-    throw InputError(
-        fmt::format("cannot read '{}': its name must end in .png or .exr", path.string()));
+    std::ranges::sort(channels, {}, &PictureChannel::name);
+    return channels;
+}
+
+void read_numbers(const PictureChannel& channel, int row, std::span<double> to) {
+    std::visit(
+        [&]<class Sample>(const Image<Sample>& image) {
+            assert(to.size() == static_cast<std::size_t>(image.width()));
+            const double unit = unit_of<Sample>(channel.group->type);
+            const auto step = static_cast<std::size_t>(image.channels());
+            const Sample* from = &image.row(row)[static_cast<std::size_t>(channel.index)];
+            for (std::size_t x = 0; x < to.size(); ++x) {
+                to[x] = static_cast<double>(from[x * step]) / unit;
+            }
+        },
+        channel.group->samples);
 }
 
 }  // namespace foam::texgen

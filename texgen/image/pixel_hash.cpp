@@ -1,18 +1,15 @@
 #include "texgen/image/pixel_hash.h"
 
-#include "texgen/image/picture.h"
-
 #include <Imath/half.h>
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <xxhash.h>
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
-#include <cstring>
 #include <memory>
 #include <new>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -46,31 +43,33 @@ class Hasher {
     std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state_;
 };
 
-template <class View>
-std::string block_line(std::string_view names, std::string_view type, const View& view) {
-    return fmt::format("{} {} {}x{}\n", names, type, view.width(), view.height());
+std::string block_line(std::string_view names, const ChannelGroup& group) {
+    constexpr std::array<std::string_view, 5> kTypes = {"u8", "u16", "f16", "f32", "u32"};
+    return fmt::format("{} {} {}x{}\n",
+                       names,
+                       kTypes.at(static_cast<std::size_t>(group.type)),
+                       group.width(),
+                       group.height());
 }
 
-template <class Sample>
-std::string hash_png(ImageView<const Sample> pixels, std::string_view type) {
-    Hasher hasher;
-    hasher.add(block_line(png_channel_names(pixels.channels()), type, pixels));
-    for (int y = pixels.height() - 1; y >= 0; --y) {
-        hasher.add(std::as_bytes(pixels.row(y)));
-    }
-    return hasher.digits();
+void add_codes(const ChannelGroup& group, Hasher& hasher) {
+    hasher.add(block_line(fmt::format("{}", fmt::join(group.names, "")), group));
+    std::visit(
+        [&](const auto& image) {
+            for (int y = image.height() - 1; y >= 0; --y) {
+                hasher.add(std::as_bytes(image.row(y)));
+            }
+        },
+        group.samples);
 }
 
-/// One channel of a view, each sample converted.
+/// Adds the samples of one channel, each converted to its stored form.
 template <class Sample, class Convert>
-void add_channel(ImageView<const Sample> view,
-                 int channel,
-                 const Convert& convert,
-                 Hasher& hasher) {
-    std::vector<decltype(convert(Sample()))> row(static_cast<std::size_t>(view.width()));
-    const auto step = static_cast<std::size_t>(view.channels());
-    for (int y = view.height() - 1; y >= 0; --y) {
-        const Sample* from = &view.row(y)[static_cast<std::size_t>(channel)];
+void add_channel(const Image<Sample>& image, int channel, const Convert& convert, Hasher& hasher) {
+    std::vector<decltype(convert(Sample()))> row(static_cast<std::size_t>(image.width()));
+    const auto step = static_cast<std::size_t>(image.channels());
+    for (int y = image.height() - 1; y >= 0; --y) {
+        const Sample* from = &image.row(y)[static_cast<std::size_t>(channel)];
         for (std::size_t x = 0; x < row.size(); ++x) {
             row[x] = convert(from[x * step]);
         }
@@ -78,56 +77,37 @@ void add_channel(ImageView<const Sample> view,
     }
 }
 
-void add_channel(const ExrChannel& channel, Hasher& hasher) {
-    constexpr std::array<std::string_view, 3> kTypes = {"f16", "f32", "u32"};
-    const std::string_view type = kTypes.at(static_cast<std::size_t>(channel.type));
-    std::visit([&](const auto& view) { hasher.add(block_line(channel.name, type, view)); },
-               channel.pixels);
-    if (const auto* ids = std::get_if<ImageView<const std::uint32_t>>(&channel.pixels)) {
-        add_channel(
-            *ids, channel.channel, [](std::uint32_t id) { return id; }, hasher);
+void add_numbers(const PictureChannel& channel, Hasher& hasher) {
+    const ChannelGroup& group = *channel.group;
+    hasher.add(block_line(channel.name, group));
+    if (group.type == SampleType::Half) {
+        const auto bits = [](float number) { return half(number).bits(); };
+        add_channel(std::get<Image<float>>(group.samples), channel.index, bits, hasher);
         return;
     }
-    const auto numbers = std::get<ImageView<const float>>(channel.pixels);
-    if (channel.type == ExrType::Half) {
-        const auto bits = [](float number) { return half(number).bits(); };
-        add_channel(numbers, channel.channel, bits, hasher);
-    } else {
-        add_channel(
-            numbers, channel.channel, [](float number) { return number; }, hasher);
-    }
+    std::visit(
+        [&]<class Sample>(const Image<Sample>& image) {
+            add_channel(
+                image, channel.index, [](Sample sample) { return sample; }, hasher);
+        },
+        group.samples);
 }
 
 }  // namespace
 
-std::string pixel_hash(ImageView<const std::uint8_t> pixels) {
-    return hash_png(pixels, "u8");
-}
-
-std::string pixel_hash(ImageView<const std::uint16_t> pixels) {
-    return hash_png(pixels, "u16");
-}
-
-std::string pixel_hash(std::span<const ExrChannel> channels) {
-    std::vector<ExrChannel> sorted(channels.begin(), channels.end());
-    std::ranges::sort(sorted, {}, &ExrChannel::name);
+std::string pixel_hash(const Picture& picture) {
     Hasher hasher;
-    for (const ExrChannel& channel : sorted) {
-        add_channel(channel, hasher);
+    for (const ChannelGroup& group : picture.groups) {
+        if (group.has_codes()) {
+            add_codes(group, hasher);
+        }
+    }
+    for (const PictureChannel& channel : channels_of(picture)) {
+        if (!channel.group->has_codes()) {
+            add_numbers(channel, hasher);
+        }
     }
     return hasher.digits();
-}
-
-std::string pixel_hash(const ExrImage& image) {
-    std::vector<ExrChannel> channels;
-    for (const ExrPlane& plane : image.channels) {
-        std::visit(
-            [&](const auto& pixels) {
-                channels.push_back({plane.name, plane.type, pixels.view(), 0});
-            },
-            plane.pixels);
-    }
-    return pixel_hash(channels);
 }
 
 std::string text_hash(std::string_view text) {

@@ -32,15 +32,12 @@ std::array<std::byte, 4> big_endian(std::uint32_t number) {
 
 }  // namespace
 
-PngData::PngData(const PngRows& rows, const PngEncoding& encoding, std::vector<PngPart>& parts)
-    : rows_(rows),
-      encoding_(encoding),
-      parts_(parts),
-      rows_per_part_(rows_per_part(rows, encoding.compression)) {
+PngData::PngData(const PngRows& rows, const PngEncoding& encoding)
+    : rows_(rows), encoding_(encoding), rows_per_part_(rows_per_part(rows, encoding.compression)) {
     const int count = (rows.height() + rows_per_part_ - 1) / rows_per_part_;
     const int at_once = std::min(thread_count(encoding.threads), count);
     chunks_.resize(static_cast<std::size_t>(at_once));
-    parts_.resize(std::max(parts_.size(), chunks_.size()));
+    parts_.resize(chunks_.size());
 }
 
 std::span<const PngData::Chunk> PngData::next_chunks() {

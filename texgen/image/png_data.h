@@ -31,8 +31,8 @@ class PngData {
         std::span<const std::byte> end;
     };
 
-    /// Borrows all three; `parts` are made as needed, and worth keeping for the next picture.
-    PngData(const PngRows& rows, const PngEncoding& encoding, std::vector<PngPart>& parts);
+    /// Borrows both arguments.
+    PngData(const PngRows& rows, const PngEncoding& encoding);
 
     bool complete() const { return next_row_ == rows_.height(); }
 
@@ -46,7 +46,7 @@ class PngData {
 
     const PngRows& rows_;
     const PngEncoding& encoding_;
-    std::vector<PngPart>& parts_;
+    std::vector<PngPart> parts_;  // one per thread
     std::vector<Chunk> chunks_;
     int rows_per_part_;
     int next_row_ = 0;

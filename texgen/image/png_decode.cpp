@@ -96,8 +96,8 @@ std::string utf8_text(const png_text& chunk) {
                          : latin1_to_utf8({chunk.text, chunk.text_length});
 }
 
-PngMetadata metadata_of(const PngSession& session) {
-    PngMetadata metadata;
+ImageMetadata metadata_of(const PngSession& session) {
+    ImageMetadata metadata;
     metadata.color = png_get_valid(session.png(), session.info(), PNG_INFO_sRGB) != 0;
     png_textp chunks = nullptr;
     int count = 0;
@@ -115,7 +115,7 @@ void check(const PngSession& session, bool survived) {
 }
 
 template <class Sample>
-PngPicture<Sample> decode(std::span<const std::byte> content) {
+Picture decode(std::span<const std::byte> content) {
     Source source = content;
     PngSession session(PngDirection::Read);
     check(session, session.run([&] { read_header<Sample>(session, source); }));
@@ -125,47 +125,15 @@ PngPicture<Sample> decode(std::span<const std::byte> content) {
         png_read_image(session.png(), rows.data());
         png_read_end(session.png(), session.info());
     }));
-    return {std::move(pixels), metadata_of(session)};
-}
-
-template <class Decode>
-auto read(const std::filesystem::path& path, const Decode& decode_content) {
-    const Bytes content = read_file(path);
-    try {
-        return decode_content(content);
-    } catch (const InputError& error) {
-        throw InputError(fmt::format("cannot read '{}': {}", path.string(), error.what()));
-    }
+    return {{code_channels(std::move(pixels))}, metadata_of(session)};
 }
 
 }  // namespace
 
-PngImage decode_png(std::span<const std::byte> content) {
-    return decode<std::uint8_t>(content);
-}
-
-PngImage16 decode_png16(std::span<const std::byte> content) {
-    return decode<std::uint16_t>(content);
-}
-
-PngSamples decode_png_samples(std::span<const std::byte> content) {
+Picture decode_png(std::span<const std::byte> content) {
     constexpr std::size_t kDepth = 24;  // where the header has the bits of a sample
-    if (content.size() > kDepth && content[kDepth] == std::byte{16}) {
-        return decode_png16(content).pixels;
-    }
-    return decode_png(content).pixels;
-}
-
-PngImage read_png(const std::filesystem::path& path) {
-    return read(path, decode_png);
-}
-
-PngImage16 read_png16(const std::filesystem::path& path) {
-    return read(path, decode_png16);
-}
-
-PngSamples read_png_samples(const std::filesystem::path& path) {
-    return read(path, decode_png_samples);
+    const bool deep = content.size() > kDepth && content[kDepth] == std::byte{16};
+    return deep ? decode<std::uint16_t>(content) : decode<std::uint8_t>(content);
 }
 
 }  // namespace foam::texgen

@@ -1,6 +1,5 @@
 #include "texgen/image/png.h"
 #include "texgen/image/png_data.h"
-#include "texgen/image/png_palette.h"
 #include "texgen/image/png_session.h"
 
 #include <fmt/core.h>
@@ -8,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <new>
-#include <optional>
 #include <stdexcept>
 
 namespace foam::texgen {
@@ -47,7 +45,7 @@ int text_kind(const std::string& text) {
 }
 
 /// Borrows the strings.
-std::vector<png_text> text_chunks(const PngMetadata& metadata) {
+std::vector<png_text> text_chunks(const ImageMetadata& metadata) {
     std::vector<png_text> chunks;
     for (const auto& [key, text] : metadata.text) {
         if (!is_keyword(key)) {
@@ -62,52 +60,22 @@ std::vector<png_text> text_chunks(const PngMetadata& metadata) {
     return chunks;
 }
 
-int color_type(const PngRows& rows, const IndexedImage* indexed) {
+int color_type(const PngRows& rows) {
     constexpr std::array<int, 4> kTypes = {
         PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB, PNG_COLOR_TYPE_RGBA};
-    return indexed != nullptr ? PNG_COLOR_TYPE_PALETTE
-                              : kTypes.at(static_cast<std::size_t>(rows.channels() - 1));
+    return kTypes.at(static_cast<std::size_t>(rows.channels() - 1));
 }
 
-/// A picture as it goes into the file.
-struct Content {
-    explicit Content(PngRows picture) : rows(picture) {}
-    Content(const IndexedImage& image, int channels)
-        : rows(image.indices.view()), indexed(&image), has_alpha(channels == 4) {}
-
-    PngRows rows;
-    const IndexedImage* indexed = nullptr;  // whose indices the rows are
-    bool has_alpha = false;                 // in the palette
-};
-
-void set_palette(png_structp png, png_infop info, const Content& content) {
-    std::array<png_color, kMaxPalette> colors{};
-    std::array<png_byte, kMaxPalette> opacities{};
-    const auto count = static_cast<int>(content.indexed->palette.size());
-    for (std::size_t k = 0; k < content.indexed->palette.size(); ++k) {
-        const PaletteColor& color = content.indexed->palette[k];
-        colors.at(k) = {color[0], color[1], color[2]};
-        opacities.at(k) = color[3];
-    }
-    png_set_PLTE(png, info, colors.data(), count);
-    if (content.has_alpha) {
-        png_set_tRNS(png, info, opacities.data(), count, nullptr);
-    }
-}
-
-void set_header(png_structp png, png_infop info, const Content& content, bool color) {
+void set_header(png_structp png, png_infop info, const PngRows& rows, bool color) {
     png_set_IHDR(png,
                  info,
-                 static_cast<png_uint_32>(content.rows.width()),
-                 static_cast<png_uint_32>(content.rows.height()),
-                 content.rows.bit_depth(),
-                 color_type(content.rows, content.indexed),
+                 static_cast<png_uint_32>(rows.width()),
+                 static_cast<png_uint_32>(rows.height()),
+                 rows.bit_depth(),
+                 color_type(rows),
                  PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_BASE,
                  PNG_FILTER_TYPE_BASE);
-    if (content.indexed != nullptr) {
-        set_palette(png, info, content);
-    }
     if (color) {
         png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
     }
@@ -138,16 +106,15 @@ void check(const PngSession& session, bool survived) {
     }
 }
 
-void write_stream(const Content& content,
-                  const PngMetadata& metadata,
-                  PngData& data,
-                  Bytes& stream) {
+Bytes encode(const PngRows& rows, const ImageMetadata& metadata, const PngEncoding& encoding) {
     std::vector<png_text> texts = text_chunks(metadata);
+    PngData data(rows, encoding);
+    Bytes stream;
     PngSession session(PngDirection::Write);
     png_structp png = session.png();
     check(session, session.run([&] {
         png_set_write_fn(png, &stream, append, nullptr);
-        set_header(png, session.info(), content, metadata.color);
+        set_header(png, session.info(), rows, metadata.color);
         png_set_text(png, session.info(), texts.data(), static_cast<int>(texts.size()));
         png_write_info(png, session.info());
     }));
@@ -160,6 +127,7 @@ void write_stream(const Content& content,
         }));
     }
     check(session, session.run([&] { write_end(png); }));
+    return stream;
 }
 
 template <class Sample>
@@ -174,23 +142,21 @@ void check_encodable(ImageView<const Sample> pixels) {
 }
 
 template <class Sample>
-Bytes encode_once(ImageView<const Sample> pixels,
-                  const PngMetadata& metadata,
-                  const PngEncoding& encoding) {
-    PngEncoder encoder;
-    const std::span<const std::byte> stream = encoder.encode(pixels, metadata, encoding);
-    return {stream.begin(), stream.end()};
+Bytes encode_checked(ImageView<const Sample> pixels,
+                     const ImageMetadata& metadata,
+                     const PngEncoding& encoding) {
+    check_encodable(pixels);
+    return encode(PngRows(pixels), metadata, encoding);
 }
 
 template <class Sample>
-void write_once(const std::filesystem::path& path,
-                ImageView<const Sample> pixels,
-                const PngMetadata& metadata,
-                const PngEncoding& encoding) {
-    PngEncoder encoder;
-    std::span<const std::byte> stream;
+void encode_and_write(const std::filesystem::path& path,
+                      ImageView<const Sample> pixels,
+                      const ImageMetadata& metadata,
+                      const PngEncoding& encoding) {
+    Bytes stream;
     try {
-        stream = encoder.encode(pixels, metadata, encoding);
+        stream = encode_checked(pixels, metadata, encoding);
     } catch (const OutputError& error) {
         throw OutputError(fmt::format("cannot write '{}': {}", path.string(), error.what()));
     }
@@ -199,68 +165,42 @@ void write_once(const std::filesystem::path& path,
 
 }  // namespace
 
-struct PngEncoder::Buffers {
-    Bytes stream;
-    std::vector<PngPart> parts;
-
-    std::span<const std::byte> encode(const Content& content,
-                                      const PngMetadata& metadata,
-                                      const PngEncoding& encoding) {
-        stream.clear();
-        PngData data(content.rows, encoding, parts);
-        write_stream(content, metadata, data, stream);
-        return stream;
-    }
-};
-
-PngEncoder::PngEncoder() : buffers_(std::make_unique<Buffers>()) {}
-PngEncoder::~PngEncoder() = default;
-PngEncoder::PngEncoder(PngEncoder&&) noexcept = default;
-PngEncoder& PngEncoder::operator=(PngEncoder&&) noexcept = default;
-
-std::span<const std::byte> PngEncoder::encode(ImageView<const std::uint8_t> pixels,
-                                              const PngMetadata& metadata,
-                                              const PngEncoding& encoding) {
-    check_encodable(pixels);
-    if (encoding.palette && pixels.channels() >= 3) {
-        if (const std::optional<IndexedImage> indexed = with_palette(pixels)) {
-            return buffers_->encode(Content(*indexed, pixels.channels()), metadata, encoding);
-        }
-    }
-    return buffers_->encode(Content(PngRows(pixels)), metadata, encoding);
-}
-
-std::span<const std::byte> PngEncoder::encode(ImageView<const std::uint16_t> pixels,
-                                              const PngMetadata& metadata,
-                                              const PngEncoding& encoding) {
-    check_encodable(pixels);
-    return buffers_->encode(Content(PngRows(pixels)), metadata, encoding);
-}
-
 Bytes encode_png(ImageView<const std::uint8_t> pixels,
-                 const PngMetadata& metadata,
+                 const ImageMetadata& metadata,
                  const PngEncoding& encoding) {
-    return encode_once(pixels, metadata, encoding);
+    return encode_checked(pixels, metadata, encoding);
 }
 
 Bytes encode_png(ImageView<const std::uint16_t> pixels,
-                 const PngMetadata& metadata,
+                 const ImageMetadata& metadata,
                  const PngEncoding& encoding) {
-    return encode_once(pixels, metadata, encoding);
+    return encode_checked(pixels, metadata, encoding);
+}
+
+Bytes encode_png(const Picture& picture, const PngEncoding& encoding) {
+    if (picture.groups.size() != 1 || !picture.groups.front().has_codes()) {
+        throw std::invalid_argument("a PNG holds one group of 8-bit or 16-bit codes");
+    }
+    const ChannelGroup& group = picture.groups.front();
+    if (const auto* bytes = std::get_if<Image<std::uint8_t>>(&group.samples)) {
+        return encode_checked(bytes->view(), picture.metadata, encoding);
+    }
+    return encode_checked(
+        std::get<Image<std::uint16_t>>(group.samples).view(), picture.metadata, encoding);
 }
 
 void write_png(const std::filesystem::path& path,
                ImageView<const std::uint8_t> pixels,
-               const PngMetadata& metadata,
+               const ImageMetadata& metadata,
                const PngEncoding& encoding) {
-    write_once(path, pixels, metadata, encoding);
+    encode_and_write(path, pixels, metadata, encoding);
 }
 
 void write_png(const std::filesystem::path& path,
                ImageView<const std::uint16_t> pixels,
-               const PngMetadata& metadata,
+               const ImageMetadata& metadata,
                const PngEncoding& encoding) {
-    write_once(path, pixels, metadata, encoding);
+    encode_and_write(path, pixels, metadata, encoding);
 }
 
 }  // namespace foam::texgen

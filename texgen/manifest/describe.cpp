@@ -3,9 +3,9 @@
 #include "core/foam/statistics.h"
 #include "texgen/bake/frame_files.h"
 #include "texgen/image/pixel_hash.h"
-#include "texgen/maps/map.h"
+#include "texgen/maps/all_maps.h"
 #include "texgen/preset/preset_io.h"
-#include "texgen/preset/schema.h"
+#include "texgen/preset/preset_keys.h"
 
 #include <algorithm>
 #include <variant>
@@ -34,7 +34,7 @@ const char* called(LoopKind kind) {
 
 ManifestLoop loop_of(const Preset& preset) {
     const LoopKind kind = preset.loop.kind;
-    return {.kind = std::get<std::string>(find_key("loop.kind")->write(preset).data),
+    return {.kind = std::get<std::string>(find_key("loop.kind")->write(preset)->data),
             .called = called(kind),
             .period = kind == LoopKind::None ? 0 : preset.frames.count,
             .cross_faded = preset.loop.is_cross_faded(),

@@ -1,17 +1,13 @@
 #include "texgen/bake/frame_range.h"
-#include "texgen/image/file_io.h"
-#include "texgen/manifest/json_value.h"
+#include "texgen/image/picture.h"
+#include "texgen/json/json_value.h"
 #include "texgen/manifest/manifest_json.h"
-
-#include <fmt/core.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <stdexcept>
 
 namespace foam::texgen {
 
@@ -20,20 +16,15 @@ namespace {
 using Words = std::array<std::string_view, 3>;
 
 constexpr Words kKinds = {"color", "number", "id"};
-constexpr std::array<std::string_view, 5> kTypes = {"uint8", "uint16", "half", "float", "uint32"};
 constexpr Words kColorSpaces = {"sRGB", "linear sRGB", "data"};
 constexpr Words kAlphas = {"none", "straight", "premultiplied"};
 constexpr std::array<std::string_view, 2> kDirections = {"up", "down"};
 constexpr int kLargestExtent = 1 << 20;
 
 std::vector<int> frames_in(const JsonValue& value) {
-    try {
-        std::vector<int> frames = parse_frame_range(value.text());
-        std::ranges::sort(frames);
-        return frames;
-    } catch (const std::invalid_argument&) {
-        value.refuse("frames as 1-10 or 1-10x2");
-    }
+    std::vector<int> frames = value.parsed(parse_frame_range, "frames as 1-10 or 1-10x2");
+    std::ranges::sort(frames);
+    return frames;
 }
 
 /// Numbers that are not finite are null.
@@ -47,7 +38,7 @@ std::optional<MapSamples> samples_in(const JsonValue& value) {
     }
     MapSamples samples{.kind = value["kind"].word(kKinds),
                        .channels = value["channels"].text(),
-                       .type = value["type"].word(kTypes),
+                       .type = value["type"].word(sample_type_names()),
                        .color_space = value["color_space"].word(kColorSpaces),
                        .alpha = value["alpha"].word(kAlphas),
                        .range = {}};
@@ -169,24 +160,12 @@ BakedSet set_in(const JsonValue& value) {
     return set;
 }
 
-nlohmann::json tree_of(std::string_view text, const std::string& file) {
-    try {
-        return nlohmann::json::parse(text);
-    } catch (const nlohmann::json::exception& error) {
-        throw InputError(fmt::format("cannot read '{}': {}", file, error.what()));
-    }
-}
-
 }  // namespace
 
 Manifest parse_manifest(std::string_view text, const std::string& file) {
-    const nlohmann::json tree = tree_of(text, file);
-    const JsonValue root(tree, file);
-    if (!tree.is_object() || !tree.contains("format") || tree["format"] != kManifestFormat) {
-        root.refuse(fmt::format("a manifest, with \"format\": \"{}\"", kManifestFormat));
-    }
-    root["version"].integer(1, kManifestVersion);
-    return {list_in(root["sets"], set_in)};
+    const JsonDocument document(text, file);
+    document.check_format("a manifest", kManifestFormat, kManifestVersion);
+    return {list_in(document.root()["sets"], set_in)};
 }
 
 }  // namespace foam::texgen

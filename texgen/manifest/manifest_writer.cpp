@@ -1,21 +1,12 @@
 #include "texgen/bake/frame_range.h"
+#include "texgen/json/json_writer.h"
 #include "texgen/manifest/manifest_json.h"
 
-#include <nlohmann/json.hpp>
-
-#include <cmath>
 #include <utility>
 
 namespace foam::texgen {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-/// JSON has no word for a number that is not finite.
-Json number_or_null(const std::optional<double>& number) {
-    return number && std::isfinite(*number) ? Json(*number) : Json(nullptr);
-}
 
 Json to_value(const ManifestMap& map) {
     Json value{{"name", map.name}, {"meaning", map.meaning}, {"unit", map.unit}};

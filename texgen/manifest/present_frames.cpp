@@ -1,7 +1,8 @@
 #include "texgen/manifest/present_frames.h"
 
-#include "texgen/image/decoded_file.h"
 #include "texgen/image/file_io.h"
+#include "texgen/image/format.h"
+#include "texgen/image/pixel_hash.h"
 #include "texgen/manifest/describe.h"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ bool has_its_pixels(const ManifestFile& file, const std::filesystem::path& folde
         return false;
     }
     try {
-        return decode_file(path).pixels == file.pixels;
+        return pixel_hash(read_picture(path)) == file.pixels;
     } catch (const InputError&) {
         return false;
     }

@@ -1,10 +1,25 @@
 #include "texgen/maps/age.h"
 
+#include "texgen/keys/value_kinds.h"
 #include "texgen/maps/cell_fill.h"
 
 #include <algorithm>
 
 namespace foam::texgen {
+
+Keys<AgeOptions> age_keys() {
+    constexpr Choices<AgeSince> kSince = {
+        {{{"birth", AgeSince::Birth}, {"change", AgeSince::Change}}}};
+    return {key("since",
+                kSince,
+                "a bubble's birth, of the seeded ones at time 0, or when its neighbours last "
+                "changed",
+                &AgeOptions::since),
+            key("full",
+                Reals{1e-6, 1e9},
+                "age that a PNG has as its largest code, foam time",
+                &AgeOptions::full)};
+}
 
 NumberPixels draw_age(FrameLayers& layers, const AgeOptions& options) {
     const Frame& frame = layers.frame();

@@ -1,24 +1,32 @@
 #pragma once
 
-#include "texgen/maps/map_image.h"
+#include "texgen/keys/key.h"
+#include "texgen/maps/map.h"
 
 namespace foam::texgen {
 
-class FrameLayers;
+inline constexpr MapTraits kAgeMap = {
+    .name = "age",
+    .meaning = "time since a bubble was born, or its neighbours changed",
+    .unit = "foam time; PNG: 0 to age.full",
+    .channels = "Y",
+    .png_bits = 16};
 
-/// When a bubble's age begins.
+/// The moment at which a bubble's age begins.
 enum class AgeSince {
-    Birth,   // of the seeded ones at foam time 0
-    Change,  // when it last lost or won a neighbour
+    Birth,   // foam time 0 for the seeded bubbles
+    Change,  // the last gain or loss of a neighbor
 };
 
 struct AgeOptions {
     AgeSince since = AgeSince::Birth;
-    double full = 50.0;  // what the largest code of a PNG stands for, foam time
+    double full = 50.0;  // foam time at the largest code of a PNG
 };
 
-/// The age of every bubble in foam time, mixed where pixels are shared. One channel; 0 around a
-/// patch.
+Keys<AgeOptions> age_keys();
+
+/// Draws the age of every bubble in foam time; pixels that bubbles share are mixed. One channel; 0
+/// around a patch.
 NumberPixels draw_age(FrameLayers& layers, const AgeOptions& options);
 
 }  // namespace foam::texgen

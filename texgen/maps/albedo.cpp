@@ -1,41 +1,14 @@
 #include "texgen/maps/albedo.h"
 
-#include "core/foam/measure.h"
-#include "core/foam/statistics.h"
 #include "texgen/image/color.h"
 #include "texgen/maps/cell_color.h"
 #include "texgen/maps/cell_fill.h"
 #include "texgen/maps/film_look.h"
 #include "texgen/maps/quantize.h"
 
-#include <cmath>
 #include <cstddef>
-#include <numbers>
 
 namespace foam::texgen {
-
-std::vector<double> pressures_of(const Frame& frame, PressureUnit unit) {
-    const double length = unit == PressureUnit::Seed ? 1.0 : std::sqrt(mean_area(frame));
-    const double scale = length / frame.film_tension;
-    return per_bubble<double>(
-        frame,
-        [&](BubbleId bubble) { return frame.bubbles[bubble].pressure * scale; },
-        [&](const LoneBubble& bubble) { return frame.film_tension / lone_radius(bubble) * scale; });
-}
-
-double diameters_in_pixels(double diameters, const RasterGrid& grid, const Domain& domain) {
-    const double diameter = 2.0 * std::numbers::inv_sqrtpi;  // of a circle of area 1
-    return diameters * diameter * pixels_per_unit(grid, domain);
-}
-
-double film_width_in_pixels(const AlbedoOptions& options,
-                            const RasterGrid& grid,
-                            const Domain& domain) {
-    if (options.film_unit == WidthUnit::Pixels) {
-        return options.film_width;
-    }
-    return diameters_in_pixels(options.film_width, grid, domain);
-}
 
 namespace {
 

@@ -1,8 +1,20 @@
 #include "texgen/maps/area.h"
 
+#include "texgen/keys/value_kinds.h"
 #include "texgen/maps/cell_fill.h"
 
 namespace foam::texgen {
+
+Keys<AreaOptions> area_keys() {
+    return {key("unit",
+                kMeanBubbles,
+                "mean area of the seeded foam or of this frame",
+                &AreaOptions::unit),
+            key("full",
+                Reals{1e-3, 1e6},
+                "area that a PNG has as its largest code, in the unit",
+                &AreaOptions::full)};
+}
 
 NumberPixels draw_area(FrameLayers& layers, const AreaOptions& options) {
     const Frame& frame = layers.frame();

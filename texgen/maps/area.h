@@ -1,19 +1,26 @@
 #pragma once
 
-#include "texgen/maps/map_image.h"
+#include "texgen/keys/key.h"
+#include "texgen/maps/map.h"
 #include "texgen/maps/mean_bubble.h"
 
 namespace foam::texgen {
 
-class FrameLayers;
+inline constexpr MapTraits kAreaMap = {.name = "area",
+                                       .meaning = "area of bubbles",
+                                       .unit = "mean areas; PNG: 0 to area.full",
+                                       .channels = "Y",
+                                       .png_bits = 16};
 
 struct AreaOptions {
     MeanBubble unit = MeanBubble::Current;
-    double full = 4.0;  // what the largest code of a PNG stands for, in the unit
+    double full = 4.0;  // area at the largest code of a PNG, in the unit
 };
 
-/// The area of every bubble within its arcs, mixed where pixels are shared. One channel; 0 around a
-/// patch.
+Keys<AreaOptions> area_keys();
+
+/// Draws the area that the arcs of every bubble enclose; pixels that bubbles share are mixed. One
+/// channel; 0 around a patch.
 NumberPixels draw_area(FrameLayers& layers, const AreaOptions& options);
 
 }  // namespace foam::texgen

@@ -12,9 +12,9 @@ struct BoundaryMotion {
     std::vector<Vec2> ways{};    // as many
 };
 
-/// The motion of a point within, or a little outside: smooth there, and on the polygon linear from
-/// corner to corner. Mean value coordinates (Floater 2003, Hormann and Floater 2006). Precondition:
-/// there are corners.
+/// Returns the motion of a point within or just outside the polygon: smooth there, and linear from
+/// corner to corner on the polygon. Mean value coordinates (Floater 2003, Hormann and Floater
+/// 2006). Precondition: there are corners.
 Vec2 motion_at(const BoundaryMotion& boundary, const Vec2& point);
 
 }  // namespace foam::texgen

@@ -60,12 +60,12 @@ PerBubble<double> numbers_of(const Frame& frame, IdentityStream stream) {
 
 using ColorOfTone = std::function<LinearRgb(double)>;
 
-// Between two colours it is mixed as in colour maps, in sRGB.
+// Interpolates between colors as color maps do, in sRGB.
 LinearRgb blended(const std::vector<LinearRgb>& colors, double tone) {
-    const double place = tone * static_cast<double>(colors.size() - 1);
-    const auto below = std::min(static_cast<std::size_t>(place), colors.size() - 1);
+    const double position = tone * static_cast<double>(colors.size() - 1);
+    const auto below = std::min(static_cast<std::size_t>(position), colors.size() - 1);
     const auto above = std::min(below + 1, colors.size() - 1);
-    const double part = place - static_cast<double>(below);
+    const double part = position - static_cast<double>(below);
     const auto mix = [&](double a, double b) {
         return srgb_to_linear(std::lerp(linear_to_srgb(a), linear_to_srgb(b), part));
     };
@@ -75,8 +75,8 @@ LinearRgb blended(const std::vector<LinearRgb>& colors, double tone) {
 }
 
 LinearRgb picked(const std::vector<LinearRgb>& colors, double tone) {
-    const double place = tone * static_cast<double>(colors.size());
-    return colors[std::min(static_cast<std::size_t>(place), colors.size() - 1)];
+    const double position = tone * static_cast<double>(colors.size());
+    return colors[std::min(static_cast<std::size_t>(position), colors.size() - 1)];
 }
 
 ColorOfTone color_of_tone(const AlbedoOptions& options) {

@@ -48,7 +48,7 @@ Texel light_of(const LinearRgb& color) {
     return {light_step(color.r), light_step(color.g), light_step(color.b), kWhole};
 }
 
-// From the smallest to the largest of some numbers in 65535 steps.
+// A scale of 65535 steps from the smallest to the largest of some numbers.
 class Steps {
   public:
     explicit Steps(const CellNumbers& numbers) {

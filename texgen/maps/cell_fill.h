@@ -3,6 +3,7 @@
 #include "texgen/image/color.h"
 #include "texgen/maps/frame_layers.h"
 #include "texgen/maps/map_image.h"
+#include "texgen/maps/per_bubble.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -10,29 +11,10 @@
 
 namespace foam::texgen {
 
-/// Something of every bubble of a frame: of those in the network by their id, then of the lone
-/// ones.
-template <class Value>
-using PerBubble = std::vector<Value>;
-
-/// of(bubble) of every bubble of the network, of_lone(bubble) of every lone one.
-template <class Value, class Of, class OfLone>
-PerBubble<Value> per_bubble(const Frame& frame, const Of& of, const OfLone& of_lone) {
-    PerBubble<Value> values;
-    values.reserve(frame.bubbles.size() + frame.lone_bubbles.size());
-    for (std::size_t k = 0; k < frame.bubbles.size(); ++k) {
-        values.push_back(of(id_at<BubbleId>(k)));
-    }
-    for (const LoneBubble& bubble : frame.lone_bubbles) {
-        values.push_back(of_lone(bubble));
-    }
-    return values;
-}
-
-/// Colours bubbles and films. A pixel that they share has the mean of their light, by exact area.
-/// What is around a patch is transparent: the opacity is the part of a pixel that the patch covers,
-/// its outer films to half their width outwards. Where there is no opacity, colours are those of
-/// the opaque pixels around (bleed_colors). The width is in pixels. Throws as fill_cells does.
+/// Colors bubbles and films. A pixel that they share has the mean of their light, by exact area.
+/// The surroundings of a patch are transparent: the opacity is the fraction of a pixel that the
+/// patch covers, with outer films to half their width outwards. Transparent pixels have colors of
+/// opaque pixels nearby (bleed_colors). The width is in pixels. Throws as fill_cells does.
 ColorPixels fill_colors(FrameLayers& layers,
                         const PerBubble<LinearRgb>& colors,
                         const LinearRgb& film,
@@ -68,8 +50,8 @@ IdPixels paint_ids(FrameLayers& layers, const PerBubble<std::uint32_t>& ids);
 
 enum class Part { Films, Foam };
 
-/// Of every pixel the part that films, or bubbles and films together, cover; 0 around a patch. One
-/// channel, in 65535 steps from 0 to 1. Throws as fill_cells does.
+/// Returns the fraction of every pixel that films, or bubbles and films together, cover; 0 around a
+/// patch. One channel, in 65535 steps from 0 to 1. Throws as fill_cells does.
 Image<float> fill_cover(FrameLayers& layers, Part part, double film_width);
 
 }  // namespace foam::texgen

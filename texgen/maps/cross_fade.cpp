@@ -49,7 +49,7 @@ void mix_slopes(std::span<float> falling, std::span<const float> rising, float s
     falling[2] = z / length;
 }
 
-// Those where one image alone is seen keep its samples as they are.
+// Pixels that show one image alone keep its samples unchanged.
 template <class Sample, class Mix>
 void mix_pixels(Image<Sample>& falling,
                 const Image<Sample>& rising,

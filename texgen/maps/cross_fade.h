@@ -7,7 +7,7 @@
 
 namespace foam::texgen {
 
-/// What a frame shows: one foam or, in a cross-fade, two, of which the other takes its place.
+/// The content of a frame: one foam or, in a cross-fade, two, of which one replaces the other.
 struct ShownLayers {
     FrameLayers layers;
     std::optional<FrameLayers> rising = {};
@@ -17,9 +17,9 @@ struct ShownLayers {
 /// Draws a map of a frame.
 MapImage draw(const Map& map, ShownLayers& shown, const MapOptions& options);
 
-/// One image on its way into another of the same size and kind, of which every pixel has a share
-/// from 0 to 1: colours as light, without opacity, and numbers are mixed, ids are those of the one
-/// with the larger share.
+/// Fades one image into another of the same size and kind; `shares` are those of the other one,
+/// from 0 to 1. Colors are mixed as light, without opacity, numbers are mixed, and ids are those of
+/// the image with the larger share.
 MapImage cross_fade(MapImage falling,
                     const MapImage& rising,
                     const Image<float>& shares,

@@ -1,5 +1,6 @@
 #include "texgen/maps/curvature.h"
 
+#include "texgen/keys/value_kinds.h"
 #include "texgen/maps/relief.h"
 
 #include <cstddef>
@@ -17,6 +18,17 @@ double bend(const ReliefSection& section, double smooth, double radius) {
 }
 
 }  // namespace
+
+Keys<CurvatureOptions> curvature_keys() {
+    return {key("radius",
+                Reals{0.001, 10.0},
+                "over which it is felt, in bubble diameters",
+                &CurvatureOptions::radius),
+            key("full",
+                Reals{1e-6, 1e6},
+                "that a PNG has as its largest code; its negative is 0",
+                &CurvatureOptions::full)};
+}
 
 NumberPixels draw_curvature(FrameLayers& layers,
                             const ReliefOptions& relief_options,

@@ -1,21 +1,30 @@
 #pragma once
 
-#include "texgen/maps/map_image.h"
+#include "texgen/keys/key.h"
+#include "texgen/maps/map.h"
 #include "texgen/maps/relief_options.h"
 
 namespace foam::texgen {
 
-class FrameLayers;
+inline constexpr MapTraits kCurvatureMap = {
+    .name = "curvature",
+    .meaning = "how the relief bends: above 0 on crests, below in furrows",
+    .unit = "per bubble diameter; PNG: 0.5 is 0, ends at curvature.full",
+    .channels = "Y",
+    .png_bits = 16,
+    .png_filter = PngFilter::Up,
+    .smooth_distance = SmoothDistance::Used};
 
 struct CurvatureOptions {
-    double radius = 0.08;  // what is felt around a place, in diameters of the relief's mean bubble
-    double full = 10.0;    // what the largest code of a PNG stands for; the smallest for its
-                           // negative
+    double radius = 0.08;  // of the neighborhood, in diameters of the relief's mean bubble
+    double full = 10.0;    // curvature at the largest code of a PNG; its negative is at code 0
 };
 
-/// How the relief bends across the nearest film, over a radius a: (2 h(x) - h(x - a) - h(x + a)) /
-/// a², times the diameter of the mean bubble. Positive on crests, negative in furrows, 0 where it
-/// is flat or straight. One channel; 0 around a patch.
+Keys<CurvatureOptions> curvature_keys();
+
+/// Draws the bend of the relief across the nearest film over a radius a: (2 h(x) - h(x - a) -
+/// h(x + a)) / a², times the diameter of the mean bubble. It is positive on crests, negative in
+/// furrows, and 0 where the relief is flat or straight. One channel; 0 around a patch.
 NumberPixels draw_curvature(FrameLayers& layers,
                             const ReliefOptions& relief,
                             const CurvatureOptions& options);

@@ -1,11 +1,29 @@
 #include "texgen/maps/distance.h"
 
+#include "texgen/keys/value_kinds.h"
 #include "texgen/maps/frame_layers.h"
 
 #include <cstddef>
 #include <utility>
 
 namespace foam::texgen {
+
+Keys<DistanceOptions> distance_keys() {
+    constexpr Choices<DistanceKind> kKinds = {
+        {{{"plain", DistanceKind::Plain}, {"signed", DistanceKind::Signed}}}};
+    constexpr Choices<DistanceUnit> kUnits = {
+        {{{"foam", DistanceUnit::Foam}, {"px", DistanceUnit::Pixels}}}};
+    return {key("kind",
+                kKinds,
+                "from the middle of films, or from their edges: negative in films and around a "
+                "patch",
+                &DistanceOptions::kind),
+            key("unit", kUnits, "foam units or pixels", &DistanceOptions::unit),
+            key("full",
+                Reals{1e-6, 1e6},
+                "distance that a PNG has as its largest code, in the unit",
+                &DistanceOptions::full)};
+}
 
 NumberPixels draw_distance(FrameLayers& layers,
                            const DistanceOptions& options,

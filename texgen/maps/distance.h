@@ -1,11 +1,18 @@
 #pragma once
 
-#include "texgen/maps/albedo.h"
-#include "texgen/maps/map_image.h"
+#include "texgen/keys/key.h"
+#include "texgen/maps/albedo_options.h"
+#include "texgen/maps/map.h"
 
 namespace foam::texgen {
 
-class FrameLayers;
+inline constexpr MapTraits kDistanceMap = {
+    .name = "distance",
+    .meaning = "distance to the nearest film, plain or signed",
+    .unit = "foam units or pixels; PNG: 0 to distance.full, signed from its negative",
+    .channels = "Y",
+    .png_bits = 16,
+    .png_filter = PngFilter::Up};
 
 enum class DistanceKind {
     Plain,   // from the middle of the nearest film; 0 around a patch
@@ -17,12 +24,14 @@ enum class DistanceUnit { Pixels, Foam };
 struct DistanceOptions {
     DistanceKind kind = DistanceKind::Plain;
     DistanceUnit unit = DistanceUnit::Foam;
-    double full = 1.0;  // what the largest code of a PNG stands for, in the unit; where signed, the
-                        // smallest for its negative
+    double full = 1.0;  // distance at the largest code of a PNG, in the unit; if signed, code 0 is
+                        // its negative
 };
 
-/// Distances to the nearest film, exact from its arc, at the middle of every pixel. One channel.
-/// The films' edges are those of albedo.
+Keys<DistanceOptions> distance_keys();
+
+/// Draws the distance from the center of every pixel to the nearest film, exactly from its arc. The
+/// edges of films are those of albedo. One channel.
 NumberPixels draw_distance(FrameLayers& layers,
                            const DistanceOptions& options,
                            const AlbedoOptions& films);

@@ -1,7 +1,8 @@
 #include "texgen/maps/event.h"
 
+#include "texgen/keys/value_kinds.h"
 #include "texgen/maps/frame_layers.h"
-#include "texgen/maps/grid_places.h"
+#include "texgen/maps/grid_positions.h"
 #include "texgen/maps/mean_bubble.h"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ struct Spot {
     std::size_t channel;
 };
 
-// Of its pixels, those of a copy whose middle is at a place of the image.
+// Paints the copy of a spot whose middle is at a point of the image.
 void paint_copy(const Spot& spot, SubpixelPoint middle, ImageView<float> image) {
     const auto reach = static_cast<std::int32_t>(std::ceil(spot.radius));
     const int left = std::max(pixel_of(middle.x) - reach, 0);
@@ -42,6 +43,17 @@ void paint_copy(const Spot& spot, SubpixelPoint middle, ImageView<float> image) 
 
 }  // namespace
 
+Keys<EventMapOptions> event_map_keys() {
+    return {key("radius",
+                Reals{0.01, 100.0},
+                "of the spots of map event, in diameters of a mean bubble of the seeded foam",
+                &EventMapOptions::radius),
+            key("fade",
+                Integers{1, kRecordedFrames},
+                "frames until a spot is gone",
+                &EventMapOptions::fade)};
+}
+
 NumberPixels draw_event(FrameLayers& layers, const EventMapOptions& options) {
     const Frame& frame = layers.frame();
     const RasterGrid& grid = layers.grid();
@@ -55,7 +67,7 @@ NumberPixels draw_event(FrameLayers& layers, const EventMapOptions& options) {
         }
         const float height = 1.0F - static_cast<float>(since) / static_cast<float>(options.fade);
         const Spot spot{radius, height, static_cast<std::size_t>(event.kind)};
-        for_each_copy(grid, frame.domain, event.place, radius, [&](SubpixelPoint middle) {
+        for_each_copy(grid, frame.domain, event.position, radius, [&](SubpixelPoint middle) {
             paint_copy(spot, middle, image.view());
         });
     }

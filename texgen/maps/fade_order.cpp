@@ -72,7 +72,8 @@ FadeOrder::FadeOrder(const Options& options)
     for (const Wave& wave : random_waves(options)) {
         add(wave, turns_);
     }
-    // Of many waves the sum is normal; each has a mean square of 1/2. Turns then are even.
+    // A sum of many waves is normally distributed; each has a mean square of 1/2. Turns are then
+    // even.
     const double deviations = 1.0 / std::sqrt(0.5 * kWaves);
     for (float& turn : turns_.samples()) {
         turn = static_cast<float>(0.5 * std::erfc(-deviations * turn / std::numbers::sqrt2));

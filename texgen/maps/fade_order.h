@@ -6,8 +6,8 @@
 
 namespace foam::texgen {
 
-/// When the places of a tile fade in a cross-fade: those beside each other at about the same time,
-/// those some bubbles apart at others. So only a part of the foam is between two at any moment.
+/// The order in which the pixels of a tile fade: neighbors at about the same time, points some
+/// bubbles apart at other times. Only a part of the image is between two foams at any moment.
 class FadeOrder {
   public:
     struct Options {
@@ -20,8 +20,8 @@ class FadeOrder {
 
     explicit FadeOrder(const Options& options);
 
-    /// What every pixel shows of what rises, from 0 to 1, when this part of the fade has passed,
-    /// from 0 to 1: all 0 at its start, all 1 at its end, and level at both.
+    /// Returns the share of the rising image in every pixel, from 0 to 1, when a fraction of the
+    /// fade has passed, from 0 to 1: all 0 at its start, all 1 at its end, and level at both.
     Image<float> shares(double passed) const;
 
   private:

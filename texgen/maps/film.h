@@ -1,13 +1,17 @@
 #pragma once
 
-#include "texgen/maps/albedo.h"
-#include "texgen/maps/map_image.h"
+#include "texgen/maps/albedo_options.h"
+#include "texgen/maps/map.h"
 
 namespace foam::texgen {
 
-class FrameLayers;
+inline constexpr MapTraits kFilmMap = {.name = "film",
+                                       .meaning = "mask of the films, as wide as those of albedo",
+                                       .unit = "part of the pixel, 0 to 1",
+                                       .channels = "Y",
+                                       .smooth_distance = SmoothDistance::UsedByFilms};
 
-/// The mask of films as wide as those of albedo: of every pixel the part that they cover. One
+/// Draws the fraction of every pixel that films cover, which are as wide as those of albedo. One
 /// channel, 0 to 1; 0 around a patch.
 NumberPixels draw_film(FrameLayers& layers, const AlbedoOptions& options);
 

@@ -11,16 +11,16 @@
 
 namespace foam::texgen {
 
-/// What is drawn: a frame, and what maps ask for beyond it. All of it is borrowed.
+/// A frame, and everything else that maps need to draw it. All of it is borrowed.
 struct FrameInput {
     const Frame& frame;
     const FoamRecord& record;
     const Frame* next = nullptr;  // the frame after it, for maps that need one
-    DistanceNeeds distance{};     // what maps ask of distances, if they ask for any
+    DistanceNeeds distance{};     // of the maps that use distances
 };
 
-/// A frame on a raster grid, and what its maps have in common: made when the first of them asks for
-/// it, and then kept. For one thread at a time.
+/// A frame on a raster grid, and the intermediate results that its maps share. Each is computed for
+/// the first map that uses it, and then kept. For one thread at a time.
 class FrameLayers {
   public:
     /// `threads` is for the drawing of this one frame.
@@ -28,18 +28,18 @@ class FrameLayers {
 
     const Frame& frame() const { return input_.frame; }
     const FoamRecord& record() const { return input_.record; }
-    /// Throws std::invalid_argument where there is none.
+    /// Returns the next frame. Throws std::invalid_argument if there is none.
     const Frame& next() const;
     const RasterGrid& grid() const { return grid_; }
     int threads() const { return threads_; }
     bool is_patch() const { return frame().domain.is_plane(); }
 
-    /// The outlines of cells between films of no width. Throws as outline_cells.
+    /// Returns the outlines of cells between films of no width. Throws as outline_cells.
     const CellOutlines& outlines();
-    /// What shows of cells, for a width of films in pixels. Throws as cell_arcs.
+    /// Returns the cells without their films, for a width in pixels. Throws as cell_arcs.
     const CellArcs& arcs(double film_width);
     const DistanceField& distance();
-    /// Whether an id of it stands for what is around a patch.
+    /// Returns true if an id of the distance field stands for the surroundings of a patch.
     bool is_around(std::uint32_t id) const { return is_patch() && id == frame().bubbles.size(); }
 
   private:

@@ -1,5 +1,6 @@
 #include "texgen/maps/growth.h"
 
+#include "texgen/keys/value_kinds.h"
 #include "texgen/maps/cell_fill.h"
 
 #include <cmath>
@@ -22,6 +23,13 @@ std::unordered_map<BubbleIdentity, double> areas_of(const Frame& frame) {
 }
 
 }  // namespace
+
+Keys<GrowthOptions> growth_keys() {
+    return {key("full",
+                Reals{1e-9, 1e6},
+                "growth that a PNG has as its largest code, area per foam time; its negative is 0",
+                &GrowthOptions::full)};
+}
 
 NumberPixels draw_growth(FrameLayers& layers, const GrowthOptions& options) {
     const Frame& frame = layers.frame();

@@ -1,10 +1,18 @@
 #include "texgen/maps/height.h"
 
+#include "texgen/keys/value_kinds.h"
 #include "texgen/maps/relief.h"
 
 #include <utility>
 
 namespace foam::texgen {
+
+Keys<HeightOptions> height_keys() {
+    return {key("full",
+                Reals{1e-6, 1e6},
+                "height that a PNG has as its largest code, in bubble diameters",
+                &HeightOptions::full)};
+}
 
 NumberPixels draw_height(FrameLayers& layers,
                          const ReliefOptions& relief_options,

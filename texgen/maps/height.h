@@ -1,17 +1,27 @@
 #pragma once
 
-#include "texgen/maps/map_image.h"
+#include "texgen/keys/key.h"
+#include "texgen/maps/map.h"
 #include "texgen/maps/relief_options.h"
 
 namespace foam::texgen {
 
-class FrameLayers;
+inline constexpr MapTraits kHeightMap = {
+    .name = "height",
+    .meaning = "relief: domes, ridges on films, or wet films with Plateau borders",
+    .unit = "bubble diameters; PNG: 0 to height.full",
+    .channels = "Y",
+    .png_bits = 16,
+    .png_filter = PngFilter::Up,
+    .smooth_distance = SmoothDistance::Used};
 
 struct HeightOptions {
-    double full = 0.5;  // what the largest code of a PNG stands for, in diameters
+    double full = 0.5;  // height at the largest code of a PNG, in bubble diameters
 };
 
-/// The height of the relief in diameters of its mean bubble. One channel.
+Keys<HeightOptions> height_keys();
+
+/// Draws the height of the relief in diameters of its mean bubble. One channel.
 NumberPixels draw_height(FrameLayers& layers,
                          const ReliefOptions& relief,
                          const HeightOptions& options);

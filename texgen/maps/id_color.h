@@ -2,18 +2,20 @@
 
 #include "core/foam/foam.h"
 #include "texgen/image/color.h"
-#include "texgen/maps/map_image.h"
+#include "texgen/maps/map.h"
 
 namespace foam::texgen {
 
-class FrameLayers;
+inline constexpr MapTraits kIdColorMap = {.name = "id_color",
+                                          .meaning = "a colour for every bubble, its own for life",
+                                          .unit = "light",
+                                          .channels = "R G B"};
 
-/// The colour of a bubble, its own for life. Identities that follow each other have hues that lie
-/// far apart, and different lightnesses: a sequence of low discrepancy in OKLCh (Ottosson 2020),
-/// all of it within sRGB.
+/// Returns the color that a bubble has for life. Consecutive identities have distant hues and
+/// different lightnesses: a low-discrepancy sequence in OKLCh (Ottosson 2020) within sRGB.
 LinearRgb identity_color(BubbleIdentity identity);
 
-/// Every bubble in its identity_color, without films. Transparent around a patch.
+/// Draws every bubble in its identity_color, without films. Transparent around a patch.
 ColorPixels draw_id_color(FrameLayers& layers);
 
 }  // namespace foam::texgen

@@ -4,10 +4,10 @@
 
 namespace foam::texgen {
 
-/// A number in [0, 1) that a bubble has for life. Those of consecutive identities lie far apart and
-/// all together evenly: the fractional parts of multiples of an irrational step. Streams are
-/// independent of each other: multiples of inverse powers of the root of x³ = x + 1 are spread
-/// evenly in the plane, too.
+/// Returns a number in [0, 1) that a bubble has for life. Consecutive identities have distant
+/// numbers, and all numbers together are spread evenly: they are the fractional parts of multiples
+/// of an irrational step. The two streams together are spread evenly in the plane, because the
+/// steps are inverse powers of the root of x³ = x + 1.
 enum class IdentityStream { First, Second };
 double identity_number(BubbleIdentity identity, IdentityStream stream);
 

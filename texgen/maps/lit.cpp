@@ -1,8 +1,9 @@
 #include "texgen/maps/lit.h"
 
 #include "texgen/image/bleed.h"
+#include "texgen/keys/value_kinds.h"
+#include "texgen/maps/albedo.h"
 #include "texgen/maps/film_look.h"
-#include "texgen/maps/map_options.h"
 #include "texgen/maps/relief.h"
 
 #include <Eigen/Core>
@@ -41,10 +42,10 @@ RasterGrid finer(RasterGrid grid, int samples) {
     return grid;
 }
 
-// What is measured in pixels is so in those of the finer grid.
-MapOptions finer(MapOptions options, int samples) {
-    if (options.albedo.film_unit == WidthUnit::Pixels) {
-        options.albedo.film_width *= samples;
+// Lengths in pixels become lengths in pixels of the finer grid.
+AlbedoOptions finer(AlbedoOptions options, int samples) {
+    if (options.film_unit == WidthUnit::Pixels) {
+        options.film_width *= samples;
     }
     return options;
 }
@@ -60,7 +61,8 @@ class Lighting {
           halfway_((light_ + Direction::UnitZ()).normalized()),
           flat_highlight_(highlight(Direction::UnitZ())) {}
 
-    // Of a place that sees a part of the sky and shines by itself with a part of its colour.
+    // Lights a color at a point that sees a fraction of the sky and glows with a fraction of its
+    // color.
     LinearRgb lit(const LinearRgb& color, const Vec2& slope, double sky, double glowing) const {
         const Direction normal = Direction(-slope.x(), -slope.y(), 1.0).normalized();
         const double direct = std::max(normal.dot(light_), 0.0) / light_.z();
@@ -98,15 +100,14 @@ Image<float> glow_of(FrameLayers& layers, const AlbedoOptions& albedo, double gl
     return shining;
 }
 
-ColorPixels draw_samples(FrameLayers& layers, const MapOptions& options) {
-    const LitOptions& lit = options.lit;
+ColorPixels draw_samples(FrameLayers& layers, const LitOptions& lit, const LitSurface& surface) {
     ColorPixels colors = lit.colors == LitColors::Albedo
-                             ? draw_albedo(layers, options.albedo)
-                             : draw_thin_film(layers, options.thin_film, options.albedo);
-    const Relief relief(layers, options.relief);
-    const NumberPixels sky = draw_occlusion(layers, options.relief, options.occlusion);
+                             ? draw_albedo(layers, surface.albedo)
+                             : draw_thin_film(layers, surface.thin_film, surface.albedo);
+    const Relief relief(layers, surface.relief);
+    const NumberPixels sky = draw_occlusion(layers, surface.relief, surface.occlusion);
     const Image<float> glow =
-        lit.glow > 0.0 ? glow_of(layers, options.albedo, lit.glow) : Image<float>();
+        lit.glow > 0.0 ? glow_of(layers, surface.albedo, lit.glow) : Image<float>();
     const Lighting lighting(lit);
     const std::span<std::uint16_t> samples = colors.pixels.samples();
     const auto channels = static_cast<std::size_t>(colors.pixels.channels());
@@ -160,12 +161,45 @@ class Means {
 
 }  // namespace
 
-ColorPixels draw_lit(FrameLayers& layers, const MapOptions& options) {
-    const int samples = samples_for(layers.grid(), options.lit.samples);
+Keys<LitOptions> lit_keys() {
+    using Options = LitOptions;
+    constexpr Choices<LitColors> kColors = {
+        {{{"albedo", LitColors::Albedo}, {"thin_film", LitColors::ThinFilm}}}};
+    return {
+        key("colors", kColors, "the map that is lit", &Options::colors),
+        key("azimuth",
+            Reals{-360.0, 360.0},
+            "where the light comes from: degrees from the right, counterclockwise",
+            &Options::azimuth),
+        key("elevation",
+            Reals{1.0, 90.0},
+            "its height, degrees; flat ground keeps its colour under any",
+            &Options::elevation),
+        key("ambient", kFractions, "the part of the light that the sky gives", &Options::ambient),
+        key("gloss", Reals{0.0, 1000.0}, "brightness of highlights", &Options::gloss),
+        key("shininess",
+            Reals{1.0, 10000.0},
+            "the larger, the smaller highlights are",
+            &Options::shininess),
+        key("rim", Reals{0.0, 1000.0}, "brightness of what is steep", &Options::rim),
+        key("glow",
+            kFractions,
+            "the part of films and of the shade beside them that shines by itself",
+            &Options::glow),
+        key("samples",
+            Integers{1, 8},
+            "a pixel is the mean of so many in either direction",
+            &Options::samples)};
+}
+
+ColorPixels draw_lit(FrameLayers& layers, const LitOptions& options, const LitSurface& surface) {
+    const int samples = samples_for(layers.grid(), options.samples);
+    const AlbedoOptions fine_albedo = finer(surface.albedo, samples);
     FrameLayers fine({layers.frame(), layers.record(), nullptr, {.smooth = true}},
                      finer(layers.grid(), samples),
                      layers.threads());
-    const ColorPixels drawn = draw_samples(fine, finer(options, samples));
+    const ColorPixels drawn = draw_samples(
+        fine, options, {fine_albedo, surface.thin_film, surface.relief, surface.occlusion});
     const int channels = drawn.pixels.channels();
     Image<std::uint16_t> image(layers.grid().width, layers.grid().height, channels);
     const Means means(drawn.pixels, samples);
@@ -175,7 +209,7 @@ ColorPixels draw_lit(FrameLayers& layers, const MapOptions& options) {
         }
     }
     if (layers.is_patch()) {
-        const LinearRgb film = to_linear(parse_color(options.albedo.film_color));
+        const LinearRgb film = to_linear(parse_color(surface.albedo.film_color));
         bleed_colors(image.view(), {light_step(film.r), light_step(film.g), light_step(film.b)});
     }
     return {std::move(image)};

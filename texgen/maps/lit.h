@@ -1,31 +1,49 @@
 #pragma once
 
-#include "texgen/maps/map_image.h"
+#include "texgen/keys/key.h"
+#include "texgen/maps/albedo_options.h"
+#include "texgen/maps/map.h"
+#include "texgen/maps/occlusion.h"
+#include "texgen/maps/relief_options.h"
+#include "texgen/maps/thin_film.h"
 
 namespace foam::texgen {
 
-class FrameLayers;
-struct MapOptions;
+inline constexpr MapTraits kLitMap = {.name = "lit",
+                                      .meaning = "albedo or thin_film on the relief, under a light",
+                                      .unit = "light",
+                                      .channels = "R G B",
+                                      .png_filter = PngFilter::Up};
 
-/// The map whose colours are lit.
+/// The map that is lit.
 enum class LitColors { Albedo, ThinFilm };
 
-/// A surface under one light far away, seen from straight above, and how it shines.
+/// A distant light, and the way the surface reflects it; the viewer is straight above.
 struct LitOptions {
     LitColors colors = LitColors::Albedo;
-    double azimuth = 135.0;   // degrees from the right, counterclockwise: where light comes from
-    double elevation = 50.0;  // degrees above the plane
-    double ambient = 0.4;     // the part of the light that comes from an even sky
+    double azimuth = 135.0;   // of the light: degrees from the right, counterclockwise
+    double elevation = 50.0;  // of the light: degrees above the plane
+    double ambient = 0.4;     // fraction of the light that comes from an even sky
     double gloss = 0.25;      // brightness of highlights
     double shininess = 40.0;  // the larger, the smaller they are
-    double rim = 0.0;         // light on what is steep, as on bubbles before a bright ground
-    double glow = 0.0;        // the part of films and their shade that shine by themselves
-    int samples = 2;          // a pixel is the mean of so many in either direction
+    double rim = 0.0;         // brightness of steep parts, as on bubbles before a bright ground
+    double glow = 0.0;        // fraction of films and their shade that shines by itself
+    int samples = 2;          // per pixel in either direction, which are averaged
 };
 
-/// The foam as a picture: its colours on its relief, under a light. Flat ground keeps its colour.
-/// By N. Blinn's highlights ("Models of light reflection for computer synthesized pictures", 1977),
-/// and with the sky that draw_occlusion leaves. Transparent around a patch.
-ColorPixels draw_lit(FrameLayers& layers, const MapOptions& options);
+Keys<LitOptions> lit_keys();
+
+/// The options of the maps that are lit.
+struct LitSurface {
+    const AlbedoOptions& albedo;
+    const ThinFilmOptions& thin_film;
+    const ReliefOptions& relief;
+    const OcclusionOptions& occlusion;
+};
+
+/// Draws the foam as a picture: its colors on its relief, under a light. Flat ground keeps its
+/// color. Highlights are J. Blinn's ("Models of light reflection for computer synthesized
+/// pictures", 1977), and the sky is that of draw_occlusion. Transparent around a patch.
+ColorPixels draw_lit(FrameLayers& layers, const LitOptions& options, const LitSurface& surface);
 
 }  // namespace foam::texgen

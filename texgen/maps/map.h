@@ -3,49 +3,45 @@
 #include "texgen/image/png.h"
 #include "texgen/maps/frame_layers.h"
 #include "texgen/maps/map_image.h"
-#include "texgen/maps/map_options.h"
 
-#include <span>
 #include <string>
 #include <string_view>
 
 namespace foam::texgen {
 
-/// What is mixed where one image of a map fades into another. Ids never are.
+struct MapOptions;
+
+/// The quantity that is interpolated when one image of a map fades into another. Ids never are.
 enum class Mixing {
     Values,
-    Slopes,  // those that normals stand for
+    Slopes,  // the slopes that normals stand for
 };
 
-/// One map: all that drawing, choosing and documenting it needs.
-struct Map {
-    std::string_view name;      // as in file names
-    std::string_view meaning;   // in a few words
-    std::string_view unit;      // of its values, and what a PNG's codes stand for
-    std::string_view channels;  // of a torus, "R G B"; colours of a patch have A as well
-    int png_bits = 8;           // of a sample
-    PngFilter png_filter = PngFilter::None;  // none for flat cells, up for what is smooth
-    bool needs_next = false;                 // whether it asks for the frame after the one it shows
-    DistanceNeeds (*distance)(const MapOptions& options) = nullptr;  // what it asks of them, if any
-    double around = 0.0;  // in its last channel, around a patch
+/// The use that a map makes of the smooth distance to films.
+enum class SmoothDistance {
+    Unused,
+    Used,
+    UsedByFilms,  // if films are wet or shade their bubbles (distance_of_look)
+};
+
+/// The properties of a map that do not depend on options.
+struct MapTraits {
+    std::string_view name;                   // as in file names
+    std::string_view meaning;                // in a few words
+    std::string_view unit;                   // of the values, and the range of a PNG's codes
+    std::string_view channels;               // on a torus, "R G B"; colors of a patch also have A
+    int png_bits = 8;                        // per sample
+    PngFilter png_filter = PngFilter::None;  // None for flat cells, Up for smooth maps
+    bool needs_next = false;                 // true if drawing needs the next frame
+    SmoothDistance smooth_distance = SmoothDistance::Unused;
+    double around = 0.0;  // the last channel around a patch
     Mixing mixing = Mixing::Values;
-    std::string (*note)(const MapOptions& options) = nullptr;  // for its files, beside the unit
-    MapImage (*draw)(FrameLayers& layers, const MapOptions& options) = nullptr;
 };
 
-/// Every map there is.
-std::span<const Map> all_maps();
-
-/// Their names, in the same order.
-std::span<const std::string_view> map_names();
-
-/// Throws std::invalid_argument that lists the names there are.
-const Map& find_map(std::string_view name);
-
-/// What several maps together ask of distances.
-DistanceNeeds distance_needs(std::span<const std::string> names, const MapOptions& options);
-
-/// The table of all maps in Markdown, as the README shows it.
-std::string describe_maps_in_markdown();
+/// A map: its traits, and functions of the options of all maps.
+struct Map : MapTraits {
+    MapImage (*draw)(FrameLayers& layers, const MapOptions& options) = nullptr;
+    std::string (*note)(const MapOptions& options) = nullptr;  // a text for its files; may be null
+};
 
 }  // namespace foam::texgen

@@ -8,8 +8,8 @@
 
 namespace foam::texgen {
 
-/// Colours as light, kWhite being white, primaries of sRGB: red, green, blue and, of a patch, an
-/// opacity. Colours are straight: not premultiplied.
+/// Colors as light with the primaries of sRGB: red, green, blue and, of a patch, an opacity. White
+/// is kWhite. Colors are straight: not premultiplied.
 struct ColorPixels {
     Image<std::uint16_t> pixels;
 };
@@ -21,8 +21,8 @@ inline std::uint16_t light_step(double light) {
     return static_cast<std::uint16_t>(std::lround(light * kWhite));
 }
 
-/// Numbers in the map's own unit, and those that the ends of a PNG's codes stand for. A file of
-/// floats takes them as they are, beyond that range too.
+/// Numbers in the map's own unit, and the range of a PNG's codes. A file of floats stores all
+/// numbers unchanged, also beyond that range.
 struct NumberPixels {
     Image<float> pixels;
     double low = 0.0;
@@ -34,7 +34,7 @@ struct IdPixels {
     Image<std::uint32_t> pixels;
 };
 
-/// What a map is before a file format makes codes of it.
+/// The image of a map before it is encoded for a file format.
 using MapImage = std::variant<ColorPixels, NumberPixels, IdPixels>;
 
 }  // namespace foam::texgen

@@ -1,9 +1,10 @@
 #include "texgen/maps/motion.h"
 
 #include "core/foam/measure.h"
+#include "texgen/keys/value_kinds.h"
 #include "texgen/maps/boundary_motion.h"
 #include "texgen/maps/frame_layers.h"
-#include "texgen/maps/grid_places.h"
+#include "texgen/maps/grid_positions.h"
 #include "texgen/maps/junction_motion.h"
 #include "texgen/raster/bands.h"
 #include "texgen/raster/cell_mask.h"
@@ -182,6 +183,22 @@ class MotionPainter {
 };
 
 }  // namespace
+
+Keys<MotionOptions> motion_keys() {
+    constexpr Choices<MotionUnit> kUnits = {
+        {{{"image", MotionUnit::Image}, {"px", MotionUnit::Pixels}}}};
+    constexpr Choices<MotionY> kDirections = {{{{"up", MotionY::Up}, {"down", MotionY::Down}}}};
+    return {key("unit",
+                kUnits,
+                "of floats: parts of the image's width, or pixels; a PNG is the same for both",
+                &MotionOptions::unit),
+            key("y", kDirections, "where a positive second number points", &MotionOptions::y),
+            key("multiplier",
+                Reals{1e-6, 10.0},
+                "of a PNG: motion at its largest code, in parts of the image's width; 0 is its "
+                "negative",
+                &MotionOptions::multiplier)};
+}
 
 NumberPixels draw_motion(FrameLayers& layers, const MotionOptions& options) {
     const double width = options.unit == MotionUnit::Image ? 1.0 : layers.grid().width;

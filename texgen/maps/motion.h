@@ -1,37 +1,47 @@
 #pragma once
 
-#include "texgen/maps/map_image.h"
+#include "texgen/keys/key.h"
+#include "texgen/maps/map.h"
 
 #include <string>
 
 namespace foam::texgen {
 
-class FrameLayers;
+inline constexpr MapTraits kMotionMap = {
+    .name = "motion",
+    .meaning = "where every place goes, to the next frame",
+    .unit = "parts of the width, or pixels; PNG: 0.5 is still, ends at motion.multiplier",
+    .channels = "X Y",
+    .png_bits = 16,
+    .png_filter = PngFilter::Up,
+    .needs_next = true};
 
-/// What the numbers of a motion map are in. A PNG is the same for both.
+/// The unit of a motion map. A PNG is the same for both.
 enum class MotionUnit {
-    Image,   // parts of the image's width
-    Pixels,  // as compositing programs take them
+    Image,   // fractions of the image's width
+    Pixels,  // as compositing programs expect
 };
 
-/// Which way a positive second number points.
+/// The direction of a positive second number.
 enum class MotionY { Up, Down };
 
 struct MotionOptions {
     MotionUnit unit = MotionUnit::Image;
     MotionY y = MotionY::Up;
-    double multiplier = 0.005;  // parts of the image's width that the ends of a PNG's codes stand
-                                // for, from the middle on; engines ask for it
+    double multiplier = 0.005;  // motion at the largest code of a PNG, in fractions of the image's
+                                // width, as engines ask for it; its negative is at code 0
 };
 
-/// Where every place of the foam moves to the next frame. Junctions move as they do, places on
-/// films between them in proportion, and places in a bubble smoothly between those on its films.
-/// Two channels: to the right, and up or down; 0 around a patch. In a sheared torus motion is that
-/// of the image's own cell: copies one period up move farther. Needs the next frame: throws
-/// std::invalid_argument without.
+Keys<MotionOptions> motion_keys();
+
+/// Draws how far every point of the foam moves until the next frame. Junctions move as they do,
+/// points on films in proportion between them, and points in a bubble smoothly between those on its
+/// films. Two channels: to the right, and up or down; 0 around a patch. On a sheared torus, motion
+/// is that of the image's own cell: copies one period up move farther. Throws std::invalid_argument
+/// without a next frame.
 NumberPixels draw_motion(FrameLayers& layers, const MotionOptions& options);
 
-/// "y up; a PNG's largest code is 0.005 of the image's width".
+/// Returns "y up; a PNG's largest code is 0.005 of the image's width".
 std::string note_on_motion(const MotionOptions& options);
 
 }  // namespace foam::texgen

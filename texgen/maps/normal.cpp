@@ -1,11 +1,20 @@
 #include "texgen/maps/normal.h"
 
+#include "texgen/keys/value_kinds.h"
 #include "texgen/maps/relief.h"
 
 #include <cmath>
 #include <utility>
 
 namespace foam::texgen {
+
+Keys<NormalOptions> normal_keys() {
+    constexpr Choices<NormalY> kDirections = {{{{"gl", NormalY::Up}, {"dx", NormalY::Down}}}};
+    return {key("y",
+                kDirections,
+                "the way that green points: gl is up (Blender, Godot, Unity), dx down (Unreal)",
+                &NormalOptions::y)};
+}
 
 NumberPixels draw_normal(FrameLayers& layers,
                          const ReliefOptions& relief_options,

@@ -1,15 +1,24 @@
 #pragma once
 
-#include "texgen/maps/map_image.h"
+#include "texgen/keys/key.h"
+#include "texgen/maps/map.h"
 #include "texgen/maps/relief_options.h"
 
 #include <string>
 
 namespace foam::texgen {
 
-class FrameLayers;
+inline constexpr MapTraits kNormalMap = {
+    .name = "normal",
+    .meaning = "the relief's normals, y up (OpenGL) or down (DirectX)",
+    .unit = "-1 to 1; PNG: 0.5 is 0",
+    .channels = "X Y Z",
+    .png_filter = PngFilter::Up,
+    .smooth_distance = SmoothDistance::Used,
+    .around = 1.0,
+    .mixing = Mixing::Slopes};
 
-/// Which way the green channel of a normal map points.
+/// The direction of the green channel of a normal map.
 enum class NormalY {
     Up,    // OpenGL: Blender, Godot, Unity
     Down,  // DirectX: Unreal
@@ -19,13 +28,15 @@ struct NormalOptions {
     NormalY y = NormalY::Up;
 };
 
-/// The unit normals of the relief, from its slopes: x to the right, z towards the viewer. Three
-/// channels, -1 to 1; (0, 0, 1) where it is flat.
+Keys<NormalOptions> normal_keys();
+
+/// Draws the unit normals of the relief from its slopes: x to the right, z towards the viewer.
+/// Three channels, -1 to 1; (0, 0, 1) where the relief is flat.
 NumberPixels draw_normal(FrameLayers& layers,
                          const ReliefOptions& relief,
                          const NormalOptions& options);
 
-/// "y up (OpenGL)".
+/// Returns "y up (OpenGL)" or "y down (DirectX)".
 std::string note_on_normals(const NormalOptions& options);
 
 }  // namespace foam::texgen

@@ -1,5 +1,6 @@
 #include "texgen/maps/occlusion.h"
 
+#include "texgen/keys/value_kinds.h"
 #include "texgen/maps/relief.h"
 
 #include <algorithm>
@@ -50,7 +51,7 @@ class VisibleSky {
 
     static double place(int step) { return static_cast<double>(step) / kSteps; }
 
-    // Of a furrow, (sin a + sin b) / 2 with the angles from the normal to its two horizons.
+    // Returns (sin a + sin b) / 2 with the angles from the normal to both horizons of a furrow.
     static double visible(std::span<const double> heights, int here, double slope) {
         const auto steepest = [&](int step) {
             double steepness = step * slope;
@@ -72,6 +73,13 @@ class VisibleSky {
 };
 
 }  // namespace
+
+Keys<OcclusionOptions> occlusion_keys() {
+    return {key("strength",
+                Reals{0.0, 100.0},
+                "power of the part of the sky that is seen",
+                &OcclusionOptions::strength)};
+}
 
 NumberPixels draw_occlusion(FrameLayers& layers,
                             const ReliefOptions& relief_options,

@@ -1,19 +1,29 @@
 #pragma once
 
-#include "texgen/maps/map_image.h"
+#include "texgen/keys/key.h"
+#include "texgen/maps/map.h"
 #include "texgen/maps/relief_options.h"
 
 namespace foam::texgen {
 
-class FrameLayers;
+inline constexpr MapTraits kOcclusionMap = {
+    .name = "occlusion",
+    .meaning = "the part of an even sky that the relief sees",
+    .unit = "0 to 1",
+    .channels = "Y",
+    .png_filter = PngFilter::Up,
+    .smooth_distance = SmoothDistance::Used,
+    .around = 1.0};
 
 struct OcclusionOptions {
-    double strength = 1.0;  // power of the visible part
+    double strength = 1.0;  // exponent of the visible fraction
 };
 
-/// Of the light of an even sky, the part that reaches the relief: 1 in the open. It is that of an
-/// endless furrow with the section of the relief across the nearest film, the same on both sides.
-/// One channel; 1 around a patch.
+Keys<OcclusionOptions> occlusion_keys();
+
+/// Draws the fraction of the light of an even sky that reaches the relief: 1 in the open. It is
+/// computed for an endless furrow whose section is that of the relief across the nearest film, the
+/// same on both sides. One channel; 1 around a patch.
 NumberPixels draw_occlusion(FrameLayers& layers,
                             const ReliefOptions& relief,
                             const OcclusionOptions& options);

@@ -1,14 +1,20 @@
 #pragma once
 
-#include "texgen/maps/albedo.h"
-#include "texgen/maps/map_image.h"
+#include "texgen/maps/albedo_options.h"
+#include "texgen/maps/map.h"
 
 namespace foam::texgen {
 
-class FrameLayers;
+inline constexpr MapTraits kOpacityMap = {
+    .name = "opacity",
+    .meaning = "what foam covers, albedo's alpha; all of a torus",
+    .unit = "part of the pixel, 0 to 1",
+    .channels = "Y",
+    .smooth_distance = SmoothDistance::UsedByFilms};
 
-/// Of every pixel the part that bubbles and films cover, the outer films of a patch to half their
-/// width outwards: what albedo has as its alpha. One channel, 0 to 1; 1 everywhere on a torus.
+/// Draws the fraction of every pixel that bubbles and films cover, which is the alpha of albedo.
+/// The outer films of a patch reach half their width outwards. One channel, 0 to 1; 1 everywhere on
+/// a torus.
 NumberPixels draw_opacity(FrameLayers& layers, const AlbedoOptions& options);
 
 }  // namespace foam::texgen

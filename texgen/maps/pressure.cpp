@@ -1,6 +1,7 @@
 #include "texgen/maps/pressure.h"
 
 #include "texgen/image/colormap.h"
+#include "texgen/keys/value_kinds.h"
 #include "texgen/maps/cell_fill.h"
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include <cstddef>
 #include <span>
 #include <stdexcept>
+#include <string_view>
 #include <vector>
 
 namespace foam::texgen {
@@ -16,20 +18,29 @@ namespace {
 
 constexpr double kMiddle = 0.5;
 
+std::span<const std::string_view> colormaps_and_none() {
+    static const std::vector<std::string_view> words = [] {
+        std::vector<std::string_view> all{"none"};
+        all.insert(all.end(), colormap_names().begin(), colormap_names().end());
+        return all;
+    }();
+    return words;
+}
+
 double tone_in_range(double pressure, double low, double high) {
     return low < high ? (pressure - low) / (high - low) : kMiddle;
 }
 
-// Of sorted numbers, between which it is interpolated. Precondition: there is one.
+// Returns a percentile of sorted numbers, interpolated. Precondition: there is a number.
 double percentile_of(std::span<const double> sorted, double percentile) {
-    const double place = percentile / 100.0 * static_cast<double>(sorted.size() - 1);
-    const auto below = static_cast<std::size_t>(place);
+    const double position = percentile / 100.0 * static_cast<double>(sorted.size() - 1);
+    const auto below = static_cast<std::size_t>(position);
     const std::size_t above = std::min(below + 1, sorted.size() - 1);
-    return std::lerp(sorted[below], sorted[above], place - static_cast<double>(below));
+    return std::lerp(sorted[below], sorted[above], position - static_cast<double>(below));
 }
 
-// Where a pressure stands among sorted ones, 0 at the lowest and 1 at the highest; of equals, in
-// their middle.
+// Returns the rank of a pressure among sorted ones: 0 for the lowest, 1 for the highest, and the
+// middle of the ranks of equal ones.
 double rank_among(std::span<const double> sorted, double pressure) {
     const auto [first, last] = std::equal_range(sorted.begin(), sorted.end(), pressure);
     const auto lower = static_cast<double>(first - sorted.begin());
@@ -72,6 +83,35 @@ PerBubble<double> tones_of(const FrameLayers& layers, const PressureOptions& opt
 }
 
 }  // namespace
+
+Keys<PressureOptions> pressure_keys() {
+    using Options = PressureOptions;
+    constexpr Choices<PressureScaling, 3> kScalings = {
+        {{{"range", PressureScaling::Range},
+          {"percentile", PressureScaling::Percentile},
+          {"rank", PressureScaling::Rank}}}};
+    return {key("scaling",
+                kScalings,
+                "tones by a range of pressures, by the range of most bubbles of the first frame, "
+                "or by the share of its bubbles with a lower pressure",
+                &Options::scaling),
+            key("percentile",
+                Reals{0.0, 49.0},
+                "of \"percentile\": percentage of the bubbles left out at either end",
+                &Options::percentile),
+            key("low", kPressures, "of \"range\": pressure of tone 0", &Options::low).below("high"),
+            key("high", kPressures, "of \"range\": pressure of tone 1; above low", &Options::high),
+            key("unit", kPressureUnits, "of low and high: as albedo.pressure_unit", &Options::unit),
+            key("exaggeration",
+                Reals{0.0, 1000.0},
+                "factor on what differs from the middle tone: a large one leaves only walls and "
+                "passages",
+                &Options::exaggeration),
+            key("colormap",
+                Words{colormaps_and_none()},
+                "colours of the tones; none leaves grey numbers",
+                &Options::colormap)};
+}
 
 MapImage draw_pressure(FrameLayers& layers, const PressureOptions& options) {
     if (!(options.low < options.high)) {

@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-// Of a dome the radius of the circle of the bubble's area, else the same for all; pixels.
+// Returns the radius of a circle of each bubble's area for domes, else the same unit for all;
+// pixels.
 std::vector<double> units_of(FrameLayers& layers, const ReliefOptions& options, double diameter) {
     const Frame& frame = layers.frame();
     if (options.profile != ReliefProfile::Dome) {

@@ -10,26 +10,26 @@
 
 namespace foam::texgen {
 
-/// The relief of a frame, at the middle of pixels. Heights come from the smooth distance, and
-/// slopes from its gradient: there are no creases but along films. Around a patch it is flat, but
+/// The relief of a frame, at the centers of pixels. Heights come from the smooth distance, and
+/// slopes from its gradient: there are creases only along films. Around a patch it is flat, except
 /// for the outer halves of ridges and borders. Borrows the layers.
 class Relief {
   public:
     Relief(FrameLayers& layers, const ReliefOptions& options);
 
-    /// Of the pixel that comes at place `index`, row by row: in pixels, and pixels by pixels.
+    /// Return the height (pixels) and the slope at a pixel, counted row by row.
     double height(std::size_t index) const;
     Vec2 slope(std::size_t index) const;
 
-    /// The section's unit there, in pixels; 0 where there is nothing.
+    /// Returns the section's unit there, in pixels; 0 around a patch.
     double unit(std::size_t index) const { return units_[field_.ids.samples()[index]]; }
-    /// The smooth distance in that unit. Precondition: it is above 0.
+    /// Returns the smooth distance in that unit. Precondition: the unit is above 0.
     double smooth(std::size_t index) const {
         return static_cast<double>(field_.smooth.samples()[index]) / unit(index);
     }
     const ReliefSection& section() const { return section_; }
 
-    /// Of the mean bubble, in pixels.
+    /// Returns the diameter of the mean bubble in pixels.
     double diameter() const { return diameter_; }
 
   private:

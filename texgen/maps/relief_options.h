@@ -1,5 +1,6 @@
 #pragma once
 
+#include "texgen/keys/key.h"
 #include "texgen/maps/mean_bubble.h"
 #include "texgen/maps/relief_section.h"
 
@@ -9,10 +10,12 @@ namespace foam::texgen {
 struct ReliefOptions {
     ReliefProfile profile = ReliefProfile::Dome;
     double angle = 50.0;    // of domes at films, degrees
-    double width = 0.2;     // of a ridge from its film to its foot, or the radius of borders; in
+    double width = 0.2;     // from a film to the foot of its ridge, or the radius of borders; in
                             // diameters of the mean bubble
     double strength = 1.0;  // factor on heights
-    MeanBubble mean_bubble = MeanBubble::Current;  // whose diameter heights and widths are in
+    MeanBubble mean_bubble = MeanBubble::Current;  // the unit of heights and widths
 };
+
+Keys<ReliefOptions> relief_keys();
 
 }  // namespace foam::texgen

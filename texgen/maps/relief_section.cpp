@@ -11,7 +11,7 @@ constexpr double kRidgeHeight = 0.5;
 // A film of no width would have a knife's edge between its fillets; up to here it is a parabola.
 constexpr double kCrest = 0.1;
 
-// Of a fillet of radius 1 that touches the ground at 1, and its slope: 0 < x <= 1.
+// The height and slope of a fillet of radius 1 that touches the ground at 1, for 0 < x <= 1.
 double fillet_height(double x) {
     return 1.0 - std::sqrt(x * (2.0 - x));
 }

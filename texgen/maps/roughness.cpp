@@ -1,5 +1,6 @@
 #include "texgen/maps/roughness.h"
 
+#include "texgen/keys/value_kinds.h"
 #include "texgen/maps/cell_fill.h"
 #include "texgen/maps/film_look.h"
 #include "texgen/maps/identity_number.h"
@@ -10,6 +11,16 @@
 #include <utility>
 
 namespace foam::texgen {
+
+Keys<RoughnessOptions> roughness_keys() {
+    return {
+        key("cell", kFractions, "of bubbles; 0 is a mirror", &RoughnessOptions::cell),
+        key("film", kFractions, "of films, as wide as albedo.film_width", &RoughnessOptions::film),
+        key("variation",
+            kFractions,
+            "width of the range around roughness.cell that bubbles have",
+            &RoughnessOptions::variation)};
+}
 
 NumberPixels draw_roughness(FrameLayers& layers,
                             const RoughnessOptions& options,

@@ -1,20 +1,28 @@
 #pragma once
 
-#include "texgen/maps/albedo.h"
-#include "texgen/maps/map_image.h"
+#include "texgen/keys/key.h"
+#include "texgen/maps/albedo_options.h"
+#include "texgen/maps/map.h"
 
 namespace foam::texgen {
 
-class FrameLayers;
+inline constexpr MapTraits kRoughnessMap = {
+    .name = "roughness",
+    .meaning = "of a surface: bubbles are smoother than films, and differ a little",
+    .unit = "0 to 1",
+    .channels = "Y",
+    .smooth_distance = SmoothDistance::UsedByFilms};
 
 struct RoughnessOptions {
     double cell = 0.15;      // of bubbles, which are smooth and wet
     double film = 0.45;      // of films, as wide as those of albedo
-    double variation = 0.1;  // bubbles differ by up to this from each other, each for life
+    double variation = 0.1;  // width of the range of the bubbles, each of which keeps its value
 };
 
-/// Roughness of a surface, as materials take it: 0 is a mirror. Mixed by exact area. One channel, 0
-/// to 1; 0 around a patch.
+Keys<RoughnessOptions> roughness_keys();
+
+/// Draws the roughness of a surface as materials take it: 0 is a mirror. Pixels are mixed by exact
+/// area. One channel, 0 to 1; 0 around a patch.
 NumberPixels draw_roughness(FrameLayers& layers,
                             const RoughnessOptions& options,
                             const AlbedoOptions& films);

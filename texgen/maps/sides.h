@@ -1,13 +1,16 @@
 #pragma once
 
-#include "texgen/maps/map_image.h"
+#include "texgen/maps/map.h"
 
 namespace foam::texgen {
 
-class FrameLayers;
+inline constexpr MapTraits kSidesMap = {.name = "sides",
+                                        .meaning = "number of films around a bubble, exact",
+                                        .unit = "films; PNG: as it is",
+                                        .channels = "Y"};
 
-/// How many films go around the bubble at the middle of every pixel: exact, never mixed. 0 in lone
-/// bubbles, whose film has no junction, and around a patch.
+/// Draws the number of films around the bubble at the center of every pixel; it is never mixed. 0
+/// in lone bubbles, whose film has no junction, and around a patch.
 IdPixels draw_sides(FrameLayers& layers);
 
 }  // namespace foam::texgen

@@ -2,7 +2,7 @@
 
 namespace foam::texgen {
 
-/// From 0 to 1 where `passed` is, level at both ends.
+/// Returns a smooth step from 0 to 1 as `passed` goes from 0 to 1, level at both ends.
 template <class Number>
 Number smooth_step(Number passed) {
     return passed * passed * (Number{3} - Number{2} * passed);

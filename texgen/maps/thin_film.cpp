@@ -1,6 +1,7 @@
 #include "texgen/maps/thin_film.h"
 
 #include "core/foam/measure.h"
+#include "texgen/keys/value_kinds.h"
 #include "texgen/maps/cell_fill.h"
 #include "texgen/maps/film_look.h"
 #include "texgen/maps/identity_number.h"
@@ -55,7 +56,7 @@ double reflectance(double thickness, double wave) {
     return interference / ((1.0 - once) * (1.0 - once) + interference);
 }
 
-// What a spectrum between 0 and 1 looks like, without regard to white.
+// Returns the color of a spectrum between 0 and 1, not scaled to white.
 template <class Spectrum>
 LinearRgb seen(const Spectrum& spectrum) {
     Xyz sum;
@@ -70,7 +71,7 @@ LinearRgb seen(const Spectrum& spectrum) {
     return to_rgb(sum);
 }
 
-// Of every nanometre up to the thickest.
+// Returns the reflectance for every nanometer up to the thickest.
 std::vector<LinearRgb> make_reflectances() {
     std::vector<LinearRgb> all;
     for (int thickness = 0; thickness <= kThickest; ++thickness) {
@@ -155,6 +156,25 @@ class FilmColors {
 };
 
 }  // namespace
+
+Keys<ThinFilmOptions> thin_film_keys() {
+    return {key("thickness",
+                Reals{0.0, 3000.0},
+                "of soap films in the middle of bubbles, nanometres",
+                &ThinFilmOptions::thickness),
+            key("variation",
+                Reals{0.0, 2.0},
+                "by so much of it bubbles differ at most",
+                &ThinFilmOptions::variation),
+            key("drainage",
+                Reals{0.0, 10.0},
+                "by so much of it a film is thicker at the rim of its bubble",
+                &ThinFilmOptions::drainage),
+            key("exposure",
+                Reals{0.0, 100.0},
+                "factor on the light, of which a soap film reflects 8 % at most",
+                &ThinFilmOptions::exposure)};
+}
 
 LinearRgb film_reflectance(double nanometres) {
     const LinearRgb white = seen([](double) { return 1.0; });

@@ -1,32 +1,41 @@
 #pragma once
 
 #include "texgen/image/color.h"
-#include "texgen/maps/albedo.h"
-#include "texgen/maps/map_image.h"
+#include "texgen/keys/key.h"
+#include "texgen/maps/albedo_options.h"
+#include "texgen/maps/map.h"
 
 namespace foam::texgen {
 
-class FrameLayers;
+inline constexpr MapTraits kThinFilmMap = {
+    .name = "thin_film",
+    .meaning = "interference colours of a soap film across every bubble",
+    .unit = "light",
+    .channels = "R G B",
+    .png_filter = PngFilter::Up,
+    .smooth_distance = SmoothDistance::Used};
 
 struct ThinFilmOptions {
-    double thickness = 350.0;  // nanometres, in the middle of a mean bubble
-    double variation = 0.6;    // bubbles differ by up to this part of it, each for life
-    double drainage = 0.5;     // a film is thicker by this part at the bubble's rim, where liquid
-                               // gathers
+    double thickness = 350.0;  // nanometers, in the middle of a mean bubble
+    double variation = 0.6;    // largest difference of a bubble, as a fraction; each keeps its own
+    double drainage = 0.5;     // how much thicker a film is at the bubble's rim, where liquid
+                               // gathers, as a fraction
     double exposure = 8.0;     // factor on the light; a soap film reflects at most 8 % of it
 };
 
-/// The part of white light of normal incidence that a soap film in air reflects, as light: Airy's
-/// sum over all reflections in a layer of index 1.33, times the CIE 1931 colour matching functions
-/// (Wyman, Sloan, Shirley, "Simple analytic approximations to the CIE XYZ color matching
-/// functions", 2013), so that what reflects all is white. It may lie beyond sRGB: components may be
-/// negative.
+Keys<ThinFilmOptions> thin_film_keys();
+
+/// Returns the fraction of white light of normal incidence that a soap film in air reflects, as
+/// light: Airy's sum over all reflections in a layer of index 1.33, times the CIE 1931 color
+/// matching functions (Wyman, Sloan, Shirley, "Simple analytic approximations to the CIE XYZ color
+/// matching functions", 2013), scaled so that a perfect mirror is white. The color may lie outside
+/// sRGB: components may be negative.
 LinearRgb film_reflectance(double nanometres);
 
-/// Bubbles in the interference colours of a soap film across them, with the films between them as
-/// in albedo. The thickness belongs to the bubble and to the place in it, and so stands still while
-/// the foam does. Colours beyond sRGB are mixed with grey of the same luminance. Transparent around
-/// a patch.
+/// Draws bubbles in the interference colors of a soap film across them, with the films of albedo
+/// between them. The thickness belongs to the bubble and the point in it, and so does not move
+/// while the foam is at rest. Colors outside sRGB are mixed with gray of the same luminance.
+/// Transparent around a patch.
 ColorPixels draw_thin_film(FrameLayers& layers,
                            const ThinFilmOptions& options,
                            const AlbedoOptions& albedo);

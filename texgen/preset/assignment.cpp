@@ -139,12 +139,12 @@ Value read_value(const std::string& text) {
 }
 
 Assignment read_set_argument(const std::string& argument) {
-    const std::string place = "--set " + argument;
+    const std::string location = "--set " + argument;
     const std::size_t equals = argument.find('=');
     if (equals == std::string::npos || equals == 0) {
-        throw PresetError(place + ": must be KEY=VALUE, as in --set foam.bubbles=500");
+        throw PresetError(location + ": must be KEY=VALUE, as in --set foam.bubbles=500");
     }
-    return {place, argument.substr(0, equals), read_value(argument.substr(equals + 1))};
+    return {location, argument.substr(0, equals), read_value(argument.substr(equals + 1))};
 }
 
 }  // namespace foam::texgen

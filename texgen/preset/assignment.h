@@ -1,6 +1,6 @@
 #pragma once
 
-#include "texgen/preset/value.h"
+#include "texgen/keys/value.h"
 
 #include <stdexcept>
 #include <string>
@@ -9,28 +9,29 @@
 
 namespace foam::texgen {
 
-/// A preset that cannot be used; one line with place, key, value and what is allowed.
+/// An invalid preset; one line with location, key, value and what is allowed.
 class PresetError : public std::runtime_error {
     using runtime_error::runtime_error;
 };
 
-/// One value given to one key, not yet checked, and where that was said.
+/// A value given to a key, not yet checked, and its location.
 struct Assignment {
-    std::string place;  // "sea.toml:12" or "--set foam.seed=3"
-    std::string key;    // "foam.seed"; parts that TOML would quote are quoted
+    std::string location;  // "sea.toml:12" or "--set foam.seed=3"
+    std::string key;       // "foam.seed"; parts that TOML would quote are quoted
     Value value;
 };
 
-/// The assignments of a TOML document in the order of its lines, tables included, with places named
-/// after `source`. The second [[event]] comes as the key event[2]. Throws PresetError for malformed
-/// TOML.
+/// Returns the assignments of a TOML document in the order of its lines, tables included. Locations
+/// are named after `source`. The second [[event]] has the key event[2]. Throws PresetError for
+/// malformed TOML.
 std::vector<Assignment> read_assignments(std::string_view toml, const std::string& source);
 
-/// A value from the command line: TOML, or else the bare text itself, which saves the quotes of
-/// words.
+/// Parses a value from the command line: TOML, or else the text itself, so that words need no
+/// quotes.
 Value read_value(const std::string& text);
 
-/// What follows `--set`: KEY=VALUE, read by read_value. Throws PresetError without a key or a '='.
+/// Parses the argument of `--set`, KEY=VALUE, by read_value. Throws PresetError without a key or
+/// a '='.
 Assignment read_set_argument(const std::string& argument);
 
 }  // namespace foam::texgen

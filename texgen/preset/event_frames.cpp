@@ -4,7 +4,7 @@ namespace foam::texgen {
 
 namespace {
 
-// Of a step: times this close are the same, so that 0.3 is the third frame of steps of 0.1.
+// Times this close, as a fraction of a step, are the same: 0.3 is the third frame of steps of 0.1.
 constexpr double kSameTime = 1e-6;
 
 // The frames after the first, one by one, each with the time that has passed when it is shown.
@@ -34,7 +34,7 @@ class FrameClock {
 
 }  // namespace
 
-std::optional<FrameSpan> frames_of(const Event& event, const FramesOptions& frames) {
+std::optional<FrameSpan> frames_of(const EventBase& event, const FramesOptions& frames) {
     if (!event.time) {
         return event.frames;
     }

@@ -9,21 +9,21 @@
 
 namespace foam::texgen {
 
-/// Whether a key is one of an event, or a slip that was meant as one: event[2].kind, event.
+/// Returns true if a key belongs to an event or was meant to: event[2].kind, event.
 bool is_event_key(std::string_view key);
 
-/// Puts the value of an event's key into the preset; the table event[n] itself adds the n-th event.
-/// Throws PresetError for a value or key that is not allowed.
+/// Stores the value of an event's key in the preset; the table event[n] itself adds the n-th event.
+/// Throws PresetError for an unknown key or a value that is not allowed.
 void assign_event(Preset& preset, const Assignment& assignment);
 
-/// What ties the keys of an event together: each has a kind, frames and the keys of its kind.
-/// Blames the assignments that were made last. Throws PresetError.
+/// Checks that each event has a kind, frames and only keys of its kind, and that it fits the foam.
+/// Throws PresetError, which names the last assignment that matters.
 void check_events(const Preset& preset, std::span<const Assignment> assignments);
 
-/// The events in TOML; what an event has anyway is left out.
+/// Writes the events as TOML, without values that are defaults.
 std::string events_to_toml(const Preset& preset);
 
-/// The reference of all keys of an event: allowed values, meaning, kinds.
+/// Returns the reference of all keys of events: default, meaning, allowed values, kinds.
 std::string describe_event_keys();
 
 }  // namespace foam::texgen

@@ -1,5 +1,7 @@
 #include "texgen/preset/foam_shape.h"
 
+#include "texgen/keys/value_kinds.h"
+
 #include <cmath>
 #include <stdexcept>
 
@@ -17,6 +19,30 @@ foam::Outline unstretched_outline(const std::string& text) {
     return outline_from_wkt(text);
 }
 
+bool is_outline(const std::string& text) {
+    try {
+        outline_of({.outline = text});
+        return true;
+    } catch (const std::invalid_argument&) {
+        return false;
+    }
+}
+
+// Values of foam.outline: "disc", "rectangle", or a polygon as WKT.
+struct Outlines {
+    std::string allowed() const {
+        return "\"disc\", \"rectangle\", or a polygon that does not cross itself as WKT, "
+               "\"POLYGON((x y, ...), (x y of a hole, ...))\"";
+    }
+    bool read(const Value& value, std::string& member) const {
+        std::string text;
+        const bool allowed = Text{}.read(value, text) && is_outline(text);
+        member = allowed ? text : member;
+        return allowed;
+    }
+    Value write(const std::string& member) const { return {member}; }
+};
+
 void stretch(std::vector<Vec2>& corners, double factor) {
     for (Vec2& corner : corners) {
         corner.x() *= factor;
@@ -24,6 +50,26 @@ void stretch(std::vector<Vec2>& corners, double factor) {
 }
 
 }  // namespace
+
+Keys<FoamShape> shape_keys() {
+    constexpr Choices<FoamKind> kKinds = {
+        {{{"torus", FoamKind::Torus}, {"patch", FoamKind::Patch}}}};
+    return {key("domain",
+                kKinds,
+                "a torus, which tiles, or a patch with a free surface, on a transparent ground",
+                &FoamShape::kind),
+            key("outline",
+                Outlines{},
+                "where a patch is seeded, scaled to an area of one per bubble; it then finds "
+                "its own shape",
+                &FoamShape::outline)
+                .only_for("foam.domain", {"patch"}),
+            key("outline_aspect",
+                Reals{1.0 / 16.0, 16.0},
+                "stretches the outline in x: width over height of a disc or a rectangle",
+                &FoamShape::outline_aspect)
+                .only_for("foam.domain", {"patch"})};
+}
 
 foam::Outline outline_of(const FoamShape& shape) {
     foam::Outline outline = unstretched_outline(shape.outline);

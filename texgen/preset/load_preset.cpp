@@ -3,7 +3,7 @@
 #include "texgen/image/file_io.h"
 #include "texgen/preset/event_io.h"
 #include "texgen/preset/preset_io.h"
-#include "texgen/preset/refusal.h"
+#include "texgen/preset/rejection.h"
 #include "texgen/preset/shipped_presets.h"
 
 #include <fmt/format.h>
@@ -82,11 +82,11 @@ class Loader {
         assignments.erase(found);
         const auto* name = std::get_if<std::string>(&extends.value.data);
         if (name == nullptr) {
-            refuse(extends, "must be the name of a preset or a .toml file, in quotes");
+            reject(extends, "must be the name of a preset or a .toml file, in quotes");
         }
         const Document other = find_extended(*name, extends, document);
         if (std::find(sources_.begin(), sources_.end(), other.source) != sources_.end()) {
-            refuse(extends,
+            reject(extends,
                    fmt::format("a circle: {} -> {}", fmt::join(sources_, " -> "), other.source));
         }
         return load(other);
@@ -99,7 +99,7 @@ class Loader {
             return find_document(
                 is_path(name) ? (document.folder / name).lexically_normal().string() : name);
         } catch (const PresetError& error) {
-            refuse(extends, error.what());
+            reject(extends, error.what());
         }
     }
 

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "texgen/keys/key.h"
+
 #include <array>
 
 namespace foam::texgen {
 
-/// What brings the foam back to where it was, so that the last frame leads into the first.
+/// The way in which the last frame leads back to the first.
 enum class LoopKind {
     None,      // nothing: the foam ages
     Breathe,   // every bubble swells and shrinks, each in its own time (E9)
@@ -18,21 +20,20 @@ enum class LoopKind {
 /// close by themselves, and no gas diffuses once they have begun.
 struct LoopOptions {
     LoopKind kind = LoopKind::None;
-    // Of Breathe the swing of every area, a part of it; of Shear that of the strain.
-    double amplitude = 0.15;
-    // Whole widths and heights of a torus that all travels in a loop, right and up.
-    std::array<int, 2> drift = {0, 0};
-    int cycles = 12;  // at most so many pass before frame 1, for the loop to settle
-    // Of Flow: the part of the frames, at the end, that fade into those before the first; and the
-    // frames that a new bubble takes to the mean area.
-    double fade = 1.0;
-    double fade_spread = 0.8;  // 0: the image at once, towards 1: place by place
-    int growth = 24;
+    double amplitude = 0.15;  // Breathe: of the swing of every area, relative; Shear: of the strain
+    std::array<int, 2> drift = {0, 0};  // travel in a loop, in widths and heights of the torus
+    int cycles = 12;                    // that may pass before frame 1 until the loop closes
+    double fade = 1.0;         // Flow: fraction of the frames, at the end, that fade into those
+                               // before the first
+    double fade_spread = 0.8;  // Flow: 0 fades the whole image at once, towards 1 part by part
+    int growth = 24;           // Flow: frames that a new bubble takes to the mean area
 
-    /// The foam itself returns: the frame after the last is the first, wherever the loop is cut.
+    /// Returns true if the foam itself returns, so that the loop may be cut anywhere.
     bool closes_itself() const { return is_cycle() || kind == LoopKind::Drift; }
     bool is_cross_faded() const { return kind == LoopKind::Flow; }
     bool is_cycle() const { return kind == LoopKind::Breathe || kind == LoopKind::Shear; }
 };
+
+Keys<LoopOptions> loop_keys();
 
 }  // namespace foam::texgen

@@ -1,16 +1,17 @@
 #include "texgen/preset/preset_io.h"
 
+#include "texgen/keys/value_kinds.h"
 #include "texgen/preset/event_io.h"
-#include "texgen/preset/loop_schema.h"
-#include "texgen/preset/map_schema.h"
+#include "texgen/preset/loop_check.h"
 #include "texgen/preset/nearest.h"
-#include "texgen/preset/refusal.h"
-#include "texgen/preset/schema.h"
+#include "texgen/preset/preset_keys.h"
+#include "texgen/preset/rejection.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
-#include <cstddef>
+#include <limits>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -20,18 +21,15 @@ namespace {
 
 constexpr int kLargestAspect = 16;
 
-/// The known key or table that comes nearest, also where only its table was forgotten.
-std::string_view suggestion(const std::string& path) {
+// Returns the key of the same name in another table, or else the path that is most similar.
+std::string_view suggestion(std::string_view path) {
+    const std::string_view name = path.substr(path.rfind('.') + 1);
     std::vector<std::string_view> paths;
-    std::vector<std::string_view> names;
-    for (const Key& key : preset_keys()) {
+    for (const KeyInfo& key : preset_keys()) {
+        if (key.name() == name) {
+            return key.path;
+        }
         paths.push_back(key.path);
-        names.push_back(key.name());
-    }
-    const std::string_view name = std::string_view(path).substr(path.rfind('.') + 1);
-    const auto same_name = std::find(names.begin(), names.end(), name);
-    if (same_name != names.end()) {
-        return paths[static_cast<std::size_t>(same_name - names.begin())];
     }
     return nearest(path, paths);
 }
@@ -41,20 +39,20 @@ void assign_one(Preset& preset, const Assignment& assignment) {
         assign_event(preset, assignment);
         return;
     }
-    const Key* key = find_key(assignment.key);
+    const Key<Preset>* key = find_key(assignment.key);
     const bool table = std::holds_alternative<Value::Table>(assignment.value.data);
     if (key == nullptr && table && is_table(assignment.key)) {
         return;
     }
     if (key == nullptr) {
-        refuse_unknown(assignment, suggestion(assignment.key));
+        reject_unknown(assignment, suggestion(assignment.key));
     }
     if (!key->read(assignment.value, preset)) {
-        refuse(assignment, "must be " + key->allowed);
+        reject(assignment, "must be " + key->allowed);
     }
 }
 
-/// Of the assignments to one of two keys the last; to the first key, if there is any.
+// Returns the last assignment to the first key that has one, or else the last of all.
 const Assignment& blamed(std::span<const Assignment> assignments,
                          std::string_view first,
                          std::string_view second) {
@@ -69,25 +67,65 @@ const Assignment& blamed(std::span<const Assignment> assignments,
     return assignments.back();
 }
 
-/// What would have no effect must not be asked for.
-void check_kind(const Preset& preset, std::span<const Assignment> assignments) {
-    const Preset defaults;
-    for (const Key& key : preset_keys()) {
-        if (key.kind.value_or(preset.shape.kind) != preset.shape.kind &&
-            to_toml(key.write(preset)) != to_toml(key.write(defaults))) {
-            refuse(
-                blamed(assignments, key.path, "foam.domain"),
-                fmt::format("{} is only for foam.domain = \"{}\"", key.path, name_of(*key.kind)));
+bool holds(const Condition& condition, const Preset& preset) {
+    const std::optional<Value> value = find_key(condition.key)->write(preset);
+    return condition.allows(std::get<std::string>(value->data));
+}
+
+// A key whose condition does not hold has no effect, so it must keep its default.
+void check_conditions(const Preset& preset, std::span<const Assignment> assignments) {
+    for (const Key<Preset>& key : preset_keys()) {
+        if (key.condition && !holds(*key.condition, preset) && !key.is_default(preset)) {
+            reject(blamed(assignments, key.path, key.condition->key),
+                   fmt::format("{} is only for {} = \"{}\"",
+                               key.path,
+                               key.condition->key,
+                               fmt::join(key.condition->values, "\" or \"")));
         }
     }
 }
 
-/// A foam of few bubbles does not fit a torus that is much longer than wide.
+double number_of(const Key<Preset>& key, const Preset& preset) {
+    constexpr double kLargest = std::numeric_limits<double>::max();
+    double number = 0.0;
+    Reals{-kLargest, kLargest}.read(*key.write(preset), number);
+    return number;
+}
+
+// The preset was valid before these assignments, so the last one that matters is to blame.
+void check_order(const Key<Preset>& lower,
+                 const Key<Preset>& upper,
+                 const Preset& preset,
+                 std::span<const Assignment> assignments) {
+    const double low = number_of(lower, preset);
+    const double high = number_of(upper, preset);
+    if (low < high) {
+        return;
+    }
+    for (auto last = assignments.rbegin(); last != assignments.rend(); ++last) {
+        if (last->key == upper.path) {
+            reject(*last, fmt::format("must be above {} = {}", lower.path, low));
+        }
+        if (last->key == lower.path) {
+            reject(*last, fmt::format("must be below {} = {}", upper.path, high));
+        }
+    }
+}
+
+void check_orders(const Preset& preset, std::span<const Assignment> assignments) {
+    for (const Key<Preset>& key : preset_keys()) {
+        if (key.upper_limit) {
+            check_order(key, *find_key(*key.upper_limit), preset, assignments);
+        }
+    }
+}
+
+// A foam of few bubbles does not fit a torus that is much longer than wide.
 void check_aspect(const Preset& preset, std::span<const Assignment> assignments) {
     const int shorter = std::min(preset.image.width, preset.image.height);
     const int longer = std::max(preset.image.width, preset.image.height);
     if (longer > kLargestAspect * shorter) {
-        refuse_last(assignments,
+        reject_last(assignments,
                     {"image.size"},
                     fmt::format("one side must be at most {} times the other", kLargestAspect));
     }
@@ -99,8 +137,8 @@ void assign(Preset& preset, std::span<const Assignment> assignments) {
     for (const Assignment& assignment : assignments) {
         assign_one(preset, assignment);
     }
-    check_kind(preset, assignments);
-    check_maps(preset, assignments);
+    check_conditions(preset, assignments);
+    check_orders(preset, assignments);
     check_aspect(preset, assignments);
     check_events(preset, assignments);
     check_loop(preset, assignments);
@@ -116,12 +154,12 @@ Preset parse_preset(std::string_view toml, const std::string& name, const std::s
 std::string to_toml(const Preset& preset) {
     std::string toml;
     std::string_view table;
-    for (const Key& key : preset_keys()) {
+    for (const Key<Preset>& key : preset_keys()) {
         if (key.table() != table) {
             table = key.table();
             toml += fmt::format("{}[{}]\n", toml.empty() ? "" : "\n", table);
         }
-        toml += fmt::format("{} = {}\n", key.name(), to_toml(key.write(preset)));
+        toml += fmt::format("{} = {}\n", key.name(), to_toml(*key.write(preset)));
     }
     return toml + events_to_toml(preset);
 }
@@ -129,15 +167,14 @@ std::string to_toml(const Preset& preset) {
 std::string describe_keys() {
     std::string text;
     std::string_view table;
-    const Preset defaults;
-    for (const Key& key : preset_keys()) {
+    for (const KeyInfo& key : preset_keys()) {
         if (key.table() != table) {
             table = key.table();
             text += fmt::format("{}[{}]\n", text.empty() ? "" : "\n", table);
         }
-        text += fmt::format("{} = {}\n", key.name(), to_toml(key.write(defaults)));
-        text += fmt::format("    {}\n    {}\n", key.meaning, key.allowed);
-        text += key.kind ? fmt::format("    of a {}\n", name_of(*key.kind)) : "";
+        text += describe(key);
+        text += key.condition ? fmt::format("    of a {}\n", fmt::join(key.condition->values, ", "))
+                              : "";
     }
     return text + describe_event_keys();
 }

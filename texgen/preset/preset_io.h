@@ -9,18 +9,19 @@
 
 namespace foam::texgen {
 
-/// Puts checked values into the preset, in order. The limits that tie keys together are checked
-/// once all are in. Throws PresetError at the first value that is not allowed; the preset is then
-/// unusable.
+/// Stores values in the preset, in order, and then checks the conditions between keys. Throws
+/// PresetError at the first value that is not allowed; the preset is then unusable.
 void assign(Preset& preset, std::span<const Assignment> assignments);
 
-/// The default preset changed by a TOML document; `source` names it in errors. Throws PresetError.
+/// Parses a TOML document, whose values change the default preset; `source` names it in errors.
+/// Throws PresetError.
 Preset parse_preset(std::string_view toml, const std::string& name, const std::string& source);
 
-/// Every key of the preset, defaults too, and its events; parse_preset makes the same preset of it.
+/// Writes every key of the preset, defaults too, and its events. parse_preset reads the same preset
+/// back.
 std::string to_toml(const Preset& preset);
 
-/// The reference of all keys, those of events too: default, allowed values, meaning.
+/// Returns the reference of all keys, those of events too: default, meaning, allowed values.
 std::string describe_keys();
 
 }  // namespace foam::texgen

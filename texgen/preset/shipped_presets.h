@@ -11,10 +11,10 @@ struct ShippedPreset {
     std::string_view toml;  // the whole file, comments included
 };
 
-/// The files of presets/, embedded when the program was built.
+/// Returns the files of presets/, which are embedded in the program.
 std::span<const ShippedPreset> shipped_presets();
 
-/// Throws PresetError that lists the names there are.
+/// Returns the preset of a name. Throws PresetError, which suggests a similar name.
 const ShippedPreset& find_shipped_preset(std::string_view name);
 
 }  // namespace foam::texgen

@@ -1,8 +1,7 @@
 #include "texgen/sheet/flipbook_json.h"
 
 #include "texgen/bake/frame_range.h"
-
-#include <nlohmann/json.hpp>
+#include "texgen/json/json_writer.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -11,8 +10,6 @@
 namespace foam::texgen {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// Whether the first of these frames comes after the last, by the same step as all others.
 bool closes(const ManifestLoop& loop, std::span<const int> frames) {
@@ -102,8 +99,7 @@ std::string flipbook_json(const BakedSet& set,
     for (const SheetImage& image : images) {
         json["images"].push_back(image_value(image));
     }
-    constexpr int kIndent = 2;
-    return json.dump(kIndent) + '\n';
+    return indented(json);
 }
 
 }  // namespace foam::texgen

@@ -1,6 +1,7 @@
 #include "texgen/image/color.h"
-#include "texgen/image/png.h"
-#include "texgen/sheet/exr_frame.h"
+#include "texgen/image/file_io.h"
+#include "texgen/image/picture.h"
+#include "texgen/sheet/map_frame.h"
 #include "texgen/sheet/shown_frame.h"
 
 #include <fmt/core.h>
@@ -9,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -23,7 +25,7 @@ bool is_light_in(const ManifestMap& map) {
     return map.samples->color_space != "data";
 }
 
-/// What every code of a sample stands for.
+/// Returns the number that each code of a sample stands for.
 template <class Sample>
 std::vector<float> values_of_codes(bool is_light) {
     constexpr std::size_t kCodes = std::size_t{std::numeric_limits<Sample>::max()} + 1;
@@ -36,7 +38,7 @@ std::vector<float> values_of_codes(bool is_light) {
 }
 
 template <class Sample>
-ShownFrame shown(const Image<Sample>& image, bool is_light) {
+ShownFrame shown_codes(const Image<Sample>& image, bool is_light) {
     const std::vector<float> values = values_of_codes<Sample>(is_light);
     const bool has_alpha = image.channels() % 2 == 0;
     const float ground = values[kGround * (values.size() - 1) / 255];
@@ -56,94 +58,95 @@ ShownFrame shown(const Image<Sample>& image, bool is_light) {
     return frame;
 }
 
-using Plane = Image<float>;
+using Channels = std::vector<PictureChannel>;
 
-const Plane* find_plane(const ExrImage& image, std::string_view name) {
-    const auto found = std::ranges::find(image.channels, name, &ExrPlane::name);
-    return found != image.channels.end() ? std::get_if<Plane>(&found->pixels) : nullptr;
+const PictureChannel* find_channel(const Channels& channels, std::string_view name) {
+    const auto found = std::ranges::find(channels, name, &PictureChannel::name);
+    const bool is_number =
+        found != channels.end() && std::holds_alternative<Image<float>>(found->group->samples);
+    return is_number ? &*found : nullptr;
 }
 
-/// Red, green and blue: of grey all the same; nothing is shown as black.
-std::array<const Plane*, kColors> planes_shown(const ExrImage& image) {
-    if (const Plane* const grey = find_plane(image, "Y"); image.channels.size() == 1) {
+/// Returns the channels shown as red, green and blue. Grey is shown as all three, and a missing
+/// channel as black.
+std::array<const PictureChannel*, kColors> channels_shown(const Channels& channels) {
+    if (const PictureChannel* const grey = find_channel(channels, "Y"); channels.size() == 1) {
         return {grey, grey, grey};
     }
-    const bool is_color = find_plane(image, "R") != nullptr;
-    return {find_plane(image, is_color ? "R" : "X"),
-            find_plane(image, is_color ? "G" : "Y"),
-            find_plane(image, is_color ? "B" : "Z")};
+    const bool is_color = find_channel(channels, "R") != nullptr;
+    return {find_channel(channels, is_color ? "R" : "X"),
+            find_channel(channels, is_color ? "G" : "Y"),
+            find_channel(channels, is_color ? "B" : "Z")};
 }
 
-/// From 0 to 1, what is no number as 0.
-float held(double value) {
+/// Clamps to [0, 1]; NaN becomes 0.
+float clamped(double value) {
     return value > 0.0 ? static_cast<float>(std::min(value, 1.0)) : 0.0F;
 }
 
-void fill_channel(Image<float>& pixels, int channel, const Plane& plane, const auto& value_of) {
-    const auto from = plane.samples();
-    float* to = pixels.samples().data() + channel;
-    for (const float sample : from) {
-        *to = held(value_of(sample));
-        to += kColors;
+/// Calls visit(pixel, number) for every pixel of a channel.
+void visit_numbers(Image<float>& pixels, const PictureChannel& channel, const auto& visit) {
+    std::vector<double> row(static_cast<std::size_t>(pixels.width()));
+    for (int y = 0; y < pixels.height(); ++y) {
+        read_numbers(channel, y, row);
+        for (int x = 0; x < pixels.width(); ++x) {
+            visit(pixels.pixel(x, y), row[static_cast<std::size_t>(x)]);
+        }
     }
 }
 
-/// Light is there already, multiplied by its opacity.
-void add_ground(Image<float>& pixels, const Plane& opacity) {
+/// Adds the ground to light that is premultiplied by its opacity.
+void add_ground(Image<float>& pixels, const PictureChannel& opacity) {
     const auto ground = static_cast<float>(srgb_to_linear(kGround / 255.0));
-    float* to = pixels.samples().data();
-    for (const float covered : opacity.samples()) {
-        for (int c = 0; c < kColors; ++c) {
-            *to++ += (1.0F - held(covered)) * ground;
+    visit_numbers(pixels, opacity, [&](std::span<float> pixel, double covered) {
+        for (float& color : pixel) {
+            color += (1.0F - clamped(covered)) * ground;
         }
-    }
+    });
 }
 
 [[noreturn]] void refuse(const MapFile& file, std::string_view reason) {
     throw InputError(fmt::format("'{}' cannot be shown: {}", file.path.string(), reason));
 }
 
-ShownFrame shown_exr(const MapFile& file, const ManifestMap& map) {
-    const ExrImage image = read_exr_frame(file, map.name);
-    const std::array<const Plane*, kColors> planes = planes_shown(image);
+ShownFrame shown_numbers(const Picture& picture, const MapFile& file, const ManifestMap& map) {
+    const Channels channels = channels_of(picture);
+    const std::array<const PictureChannel*, kColors> colors = channels_shown(channels);
     const bool is_light = is_light_in(map);
-    if (planes.front() == nullptr) {
+    if (colors.front() == nullptr) {
         refuse(file, "it has neither Y, nor R, nor X");
     }
     if (!is_light && !map.samples->range) {
         refuse(file, "the manifest does not tell the range of its numbers");
     }
-    const std::array<double, 2> range = map.samples->range.value_or(std::array{0.0, 1.0});
-    const auto shown_value = [low = range[0], scale = 1.0 / (range[1] - range[0])](float sample) {
-        return (sample - low) * scale;
-    };
-    ShownFrame frame{Image<float>(planes[0]->width(), planes[0]->height(), kColors), is_light};
-    for (int c = 0; c < kColors; ++c) {
-        if (const Plane* const plane = planes.at(static_cast<std::size_t>(c))) {
-            fill_channel(frame.pixels, c, *plane, shown_value);
+    const auto [low, high] = map.samples->range.value_or(std::array{0.0, 1.0});
+    const double scale = 1.0 / (high - low);
+    ShownFrame frame{Image<float>(picture.width(), picture.height(), kColors), is_light};
+    for (std::size_t c = 0; c < colors.size(); ++c) {
+        if (colors.at(c) != nullptr) {
+            visit_numbers(frame.pixels, *colors.at(c), [&, low = low](auto pixel, double number) {
+                pixel[c] = clamped((number - low) * scale);
+            });
         }
     }
-    if (const Plane* const opacity = find_plane(image, "A"); is_light && opacity != nullptr) {
+    if (const PictureChannel* const opacity = find_channel(channels, "A"); is_light && opacity) {
         add_ground(frame.pixels, *opacity);
     }
     return frame;
 }
 
-ShownFrame shown_png(const MapFile& file, const ManifestMap& map) {
-    return std::visit([&](const auto& image) { return shown(image, is_light_in(map)); },
-                      read_png_samples(file.path));
-}
-
 }  // namespace
 
 ShownFrame read_shown(const MapFile& file, const ManifestMap& map) {
-    if (file.path.extension() == ".exr") {
-        return shown_exr(file, map);
+    const Picture picture = read_map_frame(file, map.name);
+    const Samples& samples = picture.groups.front().samples;
+    if (const auto* const codes = std::get_if<Image<std::uint8_t>>(&samples)) {
+        return shown_codes(*codes, is_light_in(map));
     }
-    if (file.path.extension() == ".png") {
-        return shown_png(file, map);
+    if (const auto* const codes = std::get_if<Image<std::uint16_t>>(&samples)) {
+        return shown_codes(*codes, is_light_in(map));
     }
-    refuse(file, "it is neither a PNG nor an EXR");
+    return shown_numbers(picture, file, map);
 }
 
 }  // namespace foam::texgen

@@ -1,22 +1,24 @@
 #include "texgen/sheet/sheet_files.h"
 
 #include "texgen/image/file_io.h"
+#include "texgen/image/format.h"
+#include "texgen/maps/map.h"
+#include "texgen/sheet/map_frame.h"
+#include "texgen/sheet/place_frame.h"
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cassert>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+
 namespace foam::texgen {
 
-void write_sheet(const MapSequence& sequence,
-                 const SheetLayout& layout,
-                 const std::filesystem::path& path) {
-    check_layout(layout);
-    make_folders(path.parent_path());
-    if (path.extension() == ".exr") {
-        write_exr_sheet(sequence, layout, path);
-    } else {
-        write_png_sheet(sequence, layout, path);
-    }
-}
+namespace {
 
 std::string text_of(const SheetLayout& layout) {
     return fmt::format("{} x {} frames of {} x {}, gutter {}",
@@ -27,15 +29,107 @@ std::string text_of(const SheetLayout& layout) {
                        layout.gutter);
 }
 
-void check_extents(const MapFile& file, const SheetLayout& layout, int width, int height) {
-    if (width != layout.frame_width || height != layout.frame_height) {
+/// A sheet of zeros with the channels and the metadata of a frame.
+Picture blank_sheet(const Picture& frame, const SheetLayout& layout) {
+    Picture sheet{{}, frame.metadata};
+    sheet.metadata.periodic = false;
+    if (!sheet.metadata.text.empty()) {
+        sheet.metadata.text.emplace_back("Flipbook", text_of(layout));
+    }
+    const auto width = static_cast<int>(layout.width());
+    const auto height = static_cast<int>(layout.height());
+    for (const ChannelGroup& group : frame.groups) {
+        std::visit(
+            [&]<class Sample>(const Image<Sample>& image) {
+                sheet.groups.push_back(
+                    {group.names, group.type, Image<Sample>(width, height, image.channels())});
+            },
+            group.samples);
+    }
+    return sheet;
+}
+
+void check_frame(const Picture& frame,
+                 const Picture& sheet,
+                 const SheetLayout& layout,
+                 const std::filesystem::path& path) {
+    const bool same_channels = std::ranges::equal(
+        frame.groups, sheet.groups, [](const ChannelGroup& a, const ChannelGroup& b) {
+            return a.names == b.names && a.type == b.type;
+        });
+    if (!same_channels) {
+        throw InputError(
+            fmt::format("'{}' has other channels than the first frame", path.string()));
+    }
+    if (frame.width() != layout.frame_width || frame.height() != layout.frame_height) {
         throw InputError(fmt::format("'{}' is {} x {}, not {} x {}",
-                                     file.path.string(),
-                                     width,
-                                     height,
+                                     path.string(),
+                                     frame.width(),
+                                     frame.height(),
                                      layout.frame_width,
                                      layout.frame_height));
     }
+}
+
+void place_group(ChannelGroup& sheet,
+                 const SheetLayout& layout,
+                 int number,
+                 const ChannelGroup& group,
+                 Gutter gutter) {
+    std::visit(
+        [&]<class Sample>(const Image<Sample>& frame) {
+            place_frame(std::get<Image<Sample>>(sheet.samples).view(),
+                        layout,
+                        number,
+                        frame.view(),
+                        gutter);
+        },
+        group.samples);
+}
+
+Picture sheet_of(const MapSequence& sequence, const SheetLayout& layout) {
+    Picture sheet;
+    for (int k = 0; k < layout.frames; ++k) {
+        const MapFile& file = sequence.files[static_cast<std::size_t>(k)];
+        const Picture frame = read_map_frame(file, sequence.map.name);
+        if (k == 0) {
+            sheet = blank_sheet(frame, layout);
+        }
+        check_frame(frame, sheet, layout, file.path);
+        const Gutter gutter = file.tiles ? Gutter::Periodic : Gutter::Edge;
+        for (std::size_t c = 0; c < sheet.groups.size(); ++c) {
+            place_group(sheet.groups[c], layout, k, frame.groups[c], gutter);
+        }
+    }
+    return sheet;
+}
+
+/// Chooses what suits the map. A bake of another version may have a map that is not known here.
+EncodingOptions encoding_of(std::string_view map) {
+    const auto maps = all_maps();
+    const auto known = std::ranges::find(maps, map, &Map::name);
+    const PngFilter filter = known != maps.end() ? known->png_filter : PngFilter::None;
+    return {.png = {.filter = filter, .threads = 0}, .exr = {.threads = 0}};
+}
+
+Bytes encoded(const Picture& sheet, std::string_view map, const std::filesystem::path& path) {
+    const ImageFormat* const format = find_format(path.string());
+    assert(format != nullptr);
+    try {
+        return format->encode(sheet, encoding_of(map));
+    } catch (const OutputError& error) {
+        throw OutputError(fmt::format("cannot write '{}': {}", path.string(), error.what()));
+    }
+}
+
+}  // namespace
+
+void write_sheet(const MapSequence& sequence,
+                 const SheetLayout& layout,
+                 const std::filesystem::path& path) {
+    check_layout(layout);
+    make_folders(path.parent_path());
+    write_file(path, encoded(sheet_of(sequence, layout), sequence.map.name, path));
 }
 
 }  // namespace foam::texgen

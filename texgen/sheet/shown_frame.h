@@ -17,9 +17,8 @@ struct ShownFrame {
     bool is_light = false;
 };
 
-/// A frame of a map from its PNG or EXR. Numbers of an EXR are shown from the manifest's `range`,
-/// held at its ends. Throws InputError, for files of other formats too, and for numbers in EXR
-/// whose range the manifest does not tell.
+/// Reads a frame of a map. Numbers are scaled from the manifest's `range` and clamped to it. Throws
+/// InputError, also for a file of numbers whose range the manifest does not tell.
 ShownFrame read_shown(const MapFile& file, const ManifestMap& map);
 
 /// Means by area: of light, and of data as it is. Pixels of what tiles look at nothing beyond their

@@ -1,16 +1,13 @@
 #include "texgen/sheet/video.h"
 
+#include "texgen/image/external_program.h"
 #include "texgen/image/scratch_folder.h"
 
-#include <fcntl.h>
 #include <fmt/core.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <cerrno>
+#include <optional>
 #include <string>
-#include <system_error>
+#include <utility>
 #include <vector>
 
 namespace foam::texgen {
@@ -19,62 +16,18 @@ namespace {
 
 using Arguments = std::vector<std::string>;
 
-/// Nothing comes in, and nothing goes out but errors.
-class Streams {
-  public:
-    Streams() {
-        posix_spawn_file_actions_init(&actions_);
-        posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-        posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    }
-    ~Streams() { posix_spawn_file_actions_destroy(&actions_); }
-    Streams(const Streams&) = delete;
-    Streams& operator=(const Streams&) = delete;
-
-    const posix_spawn_file_actions_t* actions() const { return &actions_; }
-
-  private:
-    posix_spawn_file_actions_t actions_{};
-};
-
-[[noreturn]] void fail_to_start(int error) {
-    throw OutputError(error == ENOENT ? "MP4 and GIF are made by ffmpeg, which is not installed"
-                                      : fmt::format("cannot start ffmpeg: {}",
-                                                    std::generic_category().message(error)));
-}
-
-/// Until it ends; its exit code, or -1 where a signal ended it.
-int wait_for(pid_t child) {
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0) {
-        if (errno != EINTR) {
-            fail_to_start(errno);
-        }
-    }
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
-
-/// Runs ffmpeg without a shell, so that nothing in a name has a meaning.
 void run_ffmpeg(Arguments arguments) {
     arguments.insert(arguments.begin(), {"ffmpeg", "-loglevel", "error", "-nostdin", "-y"});
-    std::vector<char*> pointers;
-    for (std::string& argument : arguments) {
-        pointers.push_back(argument.data());
+    const std::optional<int> code = run_external(std::move(arguments));
+    if (!code) {
+        throw OutputError("MP4 and GIF are made by ffmpeg, which is not installed");
     }
-    pointers.push_back(nullptr);
-    const Streams streams;
-    pid_t child = 0;
-    const int error =
-        posix_spawnp(&child, "ffmpeg", streams.actions(), nullptr, pointers.data(), environ);
-    if (error != 0) {
-        fail_to_start(error);
-    }
-    if (const int code = wait_for(child); code != 0) {
-        throw OutputError(fmt::format("ffmpeg failed with exit code {}", code));
+    if (*code != 0) {
+        throw OutputError(fmt::format("ffmpeg failed with exit code {}", *code));
     }
 }
 
-/// Colours of a PNG are sRGB: the primaries of BT.709, whose matrix is said, too.
+/// Colors of a PNG are sRGB, whose primaries are those of BT.709; the matrix is declared as well.
 Arguments mp4_arguments() {
     return {"-vf",
             "crop=floor(iw/2)*2:floor(ih/2)*2:0:0,scale=out_color_matrix=bt709:flags=accurate_rnd",

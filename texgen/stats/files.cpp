@@ -1,28 +1,35 @@
 #include "texgen/stats/files.h"
 
-#include "texgen/chart/svg_chart.h"
 #include "texgen/image/file_io.h"
-#include "texgen/stats/charts.h"
 #include "texgen/stats/csv.h"
 
+#include <array>
 #include <span>
 #include <string>
 #include <utility>
 
 namespace foam::texgen {
 
-std::vector<std::filesystem::path> write_statistics(const RunRecord& run,
-                                                    const std::filesystem::path& folder) {
-    std::vector<std::pair<std::string, std::string>> contents{{"stats.csv", frames_csv(run)},
-                                                              {"sides.csv", sides_csv(run)}};
-    for (const NamedChart& named : charts(run)) {
-        contents.emplace_back(named.name + ".svg", to_svg(named.chart));
-    }
+StatisticsFiles write_statistics(const RunRecord& run, const std::filesystem::path& folder) {
+    const std::array<std::pair<const char*, std::string>, 3> contents{
+        {{"stats.csv", frames_csv(run)},
+         {"sides.csv", sides_csv(run)},
+         {kChartsScriptName, charts_script(run)}}};
     make_folders(folder);
-    std::vector<std::filesystem::path> files;
+    StatisticsFiles files;
     for (const auto& [name, content] : contents) {
-        files.push_back(folder / name);
-        write_file(files.back(), std::as_bytes(std::span(content)));
+        files.paths.push_back(folder / name);
+        write_file(files.paths.back(), std::as_bytes(std::span(content)));
+    }
+    const std::vector<std::filesystem::path> charts = chart_paths(folder);
+    for (const std::filesystem::path& chart : charts) {
+        std::filesystem::remove(chart);
+    }
+    files.charts = draw_charts(folder / kChartsScriptName);
+    for (const std::filesystem::path& chart : charts) {
+        if (std::filesystem::exists(chart)) {
+            files.paths.push_back(chart);
+        }
     }
     return files;
 }

@@ -1,16 +1,14 @@
+#include "texgen/json/json_writer.h"
 #include "texgen/verify/verify.h"
 
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
 
-#include <cmath>
 #include <optional>
 
 namespace foam::texgen {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
 using SeamOf = std::optional<Seam> VerifiedMap::*;
 
 /// "albedo 0.93, height 0.88".
@@ -80,8 +78,7 @@ Json value_of(const std::optional<Seam>& seam) {
     if (!seam) {
         return nullptr;
     }
-    const double ratio = seam->ratio();
-    return {{"ratio", std::isfinite(ratio) ? Json(ratio) : Json(nullptr)},
+    return {{"ratio", number_or_null(seam->ratio())},
             {"across", seam->across},
             {"largest_within", seam->largest_within}};
 }

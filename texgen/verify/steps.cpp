@@ -66,24 +66,16 @@ Seam seam_of(const std::vector<double>& steps, double samples) {
     return seam;
 }
 
-int width_of(const SampleBlock& block) {
-    return std::visit([](const auto& image) { return image.width(); }, block.samples);
-}
-
-int height_of(const SampleBlock& block) {
-    return std::visit([](const auto& image) { return image.height(); }, block.samples);
-}
-
-int channels_of(std::span<const SampleBlock* const> blocks) {
+int channel_count(std::span<const ChannelGroup* const> groups) {
     int channels = 0;
-    for (const SampleBlock* block : blocks) {
-        channels += std::visit([](const auto& image) { return image.channels(); }, block->samples);
+    for (const ChannelGroup* group : groups) {
+        channels += group->channels();
     }
     return channels;
 }
 
-/// The sum of the differences of all samples; infinite for blocks of other forms.
-double block_difference(const SampleBlock& a, const SampleBlock& b, Difference difference) {
+/// Returns the sum of the differences of all samples; infinite for groups of different forms.
+double group_difference(const ChannelGroup& a, const ChannelGroup& b, Difference difference) {
     return std::visit(
         [&](const auto& left) {
             using SameImage = std::remove_cvref_t<decltype(left)>;
@@ -106,39 +98,39 @@ double Seam::ratio() const {
     return largest_within > 0.0 ? across / largest_within : kInfinite;
 }
 
-TileSeams tile_seams(std::span<const SampleBlock* const> blocks, Difference difference) {
-    if (blocks.empty()) {
+TileSeams tile_seams(std::span<const ChannelGroup* const> groups, Difference difference) {
+    if (groups.empty()) {
         return {};
     }
-    const int width = width_of(*blocks.front());
-    const int height = height_of(*blocks.front());
+    const int width = groups.front()->width();
+    const int height = groups.front()->height();
     std::vector<double> columns(static_cast<std::size_t>(width), 0.0);
     std::vector<double> rows(static_cast<std::size_t>(height), 0.0);
-    for (const SampleBlock* block : blocks) {
+    for (const ChannelGroup* group : groups) {
         std::visit(
             [&](const auto& image) {
                 add_column_steps(image, difference, columns);
                 add_row_steps(image, difference, rows);
             },
-            block->samples);
+            group->samples);
     }
-    const int channels = channels_of(blocks);
+    const int channels = channel_count(groups);
     return {seam_of(columns, static_cast<double>(height) * channels),
             seam_of(rows, static_cast<double>(width) * channels)};
 }
 
-double step_between(std::span<const SampleBlock* const> a,
-                    std::span<const SampleBlock* const> b,
+double step_between(std::span<const ChannelGroup* const> a,
+                    std::span<const ChannelGroup* const> b,
                     Difference difference) {
     if (a.size() != b.size() || a.empty()) {
         return kInfinite;
     }
     double sum = 0.0;
     for (std::size_t k = 0; k < a.size(); ++k) {
-        sum += block_difference(*a[k], *b[k], difference);
+        sum += group_difference(*a[k], *b[k], difference);
     }
-    const SampleBlock& first = *a.front();
-    return sum / (static_cast<double>(width_of(first)) * height_of(first) * channels_of(a));
+    const ChannelGroup& first = *a.front();
+    return sum / (static_cast<double>(first.width()) * first.height() * channel_count(a));
 }
 
 }  // namespace foam::texgen

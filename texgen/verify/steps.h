@@ -1,6 +1,6 @@
 #pragma once
 
-#include "texgen/image/decoded_file.h"
+#include "texgen/image/picture.h"
 
 #include <span>
 
@@ -26,12 +26,12 @@ struct TileSeams {
     Seam rows;
 };
 
-/// Of one image. Blocks are of one size.
-TileSeams tile_seams(std::span<const SampleBlock* const> blocks, Difference difference);
+/// Returns the seams of one image. Precondition: all groups have one size.
+TileSeams tile_seams(std::span<const ChannelGroup* const> groups, Difference difference);
 
 /// The mean difference of two images of one form; infinite where they are of another form.
-double step_between(std::span<const SampleBlock* const> a,
-                    std::span<const SampleBlock* const> b,
+double step_between(std::span<const ChannelGroup* const> a,
+                    std::span<const ChannelGroup* const> b,
                     Difference difference);
 
 }  // namespace foam::texgen

@@ -2,6 +2,8 @@
 
 #include "texgen/bake/frame_range.h"
 #include "texgen/image/file_io.h"
+#include "texgen/image/format.h"
+#include "texgen/image/pixel_hash.h"
 #include "texgen/manifest/manifest_file.h"
 
 #include <fmt/core.h>
@@ -16,7 +18,7 @@ namespace foam::texgen {
 
 namespace {
 
-using File = std::shared_ptr<const DecodedFile>;
+using File = std::shared_ptr<const Picture>;
 
 Difference difference_of(const ManifestMap& map) {
     return map.samples && map.samples->kind == "id" ? Difference::Ids : Difference::Numbers;
@@ -30,7 +32,7 @@ class MapCheck {
 
     void add(const File& file, int frame, bool tiles) {
         if (tiles) {
-            add_tile(tile_seams(blocks_of(*file, found_.name), difference_), frame);
+            add_tile(tile_seams(groups_of(*file, found_.name), difference_), frame);
         }
         if (last_ && frame == last_frame_ + 1) {
             loop_.largest_within = std::max(loop_.largest_within, step(*last_, *file));
@@ -83,8 +85,8 @@ class MapCheck {
         return columns_.seam.ratio() > rows_.seam.ratio() ? columns_ : rows_;
     }
 
-    double step(const DecodedFile& a, const DecodedFile& b) const {
-        return step_between(blocks_of(a, found_.name), blocks_of(b, found_.name), difference_);
+    double step(const Picture& a, const Picture& b) const {
+        return step_between(groups_of(a, found_.name), groups_of(b, found_.name), difference_);
     }
 
     Difference difference_;
@@ -104,8 +106,8 @@ File read_baked(const ManifestFile& file,
                 const std::filesystem::path& folder,
                 std::vector<std::string>& problems) {
     try {
-        auto read = std::make_shared<const DecodedFile>(decode_file(folder / file.path));
-        if (read->pixels == file.pixels) {
+        auto read = std::make_shared<const Picture>(read_picture(folder / file.path));
+        if (pixel_hash(*read) == file.pixels) {
             return read;
         }
         problems.push_back(fmt::format("{}: has other pixels than were baked", file.path));

@@ -4,8 +4,8 @@
 #include "tests/bench/bench_foams.h"
 #include "tests/bench/raster_peers/peers.h"
 #include "tests/bench/raster_peers/race.h"
-#include "tests/support/raster_frames.h"
 #include "tests/support/raster_reference.h"
+#include "tests/support/sample_foams.h"
 #include "texgen/raster/distance.h"
 #include "texgen/raster/outline/cell_arcs.h"
 

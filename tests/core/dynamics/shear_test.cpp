@@ -171,7 +171,8 @@ TEST(Shear, PointsAreFoundInAShearedFoam) {
             covered += winding_number(foam, bubble, point);
         }
         EXPECT_EQ(covered, 1) << point.transpose();
-        EXPECT_EQ(bubble_at(foam, point), bubble_at(foam, point + foam.domain.translation({2, -3})));
+        EXPECT_EQ(bubble_at(foam, point),
+                  bubble_at(foam, point + foam.domain.translation({2, -3})));
     }
     for (const JunctionId junction : foam.network.junctions()) {
         const Vec2 copy = foam.positions[junction] + foam.domain.translation({1, 2});

@@ -1,7 +1,7 @@
 // Two bubbles by themselves, in closed form.
 #include "core/equilibrium/equilibrate.h"
-#include "core/foam/rafts.h"
 #include "core/foam/measure.h"
+#include "core/foam/rafts.h"
 #include "tests/core/foams.h"
 #include "tests/core/patches.h"
 

@@ -1,9 +1,9 @@
 #include "core/foam/statistics.h"
 
 #include "core/dynamics/step.h"
-#include "core/foam/t1_rule.h"
 #include "core/foam/honeycomb.h"
 #include "core/foam/measure.h"
+#include "core/foam/t1_rule.h"
 #include "core/network/t2.h"
 #include "tests/core/foams.h"
 

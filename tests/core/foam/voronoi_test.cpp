@@ -38,7 +38,9 @@ double distance_to_site(const Domain& domain, const Vec2& site, const Vec2& poin
     return nearest.norm();
 }
 
-double distance_to_nearest(const Domain& domain, const std::vector<Vec2>& sites, const Vec2& point) {
+double distance_to_nearest(const Domain& domain,
+                           const std::vector<Vec2>& sites,
+                           const Vec2& point) {
     double least = std::numeric_limits<double>::infinity();
     for (const Vec2& site : sites) {
         least = std::min(least, distance_to_site(domain, site, point));
@@ -145,8 +147,9 @@ TEST(Voronoi, CellsAreConvexAndFillTheTorus) {
 
 TEST(Voronoi, RefusesSitesThatFallTogether) {
     const Domain domain{3.0, 3.0};
-    EXPECT_THROW(voronoi_cells(domain, {{0.1, 0.2}, {1.5, 1.1}, {1.5, 1.1}, {2.2, 0.7}, {0.9, 2.5}}),
-                 std::runtime_error);
+    EXPECT_THROW(
+        voronoi_cells(domain, {{0.1, 0.2}, {1.5, 1.1}, {1.5, 1.1}, {2.2, 0.7}, {0.9, 2.5}}),
+        std::runtime_error);
     // Nearer than half a grid spacing, 2.2e-8.
     EXPECT_THROW(voronoi_cells(domain, {{0.1, 0.2}, {1.5, 1.1}, {1.5, 1.1 + 1e-9}, {2.2, 0.7}}),
                  std::runtime_error);

@@ -1,6 +1,6 @@
 #include "texgen/animation/camera.h"
 
-#include "tests/support/raster_frames.h"
+#include "tests/support/sample_foams.h"
 
 #include <gtest/gtest.h>
 
@@ -31,12 +31,6 @@ TEST(Camera, ZoomsInOnAPlaceOfTheFittedImage) {
         camera_view(circle(), kWide, {.zoom = 3.0, .margin = 0.0, .center = {0.75, 0.25}});
     EXPECT_NEAR(view.pixels_per_unit, 150.0, 1e-12);
     EXPECT_NEAR((view.center - Vec2(5.0, 0.0)).norm(), 0.0, 1e-12);
-}
-
-TEST(Camera, PlacesAreInPartsOfTheImage) {
-    const View view{{5.0, 0.0}, 100.0};
-    EXPECT_NEAR((point_in_view(view, kWide, {0.5, 0.5}) - view.center).norm(), 0.0, 1e-15);
-    EXPECT_NEAR((point_in_view(view, kWide, {0.0, 1.0}) - Vec2(3.0, 1.0)).norm(), 0.0, 1e-15);
 }
 
 // No point of any arc is outside of the image, and some lie on its border; the outer arcs of two

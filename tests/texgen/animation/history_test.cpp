@@ -75,8 +75,8 @@ TEST(History, CarriesEventsAlongWithAShear) {
         shear(foam, 0.1);
         history.take_events(foam, frame);
     }
-    EXPECT_NEAR(history.record().events[0].place.x(), 1.0, 1e-12);
-    EXPECT_NEAR(history.record().events[1].place.x(), 1.0 + 0.5 * top, 1e-12);
+    EXPECT_NEAR(history.record().events[0].position.x(), 1.0, 1e-12);
+    EXPECT_NEAR(history.record().events[1].position.x(), 1.0 + 0.5 * top, 1e-12);
 }
 
 }  // namespace

@@ -280,7 +280,7 @@ std::vector<std::tuple<TopologyEventKind, int, double, double>> recent(const Foa
     for (const RecordedEvent& event : record.events) {
         const int ago = record.frame - event.frame;
         if (ago < frames) {
-            events.emplace_back(event.kind, ago, event.place.x(), event.place.y());
+            events.emplace_back(event.kind, ago, event.position.x(), event.position.y());
         }
     }
     return events;

@@ -1,5 +1,7 @@
 #include "texgen/bake/file_pattern.h"
 
+#include "texgen/image/format.h"
+
 #include <gtest/gtest.h>
 
 #include <stdexcept>
@@ -74,8 +76,8 @@ TEST(FilePattern, TwoImagesMayNotShareAFile) {
 
 // Channels of an EXR have names, so that maps may share a file; those of a PNG have not.
 TEST(FilePattern, OnlyAnExrHoldsSeveralMaps) {
-    EXPECT_EQ(FilePattern("a.exr").format(), FileFormat::Exr);
-    EXPECT_EQ(FilePattern("a.png").format(), FileFormat::Png);
+    EXPECT_EQ(FilePattern("a.exr").format().name, "EXR");
+    EXPECT_EQ(FilePattern("a.png").format().name, "PNG");
     EXPECT_TRUE(FilePattern("a.exr").joins_maps());
     EXPECT_FALSE(FilePattern("a_{map}.exr").joins_maps());
     EXPECT_FALSE(FilePattern("a.png").joins_maps());

@@ -1,4 +1,5 @@
 #include "tests/support/places.h"
+#include "tests/texgen/pictures.h"
 #include "tests/texgen/temporary_folder.h"
 #include "texgen/bake/bake.h"
 #include "texgen/image/png.h"
@@ -51,14 +52,14 @@ TEST_P(GoldenTest, PresetGivesThePicture) {
             baked, golden, std::filesystem::copy_options::overwrite_existing);
         GTEST_SKIP() << "made " << golden << " anew";
     }
-    const PngImage expected = read_png(golden);
-    const PngImage actual = read_png(baked);
-    ASSERT_EQ(actual.pixels.width(), expected.pixels.width());
-    ASSERT_EQ(actual.pixels.height(), expected.pixels.height());
+    const Image<std::uint8_t> expected = codes8(read_picture(golden));
+    const Image<std::uint8_t> actual = codes8(read_picture(baked));
+    ASSERT_EQ(actual.width(), expected.width());
+    ASSERT_EQ(actual.height(), expected.height());
     const auto differing = [&] {
         std::size_t count = 0;
-        for (std::size_t k = 0; k < expected.pixels.samples().size(); ++k) {
-            count += expected.pixels.samples()[k] != actual.pixels.samples()[k] ? 1U : 0U;
+        for (std::size_t k = 0; k < expected.samples().size(); ++k) {
+            count += expected.samples()[k] != actual.samples()[k] ? 1U : 0U;
         }
         return count;
     };

@@ -3,7 +3,7 @@
 #include "tests/texgen/small_preset.h"
 #include "tests/texgen/temporary_folder.h"
 #include "texgen/image/file_io.h"
-#include "texgen/maps/map.h"
+#include "texgen/maps/all_maps.h"
 
 #include <gtest/gtest.h>
 
@@ -104,9 +104,9 @@ TEST(Cache, AFirstFrameOfTheDiagramIsThatOfABake) {
 TEST(Cache, FramesOfAShearedFoamAreThoseOfABake) {
     Preset preset = all_maps_of_a_foam();
     Event event;
-    event.kind = EventKind::Shear;
+    event.kind = "shear";
     event.frames = {2, 4};
-    event.strain = 0.3;
+    event.shear.strain = 0.3;
     preset.events = {event};
     expect_same_pixels(preset, {1, 3, 4});
 }
@@ -132,68 +132,6 @@ TEST(Cache, AnotherSizeAndOtherMapsAreThoseOfABakeOfThese) {
     const Cache cache(folder.path());
     EXPECT_EQ(baked(preset, {.frames = {2}, .threads = 2, .source = cache.frames_of(preset)}),
               baked(preset, {.frames = {2}, .threads = 2}));
-}
-
-std::string error_of(const std::filesystem::path& folder, int number) {
-    try {
-        Cache(folder).state(number);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
-}
-
-TEST(Cache, AStateThatIsMissingDamagedOrForeignIsRefused) {
-    const TemporaryFolder folder;
-    simulate_into_cache(all_maps_of_a_foam(), {.frames = {1, 2}, .threads = 1}, folder.path(), {});
-    EXPECT_EQ(error_of(folder.path(), 2), "");
-    EXPECT_EQ(error_of(folder.path(), 7),
-              "the cache '" + folder.path().string() +
-                  "' has no frame 7: it was made for "
-                  "frames 1-2");
-    const std::filesystem::path path = folder.path() / "state.000002.foam";
-    const std::string place = "cannot read '" + path.string() + "': ";
-    const Bytes good = read_file(path);
-    const auto error_with = [&](std::size_t place_of_byte) {
-        Bytes bad = good;
-        bad.at(place_of_byte) ^= std::byte{1};
-        write_file(path, bad);
-        return error_of(folder.path(), 2);
-    };
-    EXPECT_EQ(error_with(good.size() - 1), place + "it is damaged: its check sum is another");
-    EXPECT_EQ(error_with(0), place + "it is no state of foamtex");
-    EXPECT_EQ(error_with(16), place + "it is of version 0, and has to be of 1");
-    EXPECT_EQ(error_with(30), place + "it comes from another simulation than its cache");
-    write_file(path, std::span(good).first(20));
-    EXPECT_EQ(error_of(folder.path(), 2), place + "it is no state of foamtex");
-}
-
-// What an earlier simulation left must not slip in.
-TEST(Cache, StatesOfAnotherSimulationAreNotTaken) {
-    const TemporaryFolder folder;
-    Preset preset = all_maps_of_a_foam();
-    simulate_into_cache(preset, {.frames = {1, 2, 3, 4}, .threads = 1}, folder.path(), {});
-    preset.seeding.seed = 13;
-    simulate_into_cache(preset, {.frames = {1}, .threads = 1}, folder.path(), {});
-    EXPECT_EQ(error_of(folder.path(), 2), "");  // the one after 1
-    EXPECT_NE(error_of(folder.path(), 4).find("another simulation"), std::string::npos);
-}
-
-TEST(Cache, AFolderThatIsNoneIsRefused) {
-    const TemporaryFolder folder;
-    EXPECT_FALSE(is_cache(folder.path()));
-    EXPECT_THROW(Cache(folder.path()), InputError);
-    const std::string text = "{\"format\": \"foamtex-cache\", \"version\": 2}";
-    write_file(folder.path() / "cache.json", std::as_bytes(std::span(text)));
-    EXPECT_THROW(Cache(folder.path()), InputError);
-}
-
-TEST(Cache, ASimulationThatIsRefusedWritesNothing) {
-    const TemporaryFolder folder;
-    const std::filesystem::path deep = folder.path() / "deep";
-    EXPECT_THROW(simulate_into_cache(all_maps_of_a_foam(), {.frames = {}, .threads = 1}, deep, {}),
-                 std::invalid_argument);
-    EXPECT_FALSE(std::filesystem::exists(deep));
 }
 
 }  // namespace

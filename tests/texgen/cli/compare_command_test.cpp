@@ -1,4 +1,5 @@
 #include "tests/texgen/cli/run_program.h"
+#include "tests/texgen/pictures.h"
 #include "texgen/image/file_io.h"
 #include "texgen/image/png.h"
 
@@ -69,9 +70,9 @@ TEST_F(CompareCommand, TheWorstFrameDecides) {
 
 TEST_F(CompareCommand, ShowsWhereTheyDiffer) {
     EXPECT_EQ(compare("a.0002.png b.0002.png --diff d.png").code, 2);
-    const PngImage16 shown = read_png16(folder_.path() / "d.png");
-    EXPECT_EQ(shown.pixels.row(0)[0], 65535);
-    EXPECT_EQ(shown.pixels.row(0)[1], 0);
+    const Image<std::uint16_t> shown = codes16(read_picture(folder_.path() / "d.png"));
+    EXPECT_EQ(shown.row(0)[0], 65535);
+    EXPECT_EQ(shown.row(0)[1], 0);
     EXPECT_EQ(compare("a.0001.png wide.png --diff e.png").code, 3);
     EXPECT_FALSE(std::filesystem::exists(folder_.path() / "e.png"));
 }

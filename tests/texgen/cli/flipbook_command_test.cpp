@@ -1,4 +1,5 @@
 #include "tests/texgen/cli/run_program.h"
+#include "tests/texgen/pictures.h"
 #include "texgen/image/png.h"
 
 #include <fmt/core.h>
@@ -29,9 +30,9 @@ TEST(FlipbookCommand, NamesItsFiles) {
               "out/sea_foam_sheet_albedo.png\nout/sea_foam_sheet_height.png\n"
               "out/sea_foam_sheet.json\n");
     EXPECT_EQ(run_program("flipbook out --strip -q --maps height --out strips", folder).out, "");
-    const PngImage16 strip = read_png16(folder.path() / "strips" / "sea_foam_strip_height.png");
-    EXPECT_EQ(strip.pixels.width(), 48);
-    EXPECT_EQ(strip.pixels.height(), 3 * 32);
+    const Picture strip = read_picture(folder.path() / "strips" / "sea_foam_strip_height.png");
+    EXPECT_EQ(strip.width(), 48);
+    EXPECT_EQ(strip.height(), 3 * 32);
 }
 
 TEST(FlipbookCommand, WarnsOfWhatHardwareDoesNotTake) {

@@ -1,5 +1,6 @@
 #include "tests/support/places.h"
 #include "tests/texgen/cli/run_program.h"
+#include "tests/texgen/pictures.h"
 #include "texgen/image/png.h"
 
 #include <gtest/gtest.h>
@@ -46,7 +47,8 @@ TEST(PreviewCommand, ShowsAFolder) {
         run_program("preview out --as loop --width 24 --frames 2,1 -o shown -q", folder);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(outcome.out, "");
-    EXPECT_EQ(read_png(folder.path() / "shown" / "sea_foam_albedo_loop.png").pixels.width(), 24);
+    EXPECT_EQ(codes8(read_picture(folder.path() / "shown" / "sea_foam_albedo_loop.png")).width(),
+              24);
 }
 
 TEST(PreviewCommand, ABadRequestIsOneLine) {
@@ -98,9 +100,9 @@ TEST(PreviewCommand, FfmpegReadsOurAnimation) {
                               "-vsync passthrough %d.png";
     ASSERT_EQ(std::system(split.c_str()), 0);
     for (const std::string number : {"1", "2", "3"}) {
-        EXPECT_EQ(
-            read_png(folder.path() / "out" / (number + ".png")).pixels,
-            read_png(folder.path() / "out" / ("sea_foam_albedo.000" + number + ".png")).pixels);
+        EXPECT_EQ(codes8(read_picture(folder.path() / "out" / (number + ".png"))),
+                  codes8(read_picture(folder.path() / "out" /
+                                      ("sea_foam_albedo.000" + number + ".png"))));
     }
 }
 

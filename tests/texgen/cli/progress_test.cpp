@@ -7,26 +7,25 @@ namespace {
 
 TEST(Progress, TheBarFillsInProportion) {
     // 12 of 48 frames in 5 s: a quarter of 24 characters, 36 frames of 5/12 s to go.
-    const BakeProgress quarter{
-        .frame = 12, .done = 12, .total = 48, .bubbles = 583, .seconds = 5.0};
+    const RunProgress quarter{.frame = 12, .done = 12, .total = 48, .bubbles = 583, .seconds = 5.0};
     EXPECT_EQ(progress_bar(quarter), "[######------------------] 12/48  583 bubbles  0:15 left");
-    const BakeProgress last{.frame = 48, .done = 48, .total = 48, .bubbles = 9, .seconds = 100.0};
+    const RunProgress last{.frame = 48, .done = 48, .total = 48, .bubbles = 9, .seconds = 100.0};
     EXPECT_EQ(progress_bar(last), "[########################] 48/48  9 bubbles  0:00 left");
 }
 
 TEST(Progress, BeforeTheFirstFrameNothingIsForetold) {
-    const BakeProgress none{.total = 100, .bubbles = 7, .seconds = 3.0};
+    const RunProgress none{.total = 100, .bubbles = 7, .seconds = 3.0};
     EXPECT_EQ(progress_bar(none), "[------------------------]   0/100  7 bubbles");
 }
 
 TEST(Progress, TheLineHasTheErrorsOfTheFrame) {
-    const BakeProgress progress{.frame = 3,
-                                .done = 1,
-                                .total = 2,
-                                .bubbles = 600,
-                                .area_error = 1.24e-14,
-                                .angle_error = 3e-15,
-                                .seconds = 4.211};
+    const RunProgress progress{.frame = 3,
+                               .done = 1,
+                               .total = 2,
+                               .bubbles = 600,
+                               .area_error = 1.24e-14,
+                               .angle_error = 3e-15,
+                               .seconds = 4.211};
     EXPECT_EQ(progress_line(progress),
               "frame 3: 600 bubbles, area error 1.2e-14, angle error 3.0e-15, 4.21 s");
 }

@@ -4,6 +4,7 @@
 #include "tests/texgen/temporary_folder.h"
 #include "texgen/cli/exit_code.h"
 
+#include <gtest/gtest.h>
 #include <sys/wait.h>
 
 #include <cstdlib>
@@ -45,6 +46,15 @@ inline Outcome run_program(const std::string& arguments, const TemporaryFolder& 
 /// In an empty folder, gone afterwards.
 inline Outcome run_program(const std::string& arguments) {
     return run_program(arguments, TemporaryFolder());
+}
+
+/// Checks that a bad request is one line on stderr, nothing on stdout, and no file.
+inline void expect_refused(const std::string& arguments, const std::string& line) {
+    const Outcome outcome = run_program(arguments);
+    EXPECT_EQ(outcome.code, static_cast<int>(ExitCode::BadRequest)) << arguments;
+    EXPECT_EQ(outcome.err, "foamtex: " + line + "\n");
+    EXPECT_EQ(outcome.out, "") << arguments;
+    EXPECT_TRUE(outcome.written.empty()) << arguments;
 }
 
 }  // namespace foam::texgen

@@ -1,5 +1,6 @@
 #include "texgen/image/pixel_hash.h"
 
+#include "texgen/image/exr.h"
 #include "texgen/image/png.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +9,6 @@
 #include <array>
 #include <cstdio>
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace foam::texgen {
@@ -35,46 +35,61 @@ std::string hash_of(const std::string& bytes) {
     return digits.data();
 }
 
+std::string hash_of(const Image<std::uint8_t>& codes) {
+    return pixel_hash({{code_channels(codes)}});
+}
+
 // As the header says: a line, then the samples from the top row on.
 TEST(PixelHash, IsOfALineAndTheSamplesFromTheTop) {
     const Image<std::uint8_t> grey = small_image<std::uint8_t>(1);  // 1 11 below, 21 31 above
-    EXPECT_EQ(pixel_hash(grey.view()), hash_of("Y u8 2x2\n\x15\x1f\x01\x0b"));
+    EXPECT_EQ(pixel_hash({{code_channels(grey)}}), hash_of("Y u8 2x2\n\x15\x1f\x01\x0b"));
     Image<std::uint16_t> deep(1, 2, 1);
     deep.row(0)[0] = 0x0102;
     deep.row(1)[0] = 0x0304;
-    EXPECT_EQ(pixel_hash(deep.view()), hash_of("Y u16 1x2\n\x04\x03\x02\x01"));
+    EXPECT_EQ(pixel_hash({{code_channels(deep)}}), hash_of("Y u16 1x2\n\x04\x03\x02\x01"));
 }
 
-TEST(PixelHash, OfAnExrIsABlockPerChannelInTheOrderOfNames) {
-    Image<float> numbers(1, 1, 2);
+TEST(PixelHash, OfNumbersIsABlockPerChannelInTheOrderOfNames) {
+    Image<float> numbers(1, 1, 1);
     numbers.samples()[0] = 1.0F;  // 0x3f800000
-    numbers.samples()[1] = 0.5F;  // 0x3800 as a half
+    Image<float> halves(1, 1, 1);
+    halves.samples()[0] = 0.5F;  // 0x3800 as a half
     Image<std::uint32_t> ids(1, 1, 1);
     ids.samples()[0] = 0x01020304U;
-    const std::vector<ExrChannel> channels{{"id.Y", ExrType::Uint, ids.view(), 0},
-                                           {"b", ExrType::Half, numbers.view(), 1},
-                                           {"a", ExrType::Float, numbers.view(), 0}};
+    const Picture picture{{{{"id.Y"}, SampleType::Uint32, ids},
+                           {{"b"}, SampleType::Half, halves},
+                           {{"a"}, SampleType::Float, numbers}}};
     std::string expected = "a f32 1x1\n";
     expected += std::string("\x00\x00\x80\x3f", 4);
     expected += "b f16 1x1\n";
     expected += std::string("\x00\x38", 2);
     expected += "id.Y u32 1x1\n\x04\x03\x02\x01";
-    EXPECT_EQ(pixel_hash(channels), hash_of(expected));
+    EXPECT_EQ(pixel_hash(picture), hash_of(expected));
+}
+
+// Interleaved channels count one by one, too.
+TEST(PixelHash, OfNumbersDoesNotDependOnTheirGroups) {
+    Image<float> both(1, 1, 2);
+    both.samples()[0] = 1.0F;
+    both.samples()[1] = 2.0F;
+    Image<float> first(1, 1, 1);
+    first.samples()[0] = 1.0F;
+    Image<float> second(1, 1, 1);
+    second.samples()[0] = 2.0F;
+    EXPECT_EQ(
+        pixel_hash({{{{"X", "Y"}, SampleType::Float, both}}}),
+        pixel_hash({{{{"Y"}, SampleType::Float, second}, {{"X"}, SampleType::Float, first}}}));
 }
 
 // The pixels count, not how they are packed or what is said beside them.
 TEST(PixelHash, OfAPngIsThatOfWhatWasEncoded) {
     for (int channels = 1; channels <= 4; ++channels) {
-        const auto image = small_image<std::uint16_t>(channels);
-        const PngSamples read = decode_png_samples(
-            encode_png(image.view(), {.color = true, .text = {{"Seed", "3"}}}, {}));
-        EXPECT_EQ(std::visit([](const auto& it) { return pixel_hash(it.view()); }, read),
-                  pixel_hash(image.view()));
-        const auto small = small_image<std::uint8_t>(channels);
-        const PngSamples packed =
-            decode_png_samples(encode_png(small.view(), {}, {.filter = PngFilter::Up}));
-        EXPECT_EQ(std::visit([](const auto& it) { return pixel_hash(it.view()); }, packed),
-                  pixel_hash(small.view()));
+        const Picture deep{{code_channels(small_image<std::uint16_t>(channels))},
+                           {.color = true, .text = {{"Seed", "3"}}}};
+        EXPECT_EQ(pixel_hash(decode_png(encode_png(deep))), pixel_hash(deep));
+        const Picture small{{code_channels(small_image<std::uint8_t>(channels))}};
+        EXPECT_EQ(pixel_hash(decode_png(encode_png(small, {.filter = PngFilter::Up}))),
+                  pixel_hash(small));
     }
 }
 
@@ -84,13 +99,12 @@ TEST(PixelHash, OfAnExrIsThatOfWhatWasEncoded) {
     for (std::size_t k = 0; k < numbers.samples().size(); ++k) {
         numbers.samples()[k] = static_cast<float>(k) / 3.0F;
     }
-    const Image<std::uint32_t> ids(3, 2, 1);
-    for (const ExrType type : {ExrType::Half, ExrType::Float}) {
-        const std::vector<ExrChannel> channels{{"z.Y", type, numbers.view(), 0},
-                                               {"id.Y", ExrType::Uint, ids.view(), 0}};
+    for (const SampleType type : {SampleType::Half, SampleType::Float}) {
+        const Picture picture{{{{"z.Y"}, type, numbers},
+                               {{"id.Y"}, SampleType::Uint32, Image<std::uint32_t>(3, 2, 1)}}};
         for (const bool mip_levels : {false, true}) {
-            const ExrImage read = decode_exr(encode_exr(channels, {}, {.mip_levels = mip_levels}));
-            EXPECT_EQ(pixel_hash(read), pixel_hash(channels));
+            const Picture read = decode_exr(encode_exr(picture, {.mip_levels = mip_levels}));
+            EXPECT_EQ(pixel_hash(read), pixel_hash(picture));
         }
     }
 }
@@ -105,10 +119,10 @@ TEST(PixelHash, TellsEverySampleEveryExtentAndEveryType) {
         wide.samples()[k] = image.samples()[k];
         turned.samples()[k] = image.samples()[(k + 2) % 4];
     }
-    EXPECT_NE(pixel_hash(other.view()), pixel_hash(image.view()));
-    EXPECT_NE(pixel_hash(wide.view()), pixel_hash(image.view()));
-    EXPECT_NE(pixel_hash(turned.view()), pixel_hash(image.view()));
-    EXPECT_EQ(pixel_hash(image.view()).size(), 32U);
+    EXPECT_NE(hash_of(other), hash_of(image));
+    EXPECT_NE(hash_of(wide), hash_of(image));
+    EXPECT_NE(hash_of(turned), hash_of(image));
+    EXPECT_EQ(hash_of(image).size(), 32U);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "texgen/manifest/recorded_bake.h"
 
+#include "tests/texgen/pictures.h"
 #include "tests/texgen/small_preset.h"
 #include "tests/texgen/temporary_folder.h"
 #include "texgen/image/exr.h"
@@ -7,7 +8,7 @@
 #include "texgen/image/pixel_hash.h"
 #include "texgen/image/png.h"
 #include "texgen/manifest/manifest_file.h"
-#include "texgen/maps/map.h"
+#include "texgen/maps/all_maps.h"
 #include "texgen/preset/preset_io.h"
 
 #include <gtest/gtest.h>
@@ -27,11 +28,7 @@ BakedSet only_set(const std::filesystem::path& folder) {
 }
 
 std::string hash_of_file(const std::filesystem::path& path) {
-    if (path.extension() == ".exr") {
-        return pixel_hash(read_exr(path));
-    }
-    return std::visit([](const auto& samples) { return pixel_hash(samples.view()); },
-                      read_png_samples(path));
+    return pixel_hash(read_picture(path));
 }
 
 // In the folder above those of the maps.

@@ -1,7 +1,7 @@
 #include "texgen/maps/albedo.h"
 
 #include "core/foam/honeycomb.h"
-#include "tests/support/raster_frames.h"
+#include "tests/support/sample_foams.h"
 #include "texgen/image/color.h"
 #include "texgen/image/colormap.h"
 #include "texgen/raster/coverage/fill.h"

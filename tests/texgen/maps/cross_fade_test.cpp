@@ -1,5 +1,7 @@
 #include "texgen/maps/cross_fade.h"
 
+#include "texgen/maps/all_maps.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>

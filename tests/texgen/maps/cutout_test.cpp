@@ -1,5 +1,5 @@
 // Albedo of patches: what is around them is transparent.
-#include "tests/support/raster_frames.h"
+#include "tests/support/sample_foams.h"
 #include "texgen/image/color.h"
 #include "texgen/image/colormap.h"
 #include "texgen/maps/albedo.h"

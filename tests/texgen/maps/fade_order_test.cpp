@@ -1,5 +1,8 @@
 #include "texgen/maps/fade_order.h"
 
+#include "tests/texgen/maps/seam.h"
+#include "texgen/verify/verify.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -69,23 +72,10 @@ TEST(FadeOrder, OnlyAPartOfTheFoamIsBetween) {
     EXPECT_EQ(between(FadeOrder(options_of(0.0)).shares(0.5)), 1.0);
 }
 
-/// The largest step from a column to another.
-float step(const Image<float>& image, int from, int to) {
-    float largest = 0.0F;
-    for (int y = 0; y < image.height(); ++y) {
-        largest = std::max(largest, std::abs(image.pixel(to, y)[0] - image.pixel(from, y)[0]));
-    }
-    return largest;
-}
-
 TEST(FadeOrder, HasNoSeam) {
     const Image<float> shares = FadeOrder(options_of(0.8)).shares(0.5);
-    std::vector<float> within;
-    for (int x = 1; x < shares.width(); ++x) {
-        within.push_back(step(shares, x - 1, x));
-    }
-    EXPECT_GT(std::ranges::max(within), 0.0F);
-    EXPECT_LE(step(shares, shares.width() - 1, 0), std::ranges::max(within));
+    EXPECT_LE(test::seam_ratio(shares), kLargestTileRatio);
+    EXPECT_GT(test::seam_ratio(shares, 0.5), kLargestTileRatio);
 }
 
 TEST(FadeOrder, AnotherSeedFadesOtherwise) {

@@ -1,7 +1,7 @@
 #include "tests/texgen/maps/map_subjects.h"
 
 #include "core/dynamics/step.h"
-#include "tests/support/raster_frames.h"
+#include "tests/support/sample_foams.h"
 
 #include <algorithm>
 #include <array>

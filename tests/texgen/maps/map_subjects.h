@@ -1,9 +1,8 @@
 #pragma once
 
 #include "core/foam/frame.h"
+#include "texgen/maps/all_maps.h"
 #include "texgen/maps/frame_layers.h"
-#include "texgen/maps/map.h"
-#include "texgen/maps/map_options.h"
 
 #include <string_view>
 

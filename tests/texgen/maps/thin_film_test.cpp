@@ -1,5 +1,7 @@
 #include "texgen/maps/thin_film.h"
 
+#include "tests/texgen/keys/limits.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -43,6 +45,14 @@ TEST(ThinFilm, HasNewtonsColours) {
     const LinearRgb yellow = film_reflectance(330.0);
     EXPECT_GT(yellow.r, yellow.b);
     EXPECT_GT(yellow.g, yellow.b);
+}
+
+TEST(ThinFilm, LimitsHoldOnBothSides) {
+    test::expect_limits(thin_film_keys(),
+                        {{"thickness", "-1", "0", "3000", "3001"},
+                         {"variation", "-1", "0", "2", "2.1"},
+                         {"drainage", "-1", "0", "10", "11"},
+                         {"exposure", "-1", "0", "100", "101"}});
 }
 
 }  // namespace

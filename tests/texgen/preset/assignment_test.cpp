@@ -1,6 +1,6 @@
 #include "texgen/preset/assignment.h"
 
-#include "tests/texgen/preset/refused.h"
+#include "tests/texgen/preset/rejection.h"
 
 #include <gtest/gtest.h>
 
@@ -14,13 +14,13 @@ namespace {
 std::string flat(const std::vector<Assignment>& assignments) {
     std::string lines;
     for (const Assignment& a : assignments) {
-        lines += a.place + " " + a.key + " = " + to_toml(a.value) + "\n";
+        lines += a.location + " " + a.key + " = " + to_toml(a.value) + "\n";
     }
     return lines;
 }
 
 std::string failure(const std::string& toml) {
-    return test::refused([&] { read_assignments(toml, "a.toml"); });
+    return test::rejection_of([&] { read_assignments(toml, "a.toml"); });
 }
 
 TEST(Assignment, TablesAreFlattenedInTheOrderOfTheFile) {

@@ -1,5 +1,7 @@
 #include "texgen/preset/event_frames.h"
 
+#include "texgen/events/all_events.h"
+
 #include <gtest/gtest.h>
 
 namespace foam::texgen {

@@ -1,6 +1,6 @@
 #include "texgen/preset/load_preset.h"
 
-#include "tests/texgen/preset/refused.h"
+#include "tests/texgen/preset/rejection.h"
 #include "tests/texgen/temporary_folder.h"
 #include "texgen/image/file_io.h"
 #include "texgen/preset/assignment.h"
@@ -16,7 +16,7 @@ namespace foam::texgen {
 namespace {
 
 std::string failure(const std::string& name_or_path) {
-    return test::refused([&] { load_preset(name_or_path); });
+    return test::rejection_of([&] { load_preset(name_or_path); });
 }
 
 void write_text(const std::filesystem::path& path, std::string_view text) {
@@ -24,7 +24,6 @@ void write_text(const std::filesystem::path& path, std::string_view text) {
 }
 
 TEST(ShippedPresets, AllLoadUnderTheirNameAndSayWhatTheyShow) {
-    EXPECT_EQ(shipped_presets().size(), 26U);
     for (const ShippedPreset& shipped : shipped_presets()) {
         const Preset preset = load_preset(std::string(shipped.name));
         EXPECT_EQ(preset.name, shipped.name);

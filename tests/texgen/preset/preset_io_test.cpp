@@ -1,7 +1,7 @@
 #include "texgen/preset/preset_io.h"
 
-#include "tests/texgen/preset/refused.h"
-#include "texgen/preset/schema.h"
+#include "tests/texgen/preset/rejection.h"
+#include "texgen/preset/preset_keys.h"
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace foam::texgen {
 namespace {
 
 std::string failure(const std::string& toml) {
-    return test::refused([&] { parse_preset(toml, "a", "a.toml"); });
+    return test::rejection_of([&] { parse_preset(toml, "a", "a.toml"); });
 }
 
 std::string set_failure(const std::vector<std::string>& arguments) {
@@ -24,7 +24,7 @@ std::string set_failure(const std::vector<std::string>& arguments) {
     for (const std::string& argument : arguments) {
         assignments.push_back(read_set_argument(argument));
     }
-    return test::refused([&] { assign(preset, assignments); });
+    return test::rejection_of([&] { assign(preset, assignments); });
 }
 
 TEST(PresetIo, ReadsEveryKind) {
@@ -113,10 +113,10 @@ TEST(PresetIo, KeysOfTheOtherKindOfFoamAreRefused) {
 
 TEST(PresetIo, AKindThatDoesNotFitTheRestIsToBlameItself) {
     Preset preset = parse_preset("[foam]\ndomain = \"patch\"\n[camera]\nzoom = 4\n", "a", "a.toml");
-    EXPECT_EQ(
-        test::refused([&] { assign(preset, std::vector{read_set_argument("foam.domain=torus")}); }),
-        "--set foam.domain=torus: key 'foam.domain' = \"torus\": "
-        "camera.zoom is only for foam.domain = \"patch\"");
+    EXPECT_EQ(test::rejection_of(
+                  [&] { assign(preset, std::vector{read_set_argument("foam.domain=torus")}); }),
+              "--set foam.domain=torus: key 'foam.domain' = \"torus\": "
+              "camera.zoom is only for foam.domain = \"patch\"");
 }
 
 TEST(PresetIo, TheLaterAssignmentWins) {
@@ -127,7 +127,7 @@ TEST(PresetIo, TheLaterAssignmentWins) {
 
 TEST(PresetIo, EveryMemberIsWritten) {
     const std::string toml = to_toml(Preset{});
-    for (const Key& key : preset_keys()) {
+    for (const KeyInfo& key : preset_keys()) {
         EXPECT_NE(toml.find(fmt::format("\n{} = ", key.name())), std::string::npos) << key.path;
     }
 }
@@ -155,7 +155,7 @@ RC_GTEST_PROP(PresetIo, WhatIsWrittenReadsBackToTheSame, ()) {
 
 TEST(PresetIo, TheReferenceHasDefaultMeaningAndLimitsOfEveryKey) {
     const std::string reference = describe_keys();
-    for (const Key& key : preset_keys()) {
+    for (const KeyInfo& key : preset_keys()) {
         EXPECT_NE(reference.find(key.meaning), std::string::npos) << key.path;
         EXPECT_NE(reference.find(key.allowed), std::string::npos) << key.path;
     }

@@ -1,6 +1,6 @@
 #include "core/foam/frame.h"
-#include "tests/support/raster_frames.h"
 #include "tests/support/raster_reference.h"
+#include "tests/support/sample_foams.h"
 #include "texgen/raster/distance.h"
 
 #include <gtest/gtest.h>

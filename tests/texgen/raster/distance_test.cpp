@@ -2,8 +2,8 @@
 
 #include "core/dynamics/shear.h"
 #include "core/foam/honeycomb.h"
-#include "tests/support/raster_frames.h"
 #include "tests/support/raster_reference.h"
+#include "tests/support/sample_foams.h"
 
 #include <gtest/gtest.h>
 

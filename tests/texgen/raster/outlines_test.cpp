@@ -1,6 +1,6 @@
 #include "texgen/raster/outlines.h"
 
-#include "tests/support/raster_frames.h"
+#include "tests/support/sample_foams.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "texgen/raster/small_cell.h"
 
-#include "tests/support/raster_frames.h"
+#include "tests/support/sample_foams.h"
 #include "texgen/raster/torus_cells.h"
 
 #include <gtest/gtest.h>

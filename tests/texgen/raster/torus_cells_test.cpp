@@ -1,7 +1,7 @@
 #include "texgen/raster/torus_cells.h"
 
 #include "core/dynamics/shear.h"
-#include "tests/support/raster_frames.h"
+#include "tests/support/sample_foams.h"
 #include "texgen/raster/kept_cells.h"
 
 #include <gtest/gtest.h>

@@ -25,28 +25,6 @@ int count(const Image<std::uint8_t>& image, std::uint8_t code) {
     return static_cast<int>(std::ranges::count(image.samples(), code));
 }
 
-TEST(FrameNumber, DrawsDigits) {
-    Image<std::uint8_t> image(11, 7, 1);
-    draw_number(image.view(), 0, 0, 17, 1);
-    std::string drawn;
-    for (int y = 6; y >= 0; --y) {
-        for (const std::uint8_t sample : image.row(y)) {
-            drawn += sample == 1 ? '#' : '.';
-        }
-        drawn += '\n';
-    }
-    EXPECT_EQ(drawn,
-              "..#...#####\n"
-              ".##.......#\n"
-              "..#......#.\n"
-              "..#.....#..\n"
-              "..#.....#..\n"
-              "..#....#...\n"
-              ".###...#...\n");
-    EXPECT_EQ(number_width(7), 5);
-    EXPECT_EQ(number_width(1017), 23);
-}
-
 // Twelve squares: 4 columns and 3 rows.
 TEST(ContactSheet, ShowsEveryThumbnailWhole) {
     std::vector<Thumbnail> thumbnails(12, {filled(40, 40), 8});

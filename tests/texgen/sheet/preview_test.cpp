@@ -1,6 +1,7 @@
 #include "texgen/sheet/preview.h"
 
 #include "tests/texgen/image/png_chunks.h"
+#include "tests/texgen/pictures.h"
 #include "tests/texgen/sheet/small_bake.h"
 #include "tests/texgen/temporary_folder.h"
 #include "texgen/image/file_io.h"
@@ -50,7 +51,7 @@ Image<std::uint8_t> contact_of(Preset preset, const char* extension, const std::
     preset.output.pattern = (folder.path() / stem).string() + extension;
     const BakedSet set = baked(preset, {"film", map});
     write(set, folder, {.maps = {map}, .kinds = {PreviewKind::Contact}});
-    return read_png(folder.path() / "shown" / ("small_" + map + "_contact.png")).pixels;
+    return codes8(read_picture(folder.path() / "shown" / ("small_" + map + "_contact.png")));
 }
 
 int largest_difference(const Image<std::uint8_t>& a, const Image<std::uint8_t>& b) {
@@ -79,8 +80,8 @@ TEST(Preview, TilesAFrame) {
     const TemporaryFolder folder;
     const BakedSet set = baked(small_loop(folder.path()), {"albedo"});
     write(set, folder, {.frames = {3}, .kinds = {PreviewKind::Tiling}});
-    const auto frame = read_png(folder.path() / "small_albedo.0003.png").pixels;
-    const auto tiling = read_png(folder.path() / "shown" / "small_albedo_tiling.png").pixels;
+    const auto frame = codes8(read_picture(folder.path() / "small_albedo.0003.png"));
+    const auto tiling = codes8(read_picture(folder.path() / "shown" / "small_albedo_tiling.png"));
     ASSERT_EQ(tiling.width(), 64);
     ASSERT_EQ(tiling.height(), 48);
     for (int y = 0; y < 48; ++y) {
@@ -96,7 +97,8 @@ TEST(Preview, AnimatesEveryFrame) {
     const BakedSet set = baked(small_loop(folder.path()), {"albedo"});
     write(set, folder, {.kinds = {PreviewKind::Loop}});
     const Bytes stream = read_file(folder.path() / "shown" / "small_albedo_loop.png");
-    EXPECT_EQ(decode_png(stream).pixels, read_png(folder.path() / "small_albedo.0001.png").pixels);
+    EXPECT_EQ(codes8(decode_png(stream)),
+              codes8(read_picture(folder.path() / "small_albedo.0001.png")));
     EXPECT_EQ(chunk(stream, "acTL"), std::string("\0\0\0\4\0\0\0\0", 8));
     EXPECT_EQ(chunk(stream, "fcTL").substr(20, 4), std::string("\0\1\0\x18", 4));  // 1/24 s
 }
@@ -117,8 +119,8 @@ TEST(Preview, IsTheSameForAnyNumberOfThreads) {
     const Bytes one = read_file(path);
     write(set, folder, {.kinds = {PreviewKind::Loop}, .size = 20, .threads = 3});
     EXPECT_EQ(read_file(path), one);
-    EXPECT_EQ(decode_png(one).pixels.width(), 20);
-    EXPECT_EQ(decode_png(one).pixels.height(), 15);
+    EXPECT_EQ(codes8(decode_png(one)).width(), 20);
+    EXPECT_EQ(codes8(decode_png(one)).height(), 15);
 }
 
 TEST(Preview, RefusesWhatShowsNothing) {

@@ -1,5 +1,6 @@
 #include "texgen/sheet/shown_frame.h"
 
+#include "tests/texgen/pictures.h"
 #include "tests/texgen/temporary_folder.h"
 #include "texgen/image/color.h"
 #include "texgen/image/exr.h"
@@ -70,21 +71,6 @@ TEST(ShownFrame, KeepsEveryCodeAtItsOwnSize) {
     }
 }
 
-TEST(ShownFrame, ShowsTheHigherHalfOf16Bits) {
-    Image<std::uint16_t> image(1, 1, 1);
-    image.samples()[0] = 200 * 257;
-    EXPECT_EQ(codes(shown(image, "data")), (std::vector<std::uint8_t>{200, 200, 200}));
-}
-
-// A pixel of no opacity, and one that covers half of the ground.
-TEST(ShownFrame, LiesOnTheGround) {
-    const auto image = picture(2, 1, 4, {255, 0, 0, 0, 255, 255, 255, 51});
-    const double ground = srgb_to_linear(kGround / 255.0);
-    const Srgb8 mixed = to_srgb8({0.2 + 0.8 * ground, 0.0, 0.0});
-    EXPECT_EQ(codes(shown(image, "sRGB")),
-              (std::vector<std::uint8_t>{kGround, kGround, kGround, mixed.r, mixed.r, mixed.r}));
-}
-
 // What is shifted by whole pixels of the smaller image stays the same, shifted: no pixel looks
 // across the border.
 TEST(ShownFrame, StaysATile) {
@@ -104,24 +90,6 @@ TEST(ShownFrame, StaysATile) {
                 std::ranges::equal(small.pixel(x, y), small_moved.pixel((x + 1) % 4, (y + 1) % 4)));
         }
     }
-}
-
-// Of a range from -1 to 3: 0 lies a quarter of the way, 64 of 255; the ends hold what lies beyond.
-TEST(ShownFrame, ShowsNumbersOfAnExrInTheirRange) {
-    const TemporaryFolder folder;
-    const MapFile file{.path = folder.path() / "a.exr"};
-    Image<float> numbers(4, 1, 1);
-    std::ranges::copy(std::vector{-7.0F, 0.0F, 3.0F, 1e9F}, numbers.samples().begin());
-    write_exr(file.path, std::vector<ExrChannel>{{"Y", ExrType::Float, numbers.view()}});
-    ManifestMap map = map_of("data");
-    EXPECT_THROW(read_shown(file, map), InputError);
-    map.samples->range = {-1.0, 3.0};
-    EXPECT_EQ(codes(read_shown(file, map)),
-              (std::vector<std::uint8_t>{0, 0, 0, 64, 64, 64, 255, 255, 255, 255, 255, 255}));
-}
-
-TEST(ShownFrame, RefusesOtherFormats) {
-    EXPECT_THROW(read_shown({.path = "a.jpg"}, map_of("data")), InputError);
 }
 
 }  // namespace

@@ -2,12 +2,14 @@
 
 #include "tests/texgen/stats/runs.h"
 #include "tests/texgen/temporary_folder.h"
+#include "texgen/image/external_program.h"
 #include "texgen/image/file_io.h"
 #include "texgen/stats/csv.h"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <filesystem>
 
 namespace foam::texgen {
 namespace {
@@ -22,21 +24,24 @@ std::string text_of(const std::filesystem::path& path) {
 TEST(StatisticsFiles, AreWrittenIntoAFolderOfTheirOwn) {
     const TemporaryFolder folder;
     const RunRecord run = test::run_of({{0.0, 12}, {1.0, 11}});
-    const auto files = write_statistics(run, folder.path() / "deep" / "stats");
-    ASSERT_EQ(files.size(), 8U);
-    EXPECT_EQ(files[0], folder.path() / "deep" / "stats" / "stats.csv");
-    EXPECT_EQ(text_of(files[0]), frames_csv(run));
-    EXPECT_EQ(text_of(files[1]), sides_csv(run));
-    EXPECT_EQ(text_of(files[2]).substr(0, 4), "<svg");
-    EXPECT_EQ(folder.files(),
-              (std::vector<std::string>{"deep/stats/growth_rates.svg",
-                                        "deep/stats/mean_area.svg",
-                                        "deep/stats/pressures.svg",
-                                        "deep/stats/second_moment.svg",
-                                        "deep/stats/seconds.svg",
-                                        "deep/stats/sides.csv",
-                                        "deep/stats/sides.svg",
-                                        "deep/stats/stats.csv"}));
+    const std::filesystem::path to = folder.path() / "deep" / "stats";
+    const StatisticsFiles files = write_statistics(run, to);
+    ASSERT_GE(files.paths.size(), 3U);
+    EXPECT_EQ(files.paths[0], to / "stats.csv");
+    EXPECT_EQ(text_of(files.paths[0]), frames_csv(run));
+    EXPECT_EQ(files.paths[1], to / "sides.csv");
+    EXPECT_EQ(text_of(files.paths[1]), sides_csv(run));
+    EXPECT_EQ(files.paths[2], to / "charts.gp");
+    EXPECT_EQ(text_of(files.paths[2]), charts_script(run));
+    EXPECT_EQ(files.charts == ChartStatus::NoGnuplot, !run_external({"gnuplot", "--version"}));
+    EXPECT_EQ(folder.files().size(), files.paths.size());
+}
+
+TEST(StatisticsFiles, ChartsOfAnEarlierRunAreRemoved) {
+    const TemporaryFolder folder;
+    write_file(folder.path() / "sides.svg", {});
+    write_statistics({}, folder.path());
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "sides.svg"));
 }
 
 TEST(StatisticsFiles, AFolderThatCannotBeMadeIsAnOutputError) {

@@ -64,8 +64,8 @@ TEST(MeasureRun, GrowthBetweenEventsIsVonNeumanns) {
 }
 
 TEST(MeasureRun, ReportsEveryFrame) {
-    std::vector<BakeProgress> seen;
-    measure_run(small_preset(), {.frames = {2, 4}, .threads = 1}, [&](const BakeProgress& p) {
+    std::vector<RunProgress> seen;
+    measure_run(small_preset(), {.frames = {2, 4}, .threads = 1}, [&](const RunProgress& p) {
         seen.push_back(p);
     });
     ASSERT_EQ(seen.size(), 2U);

@@ -10,12 +10,12 @@
 namespace foam::texgen {
 namespace {
 
-using Blocks = std::vector<const SampleBlock*>;
+using Groups = std::vector<const ChannelGroup*>;
 
-SampleBlock row_block(const std::vector<std::uint8_t>& samples) {
+ChannelGroup row_group(const std::vector<std::uint8_t>& samples) {
     Image<std::uint8_t> image(static_cast<int>(samples.size()), 1, 1);
     std::copy(samples.begin(), samples.end(), image.samples().begin());
-    return {"", std::move(image)};
+    return code_channels(std::move(image));
 }
 
 /// The one with the larger ratio.
@@ -24,8 +24,8 @@ Seam worse(const TileSeams& seams) {
 }
 
 Seam seam_of_row(const std::vector<std::uint8_t>& samples, Difference difference) {
-    const SampleBlock block = row_block(samples);
-    return worse(tile_seams(Blocks{&block}, difference));
+    const ChannelGroup group = row_group(samples);
+    return worse(tile_seams(Groups{&group}, difference));
 }
 
 TEST(Steps, ASeamIsTheStepFromTheLastColumnToTheFirst) {
@@ -53,30 +53,30 @@ TEST(Steps, ASeamBetweenRowsCountsToo) {
     for (int y = 0; y < 4; ++y) {
         image.row(y)[0] = image.row(y)[1] = static_cast<std::uint8_t>(3 * y);
     }
-    const SampleBlock block{"", std::move(image)};
-    const Seam seam = worse(tile_seams(Blocks{&block}, Difference::Numbers));
+    const ChannelGroup group = code_channels(std::move(image));
+    const Seam seam = worse(tile_seams(Groups{&group}, Difference::Numbers));
     EXPECT_EQ(seam.across, 9.0);
     EXPECT_EQ(seam.largest_within, 3.0);
 }
 
-// Channels of an EXR are blocks of their own: the mean is over all.
+// Channels of an EXR are groups of their own: the mean is over all.
 TEST(Steps, AreMeansOverAllChannels) {
-    const SampleBlock a = row_block({0, 4});
-    const SampleBlock b = row_block({0, 0});
-    EXPECT_EQ(tile_seams(Blocks{&a, &b}, Difference::Numbers).columns.across, 2.0);
-    EXPECT_EQ(step_between(Blocks{&a, &b}, Blocks{&b, &b}, Difference::Numbers), 1.0);
-    EXPECT_EQ(step_between(Blocks{&a}, Blocks{&b}, Difference::Ids), 0.5);
-    EXPECT_EQ(step_between(Blocks{&a}, Blocks{&a}, Difference::Ids), 0.0);
+    const ChannelGroup a = row_group({0, 4});
+    const ChannelGroup b = row_group({0, 0});
+    EXPECT_EQ(tile_seams(Groups{&a, &b}, Difference::Numbers).columns.across, 2.0);
+    EXPECT_EQ(step_between(Groups{&a, &b}, Groups{&b, &b}, Difference::Numbers), 1.0);
+    EXPECT_EQ(step_between(Groups{&a}, Groups{&b}, Difference::Ids), 0.5);
+    EXPECT_EQ(step_between(Groups{&a}, Groups{&a}, Difference::Ids), 0.0);
 }
 
 TEST(Steps, ImagesOfOtherFormsAreFarApart) {
-    const SampleBlock a = row_block({0, 4});
-    const SampleBlock b = row_block({0, 4, 4});
-    const SampleBlock c{"", Image<float>(2, 1, 1)};
-    for (const SampleBlock* other : {&b, &c}) {
-        EXPECT_TRUE(std::isinf(step_between(Blocks{&a}, Blocks{other}, Difference::Numbers)));
+    const ChannelGroup a = row_group({0, 4});
+    const ChannelGroup b = row_group({0, 4, 4});
+    const ChannelGroup c{{"Y"}, SampleType::Float, Image<float>(2, 1, 1)};
+    for (const ChannelGroup* other : {&b, &c}) {
+        EXPECT_TRUE(std::isinf(step_between(Groups{&a}, Groups{other}, Difference::Numbers)));
     }
-    EXPECT_TRUE(std::isinf(step_between(Blocks{&a}, Blocks{&a, &a}, Difference::Numbers)));
+    EXPECT_TRUE(std::isinf(step_between(Groups{&a}, Groups{&a, &a}, Difference::Numbers)));
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #include "texgen/raster/arcs/film_shapes.h"
 
 #include "core/foam/frame.h"
-#include "tests/support/raster_frames.h"
+#include "tests/support/sample_foams.h"
 #include "tests/support/simd_levels.h"
 
 #include <gtest/gtest.h>

@@ -5,8 +5,8 @@
 #include "core/foam/locate.h"
 #include "core/foam/random.h"
 #include "core/network/validate.h"
-#include "tests/support/raster_frames.h"
 #include "tests/support/raster_reference.h"
+#include "tests/support/sample_foams.h"
 #include "texgen/raster/outline/cell_arcs.h"
 
 #include <gtest/gtest.h>

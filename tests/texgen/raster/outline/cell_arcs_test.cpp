@@ -1,7 +1,7 @@
 #include "texgen/raster/outline/cell_arcs.h"
 
 #include "core/foam/honeycomb.h"
-#include "tests/support/raster_frames.h"
+#include "tests/support/sample_foams.h"
 #include "texgen/raster/arcs/monotone_arc.h"
 #include "texgen/raster/outline/inset.h"
 

@@ -1,6 +1,6 @@
 #include "texgen/raster/outline/inset.h"
 
-#include "tests/support/raster_frames.h"
+#include "tests/support/sample_foams.h"
 #include "tests/support/simd_levels.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 #include "texgen/raster/outline/patch_arcs.h"
 
 #include "core/foam/measure.h"
-#include "tests/support/raster_frames.h"
 #include "tests/support/raster_reference.h"
+#include "tests/support/sample_foams.h"
 #include "texgen/raster/coverage/fill.h"
 #include "texgen/raster/outline/cell_arcs.h"
 

@@ -1,3 +1,0 @@
-#pragma once
-
-#include "tests/support/sample_foams.h"

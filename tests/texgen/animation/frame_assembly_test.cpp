@@ -1,0 +1,74 @@
+#include "texgen/animation/frame_assembly.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <vector>
+
+namespace foam::texgen {
+namespace {
+
+SimulatedFrame state_of(int number) {
+    Frame frame;
+    frame.number = number;
+    SimulatedFrame state;
+    state.frame = std::make_shared<const Frame>(std::move(frame));
+    state.effort = {.t1 = number, .t2 = 1, .seconds = 2.0};
+    return state;
+}
+
+struct Shown {
+    int number;
+    int next;  // 0 if there is none
+    int t1;
+    friend bool operator==(const Shown&, const Shown&) = default;
+};
+
+std::ostream& operator<<(std::ostream& out, const Shown& shown) {
+    return out << shown.number << " -> " << shown.next << ", " << shown.t1 << " T1";
+}
+
+std::vector<Shown> assembled(const Preset& preset,
+                             const std::vector<int>& numbers,
+                             NextFrames next_frames,
+                             const std::vector<int>& expected_states) {
+    std::vector<Shown> all;
+    FrameAssembly assembly(preset, numbers, next_frames, [&](const SimulatedFrame& frame) {
+        all.push_back({frame.frame->number, frame.next ? frame.next->number : 0, frame.effort.t1});
+    });
+    EXPECT_EQ(assembly.states(), expected_states);
+    for (const int state : assembly.states()) {
+        assembly.add(state_of(state));
+    }
+    return all;
+}
+
+// State k took k T1; a frame counts all since the frame before it.
+TEST(FrameAssembly, HandsOutFramesWithTheEffortSinceTheLast) {
+    EXPECT_EQ(assembled({}, {2, 5}, NextFrames::LeftOut, {2, 5}),
+              (std::vector<Shown>{{2, 0, 2}, {5, 0, 5}}));
+}
+
+TEST(FrameAssembly, TheNextFrameNeedsAStateMore) {
+    EXPECT_EQ(assembled({}, {2, 4}, NextFrames::HandedOut, {2, 3, 4, 5}),
+              (std::vector<Shown>{{2, 3, 2}, {4, 5, 7}}));
+}
+
+TEST(FrameAssembly, APatchNeedsItsFirstState) {
+    Preset preset;
+    preset.shape.kind = FoamKind::Patch;
+    EXPECT_EQ(assembled(preset, {3}, NextFrames::LeftOut, {1, 3}), (std::vector<Shown>{{3, 0, 4}}));
+}
+
+// A pingpong of 6 frames shows the states 1 2 3 4 3 2: a state on the way back costs nothing more.
+TEST(FrameAssembly, APingPongShowsStatesAgain) {
+    Preset preset;
+    preset.loop.kind = LoopKind::PingPong;
+    preset.frames.count = 6;
+    EXPECT_EQ(
+        assembled(preset, {1, 2, 3, 4, 5, 6}, NextFrames::LeftOut, {1, 2, 3, 4}),
+        (std::vector<Shown>{{1, 0, 1}, {2, 0, 2}, {6, 0, 0}, {3, 0, 3}, {5, 0, 0}, {4, 0, 4}}));
+}
+
+}  // namespace
+}  // namespace foam::texgen

@@ -1,0 +1,127 @@
+#include "texgen/bake/frame_files.h"
+
+#include "tests/texgen/pictures.h"
+#include "tests/texgen/small_preset.h"
+#include "tests/texgen/temporary_folder.h"
+#include "texgen/bake/bake.h"
+#include "texgen/image/exr.h"
+#include "texgen/image/file_io.h"
+#include "texgen/image/png.h"
+#include "texgen/maps/map.h"
+
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace foam::texgen {
+namespace {
+
+constexpr const char* kPattern = "deep/{preset}_{map}.####.png";
+
+std::vector<Bytes> baked_files(const Preset& preset, int threads) {
+    const BakeSummary summary = bake(preset, {.frames = {1, 2, 3, 4, 5}, .threads = threads}, {});
+    std::vector<Bytes> contents;
+    for (const std::filesystem::path& path : summary.files) {
+        contents.push_back(read_file(path));
+    }
+    return contents;
+}
+
+std::vector<std::string> channel_names(const Picture& image) {
+    std::vector<std::string> names;
+    for (const ChannelGroup& group : image.groups) {
+        names.push_back(group.names.front());
+    }
+    return names;
+}
+
+// Without {map} in its name, an EXR holds every map as a layer, in the order of their names.
+TEST(FrameFiles, AnExrHoldsAllMapsOfAFrame) {
+    const TemporaryFolder folder;
+    Preset preset = small_preset(folder.path() / kPattern);
+    preset.image.maps = {"film", "albedo"};
+    preset.output.pattern = (folder.path() / "layers.####.exr").string();
+    preset.output.frames_per_second = 30;
+    const BakeSummary summary = bake(preset, {.frames = {1, 2}, .threads = 2}, {});
+    ASSERT_EQ(summary.files.size(), 2U);
+    EXPECT_EQ(folder.files(), (std::vector<std::string>{"layers.0001.exr", "layers.0002.exr"}));
+    const Picture image = read_picture(summary.files[1]);
+    EXPECT_EQ(channel_names(image),
+              (std::vector<std::string>{"albedo.B", "albedo.G", "albedo.R", "film.Y"}));
+    EXPECT_TRUE(image.metadata.periodic);
+    EXPECT_TRUE(image.metadata.color);
+    EXPECT_EQ(image.metadata.frame_rate, (FrameRate{30, 1}));
+    EXPECT_EQ(image.metadata.text.size(), 4U);
+    EXPECT_EQ(read_file(summary.files[1]), baked_files(preset, 1)[1]);
+}
+
+// What is drawn for a PNG of 8 bits, an EXR has in its own unit: the mask from 0 to 1.
+TEST(FrameFiles, AMapAloneIsAnExrWithoutLayers) {
+    const TemporaryFolder folder;
+    Preset preset = small_preset(folder.path() / kPattern);
+    preset.image.maps = {"film"};
+    const BakeSummary coded = bake(preset, {.frames = {1}, .threads = 1}, {});
+    preset.output.pattern = (folder.path() / "{map}.exr").string();
+    const BakeSummary whole = bake(preset, {.frames = {1}, .threads = 1}, {});
+    const Picture image = read_picture(whole.files.front());
+    EXPECT_EQ(channel_names(image), std::vector<std::string>{"Y"});
+    EXPECT_FALSE(image.metadata.color);
+    const auto& numbers = floats(image.groups.front());
+    const Image<std::uint8_t> codes = codes8(read_picture(coded.files.front()));
+    for (std::size_t k = 0; k < codes.samples().size(); ++k) {
+        EXPECT_NEAR(numbers.samples()[k], codes.samples()[k] / 255.0, 0.5001 / 255.0);
+    }
+}
+
+TEST(FrameFiles, FilesTellNothingWhereTextsAreLeftOut) {
+    const TemporaryFolder folder;
+    Preset preset = small_preset(folder.path() / kPattern);
+    preset.output.texts = FileTexts::LeftOut;
+    const BakeSummary summary = bake(preset, {.frames = {1}, .threads = 1}, {});
+    EXPECT_TRUE(read_picture(summary.files.front()).metadata.text.empty());
+}
+
+TEST(FrameFiles, FilesTellHowTheyWereMade) {
+    const TemporaryFolder folder;
+    const BakeSummary summary =
+        bake(small_preset(folder.path() / kPattern), {.frames = {1}, .threads = 1}, {});
+    const Picture image = read_picture(summary.files.front());
+    EXPECT_TRUE(image.metadata.color);
+    const auto text = [&](const std::string& keyword) {
+        for (const auto& [key, value] : image.metadata.text) {
+            if (key == keyword) {
+                return value;
+            }
+        }
+        return std::string();
+    };
+    EXPECT_EQ(text("Seed"), "12");
+    EXPECT_EQ(text("Software"), "foamtex " FOAMTEX_VERSION);
+    EXPECT_NE(text("Preset").find("bubbles = 40"), std::string::npos);
+}
+
+TEST(FrameFiles, FilesOfMapsTellWhatTheirNumbersAre) {
+    const TemporaryFolder folder;
+    Preset preset = small_preset(folder.path() / kPattern);
+    preset.image.maps = {"normal", "height"};
+    preset.maps.normal.y = NormalY::Down;
+    const BakeSummary summary = bake(preset, {.frames = {1}, .threads = 1}, {});
+    const auto texts = read_picture(summary.files.front()).metadata.text;
+    const auto has = [&](const std::string& key, const std::string& value) {
+        return std::find(texts.begin(), texts.end(), std::pair(key, value)) != texts.end();
+    };
+    EXPECT_TRUE(has("Map", "normal"));
+    EXPECT_TRUE(has("Note", "y down (DirectX)"));
+    EXPECT_TRUE(has("Unit", std::string(find_map("normal").unit)));
+    EXPECT_EQ(read_picture(summary.files.back()).groups.front().type, SampleType::Uint16);
+}
+
+}  // namespace
+}  // namespace foam::texgen

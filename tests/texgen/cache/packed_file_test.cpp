@@ -1,0 +1,65 @@
+#include "texgen/cache/packed_file.h"
+
+#include "tests/texgen/small_preset.h"
+#include "tests/texgen/temporary_folder.h"
+#include "texgen/cache/cache.h"
+#include "texgen/image/file_io.h"
+#include "texgen/maps/map.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace foam::texgen {
+namespace {
+
+Preset all_maps_of_a_foam() {
+    Preset preset = small_preset(Preset().output.pattern);
+    preset.coarsening.kappa = 0.05;
+    preset.image.width = 48;
+    preset.image.height = 32;
+    preset.frames.count = 6;
+    const auto names = map_names();
+    preset.image.maps.assign(names.begin(), names.end());
+    return preset;
+}
+
+std::string error_of(const std::filesystem::path& folder, int number) {
+    try {
+        Cache(folder).state(number);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(PackedFile, AStateThatIsMissingDamagedOrForeignIsRefused) {
+    const TemporaryFolder folder;
+    simulate_into_cache(all_maps_of_a_foam(), {.frames = {1, 2}, .threads = 1}, folder.path(), {});
+    EXPECT_EQ(error_of(folder.path(), 2), "");
+    EXPECT_EQ(error_of(folder.path(), 7),
+              "the cache '" + folder.path().string() +
+                  "' has no frame 7: it was made for "
+                  "frames 1-2");
+    const std::filesystem::path path = folder.path() / "state.000002.foam";
+    const std::string place = "cannot read '" + path.string() + "': ";
+    const Bytes good = read_file(path);
+    const auto error_with = [&](std::size_t place_of_byte) {
+        Bytes bad = good;
+        bad.at(place_of_byte) ^= std::byte{1};
+        write_file(path, bad);
+        return error_of(folder.path(), 2);
+    };
+    EXPECT_EQ(error_with(good.size() - 1), place + "it is damaged: its check sum is another");
+    EXPECT_EQ(error_with(0), place + "it is no state of foamtex");
+    EXPECT_EQ(error_with(16), place + "it is of version 0, and has to be of 1");
+    EXPECT_EQ(error_with(30), place + "it comes from another simulation than its cache");
+    write_file(path, std::span(good).first(20));
+    EXPECT_EQ(error_of(folder.path(), 2), place + "it is no state of foamtex");
+}
+
+}  // namespace
+}  // namespace foam::texgen

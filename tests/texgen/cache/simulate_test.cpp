@@ -1,0 +1,57 @@
+#include "tests/texgen/small_preset.h"
+#include "tests/texgen/temporary_folder.h"
+#include "texgen/cache/cache.h"
+#include "texgen/image/file_io.h"
+#include "texgen/maps/map.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace foam::texgen {
+namespace {
+
+Preset all_maps_of_a_foam() {
+    Preset preset = small_preset(Preset().output.pattern);
+    preset.coarsening.kappa = 0.05;
+    preset.image.width = 48;
+    preset.image.height = 32;
+    preset.frames.count = 6;
+    const auto names = map_names();
+    preset.image.maps.assign(names.begin(), names.end());
+    return preset;
+}
+
+std::string error_of(const std::filesystem::path& folder, int number) {
+    try {
+        Cache(folder).state(number);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+// What an earlier simulation left must not slip in.
+TEST(SimulateIntoCache, StatesOfAnotherSimulationAreNotTaken) {
+    const TemporaryFolder folder;
+    Preset preset = all_maps_of_a_foam();
+    simulate_into_cache(preset, {.frames = {1, 2, 3, 4}, .threads = 1}, folder.path(), {});
+    preset.seeding.seed = 13;
+    simulate_into_cache(preset, {.frames = {1}, .threads = 1}, folder.path(), {});
+    EXPECT_EQ(error_of(folder.path(), 2), "");  // the one after 1
+    EXPECT_NE(error_of(folder.path(), 4).find("another simulation"), std::string::npos);
+}
+
+TEST(SimulateIntoCache, ASimulationThatIsRefusedWritesNothing) {
+    const TemporaryFolder folder;
+    const std::filesystem::path deep = folder.path() / "deep";
+    EXPECT_THROW(simulate_into_cache(all_maps_of_a_foam(), {.frames = {}, .threads = 1}, deep, {}),
+                 std::invalid_argument);
+    EXPECT_FALSE(std::filesystem::exists(deep));
+}
+
+}  // namespace
+}  // namespace foam::texgen

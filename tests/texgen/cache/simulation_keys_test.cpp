@@ -1,0 +1,86 @@
+#include "texgen/cache/simulation_keys.h"
+
+#include "tests/texgen/preset/rejection.h"
+#include "texgen/preset/assignment.h"
+#include "texgen/preset/preset_io.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace foam::texgen {
+namespace {
+
+TEST(SimulationKeys, AnUnknownTableDecides) {
+    EXPECT_TRUE(decides_simulation("gravity"));
+    EXPECT_TRUE(decides_simulation(""));
+}
+
+TEST(SimulationKeys, LooksDoNotDecide) {
+    for (const char* table : {"foam", "dynamics", "frames", "loop"}) {
+        EXPECT_TRUE(decides_simulation(table)) << table;
+    }
+    for (const char* table :
+         {"preset", "image", "camera", "output", "albedo", "relief", "height", "event_map"}) {
+        EXPECT_FALSE(decides_simulation(table)) << table;
+    }
+}
+
+Preset changed(Preset preset, const std::string& argument) {
+    assign(preset, std::vector{read_set_argument(argument)});
+    return preset;
+}
+
+TEST(SimulationKeys, TheHashChangesWithWhatDecides) {
+    const Preset preset;
+    const std::string hash = simulation_hash(preset);
+    for (const char* argument : {"foam.seed=2",
+                                 "dynamics.kappa=0.5",
+                                 "frames.time_step=2",
+                                 "loop.kind=breathe",
+                                 "image.size=[512, 256]"}) {
+        EXPECT_NE(simulation_hash(changed(preset, argument)), hash) << argument;
+    }
+    for (const char* argument : {"preset.description=new",
+                                 "image.size=[512, 512]",
+                                 "image.maps=normal",
+                                 "albedo.film_width=4",
+                                 "output.pattern=####.exr"}) {
+        EXPECT_EQ(simulation_hash(changed(preset, argument)), hash) << argument;
+    }
+}
+
+Preset patch_with(const std::string& events) {
+    return parse_preset("[foam]\ndomain = \"patch\"\n" + events, "a", "a.toml");
+}
+
+TEST(SimulationKeys, TheCameraDecidesIfEventsHavePositions) {
+    const Preset without = patch_with("[[event]]\nkind = \"collapse\"\nframe = 3\nbubble = 4\n");
+    const Preset with = patch_with("[[event]]\nkind = \"collapse\"\nframe = 3\nat = [0, 0]\n");
+    EXPECT_EQ(simulation_hash(changed(without, "camera.zoom=2")), simulation_hash(without));
+    EXPECT_NE(simulation_hash(changed(with, "camera.zoom=2")), simulation_hash(with));
+    EXPECT_EQ(simulation_hash(changed(without, "image.size=[9, 5]")), simulation_hash(without));
+    EXPECT_NE(simulation_hash(changed(with, "image.size=[9, 5]")), simulation_hash(with));
+}
+
+std::string rejection(const Preset& simulated, const Preset& now) {
+    return test::rejection_of([&] { check_same_simulation(simulated, now); });
+}
+
+TEST(SimulationKeys, AChangedPresetNamesTheKey) {
+    const Preset preset;
+    EXPECT_EQ(rejection(preset, changed(preset, "albedo.film_width=4")), "no failure");
+    EXPECT_EQ(rejection(preset, changed(preset, "frames.warm_up=2")),
+              "key 'frames.warm_up' = 2.0: was 0.0 when the cache was simulated; of a cache, only "
+              "image, output and map keys can be changed, and a patch's camera");
+    EXPECT_EQ(rejection(preset, changed(preset, "image.size=[512, 256]")),
+              "key 'image.size' = [512, 256]: the foam of the cache has the shape 1:1, as 1024 x "
+              "1024");
+    Preset with_event = preset;
+    with_event.events.push_back({});
+    EXPECT_EQ(rejection(preset, with_event).find("key 'event': was something else"), 0U);
+}
+
+}  // namespace
+}  // namespace foam::texgen

@@ -1,0 +1,66 @@
+#include "tests/support/places.h"
+#include "tests/texgen/cli/run_program.h"
+#include "texgen/image/external_program.h"
+#include "texgen/maps/map.h"
+#include "texgen/preset/preset_keys.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+namespace foam::texgen {
+namespace {
+
+TEST(BakeCommand, BakesTheFramesAskedFor) {
+    const Outcome outcome =
+        run_program("bake sea_foam --set foam.bubbles=16 --frames 3-1x2 --size 16x8 --threads 1");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");  // no bar: stderr is no terminal
+    EXPECT_EQ(outcome.out, "out/sea_foam_albedo.####.png 3,1\n");
+    EXPECT_EQ(
+        outcome.written,
+        (std::vector<std::string>{
+            "out/manifest.json", "out/sea_foam_albedo.0001.png", "out/sea_foam_albedo.0003.png"}));
+}
+
+TEST(BakeCommand, BakesAndMeasuresAPatch) {
+    const std::string patch =
+        " soap_raft --set foam.bubbles=16 --set foam.outline='POLYGON((0 0, 3 0, 3 1, 0 1))'"
+        " --set camera.zoom=2 --frames 1-2 --size 24x16";
+    const Outcome baked = run_program("bake" + patch);
+    EXPECT_EQ(baked.code, 0) << baked.err;
+    EXPECT_EQ(baked.written.size(), 2U + 1U);
+    const Outcome measured = run_program("stats" + patch);
+    EXPECT_EQ(measured.code, 0) << measured.err;
+    EXPECT_GE(measured.written.size(), 3U);
+    expect_refused("bake soap_raft --set foam.outline=egg",
+                   "--set foam.outline=egg: key 'foam.outline' = \"egg\": must be \"disc\", "
+                   "\"rectangle\", or a polygon that does not cross itself as WKT, "
+                   "\"POLYGON((x y, ...), (x y of a hole, ...))\"");
+}
+
+TEST(BakeCommand, QuietSaysNothingAndVerboseALinePerFrame) {
+    const std::string small = "bake sea_foam --set foam.bubbles=16 --frames 1 --size 8 --out a.png";
+    const Outcome quiet = run_program(small + " -q");
+    EXPECT_EQ(quiet.code, 0);
+    EXPECT_EQ(quiet.out + quiet.err, "");
+    const Outcome verbose = run_program(small + " -v");
+    EXPECT_EQ(verbose.out, "a.png\n");
+    EXPECT_EQ(verbose.err.find("frame 1: "), 0U);
+    EXPECT_EQ(std::count(verbose.err.begin(), verbose.err.end(), '\n'), 1);
+}
+
+TEST(BakeCommand, ABakeWritesItsStatisticsBesideTheImages) {
+    const Outcome outcome = run_program(
+        "bake sea_foam --set foam.bubbles=16 --frames 1-2 --size 8 --out a/####.png --stats");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out.find("a/####.png 1-2\na/sea_foam_stats/stats.csv\n"), 0U);
+    EXPECT_GE(outcome.written.size(), 2U + 1U + 3U);
+    EXPECT_EQ(outcome.written.back(), "a/sea_foam_stats/stats.csv");
+}
+
+}  // namespace
+}  // namespace foam::texgen

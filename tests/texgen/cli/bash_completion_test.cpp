@@ -1,0 +1,48 @@
+#include "tests/texgen/cli/run_program.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace foam::texgen {
+namespace {
+
+constexpr const char* kComplete = R"(
+source completion.bash
+COMP_WORDS=("$@")
+COMP_CWORD=$(($# - 1))
+_foamtex
+echo "${COMPREPLY[@]}"
+)";
+
+// The words that bash offers for the last of a command line.
+std::string offered(const std::string& words) {
+    const TemporaryFolder work;
+    std::ofstream(work.path() / "completion.bash") << run_program("completion bash").out;
+    std::ofstream(work.path() / "complete.sh") << kComplete;
+    return run_program("--version >/dev/null; bash complete.sh " + words, work).out;
+}
+
+TEST(BashCompletion, OffersCommandsOptionsAndValues) {
+    EXPECT_EQ(offered("foamtex re"), "render relax\n");
+    EXPECT_EQ(offered("foamtex bake --norm"), "--normal-y\n");
+    EXPECT_EQ(offered("foamtex bake --normal-y ''"), "gl dx\n");
+    EXPECT_EQ(offered("foamtex bake sea_f"), "sea_foam\n");
+    EXPECT_EQ(offered("foamtex presets show lab"), "labyrinth\n");
+    EXPECT_EQ(offered("foamtex bake --set foam.bub"), "foam.bubbles=\n");
+}
+
+TEST(BashCompletion, OffersTheNextOfAList) {
+    EXPECT_EQ(offered("foamtex bake sea_foam --maps albedo,curv"), "albedo,curvature\n");
+}
+
+TEST(BashCompletion, OffersFilesWhereNoNameFits) {
+    EXPECT_EQ(offered("foamtex bake compl"), "complete.sh completion.bash\n");
+    EXPECT_EQ(offered("foamtex relax compl"), "complete.sh completion.bash\n");
+}
+
+}  // namespace
+}  // namespace foam::texgen

@@ -1,0 +1,29 @@
+#include "texgen/cli/completion_values.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace foam::texgen {
+namespace {
+
+using Words = std::vector<std::string>;
+
+TEST(CompletionValues, FollowFromTheArgument) {
+    const CompletionWords words{{"sea_foam"}, {"albedo"}, {"foam.seed"}};
+    const auto values = [&](const char* name, const char* value) {
+        return values_of({{name}, value, ""}, words);
+    };
+    EXPECT_EQ(values("--maps", "A,B").kind, ValueKind::List);
+    EXPECT_EQ(values("--maps", "A,B").words, Words{"albedo"});
+    EXPECT_EQ(values("--set", "KEY=VALUE").kind, ValueKind::Key);
+    EXPECT_EQ(values("--set", "KEY=VALUE").words, Words{"foam.seed"});
+    EXPECT_EQ(values("PRESET", "").words, Words{"sea_foam"});
+    EXPECT_EQ(values("--normal-y", "gl|dx").words, (Words{"gl", "dx"}));
+    EXPECT_EQ(values("--out", "PATTERN").kind, ValueKind::Path);
+    EXPECT_EQ(joined({"a", "b"}), "a b");
+}
+
+}  // namespace
+}  // namespace foam::texgen

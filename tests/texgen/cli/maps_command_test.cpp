@@ -1,0 +1,30 @@
+#include "tests/support/places.h"
+#include "tests/texgen/cli/run_program.h"
+#include "texgen/image/external_program.h"
+#include "texgen/maps/map.h"
+#include "texgen/preset/preset_keys.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+namespace foam::texgen {
+namespace {
+
+TEST(MapsCommand, ListsEveryMap) {
+    const Outcome list = run_program("maps");
+    EXPECT_EQ(list.code, 0);
+    EXPECT_EQ(static_cast<std::size_t>(std::count(list.out.begin(), list.out.end(), '\n')),
+              all_maps().size());
+    for (const Map& map : all_maps()) {
+        EXPECT_NE(list.out.find(std::string(map.name) + " "), std::string::npos);
+        EXPECT_NE(list.out.find(map.meaning), std::string::npos);
+    }
+    EXPECT_EQ(run_program("maps --markdown").out, describe_maps_in_markdown());
+}
+
+}  // namespace
+}  // namespace foam::texgen

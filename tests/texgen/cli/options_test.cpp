@@ -1,0 +1,37 @@
+#include "texgen/cli/options.h"
+
+#include <CLI/CLI.hpp>
+#include <gtest/gtest.h>
+
+namespace foam::texgen {
+namespace {
+
+TEST(Options, ReadTheirValues) {
+    CLI::App app;
+    bool json = false;
+    bool quiet = false;
+    int threads = 0;
+    std::optional<std::string> frames;
+    std::optional<std::string> maps;
+    std::string set;
+    std::optional<std::filesystem::path> out;
+    add_json_option(app, json);
+    add_quiet_option(app, quiet);
+    add_threads_option(app, threads);
+    add_frames_option(app, frames);
+    add_maps_option(app, maps, "");
+    add_set_option(app, set);
+    add_out_folder_option(app, out, "");
+    app.parse("--json -q --threads 3 --frames 1-2 --maps a,b --preset x -o y");
+    EXPECT_TRUE(json);
+    EXPECT_TRUE(quiet);
+    EXPECT_EQ(threads, 3);
+    EXPECT_EQ(frames, "1-2");
+    EXPECT_EQ(maps, "a,b");
+    EXPECT_EQ(set, "x");
+    EXPECT_EQ(out, "y");
+    EXPECT_THROW(app.parse("--threads 1025"), CLI::ParseError);
+}
+
+}  // namespace
+}  // namespace foam::texgen

@@ -1,0 +1,23 @@
+#include "tests/texgen/cli/run_program.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace foam::texgen {
+namespace {
+
+TEST(ZshCompletion, OfZshKnowsEveryCommand) {
+    const std::string script = run_program("completion zsh").out;
+    EXPECT_TRUE(script.starts_with("#compdef foamtex\n"));
+    for (const char* command : {"bake", "presets_show", "compare", "verify"}) {
+        EXPECT_NE(script.find(std::string("\n_foamtex_") + command + "() {"), std::string::npos)
+            << command;
+    }
+}
+
+}  // namespace
+}  // namespace foam::texgen

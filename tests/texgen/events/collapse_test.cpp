@@ -1,0 +1,61 @@
+#include "texgen/events/collapse.h"
+
+#include "tests/texgen/events/event_subject.h"
+#include "tests/texgen/keys/limits.h"
+
+#include <gtest/gtest.h>
+
+namespace foam::texgen {
+namespace {
+
+EventBase collapse_of(const std::vector<BubbleIdentity>& bubbles, const FrameSpan& frames) {
+    EventBase event;
+    event.kind = "collapse";
+    event.bubbles = bubbles;
+    event.frames = frames;
+    return event;
+}
+
+TEST(Collapse, LeadsToTheT2AreaOverAllFrames) {
+    test::EventSubject subject;
+    const EventBase event = collapse_of({3, 9}, {2, 6});
+    EventStage stage = subject.stage(2);
+    advance_collapse(event, {}, stage);
+    ASSERT_EQ(subject.courses.size(), 2U);
+    for (const BubbleIdentity bubble : {3U, 9U}) {
+        const DrivenCourse& course = subject.courses.at(bubble);
+        EXPECT_EQ(course.frames, (FrameSpan{2, 6}));
+        EXPECT_DOUBLE_EQ(course.course.from, 1.0);
+        EXPECT_DOUBLE_EQ(course.course.to, 0.01);
+        EXPECT_TRUE(course.vanishes);
+    }
+}
+
+// Two bubbles in frames 2 to 6: the first has 2 and 3, the second 4 to 6.
+TEST(Collapse, InTurnBubblesShareTheFrames) {
+    test::EventSubject subject;
+    const EventBase event = collapse_of({3, 9}, {2, 6});
+    for (int frame = 2; frame <= 6; ++frame) {
+        EventStage stage = subject.stage(frame);
+        advance_collapse(event, {.order = EventOrder::InTurn}, stage);
+        EXPECT_EQ(subject.courses.size(), frame < 4 ? 1U : 2U);
+    }
+    EXPECT_EQ(subject.courses.at(3).frames, (FrameSpan{2, 3}));
+    EXPECT_EQ(subject.courses.at(9).frames, (FrameSpan{4, 6}));
+}
+
+TEST(Collapse, InTurnEveryBubbleNeedsAFrame) {
+    const CollapseOptions in_turn{.order = EventOrder::InTurn};
+    EXPECT_EQ(test::checked(collapse_of({1, 2, 3}, {2, 4}), in_turn, check_collapse), "accepted");
+    EXPECT_EQ(test::checked(collapse_of({1, 2, 3}, {2, 3}), in_turn, check_collapse),
+              "order: 3 bubbles in turn need as many frames, there are 2");
+    EXPECT_EQ(test::checked(collapse_of({}, {2, 3}), CollapseOptions{}, check_collapse),
+              "kind: the event must choose bubbles by bubble, at or sides");
+}
+
+TEST(Collapse, ChoicesHaveTheirWords) {
+    test::expect_words(collapse_keys(), "order", {"at-once", "in-turn"});
+}
+
+}  // namespace
+}  // namespace foam::texgen

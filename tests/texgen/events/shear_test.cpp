@@ -1,0 +1,42 @@
+#include "texgen/events/shear.h"
+
+#include "tests/texgen/events/event_subject.h"
+#include "tests/texgen/keys/limits.h"
+
+#include <gtest/gtest.h>
+
+namespace foam::texgen {
+namespace {
+
+EventBase shear_event() {
+    EventBase event;
+    event.kind = "shear";
+    event.frames = {3, 6};
+    return event;
+}
+
+// Two shears at once add up: a quarter of 2 and a quarter of 1.
+TEST(Shear, SharesItsStrainAmongTheFrames) {
+    test::EventSubject subject;
+    EventStage stage = subject.stage(4);
+    advance_shear(shear_event(), {.strain = 2.0}, stage);
+    EXPECT_DOUBLE_EQ(subject.change.strain, 0.5);
+    advance_shear(shear_event(), {.strain = 1.0}, stage);
+    EXPECT_DOUBLE_EQ(subject.change.strain, 0.75);
+}
+
+TEST(Shear, IsForATorus) {
+    const EventSetting patch{.is_patch = true, .t2_area = 0.01, .shorter_side = 4.0};
+    EXPECT_EQ(test::checked(shear_event(), ShearOptions{}, check_shear), "accepted");
+    EXPECT_EQ(test::checked(shear_event(), ShearOptions{}, check_shear, patch),
+              "kind: \"shear\" is only for foam.domain = \"torus\"");
+    EXPECT_EQ(test::checked(shear_event(), ShearOptions{}, check_shear, patch, false),
+              "kind: event[1].kind = \"shear\" is only for foam.domain = \"torus\"");
+}
+
+TEST(Shear, LimitsHoldOnBothSides) {
+    test::expect_limits(shear_keys(), {{"strain", "-101", "-100", "100", "101"}});
+}
+
+}  // namespace
+}  // namespace foam::texgen

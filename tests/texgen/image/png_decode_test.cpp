@@ -1,0 +1,136 @@
+#include "tests/support/sample_foams.h"
+#include "tests/texgen/image/png_chunks.h"
+#include "tests/texgen/pictures.h"
+#include "tests/texgen/temporary_folder.h"
+#include "texgen/image/png.h"
+#include "texgen/maps/albedo.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace foam::texgen {
+namespace {
+
+using Text = std::vector<std::pair<std::string, std::string>>;
+
+Image<std::uint8_t> numbered(int width, int height, int channels) {
+    Image<std::uint8_t> image(width, height, channels);
+    std::uint8_t value = 0;
+    for (std::uint8_t& sample : image.samples()) {
+        sample = value++;
+    }
+    return image;
+}
+
+template <class Sample>
+Image<Sample> any_image() {
+    const int width = *rc::gen::inRange(1, 20);
+    const int height = *rc::gen::inRange(1, 20);
+    Image<Sample> image(width, height, *rc::gen::inRange(1, 5));
+    for (Sample& sample : image.samples()) {
+        sample = *rc::gen::arbitrary<Sample>();
+    }
+    return image;
+}
+
+PngEncoding any_encoding() {
+    return {.filter = static_cast<PngFilter>(*rc::gen::inRange(0, 5)),
+            .compression = static_cast<Compression>(*rc::gen::inRange(0, 3))};
+}
+
+RC_GTEST_PROP(PngDecode, PixelsAndTextsComeBack, ()) {
+    const auto image = any_image<std::uint8_t>();
+    const ImageMetadata metadata{.color = *rc::gen::arbitrary<bool>(), .text = {{"Seed", "1"}}};
+    const Picture back = decode_png(encode_png(image.view(), metadata, any_encoding()));
+    RC_ASSERT(codes8(back) == image);
+    RC_ASSERT(back.metadata.color == metadata.color);
+    RC_ASSERT(back.metadata.text == metadata.text);
+}
+
+RC_GTEST_PROP(PngDecode, SixteenBitPixelsComeBack, ()) {
+    const auto image = any_image<std::uint16_t>();
+    const Bytes stream = encode_png(image.view(), {}, any_encoding());
+    RC_ASSERT(codes16(decode_png(stream)) == image);
+}
+
+TEST(PngDecode, SamplesAreReadInTheDepthOfTheFile) {
+    const Picture bytes = decode_png(encode_png(Image<std::uint8_t>(3, 1, 2).view()));
+    EXPECT_EQ(bytes.groups.front().type, SampleType::Uint8);
+    EXPECT_EQ(bytes.groups.front().names, (std::vector<std::string>{"Y", "A"}));
+    const Picture words = decode_png(encode_png(Image<std::uint16_t>(3, 1, 3).view()));
+    EXPECT_EQ(words.groups.front().type, SampleType::Uint16);
+}
+
+TEST(PngDecode, EveryTruncationIsAnInputError) {
+    const Bytes stream =
+        encode_png(numbered(4, 4, 3).view(), {.color = true, .text = {{"a", "b"}}});
+    for (std::size_t size = 0; size < stream.size(); ++size) {
+        EXPECT_THROW(decode_png(std::span(stream).first(size)), InputError) << size;
+    }
+}
+
+TEST(PngDecode, ADamagedPixelStreamIsAnInputError) {
+    Bytes stream = encode_png(numbered(4, 4, 3).view());
+    stream[8 + 25 + 8 + 10] ^= std::byte{0xff};  // in the IDAT chunk, after signature and IHDR
+    EXPECT_THROW(decode_png(stream), InputError);
+}
+
+/// The check sum of PNG's annex D, bit by bit.
+std::uint32_t crc_of(std::span<const std::byte> bytes) {
+    std::uint32_t crc = 0xffffffff;
+    for (const std::byte byte : bytes) {
+        crc ^= std::to_integer<std::uint32_t>(byte);
+        for (int bit = 0; bit < 8; ++bit) {
+            crc = (crc >> 1) ^ ((crc & 1) != 0 ? 0xedb88320 : 0);
+        }
+    }
+    return ~crc;
+}
+
+void put(std::span<std::byte> place, std::uint32_t number) {
+    for (std::size_t i = 0; i < 4; ++i) {
+        place[i] = static_cast<std::byte>(number >> (24 - 8 * i));
+    }
+}
+
+// 900000 x 900000 pixels in a few bytes: refused before memory is asked for.
+TEST(PngDecode, AHeaderThatPromisesTooMuchIsAnInputError) {
+    Bytes stream = encode_png(numbered(1, 1, 3).view());
+    const std::span bytes(stream);
+    put(bytes.subspan(16, 4), 900'000);  // the header's content starts after 8 + 8 bytes
+    put(bytes.subspan(20, 4), 900'000);
+    put(bytes.subspan(29, 4), crc_of(bytes.subspan(12, 17)));
+    EXPECT_THROW(decode_png(stream), InputError);
+}
+
+TEST(PngDecode, FilesAreReadAsWritten) {
+    const TemporaryFolder folder;
+    const Image<std::uint8_t> image = numbered(5, 7, 3);
+    write_png(folder.path() / "a.png", image.view(), {.color = true, .text = {{"Seed", "9"}}});
+    const Picture back = read_picture(folder.path() / "a.png");
+    EXPECT_EQ(codes8(back), image);
+    EXPECT_EQ(back.metadata.text, (Text{{"Seed", "9"}}));
+    EXPECT_EQ(folder.files(), std::vector<std::string>{"a.png"});
+}
+
+TEST(PngDecode, AMalformedFileIsNamed) {
+    const TemporaryFolder folder;
+    const auto path = folder.path() / "a.png";
+    write_file(path, Bytes(20));
+    try {
+        read_picture(path);
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_EQ(std::string(error.what()),
+                  "cannot read '" + path.string() + "': malformed PNG: Not a PNG file");
+    }
+}
+
+}  // namespace
+}  // namespace foam::texgen

@@ -1,0 +1,94 @@
+#include "texgen/json/json_value.h"
+
+#include "tests/texgen/temporary_folder.h"
+#include "texgen/image/file_io.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace foam::texgen {
+namespace {
+
+const JsonDocument& document() {
+    static const JsonDocument tree(
+        R"({"format": "tea", "version": 2, "list": [1, {"name": "x"}], "none": null, "half": 0.5,
+            "yes": true, "big": 18446744073709551615})",
+        "a.json");
+    return tree;
+}
+
+std::string error_of(const std::function<void()>& read) {
+    try {
+        read();
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+TEST(JsonValue, ReadsEveryKind) {
+    const JsonValue root = document().root();
+    EXPECT_EQ(root["format"].text(), "tea");
+    EXPECT_EQ(root["version"].integer(1, 2), 2);
+    EXPECT_EQ(root["version"].count(), 2);
+    EXPECT_EQ(root["half"].number(), 0.5);
+    EXPECT_TRUE(root["yes"].flag());
+    EXPECT_EQ(root["list"].items().size(), 2U);
+    EXPECT_EQ(root["list"].items()[1]["name"].text(), "x");
+    EXPECT_FALSE(root.find("none"));
+    EXPECT_FALSE(root.find("missing"));
+}
+
+TEST(JsonValue, AnErrorNamesFilePositionValueAndWhatIsAllowed) {
+    const JsonValue root = document().root();
+    EXPECT_EQ(error_of([&] { root["list"].items()[1]["name"].number(); }),
+              "cannot read 'a.json': list[1].name = \"x\": must be a number");
+    EXPECT_EQ(error_of([&] { root["version"].integer(3, 5); }),
+              "cannot read 'a.json': version = 2: must be an integer from 3 to 5");
+    EXPECT_EQ(error_of([&] { root["half"].count(); }),
+              "cannot read 'a.json': half = 0.5: must be an integer from 0 to 2147483647");
+    EXPECT_NE(error_of([&] { root["big"].count(); }), "no error");
+    constexpr std::array<std::string_view, 2> kWords = {"a", "b"};
+    EXPECT_EQ(error_of([&] { root["format"].word(kWords); }),
+              "cannot read 'a.json': format = \"tea\": must be one of \"a\", \"b\"");
+    EXPECT_EQ(error_of([&] { root["half"]["x"].text(); }),
+              "cannot read 'a.json': half = 0.5: must be an object");
+    EXPECT_NE(error_of([&] { root["missing"].text(); }).find("must be an object with 'missing'"),
+              std::string::npos);
+}
+
+TEST(JsonValue, ATextThatCannotBeParsedIsAnError) {
+    const auto fail = [](const std::string&) -> int { throw std::invalid_argument("no"); };
+    EXPECT_EQ(error_of([&] { document().root()["format"].parsed(fail, "a number"); }),
+              "cannot read 'a.json': format = \"tea\": must be a number");
+    const auto size = [](const std::string& text) { return text.size(); };
+    EXPECT_EQ(document().root()["format"].parsed(size, ""), 3U);
+}
+
+TEST(JsonDocument, ChecksFormatAndVersion) {
+    EXPECT_NO_THROW(document().check_format("a tea", "tea", 2));
+    EXPECT_NO_THROW(document().check_format("a tea", "tea", 3));
+    EXPECT_NE(error_of([] {
+                  document().check_format("a cup", "cup", 2);
+              }).find("must be a cup, with \"format\": \"cup\""),
+              std::string::npos);
+    EXPECT_EQ(error_of([] { document().check_format("a tea", "tea", 1); }),
+              "cannot read 'a.json': version = 2: must be an integer from 1 to 1");
+}
+
+TEST(JsonDocument, IsReadFromAFile) {
+    const TemporaryFolder folder;
+    const std::string text = "[7]";
+    write_file(folder.path() / "a.json", std::as_bytes(std::span(text)));
+    const JsonDocument read = JsonDocument::read(folder.path() / "a.json");
+    EXPECT_EQ(read.root().items()[0].count(), 7);
+    EXPECT_THROW(JsonDocument::read(folder.path() / "b.json"), InputError);
+    EXPECT_THROW(JsonDocument("{", "c.json"), InputError);
+}
+
+}  // namespace
+}  // namespace foam::texgen

@@ -1,0 +1,45 @@
+#include "texgen/manifest/file_lock.h"
+
+#include "tests/texgen/temporary_folder.h"
+#include "texgen/image/file_io.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+#include <thread>
+#include <vector>
+
+namespace foam::texgen {
+namespace {
+
+TEST(FileLock, OneThreadGoesOnAtATime) {
+    const TemporaryFolder folder;
+    const std::filesystem::path path = folder.path() / "a.lock";
+    std::atomic<int> inside = 0;
+    std::atomic<int> largest = 0;
+    {
+        std::vector<std::jthread> threads;
+        for (int k = 0; k < 4; ++k) {
+            threads.emplace_back([&] {
+                for (int round = 0; round < 25; ++round) {
+                    const FileLock lock(path);
+                    largest = std::max(largest.load(), ++inside);
+                    std::this_thread::yield();
+                    --inside;
+                }
+            });
+        }
+    }
+    EXPECT_EQ(largest, 1);
+    EXPECT_FALSE(std::filesystem::exists(path));
+}
+
+TEST(FileLock, AFolderThatIsMissingIsAnOutputError) {
+    const TemporaryFolder folder;
+    EXPECT_THROW(FileLock(folder.path() / "none" / "a.lock"), OutputError);
+}
+
+}  // namespace
+}  // namespace foam::texgen

@@ -1,0 +1,71 @@
+#include "tests/texgen/manifest/small_set.h"
+#include "texgen/image/file_io.h"
+#include "texgen/manifest/manifest_json.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <limits>
+#include <string>
+
+namespace foam::texgen {
+namespace {
+
+Manifest small_manifest() {
+    Manifest manifest{{small_set("a", {1, 2, 3, 5}, {1, 3}), small_set("b", {7}, {7})}};
+    manifest.sets[0].failure = "the disk is full";
+    manifest.sets[1].loop.closing_error.reset();
+    manifest.sets[1].maps.front().note.clear();
+    manifest.sets[1].maps.front().samples->range.reset();
+    manifest.sets[1].maps.push_back({"film", "mask", "0 to 1", "", {7}, {}});
+    return manifest;
+}
+
+/// The error that a text draws once a part of it is replaced.
+std::string error_of(const std::string& part, const std::string& by) {
+    std::string text = to_json(small_manifest());
+    const std::size_t place = text.find(part);
+    EXPECT_NE(place, std::string::npos) << part;
+    text.replace(place, part.size(), by);
+    try {
+        parse_manifest(text, "m.json");
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(ManifestReader, AnErrorNamesTheFileThePlaceAndWhatIsAllowed) {
+    EXPECT_EQ(error_of("\"frame\":3", "\"frame\":\"three\""),
+              "cannot read 'm.json': sets[0].files[1].frame = \"three\": "
+              "must be an integer from 0 to 2147483647");
+    EXPECT_EQ(error_of("\"version\": 1", "\"version\": 2"),
+              "cannot read 'm.json': version = 2: must be an integer from 1 to 1");
+    EXPECT_EQ(error_of("\"kind\":\"number\"", "\"kind\":\"egg\""),
+              "cannot read 'm.json': sets[0].maps[0].kind = \"egg\": "
+              "must be one of \"color\", \"number\", \"id\"");
+    EXPECT_EQ(error_of("\"frames\":\"1-3,5\"", "\"frames\":\"x\""),
+              "cannot read 'm.json': sets[0].maps[0].frames = \"x\": "
+              "must be frames as 1-10 or 1-10x2");
+    EXPECT_EQ(error_of("[\"height\"]", "[\"egg\"]"),
+              "cannot read 'm.json': sets[0].files[0].maps = [\"egg\"]: "
+              "must be maps that are described in 'maps'");
+    EXPECT_EQ(error_of("\"seed\": 12", "\"seed\": 18446744073709551615"),
+              "cannot read 'm.json': sets[0].seed = 18446744073709551615: "
+              "must be an integer from 0 to 9223372036854775807");
+    EXPECT_EQ(error_of("[64,32]", "[64]"),
+              "cannot read 'm.json': sets[0].size = [64]: must be [width, height]");
+}
+
+TEST(ManifestReader, WhatIsNoManifestIsRefused) {
+    EXPECT_NE(error_of("\"pixels\":", "\"pixel\":").find("an object with 'pixels'"),
+              std::string::npos);
+    EXPECT_THROW(parse_manifest("", "m.json"), InputError);
+    EXPECT_THROW(parse_manifest("{", "m.json"), InputError);
+    EXPECT_THROW(parse_manifest("[]", "m.json"), InputError);
+    EXPECT_THROW(parse_manifest("{\"format\": 3}", "m.json"), InputError);
+    EXPECT_THROW(parse_manifest("{\"name\": \"a web app\"}", "m.json"), InputError);
+}
+
+}  // namespace
+}  // namespace foam::texgen

@@ -1,0 +1,51 @@
+#include "tests/texgen/manifest/small_set.h"
+#include "texgen/image/file_io.h"
+#include "texgen/manifest/manifest_json.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <limits>
+#include <string>
+
+namespace foam::texgen {
+namespace {
+
+Manifest small_manifest() {
+    Manifest manifest{{small_set("a", {1, 2, 3, 5}, {1, 3}), small_set("b", {7}, {7})}};
+    manifest.sets[0].failure = "the disk is full";
+    manifest.sets[1].loop.closing_error.reset();
+    manifest.sets[1].maps.front().note.clear();
+    manifest.sets[1].maps.front().samples->range.reset();
+    manifest.sets[1].maps.push_back({"film", "mask", "0 to 1", "", {7}, {}});
+    return manifest;
+}
+
+TEST(ManifestWriter, ReadsBackWhatItWrites) {
+    const Manifest manifest = small_manifest();
+    EXPECT_EQ(parse_manifest(to_json(manifest), "m.json"), manifest);
+    EXPECT_EQ(parse_manifest(to_json({}), "m.json"), Manifest{});
+}
+
+TEST(ManifestWriter, IsJsonWithALineForEachFile) {
+    const std::string text = to_json(small_manifest());
+    const auto tree = nlohmann::json::parse(text);
+    EXPECT_EQ(tree["format"], "foamtex-manifest");
+    EXPECT_EQ(tree["sets"][0]["complete"], false);
+    EXPECT_EQ(tree["sets"][1]["complete"], false);
+    EXPECT_EQ(tree["sets"][0]["failure"], "the disk is full");
+    EXPECT_EQ(tree["sets"][0]["seconds"]["drawing"], 1.0);  // of two frames
+    EXPECT_NE(
+        text.find("\n        {\"path\":\"a_height.3.png\",\"maps\":[\"height\"],\"frame\":3,"),
+        std::string::npos);
+}
+
+TEST(ManifestWriter, ANumberThatIsNotFiniteIsNull) {
+    Manifest manifest = small_manifest();
+    manifest.sets[0].foam[0].area_error = std::numeric_limits<double>::infinity();
+    const Manifest read = parse_manifest(to_json(manifest), "m.json");
+    EXPECT_TRUE(std::isnan(read.sets[0].foam[0].area_error));
+}
+
+}  // namespace
+}  // namespace foam::texgen

@@ -1,0 +1,35 @@
+#include "texgen/maps/area.h"
+
+#include "tests/texgen/keys/limits.h"
+#include "tests/texgen/maps/lone_circle.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace foam::texgen {
+namespace {
+
+using test::LoneCircle;
+
+// A disc of area pi, alone, is its own mean.
+TEST(Area, IsInMeanAreas) {
+    LoneCircle circle(20.0);
+    const auto at_middle = [&](const AreaOptions& options) {
+        return draw_area(circle.layers, options).pixels.pixel(32, 32)[0];
+    };
+    EXPECT_NEAR(at_middle({.unit = MeanBubble::Seed}), std::numbers::pi, 1e-6);
+    EXPECT_NEAR(at_middle({.unit = MeanBubble::Current}), 1.0, 1e-6);
+    EXPECT_EQ(draw_area(circle.layers, {.full = 9.0}).high, 9.0);
+}
+
+TEST(Area, LimitsHoldOnBothSides) {
+    test::expect_limits(area_keys(), {{"full", "0", "0.001", "1e6", "1000001"}});
+}
+
+TEST(Area, ChoicesHaveTheirWords) {
+    test::expect_words(area_keys(), "unit", {"seed", "current"});
+}
+
+}  // namespace
+}  // namespace foam::texgen

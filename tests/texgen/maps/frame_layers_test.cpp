@@ -1,0 +1,45 @@
+#include "texgen/maps/frame_layers.h"
+
+#include "tests/texgen/maps/map_subjects.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <stdexcept>
+
+namespace foam::texgen {
+namespace {
+
+TEST(FrameLayers, TheNextFrameMustBeThere) {
+    const test::MapSubject& subject = test::torus_subject();
+    FrameLayers with(subject.input(), test::torus_grid(16), 1);
+    EXPECT_EQ(&with.next(), &subject.next);
+    FrameLayers without({subject.frame, subject.record}, test::torus_grid(16), 1);
+    EXPECT_THROW(without.next(), std::invalid_argument);
+}
+
+TEST(FrameLayers, SharedLayersAreMadeOnce) {
+    const test::MapSubject& subject = test::torus_subject();
+    FrameLayers layers(subject.input(), test::torus_grid(16), 1);
+    EXPECT_EQ(&layers.outlines(), &layers.outlines());
+    EXPECT_EQ(&layers.distance(), &layers.distance());
+    EXPECT_EQ(&layers.arcs(2.0), &layers.arcs(2.0));
+    EXPECT_NE(&layers.arcs(2.0), &layers.arcs(3.0));
+}
+
+// The id after those of the bubbles is that of the ground around a patch.
+TEST(FrameLayers, OnlyAPatchHasASurrounding) {
+    const test::MapSubject& patch = test::patch_subject();
+    FrameLayers of_patch(patch.input(), test::patch_grid(16), 1);
+    const auto around = static_cast<std::uint32_t>(patch.frame.bubbles.size());
+    EXPECT_TRUE(of_patch.is_patch());
+    EXPECT_TRUE(of_patch.is_around(around));
+    EXPECT_FALSE(of_patch.is_around(0));
+    const test::MapSubject& torus = test::torus_subject();
+    FrameLayers of_torus(torus.input(), test::torus_grid(16), 1);
+    EXPECT_FALSE(of_torus.is_patch());
+    EXPECT_FALSE(of_torus.is_around(static_cast<std::uint32_t>(torus.frame.bubbles.size())));
+}
+
+}  // namespace
+}  // namespace foam::texgen

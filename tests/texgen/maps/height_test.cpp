@@ -1,0 +1,32 @@
+#include "texgen/maps/height.h"
+
+#include "tests/texgen/keys/limits.h"
+#include "tests/texgen/maps/lone_circle.h"
+#include "tests/texgen/maps/spherical_cap.h"
+
+#include <gtest/gtest.h>
+
+namespace foam::texgen {
+namespace {
+
+using test::LoneCircle;
+
+constexpr double kRadius = 25.0;  // pixels
+
+TEST(Height, ALoneBubblesDomeIsACap) {
+    LoneCircle circle(kRadius);
+    const test::SphericalCap cap{kRadius};
+    const NumberPixels height = draw_height(circle.layers, {}, {});
+    test::for_each_inside(kRadius, [&](int x, int y, const Vec2& point) {
+        EXPECT_NEAR(height.pixels.pixel(x, y)[0], cap.height(point.norm()) / (2 * kRadius), 1e-4);
+    });
+    EXPECT_EQ(height.pixels.pixel(0, 0)[0], 0.0F);
+    EXPECT_EQ(draw_height(circle.layers, {}, {.full = 3.0}).high, 3.0);
+}
+
+TEST(Height, LimitsHoldOnBothSides) {
+    test::expect_limits(height_keys(), {{"full", "0", "1e-6", "1e6", "1e7"}});
+}
+
+}  // namespace
+}  // namespace foam::texgen

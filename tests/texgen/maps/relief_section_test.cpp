@@ -1,0 +1,56 @@
+#include "texgen/maps/relief_section.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace foam::texgen {
+namespace {
+
+// Both fall to their foot; a ridge is half as high as wide. A fillet has 1 - sqrt(0.19) at a tenth
+// of its radius and a slope of -0.9 / sqrt(0.19), which the crest of the film takes on evenly.
+TEST(ReliefSection, RidgesAndBordersStandOnFilms) {
+    const ReliefSection ridge(ReliefProfile::Ridge, 1.0);
+    EXPECT_EQ(ridge.height(0.0), 0.5);
+    EXPECT_EQ(ridge.slope(0.0), 0.0);
+    EXPECT_EQ(ridge.height(1.0), 0.0);
+    EXPECT_NEAR(ridge.height(0.5), 0.5 * 0.75 * 0.75, 1e-15);
+    const ReliefSection wet(ReliefProfile::Wet, 1.0);
+    const double root = std::sqrt(0.19);
+    EXPECT_NEAR(wet.height(0.1), 1.0 - root, 1e-15);
+    EXPECT_NEAR(wet.slope(0.1), -0.9 / root, 1e-15);
+    EXPECT_NEAR(wet.height(0.0), 1.0 - root + 0.05 * 0.9 / root, 1e-15);
+    EXPECT_EQ(wet.slope(0.0), 0.0);
+    EXPECT_NEAR(wet.height(1.0), 0.0, 1e-15);
+    EXPECT_EQ(wet.slope(1.5), 0.0);
+}
+
+TEST(ReliefSection, SlopesAreDerivativesOfHeights) {
+    constexpr double kStep = 1e-5;
+    for (const auto profile : {ReliefProfile::Dome, ReliefProfile::Ridge, ReliefProfile::Wet}) {
+        const ReliefSection section(profile, 0.9);
+        for (const double s : {0.05, 0.07, 0.2, 0.45, 0.7, 0.95, 1.3}) {
+            const double difference =
+                (section.height(s + kStep) - section.height(s - kStep)) / (2.0 * kStep);
+            EXPECT_NEAR(section.slope(s), difference, 1e-7) << s;
+            if (s < 0.5) {
+                EXPECT_NEAR(section.smooth(section.way(s)), s, 1e-12);
+            }
+        }
+    }
+}
+
+// A bubble may be smaller than what curvature is felt over: past a dome's middle comes its other
+// film, and past that the next dome.
+TEST(ReliefSection, ADomeGoesOnInBothDirections) {
+    const ReliefSection dome(ReliefProfile::Dome, 0.9);
+    for (const double x : {0.0, 0.3, 0.9}) {
+        for (const double far : {-x, 2.0 - x, 2.0 + x, 8.0 - x, -40.0 - x}) {
+            EXPECT_NEAR(dome.height_along(far), dome.height_along(x), 1e-14) << far;
+        }
+    }
+    EXPECT_GT(dome.height_along(1.0), dome.height_along(0.9));
+}
+
+}  // namespace
+}  // namespace foam::texgen

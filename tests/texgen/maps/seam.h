@@ -1,0 +1,34 @@
+#pragma once
+
+#include "texgen/image/image.h"
+#include "texgen/verify/steps.h"
+
+#include <algorithm>
+#include <array>
+
+namespace foam::texgen::test {
+
+/// Returns how visible the seam of a tile is, as `verify` measures it: the mean step across the
+/// border over the largest mean step from column to column within, or the same of rows if that is
+/// more. A tile without a seam is at most at kLargestTileRatio.
+///
+/// `ramp` is added from the left border to the right one, which makes a seam of that height.
+template <class Sample>
+double seam_ratio(const Image<Sample>& image, double ramp = 0.0) {
+    Image<float> numbers(image.width(), image.height(), image.channels());
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            const double added = ramp * x / (image.width() - 1);
+            std::ranges::transform(
+                image.pixel(x, y), numbers.pixel(x, y).begin(), [&](Sample sample) {
+                    return static_cast<float>(static_cast<double>(sample) + added);
+                });
+        }
+    }
+    const ChannelGroup group{{}, SampleType::Float, std::move(numbers)};
+    const std::array<const ChannelGroup*, 1> groups{&group};
+    const TileSeams seams = tile_seams(groups, Difference::Numbers);
+    return std::max(seams.columns.ratio(), seams.rows.ratio());
+}
+
+}  // namespace foam::texgen::test

@@ -1,0 +1,68 @@
+#include "texgen/preset/loop_check.h"
+
+#include "tests/texgen/preset/rejection.h"
+#include "texgen/preset/preset_io.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace foam::texgen {
+
+namespace {
+
+std::string failure(const std::string& toml) {
+    return test::rejection_of([&] { parse_preset(toml, "test", "test.toml"); });
+}
+
+TEST(LoopCheck, LoopsThatCloseAreAccepted) {
+    EXPECT_EQ(failure("[loop]\nkind = 'breathe'\namplitude = 0.2\ndrift = [1, -2]\n"),
+              "no failure");
+    EXPECT_EQ(failure("[loop]\nkind = 'shear'\namplitude = 0.1\n"), "no failure");
+    EXPECT_EQ(failure("[loop]\nkind = 'drift'\ndrift = [0, 1]\n"), "no failure");
+    EXPECT_EQ(failure("[frames]\ncount = 24\n[loop]\nkind = 'pingpong'\n"), "no failure");
+    EXPECT_EQ(failure("[foam]\ndomain = 'patch'\n[loop]\nkind = 'breathe'\n"), "no failure");
+    EXPECT_EQ(failure("[loop]\nkind = 'flow'\nfade = 1\ngrowth = 12\ndrift = [1, 0]\n"),
+              "no failure");
+}
+
+TEST(LoopCheck, WhatCannotCloseIsRefused) {
+    EXPECT_EQ(
+        failure("[loop]\nkind = 'drift'\n"),
+        "test.toml:2: key 'loop.kind' = \"drift\": loop.drift says how far: [0, 1] is one up");
+    EXPECT_EQ(failure("[loop]\ndrift = [0, 1]\n"),
+              "test.toml:2: key 'loop.drift' = [0, 1]: loop.drift is for loop.kind \"drift\", "
+              "\"breathe\", \"shear\" and \"flow\"");
+    EXPECT_EQ(
+        failure("[frames]\ncount = 25\n[loop]\nkind = 'pingpong'\n"),
+        "test.toml:4: key 'loop.kind' = \"pingpong\": of a pingpong, frames.count must be even: "
+        "both ends are shown once");
+    EXPECT_EQ(failure("[loop]\nkind = 'shear'\namplitude = 0.5\n"),
+              "test.toml:3: key 'loop.amplitude' = 0.5: of a shear, at most 0.4");
+    EXPECT_EQ(failure("[foam]\ndomain = 'patch'\n[loop]\nkind = 'shear'\n"),
+              "test.toml:4: key 'loop.kind' = \"shear\": a patch has no torus to shear or travel");
+    EXPECT_EQ(failure("[frames]\nfirst = 'diagram'\n[loop]\nkind = 'breathe'\n"),
+              "test.toml:4: key 'loop.kind' = \"breathe\": a loop has no frame of the diagram");
+    EXPECT_EQ(
+        failure("[loop]\nkind = 'breathe'\n[[event]]\nkind = 'collapse'\nsides = 5\n"
+                "frame = 3\n"),
+        "test.toml:2: key 'loop.kind' = \"breathe\": but for a pingpong, a loop has no events");
+    EXPECT_EQ(
+        failure("[foam]\ndomain = 'patch'\n[loop]\nkind = 'flow'\n"),
+        "test.toml:4: key 'loop.kind' = \"flow\": a patch loses its gas, and so has no steady "
+        "state to flow in");
+    EXPECT_EQ(failure("[frames]\ntime_step = 0\n[loop]\nkind = 'flow'\n"),
+              "test.toml:4: key 'loop.kind' = \"flow\": of a flow, frames.time_step must be above "
+              "0: bubbles vanish as gas diffuses");
+    EXPECT_EQ(failure("[loop]\nkind = 'flow'\n[frames]\nstep_growth = 1.1\n"),
+              "test.toml:4: key 'frames.step_growth' = 1.1: of a flow, frames.step_growth must be "
+              "1: it is as fast at all times");
+    EXPECT_EQ(failure("[loop]\nkind = 'flow'\nfade = 0\n"),
+              "test.toml:3: key 'loop.fade' = 0: must be a number from 0.01 to 1");
+    EXPECT_EQ(failure("[loop]\ndrift = [0.5, 1]\n"),
+              "test.toml:2: key 'loop.drift' = [0.5, 1]: must be [x, y], each an integer from -100 "
+              "to 100");
+}
+
+}  // namespace
+}  // namespace foam::texgen

@@ -1,0 +1,40 @@
+#include "texgen/preset/loop.h"
+
+#include "tests/texgen/keys/limits.h"
+
+#include <gtest/gtest.h>
+
+namespace foam::texgen {
+namespace {
+
+TEST(Loop, LimitsHoldOnBothSides) {
+    test::expect_limits(loop_keys(),
+                        {{"amplitude", "-0.1", "0", "0.9", "1"},
+                         {"drift", "[-101, 0]", "[-100, 100]", "[100, -1]", "[0, 101]"},
+                         {"cycles", "0", "1", "1000", "1001"},
+                         {"fade", "0.009", "0.01", "1", "1.1"},
+                         {"fade_spread", "-0.1", "0", "0.95", "0.96"},
+                         {"growth", "0", "1", "1000", "1001"}});
+    test::expect_words(
+        loop_keys(), "kind", {"none", "breathe", "shear", "drift", "flow", "pingpong"});
+}
+
+// Breathe and Shear repeat what the foam does, Drift moves it around the torus, and Flow fades.
+TEST(Loop, ClosesByItselfOrByAFade) {
+    const auto loop = [](LoopKind kind) { return LoopOptions{.kind = kind}; };
+    for (const LoopKind kind : {LoopKind::Breathe, LoopKind::Shear}) {
+        EXPECT_TRUE(loop(kind).is_cycle());
+        EXPECT_TRUE(loop(kind).closes_itself());
+    }
+    EXPECT_FALSE(loop(LoopKind::Drift).is_cycle());
+    EXPECT_TRUE(loop(LoopKind::Drift).closes_itself());
+    EXPECT_TRUE(loop(LoopKind::Flow).is_cross_faded());
+    EXPECT_FALSE(loop(LoopKind::Flow).closes_itself());
+    for (const LoopKind kind : {LoopKind::None, LoopKind::PingPong}) {
+        EXPECT_FALSE(loop(kind).closes_itself());
+        EXPECT_FALSE(loop(kind).is_cross_faded());
+    }
+}
+
+}  // namespace
+}  // namespace foam::texgen

@@ -1,0 +1,69 @@
+#include "texgen/sheet/map_frame.h"
+
+#include "tests/texgen/cli/run_program.h"
+#include "tests/texgen/pictures.h"
+#include "tests/texgen/sheet/small_bake.h"
+#include "tests/texgen/temporary_folder.h"
+#include "texgen/image/exr.h"
+#include "texgen/image/png.h"
+#include "texgen/sheet/flipbook.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace foam::texgen {
+namespace {
+
+constexpr int kGutter = 3;
+
+/// Every sample of a cell, gutter and all, against the frame that goes on as a tile.
+template <class Sample>
+void expect_cell(const Image<Sample>& sheet, int column, int row, const Image<Sample>& frame) {
+    const int left = column * (frame.width() + 2 * kGutter);
+    const int bottom = sheet.height() - (row + 1) * (frame.height() + 2 * kGutter);
+    for (int y = 0; y < frame.height() + 2 * kGutter; ++y) {
+        for (int x = 0; x < frame.width() + 2 * kGutter; ++x) {
+            const auto expected = frame.pixel((x - kGutter + frame.width()) % frame.width(),
+                                              (y - kGutter + frame.height()) % frame.height());
+            ASSERT_TRUE(std::ranges::equal(sheet.pixel(left + x, bottom + y), expected))
+                << column << " " << row << ": " << x << " " << y;
+        }
+    }
+}
+
+TEST(MapFrame, JoinsALayerOfExrs) {
+    const TemporaryFolder folder;
+    Preset preset = small_loop(folder.path());
+    preset.output.pattern = (folder.path() / "small.####.exr").string();
+    const BakedSet set = baked(preset, {"albedo", "height", "id"});
+    write_flipbook(set, folder.path(), {.columns = 3, .gutter = kGutter}, folder.path());
+    const Picture frame = read_picture(folder.path() / "small.0004.exr");
+    std::size_t compared = 0;
+    for (const ChannelGroup& group : frame.groups) {
+        const std::string& name = group.names.front();
+        const std::size_t dot = name.find('.');
+        const Picture sheet =
+            read_picture(folder.path() / ("small_sheet_" + name.substr(0, dot) + ".exr"));
+        EXPECT_EQ(sheet.metadata.frame_rate, (FrameRate{24, 1}));
+        const auto same = std::ranges::find(
+            sheet.groups, std::vector{name.substr(dot + 1)}, &ChannelGroup::names);
+        ASSERT_NE(same, sheet.groups.end()) << name;
+        EXPECT_EQ(same->type, group.type);
+        std::visit(
+            [&]<class Sample>(const Image<Sample>& pixels) {
+                expect_cell(std::get<Image<Sample>>(same->samples), 0, 1, pixels);
+            },
+            group.samples);
+        ++compared;
+    }
+    EXPECT_EQ(compared, 5U);  // R, G, B of albedo, and a channel each of the others
+}
+
+}  // namespace
+}  // namespace foam::texgen

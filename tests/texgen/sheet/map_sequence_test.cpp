@@ -1,0 +1,37 @@
+#include "texgen/sheet/map_sequence.h"
+
+#include "tests/texgen/manifest/small_set.h"
+#include "texgen/image/file_io.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <vector>
+
+namespace foam::texgen {
+namespace {
+
+TEST(MapSequence, HasAFileForEachFrame) {
+    const BakedSet set = small_set("a", {1, 2, 3}, {1, 3});
+    const MapSequence sequence = map_sequence(set, "out", "height", std::vector{3, 1});
+    ASSERT_EQ(sequence.files.size(), 2U);
+    EXPECT_EQ(sequence.files[0].path, std::filesystem::path("out") / "a_height.3.png");
+    EXPECT_EQ(sequence.files[0].frame, 3);
+    EXPECT_FALSE(sequence.files[0].layered);
+    EXPECT_TRUE(sequence.tiles());
+    EXPECT_THROW(map_sequence(set, "out", "height", std::vector{2}), InputError);
+    EXPECT_THROW(map_sequence(set, "out", "egg", std::vector{1}), std::invalid_argument);
+}
+
+TEST(MapSequence, FramesWithACommonStepKeepTheirSpeed) {
+    EXPECT_EQ(common_step(std::vector{1, 3, 5}), 2);
+    EXPECT_EQ(common_step(std::vector{5, 4, 3}), -1);
+    EXPECT_EQ(common_step(std::vector{4}), 1);
+    EXPECT_FALSE(common_step(std::vector{1, 2, 4}));
+    const BakedSet set = small_set("a", {1}, {1});
+    EXPECT_EQ(playing_rate(set, std::vector{1, 3}), (FrameRate{24, 2}));
+    EXPECT_EQ(playing_rate(set, std::vector{1, 2, 4}), (FrameRate{24, 1}));
+}
+
+}  // namespace
+}  // namespace foam::texgen

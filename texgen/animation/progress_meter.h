@@ -1,0 +1,38 @@
+#pragma once
+
+#include "texgen/animation/simulate_frames.h"
+
+#include <chrono>
+#include <functional>
+
+namespace foam::texgen {
+
+/// The progress of a run after a frame is done: simulated, measured, or written.
+struct RunProgress {
+    int frame = 0;             // its number
+    int done = 0;              // frames done so far ...
+    int total = 0;             // ... of as many as will be
+    int bubbles = 0;           // in this frame
+    double area_error = 0.0;   // largest |A / A_target - 1| (E2)
+    double angle_error = 0.0;  // largest deviation from 120 degrees (E2), radians
+    double seconds = 0.0;      // wall time since the run began
+};
+
+/// Called from one thread at a time.
+using ProgressCallback = std::function<void(const RunProgress&)>;
+
+/// Counts the frames of a run, which begins with the meter, and reports each. Not thread-safe.
+class ProgressMeter {
+  public:
+    /// Borrows the callback, which may be empty.
+    ProgressMeter(int total, const ProgressCallback& on_progress);
+
+    void add(const SimulatedFrame& shown);
+
+  private:
+    const ProgressCallback& on_progress_;
+    RunProgress progress_;
+    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace foam::texgen

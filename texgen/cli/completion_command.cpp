@@ -1,0 +1,57 @@
+// The command that prints completions for shells.
+#include "texgen/cli/command.h"
+#include "texgen/cli/completion.h"
+#include "texgen/cli/grammar.h"
+#include "texgen/maps/all_maps.h"
+#include "texgen/preset/preset_keys.h"
+#include "texgen/preset/shipped_presets.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+#include <string>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr const char* kExamples = R"(Examples:
+  source <(foamtex completion bash)
+  foamtex completion zsh > ~/.zfunc/_foamtex)";
+
+CompletionWords completion_words() {
+    CompletionWords words;
+    for (const ShippedPreset& preset : shipped_presets()) {
+        words.presets.emplace_back(preset.name);
+    }
+    words.maps.assign(map_names().begin(), map_names().end());
+    for (const auto& key : preset_keys()) {
+        words.keys.emplace_back(key.path);
+    }
+    return words;
+}
+
+using Script = std::string (*)(const CommandGrammar& program, const CompletionWords& words);
+
+void add_shell(
+    CLI::App& completion, const char* shell, Script script, const CLI::App& app, Action& action) {
+    completion.add_subcommand(shell, fmt::format("For {}", shell))
+        ->callback([&action, &app, script] {
+            action = [&app, script] {
+                fmt::print("{}", script(grammar_of(app), completion_words()));
+                return ExitCode::Success;
+            };
+        });
+}
+
+}  // namespace
+
+void add_completion_command(CLI::App& app, Action& action) {
+    CLI::App* command = app.add_subcommand("completion", "Print a script that completes commands");
+    command->require_subcommand(1);
+    command->footer(kExamples);
+    add_shell(*command, "bash", bash_completion, app, action);
+    add_shell(*command, "zsh", zsh_completion, app, action);
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,46 @@
+#include "texgen/cli/options.h"
+
+#include <CLI/CLI.hpp>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr int kMaxThreads = 1024;
+
+}  // namespace
+
+void add_json_option(CLI::App& command, bool& json) {
+    command.add_flag("--json", json, "Print one JSON object of the results")->option_text(" ");
+}
+
+CLI::Option* add_quiet_option(CLI::App& command, bool& quiet, const char* meaning) {
+    return command.add_flag("-q,--quiet", quiet, meaning)->option_text(" ");
+}
+
+void add_threads_option(CLI::App& command, int& threads) {
+    command.add_option("--threads", threads, "0: one per hardware thread (the default)")
+        ->check(CLI::Range(0, kMaxThreads))
+        ->option_text("N");
+}
+
+void add_frames_option(CLI::App& command, std::optional<std::string>& frames, const char* meaning) {
+    command.add_option("--frames", frames, meaning)->option_text("RANGE");
+}
+
+void add_maps_option(CLI::App& command, std::optional<std::string>& maps, const char* meaning) {
+    command.add_option("--maps", maps, meaning)->option_text("A,B");
+}
+
+void add_set_option(CLI::App& command, std::string& preset) {
+    command.add_option("--preset", preset, "Which, where the folder has several sets")
+        ->option_text("NAME");
+}
+
+void add_out_folder_option(CLI::App& command,
+                           std::optional<std::filesystem::path>& out,
+                           const char* meaning) {
+    command.add_option("-o,--out", out, meaning)->option_text("FOLDER");
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,45 @@
+#include "texgen/events/collapse.h"
+
+#include "texgen/events/chosen_bubbles.h"
+#include "texgen/keys/value_kinds.h"
+
+#include <fmt/core.h>
+
+namespace foam::texgen {
+
+Keys<CollapseOptions> collapse_keys() {
+    constexpr Choices<EventOrder> kOrders = {
+        {{{"at-once", EventOrder::AtOnce}, {"in-turn", EventOrder::InTurn}}}};
+    return {key("order",
+                kOrders,
+                "whether several bubbles collapse together or one after the other, in equal parts "
+                "of the frames",
+                &CollapseOptions::order)};
+}
+
+void check_collapse(const EventCheck& check, const CollapseOptions& options) {
+    check_choice(check, false);
+    const std::size_t bubbles = check.event.bubbles_named();
+    const auto frames = static_cast<std::size_t>(check.frames.length());
+    check.require(
+        options.order == EventOrder::AtOnce || bubbles <= frames,
+        "order",
+        fmt::format("{} bubbles in turn need as many frames, there are {}", bubbles, frames));
+}
+
+void advance_collapse(const EventBase& event, const CollapseOptions& options, EventStage& stage) {
+    const std::size_t count = event.bubbles_named();
+    const std::size_t parts = options.order == EventOrder::InTurn ? count : 1;
+    for (std::size_t part = 0; part < parts; ++part) {
+        const FrameSpan frames = part_of(event.frames, part, parts);
+        if (frames.first != stage.frame) {
+            continue;
+        }
+        for (const ChosenBubble& one : choose_bubbles(event, stage, part, count / parts)) {
+            const TargetCourse course{.from = one.area, .to = stage.t2_area};
+            stage.courses[one.bubble] = {frames, course, true};
+        }
+    }
+}
+
+}  // namespace foam::texgen

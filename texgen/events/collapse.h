@@ -1,0 +1,30 @@
+#pragma once
+
+#include "texgen/events/event_check.h"
+#include "texgen/events/event_stage.h"
+
+namespace foam::texgen {
+
+inline constexpr EventTraits kCollapseEvent = {
+    .name = "collapse",
+    .meaning =
+        "bubbles shrink to nothing, `at-once` or `in-turn`; all others share their gas in "
+        "proportion",
+    .takes_bubbles = true,
+    .takes_position = true,
+    .takes_count = true};
+
+/// How the bubbles of one event share its frames.
+enum class EventOrder { AtOnce, InTurn };
+
+struct CollapseOptions {
+    EventOrder order = EventOrder::AtOnce;
+};
+
+Keys<CollapseOptions> collapse_keys();
+void check_collapse(const EventCheck& check, const CollapseOptions& options);
+
+/// Drives bubbles to the T2 area, at which they vanish.
+void advance_collapse(const EventBase& event, const CollapseOptions& options, EventStage& stage);
+
+}  // namespace foam::texgen

@@ -1,0 +1,47 @@
+#include "texgen/events/drive.h"
+
+#include "texgen/events/chosen_bubbles.h"
+#include "texgen/keys/value_kinds.h"
+
+namespace foam::texgen {
+
+Keys<DriveOptions> drive_keys() {
+    using Options = DriveOptions;
+    constexpr Choices<Phases> kPhases = {{{{"same", Phases::Same}, {"random", Phases::Random}}}};
+    return {key("scale",
+                Reals{0.01, 100.0},
+                "factor of the target area, reached evenly at the last frame",
+                &Options::scale),
+            key("amplitude",
+                Reals{0.0, 0.9},
+                "of a swing of the target area, a part of it",
+                &Options::amplitude),
+            key("period", Reals{1.0, 1e5}, "frames of a swing", &Options::period),
+            key("phase", Reals{-1.0, 1.0}, "of the swing at the start, in turns", &Options::phase),
+            key("phases",
+                kPhases,
+                "whether all bubbles swing together or each from a random phase",
+                &Options::phases)};
+}
+
+void check_drive(const EventCheck& check, const DriveOptions& /*options*/) {
+    check_choice(check, true);
+}
+
+void advance_drive(const EventBase& event, const DriveOptions& options, EventStage& stage) {
+    if (stage.frame != event.frames.first) {
+        return;
+    }
+    for (const ChosenBubble& one : choose_bubbles(event, stage, 0, event.bubbles_named())) {
+        const double more = options.phases == Phases::Random ? stage.random.uniform() : 0.0;
+        stage.courses[one.bubble] = {event.frames,
+                                     {.from = one.area,
+                                      .to = options.scale * one.area,
+                                      .amplitude = options.amplitude,
+                                      .swings = event.frames.length() / options.period,
+                                      .phase = options.phase + more},
+                                     false};
+    }
+}
+
+}  // namespace foam::texgen

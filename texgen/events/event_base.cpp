@@ -1,0 +1,171 @@
+#include "texgen/events/event_base.h"
+
+#include "texgen/keys/value_kinds.h"
+
+#include <fmt/core.h>
+
+#include <cstdint>
+#include <limits>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr int kMostBubbles = 1'000'000;
+constexpr std::int64_t kLargestIdentity = std::numeric_limits<BubbleIdentity>::max() - 1;
+
+// A single frame, stored as a span.
+struct SingleFrames {
+    Integers frame{2, kLastEventFrame};
+
+    std::string allowed() const { return frame.allowed(); }
+    bool read(const Value& value, FrameSpan& member) const {
+        const bool allowed = frame.read(value, member.first);
+        member.last = allowed ? member.first : member.last;
+        return allowed;
+    }
+    std::optional<Value> write(const FrameSpan& member) const {
+        const bool is_single = member.first != 0 && member.first == member.last;
+        return is_single ? std::optional(frame.write(member.first)) : std::nullopt;
+    }
+};
+
+// [first, last].
+struct FrameSpans {
+    Integers frame{2, kLastEventFrame};
+
+    std::string allowed() const {
+        return fmt::format("[first, last], each {}, in this order", frame.allowed());
+    }
+    bool read(const Value& value, FrameSpan& member) const {
+        const auto* list = std::get_if<Value::List>(&value.data);
+        FrameSpan span;
+        const bool allowed = list != nullptr && list->size() == 2 &&
+                             frame.read(list->front(), span.first) &&
+                             frame.read(list->back(), span.last) && span.first <= span.last;
+        member = allowed ? span : member;
+        return allowed;
+    }
+    std::optional<Value> write(const FrameSpan& member) const {
+        if (member.first == member.last) {
+            return std::nullopt;
+        }
+        return Value{Value::List{frame.write(member.first), frame.write(member.last)}};
+    }
+};
+
+// An instant, or [from, to].
+struct Times {
+    Reals time{0.0, 1e12};
+
+    std::string allowed() const {
+        return fmt::format("{}, or [from, to] of such, in this order", time.allowed());
+    }
+    bool read(const Value& value, std::array<double, 2>& member) const {
+        std::array<double, 2> span{};
+        const auto* list = std::get_if<Value::List>(&value.data);
+        const bool is_span = list != nullptr && list->size() == 2;
+        const bool allowed = time.read(is_span ? list->front() : value, span[0]) &&
+                             time.read(is_span ? list->back() : value, span[1]) &&
+                             span[0] <= span[1];
+        member = allowed ? span : member;
+        return allowed;
+    }
+    Value write(const std::array<double, 2>& member) const {
+        const bool is_instant = member[0] == member[1];
+        return is_instant ? time.write(member[0])
+                          : Value{Value::List{time.write(member[0]), time.write(member[1])}};
+    }
+};
+
+// Frames replace a time, and a time replaces frames.
+Key<EventBase> replacing(Key<EventBase> key, void (*forget)(EventBase& event)) {
+    key.read = [read = key.read, forget](const Value& value, EventBase& event) {
+        const bool allowed = read(value, event);
+        if (allowed) {
+            forget(event);
+        }
+        return allowed;
+    };
+    return key;
+}
+
+// Restricts a key to the kinds with a trait.
+Key<EventBase> taken_by(const std::vector<EventTraits>& kinds,
+                        bool EventTraits::*takes,
+                        const Key<EventBase>& key) {
+    std::vector<std::string> names;
+    for (const EventTraits& kind : kinds) {
+        if (kind.*takes) {
+            names.emplace_back(kind.name);
+        }
+    }
+    return key.only_for("kind", std::move(names));
+}
+
+}  // namespace
+
+FrameSpan part_of(const FrameSpan& frames, std::size_t index, std::size_t parts) {
+    const auto start = [&](std::size_t k) {
+        const auto length = static_cast<std::size_t>(frames.length());
+        return frames.first + static_cast<int>(k * length / parts);
+    };
+    return {start(index), start(index + 1) - 1};
+}
+
+std::size_t EventBase::bubbles_named() const {
+    if (!bubbles.empty()) {
+        return bubbles.size();
+    }
+    return sides.empty() ? (at ? 1U : 0U) : static_cast<std::size_t>(count);
+}
+
+Keys<EventBase> time_keys() {
+    const auto forget_time = [](EventBase& event) { event.time.reset(); };
+    const auto forget_frames = [](EventBase& event) { event.frames = {}; };
+    return {
+        replacing(key("frame", SingleFrames{}, "the frame that shows it done", &EventBase::frames),
+                  forget_time),
+        replacing(key("frames",
+                      FrameSpans{},
+                      "instead of frame: it goes on from the first of these frames to the last",
+                      &EventBase::frames),
+                  forget_time),
+        replacing(key("time",
+                      Maybe<Times>{},
+                      "instead of frames: the foam time at which it happens, or from and to when",
+                      &EventBase::time),
+                  forget_frames)};
+}
+
+Keys<EventBase> choice_keys(const std::vector<EventTraits>& kinds) {
+    using Traits = EventTraits;
+    return {taken_by(kinds,
+                     &Traits::takes_bubbles,
+                     key("bubble",
+                         IntegerLists{{0, kLargestIdentity}},
+                         "identities of the bubbles; a seeded foam has 0 to bubbles - 1",
+                         &EventBase::bubbles)),
+            taken_by(kinds,
+                     &Traits::takes_position,
+                     key("at",
+                         Maybe<Points>{{{0.0, 1.0}}},
+                         "the bubble, junction or film at this place, in parts of the image from "
+                         "its lower left; where there is no foam nothing happens",
+                         &EventBase::at)),
+            taken_by(kinds,
+                     &Traits::takes_bubbles,
+                     key("sides",
+                         IntegerLists{{2, 100}},
+                         "the smallest bubbles of so many sides when it begins; of several numbers "
+                         "each in turn",
+                         &EventBase::sides)),
+            taken_by(kinds,
+                     &Traits::takes_count,
+                     key("count",
+                         Integers{1, kMostBubbles},
+                         "how many bubbles of so many sides, or how many new ones",
+                         &EventBase::count))};
+}
+
+}  // namespace foam::texgen

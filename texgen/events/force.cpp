@@ -1,0 +1,39 @@
+#include "texgen/events/force.h"
+
+#include "texgen/keys/value_kinds.h"
+
+#include <fmt/core.h>
+
+namespace foam::texgen {
+
+Keys<ForceOptions> force_keys() {
+    return {key("radius",
+                Reals{0.1, 500.0},
+                "of the part that is pushed, in foam units; at most half of a torus' shorter side",
+                &ForceOptions::radius),
+            key("push",
+                Points{{-100.0, 100.0}},
+                "how far its middle is moved, in foam units, in all; then the foam settles, and "
+                "only what has swapped neighbours stays changed",
+                &ForceOptions::push)};
+}
+
+void check_force(const EventCheck& check, const ForceOptions& options) {
+    check.require(check.event.at.has_value(), "kind", "the event must have a place, at");
+    const double largest = 0.5 * check.setting.shorter_side;
+    check.require(check.setting.is_patch || options.radius <= largest,
+                  "radius",
+                  check.about("radius",
+                              " ",
+                              fmt::format("must be at most half of the torus' shorter side, {:.3g}",
+                                          largest)));
+}
+
+void advance_force(const EventBase& event, const ForceOptions& options, EventStage& stage) {
+    const double part = 1.0 / event.frames.length();
+    const Vec2 by = part * Vec2(options.push[0], options.push[1]);
+    const Vec2 center = stage.point_at(*event.at) + (stage.frame - event.frames.first) * by;
+    stage.change.pushes.push_back({center, options.radius, by});
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "texgen/events/event_check.h"
+#include "texgen/events/event_stage.h"
+
+#include <array>
+
+namespace foam::texgen {
+
+inline constexpr EventTraits kForceEvent = {
+    .name = "force",
+    .meaning =
+        "junctions around a place are pushed; the foam settles, and what has swapped "
+        "neighbours stays",
+    .takes_position = true};
+
+struct ForceOptions {
+    double radius = 2.0;                   // foam units
+    std::array<double, 2> push{1.0, 0.0};  // foam units, over all frames together
+};
+
+Keys<ForceOptions> force_keys();
+void check_force(const EventCheck& check, const ForceOptions& options);
+
+/// Pushes the foam around a point, which moves along with the push.
+void advance_force(const EventBase& event, const ForceOptions& options, EventStage& stage);
+
+}  // namespace foam::texgen

@@ -1,0 +1,73 @@
+#include "texgen/events/new_bubble.h"
+
+#include "core/dynamics/nucleation.h"
+#include "core/foam/locate.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr int kMostTries = 100;
+constexpr double kFirstAreas = 2.0;  // T2 areas of a new bubble
+
+// Returns a point of the torus, or of the bounding box of the patch.
+Vec2 random_point(const Foam& foam, Random& random) {
+    const double x = random.uniform();
+    const double y = random.uniform();
+    if (!foam.domain.is_plane()) {
+        return {x * foam.domain.width, y * foam.domain.height};
+    }
+    Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
+    Vec2 high = -low;
+    for (const JunctionId junction : foam.network.junctions()) {
+        low = low.cwiseMin(foam.positions[junction]);
+        high = high.cwiseMax(foam.positions[junction]);
+    }
+    return low + Vec2(x, y).cwiseProduct(high - low);
+}
+
+}  // namespace
+
+std::optional<BubbleId> nucleate_near(NucleationSite on,
+                                      const Vec2& point,
+                                      double area,
+                                      Foam& foam) {
+    if (!bubble_at(foam, point)) {
+        return std::nullopt;
+    }
+    if (on == NucleationSite::Junction) {
+        return nucleate_at_junction(foam, nearest_junction(foam, point), area);
+    }
+    return nucleate_on_film(foam, nearest_film(foam, point), area);
+}
+
+std::optional<BubbleId> nucleate_anywhere(NucleationSite on,
+                                          double area,
+                                          Random& random,
+                                          Foam& foam) {
+    for (int k = 0; k < kMostTries; ++k) {
+        const Vec2 point = random_point(foam, random);
+        if (const auto bubble = nucleate_near(on, point, area, foam)) {
+            return bubble;
+        }
+    }
+    return std::nullopt;
+}
+
+double first_area(double area, double t2_area) {
+    return std::min(area, kFirstAreas * t2_area);
+}
+
+void grow_bubble(const Foam& foam,
+                 BubbleId bubble,
+                 const FrameSpan& frames,
+                 double area,
+                 DrivenCourses& courses) {
+    courses[foam.identities[bubble]] = {
+        frames, {.from = foam.target_areas[bubble], .to = area}, false};
+}
+
+}  // namespace foam::texgen

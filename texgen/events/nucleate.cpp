@@ -1,0 +1,57 @@
+#include "texgen/events/nucleate.h"
+
+#include "texgen/keys/value_kinds.h"
+
+#include <fmt/core.h>
+
+namespace foam::texgen {
+
+Keys<NucleateOptions> nucleate_keys() {
+    using Options = NucleateOptions;
+    constexpr Choices<NucleationSite> kSites = {
+        {{{"junction", NucleationSite::Junction}, {"film", NucleationSite::Film}}}};
+    return {key("on",
+                kSites,
+                "where a new bubble begins: three-sided at a junction, two-sided on a film",
+                &Options::on),
+            key("area",
+                Reals{0.0002, 100.0},
+                "target area of a new bubble, in foam units; above dynamics.t2_area",
+                &Options::area),
+            key("growth",
+                Integers{1, kLastEventFrame},
+                "frames in which a new bubble grows to its area; several begin evenly over the "
+                "event's frames",
+                &Options::growth)};
+}
+
+void check_nucleate(const EventCheck& check, const NucleateOptions& options) {
+    const double t2_area = check.setting.t2_area;
+    check.require(options.area > t2_area,
+                  "area",
+                  check.is_touched
+                      ? fmt::format("must be above dynamics.t2_area = {}", t2_area)
+                      : fmt::format("must be below {}.area = {}", check.name, options.area));
+    check.require(!check.event.at || check.event.count == 1,
+                  "count",
+                  "must be 1 where the event has a place");
+}
+
+void advance_nucleate(const EventBase& event, const NucleateOptions& options, EventStage& stage) {
+    const double first = first_area(options.area, stage.t2_area);
+    const auto count = static_cast<std::size_t>(event.count);
+    for (std::size_t k = 0; k < count; ++k) {
+        if (part_of(event.frames, k, count).first != stage.frame) {
+            continue;
+        }
+        const std::optional<BubbleId> bubble =
+            event.at ? nucleate_near(options.on, stage.point_at(*event.at), first, stage.foam)
+                     : nucleate_anywhere(options.on, first, stage.random, stage.foam);
+        if (bubble) {
+            const FrameSpan frames{stage.frame, stage.frame + options.growth - 1};
+            grow_bubble(stage.foam, *bubble, frames, options.area, stage.courses);
+        }
+    }
+}
+
+}  // namespace foam::texgen

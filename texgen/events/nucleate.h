@@ -1,0 +1,29 @@
+#pragma once
+
+#include "texgen/events/event_check.h"
+#include "texgen/events/event_stage.h"
+#include "texgen/events/new_bubble.h"
+
+namespace foam::texgen {
+
+inline constexpr EventTraits kNucleateEvent = {
+    .name = "nucleate",
+    .meaning =
+        "`count` new bubbles of an `area` begin on a junction or a film, evenly over the "
+        "frames",
+    .takes_position = true,
+    .takes_count = true};
+
+struct NucleateOptions {
+    NucleationSite on = NucleationSite::Junction;
+    double area = 0.5;  // foam units
+    int growth = 1;     // frames that a new bubble takes to its area
+};
+
+Keys<NucleateOptions> nucleate_keys();
+void check_nucleate(const EventCheck& check, const NucleateOptions& options);
+
+/// Makes the new bubbles that are due, and drives them to their area.
+void advance_nucleate(const EventBase& event, const NucleateOptions& options, EventStage& stage);
+
+}  // namespace foam::texgen

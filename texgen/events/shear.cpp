@@ -1,0 +1,26 @@
+#include "texgen/events/shear.h"
+
+#include "texgen/keys/value_kinds.h"
+
+namespace foam::texgen {
+
+Keys<ShearOptions> shear_keys() {
+    return {key("strain",
+                Reals{-100.0, 100.0},
+                "how far the foam is sheared, evenly over the frames: the shift along x over the "
+                "height; images of a sheared foam tile in rows that are shifted as far",
+                &ShearOptions::strain)};
+}
+
+void check_shear(const EventCheck& check, const ShearOptions& /*options*/) {
+    check.require(!check.setting.is_patch,
+                  "kind",
+                  check.about("kind", " = ", "\"shear\" is only for foam.domain = \"torus\""));
+}
+
+void advance_shear(const EventBase& event, const ShearOptions& options, EventStage& stage) {
+    const double part = 1.0 / event.frames.length();
+    stage.change.strain += part * options.strain;
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "texgen/events/event_check.h"
+#include "texgen/events/event_stage.h"
+
+namespace foam::texgen {
+
+inline constexpr EventTraits kShearEvent = {
+    .name = "shear",
+    .meaning =
+        "the whole foam flows along x by a `strain`; after a whole width over the height "
+        "its images tile again"};
+
+struct ShearOptions {
+    double strain = 1.0;  // over all frames together
+};
+
+Keys<ShearOptions> shear_keys();
+void check_shear(const EventCheck& check, const ShearOptions& options);
+
+/// Shears the whole torus.
+void advance_shear(const EventBase& event, const ShearOptions& options, EventStage& stage);
+
+}  // namespace foam::texgen

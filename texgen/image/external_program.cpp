@@ -1,0 +1,80 @@
+#include "texgen/image/external_program.h"
+
+#include "texgen/image/file_io.h"
+
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+
+namespace foam::texgen {
+
+namespace {
+
+/// The streams and the working directory of the program.
+class SpawnActions {
+  public:
+    explicit SpawnActions(const ExternalOptions& options) {
+        posix_spawn_file_actions_init(&actions_);
+        posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+        posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+        if (!options.shows_errors) {
+            posix_spawn_file_actions_addopen(&actions_, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+        }
+        if (!options.folder.empty()) {
+            posix_spawn_file_actions_addchdir_np(&actions_, options.folder.c_str());
+        }
+    }
+    ~SpawnActions() { posix_spawn_file_actions_destroy(&actions_); }
+    SpawnActions(const SpawnActions&) = delete;
+    SpawnActions& operator=(const SpawnActions&) = delete;
+
+    const posix_spawn_file_actions_t* get() const { return &actions_; }
+
+  private:
+    posix_spawn_file_actions_t actions_{};
+};
+
+[[noreturn]] void fail(const std::string& program, int error) {
+    throw OutputError(
+        fmt::format("cannot start {}: {}", program, std::generic_category().message(error)));
+}
+
+int wait_for(const std::string& program, pid_t child) {
+    int status = 0;
+    while (waitpid(child, &status, 0) < 0) {
+        if (errno != EINTR) {
+            fail(program, errno);
+        }
+    }
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+}  // namespace
+
+std::optional<int> run_external(std::vector<std::string> arguments,
+                                const ExternalOptions& options) {
+    const std::string program = arguments.front();
+    std::vector<char*> pointers;
+    for (std::string& argument : arguments) {
+        pointers.push_back(argument.data());
+    }
+    pointers.push_back(nullptr);
+    const SpawnActions actions(options);
+    pid_t child = 0;
+    const int error =
+        posix_spawnp(&child, program.c_str(), actions.get(), nullptr, pointers.data(), environ);
+    if (error == ENOENT) {
+        return std::nullopt;
+    }
+    if (error != 0) {
+        fail(program, error);
+    }
+    return wait_for(program, child);
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace foam::texgen {
+
+/// Where an external program runs, and what of its output is seen.
+struct ExternalOptions {
+    std::filesystem::path folder = {};  // its working directory; empty for that of this process
+    bool shows_errors = true;           // its standard error goes to that of this process
+};
+
+/// Runs a program without a shell, so that no character of an argument has a special meaning, and
+/// waits for its end. The first argument is the name of the program, which is searched in PATH.
+/// Standard input is empty and standard output is discarded. Returns the exit code, -1 if a signal
+/// ended it, and nothing if the program is not installed. Throws OutputError if it cannot be
+/// started for another reason.
+std::optional<int> run_external(std::vector<std::string> arguments,
+                                const ExternalOptions& options = {});
+
+}  // namespace foam::texgen

@@ -1,0 +1,75 @@
+#include "texgen/image/format.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr std::array kFormats = {
+    ImageFormat{
+        .name = "PNG",
+        .suffix = ".png",
+        .samples = FormatSamples::Codes,
+        .code_bits = 16,
+        .encode = [](const Picture& picture,
+                     const EncodingOptions& options) { return encode_png(picture, options.png); },
+        .decode = decode_png},
+    ImageFormat{
+        .name = "EXR",
+        .suffix = ".exr",
+        .samples = FormatSamples::Numbers,
+        .has_layers = true,
+        .encode = [](const Picture& picture,
+                     const EncodingOptions& options) { return encode_exr(picture, options.exr); },
+        .decode = [](std::span<const std::byte> content) { return decode_exr(content); }},
+};
+
+/// "a, b or c".
+std::string alternatives(std::string_view ImageFormat::*word) {
+    std::string list;
+    for (std::size_t k = 0; k < kFormats.size(); ++k) {
+        list += k == 0 ? "" : k + 1 < kFormats.size() ? ", " : " or ";
+        list += kFormats.at(k).*word;
+    }
+    return list;
+}
+
+}  // namespace
+
+std::span<const ImageFormat> image_formats() {
+    return kFormats;
+}
+
+const ImageFormat* find_format(std::string_view file_name) {
+    const auto* const found = std::ranges::find_if(
+        kFormats, [&](const ImageFormat& format) { return file_name.ends_with(format.suffix); });
+    return found != kFormats.end() ? found : nullptr;
+}
+
+std::string format_suffixes() {
+    return alternatives(&ImageFormat::suffix);
+}
+
+std::string format_names() {
+    return alternatives(&ImageFormat::name);
+}
+
+Picture read_picture(const std::filesystem::path& path) {
+    const ImageFormat* const format = find_format(path.string());
+    if (format == nullptr) {
+        throw InputError(fmt::format(
+            "cannot read '{}': its name must end in {}", path.string(), format_suffixes()));
+    }
+    const Bytes content = read_file(path);
+    try {
+        return format->decode(content);
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("cannot read '{}': {}", path.string(), error.what()));
+    }
+}
+
+}  // namespace foam::texgen

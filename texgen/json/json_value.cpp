@@ -1,0 +1,143 @@
+#include "texgen/json/json_value.h"
+
+#include "texgen/image/file_io.h"
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr std::size_t kLongest = 60;  // characters of a value in a message
+
+std::string shown(const nlohmann::json& json) {
+    const std::string text = json.dump();
+    return text.size() <= kLongest ? text : text.substr(0, kLongest) + "...";
+}
+
+}  // namespace
+
+JsonValue::JsonValue(const nlohmann::json* json, std::string file, std::string place)
+    : json_(json), file_(std::move(file)), place_(std::move(place)) {}
+
+JsonValue JsonValue::operator[](std::string_view name) const {
+    const auto found = find(name);
+    if (!found) {
+        refuse(fmt::format("an object with '{}'", name));
+    }
+    return *found;
+}
+
+std::optional<JsonValue> JsonValue::find(std::string_view name) const {
+    if (!json_->is_object()) {
+        refuse("an object");
+    }
+    const auto found = json_->find(name);
+    if (found == json_->end() || found->is_null()) {
+        return std::nullopt;
+    }
+    return JsonValue(
+        &*found, file_, fmt::format("{}{}{}", place_, place_.empty() ? "" : ".", name));
+}
+
+std::vector<JsonValue> JsonValue::items() const {
+    if (!json_->is_array()) {
+        refuse("a list");
+    }
+    std::vector<JsonValue> items;
+    for (const nlohmann::json& item : *json_) {
+        items.push_back(JsonValue(&item, file_, fmt::format("{}[{}]", place_, items.size())));
+    }
+    return items;
+}
+
+const std::string& JsonValue::text() const {
+    if (!json_->is_string()) {
+        refuse("a text");
+    }
+    return json_->get_ref<const std::string&>();
+}
+
+const std::string& JsonValue::word(std::span<const std::string_view> words) const {
+    const std::string& found = text();
+    if (std::ranges::find(words, found) == words.end()) {
+        std::string allowed;
+        for (const std::string_view one : words) {
+            allowed += fmt::format("{}\"{}\"", allowed.empty() ? "one of " : ", ", one);
+        }
+        refuse(allowed);
+    }
+    return found;
+}
+
+std::int64_t JsonValue::integer(std::int64_t low, std::int64_t high) const {
+    const bool fits =
+        json_->is_number_integer() &&
+        !(json_->is_number_unsigned() &&
+          json_->get<std::uint64_t>() > std::uint64_t{std::numeric_limits<std::int64_t>::max()});
+    const std::int64_t found = fits ? json_->get<std::int64_t>() : 0;
+    if (!fits || found < low || found > high) {
+        refuse(fmt::format("an integer from {} to {}", low, high));
+    }
+    return found;
+}
+
+int JsonValue::count() const {
+    return static_cast<int>(integer(0, std::numeric_limits<int>::max()));
+}
+
+double JsonValue::number() const {
+    if (!json_->is_number()) {
+        refuse("a number");
+    }
+    return json_->get<double>();
+}
+
+bool JsonValue::flag() const {
+    if (!json_->is_boolean()) {
+        refuse("true or false");
+    }
+    return json_->get<bool>();
+}
+
+void JsonValue::refuse(std::string_view must_be) const {
+    throw InputError(fmt::format("cannot read '{}': {}{}{}: must be {}",
+                                 file_,
+                                 place_,
+                                 place_.empty() ? "" : " = ",
+                                 shown(*json_),
+                                 must_be));
+}
+
+JsonDocument::JsonDocument(std::string_view text, std::string file) : file_(std::move(file)) {
+    try {
+        tree_ = std::make_unique<nlohmann::json>(nlohmann::json::parse(text));
+    } catch (const nlohmann::json::exception& error) {
+        throw InputError(fmt::format("cannot read '{}': {}", file_, error.what()));
+    }
+}
+
+JsonDocument::~JsonDocument() = default;
+
+JsonDocument JsonDocument::read(const std::filesystem::path& path) {
+    const Bytes bytes = read_file(path);
+    return {{reinterpret_cast<const char*>(bytes.data()), bytes.size()}, path.string()};
+}
+
+JsonValue JsonDocument::root() const {
+    return {tree_.get(), file_, ""};
+}
+
+void JsonDocument::check_format(std::string_view what, std::string_view format, int version) const {
+    if (!tree_->is_object() || !tree_->contains("format") || (*tree_)["format"] != format) {
+        root().refuse(fmt::format("{}, with \"format\": \"{}\"", what, format));
+    }
+    root()["version"].integer(1, version);
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,24 @@
+#include "texgen/json/json_writer.h"
+
+#include <cmath>
+
+namespace foam::texgen {
+
+Json number_or_null(const std::optional<double>& number) {
+    return number && std::isfinite(*number) ? Json(*number) : Json(nullptr);
+}
+
+Json path_list(std::span<const std::filesystem::path> paths) {
+    Json list = Json::array();
+    for (const std::filesystem::path& path : paths) {
+        list.push_back(path.string());
+    }
+    return list;
+}
+
+std::string indented(const Json& value) {
+    constexpr int kIndent = 2;
+    return value.dump(kIndent) + '\n';
+}
+
+}  // namespace foam::texgen

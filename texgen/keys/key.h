@@ -1,0 +1,151 @@
+#pragma once
+
+#include "texgen/keys/value.h"
+
+#include <functional>
+#include <initializer_list>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace foam::texgen {
+
+/// A dependency on the value of another key, such as foam.domain = "patch".
+struct Condition {
+    std::string_view key;               // the path of the other key
+    std::vector<std::string> values{};  // the values that it may have
+
+    bool allows(std::string_view value) const;
+};
+
+/// The part of a key that does not depend on the type of the object that it sets.
+struct KeyInfo {
+    std::string path;                          // "foam.bubbles", or "bubbles" outside of a table
+    std::string allowed;                       // "an integer from 4 to 1000000"
+    std::string_view meaning;                  // in one sentence
+    std::optional<Value> default_value{};      // nothing if the key is unset by default
+    std::optional<Condition> condition{};      // if it does not hold, the default must stay
+    std::optional<std::string> upper_limit{};  // the path of a key whose number must be larger
+
+    /// The part of the path before the dot.
+    std::string_view table() const;
+    /// The part of the path after the dot; the whole path if there is none.
+    std::string_view name() const;
+};
+
+/// Returns the entry of a key in the reference of all keys: default, meaning, and allowed values.
+std::string describe(const KeyInfo& key);
+
+/// A key of an object of type Owner: everything that reading, checking, writing and documenting
+/// one of its values needs. `read` returns false and changes nothing if the value is not allowed;
+/// `write` returns nothing if the value is unset.
+template <class Owner>
+struct Key : KeyInfo {
+    std::function<bool(const Value&, Owner&)> read;
+    std::function<std::optional<Value>(const Owner&)> write;
+
+    bool is_default(const Owner& owner) const { return write(owner) == default_value; }
+
+    /// Returns the key, restricted to some values of another key.
+    Key only_for(std::string_view other, std::vector<std::string> values) const {
+        Key key = *this;
+        key.condition = Condition{other, std::move(values)};
+        return key;
+    }
+
+    /// Returns the key, whose number must then be below that of another key of the same owner.
+    Key below(std::string_view other) const {
+        Key key = *this;
+        key.upper_limit = other;
+        return key;
+    }
+};
+
+template <class Owner>
+using Keys = std::vector<Key<Owner>>;
+
+/// Makes a key of the value that `member`, a pointer to a member or another callable, yields for an
+/// owner. ValueKind is one of value_kinds.h.
+template <class Owner, class ValueKind, class Member>
+Key<Owner> key_by(std::string_view name,
+                  const ValueKind& kind,
+                  std::string_view meaning,
+                  const Member& member) {
+    Key<Owner> key;
+    key.path = name;
+    key.allowed = kind.allowed();
+    key.meaning = meaning;
+    key.read = [=](const Value& value, Owner& owner) {
+        return kind.read(value, std::invoke(member, owner));
+    };
+    key.write = [=](const Owner& owner) -> std::optional<Value> {
+        return kind.write(std::invoke(member, owner));
+    };
+    key.default_value = key.write(Owner{});
+    return key;
+}
+
+/// Makes a key of a member.
+template <class Owner, class Member, class ValueKind>
+Key<Owner> key(std::string_view name,
+               const ValueKind& kind,
+               std::string_view meaning,
+               Member Owner::*member) {
+    return key_by<Owner>(name, kind, meaning, member);
+}
+
+/// Turns keys of a part into keys of the object that contains it. `part`, a pointer to a member or
+/// another callable, yields the part of an object. Each path becomes "table.name"; an empty table
+/// leaves the paths as they are.
+template <class Outer, class Inner, class Part>
+Keys<Outer> keys_by(std::string_view table, const Part& part, const Keys<Inner>& keys) {
+    const std::string prefix = table.empty() ? "" : std::string(table) + '.';
+    Keys<Outer> all;
+    all.reserve(keys.size());
+    for (const Key<Inner>& inner : keys) {
+        Key<Outer> key{static_cast<const KeyInfo&>(inner), {}, {}};
+        key.path = prefix + inner.path;
+        key.upper_limit =
+            inner.upper_limit ? std::optional(prefix + *inner.upper_limit) : std::nullopt;
+        key.read = [part, read = inner.read](const Value& value, Outer& outer) {
+            return read(value, std::invoke(part, outer));
+        };
+        key.write = [part, write = inner.write](const Outer& outer) {
+            return write(std::invoke(part, outer));
+        };
+        all.push_back(std::move(key));
+    }
+    return all;
+}
+
+/// Turns keys of a member into keys of the object that contains it.
+template <class Outer, class Inner>
+Keys<Outer> keys_in(std::string_view table, Inner Outer::*member, const Keys<Inner>& keys) {
+    return keys_by<Outer>(table, member, keys);
+}
+
+/// Joins lists of keys.
+template <class Owner>
+Keys<Owner> joined(std::initializer_list<Keys<Owner>> lists) {
+    Keys<Owner> all;
+    for (const Keys<Owner>& keys : lists) {
+        all.insert(all.end(), keys.begin(), keys.end());
+    }
+    return all;
+}
+
+/// Returns the key of a path, or nullptr if there is none.
+template <class Owner>
+const Key<Owner>* find_key(std::span<const Key<Owner>> keys, std::string_view path) {
+    for (const Key<Owner>& key : keys) {
+        if (key.path == path) {
+            return &key;
+        }
+    }
+    return nullptr;
+}
+
+}  // namespace foam::texgen

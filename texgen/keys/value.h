@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace foam::texgen {
+
+/// A TOML value, independent of the library that parses it.
+struct Value {
+    struct Table {  // [a.b] or {...}; its entries are keys of their own
+        friend bool operator==(const Table&, const Table&) = default;
+    };
+    struct Opaque {  // a date or a time, which no key takes
+        std::string text;
+        friend bool operator==(const Opaque&, const Opaque&) = default;
+    };
+    using List = std::vector<Value>;
+
+    std::variant<bool, std::int64_t, double, std::string, List, Table, Opaque> data;
+
+    friend bool operator==(const Value& a, const Value& b) { return a.data == b.data; }
+};
+
+/// Returns the value as TOML. Reading it back gives the same value, to the last bit of a real.
+std::string to_toml(const Value& value);
+
+}  // namespace foam::texgen

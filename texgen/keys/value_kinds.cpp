@@ -1,0 +1,161 @@
+#include "texgen/keys/value_kinds.h"
+
+#include "texgen/image/color.h"
+
+#include <fmt/core.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace foam::texgen {
+
+namespace {
+
+template <class T>
+const T* get(const Value& value) {
+    return std::get_if<T>(&value.data);
+}
+
+std::optional<double> real(const Value& value) {
+    if (const auto* integer = get<std::int64_t>(value)) {
+        return static_cast<double>(*integer);
+    }
+    const auto* real = get<double>(value);
+    return real != nullptr ? std::optional(*real) : std::nullopt;
+}
+
+bool is_color(const std::string& text) {
+    try {
+        parse_color(text);
+        return true;
+    } catch (const std::invalid_argument&) {
+        return false;
+    }
+}
+
+bool contains(const auto& words, std::string_view word) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+bool read_text(const Value& value, std::string& member, const auto& allows) {
+    const auto* text = get<std::string>(value);
+    if (text == nullptr || !allows(*text)) {
+        return false;
+    }
+    member = *text;
+    return true;
+}
+
+std::string quoted(std::span<const std::string_view> words) {
+    std::string list;
+    for (const std::string_view word : words) {
+        list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", word);
+    }
+    return list;
+}
+
+Value list_of(const std::vector<std::string>& words) {
+    Value::List list;
+    for (const std::string& word : words) {
+        list.push_back({word});
+    }
+    return {std::move(list)};
+}
+
+}  // namespace
+
+std::string Integers::allowed() const {
+    return fmt::format("an integer from {} to {}", low, high);
+}
+
+std::optional<std::int64_t> Integers::accepted(const Value& value) const {
+    const auto* integer = get<std::int64_t>(value);
+    const bool inside = integer != nullptr && *integer >= low && *integer <= high;
+    return inside ? std::optional(*integer) : std::nullopt;
+}
+
+std::string Reals::allowed() const {
+    return fmt::format("{}a number from {} to {}", or_zero ? "0 or " : "", low, high);
+}
+
+bool Reals::read(const Value& value, double& member) const {
+    const std::optional<double> number = real(value);
+    const bool allowed =
+        number && ((*number >= low && *number <= high) || (or_zero && *number == 0.0));
+    member = allowed ? *number : member;
+    return allowed;
+}
+
+std::string Text::allowed() const {
+    return or_empty ? "a text" : "a text that is not empty";
+}
+
+bool Text::read(const Value& value, std::string& member) const {
+    return read_text(
+        value, member, [this](const std::string& text) { return or_empty || !text.empty(); });
+}
+
+std::string Colors::allowed() const {
+    return "a colour \"#rrggbb\"";
+}
+
+bool Colors::read(const Value& value, std::string& member) const {
+    return read_text(value, member, is_color);
+}
+
+std::string ColorLists::allowed() const {
+    return "a list of colours \"#rrggbb\"";
+}
+
+bool ColorLists::read(const Value& value, std::vector<std::string>& member) const {
+    const auto* list = get<Value::List>(value);
+    std::vector<std::string> found;
+    for (const Value& item : list != nullptr ? *list : Value::List{value}) {
+        if (!Colors().read(item, found.emplace_back())) {
+            return false;
+        }
+    }
+    member = std::move(found);
+    return true;
+}
+
+Value ColorLists::write(const std::vector<std::string>& member) const {
+    return list_of(member);
+}
+
+std::string Words::allowed() const {
+    return (words.size() > 1 ? "one of " : "") + quoted(words);
+}
+
+bool Words::read(const Value& value, std::string& member) const {
+    return read_text(
+        value, member, [this](const std::string& text) { return contains(words, text); });
+}
+
+std::string WordLists::allowed() const {
+    return fmt::format("a list, each word once, of {}", quoted(words));
+}
+
+bool WordLists::read(const Value& value, std::vector<std::string>& member) const {
+    const auto* list = get<Value::List>(value);
+    std::vector<std::string> found;
+    for (const Value& item : list != nullptr ? *list : Value::List{value}) {
+        std::string word;
+        if (!Words{words}.read(item, word) || contains(found, word)) {
+            return false;
+        }
+        found.push_back(std::move(word));
+    }
+    if (found.empty()) {
+        return false;
+    }
+    member = std::move(found);
+    return true;
+}
+
+Value WordLists::write(const std::vector<std::string>& member) const {
+    return list_of(member);
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,206 @@
+#pragma once
+
+#include "texgen/keys/value.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace foam::texgen {
+
+// The kinds of values that keys take. allowed() describes the values in words; read() stores a
+// value in a member, or returns false and changes nothing if it is not allowed; write() turns the
+// member back into a value, or returns nothing if the member is unset.
+
+/// Integers from low to high, stored in any integer type.
+struct Integers {
+    std::int64_t low = 0;
+    std::int64_t high = 0;
+
+    std::string allowed() const;
+    std::optional<std::int64_t> accepted(const Value& value) const;
+
+    template <class Integer>
+    bool read(const Value& value, Integer& member) const {
+        const std::optional<std::int64_t> integer = accepted(value);
+        member = integer ? static_cast<Integer>(*integer) : member;
+        return integer.has_value();
+    }
+    template <class Integer>
+    Value write(Integer member) const {
+        return {static_cast<std::int64_t>(member)};
+    }
+};
+
+/// Finite numbers from low to high, written with or without a point. `or_zero` also allows 0, which
+/// then means "none".
+struct Reals {
+    double low = 0.0;
+    double high = 0.0;
+    bool or_zero = false;
+
+    std::string allowed() const;
+    bool read(const Value& value, double& member) const;
+    Value write(double member) const { return {member}; }
+};
+
+inline constexpr Reals kFractions{0.0, 1.0};
+
+/// Strings; the empty one only with `or_empty`.
+struct Text {
+    bool or_empty = false;
+
+    std::string allowed() const;
+    bool read(const Value& value, std::string& member) const;
+    Value write(const std::string& member) const { return {member}; }
+};
+
+/// sRGB colors, written "#rrggbb".
+struct Colors {
+    std::string allowed() const;
+    bool read(const Value& value, std::string& member) const;
+    Value write(const std::string& member) const { return {member}; }
+};
+
+/// Lists of colors, which may be empty.
+struct ColorLists {
+    std::string allowed() const;
+    bool read(const Value& value, std::vector<std::string>& member) const;
+    Value write(const std::vector<std::string>& member) const;
+};
+
+/// One word of a list.
+struct Words {
+    std::span<const std::string_view> words;
+
+    std::string allowed() const;
+    bool read(const Value& value, std::string& member) const;
+    Value write(const std::string& member) const { return {member}; }
+};
+
+/// At least one word of a list, each at most once. A single word may be written without brackets.
+struct WordLists {
+    std::span<const std::string_view> words;
+
+    std::string allowed() const;
+    bool read(const Value& value, std::vector<std::string>& member) const;
+    Value write(const std::vector<std::string>& member) const;
+};
+
+/// At least one integer of a range; an empty member is unset. A single integer may be written
+/// without brackets.
+struct IntegerLists {
+    Integers item;
+
+    std::string allowed() const { return item.allowed() + ", or a list of such"; }
+
+    template <class Integer>
+    bool read(const Value& value, std::vector<Integer>& member) const {
+        const auto* list = std::get_if<Value::List>(&value.data);
+        std::vector<Integer> found;
+        for (const Value& one : list != nullptr ? *list : Value::List{value}) {
+            if (!item.read(one, found.emplace_back())) {
+                return false;
+            }
+        }
+        if (found.empty()) {
+            return false;
+        }
+        member = std::move(found);
+        return true;
+    }
+    template <class Integer>
+    std::optional<Value> write(const std::vector<Integer>& member) const {
+        Value::List list;
+        for (const Integer one : member) {
+            list.push_back(item.write(one));
+        }
+        return member.empty() ? std::nullopt : std::optional(Value{std::move(list)});
+    }
+};
+
+/// Pairs [x, y] of numbers of one kind.
+template <class Coordinate>
+struct Pairs {
+    Coordinate coordinate;
+
+    std::string allowed() const { return "[x, y], each " + coordinate.allowed(); }
+
+    template <class Number>
+    bool read(const Value& value, std::array<Number, 2>& member) const {
+        const auto* list = std::get_if<Value::List>(&value.data);
+        std::array<Number, 2> pair{};
+        const bool allowed = list != nullptr && list->size() == 2 &&
+                             coordinate.read(list->front(), pair[0]) &&
+                             coordinate.read(list->back(), pair[1]);
+        member = allowed ? pair : member;
+        return allowed;
+    }
+    template <class Number>
+    Value write(const std::array<Number, 2>& member) const {
+        return {Value::List{coordinate.write(member[0]), coordinate.write(member[1])}};
+    }
+};
+
+using Points = Pairs<Reals>;
+using IntegerPairs = Pairs<Integers>;
+
+/// A value that may be unset.
+template <class ValueKind>
+struct Maybe {
+    ValueKind kind;
+
+    std::string allowed() const { return kind.allowed(); }
+
+    template <class Member>
+    bool read(const Value& value, std::optional<Member>& member) const {
+        Member found{};
+        const bool allowed = kind.read(value, found);
+        member = allowed ? std::optional(found) : member;
+        return allowed;
+    }
+    template <class Member>
+    std::optional<Value> write(const std::optional<Member>& member) const {
+        return member ? std::optional(kind.write(*member)) : std::nullopt;
+    }
+};
+
+/// Words for the values of an enumeration.
+template <class Enum, std::size_t count = 2>
+struct Choices {
+    std::array<std::pair<std::string_view, Enum>, count> choices;
+
+    std::string allowed() const {
+        std::array<std::string_view, count> words;
+        for (std::size_t k = 0; k < count; ++k) {
+            words[k] = choices[k].first;
+        }
+        return Words{words}.allowed();
+    }
+    bool read(const Value& value, Enum& member) const {
+        const auto* word = std::get_if<std::string>(&value.data);
+        for (const auto& [name, choice] : choices) {
+            if (word != nullptr && *word == name) {
+                member = choice;
+                return true;
+            }
+        }
+        return false;
+    }
+    std::string_view name_of(Enum member) const {
+        const auto found = std::find_if(choices.begin(), choices.end(), [&](const auto& choice) {
+            return choice.second == member;
+        });
+        return found->first;
+    }
+    Value write(Enum member) const { return {std::string(name_of(member))}; }
+};
+
+}  // namespace foam::texgen

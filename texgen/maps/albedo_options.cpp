@@ -1,0 +1,105 @@
+#include "texgen/maps/albedo_options.h"
+
+#include "texgen/image/colormap.h"
+#include "texgen/keys/value_kinds.h"
+
+#include <numbers>
+
+namespace foam::texgen {
+
+namespace {
+
+Keys<AlbedoOptions> bubble_keys() {
+    using Options = AlbedoOptions;
+    constexpr Choices<ColorBy, 4> kColorBys = {{{{"pressure", ColorBy::Pressure},
+                                                 {"area", ColorBy::Area},
+                                                 {"sides", ColorBy::Sides},
+                                                 {"random", ColorBy::Random}}}};
+    constexpr Choices<ColorMix> kColorMixes = {
+        {{{"blend", ColorMix::Blend}, {"pick", ColorMix::Pick}}}};
+    return {
+        key("color_by",
+            kColorBys,
+            "what decides the colour of a bubble: its pressure, its area, where the mean is the "
+            "middle of the colours, its sides from 3 to 9, or chance, for life",
+            &Options::color_by),
+        key("colormap", Words{colormap_names()}, "the colours", &Options::colormap),
+        key("colors",
+            ColorLists{},
+            "colours of your own instead, from the first to the last",
+            &Options::colors),
+        key("color_mix",
+            kColorMixes,
+            "colours of your own turn into each other, or only they themselves are used",
+            &Options::color_mix),
+        key("variation",
+            kFractions,
+            "bubbles are lighter or darker by up to this part, each for life",
+            &Options::variation),
+        key("pressure_low", kPressures, "pressure of the first colour", &Options::pressure_low)
+            .below("pressure_high"),
+        key("pressure_high",
+            kPressures,
+            "pressure of the last; above pressure_low",
+            &Options::pressure_high),
+        key("pressure_unit",
+            kPressureUnits,
+            "film tension over the root of the mean area: of the seeded foam or of this frame",
+            &Options::pressure_unit),
+        key("shade_color",
+            Colors{},
+            "sRGB colour that bubbles turn to beside films",
+            &Options::shade_color),
+        key("shade_width",
+            Reals{0.001, 10.0},
+            "how far it reaches, in diameters of a mean bubble of the seeded foam",
+            &Options::shade_width),
+        key("shade",
+            kFractions,
+            "the part of it right beside a film; 0 leaves bubbles flat",
+            &Options::shade)};
+}
+
+Keys<AlbedoOptions> film_keys() {
+    using Options = AlbedoOptions;
+    constexpr Choices<WidthUnit> kWidthUnits = {
+        {{{"px", WidthUnit::Pixels}, {"diameter", WidthUnit::Diameters}}}};
+    constexpr Choices<FilmProfile> kFilmProfiles = {
+        {{{"even", FilmProfile::Even}, {"wet", FilmProfile::Wet}}}};
+    return {key("film_color", Colors{}, "sRGB colour of the films", &Options::film_color),
+            key("film_width",
+                Reals{0.0, 1000.0},
+                "whole width of a film; 0 draws none",
+                &Options::film_width),
+            key("film_unit",
+                kWidthUnits,
+                "pixels, or diameters of a mean bubble of the seeded foam",
+                &Options::film_unit),
+            key("film_profile",
+                kFilmProfiles,
+                "films as wide everywhere, or wider where they meet, which gives bubbles round "
+                "corners",
+                &Options::film_profile)};
+}
+
+}  // namespace
+
+Keys<AlbedoOptions> albedo_keys() {
+    return joined({bubble_keys(), film_keys()});
+}
+
+double diameters_in_pixels(double diameters, const RasterGrid& grid, const Domain& domain) {
+    const double diameter = 2.0 * std::numbers::inv_sqrtpi;  // of a circle of area 1
+    return diameters * diameter * pixels_per_unit(grid, domain);
+}
+
+double film_width_in_pixels(const AlbedoOptions& options,
+                            const RasterGrid& grid,
+                            const Domain& domain) {
+    if (options.film_unit == WidthUnit::Pixels) {
+        return options.film_width;
+    }
+    return diameters_in_pixels(options.film_width, grid, domain);
+}
+
+}  // namespace foam::texgen

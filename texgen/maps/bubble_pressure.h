@@ -1,0 +1,24 @@
+#pragma once
+
+#include "texgen/keys/value_kinds.h"
+#include "texgen/maps/per_bubble.h"
+
+namespace foam::texgen {
+
+/// The unit of a pressure.
+enum class PressureUnit {
+    Seed,     // film tension over the square root of the seeded mean area, which is 1
+    Current,  // film tension over the square root of the frame's mean area: contrast outlives
+              // coarsening
+};
+
+inline constexpr Choices<PressureUnit> kPressureUnits = {
+    {{{"seed", PressureUnit::Seed}, {"current", PressureUnit::Current}}}};
+
+/// The pressures that keys accept, in either unit.
+inline constexpr Reals kPressures{-1e6, 1e6};
+
+/// Returns the pressures of all bubbles of a frame.
+PerBubble<double> pressures_of(const Frame& frame, PressureUnit unit);
+
+}  // namespace foam::texgen

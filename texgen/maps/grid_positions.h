@@ -1,0 +1,54 @@
+#pragma once
+
+#include "core/geometry/domain.h"
+#include "texgen/raster/coords/raster_grid.h"
+
+#include <cmath>
+#include <cstdint>
+
+namespace foam::texgen {
+
+/// Returns the center of a pixel, in subpixels of the shifted grid.
+inline SubpixelPoint pixel_centre(int x, int y) {
+    return {x * kSubpixel + kSubpixel / 2, y * kSubpixel + kSubpixel / 2};
+}
+
+/// Calls visit(point) with each copy of a point that is at most a reach (pixels) away from the
+/// image: one in the plane, all around a torus; to the nearest subpixel of the shifted grid. Shifts
+/// of the grid move all of them by whole pixels.
+template <class Visit>
+void for_each_copy(const RasterGrid& grid,
+                   const Domain& domain,
+                   const Vec2& point,
+                   double reach,
+                   const Visit& visit) {
+    const Vec2 size(grid.width, grid.height);
+    const auto is_near = [&](const Vec2& at) {
+        return (at.array() >= -reach).all() && (at.array() <= size.array() + reach).all();
+    };
+    if (domain.is_plane()) {
+        const Vec2 at = pixel_in_view(grid, point);
+        if (is_near(at)) {
+            visit(to_subpixel(at));
+        }
+        return;
+    }
+    const Vec2 home = point - domain.translation(domain.cell_of(point));
+    const SubpixelPoint shift{grid.shift_x * kSubpixel, grid.shift_y * kSubpixel};
+    const SubpixelPoint first = Snap(grid, domain)(home) - shift;
+    const Vec2 scale(size.x() / domain.width, size.y() / domain.height);
+    const Vec2 middle = 0.5 * size + Vec2(grid.shift_x, grid.shift_y);
+    const Vec2 from_middle = middle.cwiseQuotient(scale) - home;
+    const double far = reach + 0.5 * size.maxCoeff() + 1.0;
+    for (const LatticeOffset offset : domain.offsets_near(from_middle, far / scale.minCoeff())) {
+        const SubpixelPoint copy =
+            first + SubpixelPoint{offset.i * grid.width * kSubpixel +
+                                      offset.j * shear_in_subpixels(grid, domain),
+                                  offset.j * grid.height * kSubpixel};
+        if (is_near(Vec2(copy.x, copy.y) / kSubpixel)) {
+            visit(copy);
+        }
+    }
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,70 @@
+#include "texgen/maps/number_channels.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <utility>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr int kWithOpacity = 4;
+
+/// Removes and returns the first word; empty if there is none.
+std::string_view take_word(std::string_view& words) {
+    const std::size_t end = std::min(words.find(' '), words.size());
+    const std::string_view word = words.substr(0, end);
+    words.remove_prefix(std::min(end + 1, words.size()));
+    return word;
+}
+
+Samples samples_of(MapImage map) {
+    if (const auto* colors = std::get_if<ColorPixels>(&map)) {
+        return premultiplied(*colors);
+    }
+    if (auto* numbers = std::get_if<NumberPixels>(&map)) {
+        return std::move(numbers->pixels);
+    }
+    return std::move(std::get<IdPixels>(map).pixels);
+}
+
+}  // namespace
+
+ChannelGroup number_channels(MapImage map, const ChannelNames& names, SampleType numbers) {
+    const SampleType type = number_type(map, numbers);
+    ChannelGroup group{{}, type, samples_of(std::move(map))};
+    const std::string prefix = names.layer.empty() ? "" : std::string(names.layer) + '.';
+    std::string_view rest = names.channels;
+    for (int k = 0; k < group.channels(); ++k) {
+        const std::string_view word = take_word(rest);
+        group.names.push_back(prefix + (word.empty() ? "A" : std::string(word)));
+    }
+    return group;
+}
+
+SampleType number_type(const MapImage& map, SampleType numbers) {
+    if (std::holds_alternative<ColorPixels>(map)) {
+        return SampleType::Half;
+    }
+    return std::holds_alternative<IdPixels>(map) ? SampleType::Uint32 : numbers;
+}
+
+Image<float> premultiplied(const ColorPixels& colors) {
+    const Image<std::uint16_t>& from = colors.pixels;
+    Image<float> light(from.width(), from.height(), from.channels());
+    std::ranges::transform(from.samples(), light.samples().begin(), [](std::uint16_t value) {
+        return static_cast<float>(value) / static_cast<float>(kWhite);
+    });
+    if (from.channels() == kWithOpacity) {
+        const auto samples = light.samples();
+        for (std::size_t k = 0; k < samples.size(); k += kWithOpacity) {
+            for (std::size_t channel = 0; channel + 1 < kWithOpacity; ++channel) {
+                samples[k + channel] *= samples[k + kWithOpacity - 1];
+            }
+        }
+    }
+    return light;
+}
+
+}  // namespace foam::texgen

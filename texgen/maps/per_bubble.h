@@ -1,0 +1,29 @@
+#pragma once
+
+#include "core/foam/frame.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace foam::texgen {
+
+/// A value for every bubble of a frame: first those of the network by their ids, then the lone
+/// ones.
+template <class Value>
+using PerBubble = std::vector<Value>;
+
+/// Returns of(id) for every bubble of the network and of_lone(bubble) for every lone one.
+template <class Value, class Of, class OfLone>
+PerBubble<Value> per_bubble(const Frame& frame, const Of& of, const OfLone& of_lone) {
+    PerBubble<Value> values;
+    values.reserve(frame.bubbles.size() + frame.lone_bubbles.size());
+    for (std::size_t k = 0; k < frame.bubbles.size(); ++k) {
+        values.push_back(of(id_at<BubbleId>(k)));
+    }
+    for (const LoneBubble& bubble : frame.lone_bubbles) {
+        values.push_back(of_lone(bubble));
+    }
+    return values;
+}
+
+}  // namespace foam::texgen

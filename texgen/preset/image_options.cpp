@@ -1,0 +1,47 @@
+#include "texgen/preset/image_options.h"
+
+#include "texgen/keys/value_kinds.h"
+#include "texgen/maps/all_maps.h"
+
+#include <fmt/core.h>
+
+#include <functional>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr int kLargestExtent = 16384;  // 1 GB of RGBA
+
+// Values of image.size: [width, height] in pixels.
+struct Sizes {
+    Integers extent{1, kLargestExtent};
+
+    std::string allowed() const {
+        return fmt::format("[width, height], each {}", extent.allowed());
+    }
+    bool read(const Value& value, ImageOptions& member) const {
+        const auto* list = std::get_if<Value::List>(&value.data);
+        ImageOptions sized = member;
+        const bool allowed = list != nullptr && list->size() == 2 &&
+                             extent.read(list->front(), sized.width) &&
+                             extent.read(list->back(), sized.height);
+        member = allowed ? sized : member;
+        return allowed;
+    }
+    Value write(const ImageOptions& member) const {
+        return {Value::List{extent.write(member.width), extent.write(member.height)}};
+    }
+};
+
+}  // namespace
+
+Keys<ImageOptions> image_keys() {
+    return {key_by<ImageOptions>("size", Sizes{}, "pixels", std::identity()),
+            key("maps",
+                WordLists{map_names()},
+                "the images drawn of every frame",
+                &ImageOptions::maps)};
+}
+
+}  // namespace foam::texgen

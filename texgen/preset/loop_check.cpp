@@ -1,0 +1,92 @@
+#include "texgen/preset/loop_check.h"
+
+#include "texgen/preset/rejection.h"
+
+#include <array>
+#include <string_view>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr double kLargestStrain = 0.4;
+
+void check_torus(const Preset& preset, std::span<const Assignment> assignments) {
+    const LoopOptions& loop = preset.loop;
+    if (preset.shape.kind == FoamKind::Torus) {
+        return;
+    }
+    if (loop.kind == LoopKind::Shear || loop.kind == LoopKind::Drift) {
+        reject_last(
+            assignments, {"loop.kind", "foam.domain"}, "a patch has no torus to shear or travel");
+    }
+    if (loop.kind == LoopKind::Flow) {
+        reject_last(assignments,
+                    {"loop.kind", "foam.domain"},
+                    "a patch loses its gas, and so has no steady state to flow in");
+    }
+}
+
+void check_drift(const Preset& preset, std::span<const Assignment> assignments) {
+    const LoopOptions& loop = preset.loop;
+    const bool drifts = loop.drift != std::array{0, 0};
+    if (loop.kind == LoopKind::Drift && !drifts) {
+        reject_last(
+            assignments, {"loop.kind", "loop.drift"}, "loop.drift says how far: [0, 1] is one up");
+    }
+    if (drifts && !loop.closes_itself() && !loop.is_cross_faded()) {
+        reject_last(assignments,
+                    {"loop.drift", "loop.kind"},
+                    "loop.drift is for loop.kind \"drift\", \"breathe\", \"shear\" and \"flow\"");
+    }
+}
+
+void check_frames(const Preset& preset, std::span<const Assignment> assignments) {
+    const bool is_pingpong = preset.loop.kind == LoopKind::PingPong;
+    if (is_pingpong && (preset.frames.count < 2 || preset.frames.count % 2 != 0)) {
+        reject_last(assignments,
+                    {"frames.count", "loop.kind"},
+                    "of a pingpong, frames.count must be even: both ends are shown once");
+    }
+    if (!is_pingpong && preset.frames.first == FirstFrame::Diagram) {
+        reject_last(
+            assignments, {"frames.first", "loop.kind"}, "a loop has no frame of the diagram");
+    }
+    if (!is_pingpong && !preset.events.empty()) {
+        reject_last(assignments, {"loop.kind"}, "but for a pingpong, a loop has no events");
+    }
+}
+
+// A flow is stationary, and needs time to pass.
+void check_flow(const Preset& preset, std::span<const Assignment> assignments) {
+    if (preset.loop.kind != LoopKind::Flow) {
+        return;
+    }
+    if (preset.frames.time_step == 0.0) {
+        reject_last(assignments,
+                    {"frames.time_step", "loop.kind"},
+                    "of a flow, frames.time_step must be above 0: bubbles vanish as gas diffuses");
+    }
+    if (preset.frames.step_growth != 1.0) {
+        reject_last(assignments,
+                    {"frames.step_growth", "loop.kind"},
+                    "of a flow, frames.step_growth must be 1: it is as fast at all times");
+    }
+}
+
+}  // namespace
+
+void check_loop(const Preset& preset, std::span<const Assignment> assignments) {
+    check_drift(preset, assignments);
+    if (preset.loop.kind == LoopKind::None) {
+        return;
+    }
+    check_torus(preset, assignments);
+    check_frames(preset, assignments);
+    check_flow(preset, assignments);
+    if (preset.loop.kind == LoopKind::Shear && preset.loop.amplitude > kLargestStrain) {
+        reject_last(assignments, {"loop.amplitude", "loop.kind"}, "of a shear, at most 0.4");
+    }
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,110 @@
+#include "texgen/preset/preset_keys.h"
+
+#include "texgen/keys/value_kinds.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr std::int64_t kLargestSeed = std::numeric_limits<std::int64_t>::max();  // of TOML
+
+Keys<SeedingOptions> seeding_keys() {
+    using Options = SeedingOptions;
+    return {key("bubbles",
+                Integers{4, 1'000'000},
+                "bubbles of the seeded foam, whose mean area is 1; of a patch about so many",
+                &Options::bubbles),
+            key("seed",
+                Integers{0, kLargestSeed},
+                "another seed, another foam of the same kind",
+                &Options::seed),
+            key("lloyd",
+                Integers{0, 1000},
+                "rounds of Lloyd relaxation: 0 is wild, 10 and more nearly regular",
+                &Options::lloyd_iterations),
+            key("area_ratio",
+                Reals{.low = 1.0, .high = 100.0, .or_zero = true},
+                "largest over smallest bubble area; 0 leaves the areas as they fall",
+                &Options::area_ratio),
+            key("surface_tension",
+                Reals{1e-6, 1e3},
+                "gamma; a film pulls with twice this",
+                &Options::surface_tension)};
+}
+
+Keys<SolverOptions> solver_keys() {
+    constexpr Choices<Solver, 3> kSolvers = {
+        {{{"newton", Solver::Newton},
+          {"gauss-seidel", Solver::GaussSeidel},
+          {"gauss-seidel-colored", Solver::ColoredGaussSeidel}}}};
+    return {key("solver",
+                kSolvers,
+                "what finds equilibrium: Newton's method, or the paper's own, in turn or on all "
+                "threads, hundreds of times slower",
+                &SolverOptions::solver),
+            key("tolerance",
+                Reals{1e-9, 1e-2},
+                "largest error of areas, relative, and of angles, in radians; 1e-4 for "
+                "gauss-seidel",
+                &SolverOptions::tolerance)};
+}
+
+Keys<CoarseningOptions> coarsening_keys() {
+    return {key("kappa",
+                Reals{0.0, 1000.0},
+                "diffusion: dA/dt = (2 pi / 3) surface_tension kappa (sides - 6)",
+                &CoarseningOptions::kappa)};
+}
+
+Keys<TopologyThresholds> threshold_keys() {
+    return {key("t1_distance",
+                Reals{0.001, 0.25},
+                "a film shorter than this may swap neighbours, in foam units",
+                &TopologyThresholds::t1_distance),
+            key("t2_area",
+                Reals{0.0001, 0.25},
+                "a three-sided bubble no larger than this vanishes, in foam units",
+                &TopologyThresholds::t2_area)};
+}
+
+Keys<Preset> all_keys() {
+    using P = Preset;
+    return joined({{key("preset.description",
+                        Text{.or_empty = true},
+                        "what the preset shows, in one line",
+                        &P::description)},
+                   keys_in("foam", &P::shape, shape_keys()),
+                   keys_in("foam", &P::seeding, seeding_keys()),
+                   keys_in("foam", &P::equilibrium, solver_keys()),
+                   keys_in("dynamics", &P::coarsening, coarsening_keys()),
+                   keys_in("dynamics", &P::thresholds, threshold_keys()),
+                   keys_in("frames", &P::frames, frames_keys()),
+                   keys_in("loop", &P::loop, loop_keys()),
+                   keys_in("image", &P::image, image_keys()),
+                   keys_in("camera", &P::camera, camera_keys()),
+                   keys_in("", &P::maps, map_keys()),
+                   keys_in("output", &P::output, output_keys())});
+}
+
+}  // namespace
+
+std::span<const Key<Preset>> preset_keys() {
+    static const Keys<Preset> keys = all_keys();
+    return keys;
+}
+
+const Key<Preset>* find_key(std::string_view path) {
+    return find_key(preset_keys(), path);
+}
+
+bool is_table(std::string_view name) {
+    const auto keys = preset_keys();
+    return std::any_of(
+        keys.begin(), keys.end(), [&](const KeyInfo& key) { return key.table() == name; });
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,57 @@
+#include "texgen/preset/rejection.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <variant>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr std::size_t kLongestShown = 60;  // characters of a value in an error
+
+// Cuts a text at a whole UTF-8 character.
+std::string shortened(std::string text) {
+    if (text.size() > kLongestShown) {
+        std::size_t end = kLongestShown;
+        while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) {
+            --end;
+        }
+        text.replace(end, std::string::npos, "...");
+    }
+    return text;
+}
+
+}  // namespace
+
+void reject(const Assignment& assignment, std::string_view reason) {
+    throw PresetError(fmt::format("{}: key '{}' = {}: {}",
+                                  assignment.location,
+                                  assignment.key,
+                                  shortened(to_toml(assignment.value)),
+                                  reason));
+}
+
+void reject_last(std::span<const Assignment> assignments,
+                 std::initializer_list<std::string_view> keys,
+                 std::string_view reason) {
+    const auto last =
+        std::find_if(assignments.rbegin(), assignments.rend(), [&](const Assignment& assignment) {
+            return std::find(keys.begin(), keys.end(), assignment.key) != keys.end();
+        });
+    reject(last != assignments.rend() ? *last : assignments.back(), reason);
+}
+
+void reject_unknown(const Assignment& assignment, std::string_view meant) {
+    const bool table = std::holds_alternative<Value::Table>(assignment.value.data);
+    reject(assignment,
+           fmt::format("unknown {}; {}",
+                       table ? "table" : "key",
+                       meant.empty() ? "'foamtex presets keys' lists all there are"
+                                     : fmt::format("did you mean '{}'?", meant)));
+}
+
+}  // namespace foam::texgen
