@@ -15,6 +15,7 @@ namespace {
 std::span<const std::string_view> kind_names() {
     static const std::vector<std::string_view> names = [] {
         std::vector<std::string_view> all;
+        all.reserve(std::size(kEventKinds));
         for (const EventKind& kind : kEventKinds) {
             all.push_back(kind.name);
         }

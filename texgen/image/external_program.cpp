@@ -60,6 +60,7 @@ std::optional<int> run_external(std::vector<std::string> arguments,
                                 const ExternalOptions& options) {
     const std::string program = arguments.front();
     std::vector<char*> pointers;
+    pointers.reserve(arguments.size() + 1);
     for (std::string& argument : arguments) {
         pointers.push_back(argument.data());
     }

@@ -200,8 +200,11 @@ inline std::int64_t InsetTracer::pieces_too_near(const SideLanes& sides) const {
                              distance;
             const double bend = squared_chord * (own_curvature + std::abs(sides.curvature[lane]));
             const bool bends = bend > p[lane] + q + 2.0 * min_value(p[lane], q);
-            const bool shares_tail = (piece == sides.side[lane]) | (piece == sides.after[lane]);
-            const bool shares_head = (piece == sides.side[lane]) | (piece == sides.before[lane]);
+            const bool is_side = piece == sides.side[lane];
+            const bool is_after = piece == sides.after[lane];
+            const bool is_before = piece == sides.before[lane];
+            const bool shares_tail = is_side | is_after;
+            const bool shares_head = is_side | is_before;
             const bool is_too_near = (!shares_tail & (p[lane] < 0.0)) | (!shares_head & (q < 0.0)) |
                                      (!shares_tail & !shares_head & bends);
             too_near[lane] |= is_too_near ? 1 : 0;
