@@ -19,7 +19,7 @@ namespace {
 // A step of the whole foam that leaves more than this share of the residual is slow: it is held
 // back by defect regions.
 constexpr double kSlowRatio = 0.1;
-// If T1s in defect regions have led nowhere in this many rounds, the regions are given up.
+// After this many rounds without equilibrium, regions are no longer solved on their own.
 constexpr int kRoundsWithRegions = 20;
 // Where Newton's method stalls, every so many relaxations are of the whole foam.
 constexpr int kGlobalRelaxationPeriod = 4;

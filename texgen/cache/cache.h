@@ -13,7 +13,7 @@ namespace foam::texgen {
 /// read; many programs may at once, also while a simulation still adds states.
 class Cache {
   public:
-    /// Throws InputError where the folder is no cache, or one of another version.
+    /// Throws InputError where the folder is no cache, or one of a newer file format.
     explicit Cache(std::filesystem::path folder);
 
     const CacheInfo& info() const { return info_; }

@@ -30,8 +30,8 @@ std::filesystem::path pressures_path(const std::filesystem::path& folder);
 /// Writes the description of a cache. Throws OutputError.
 void write_info(const CacheInfo& info, const std::filesystem::path& folder);
 
-/// Reads the description of a cache. Throws InputError if the folder is no cache, or one of another
-/// version.
+/// Reads the description of a cache. Throws InputError if the folder is no cache, or one of a newer
+/// file format.
 CacheInfo read_info(const std::filesystem::path& folder);
 
 }  // namespace foam::texgen

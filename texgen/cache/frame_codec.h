@@ -7,7 +7,7 @@ namespace foam::texgen {
 
 // A frame in about 105 bytes a bubble, before compression: of its topology only which half-edges
 // leave every junction, and one half-edge of every bubble, from which all else follows; of its
-// geometry what arcs and areas are computed from (README.md has the format).
+// geometry what arcs and areas are computed from (README.md says what is kept).
 
 void write_frame(const Frame& frame, ByteWriter& writer);
 

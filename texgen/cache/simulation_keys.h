@@ -8,12 +8,13 @@
 namespace foam::texgen {
 
 /// Returns true if the keys of a table of presets decide the states of a simulation. A table does,
-/// unless it is listed as one that decides only how states look: an unknown table makes a new
-/// simulation, never a stale picture.
+/// unless it is listed as one that decides only how states look: a table that nobody has thought of
+/// here cannot be changed at a render.
 bool decides_simulation(std::string_view table);
 
 /// Returns a hash of everything that decides the states of a simulation, and of the version of
-/// foamtex.
+/// foamtex. It is written into every file of a cache, and a reader rejects files of another
+/// simulation than that of cache.json.
 std::string simulation_hash(const Preset& preset);
 
 /// Throws PresetError, which names the key, if the changed preset needs another simulation: one of

@@ -34,8 +34,8 @@ Image<float> fill_numbers(FrameLayers& layers, const CellNumbers& numbers, doubl
 /// The same with films of no width.
 Image<float> fill_numbers(FrameLayers& layers, const PerBubble<double>& bubbles);
 
-/// Values by the ids of a DistanceField: those of bubbles, with that of what is around a patch in
-/// between.
+/// Returns a table of values by the ids of a DistanceField: first the bubbles, then, in a patch,
+/// `around` for all that lies around it, then the lone bubbles.
 template <class Value>
 std::vector<Value> by_cell_id(const FrameLayers& layers, PerBubble<Value> values, Value around) {
     if (layers.is_patch()) {

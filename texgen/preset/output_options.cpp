@@ -16,8 +16,8 @@ Keys<OutputOptions> file_keys() {
                                                          {"none", Compression::None}}}};
     return {key("pattern",
                 Text{},
-                "file names: {preset} and {map} are filled in, #### is the frame; .png, or .exr, "
-                "which without {map} holds all maps",
+                "file names: {preset} and {map} are filled in, #### is the frame, and the suffix "
+                "decides the format; an EXR without {map} holds all maps",
                 &Options::pattern),
             key("texts",
                 kTexts,
