@@ -1,12 +1,10 @@
 #include "texgen/events/all_events.h"
 
-#include "tests/support/places.h"
+#include "tests/support/readme_table.h"
 #include "texgen/preset/assignment.h"
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <iterator>
 #include <set>
 #include <string>
 
@@ -48,11 +46,7 @@ TEST(AllEvents, AKindIsOneOfTheNames) {
 }
 
 TEST(AllEvents, TheReadmeHasTheTableOfKinds) {
-    std::ifstream file(foam::test::readme());
-    const std::string readme{std::istreambuf_iterator<char>(file), {}};
-    EXPECT_NE(readme.find(describe_event_kinds_in_markdown()), std::string::npos)
-        << "the table must be:\n"
-        << describe_event_kinds_in_markdown();
+    foam::test::expect_in_readme(describe_event_kinds_in_markdown());
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "texgen/maps/all_maps.h"
 
 #include "tests/support/places.h"
+#include "tests/support/readme_table.h"
 #include "tests/texgen/maps/map_subjects.h"
 #include "tests/texgen/maps/seam.h"
 #include "tests/texgen/pictures.h"
@@ -16,8 +17,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <ostream>
 #include <stdexcept>
 #include <string>
@@ -260,10 +259,7 @@ TEST(AllMaps, AnUnknownOneIsRefusedWithThoseThereAre) {
 }
 
 TEST(AllMaps, StandInTheReadme) {
-    std::ifstream file(foam::test::readme());
-    const std::string readme{std::istreambuf_iterator<char>(file), {}};
-    EXPECT_NE(readme.find(describe_maps_in_markdown()), std::string::npos)
-        << "print it with: foamtex maps --markdown";
+    foam::test::expect_in_readme(describe_maps_in_markdown());
 }
 
 }  // namespace
