@@ -1,4 +1,5 @@
 #include "core/io/format_error.h"
+#include "core/parallel/simd_level.h"
 #include "texgen/cli/command.h"
 #include "texgen/image/file_io.h"
 #include "texgen/preset/assignment.h"
@@ -62,6 +63,7 @@ ExitCode parse_and_run(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return report_parse(app, error);
     }
+    simd_level();  // throws here, before any work, if FOAMTEX_SIMD is wrong
     return action();
 }
 

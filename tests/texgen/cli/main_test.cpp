@@ -39,6 +39,15 @@ TEST(Main, ABadCommandLineIsOneLineAndCode2) {
     expect_refused("bake sea_foam -q -v", "--quiet excludes --verbose (see foamtex --help)");
 }
 
+TEST(Main, AnUnknownSimdLevelIsOneLineAndCode2) {
+    setenv("FOAMTEX_SIMD", "mmx", 1);
+    const Outcome outcome = run_program("bake sea_foam");
+    unsetenv("FOAMTEX_SIMD");
+    EXPECT_EQ(outcome.code, static_cast<int>(ExitCode::BadRequest));
+    EXPECT_EQ(outcome.err.find("foamtex: FOAMTEX_SIMD is 'mmx'; this machine has baseline"), 0U);
+    EXPECT_TRUE(outcome.written.empty());
+}
+
 TEST(Main, AnOutputThatCannotBeWrittenIsCode5) {
     const Outcome outcome = run_program(
         "bake sea_foam --set foam.bubbles=16 --frames 1 --size 8 --out /proc/self/none.png");
