@@ -11,7 +11,7 @@ struct NewtonOptions {
     int max_iterations = 40;
     double force_tolerance = 1e-11;  // stops when every force is below this, in film tensions ...
     double area_tolerance = 1e-11;   // ... and every area error is, relative to the target
-    double largest_move = 0.4;       // relative motion of a film's ends in an iteration, in its length
+    double largest_move = 0.4;  // relative motion of a film's ends in an iteration, in its length
     // Stops with Slow after a step with a new factor that leaves more than this share of the
     // residual.
     double slow_ratio = 1.0;

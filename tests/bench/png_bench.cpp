@@ -5,7 +5,7 @@
 #include "tests/bench/bench_foams.h"
 #include "texgen/image/png.h"
 #include "texgen/maps/albedo.h"
-#include "texgen/raster/distance.h"
+#include "texgen/raster/distance/distance.h"
 
 #include <fmt/core.h>
 #include <png.h>

@@ -11,7 +11,7 @@ namespace foam::test {
 
 /// What a brute-force rasterizer makes of a frame: for each pixel (rows upward) the part of it that
 /// each bubble shows, by point samples. Shares no code with the rasterizer.
-/// Of a patch, what lies around it and lone bubbles follow as in CellOutlines.
+/// Of a patch, what lies around it and lone bubbles follow as in CellValues.
 struct SampledCoverage {
     int width = 0;
     int height = 0;

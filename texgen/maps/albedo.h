@@ -23,7 +23,7 @@ inline constexpr MapTraits kAlbedoMap = {
 ColorPixels draw_albedo(FrameLayers& layers, const AlbedoOptions& options);
 
 /// Draws the same as an sRGB image of a single frame. The result does not depend on the number of
-/// threads. Throws as outline_cells does, too.
+/// threads. Throws as cell_arcs does, too.
 Image<std::uint8_t> albedo(const Frame& frame,
                            const RasterGrid& grid,
                            const AlbedoOptions& options,

@@ -1,5 +1,7 @@
 #include "texgen/maps/frame_layers.h"
 
+#include "texgen/raster/distance/distance.h"
+
 #include <stdexcept>
 
 namespace foam::texgen {
@@ -19,13 +21,6 @@ const DistanceField& FrameLayers::distance() {
         write_distance_field(frame(), grid_, input_.distance, threads_, distance_.emplace());
     }
     return *distance_;
-}
-
-const CellOutlines& FrameLayers::outlines() {
-    if (!outlines_) {
-        outlines_ = outline_cells(frame(), grid_, threads_);
-    }
-    return *outlines_;
 }
 
 const CellArcs& FrameLayers::arcs(double film_width) {

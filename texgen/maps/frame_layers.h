@@ -2,9 +2,8 @@
 
 #include "core/foam/frame.h"
 #include "texgen/maps/foam_record.h"
-#include "texgen/raster/distance.h"
+#include "texgen/raster/distance/distance_field.h"
 #include "texgen/raster/outline/cell_arcs.h"
-#include "texgen/raster/outlines.h"
 
 #include <map>
 #include <optional>
@@ -34,8 +33,6 @@ class FrameLayers {
     int threads() const { return threads_; }
     bool is_patch() const { return frame().domain.is_plane(); }
 
-    /// Returns the outlines of cells between films of no width. Throws as outline_cells.
-    const CellOutlines& outlines();
     /// Returns the cells without their films, for a width in pixels. Throws as cell_arcs.
     const CellArcs& arcs(double film_width);
     const DistanceField& distance();
@@ -46,7 +43,6 @@ class FrameLayers {
     FrameInput input_;
     RasterGrid grid_;
     int threads_;
-    std::optional<CellOutlines> outlines_;
     std::map<double, CellArcs> arcs_;  // by the width of films
     std::optional<DistanceField> distance_;
 };

@@ -6,8 +6,7 @@
 #include "texgen/maps/frame_layers.h"
 #include "texgen/maps/grid_positions.h"
 #include "texgen/maps/junction_motion.h"
-#include "texgen/raster/bands.h"
-#include "texgen/raster/cell_mask.h"
+#include "texgen/raster/distance/frame_regions.h"
 
 #include <fmt/core.h>
 
@@ -87,12 +86,11 @@ class CircleMotion {
     double growth_ = 0.0;  // of the radius, a part of it
 };
 
-// Paints motion into the pixels whose middle an outline goes around.
+// Paints motion into the pixels of all bubbles.
 class MotionPainter {
   public:
     MotionPainter(FrameLayers& layers, const MotionOptions& options)
         : layers_(layers),
-          cells_(layers.outlines()),
           foam_(layers),
           scale_(pixels_per_unit(layers.grid(), layers.frame().domain)),
           unit_(options.unit == MotionUnit::Image ? layers.grid().width : 1.0),
@@ -101,62 +99,53 @@ class MotionPainter {
     Image<float> paint() {
         const RasterGrid& grid = layers_.grid();
         Image<float> image(grid.width, grid.height, 2);
-        const Bands bands(cells_, grid.height);
-        for (const Bands::Entry& entry : bands.entries(0)) {
-            const Outline& outline = cells_.outlines[entry.region];
-            if (!layers_.is_around(static_cast<std::uint32_t>(index_of(outline.bubble)))) {
-                paint_cell(outline, entry.translation, image.view());
+        const FrameRegions regions(layers_.frame(), grid, layers_.threads());
+        const Buckets<RegionCopy> copies = regions.copies_by_band(grid.height, layers_.threads());
+        for (const RegionCopy& copy : copies.items) {
+            if (regions.regions()[copy.region].kind != RegionKind::Surroundings) {
+                pixels_.place(regions, copy, {0, grid.height});
+                paint_region(copy.translation, image.view());
             }
         }
         return image;
     }
 
   private:
-    void paint_cell(const Outline& outline, SubpixelPoint translation, ImageView<float> image) {
+    void paint_region(SubpixelPoint translation, ImageView<float> image) {
         const std::size_t bubbles = layers_.frame().bubbles.size();
-        const std::size_t index = index_of(outline.bubble);
+        const std::size_t index = pixels_.region().id;
         if (index < bubbles) {
-            const BoundaryMotion boundary = foam_.around(outline.bubble);
-            const Vec2 first = first_junction(outline, translation);
-            paint_pixels(outline, translation, image, [&](const Vec2& at) {
-                return motion_at(boundary, at - first);
-            });
+            const BoundaryMotion boundary = foam_.around(id_at<BubbleId>(index));
+            const Vec2 first = first_junction(translation);
+            paint_pixels(image, [&](const Vec2& at) { return motion_at(boundary, at - first); });
         } else {
             const LoneBubble& lone = layers_.frame().lone_bubbles[index - bubbles - 1];
             const CircleMotion circle(lone, layers_.next(), scale_);
             const Vec2 centre = pixel_in_view(layers_.grid(), lone.centre);
-            paint_pixels(outline, translation, image, [&](const Vec2& at) {
-                return circle.at(at - centre);
-            });
+            paint_pixels(image, [&](const Vec2& at) { return circle.at(at - centre); });
         }
     }
 
-    // Around a torus an outline begins with it, rounded.
-    Vec2 first_junction(const Outline& outline, SubpixelPoint translation) const {
+    // On a torus it is rounded to subpixels, so that shifts are exact.
+    Vec2 first_junction(SubpixelPoint translation) const {
+        const Region& region = pixels_.region();
         if (layers_.is_patch()) {
             const Network& network = layers_.frame().network;
-            return pixel_in_view(
-                layers_.grid(),
-                layers_.frame().positions[network.tail(network.first(outline.bubble))]);
+            const JunctionId first = network.tail(network.first(id_at<BubbleId>(region.id)));
+            return pixel_in_view(layers_.grid(), layers_.frame().positions[first]);
         }
-        const SubpixelPoint first = cells_.chain(outline).front() + translation;
+        const SubpixelPoint first = region.first + translation;
         return Vec2(first.x, first.y) / kSubpixel;
     }
 
     template <class MotionOf>
-    void paint_pixels(const Outline& outline,
-                      SubpixelPoint translation,
-                      ImageView<float> image,
-                      const MotionOf& motion_of) {
-        const PixelBox box = box_around(outline, translation);
-        mask_.reset(box.columns(), box.rows());
-        mask_.fill(cells_.chain(outline),
-                   translation - SubpixelPoint{box.left * kSubpixel, box.bottom * kSubpixel});
-        const int top = std::min(box.top, image.height());
-        for (int y = std::max(box.bottom, 0); y < top; ++y) {
-            mask_.for_each_run(y - box.bottom, [&](int begin, int end) {
-                for (int x = box.left + begin; x < box.left + end; ++x) {
-                    write(image, x, y, motion_of);
+    void paint_pixels(ImageView<float> image, const MotionOf& motion_of) const {
+        const PixelMask& mask = pixels_.mask();
+        const PixelBox& box = pixels_.box();
+        for (int row = mask.rows().begin; row < mask.rows().end; ++row) {
+            mask.for_each_span(row, [&](int begin, int count) {
+                for (int x = box.left + begin; x < box.left + begin + count; ++x) {
+                    write(image, x, box.bottom + row, motion_of);
                 }
             });
         }
@@ -164,9 +153,6 @@ class MotionPainter {
 
     template <class MotionOf>
     void write(ImageView<float> image, int x, int y, const MotionOf& motion_of) const {
-        if (layers_.is_patch() && (x < 0 || x >= image.width())) {
-            return;
-        }
         const Vec2 motion = motion_of(Vec2(x + 0.5, y + 0.5)) / unit_;
         const auto pixel = image.pixel(wrap(x, image.width()), y);
         pixel[0] = static_cast<float>(motion.x());
@@ -174,12 +160,11 @@ class MotionPainter {
     }
 
     FrameLayers& layers_;
-    const CellOutlines& cells_;
     FoamMotion foam_;
     double scale_;
     double unit_;
     double up_;
-    CellMask mask_;
+    RegionPixels pixels_;
 };
 
 }  // namespace

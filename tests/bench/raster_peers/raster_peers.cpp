@@ -6,7 +6,7 @@
 #include "tests/bench/raster_peers/race.h"
 #include "tests/support/raster_reference.h"
 #include "tests/support/sample_foams.h"
-#include "texgen/raster/distance.h"
+#include "texgen/raster/distance/distance.h"
 #include "texgen/raster/outline/cell_arcs.h"
 
 #include <fmt/core.h>

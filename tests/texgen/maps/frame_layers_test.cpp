@@ -21,7 +21,6 @@ TEST(FrameLayers, TheNextFrameMustBeThere) {
 TEST(FrameLayers, SharedLayersAreMadeOnce) {
     const test::MapSubject& subject = test::torus_subject();
     FrameLayers layers(subject.input(), test::torus_grid(16), 1);
-    EXPECT_EQ(&layers.outlines(), &layers.outlines());
     EXPECT_EQ(&layers.distance(), &layers.distance());
     EXPECT_EQ(&layers.arcs(2.0), &layers.arcs(2.0));
     EXPECT_NE(&layers.arcs(2.0), &layers.arcs(3.0));

@@ -8,11 +8,11 @@ namespace {
 
 // Finds crossing(arc, position) for all positions of a query.
 template <class Real, class Crossing>
-inline void find_of(const RisingArcOf<Real>& equation,
+inline void find_of(const CrossingSolver<Real>& equation,
                     const ArcCrossings& crossings,
                     const Crossing& crossing,
                     std::int32_t* to) {
-    const RisingArcOf<Real> arc = equation;  // a copy, which no store changes
+    const CrossingSolver<Real> arc = equation;  // a copy, which no store changes
     const std::int32_t step = crossings.step;
     const std::int32_t offset = crossings.offset;
     const std::int32_t sign = crossings.sign;

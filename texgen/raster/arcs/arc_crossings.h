@@ -1,26 +1,102 @@
 #pragma once
 
-#include "texgen/raster/arcs/rising_arc.h"
+#include "core/geometry/vec2.h"
 #include "texgen/raster/coords/fixed_point.h"
 
+#include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
 namespace foam::texgen {
 
-/// A rising arc in subpixels, from its lower end; crossings are rounded to the nearest. For arcs of
-/// up to 256 pixels they are computed in floats, to 1/10 of a subpixel; for longer ones in doubles.
-class SubpixelArc {
+/// Rounds to the nearest, ties up. Precondition: |x| < 2^30.
+inline std::int32_t rounded(double x) {
+    constexpr std::int32_t kBias = 1 << 30;  // makes the sum positive, where truncation is floor
+    return static_cast<std::int32_t>(x + (kBias + 0.5)) - kBias;
+}
+
+/// Rounds to the nearest, ties to even. Precondition: |x| < 2^22.
+inline std::int32_t rounded(float x) {
+    constexpr float kWhole = 0x1.8p23F;  // beside which floats are whole numbers
+    return std::bit_cast<std::int32_t>(x + kWhole) - std::bit_cast<std::int32_t>(kWhole);
+}
+
+/// Solves for where an arc crosses heights and columns. The arc rises from the origin, and goes
+/// back neither in x nor in y.
+///
+/// From the middle of its chord d, an arc of half angle a runs through the q where
+///     cos a (d x q) + sin a (d² / 4 - q²) = 0,
+/// which is quadratic in x for a given y, and in y for a given x. The root that is on the arc has a
+/// form in which nothing cancels.
+template <class Real>
+class CrossingSolver {
   public:
-    SubpixelArc() = default;
-    /// See RisingArcOf.
-    SubpixelArc(SubpixelPoint head, double sine)
+    CrossingSolver() = default;
+
+    /// Half the angle by which the arc turns left is given by its sine, and by its cosine if that
+    /// is known. Precondition: head.y() > 0.
+    CrossingSolver(const Vec2& head, double sine)
+        : CrossingSolver(head, std::sqrt(1.0 - sine * sine), sine) {}
+    CrossingSolver(const Vec2& head, double cosine, double sine)
+        : half_x_(static_cast<Real>(0.5 * head.x())),
+          half_y_(static_cast<Real>(0.5 * head.y())),
+          sine_(static_cast<Real>(sine)),
+          bulge_(static_cast<Real>(0.25 * sine * head.squaredNorm())),
+          across_(static_cast<Real>(cosine * head.x())),
+          up_(static_cast<Real>(cosine * head.y())),
+          down_(head.x() < 0.0 ? Real(1) : Real(-1)) {}
+
+    /// Returns the x at which the arc crosses a height, 0 <= y <= that of its head.
+    Real x_at(Real y) const { return half_x_ + within(from_middle(y), std::abs(half_x_)); }
+
+    /// Returns the same for an arc that may go back in x.
+    Real unbounded_x_at(Real y) const { return half_x_ + from_middle(y); }
+
+    /// Returns the y at which the arc crosses an x between its ends.
+    Real y_at(Real x) const {
+        const Real q = x - half_x_;
+        const Real c = bulge_ - q * (up_ + sine_ * q);
+        const Real y =
+            Real(2) * c / (std::abs(across_) + root(across_ * across_ + Real(4) * sine_ * c));
+        return half_y_ + within(down_ * y, half_y_);
+    }
+
+  private:
+    Real from_middle(Real y) const {
+        const Real q = y - half_y_;
+        const Real c = bulge_ + q * (across_ - sine_ * q);
+        return Real(2) * c / (up_ + root(up_ * up_ + Real(4) * sine_ * c));
+    }
+    static Real root(Real squared) { return std::sqrt(squared > Real(0) ? squared : Real(0)); }
+    // The lower limit, too, if it is no number.
+    static Real within(Real value, Real limit) {
+        const Real raised = value > -limit ? value : -limit;
+        return raised < limit ? raised : limit;
+    }
+
+    Real half_x_ = 0;
+    Real half_y_ = 0;
+    Real sine_ = 0;
+    Real bulge_ = 0;
+    Real across_ = 0;
+    Real up_ = 0;
+    Real down_ = 0;  // the sign of y - y of the middle, of what lies on the right of the chord
+};
+
+/// Solves for the crossings of a rising arc in subpixels, rounded to the nearest. For arcs of up to
+/// 256 pixels they are computed in floats, to 1/10 of a subpixel; for longer ones in doubles.
+class RoundedCrossings {
+  public:
+    RoundedCrossings() = default;
+    /// See CrossingSolver.
+    RoundedCrossings(SubpixelPoint head, double sine)
         : head_(head.x, head.y), sine_(sine), in_floats_(head_, sine_) {}
 
     bool is_short() const { return std::abs(head_.x()) <= kLongest && head_.y() <= kLongest; }
-    const RisingArcOf<float>& in_floats() const { return in_floats_; }
-    RisingArcOf<double> in_doubles() const { return {head_, sine_}; }
+    const CrossingSolver<float>& in_floats() const { return in_floats_; }
+    CrossingSolver<double> in_doubles() const { return {head_, sine_}; }
 
     std::int32_t x_at(std::int32_t y) const {
         return is_short() ? rounded(in_floats().x_at(static_cast<float>(y)))
@@ -32,7 +108,7 @@ class SubpixelArc {
 
     Vec2 head_{0.0, 1.0};
     double sine_ = 0.0;
-    RisingArcOf<float> in_floats_;
+    CrossingSolver<float> in_floats_;
 };
 
 /// A query for the crossings of an arc with heights y, y + step, ..., or columns x, x + step, ...;
@@ -40,7 +116,7 @@ class SubpixelArc {
 struct ArcCrossings {
     static constexpr std::size_t kLanes = 8;  // computed at once
 
-    SubpixelArc arc;
+    RoundedCrossings arc;
     std::int32_t first = 0;
     std::int32_t step = 0;
     std::int32_t offset = 0;

@@ -1,6 +1,6 @@
 #include "texgen/raster/arcs/monotone_arc.h"
 
-#include "texgen/raster/arcs/monotone.h"
+#include "texgen/raster/arcs/pixel_arc.h"
 
 namespace foam::texgen {
 
@@ -14,7 +14,7 @@ void append_arc(const PixelArc& arc,
         return;
     }
     const MonotonePieces all(arc);
-    const std::span<const MonotonePiece> pieces = all.pieces();
+    const std::span<const MonotonePieces::Piece> pieces = all.pieces();
     SubpixelPoint from = tail;
     for (std::size_t k = 0; k + 1 < pieces.size(); ++k) {
         const SubpixelPoint end = tail + to_subpixel(pieces[k].head);

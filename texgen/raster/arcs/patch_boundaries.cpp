@@ -6,28 +6,28 @@ namespace foam::texgen {
 
 namespace {
 
-void append_network_loop(const PixelPatch& pixels, HalfEdgeId first, Boundaries& to) {
+void append_network_loop(const PixelPatch& pixels, HalfEdgeId first, ArcLoops& to) {
     HalfEdgeId h = first;
     do {
-        to.arcs.push_back(pixels.arc(h));
+        to.sides.push_back(pixels.arc(h));
         h = pixels.frame.network.next(h);
     } while (h != first);
-    to.loop_ends.push_back(to.arcs.size());
+    to.loop_ends.push_back(to.sides.size());
 }
 
 // Appends a circle in two halves, counter-clockwise if sign is 1 and clockwise if it is -1.
-void append_circle(const PixelPatch& pixels, const LoneBubble& bubble, int sign, Boundaries& to) {
+void append_circle(const PixelPatch& pixels, const LoneBubble& bubble, int sign, ArcLoops& to) {
     const Vec2 radius(pixels.scale * lone_radius(bubble), 0.0);
     const Vec2 center = pixels.pixel(bubble.centre);
     const double sine = sign;  // of half a turn's half
-    to.arcs.push_back({center - radius, {2.0 * radius, 0.0, sine}});
-    to.arcs.push_back({center + radius, {-2.0 * radius, 0.0, sine}});
-    to.loop_ends.push_back(to.arcs.size());
+    to.sides.push_back({center - radius, {2.0 * radius, 0.0, sine}});
+    to.sides.push_back({center + radius, {-2.0 * radius, 0.0, sine}});
+    to.loop_ends.push_back(to.sides.size());
 }
 
-Boundaries boundaries_of_ghost(const PixelPatch& pixels) {
+ArcLoops boundaries_of_ghost(const PixelPatch& pixels) {
     const Network& network = pixels.frame.network;
-    Boundaries boundaries;
+    ArcLoops boundaries;
     std::vector<bool> seen(network.film_slots(), false);
     for (const FilmId film : network.films()) {
         if (!network.is_outer(film) || seen[index_of(film)]) {
@@ -48,13 +48,13 @@ Boundaries boundaries_of_ghost(const PixelPatch& pixels) {
 
 }  // namespace
 
-bool may_show(const RasterGrid& grid, std::span<const ArcLoops::Arc> loop) {
+bool may_show(const RasterGrid& grid, std::span<const ArcLoops::Side> loop) {
     if (loop.empty()) {
         return false;
     }
     Vec2 low = loop.front().tail;
     Vec2 high = low;
-    for (const ArcLoops::Arc& arc : loop) {
+    for (const ArcLoops::Side& arc : loop) {
         const Vec2 reach = Vec2::Constant(arc_length(film_arc(arc.arc)));
         low = low.cwiseMin(arc.tail - reach);
         high = high.cwiseMax(arc.tail + reach);
@@ -66,12 +66,12 @@ std::size_t region_count(const Frame& frame) {
     return frame.network.bubble_slots() + frame.lone_bubbles.size();
 }
 
-Boundaries boundaries_of(const PixelPatch& pixels, BubbleId bubble) {
+ArcLoops boundaries_of(const PixelPatch& pixels, BubbleId bubble) {
     const Network& network = pixels.frame.network;
     if (bubble == network.ghost()) {
         return boundaries_of_ghost(pixels);
     }
-    Boundaries boundaries;
+    ArcLoops boundaries;
     if (index_of(bubble) < network.bubble_slots()) {
         append_network_loop(pixels, network.first(bubble), boundaries);
     } else {

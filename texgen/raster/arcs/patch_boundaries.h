@@ -9,9 +9,6 @@
 
 namespace foam::texgen {
 
-/// Closed loops of arcs in pixels, from the lower left corner of the image.
-using Boundaries = ArcLoops;
-
 /// A frame in the plane in the coordinates of a grid with a view. Borrows both.
 struct PixelPatch {
     const Frame& frame;
@@ -19,7 +16,7 @@ struct PixelPatch {
     double scale;  // pixels per foam unit
 
     Vec2 pixel(const Vec2& position) const { return pixel_in_view(grid, position); }
-    ArcLoops::Arc arc(HalfEdgeId h) const {
+    ArcLoops::Side arc(HalfEdgeId h) const {
         const FilmArc arc = frame.arc(h);
         return {pixel(frame.positions[frame.network.tail(h)]),
                 pixel_arc({scale * arc.chord, arc.half_angle})};
@@ -35,10 +32,10 @@ inline constexpr double kGuard = kLargestSide;
 
 /// Returns true if part of a loop may show. Conservative: an arc reaches no farther than its
 /// length.
-bool may_show(const RasterGrid& grid, std::span<const ArcLoops::Arc> loop);
+bool may_show(const RasterGrid& grid, std::span<const ArcLoops::Side> loop);
 
 /// Returns the boundary loops of a region, by its index in the order of region_count, with the
 /// region on their left.
-Boundaries boundaries_of(const PixelPatch& pixels, BubbleId bubble);
+ArcLoops boundaries_of(const PixelPatch& pixels, BubbleId bubble);
 
 }  // namespace foam::texgen

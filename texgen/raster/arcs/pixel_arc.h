@@ -2,8 +2,10 @@
 
 #include "core/geometry/film_arc.h"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace foam::texgen {
@@ -27,15 +29,75 @@ inline PixelArc reversed(const PixelArc& arc) {
     return {-arc.chord, arc.cosine, -arc.sine};
 }
 
+/// Returns the tangents at the ends of an arc, as long as its chord.
+inline Vec2 tail_tangent(const PixelArc& arc) {
+    return arc.cosine * arc.chord - arc.sine * turned_left(arc.chord);
+}
+inline Vec2 head_tangent(const PixelArc& arc) {
+    return arc.cosine * arc.chord + arc.sine * turned_left(arc.chord);
+}
+
+/// Returns true if a boundary turns right from the end of one side to the start of the next one.
+template <class Arc>
+bool turns_right(const Arc& before, const Arc& after) {
+    return cross(head_tangent(before), tail_tangent(after)) < 0.0;
+}
+
+/// Returns true if an arc goes back neither in x nor in y: it turns by less than half a turn, and
+/// all its tangents are between those at its ends.
+inline bool is_monotone(const PixelArc& arc) {
+    const Vec2 first = tail_tangent(arc);
+    const Vec2 last = head_tangent(arc);
+    return arc.cosine > 0.0 && first.x() * last.x() >= 0.0 && first.y() * last.y() >= 0.0;
+}
+
+/// The pieces of an arc of less than a whole turn, from its tail on and relative to it.
+class MonotonePieces {
+  public:
+    /// A piece that goes back neither in x nor in y; pixels.
+    struct Piece {
+        Vec2 tail{0.0, 0.0};
+        Vec2 head{0.0, 0.0};
+        double sine = 0.0;  // of half the angle by which it turns left, at most 45 degrees
+    };
+
+    explicit MonotonePieces(const PixelArc& arc);
+
+    std::span<const Piece> pieces() const { return std::span(pieces_).first(count_); }
+
+  private:
+    void split(const PixelArc& arc);
+    void append(const Vec2& head, double sine);
+
+    std::array<Piece, 5> pieces_;
+    std::size_t count_ = 0;
+};
+
+/// Returns twice the area between the chord of an arc and the arc, with the sign of `sine`, the
+/// sine of half the angle that it turns. A series of E1 for at most 90 degrees; the relative error
+/// is 2.5e-3 at 90 degrees, 6e-5 at 60 and 6e-9 at 23.
+template <class Real>
+Real twice_segment(Real squared_chord, Real sine) {
+    const Real z = sine * sine;
+    const Real series =
+        1 + z * (Real(3) / 10 + z * (Real(9) / 56 + z * (Real(5) / 48 + z * (Real(105) / 1408))));
+    return squared_chord * sine * (Real(1) / 3) * series;
+}
+
 /// Closed loops of arcs in pixels, each with the region that it bounds on its left.
 struct ArcLoops {
-    struct Arc {
+    struct Side {
         Vec2 tail{0.0, 0.0};
-        PixelArc arc;  // ends where the next arc of the loop begins
+        PixelArc arc;  // ends where the next side of the loop begins
     };
-    std::vector<Arc> arcs;
-    std::vector<std::size_t> loop_ends;  // one past the last arc of each loop
+    std::vector<Side> sides;
+    std::vector<std::size_t> loop_ends;  // one past the last side of each loop
     int open_ends = 0;                   // pieces without a successor; 0 for a valid bubble
+
+    std::span<const Side> loop(std::size_t k) const {
+        const std::size_t begin = k == 0 ? 0 : loop_ends[k - 1];
+        return std::span(sides).subspan(begin, loop_ends[k] - begin);
+    }
 };
 
 }  // namespace foam::texgen

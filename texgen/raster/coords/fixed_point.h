@@ -35,17 +35,9 @@ inline SubpixelPoint to_subpixel(const Vec2& pixels) {
     return {to_subpixel(pixels.x()), to_subpixel(pixels.y())};
 }
 
-/// Returns the pixel of a subpixel, and its position within that pixel.
+/// Returns the pixel of a subpixel.
 inline std::int32_t pixel_of(std::int32_t subpixel) {
     return subpixel >> kSubpixelBits;
-}
-inline std::int32_t within_pixel(std::int32_t subpixel) {
-    return subpixel & (kSubpixel - 1);
-}
-
-/// Returns the first row or column of pixels whose middle is at or beyond a position.
-inline std::int32_t first_middle_from(std::int32_t subpixel) {
-    return pixel_of(subpixel + kSubpixel / 2 - 1);
 }
 
 /// Returns n / d rounded down. Precondition: d > 0.

@@ -18,10 +18,6 @@ struct PixelFrame {
           shear(shear_in_subpixels(on, of.domain)),
           snap(on, of.domain) {}
 
-    FilmArc arc(HalfEdgeId h) const {
-        const FilmArc arc = frame.arc(h);
-        return {scale * arc.chord, arc.half_angle};
-    }
     SubpixelPoint junction(JunctionId junction) const { return snap(frame.positions[junction]); }
     /// Returns all junctions, by their index.
     std::vector<SubpixelPoint> junctions(int threads) const {

@@ -1,6 +1,6 @@
 #include "texgen/raster/coverage/arc_walk.h"
 
-#include "texgen/raster/arcs/monotone.h"
+#include "texgen/raster/arcs/pixel_arc.h"
 #include "texgen/raster/simd/kernel.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ void ArcWalk::add(const MonotoneArc& arc, SubpixelPoint translation) {
     const SubpixelPoint low = arc.low + translation;
     const SubpixelPoint high = arc.high + translation;
     const SubpixelPoint chord = high - low;
-    const SubpixelArc rising(chord, arc.sine);
+    const RoundedCrossings rising(chord, arc.sine);
     const std::int32_t from = low.y < 0 ? low.x + rising.x_at(-low.y) : low.x;
     const std::size_t k = size_++;
     Arc& own = arcs_[k];

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "texgen/raster/coverage/coverage_sums.h"
+#include "texgen/raster/coverage/coverage.h"
 #include "texgen/raster/simd/kernel.h"
 
 #include <algorithm>

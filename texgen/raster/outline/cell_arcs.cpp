@@ -4,7 +4,6 @@
 #include "texgen/raster/arcs/monotone_arc.h"
 #include "texgen/raster/coords/pixel_frame.h"
 #include "texgen/raster/outline/inset.h"
-#include "texgen/raster/outline/patch_arcs.h"
 
 #include <cmath>
 #include <span>
@@ -83,10 +82,8 @@ class InsetArcs {
         add_sides(bubble);
         const SubpixelPoint origin = pixels_.junction(network().tail(network().first(bubble)));
         const ArcLoops& loops = tracer_.trace(inset_);
-        std::size_t begin = 0;
-        for (const std::size_t end : loops.loop_ends) {
-            append_loop(std::span(loops.arcs).subspan(begin, end - begin), origin, bubble, batch);
-            begin = end;
+        for (std::size_t k = 0; k < loops.loop_ends.size(); ++k) {
+            append_loop(loops.loop(k), origin, bubble, batch);
         }
         batch.unresolved += loops.open_ends;
     }
@@ -109,16 +106,16 @@ class InsetArcs {
     }
 
     // Drops a loop that is too small for subpixels, or of an invalid bubble.
-    static void append_loop(std::span<const ArcLoops::Arc> arcs,
+    static void append_loop(std::span<const ArcLoops::Side> sides,
                             SubpixelPoint origin,
                             BubbleId bubble,
                             ArcBatch& batch) {
         const std::size_t begin = batch.arcs.size();
-        SubpixelPoint tail = origin + to_subpixel(arcs.front().tail);
-        for (std::size_t k = 0; k < arcs.size(); ++k) {
-            const ArcLoops::Arc& next = arcs[k + 1 < arcs.size() ? k + 1 : 0];
+        SubpixelPoint tail = origin + to_subpixel(sides.front().tail);
+        for (std::size_t k = 0; k < sides.size(); ++k) {
+            const ArcLoops::Side& next = sides[k + 1 < sides.size() ? k + 1 : 0];
             const SubpixelPoint head = origin + to_subpixel(next.tail);
-            append_arc(arcs[k].arc, tail, head, {arc_side(bubble)}, batch.arcs);
+            append_arc(sides[k].arc, tail, head, {arc_side(bubble)}, batch.arcs);
             tail = head;
         }
         const auto loop = std::span<const MonotoneArc>(batch.arcs).subspan(begin);

@@ -18,4 +18,7 @@ namespace foam::texgen {
 /// or not finite.
 CellArcs cell_arcs(const Frame& frame, const RasterGrid& grid, double film_width, int threads);
 
+/// Implements cell_arcs for a frame in the plane.
+CellArcs patch_arcs(const Frame& frame, const RasterGrid& grid, double film_width, int threads);
+
 }  // namespace foam::texgen

@@ -1,6 +1,6 @@
 #include "texgen/raster/outline/clip_arc.h"
 
-#include "texgen/raster/arcs/rising_arc.h"
+#include "texgen/raster/arcs/arc_crossings.h"
 
 #include <algorithm>
 
@@ -9,33 +9,33 @@ namespace foam::texgen {
 namespace {
 
 // Returns the part of a piece between two heights that are between those of its ends.
-MonotonePiece between(const MonotonePiece& piece, double low, double high) {
-    const RisingArc arc(piece.head - piece.tail, piece.sine);
+MonotonePieces::Piece between(const MonotonePieces::Piece& piece, double low, double high) {
+    const CrossingSolver<double> arc(piece.head - piece.tail, piece.sine);
     const auto point_at = [&](double y) {
         return Vec2(piece.tail.x() + arc.x_at(y - piece.tail.y()), y);
     };
-    MonotonePiece part{low > piece.tail.y() ? point_at(low) : piece.tail,
-                       high < piece.head.y() ? point_at(high) : piece.head};
+    MonotonePieces::Piece part{low > piece.tail.y() ? point_at(low) : piece.tail,
+                               high < piece.head.y() ? point_at(high) : piece.head};
     const double half_curvature = piece.sine / (piece.head - piece.tail).norm();
     part.sine = half_curvature * (part.head - part.tail).norm();
     return part;
 }
 
 // Returns the height at which a piece crosses an x, or the height of its nearer end.
-double height_at(const MonotonePiece& piece, double x) {
+double height_at(const MonotonePieces::Piece& piece, double x) {
     const double from = piece.tail.x();
     const double to = piece.head.x();
     if (x <= std::min(from, to) || std::max(from, to) <= x) {
         return (x <= std::min(from, to)) == (from < to) ? piece.tail.y() : piece.head.y();
     }
-    const RisingArc arc(piece.head - piece.tail, piece.sine);
+    const CrossingSolver<double> arc(piece.head - piece.tail, piece.sine);
     const double y = piece.tail.y() + arc.y_at(x - piece.tail.x());
     return std::clamp(y, piece.tail.y(), piece.head.y());
 }
 
 }  // namespace
 
-ClippedPiece::ClippedPiece(const MonotonePiece& piece, const Vec2& low, const Vec2& high) {
+ClippedPiece::ClippedPiece(const MonotonePieces::Piece& piece, const Vec2& low, const Vec2& high) {
     const double from = std::max(piece.tail.y(), low.y());
     const double to = std::min(piece.head.y(), high.y());
     if (from < to) {
@@ -43,7 +43,7 @@ ClippedPiece::ClippedPiece(const MonotonePiece& piece, const Vec2& low, const Ve
     }
 }
 
-void ClippedPiece::clip_in_x(const MonotonePiece& piece, double left, double right) {
+void ClippedPiece::clip_in_x(const MonotonePieces::Piece& piece, double left, double right) {
     const double at_left = height_at(piece, left);
     const double at_right = height_at(piece, right);
     if (piece.tail.x() < piece.head.x()) {
@@ -55,7 +55,7 @@ void ClippedPiece::clip_in_x(const MonotonePiece& piece, double left, double rig
     }
 }
 
-void ClippedPiece::append(const MonotonePiece& piece) {
+void ClippedPiece::append(const MonotonePieces::Piece& piece) {
     if (piece.tail.y() < piece.head.y()) {
         pieces_[count_++] = piece;
     }

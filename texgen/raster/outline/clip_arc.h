@@ -1,6 +1,6 @@
 #pragma once
 
-#include "texgen/raster/arcs/monotone.h"
+#include "texgen/raster/arcs/pixel_arc.h"
 
 #include <array>
 #include <cstddef>
@@ -13,15 +13,17 @@ namespace foam::texgen {
 class ClippedPiece {
   public:
     /// `low` and `high` are the corners of the box. Precondition: the piece rises.
-    ClippedPiece(const MonotonePiece& piece, const Vec2& low, const Vec2& high);
+    ClippedPiece(const MonotonePieces::Piece& piece, const Vec2& low, const Vec2& high);
 
-    std::span<const MonotonePiece> pieces() const { return std::span(pieces_).first(count_); }
+    std::span<const MonotonePieces::Piece> pieces() const {
+        return std::span(pieces_).first(count_);
+    }
 
   private:
-    void append(const MonotonePiece& piece);
-    void clip_in_x(const MonotonePiece& piece, double left, double right);
+    void append(const MonotonePieces::Piece& piece);
+    void clip_in_x(const MonotonePieces::Piece& piece, double left, double right);
 
-    std::array<MonotonePiece, 2> pieces_;
+    std::array<MonotonePieces::Piece, 2> pieces_;
     std::size_t count_ = 0;
 };
 

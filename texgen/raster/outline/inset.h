@@ -1,11 +1,10 @@
 #pragma once
 
 #include "texgen/raster/arcs/pixel_arc.h"
+#include "texgen/raster/outline/full_inset.h"
 #include "texgen/raster/outline/offset_arc.h"
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -18,8 +17,7 @@ namespace foam::texgen {
 /// Each offset is cut where it crosses another; a piece between two cuts belongs to the boundary
 /// exactly if its middle keeps the distance. So sides that are too short to show drop out, a narrow
 /// bubble falls into several parts, and one that is all film into none, without any case being told
-/// apart. Most bubbles show every side: then each offset is cut only by its neighbors, which cheap
-/// checks prove first. Both give the same bits.
+/// apart. FullInset is tried first, and gives the same bits.
 ///
 /// Buffers are reused between regions.
 class InsetTracer {
@@ -45,8 +43,6 @@ class InsetTracer {
     struct Offset {
         OffsetArc arc;
         std::size_t side = 0;  // whose offset it is; kCorner for a circle around a corner
-        double from = 0.0;     // parameters where the neighbors cut it off, if every side shows
-        double to = 0.0;
     };
     struct Piece {
         std::size_t offset = 0;
@@ -57,26 +53,9 @@ class InsetTracer {
         bool linked = false;
     };
 
-    // Several sides, with the indices of their own piece and of those beside it.
-    static constexpr std::size_t kLanes = 8;
-    struct alignas(64) SideLanes {
-        std::array<double, kLanes> x, y, along_x, along_y, curvature;  // the middles
-        std::array<std::int64_t, kLanes> side, before, after;
-
-        void set(std::size_t lane, std::span<const OffsetArc> sides, std::size_t index);
-    };
-
     const ArcLoops& trace(std::span<const OffsetArc> sides,
                           std::span<const std::size_t> loop_ends,
                           double distance);
-
-    bool every_side_shows();
-    bool cut_by_neighbors();
-    bool cut_corner(std::size_t before, std::size_t after);
-    void place_lanes();
-    bool pieces_keep_clear();
-    std::int64_t pieces_too_near(const SideLanes& sides) const;
-    void append_all_sides();
 
     void trace_pieces(std::span<const std::size_t> loop_ends);
     void collect_offsets(std::size_t first, std::size_t end);
@@ -95,11 +74,7 @@ class InsetTracer {
     std::vector<Offset> offsets_;
     ArcLoops loops_;
 
-    // If every side shows.
-    std::vector<Vec2> points_;  // the tail of each piece, and the first one again
-    std::vector<SideLanes> lanes_;
-
-    // Otherwise.
+    FullInset full_inset_;
     std::vector<double> cuts_;         // parameters along one offset
     std::vector<std::size_t> nearby_;  // sides that may come too near to one offset
     std::vector<Piece> pieces_;

@@ -1,8 +1,7 @@
-#include "texgen/raster/outline/patch_arcs.h"
-
-#include "texgen/raster/arcs/monotone.h"
 #include "texgen/raster/arcs/monotone_arc.h"
 #include "texgen/raster/arcs/patch_boundaries.h"
+#include "texgen/raster/arcs/pixel_arc.h"
+#include "texgen/raster/outline/cell_arcs.h"
 #include "texgen/raster/outline/clip_arc.h"
 #include "texgen/raster/outline/inset.h"
 
@@ -16,7 +15,7 @@ namespace {
 
 constexpr std::size_t kBubblesPerTask = 256;
 
-double area_of(std::span<const ArcLoops::Arc> loop) {
+double area_of(std::span<const ArcLoops::Side> loop) {
     double area = 0.0;
     const Vec2& origin = loop.front().tail;
     for (std::size_t k = 0; k < loop.size(); ++k) {
@@ -35,8 +34,8 @@ class PatchArcs {
 
     void make(std::size_t index, ArcBatch& batch) {
         const auto bubble = id_at<BubbleId>(index);
-        const Boundaries boundaries = boundaries_of(pixels_, bubble);
-        if (boundaries.arcs.empty()) {
+        const ArcLoops boundaries = boundaries_of(pixels_, bubble);
+        if (boundaries.sides.empty()) {
             return;
         }
         if (inset_ == 0.0) {
@@ -44,7 +43,7 @@ class PatchArcs {
             return;
         }
         // Near the origin, coordinates are most exact.
-        const Vec2 anchor = boundaries.arcs.front().tail;
+        const Vec2 anchor = boundaries.sides.front().tail;
         add_sides(boundaries, anchor);
         if (const ArcLoops& loops = tracer_.trace(inset_); loops.open_ends == 0) {
             append_loops(loops, anchor, bubble, batch);
@@ -54,12 +53,11 @@ class PatchArcs {
     }
 
   private:
-    void add_sides(const Boundaries& boundaries, const Vec2& anchor) {
+    void add_sides(const ArcLoops& boundaries, const Vec2& anchor) {
         tracer_.clear();
-        std::size_t k = 0;
-        for (const std::size_t end : boundaries.loop_ends) {
-            for (; k < end; ++k) {
-                tracer_.add_side(boundaries.arcs[k].arc, boundaries.arcs[k].tail - anchor);
+        for (std::size_t k = 0; k < boundaries.loop_ends.size(); ++k) {
+            for (const ArcLoops::Side& side : boundaries.loop(k)) {
+                tracer_.add_side(side.arc, side.tail - anchor);
             }
             tracer_.end_loop();
         }
@@ -67,43 +65,35 @@ class PatchArcs {
 
     // Rafts that overlap, which nothing forbids, have no common boundary: each has its own then.
     // One that overlaps itself keeps its films without their outer half.
-    void append_each(const Boundaries& boundaries,
+    void append_each(const ArcLoops& boundaries,
                      const Vec2& anchor,
                      BubbleId bubble,
                      ArcBatch& batch) {
-        std::size_t begin = 0;
         for (std::size_t k = 0; k < boundaries.loop_ends.size(); ++k) {
-            const std::size_t end = boundaries.loop_ends[k];
             const ArcLoops& loops = tracer_.trace_loop(k, inset_);
             batch.unresolved += loops.open_ends;
             if (loops.open_ends == 0) {
                 append_loops(loops, anchor, bubble, batch);
             } else if (bubble == pixels_.frame.network.ghost()) {
-                append_loop(std::span(boundaries.arcs).subspan(begin, end - begin),
-                            Vec2::Zero(),
-                            bubble,
-                            batch);
+                append_loop(boundaries.loop(k), Vec2::Zero(), bubble, batch);
             }
-            begin = end;
         }
     }
 
     void append_loops(const ArcLoops& loops, const Vec2& anchor, BubbleId bubble, ArcBatch& batch) {
-        std::size_t begin = 0;
-        for (const std::size_t end : loops.loop_ends) {
-            append_loop(std::span(loops.arcs).subspan(begin, end - begin), anchor, bubble, batch);
-            begin = end;
+        for (std::size_t k = 0; k < loops.loop_ends.size(); ++k) {
+            append_loop(loops.loop(k), anchor, bubble, batch);
         }
     }
 
     // A loop of an invalid bubble may go clockwise; it is left out.
-    void append_loop(std::span<const ArcLoops::Arc> arcs,
+    void append_loop(std::span<const ArcLoops::Side> sides,
                      const Vec2& anchor,
                      BubbleId bubble,
                      ArcBatch& batch) {
-        loop_.assign(arcs.begin(), arcs.end());
-        for (ArcLoops::Arc& arc : loop_) {
-            arc.tail += anchor;
+        loop_.assign(sides.begin(), sides.end());
+        for (ArcLoops::Side& side : loop_) {
+            side.tail += anchor;
         }
         if (!may_show(pixels_.grid, loop_)) {
             return;
@@ -118,7 +108,7 @@ class PatchArcs {
     }
 
     // Both sides of a film split it into the same pieces.
-    void append_side(const ArcLoops::Arc& side,
+    void append_side(const ArcLoops::Side& side,
                      const Vec2& head,
                      const ArcSides& sides,
                      std::vector<MonotoneArc>& to) const {
@@ -138,7 +128,7 @@ class PatchArcs {
         const MonotonePieces all(arc);
         Vec2 from = tail;
         for (std::size_t k = 0; k < all.pieces().size(); ++k) {
-            const MonotonePiece& piece = all.pieces()[k];
+            const MonotonePieces::Piece& piece = all.pieces()[k];
             const Vec2 end = k + 1 < all.pieces().size() ? Vec2(tail + piece.head) : head;
             if (from.y() < end.y()) {
                 append_clipped({from, end, piece.sine}, sides, to);
@@ -149,20 +139,20 @@ class PatchArcs {
         }
     }
 
-    void append_clipped(const MonotonePiece& piece,
+    void append_clipped(const MonotonePieces::Piece& piece,
                         const ArcSides& sides,
                         std::vector<MonotoneArc>& to) const {
         const Vec2 guard(kGuard, kGuard);
         const Vec2 size(pixels_.grid.width, pixels_.grid.height);
         const ClippedPiece clipped(piece, -guard, size + guard);
-        for (const MonotonePiece& part : clipped.pieces()) {
+        for (const MonotonePieces::Piece& part : clipped.pieces()) {
             append_piece(to_subpixel(part.tail), to_subpixel(part.head), part.sine, sides, to);
         }
     }
 
     const PixelPatch& pixels_;
     double inset_;
-    std::vector<ArcLoops::Arc> loop_;
+    std::vector<ArcLoops::Side> loop_;
     InsetTracer tracer_;
 };
 

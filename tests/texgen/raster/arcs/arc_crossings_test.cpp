@@ -33,8 +33,8 @@ class LargestErrors {
         // An arc that goes back neither in x nor in y.
         const double steep = std::atan2(std::min(head.x, head.y), std::max(head.x, head.y));
         const double sine = std::sin(std::uniform_real_distribution(-steep, steep)(random_));
-        const SubpixelArc arc(head, sine);
-        const RisingArc exact(Vec2(head.x, head.y), sine);
+        const RoundedCrossings arc(head, sine);
+        const CrossingSolver<double> exact(Vec2(head.x, head.y), sine);
         const std::int32_t rows = head.y / kSubpixel;
         const std::int32_t columns = head.x / kSubpixel;
         std::vector<std::int32_t> found(static_cast<std::size_t>(std::max(rows, columns)) +

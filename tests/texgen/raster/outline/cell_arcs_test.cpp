@@ -73,7 +73,7 @@ double area_left_free(const Frame& frame, double scale, BubbleId bubble, double 
     }
     tracer.end_loop();
     double area = 0.0;
-    for (const ArcLoops& loops = tracer.trace(inset); const ArcLoops::Arc& arc : loops.arcs) {
+    for (const ArcLoops& loops = tracer.trace(inset); const ArcLoops::Side& arc : loops.sides) {
         area += 0.5 * cross(arc.tail, arc.arc.chord) + segment_area(film_arc(arc.arc));
     }
     return area;

@@ -8,7 +8,7 @@ namespace foam::texgen {
 namespace {
 
 // In a box of 10 x 10.
-ClippedPiece clipped_to_box(const MonotonePiece& piece) {
+ClippedPiece clipped_to_box(const MonotonePieces::Piece& piece) {
     return {piece, Vec2(0.0, 0.0), Vec2(10.0, 10.0)};
 }
 

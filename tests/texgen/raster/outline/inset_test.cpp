@@ -36,7 +36,7 @@ void add_loop(const Sides& sides, InsetTracer& tracer) {
 double loop_area(const ArcLoops& loops, std::size_t begin, std::size_t end) {
     double area = 0.0;
     for (std::size_t k = begin; k < end; ++k) {
-        const ArcLoops::Arc& arc = loops.arcs[k];
+        const ArcLoops::Side& arc = loops.sides[k];
         area += 0.5 * cross(arc.tail, arc.tail + arc.arc.chord) + segment_area(film_arc(arc.arc));
     }
     return area;
@@ -165,7 +165,7 @@ Sides sides_of(const Frame& frame, BubbleId bubble) {
     return sides;
 }
 
-void expect_same(const ArcLoops::Arc& a, const ArcLoops::Arc& b) {
+void expect_same(const ArcLoops::Side& a, const ArcLoops::Side& b) {
     EXPECT_EQ(a.tail, b.tail);
     EXPECT_EQ(a.arc.chord, b.arc.chord);
     EXPECT_EQ(a.arc.cosine, b.arc.cosine);
@@ -188,11 +188,11 @@ int compare_with_all_cuts(const Foam& foam, double distance) {
         const ArcLoops& expected = beside.trace(distance);
         EXPECT_EQ(found.loop_ends, expected.loop_ends);
         EXPECT_EQ(found.open_ends, expected.open_ends);
-        EXPECT_EQ(found.arcs.size(), expected.arcs.size());
-        for (std::size_t k = 0; k < found.arcs.size(); ++k) {
-            expect_same(found.arcs[k], expected.arcs[k]);
+        EXPECT_EQ(found.sides.size(), expected.sides.size());
+        for (std::size_t k = 0; k < found.sides.size(); ++k) {
+            expect_same(found.sides[k], expected.sides[k]);
         }
-        whole += found.arcs.size() == sides.size() ? 1 : 0;
+        whole += found.sides.size() == sides.size() ? 1 : 0;
     }
     return whole;
 }
@@ -224,7 +224,7 @@ TEST(Inset, TracesOneLoopOfSeveral) {
     EXPECT_EQ(both.loop_ends.size(), 2U);
     const ArcLoops& second = tracer.trace_loop(1, 1.0);
     ASSERT_EQ(second.loop_ends.size(), 1U);
-    EXPECT_NEAR(loop_area(second, 0, second.arcs.size()), 8.0, 1e-12);
+    EXPECT_NEAR(loop_area(second, 0, second.sides.size()), 8.0, 1e-12);
 }
 
 }  // namespace

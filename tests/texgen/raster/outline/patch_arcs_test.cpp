@@ -1,5 +1,3 @@
-#include "texgen/raster/outline/patch_arcs.h"
-
 #include "core/foam/measure.h"
 #include "tests/support/raster_reference.h"
 #include "tests/support/sample_foams.h"

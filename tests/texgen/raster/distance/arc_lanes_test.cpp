@@ -1,0 +1,149 @@
+#include "texgen/raster/distance/arc_lanes.h"
+
+#include "tests/support/simd_levels.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace foam::texgen {
+namespace {
+
+struct PlacedArc {
+    FilmArc film;  // pixels
+    Vec2 tail;
+};
+
+// Turning by up to 120 degrees, as the sides of a region.
+std::vector<PlacedArc> random_arcs(std::size_t count, std::mt19937& random) {
+    std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+    std::vector<PlacedArc> arcs;
+    for (std::size_t k = 0; k < count; ++k) {
+        const Vec2 chord(10.0 * uniform(random), 10.0 * uniform(random));
+        const Vec2 tail(30.0 * uniform(random), 30.0 * uniform(random));
+        arcs.push_back({{chord, 1.04 * uniform(random)}, tail});
+    }
+    return arcs;
+}
+
+// By the points of an arc; too large by less than 1e-4 where the point is a pixel or more away.
+double sampled_distance(const PlacedArc& arc, const Vec2& point) {
+    constexpr int kSamples = 2000;
+    double least = std::numeric_limits<double>::infinity();
+    for (int k = 0; k <= kSamples; ++k) {
+        const Vec2 at = arc.tail + point_at(arc.film, static_cast<double>(k) / kSamples);
+        least = std::min(least, (at - point).norm());
+    }
+    return least;
+}
+
+ArcLanes lanes_of(const std::vector<PlacedArc>& arcs) {
+    ArcLanes lanes;
+    for (const PlacedArc& arc : arcs) {
+        lanes.add(pixel_arc(arc.film), arc.tail, false);
+    }
+    return lanes;
+}
+
+// More arcs than lanes, and not a multiple of them.
+TEST(ArcLanes, BoundAndMeasureTheDistanceOfEachArc) {
+    at_every_simd_level([] {
+        std::mt19937 random(3);
+        std::uniform_real_distribution<double> uniform(-40.0, 40.0);
+        for (int round = 0; round < 20; ++round) {
+            const std::vector<PlacedArc> arcs = random_arcs(19, random);
+            ArcLanes lanes = lanes_of(arcs);
+            const Vec2 point(uniform(random), uniform(random));
+            lanes.evaluate_at(point);
+            for (std::size_t k = 0; k < arcs.size(); ++k) {
+                const double distance = sampled_distance(arcs[k], point);
+                EXPECT_TRUE(lanes.is_within(k, distance + 1e-9));
+                const ArcFunctions f = lanes.functions(k);
+                if (f.past_tail.value >= 0.0F && f.before_head.value >= 0.0F) {
+                    const double slope = std::hypot(f.across.x, f.across.y);
+                    EXPECT_NEAR(std::abs(f.across.twice_value) / (1.0 + slope), distance, 2e-3);
+                    EXPECT_FALSE(lanes.is_within(k, distance - 2e-3));
+                }
+            }
+        }
+    });
+}
+
+// Arcs beyond the horizon are not nearest to any point within reach.
+TEST(ArcLanes, HorizonHoldsTheNearestArcOfAllPointsWithinReach) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> uniform(-20.0, 20.0);
+    std::size_t dropped = 0;
+    for (int round = 0; round < 20; ++round) {
+        const std::vector<PlacedArc> arcs = random_arcs(30, random);
+        ArcLanes lanes = lanes_of(arcs);
+        const Vec2 middle(uniform(random), uniform(random));
+        constexpr double kReach = 4.0;
+        lanes.evaluate_at(middle);
+        const double horizon = lanes.horizon(kReach);
+        for (int sample = 0; sample < 8; ++sample) {
+            const double turn = sample * 0.785;
+            const Vec2 point = middle + kReach * Vec2(std::cos(turn), std::sin(turn));
+            std::size_t nearest = 0;
+            for (std::size_t k = 1; k < arcs.size(); ++k) {
+                if (sampled_distance(arcs[k], point) < sampled_distance(arcs[nearest], point)) {
+                    nearest = k;
+                }
+            }
+            EXPECT_TRUE(lanes.is_within(nearest, horizon));
+        }
+        for (std::size_t k = 0; k < arcs.size(); ++k) {
+            dropped += lanes.is_within(k, horizon) ? 0U : 1U;
+        }
+    }
+    EXPECT_GT(dropped, 100U);
+}
+
+// f is 0 on the arc, t on the circle through its ends that is normal to the arc there: on the arc's
+// middle t is the sagitta of both, at the ends both are 0.
+TEST(ArcLanes, FunctionsOfAFilmVanishAtItsEnds) {
+    at_every_simd_level([] {
+        const FilmArc film{{6.0, 2.0}, 0.8};
+        const Vec2 tail(1.0, -3.0);
+        ArcLanes lanes;
+        lanes.add(pixel_arc(film), tail, false);
+        for (const double fraction : {0.0, 0.25, 0.5, 1.0}) {
+            lanes.evaluate_at(tail + point_at(film, fraction));
+            const FilmFunctions f = lanes.film_functions(0);
+            EXPECT_NEAR(f.across.twice_value, 0.0, 1e-6);
+            EXPECT_NEAR(std::hypot(f.across.x, f.across.y), 1.0, 1e-6);
+            const bool is_end = fraction == 0.0 || fraction == 1.0;
+            EXPECT_NEAR(f.along.twice_value > 1e-6F ? 1.0 : 0.0, is_end ? 0.0 : 1.0, 0.0);
+            if (is_end) {
+                EXPECT_NEAR(f.along.twice_value, 0.0, 1e-6);
+                EXPECT_NEAR(std::hypot(f.along.x, f.along.y), 1.0, 1e-6);
+                EXPECT_NEAR(f.along.x * f.across.x + f.along.y * f.across.y, 0.0, 1e-6);
+            }
+        }
+        EXPECT_NEAR(lanes.film_functions(0).chord, film.chord.norm(), 1e-6);
+    });
+}
+
+TEST(ArcLanes, CopiesArcsWithTheirCorners) {
+    ArcLanes all;
+    all.add({{1.0, 2.0}, 0.8, 0.6}, {3.0, 4.0}, false);
+    all.add({{5.0, 6.0}, 0.6, 0.8}, {7.0, 8.0}, true);
+    ArcLanes some;
+    EXPECT_FALSE(some.has_corners());
+    some.add(all, 1);
+    ASSERT_EQ(some.size(), 1U);
+    EXPECT_TRUE(some.has_corners());
+    EXPECT_TRUE(some.has_corner(0));
+    EXPECT_EQ(some.tail(0), Vec2(7.0, 8.0));
+    EXPECT_EQ(some.head(0), Vec2(12.0, 14.0));
+    some.clear();
+    EXPECT_EQ(some.size(), 0U);
+    EXPECT_FALSE(some.has_corners());
+}
+
+}  // namespace
+}  // namespace foam::texgen

@@ -1,0 +1,71 @@
+#include "texgen/raster/arcs/pixel_arc.h"
+
+#include <cmath>
+#include <utility>
+
+namespace foam::texgen {
+
+namespace {
+
+// Returns the quadrant of a direction, counter-clockwise; each includes the axis that it begins
+// with.
+int quadrant_of(const Vec2& direction) {
+    const auto [x, y] = std::pair(direction.x(), direction.y());
+    if (y > 0.0) {
+        return x > 0.0 ? 0 : 1;
+    }
+    if (y < 0.0) {
+        return x < 0.0 ? 2 : 3;
+    }
+    return x > 0.0 ? 0 : 2;
+}
+
+Vec2 axis(int quarter) {
+    constexpr std::array<double, 5> kCosines{1.0, 0.0, -1.0, 0.0, 1.0};
+    const auto k = static_cast<std::size_t>(quarter % 4);
+    return {kCosines[k], -kCosines[k + 1]};
+}
+
+}  // namespace
+
+MonotonePieces::MonotonePieces(const PixelArc& arc) {
+    if (is_monotone(arc)) {
+        append(arc.chord, arc.sine);
+    } else {
+        split(arc);
+    }
+}
+
+// Splits the arc where its tangent is parallel to an axis. From where the unit tangent is a to
+// where it is b, an arc that turns left moves by the radius times b - a, turned right; half of |b -
+// a| is the sine of half the angle between them. An arc that turns right is its mirror image.
+void MonotonePieces::split(const PixelArc& arc) {
+    const double side = arc.sine < 0.0 ? -1.0 : 1.0;
+    const Vec2 mirror(1.0, side);
+    const double length = arc.chord.norm();
+    const double radius = 0.5 * length / std::abs(arc.sine);
+    const Vec2 along = mirror.cwiseProduct(arc.chord) * (arc.cosine / length);
+    const Vec2 across = turned_left(mirror.cwiseProduct(arc.chord)) * (std::abs(arc.sine) / length);
+    const Vec2 first = along - across;
+    const Vec2 last = along + across;
+    const int begin = quadrant_of(first);
+    int end = quadrant_of(last);
+    if (end < begin || (end == begin && arc.cosine < 0.0)) {
+        end += 4;
+    }
+    Vec2 from = first;
+    for (int quarter = begin + 1; quarter <= end; ++quarter) {
+        const Vec2 to = axis(quarter);
+        const Vec2 head = -radius * turned_left(to - first);
+        append(mirror.cwiseProduct(head), 0.5 * side * (to - from).norm());
+        from = to;
+    }
+    append(arc.chord, 0.5 * side * (last - from).norm());
+}
+
+void MonotonePieces::append(const Vec2& head, double sine) {
+    const Vec2 tail = count_ == 0 ? Vec2(0.0, 0.0) : pieces_[count_ - 1].head;
+    pieces_[count_++] = {tail, head, sine};
+}
+
+}  // namespace foam::texgen

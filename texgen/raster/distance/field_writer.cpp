@@ -1,0 +1,100 @@
+#include "texgen/raster/distance/field_writer.h"
+
+#include "texgen/image/cache_line.h"
+
+#include <algorithm>
+#include <type_traits>
+
+namespace foam::texgen {
+
+namespace {
+
+// Calls visit(begin, size) for pieces of [0, count) that may overlap, of sizes known to the
+// compiler: spans are mostly a few pixels long, for which library calls are slow. Precondition:
+// count > 0.
+template <class Visit>
+[[gnu::always_inline]] inline void in_pieces(std::size_t count, const Visit& visit) {
+    constexpr std::integral_constant<std::size_t, 8> kEight;
+    constexpr std::integral_constant<std::size_t, 4> kFour;
+    constexpr std::integral_constant<std::size_t, 1> kOne;
+    if (count >= kEight()) {
+        for (std::size_t k = 0; k + kEight() < count; k += kEight()) {
+            visit(k, kEight);
+        }
+        visit(count - kEight(), kEight);
+    } else if (count >= kFour()) {
+        visit(0, kFour);
+        visit(count - kFour(), kFour);
+    } else {
+        visit(0, kOne);
+        visit(count / 2, kOne);
+        visit(count - kOne(), kOne);
+    }
+}
+
+void copy_values(const float* from, std::size_t count, float* to) {
+    in_pieces(count, [&](std::size_t k, auto size) { std::copy_n(from + k, size(), to + k); });
+}
+
+void copy_pairs(const float* xs, const float* ys, std::size_t count, float* to) {
+    for (std::size_t k = 0; k < count; ++k) {
+        to[2 * k] = xs[k];
+        to[2 * k + 1] = ys[k];
+    }
+}
+
+}  // namespace
+
+void FieldWriter::write(const PixelBatch& batch, const PixelBox& box, std::uint32_t id) {
+    const int width = field_.ids.width();
+    const int left = wrap(box.left, width);
+    for (const PixelBatch::Span& pixels : batch.spans()) {
+        int x = left + pixels.column;
+        while (x >= width) {
+            x -= width;
+        }
+        Span span{box.bottom + pixels.row, x, pixels.first, 0};
+        for (std::size_t rest = pixels.count; rest > 0; rest -= span.count) {
+            span.count = std::min(rest, static_cast<std::size_t>(width - span.x));
+            write_span(batch, span, id);
+            span.first += span.count;
+            span.x = 0;
+        }
+    }
+}
+
+void FieldWriter::prefetch(const PixelBox& box, PixelRows rows) const {
+    constexpr int kPixelsPerLine = kLineBytes / sizeof(float);
+    const int width = field_.ids.width();
+    const int left = wrap(box.left, width);
+    const int right = std::min(left + box.columns(), width);
+    for (int row = std::max(box.bottom, rows.begin); row < std::min(box.top, rows.end); ++row) {
+        for (int x = left; x < right; x += kPixelsPerLine) {
+            __builtin_prefetch(field_.ids.pixel(x, row).data(), 1);
+            __builtin_prefetch(field_.distance.pixel(x, row).data(), 1);
+        }
+    }
+}
+
+void FieldWriter::write_span(const PixelBatch& batch, const Span& span, std::uint32_t id) {
+    const auto pixel = [&](auto& image) { return image.pixel(span.x, span.row).data(); };
+    const auto values = [&](const PixelBatch::Values& of) { return &of[span.first]; };
+    std::uint32_t* ids = pixel(field_.ids);
+    in_pieces(span.count, [&](std::size_t k, auto size) { std::fill_n(ids + k, size(), id); });
+    copy_values(values(batch.distance()), span.count, pixel(field_.distance));
+    if (needs_.gradient) {
+        copy_pairs(values(batch.gradient_x()),
+                   values(batch.gradient_y()),
+                   span.count,
+                   pixel(field_.gradient));
+    }
+    if (needs_.smooth) {
+        copy_values(values(batch.smooth()), span.count, pixel(field_.smooth));
+        copy_pairs(values(batch.smooth_x()),
+                   values(batch.smooth_y()),
+                   span.count,
+                   pixel(field_.smooth_gradient));
+    }
+}
+
+}  // namespace foam::texgen

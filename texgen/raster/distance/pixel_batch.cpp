@@ -1,0 +1,300 @@
+#include "texgen/raster/distance/pixel_batch.h"
+
+#include "texgen/raster/simd/kernel.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <type_traits>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr std::size_t kLanes = PixelBatch::kLanes;
+constexpr float kFar = std::numeric_limits<float>::infinity();
+// A pixel that is past the end of an arc by at most this still faces it, so that rounding leaves no
+// gap between two arcs that continue each other smoothly; pixels.
+constexpr float kPastEnd = 1e-3F;
+// Squared distances are at least this, so that their inverse is a float; square pixels.
+constexpr float kLeastSquare = 1e-12F;
+// The least root at an end of a film, where 0 / 0 would come up.
+constexpr float kLeastRoot = 1e-18F;
+// Smaller sums have no film left: this is the sum of a smooth distance of a million pixels.
+constexpr float kLeastSum = 1e-12F;
+
+// A float per pixel.
+using Lanes = std::array<float, kLanes>;
+
+// Returns a mask with which `chosen` selects without a branch, so that loops vectorize.
+std::uint32_t mask_if(bool condition) {
+    return condition ? ~std::uint32_t{0} : 0;
+}
+float chosen(std::uint32_t mask, float first, float second) {
+    return std::bit_cast<float>((std::bit_cast<std::uint32_t>(first) & mask) |
+                                (std::bit_cast<std::uint32_t>(second) & ~mask));
+}
+
+// A distance as a fraction. Fractions are compared without a division.
+struct Fraction {
+    float numerator;  // infinite where the pixel does not face the arc
+    float denominator;
+};
+
+// The nearest point of some pixels so far: the distance and a vector of any length along the
+// gradient.
+struct Nearest {
+    Lanes numerator;
+    Lanes denominator;
+    Lanes gradient_x{};
+    Lanes gradient_y{};
+
+    template <bool kGradient>
+    [[gnu::always_inline]] void take(std::size_t k, Fraction distance, float x, float y) {
+        const std::uint32_t nearer =
+            mask_if(distance.numerator * denominator[k] < numerator[k] * distance.denominator);
+        numerator[k] = chosen(nearer, distance.numerator, numerator[k]);
+        denominator[k] = chosen(nearer, distance.denominator, denominator[k]);
+        if constexpr (kGradient) {
+            gradient_x[k] = chosen(nearer, x, gradient_x[k]);
+            gradient_y[k] = chosen(nearer, y, gradient_y[k]);
+        }
+    }
+};
+
+// A FloatQuadratic at a point.
+struct Seen {
+    float twice;
+    float x;  // the gradient
+    float y;
+};
+
+[[gnu::always_inline]] inline Seen seen_from(const FloatQuadratic& f, float x, float y) {
+    const float slope_x = f.x - f.curvature * x;
+    const float slope_y = f.y - f.curvature * y;
+    return {f.twice_value + x * (f.x + slope_x) + y * (f.y + slope_y), slope_x, slope_y};
+}
+
+[[gnu::always_inline]] inline float at(const FloatLine& line, float x, float y) {
+    return line.value + x * line.x + y * line.y;
+}
+
+template <bool kGradient>
+[[gnu::always_inline]] inline void take_arc(const ArcFunctions& arc,
+                                            const float* x,
+                                            const float* y,
+                                            Nearest& nearest) {
+    for (std::size_t k = 0; k < kLanes; ++k) {
+        const Seen f = seen_from(arc.across, x[k], y[k]);
+        const float slope = std::sqrt(f.x * f.x + f.y * f.y);
+        const float end = min_value(at(arc.past_tail, x[k], y[k]), at(arc.before_head, x[k], y[k]));
+        const float numerator = end >= -kPastEnd ? std::abs(f.twice) : kFar;
+        const float sign = std::copysign(1.0F, f.twice);
+        nearest.take<kGradient>(k, {numerator, 1.0F + slope}, sign * f.x, sign * f.y);
+    }
+}
+
+template <bool kGradient>
+[[gnu::always_inline]] inline void take_point(const Vec2& point,
+                                              const float* x,
+                                              const float* y,
+                                              Nearest& nearest) {
+    const auto point_x = static_cast<float>(point.x());
+    const auto point_y = static_cast<float>(point.y());
+    for (std::size_t k = 0; k < kLanes; ++k) {
+        const float to_x = x[k] - point_x;
+        const float to_y = y[k] - point_y;
+        nearest.take<kGradient>(k, {std::sqrt(to_x * to_x + to_y * to_y), 1.0F}, to_x, to_y);
+    }
+}
+
+// Where distances and unit gradients are written. A distance is a fraction until all arcs are seen.
+struct Distances {
+    float* distance;
+    float* denominator;
+    float* gradient_x;
+    float* gradient_y;
+};
+
+template <bool kGradient>
+[[gnu::always_inline]] inline void find_nearest(std::span<const ArcFunctions> arcs,
+                                                std::span<const Vec2> points,
+                                                std::size_t count,
+                                                const float* xs,
+                                                const float* ys,
+                                                const Distances& to) {
+    for (std::size_t from = 0; from < count; from += kLanes) {
+        Nearest nearest;
+        nearest.numerator.fill(kFar);
+        nearest.denominator.fill(1.0F);
+        for (const ArcFunctions& arc : arcs) {
+            take_arc<kGradient>(arc, xs + from, ys + from, nearest);
+        }
+        for (const Vec2& point : points) {
+            take_point<kGradient>(point, xs + from, ys + from, nearest);
+        }
+        std::memcpy(to.distance + from, nearest.numerator.data(), sizeof(Lanes));
+        std::memcpy(to.denominator + from, nearest.denominator.data(), sizeof(Lanes));
+        if constexpr (kGradient) {
+            std::memcpy(to.gradient_x + from, nearest.gradient_x.data(), sizeof(Lanes));
+            std::memcpy(to.gradient_y + from, nearest.gradient_y.data(), sizeof(Lanes));
+        }
+    }
+}
+
+// Returns true if all distances are finite.
+[[gnu::always_inline]] inline bool divide(std::size_t count, const Distances& to) {
+    std::uint32_t any_far = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+        any_far |= mask_if(to.distance[k] == kFar);
+        to.distance[k] /= to.denominator[k];
+    }
+    return any_far == 0;
+}
+
+[[gnu::always_inline]] inline void normalize_gradients(std::size_t count, const Distances& to) {
+    for (std::size_t k = 0; k < count; ++k) {
+        const float x = to.gradient_x[k];
+        const float y = to.gradient_y[k];
+        const float length = std::sqrt(x * x + y * y);
+        const float scale = length > 0.0F ? 1.0F / length : 0.0F;
+        to.gradient_x[k] = scale * x;
+        to.gradient_y[k] = scale * y;
+    }
+}
+
+// The sums over films that smooth distances are made of.
+struct SmoothSums {
+    Lanes sum{};
+    Lanes x{};
+    Lanes y{};
+};
+
+// phi² = f² + r², r = (root - t) / 2, root = sqrt(t² + f^4 / c²), with f the function across the
+// film, t the function along it and c its chord; r grad r = r (f³ / c² grad f - r grad t) / root.
+[[gnu::always_inline]] inline void add_film(const FilmFunctions& film,
+                                            const float* xs,
+                                            const float* ys,
+                                            SmoothSums& sums) {
+    const float over_chord = 1.0F / film.chord;
+    for (std::size_t k = 0; k < kLanes; ++k) {
+        const Seen across = seen_from(film.across, xs[k], ys[k]);
+        const Seen along = seen_from(film.along, xs[k], ys[k]);
+        const float f = 0.5F * across.twice;
+        const float t = 0.5F * along.twice;
+        const float bend = f * f * over_chord;
+        const float root = max_value(std::sqrt(t * t + bend * bend), kLeastRoot);
+        const float sum = root + std::abs(t);
+        const float inside = 0.5F * bend * (bend / sum);
+        const float r = t > 0.0F ? inside : 0.5F * sum;
+        const float weight = 1.0F / max_value(f * f + r * r, kLeastSquare);
+        const float part = r / root;  // at most 1
+        const float from_f = f + part * (f * over_chord) * bend;
+        const float from_t = -part * r;
+        const float scale = weight * weight;
+        sums.sum[k] += weight;
+        sums.x[k] += scale * (from_f * across.x + from_t * along.x);
+        sums.y[k] += scale * (from_f * across.y + from_t * along.y);
+    }
+}
+
+[[gnu::always_inline]] inline void add_films(std::span<const FilmFunctions> films,
+                                             std::size_t count,
+                                             const float* xs,
+                                             const float* ys,
+                                             const Distances& to) {
+    for (std::size_t from = 0; from < count; from += kLanes) {
+        SmoothSums sums;
+        for (const FilmFunctions& film : films) {
+            add_film(film, xs + from, ys + from, sums);
+        }
+        std::memcpy(to.distance + from, sums.sum.data(), sizeof(Lanes));
+        std::memcpy(to.gradient_x + from, sums.x.data(), sizeof(Lanes));
+        std::memcpy(to.gradient_y + from, sums.y.data(), sizeof(Lanes));
+    }
+}
+
+// s = S^-1/2, and grad s = s³ times the sum of phi^-4 (f grad f + r grad r).
+[[gnu::always_inline]] inline void finish_sums(std::size_t count,
+                                               const Distances& plain,
+                                               const Distances& to) {
+    for (std::size_t k = 0; k < count; ++k) {
+        const float sum = to.distance[k];
+        const float s = 1.0F / std::sqrt(sum);
+        const float scale = s * s * s;
+        const std::uint32_t is_lost = mask_if(!(sum > kLeastSum));
+        to.distance[k] = chosen(is_lost, plain.distance[k], s);
+        to.gradient_x[k] = chosen(is_lost, plain.gradient_x[k], scale * to.gradient_x[k]);
+        to.gradient_y[k] = chosen(is_lost, plain.gradient_y[k], scale * to.gradient_y[k]);
+    }
+}
+
+}  // namespace
+
+void PixelBatch::clear(const Vec2& middle) {
+    middle_ = middle;
+    first_x_ = static_cast<float>(middle.x() - 0.5);
+    first_y_ = static_cast<float>(middle.y() - 0.5);
+    count_ = 0;
+    span_count_ = 0;
+}
+
+// Writes whole groups of eight, the last of which may be too many: the next span overwrites them.
+void PixelBatch::add_span(int column, int row, int count) {
+    constexpr std::array<float, 8> kSteps{0, 1, 2, 3, 4, 5, 6, 7};
+    const auto size = static_cast<std::uint32_t>(count);
+    spans_[span_count_++] = {column, row, static_cast<std::uint32_t>(count_), size};
+    const float x = static_cast<float>(column) - first_x_;
+    const float y = static_cast<float>(row) - first_y_;
+    for (std::size_t begin = 0; begin < size; begin += kSteps.size()) {
+        const float first = x + static_cast<float>(static_cast<int>(begin));
+        for (std::size_t k = 0; k < kSteps.size(); ++k) {
+            x_[count_ + begin + k] = first + kSteps[k];
+            y_[count_ + begin + k] = y;
+        }
+    }
+    count_ += size;
+}
+
+// Fills the last lanes with the first pixel.
+void PixelBatch::pad() {
+    std::fill_n(x_.begin() + static_cast<std::ptrdiff_t>(count_), kLanes, x_[0]);
+    std::fill_n(y_.begin() + static_cast<std::ptrdiff_t>(count_), kLanes, y_[0]);
+}
+
+bool PixelBatch::measure(std::span<const ArcFunctions> arcs,
+                         std::span<const Vec2> points,
+                         bool gradient) {
+    pad();
+    const std::size_t count = padded_count();
+    const float* const xs = x_.data();
+    const float* const ys = y_.data();
+    const Distances to{
+        distance_.data(), denominator_.data(), gradient_x_.data(), gradient_y_.data()};
+    const auto measure_with = [=](auto with_gradient) {
+        return at_simd_level([=] {
+            find_nearest<with_gradient>(arcs, points, count, xs, ys, to);
+            if constexpr (with_gradient) {
+                normalize_gradients(count, to);
+            }
+            return divide(count, to);
+        });
+    };
+    return gradient ? measure_with(std::true_type{}) : measure_with(std::false_type{});
+}
+
+void PixelBatch::measure_smooth(std::span<const FilmFunctions> films) {
+    const std::size_t count = padded_count();
+    const float* const xs = x_.data();
+    const float* const ys = y_.data();
+    const Distances plain{distance_.data(), nullptr, gradient_x_.data(), gradient_y_.data()};
+    const Distances to{smooth_.data(), nullptr, smooth_x_.data(), smooth_y_.data()};
+    at_simd_level([=] {
+        add_films(films, count, xs, ys, to);
+        finish_sums(count, plain, to);
+    });
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,109 @@
+#pragma once
+
+#include "core/geometry/vec2.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace foam::texgen {
+
+/// A function of the plane: at the distance d from the middle of a batch it is
+/// value + gradient d - curvature / 2 d².
+struct FloatQuadratic {
+    float twice_value = 0.0F;
+    float x = 0.0F;  // the gradient
+    float y = 0.0F;
+    float curvature = 0.0F;
+};
+
+/// The signed distance from a line.
+struct FloatLine {
+    float value = 0.0F;  // at the middle of a batch
+    float x = 0.0F;      // the gradient
+    float y = 0.0F;
+};
+
+/// What an arc is to the pixels of a batch: the function that is 0 on its circle, with slope 1
+/// there, and the lines that are normal to it at its ends, positive on the side of the arc.
+struct ArcFunctions {
+    FloatQuadratic across;
+    FloatLine past_tail;
+    FloatLine before_head;
+};
+
+/// What a film is to a smooth distance: the function across it, and the function that is 0, with
+/// slope 1, on the circle through its ends that is normal to it there, positive on the film.
+struct FilmFunctions {
+    FloatQuadratic across;
+    FloatQuadratic along;
+    float chord = 0.0F;
+};
+
+/// Up to 1600 pixels of a region that are close together, and their distances, gradients and smooth
+/// distances. All arithmetic is in floats relative to the middle of the batch, where the functions
+/// of the arcs are computed in doubles: so nothing cancels, and it does not matter how far arcs
+/// reach. The result of a pixel does not depend on the other pixels of its batch.
+class PixelBatch {
+  public:
+    static constexpr std::size_t kCapacity = 1600;
+    static constexpr std::size_t kLanes = 16;  // pixels that are measured at once
+    static constexpr double kMargin = 0.01;    // more than the error of its floats, pixels
+    using Values = std::array<float, kCapacity + kLanes>;
+
+    /// Adjacent pixels of a row, in the coordinates of the region's box.
+    struct Span {
+        int column = 0;
+        int row = 0;
+        std::uint32_t first = 0;  // position of the first pixel among the batch's values
+        std::uint32_t count = 0;
+    };
+
+    /// Starts an empty batch. Precondition: the middle is at whole or half pixels.
+    void clear(const Vec2& middle);
+    /// Precondition: there is capacity left.
+    void add_span(int column, int row, int count);
+
+    const Vec2& middle() const { return middle_; }
+    std::span<const Span> spans() const { return std::span(spans_).first(span_count_); }
+    bool is_empty() const { return count_ == 0; }
+
+    /// Computes the distance of each pixel to the nearest of the arcs that it faces and of the
+    /// points, which are relative to the middle. Gradients are computed if they are needed. Returns
+    /// false if a pixel faces no arc and there is no point: its distance is infinite.
+    bool measure(std::span<const ArcFunctions> arcs, std::span<const Vec2> points, bool gradient);
+
+    /// Computes smooth distances and their gradients. Where there is no film these are the distance
+    /// and its gradient. Precondition: gradients were computed.
+    void measure_smooth(std::span<const FilmFunctions> films);
+
+    const Values& distance() const { return distance_; }
+    const Values& gradient_x() const { return gradient_x_; }
+    const Values& gradient_y() const { return gradient_y_; }
+    const Values& smooth() const { return smooth_; }
+    const Values& smooth_x() const { return smooth_x_; }
+    const Values& smooth_y() const { return smooth_y_; }
+
+  private:
+    void pad();
+    std::size_t padded_count() const { return (count_ + kLanes - 1) / kLanes * kLanes; }
+
+    Vec2 middle_{0.0, 0.0};
+    float first_x_ = 0.0F;  // from the center of pixel (0, 0) to the middle; exact
+    float first_y_ = 0.0F;
+    std::size_t count_ = 0;
+    std::size_t span_count_ = 0;
+    std::array<Span, kCapacity> spans_;
+    alignas(64) Values x_{};  // from the middle
+    alignas(64) Values y_{};
+    alignas(64) Values distance_{};
+    alignas(64) Values denominator_{};
+    alignas(64) Values gradient_x_{};
+    alignas(64) Values gradient_y_{};
+    alignas(64) Values smooth_{};
+    alignas(64) Values smooth_x_{};
+    alignas(64) Values smooth_y_{};
+};
+
+}  // namespace foam::texgen

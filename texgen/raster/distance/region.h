@@ -1,0 +1,50 @@
+#pragma once
+
+#include "texgen/raster/coords/fixed_point.h"
+
+#include <cstdint>
+
+namespace foam::texgen {
+
+enum class RegionKind {
+    Bubble,
+    Circle,        // a lone bubble; its boundary is a circle of two arcs
+    Surroundings,  // of a patch; unbounded, and without smooth distances of its own
+};
+
+/// A region of the plane whose pixels have one id. Its box is in subpixels of the unshifted grid.
+/// On a torus it is unwrapped: it may leave the grid by several periods.
+struct Region {
+    std::uint32_t id = 0;  // as in DistanceField
+    RegionKind kind = RegionKind::Bubble;
+    SubpixelPoint first;  // the tail of its first side
+    SubpixelPoint lowest;
+    SubpixelPoint highest;
+};
+
+/// A range of rows of pixels.
+struct PixelRows {
+    int begin = 0;
+    int end = 0;
+};
+
+/// A rectangle of pixels. `right` and `top` are one past the last column and row.
+struct PixelBox {
+    int left = 0;
+    int right = 0;
+    int bottom = 0;
+    int top = 0;
+
+    int columns() const { return right - left; }
+    int rows() const { return top - bottom; }
+    SubpixelPoint corner() const { return {left * kSubpixel, bottom * kSubpixel}; }
+};
+
+/// Returns the pixels that a region moved by a translation may cover.
+inline PixelBox box_around(const Region& region, SubpixelPoint translation) {
+    const SubpixelPoint low = region.lowest + translation;
+    const SubpixelPoint high = region.highest + translation;
+    return {pixel_of(low.x), pixel_of(high.x) + 1, pixel_of(low.y), pixel_of(high.y) + 1};
+}
+
+}  // namespace foam::texgen
