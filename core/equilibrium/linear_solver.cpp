@@ -6,6 +6,16 @@ namespace foam {
 
 namespace {
 
+// Foams of 1,000 to 100,000 bubbles take up to 800 bytes a row in double precision, and a dense
+// factor of a small foam fits in the constant part. Only a foam whose positions are in disorder
+// exceeds this: it is no state for Newton's method.
+constexpr std::size_t kMaxBytesPerRow = 2000;
+constexpr std::size_t kMaxBytesOfFewRows = std::size_t{32} << 20U;
+
+std::size_t max_bytes(const Eigen::SparseMatrix<double>& matrix) {
+    return kMaxBytesOfFewRows + kMaxBytesPerRow * static_cast<std::size_t>(matrix.rows());
+}
+
 Vec2 middle_of(const Foam& foam, BubbleId bubble) {
     const Vec2 start = foam.positions[foam.network.tail(foam.network.first(bubble))];
     Vec2 from_start = Vec2::Zero();
@@ -50,7 +60,11 @@ void LinearSolver::start(const Foam& foam,
 bool LinearSolver::factor(const Eigen::SparseMatrix<double>& matrix) {
     const auto factor_with = [&](auto& factors) {
         if (!analyzed_) {
-            factors.analyze(matrix, nodes_, domain_, {}, threads_);
+            const LdltOptions options{.max_bytes = max_bytes(matrix)};
+            if (factors.analyze(matrix, nodes_, domain_, options, threads_) ==
+                LdltAnalysis::TooLarge) {
+                return false;
+            }
             analyzed_ = true;
         }
         return factors.factor(matrix, threads_);

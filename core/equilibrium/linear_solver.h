@@ -28,7 +28,7 @@ class LinearSolver {
     void start(const Foam& foam, const Unknowns& unknowns, Precision precision, int threads = 0);
 
     /// Factors a matrix; all matrices since `start` have the same pattern. Returns false if a pivot
-    /// vanished: then there is no factor to solve with.
+    /// vanished or the factor would take too much memory: then there is none to solve with.
     bool factor(const Eigen::SparseMatrix<double>& matrix);
 
     /// Solves with the factor, to about six digits if it is of single precision.

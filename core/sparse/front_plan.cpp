@@ -34,10 +34,14 @@ class FrontBuilder {
         seen_by_.assign(nodes.size(), narrow(dissection.parts.size()));
     }
 
-    FrontPlan run() && {
+    // Returns nothing as soon as the factor alone exceeds the limit.
+    std::optional<FrontPlan> run(std::size_t limit) && {
         for (const DissectionPart& part : dissection_.parts) {
             find_border(part);
             add_front(part);
+            if (plan_.panels_size > limit) {
+                return std::nullopt;
+            }
         }
         return std::move(plan_);
     }
@@ -156,18 +160,25 @@ void FrontPlan::write_places(const Front& front, std::span<std::uint32_t> place_
     }
 }
 
-FrontPlan plan_fronts(const Eigen::SparseMatrix<double>& lower_pattern,
-                      std::span<const SolverNode> nodes,
-                      const Domain& domain,
-                      const DissectionOptions& options,
-                      int threads) {
+std::optional<FrontPlan> plan_fronts(const Eigen::SparseMatrix<double>& lower_pattern,
+                                     std::span<const SolverNode> nodes,
+                                     const Domain& domain,
+                                     const DissectionOptions& options,
+                                     std::size_t limit,
+                                     int threads) {
     const NodeGraph graph = coupling(lower_pattern, nodes);
     const Dissection dissection = dissect(graph, nodes, domain, options, threads);
-    FrontPlan plan = FrontBuilder(graph, dissection, nodes).run();
-    assert(plan.elimination.size() == static_cast<std::size_t>(lower_pattern.cols()));
-    link_borders(plan);
-    place_entries(lower_pattern, plan);
-    plan.workspace_size = share_workspace(plan.fronts);
+    std::optional<FrontPlan> plan = FrontBuilder(graph, dissection, nodes).run(limit);
+    if (!plan) {
+        return std::nullopt;
+    }
+    plan->workspace_size = share_workspace(plan->fronts);
+    if (plan->panels_size + plan->workspace_size > limit) {
+        return std::nullopt;
+    }
+    assert(plan->elimination.size() == static_cast<std::size_t>(lower_pattern.cols()));
+    link_borders(*plan);
+    place_entries(lower_pattern, *plan);
     return plan;
 }
 

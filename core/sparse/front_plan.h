@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -55,6 +56,12 @@ struct FrontPlan {
     std::size_t scratch_size = 0;  // of each thread
     std::size_t largest_border = 0;
 
+    /// Returns how many numbers a factorization on this many threads works on: the factor, the
+    /// remainders of fronts, and the scratch memory of the threads.
+    std::size_t memory_size(std::size_t threads) const {
+        return panels_size + workspace_size + threads * scratch_size;
+    }
+
     std::span<const std::uint32_t> rows_of_border(const Front& front) const {
         return std::span(border_rows).subspan(front.border_begin, front.border);
     }
@@ -67,11 +74,13 @@ struct FrontPlan {
 };
 
 /// Plans the factorization of matrices whose lower triangle has the given pattern, compressed and
-/// with its columns in order. The nodes take up the rows in turn.
-FrontPlan plan_fronts(const Eigen::SparseMatrix<double>& lower_pattern,
-                      std::span<const SolverNode> nodes,
-                      const Domain& domain,
-                      const DissectionOptions& options,
-                      int threads = 1);
+/// with its columns in order. The nodes take up the rows in turn. Returns nothing if the factor and
+/// the remainders of fronts would take more numbers than `limit`.
+std::optional<FrontPlan> plan_fronts(const Eigen::SparseMatrix<double>& lower_pattern,
+                                     std::span<const SolverNode> nodes,
+                                     const Domain& domain,
+                                     const DissectionOptions& options,
+                                     std::size_t limit,
+                                     int threads = 1);
 
 }  // namespace foam

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cassert>
+#include <optional>
+#include <utility>
 
 namespace foam {
 
@@ -272,14 +274,29 @@ std::size_t threads_for(const FrontPlan& plan, int threads) {
 }  // namespace
 
 template <class Real>
-void SparseLdlt<Real>::analyze(const Eigen::SparseMatrix<double>& lower_pattern,
-                               std::span<const SolverNode> nodes,
-                               const Domain& domain,
-                               const DissectionOptions& options,
-                               int threads) {
-    plan_ = plan_fronts(lower_pattern, nodes, domain, options, threads);
+LdltAnalysis SparseLdlt<Real>::analyze(const Eigen::SparseMatrix<double>& lower_pattern,
+                                       std::span<const SolverNode> nodes,
+                                       const Domain& domain,
+                                       const LdltOptions& options,
+                                       int threads) {
+    std::optional<FrontPlan> plan = plan_fronts(lower_pattern,
+                                                nodes,
+                                                domain,
+                                                options.dissection,
+                                                options.max_bytes / sizeof(Real),
+                                                threads);
+    if (!plan) {
+        return LdltAnalysis::TooLarge;
+    }
+    plan_ = std::move(*plan);
     factor_.resize(plan_.panels_size);
     workspace_.resize(plan_.workspace_size);
+    return LdltAnalysis::Planned;
+}
+
+template <class Real>
+std::size_t SparseLdlt<Real>::memory_bytes(int threads) const {
+    return sizeof(Real) * plan_.memory_size(threads_for(plan_, threads));
 }
 
 template <class Real>

@@ -10,6 +10,16 @@
 
 namespace foam {
 
+struct LdltOptions {
+    DissectionOptions dissection{};
+    std::size_t max_bytes = std::size_t{1} << 32U;  // of the factor and the remainders of fronts
+};
+
+enum class LdltAnalysis {
+    Planned,
+    TooLarge,  // see LdltOptions::max_bytes; nothing was planned
+};
+
 /// Direct solver for symmetric quasi-definite matrices over points of a torus: L D Lᵀ without
 /// pivoting, multifrontal, in the order of a geometric nested dissection. The bits of its results
 /// do not depend on the number of threads.
@@ -17,12 +27,16 @@ template <class Real>
 class SparseLdlt {
   public:
     /// Plans for all matrices of this pattern, of which the lower triangle is given, compressed and
-    /// in order. The nodes take up the rows in turn.
-    void analyze(const Eigen::SparseMatrix<double>& lower_pattern,
-                 std::span<const SolverNode> nodes,
-                 const Domain& domain,
-                 const DissectionOptions& options = {},
-                 int threads = 1);
+    /// in order. The nodes take up the rows in turn. Memory of the planned size is allocated only
+    /// if it is within the limit.
+    LdltAnalysis analyze(const Eigen::SparseMatrix<double>& lower_pattern,
+                         std::span<const SolverNode> nodes,
+                         const Domain& domain,
+                         const LdltOptions& options = {},
+                         int threads = 1);
+
+    /// Returns the number of bytes that `factor` works on with this many threads.
+    std::size_t memory_bytes(int threads) const;
 
     /// Factors a matrix of the pattern that was analyzed, on up to so many threads. Takes memory at
     /// the first call only. False where a pivot is zero or not finite: there is then nothing to

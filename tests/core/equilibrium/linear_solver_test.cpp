@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <vector>
 
 namespace foam {
@@ -40,6 +41,20 @@ TEST(LinearSolver, SolvesWithTheHessian) {
                       (precision == Precision::Double ? 1e-9 : 1e-2) * right.norm());
         }
     }
+}
+
+// Where positions say nothing, the separators are nearly all of the foam: 2,000 bubbles have 10,000
+// rows, and a dense factor takes 200 MB in single precision.
+TEST(LinearSolver, RejectsAFactorThatIsTooLarge) {
+    Foam foam = test::bent_foam(2000, 0.2, 6);
+    const Unknowns unknowns = all_unknowns(foam.network);
+    const Eigen::SparseMatrix<double> matrix = regular_hessian(foam, unknowns);
+    for (Vec2& position : foam.positions) {
+        position.setConstant(std::numeric_limits<double>::quiet_NaN());
+    }
+    LinearSolver solver;
+    solver.start(foam, unknowns, Precision::Single);
+    EXPECT_FALSE(solver.factor(matrix));
 }
 
 TEST(LinearSolver, StaysGoodWhileTheFoamMoves) {

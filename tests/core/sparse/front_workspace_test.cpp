@@ -17,7 +17,8 @@ FrontPlan plan_of(int bubbles) {
     const Foam foam = seed_foam(options);
     const Unknowns unknowns = all_unknowns(foam.network);
     const Hessian hessian(foam.network, unknowns);
-    return plan_fronts(hessian.matrix(), solver_nodes(foam, unknowns), foam.domain, {});
+    return *plan_fronts(
+        hessian.matrix(), solver_nodes(foam, unknowns), foam.domain, {}, std::size_t{1} << 30U);
 }
 
 // Plays the factorization: a front writes its number over its remainder, and finds its children's

@@ -184,5 +184,17 @@ TEST(SparseLdlt, ReportsValuesThatAreNotFinite) {
     EXPECT_FALSE(solver.factor(system.matrix, 1));
 }
 
+TEST(SparseLdlt, RejectsAPlanThatIsTooLarge) {
+    const System system = system_of(relaxed_foam(50), 0.1);
+    SparseLdlt<double> solver = factored(system);
+    EXPECT_GT(solver.memory_bytes(1), sizeof(double) * solver.nonzeros());
+    const auto analyze = [&](std::size_t max_bytes) {
+        return solver.analyze(system.matrix, system.nodes, system.domain, {.max_bytes = max_bytes});
+    };
+    EXPECT_EQ(analyze(solver.memory_bytes(1)), LdltAnalysis::Planned);
+    EXPECT_EQ(analyze(sizeof(double) * solver.nonzeros() - 1), LdltAnalysis::TooLarge);
+    EXPECT_EQ(analyze(0), LdltAnalysis::TooLarge);
+}
+
 }  // namespace
 }  // namespace foam
