@@ -70,13 +70,13 @@ class Filler {
           values_(values),
           to_samples_(to_samples),
           image_(image),
-          threads_(threads),
-          bands_(cells, rows_per_band(image.width(), sizeof(typename BandCoverage::Sum)), threads) {
-    }
+          threads_(thread_count(threads)),
+          bands_(
+              cells, rows_per_band(image.width(), sizeof(typename BandCoverage::Sum)), threads_) {}
 
     // Each worker allocates one buffer for all its bands.
     void fill() const {
-        const int workers = std::clamp(threads_, 1, bands_.count());
+        const int workers = std::min(threads_, bands_.count());
         std::vector<std::optional<Worker>> all(static_cast<std::size_t>(workers));
         parallel_for(bands_.count(), all, [&](std::optional<Worker>& worker, int band) {
             if (!worker) {

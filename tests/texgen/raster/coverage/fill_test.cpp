@@ -7,6 +7,7 @@
 #include "core/network/validate.h"
 #include "tests/support/raster_reference.h"
 #include "tests/support/sample_foams.h"
+#include "tests/support/simd_levels.h"
 #include "texgen/raster/outline/cell_arcs.h"
 
 #include <gtest/gtest.h>
@@ -180,6 +181,19 @@ TEST(Fill, DoesNotDependOnThreads) {
         const Image16 one = filled(cells, values, 1);
         EXPECT_EQ(one, filled(cells, values, 2));
         EXPECT_EQ(one, filled(cells, values, 3));
+        EXPECT_EQ(one, filled(cells, values, 0));  // as many as the hardware runs
+    }
+}
+
+TEST(Fill, HasTheSameBitsAtEverySimdLevel) {
+    const Frame frame = test::fitted_frame(test::bent_foam(300, 0.5, 3), 300, 300);
+    const CellValues values = random_values(frame.bubbles.size(), 3, 6);
+    for (const double width : {0.0, 1.5}) {
+        const auto fill = [&] {
+            return filled(cell_arcs(frame, {300, 300, 0, 0}, width, 1), values, 1);
+        };
+        const Image16 image = fill();
+        at_every_simd_level([&] { EXPECT_EQ(fill(), image); });
     }
 }
 
