@@ -43,37 +43,39 @@ constexpr std::array<double, kLanes> kRowSteps = [] {
 constexpr double kToNearest = 0.5;
 constexpr double kUp = 1.0 - 0x1p-27;  // a crossing of an edge is a fraction of its height
 
-// Flips the pixels to the right of an arc, whose lower end has this x, in `count` rows. The middle
-// of the first row is at the height y above that end. Words of rows beyond these are written, but
-// do not change.
-void flip_rows(const CrossingSolver<double>& arc,
-               double low_x,
-               double y,
-               double round_up,
-               int count,
-               int columns,
-               std::size_t stride,
-               std::uint64_t* words) {
+// Rows of a mask: the first words of the rows, which lie side by side, and the distance from there
+// to the next words of the same rows.
+struct MaskRows {
+    std::uint64_t* words;
+    std::size_t stride;
+    int count;
+    int columns;  // pixels
+};
+
+// Flips the pixels to the right of an arc, whose lower end has this x. The middle of the first row
+// is at the height y above that end. Words of rows beyond the last are written, but do not change.
+void flip_rows(
+    const CrossingSolver<double>& arc, double low_x, double y, double round_up, MaskRows rows) {
     at_simd_level([=] {
-        const double last_x = columns * kSubpixel;
-        for (int from = 0; from < count; from += static_cast<int>(kLanes)) {
+        const double last_x = rows.columns * kSubpixel;
+        for (int from = 0; from < rows.count; from += static_cast<int>(kLanes)) {
             const double begin = from * kSubpixel;
-            const double end = count * kSubpixel;
-            std::array<std::uint64_t, kLanes> column;
-            std::array<std::uint64_t, kLanes> is_crossed;
+            const double end = rows.count * kSubpixel;
+            std::array<std::uint64_t, kLanes> column{};
+            std::array<std::uint64_t, kLanes> is_crossed{};
             for (std::size_t k = 0; k < kLanes; ++k) {
                 const double step = begin + kRowSteps[k];
                 const double x = low_x + std::floor(arc.unbounded_x_at(y + step) + round_up);
                 column[k] = first_column_from(min_value(max_value(x, 0.0), last_x));
                 is_crossed[k] = step < end ? ~std::uint64_t{0} : 0;
             }
-            std::uint64_t* word = words + from;
-            for (int first = 0; first <= columns; first += PixelMask::kWordColumns) {
+            std::uint64_t* word = rows.words + from;
+            for (int first = 0; first <= rows.columns; first += PixelMask::kWordColumns) {
                 for (std::size_t k = 0; k < kLanes; ++k) {
                     word[k] ^=
                         is_crossed[k] & bits_from(static_cast<std::int64_t>(column[k]) - first);
                 }
-                word += stride;
+                word += rows.stride;
             }
         }
     });
@@ -150,10 +152,7 @@ void PixelMask::flip_right_of_piece(
               from.x(),
               first * kSubpixel + kHalf - from.y(),
               round_up,
-              last - first,
-              columns_,
-              stride_,
-              words_.data() + (first - rows_.begin));
+              {words_.data() + (first - rows_.begin), stride_, last - first, columns_});
 }
 
 }  // namespace foam::texgen
