@@ -1,34 +1,200 @@
 #include "core/sparse/dense_kernels.h"
 
-#include "core/sparse/dense_kernels_of.h"
+#include "core/parallel/simd_level.h"
+
+#include <cstring>
 
 namespace foam {
 
-#ifdef FOAM_HAS_AVX2_KERNELS
-namespace kernels {
-extern template DenseKernels<float> kernels_of<float, 32>();
-extern template DenseKernels<double> kernels_of<double, 32>();
-}  // namespace kernels
-#endif
+namespace {
 
-template <class Real>
-DenseKernels<Real> baseline_kernels() {
-    return kernels::kernels_of<Real, 16>();
-}
+// A vector of `Bytes` bytes with element-wise arithmetic.
+template <class Real, int Bytes>
+using Vector [[gnu::vector_size(Bytes)]] = Real;
 
-template <class Real>
-DenseKernels<Real> best_kernels() {
-#ifdef FOAM_HAS_AVX2_KERNELS
-    if (__builtin_cpu_supports("avx2") != 0) {
-        return kernels::kernels_of<Real, 32>();
+// The loops for one width of vectors.
+template <class Real, int Bytes>
+struct Kernels {
+    using Lanes = Vector<Real, Bytes>;
+    using Index = std::ptrdiff_t;
+
+    static constexpr Index kLanes = Bytes / Index{sizeof(Real)};
+    static constexpr Index kLargestStrip = 3;  // in vectors: the height of a strip of rows
+
+    static void subtract_product(const DenseProduct<Real>& product) {
+        Index row = 0;
+        for (; row + kLargestStrip * kLanes <= product.rows; row += kLargestStrip * kLanes) {
+            subtract_strip<kLargestStrip>(product, row);
+        }
+        if (row + 2 * kLanes <= product.rows) {
+            subtract_strip<2>(product, row);
+            row += 2 * kLanes;
+        }
+        if (row + kLanes <= product.rows) {
+            subtract_strip<1>(product, row);
+            row += kLanes;
+        }
+        if (row < product.rows) {
+            subtract_last_rows(product, row);
+        }
     }
-#endif
-    return baseline_kernels<Real>();
+
+    static void eliminate(const DenseElimination<Real>& elimination) {
+        Index row = 0;
+        for (; row + kLanes <= elimination.rows; row += kLanes) {
+            eliminate_strip(elimination, row, kLanes);
+        }
+        if (row < elimination.rows) {
+            eliminate_strip(elimination, row, elimination.rows - row);
+        }
+    }
+
+  private:
+    static constexpr std::size_t size(Index count) { return static_cast<std::size_t>(count); }
+
+    template <Index Strip>
+    struct Tile {
+        Lanes sums[size(kGroup)][size(Strip)];
+    };
+
+    // Vectors are passed by reference: passed by value, they would change the calling convention of
+    // functions that are not compiled for the level.
+    static void load(const Real* source, Lanes& lanes) {
+        std::memcpy(&lanes, source, sizeof lanes);
+    }
+
+    static void store(Real* target, const Lanes& lanes) {
+        std::memcpy(target, &lanes, sizeof lanes);
+    }
+
+    static void load(const Real* source, Index count, Lanes& lanes) {
+        lanes = Lanes{};
+        std::memcpy(&lanes, source, size(count) * sizeof(Real));
+    }
+
+    static void store(Real* target, const Lanes& lanes, Index count) {
+        std::memcpy(target, &lanes, size(count) * sizeof(Real));
+    }
+
+    template <Index Strip>
+    static Tile<Strip> multiply(const Real* left, Index stride, const Real* right, Index depth) {
+        Tile<Strip> tile = {};
+        for (Index k = 0; k < depth; ++k) {
+            Lanes rows[size(Strip)];
+            for (Index part = 0; part < Strip; ++part) {
+                load(left + k * stride + part * kLanes, rows[part]);
+            }
+            for (Index col = 0; col < kGroup; ++col) {
+                for (Index part = 0; part < Strip; ++part) {
+                    tile.sums[col][part] += rows[part] * right[k * kGroup + col];
+                }
+            }
+        }
+        return tile;
+    }
+
+    template <Index Strip>
+    static void subtract_strip(const DenseProduct<Real>& product, Index row) {
+        const Index end = row + Strip * kLanes;
+        for (Index col = 0; col < product.cols && col < end; col += kGroup) {
+            const Tile<Strip> tile = multiply<Strip>(product.left + row,
+                                                     product.left_stride,
+                                                     product.right + col * product.depth,
+                                                     product.depth);
+            subtract_tile(product, tile, row, end, col);
+        }
+    }
+
+    // Copies the last rows, fewer than a vector holds, into a buffer of whole vectors.
+    static void subtract_last_rows(const DenseProduct<Real>& product, Index row) {
+        Real rows[size(kLargestDepth * kLanes)];
+        for (Index k = 0; k < product.depth; ++k) {
+            Lanes lanes;
+            load(product.left + row + k * product.left_stride, product.rows - row, lanes);
+            store(rows + k * kLanes, lanes);
+        }
+        for (Index col = 0; col < product.cols; col += kGroup) {
+            const Tile<1> tile =
+                multiply<1>(rows, kLanes, product.right + col * product.depth, product.depth);
+            subtract_tile(product, tile, row, product.rows, col);
+        }
+    }
+
+    template <Index Strip>
+    static void subtract_tile(const DenseProduct<Real>& product,
+                              const Tile<Strip>& tile,
+                              Index row,
+                              Index end,
+                              Index first_col) {
+        const bool is_whole = end == row + Strip * kLanes;
+        for (Index k = 0; k < kGroup && first_col + k < product.cols; ++k) {
+            const Index col = first_col + k;
+            Real* target = product.target + col * product.target_stride;
+            if (is_whole && col <= row) {
+                for (Index part = 0; part < Strip; ++part) {
+                    Real* const own = target + row + part * kLanes;
+                    Lanes lanes;
+                    load(own, lanes);
+                    store(own, lanes - tile.sums[k][part]);
+                }
+            } else {
+                Real sums[size(Strip * kLanes)];
+                std::memcpy(sums, tile.sums[k], sizeof sums);
+                for (Index r = col > row ? col : row; r < end; ++r) {
+                    target[r] -= sums[r - row];
+                }
+            }
+        }
+    }
+
+    // Computes y = L D column by column, each from the columns before it, and then L.
+    static void eliminate_strip(const DenseElimination<Real>& elimination, Index row, Index count) {
+        Lanes y[size(kNarrow)];
+        for (Index col = 0; col < elimination.pivots; ++col) {
+            const Real* const source = elimination.target + row + col * elimination.stride;
+            Lanes sum;
+            if (count == kLanes) {
+                load(source, sum);
+            } else {
+                load(source, count, sum);
+            }
+            for (Index k = 0; k < col; ++k) {
+                sum -= y[k] * elimination.triangle[col + k * elimination.stride];
+            }
+            y[col] = sum;
+        }
+        for (Index col = 0; col < elimination.pivots; ++col) {
+            const Real pivot = elimination.triangle[col + col * elimination.stride];
+            Real* const target = elimination.target + row + col * elimination.stride;
+            const Lanes lanes = y[col] * (Real(1) / pivot);
+            if (count == kLanes) {
+                store(target, lanes);
+            } else {
+                store(target, lanes, count);
+            }
+        }
+    }
+};
+
+// The highest level uses vectors of 32 bytes, too; it has twice as many registers for them.
+template <class Real, SimdLevel Level>
+using KernelsAt = Kernels<Real, Level == SimdLevel::Baseline ? 16 : 32>;
+
+}  // namespace
+
+template <class Real>
+void subtract_product(const DenseProduct<Real>& product) {
+    at_simd_level([product](auto level) { KernelsAt<Real, level>::subtract_product(product); });
 }
 
-template DenseKernels<float> baseline_kernels();
-template DenseKernels<double> baseline_kernels();
-template DenseKernels<float> best_kernels();
-template DenseKernels<double> best_kernels();
+template <class Real>
+void eliminate(const DenseElimination<Real>& elimination) {
+    at_simd_level([elimination](auto level) { KernelsAt<Real, level>::eliminate(elimination); });
+}
+
+template void subtract_product(const DenseProduct<float>&);
+template void subtract_product(const DenseProduct<double>&);
+template void eliminate(const DenseElimination<float>&);
+template void eliminate(const DenseElimination<double>&);
 
 }  // namespace foam

@@ -4,19 +4,20 @@
 
 namespace foam {
 
-/// Columns of a product that are taken at once; its right factor is packed in groups of so many.
+/// The number of columns of a product that are computed together; its right factor is packed in
+/// groups of this size.
 inline constexpr std::ptrdiff_t kGroup = 4;
 
-/// Columns that are eliminated at most without a product.
+/// The largest number of columns that are eliminated without a product.
 inline constexpr std::ptrdiff_t kNarrow = 16;
 
-/// The sums over the pivots are cut in pieces of this size, for the caches' sake.
+/// Sums over pivots are cut into pieces of this size, so that the factors stay in the cache.
 inline constexpr std::ptrdiff_t kLargestDepth = 128;
 
 /// target −= left · rightᵀ, where the target's row is not above its column. All matrices are
-/// column-major but the right one, which has as many rows as the target has columns: in groups of
-/// kGroup rows, each depth after depth, the last one filled up with zeros. rows ≥ cols and
-/// depth ≤ kLargestDepth.
+/// column-major except the right factor, which has as many rows as the target has columns: it is
+/// packed in groups of kGroup rows, each depth after depth, and the last group is padded with
+/// zeros. Precondition: rows ≥ cols and depth ≤ kLargestDepth.
 template <class Real>
 struct DenseProduct {
     std::ptrdiff_t rows = 0;
@@ -29,8 +30,9 @@ struct DenseProduct {
     std::ptrdiff_t target_stride = 0;
 };
 
-/// Rows of a matrix A that become those of L, with A = L D Uᵀ: U is lower unit triangular with
-/// `pivots` ≤ kNarrow rows, D diagonal; both stand where partial_ldlt puts them, in `triangle`.
+/// Turns rows of a matrix A into rows of L, where A = L D Uᵀ: U is lower unit triangular with
+/// `pivots` ≤ kNarrow rows, D is diagonal; both are stored in `triangle` as factor_panel leaves
+/// them.
 template <class Real>
 struct DenseElimination {
     std::ptrdiff_t rows = 0;
@@ -40,20 +42,13 @@ struct DenseElimination {
     std::ptrdiff_t stride = 0;  // of both
 };
 
-/// The inner loops of a dense L D Lᵀ, for float and double. Each number is computed by the same
-/// operations in the same order by the kernels of any machine: the same bits.
-template <class Real>
-struct DenseKernels {
-    void (*subtract_product)(const DenseProduct<Real>&) = nullptr;
-    void (*eliminate)(const DenseElimination<Real>&) = nullptr;
-};
+// The inner loops of a dense L D Lᵀ, for float and double, at simd_level(). Each number is computed
+// by the same operations in the same order at every level, so that the bits are the same.
 
-/// For vectors of 16 bytes.
 template <class Real>
-DenseKernels<Real> baseline_kernels();
+void subtract_product(const DenseProduct<Real>& product);
 
-/// For the widest vectors that this machine has.
 template <class Real>
-DenseKernels<Real> best_kernels();
+void eliminate(const DenseElimination<Real>& elimination);
 
 }  // namespace foam

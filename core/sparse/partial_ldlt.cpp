@@ -15,12 +15,6 @@ using Window =
     Eigen::Map<Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>, 0, Eigen::OuterStride<>>;
 
 template <class Real>
-const DenseKernels<Real>& kernels() {
-    static const DenseKernels<Real> best = best_kernels<Real>();
-    return best;
-}
-
-template <class Real>
 Window<Real> window(DenseView<Real>& matrix, Index row, Index begin, Index end) {
     return {matrix.data() + begin * matrix.rows() + row,
             matrix.rows() - row,
@@ -28,7 +22,7 @@ Window<Real> window(DenseView<Real>& matrix, Index row, Index begin, Index end) 
             Eigen::OuterStride<>(matrix.rows())};
 }
 
-// The rows of the right factor L D of a product, packed as DenseProduct wants them.
+// Packs the rows of the right factor L D of a product as DenseProduct describes.
 template <class Real>
 void pack_scaled(const DenseView<Real>& panel,
                  Index first_row,
@@ -48,27 +42,28 @@ void pack_scaled(const DenseView<Real>& panel,
     }
 }
 
-// target -= L D Lᵀ over the factored columns begin to end, lower trapezoid. The target's rows are
-// those of the panel from first_row on, its columns are as many of these as it has.
+// target -= L D Lᵀ over the factored columns begin to end, lower trapezoid. The target has the last
+// rows of the panel; its columns correspond to the first of these rows.
 template <class Real>
-void subtract_share(
+void subtract_ldlt(
     const DenseView<Real>& panel, Index begin, Index end, Window<Real> target, Real* scratch) {
     const Index first_row = panel.rows() - target.rows();
     for (Index k = begin; k < end; k += kLargestDepth) {
         const Index depth = std::min(kLargestDepth, end - k);
         pack_scaled(panel, first_row, target.cols(), k, depth, scratch);
-        kernels<Real>().subtract_product({.rows = target.rows(),
-                                          .cols = target.cols(),
-                                          .depth = depth,
-                                          .left = panel.data() + k * panel.rows() + first_row,
-                                          .left_stride = panel.rows(),
-                                          .right = scratch,
-                                          .target = target.data(),
-                                          .target_stride = target.outerStride()});
+        subtract_product<Real>({.rows = target.rows(),
+                                .cols = target.cols(),
+                                .depth = depth,
+                                .left = panel.data() + k * panel.rows() + first_row,
+                                .left_stride = panel.rows(),
+                                .right = scratch,
+                                .target = target.data(),
+                                .target_stride = target.outerStride()});
     }
 }
 
-// The rows begin to end of these columns, out of which all earlier columns' shares have been taken.
+// Factors the rows begin to end of the columns begin to end, from which the products of all earlier
+// columns have been subtracted.
 template <class Real>
 bool factor_triangle(DenseView<Real>& panel, Index begin, Index end) {
     for (Index j = begin; j < end; ++j) {
@@ -78,9 +73,9 @@ bool factor_triangle(DenseView<Real>& panel, Index begin, Index end) {
         }
         const Real inverse = Real(1) / pivot;
         for (Index k = j + 1; k < end; ++k) {
-            const Real share = panel(k, j) * inverse;
+            const Real scaled = panel(k, j) * inverse;
             for (Index row = k; row < end; ++row) {
-                panel(row, k) -= share * panel(row, j);
+                panel(row, k) -= scaled * panel(row, j);
             }
         }
         for (Index row = j + 1; row < end; ++row) {
@@ -90,22 +85,23 @@ bool factor_triangle(DenseView<Real>& panel, Index begin, Index end) {
     return true;
 }
 
-// Columns begin to end, out of which all earlier columns' shares have been taken.
+// Factors columns begin to end, from which the products of all earlier columns have been
+// subtracted.
 template <class Real>
 bool factor_columns(DenseView<Real>& panel, Index begin, Index end) {
     if (!factor_triangle(panel, begin, end)) {
         return false;
     }
     Real* const corner = panel.data() + begin * panel.rows() + begin;
-    kernels<Real>().eliminate({.rows = panel.rows() - end,
-                               .pivots = end - begin,
-                               .triangle = corner,
-                               .target = corner + (end - begin),
-                               .stride = panel.rows()});
+    eliminate<Real>({.rows = panel.rows() - end,
+                     .pivots = end - begin,
+                     .triangle = corner,
+                     .target = corner + (end - begin),
+                     .stride = panel.rows()});
     return true;
 }
 
-// As factor_columns; halves the range, so that most of the work is in large products.
+// Like factor_columns, but recursively by halves, so that most of the work is in large products.
 template <class Real>
 bool factor_range(DenseView<Real>& panel, Index begin, Index end, Real* scratch) {
     if (end - begin <= kNarrow) {
@@ -115,7 +111,7 @@ bool factor_range(DenseView<Real>& panel, Index begin, Index end, Real* scratch)
     if (!factor_range(panel, begin, middle, scratch)) {
         return false;
     }
-    subtract_share(panel, begin, middle, window(panel, middle, middle, end), scratch);
+    subtract_ldlt(panel, begin, middle, window(panel, middle, middle, end), scratch);
     return factor_range(panel, middle, end, scratch);
 }
 
@@ -129,7 +125,7 @@ bool factor_panel(DenseView<Real> panel, Real* scratch) {
 template <class Real>
 void update_remainder(const DenseView<Real>& panel, DenseView<Real> remainder, Real* scratch) {
     if (remainder.cols() > 0) {
-        subtract_share(panel, 0, panel.cols(), window(remainder, 0, 0, remainder.cols()), scratch);
+        subtract_ldlt(panel, 0, panel.cols(), window(remainder, 0, 0, remainder.cols()), scratch);
     }
 }
 

@@ -1,6 +1,6 @@
 #include "core/sparse/dense_kernels.h"
 
-#include "core/sparse/partial_ldlt.h"
+#include "core/parallel/simd_level.h"
 
 #include <gtest/gtest.h>
 
@@ -28,22 +28,19 @@ class DenseKernelsTest : public testing::Test {
     static constexpr Index kStride = 140;
     static constexpr Index kMostCols = 64;
 
-    // The target after a product of numbers that do not depend on its shape.
-    static std::vector<Real> product_of(const DenseKernels<Real>& kernels,
-                                        Index rows,
-                                        Index cols,
-                                        Index depth) {
+    // Returns the target after a product of numbers that do not depend on its shape.
+    static std::vector<Real> product_of(Index rows, Index cols, Index depth) {
         const std::vector<Real> left = random_numbers<Real>(kStride * kLargestDepth);
         const std::vector<Real> right = random_numbers<Real>(kMostCols * kLargestDepth);
         std::vector<Real> target = random_numbers<Real>(kStride * kMostCols);
-        kernels.subtract_product({.rows = rows,
-                                  .cols = cols,
-                                  .depth = depth,
-                                  .left = left.data(),
-                                  .left_stride = kStride,
-                                  .right = right.data(),
-                                  .target = target.data(),
-                                  .target_stride = kStride});
+        subtract_product<Real>({.rows = rows,
+                                .cols = cols,
+                                .depth = depth,
+                                .left = left.data(),
+                                .left_stride = kStride,
+                                .right = right.data(),
+                                .target = target.data(),
+                                .target_stride = kStride});
         return target;
     }
 
@@ -67,21 +64,21 @@ class DenseKernelsTest : public testing::Test {
 
     static void expect_product(Index rows, Index cols, Index depth) {
         const std::vector<Real> expected = plain_product(rows, cols, depth);
-        for (const auto& kernels : {baseline_kernels<Real>(), best_kernels<Real>()}) {
-            EXPECT_EQ(product_of(kernels, rows, cols, depth), expected)
-                << rows << " rows, " << cols << " columns, depth " << depth;
+        for (const SimdLevel level : available_simd_levels()) {
+            const ForcedSimdLevel forced(level);
+            EXPECT_EQ(product_of(rows, cols, depth), expected)
+                << name_of(level) << ", " << rows << " rows, " << cols << " columns, depth "
+                << depth;
         }
     }
 
-    static std::vector<Real> eliminated_by(const DenseKernels<Real>& kernels,
-                                           Index rows,
-                                           Index pivots) {
+    static std::vector<Real> eliminated(Index rows, Index pivots) {
         std::vector<Real> numbers = random_numbers<Real>(kStride * kNarrow);
-        kernels.eliminate({.rows = rows,
-                           .pivots = pivots,
-                           .triangle = numbers.data(),
-                           .target = numbers.data() + pivots,
-                           .stride = kStride});
+        eliminate<Real>({.rows = rows,
+                         .pivots = pivots,
+                         .triangle = numbers.data(),
+                         .target = numbers.data() + pivots,
+                         .stride = kStride});
         return numbers;
     }
 
@@ -104,8 +101,8 @@ class DenseKernelsTest : public testing::Test {
     }
 
   private:
-    static Real at(const std::vector<Real>& numbers, Index place) {
-        return numbers[static_cast<std::size_t>(place)];
+    static Real at(const std::vector<Real>& numbers, Index index) {
+        return numbers[static_cast<std::size_t>(index)];
     }
 };
 
@@ -127,9 +124,10 @@ TYPED_TEST(DenseKernelsTest, EliminateAsAPlainLoopDoesToTheBit) {
     for (const std::ptrdiff_t rows : {0, 1, 4, 7, 8, 29, 120}) {
         for (const std::ptrdiff_t pivots : {1, 2, 9, 16}) {
             const auto expected = this->plainly_eliminated(rows, pivots);
-            for (const auto& kernels : {baseline_kernels<TypeParam>(), best_kernels<TypeParam>()}) {
-                EXPECT_EQ(this->eliminated_by(kernels, rows, pivots), expected)
-                    << rows << " rows, " << pivots << " pivots";
+            for (const SimdLevel level : available_simd_levels()) {
+                const ForcedSimdLevel forced(level);
+                EXPECT_EQ(this->eliminated(rows, pivots), expected)
+                    << name_of(level) << ", " << rows << " rows, " << pivots << " pivots";
             }
         }
     }
