@@ -1,7 +1,7 @@
 #include "core/sparse/dissection.h"
 
 #include "core/parallel/parallel_for.h"
-#include "core/sparse/vertex_cut.h"
+#include "core/sparse/separator.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,15 +12,17 @@ namespace foam {
 
 namespace {
 
-constexpr int kFewRows = 2000;  // below, a second thread saves next to nothing
+// Parts with fewer rows are dissected by one thread: a second one would save next to nothing.
+constexpr int kMinParallelRows = 2000;
 
-// A rectangle around the nodes of a part, but for a few at its rim.
+// A rectangle around the nodes of a part, except a few that are slightly outside it.
 struct Box {
     Vec2 low;
     Vec2 high;
 };
 
-// The plane's are so large that no coordinate reaches half of one.
+// Returns the periods of the torus; for the plane, periods so large that no coordinate reaches half
+// of one.
 Vec2 periods_of(const Domain& domain) {
     return domain.is_plane() ? Vec2(Vec2::Constant(std::numeric_limits<double>::max()))
                              : Vec2(domain.width, domain.height);
@@ -37,20 +39,19 @@ Box bounding_box(std::span<const SolverNode> nodes) {
 
 using Nodes = std::span<std::uint32_t>;
 
-enum class Zone : std::uint8_t { Outside, Low, High };
-
-constexpr std::uint32_t kNoPlace = std::numeric_limits<std::uint32_t>::max();
-
-// One value per node. Parts of the graph that are dissected at the same time write different ones,
-// and read none of each other's: the cut lies between them.
+// One element per node. Parts of the graph that are dissected at the same time write different
+// elements and read none of each other's, because a separator is between them.
 struct NodeMemory {
     std::vector<std::uint32_t> order;
     std::vector<Zone> zones;
-    std::vector<double> keys;           // coordinate by which a part is halved
-    std::vector<std::uint32_t> places;  // in the band
+    std::vector<double> keys;                 // coordinate by which a part is halved
+    std::vector<std::uint32_t> band_indices;  // for SeparatorSearch
 
     explicit NodeMemory(std::size_t nodes)
-        : order(nodes), zones(nodes, Zone::Outside), keys(nodes), places(nodes, kNoPlace) {
+        : order(nodes),
+          zones(nodes, Zone::Outside),
+          keys(nodes),
+          band_indices(nodes, SeparatorSearch::kNotInBand) {
         std::iota(order.begin(), order.end(), 0U);
     }
 };
@@ -69,9 +70,9 @@ class Dissector {
           memory_(memory),
           zones_(memory.zones),
           keys_(memory.keys),
-          places_(memory.places) {}
+          separator_(graph, nodes, options.separator, memory.zones, memory.band_indices) {}
 
-    // Returns the number of the part among `parts`.
+    // Returns the index of the part in `parts`.
     std::size_t dissect(std::size_t begin, std::size_t end, const Box& box, int threads) {
         const Nodes part = Nodes(memory_.order).subspan(begin, end - begin);
         const int rows = rows_of(part);
@@ -80,7 +81,7 @@ class Dissector {
         }
         const Eigen::Index axis = box.high.x() - box.low.x() < box.high.y() - box.low.y() ? 1 : 0;
         const double cut = halve(part, box, axis);
-        move_cut(part);
+        separator_.separate(part);
         const auto [low, high] = sort_by_zone(part);
         if (low == 0 || high == 0) {
             return add_part({begin, end});
@@ -90,7 +91,7 @@ class Dissector {
         low_box.high[axis] = high_box.low[axis] = cut;
         const Half low_half{begin, begin + low, low_box};
         const Half high_half{begin + low, begin + low + high, high_box};
-        const auto [left, right] = threads > 1 && rows >= kFewRows
+        const auto [left, right] = threads > 1 && rows >= kMinParallelRows
                                        ? dissect_at_once(low_half, high_half, threads)
                                        : dissect_in_turn(low_half, high_half);
         return add_part({begin + low + high, end, left, right});
@@ -150,8 +151,8 @@ class Dissector {
         return rows;
     }
 
-    // Gives each half its zone, and returns the coordinate between them. Coordinates are taken
-    // around the middle of the box, so that one slightly beyond an edge stays near it.
+    // Assigns the two halves to the zones and returns the coordinate between them. Coordinates are
+    // taken relative to the middle of the box, so that one slightly beyond an edge stays near it.
     double halve(Nodes part, const Box& box, Eigen::Index axis) {
         const double middle = 0.5 * (box.low[axis] + box.high[axis]);
         for (const std::uint32_t node : part) {
@@ -171,106 +172,8 @@ class Dissector {
         return middle + keys_[part[half]];
     }
 
-    // Takes the lightest cut in a band along the border of the zones out of both of them, and lets
-    // the band's other nodes change sides accordingly.
-    void move_cut(Nodes part) {
-        band_.clear();
-        const std::size_t low_rim = grow_band(part, Zone::Low);
-        const std::size_t low_end = band_.size();
-        const std::size_t high_rim = grow_band(part, Zone::High);
-        pose_cut(low_rim, low_end, high_rim);
-        const std::vector<CutSide>& sides = cut_.solve();
-        for (std::size_t k = 0; k < band_.size(); ++k) {
-            places_[band_[k]] = kNoPlace;
-            zones_[band_[k]] = sides[k] == CutSide::Source ? Zone::Low
-                               : sides[k] == CutSide::Sink ? Zone::High
-                                                           : Zone::Outside;
-        }
-    }
-
-    // Adds layer after layer of a zone to the band, from the nodes that touch the other zone on.
-    // Returns where the last layer begins.
-    std::size_t grow_band(Nodes part, Zone zone) {
-        const std::size_t begin = band_.size();
-        add_border(part, zone);
-        const auto zone_size = static_cast<double>(part.size()) / 2.0;
-        const auto most = begin + static_cast<std::size_t>(options_.band_share * zone_size);
-        std::size_t rim = begin;
-        for (int layer = 0; layer < options_.band_layers; ++layer) {
-            const std::size_t end = band_.size();
-            add_layer(rim, zone);
-            if (band_.size() > most || band_.size() == end) {
-                drop_from(end);
-                break;
-            }
-            rim = end;
-        }
-        return rim;
-    }
-
-    void add_border(Nodes part, Zone zone) {
-        const Zone other = zone == Zone::Low ? Zone::High : Zone::Low;
-        for (const std::uint32_t node : part) {
-            if (zones_[node] == zone && touches(node, other)) {
-                add_to_band(node);
-            }
-        }
-    }
-
-    void add_layer(std::size_t rim, Zone zone) {
-        const std::size_t end = band_.size();
-        for (std::size_t k = rim; k < end; ++k) {
-            for (const std::uint32_t neighbour : graph_.of(band_[k])) {
-                if (zones_[neighbour] == zone && places_[neighbour] == kNoPlace) {
-                    add_to_band(neighbour);
-                }
-            }
-        }
-    }
-
-    bool touches(std::uint32_t node, Zone zone) const {
-        const std::span<const std::uint32_t> neighbours = graph_.of(node);
-        return std::any_of(neighbours.begin(), neighbours.end(), [&](std::uint32_t neighbour) {
-            return zones_[neighbour] == zone;
-        });
-    }
-
-    void add_to_band(std::uint32_t node) {
-        places_[node] = static_cast<std::uint32_t>(band_.size());
-        band_.push_back(node);
-    }
-
-    void drop_from(std::size_t begin) {
-        for (std::size_t k = begin; k < band_.size(); ++k) {
-            places_[band_[k]] = kNoPlace;
-        }
-        band_.resize(begin);
-    }
-
-    // Sources are the nodes from low_rim to low_end, sinks those from high_rim on.
-    void pose_cut(std::size_t low_rim, std::size_t low_end, std::size_t high_rim) {
-        const auto is_source = [&](std::size_t k) { return k >= low_rim && k < low_end; };
-        cut_.reset(band_.size());
-        for (std::size_t k = 0; k < band_.size(); ++k) {
-            cut_.set_weight(k, nodes_[band_[k]].rows);
-            if (k >= high_rim) {
-                cut_.make_sink(k);
-                continue;
-            }
-            if (is_source(k)) {
-                cut_.make_source(k);
-            }
-            for (const std::uint32_t neighbour : graph_.of(band_[k])) {
-                const std::size_t place = places_[neighbour];
-                if (place != kNoPlace && !is_source(place)) {
-                    cut_.connect(k, place);
-                }
-            }
-        }
-    }
-
-    // Sorts the part into low nodes, high nodes and the cut, and takes all out of their zones.
-    // Returns the numbers of the low and of the high nodes.
+    // Sorts the part into low nodes, high nodes and the separator, and resets their zones. Returns
+    // the numbers of low and of high nodes.
     std::pair<std::size_t, std::size_t> sort_by_zone(Nodes part) {
         const auto in = [this](Zone zone) {
             return [this, zone](std::uint32_t node) { return zones_[node] == zone; };
@@ -291,9 +194,7 @@ class Dissector {
     NodeMemory& memory_;
     std::vector<Zone>& zones_;
     std::vector<double>& keys_;
-    std::vector<std::uint32_t>& places_;
-    std::vector<std::uint32_t> band_;
-    VertexCut cut_;
+    SeparatorSearch separator_;
 };
 
 }  // namespace
@@ -307,7 +208,7 @@ Dissection dissect(const NodeGraph& graph,
     const Box box = domain.is_plane() ? bounding_box(nodes) : Box{Vec2::Zero(), periods};
     NodeMemory memory(nodes.size());
     Dissector dissector(graph, nodes, periods, options, memory);
-    dissector.dissect(0, nodes.size(), box, threads);
+    dissector.dissect(0, nodes.size(), box, thread_count(threads));
     return {std::move(memory.order), std::move(dissector.parts)};
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/geometry/domain.h"
 #include "core/sparse/node_graph.h"
+#include "core/sparse/separator.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -12,13 +13,12 @@
 namespace foam {
 
 struct DissectionOptions {
-    int leaf_rows = 16;       // a part of so many rows is not cut further
-    int band_layers = 1;      // the cut is sought among so many layers of nodes on either side
-    double band_share = 0.4;  // ... that hold at most so much of the side
+    int leaf_rows = 16;  // a part with at most this many rows is not divided
+    SeparatorOptions separator{};
 };
 
-/// A range of nodes in the order of elimination: those that part two earlier ranges from each
-/// other, or a leaf.
+/// A range of nodes in the order of elimination: the separator between two earlier ranges, or a
+/// leaf.
 struct DissectionPart {
     static constexpr std::size_t kNoPart = std::numeric_limits<std::size_t>::max();
 
@@ -36,10 +36,12 @@ struct Dissection {
     std::vector<DissectionPart> parts;  // every part after both its subtrees; the last is the root
 };
 
-/// Geometric nested dissection: halves the nodes at the median of the coordinate in which they
-/// extend further, moves that cut to the lightest one near it, and goes on with either side.
-/// Two such cuts part a torus, one the plane. Positions only guide it: any graph will do. Needs one
-/// node at least. The same for any number of threads.
+/// Finds an order of elimination by geometric nested dissection (George 1973): divides the nodes at
+/// the median of the coordinate in which they extend further, moves that border to the lightest
+/// separator near it, and divides both sides in the same way. The separators of a torus consist of
+/// two lines at first. Positions are only a guide: the order is valid for any graph. The result is
+/// the same for any number of threads, which are meant as in thread_count. Precondition: there is
+/// at least one node.
 Dissection dissect(const NodeGraph& graph,
                    std::span<const SolverNode> nodes,
                    const Domain& domain,

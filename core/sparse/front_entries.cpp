@@ -11,7 +11,8 @@ namespace {
 
 using Matrix = Eigen::SparseMatrix<double>;
 
-// Calls with each entry's number, and with its column and row in the order of elimination.
+// Calls action(entry, column, row) for each entry, with its column and row in the order of
+// elimination.
 template <class Action>
 void each_entry(const Matrix& lower, const FrontPlan& plan, const Action& action) {
     std::size_t entry = 0;
@@ -24,7 +25,7 @@ void each_entry(const Matrix& lower, const FrontPlan& plan, const Action& action
     }
 }
 
-// Where each column of the order of elimination begins among the entries sorted by column.
+// Returns where each column begins among the entries sorted by column, in the order of elimination.
 std::vector<std::size_t> begins_of_columns(const Matrix& lower, const FrontPlan& plan) {
     std::vector<std::size_t> begins(plan.elimination.size() + 1, 0);
     each_entry(lower, plan, [&](std::size_t, std::uint32_t column, std::uint32_t) {
@@ -36,7 +37,8 @@ std::vector<std::size_t> begins_of_columns(const Matrix& lower, const FrontPlan&
     return begins;
 }
 
-// The entries sorted by column; for a place they have their row in the order of elimination.
+// Returns the entries sorted by column. Their target is not final: it is their row in the order of
+// elimination.
 std::vector<FrontPlan::Entry> sorted_entries(const Matrix& lower,
                                              const FrontPlan& plan,
                                              std::vector<std::size_t> next_of_columns) {
@@ -49,20 +51,20 @@ std::vector<FrontPlan::Entry> sorted_entries(const Matrix& lower,
 
 }  // namespace
 
-void place_entries(const Matrix& lower_pattern, FrontPlan& plan) {
+void locate_entries(const Matrix& lower_pattern, FrontPlan& plan) {
     assert(lower_pattern.isCompressed());
     const std::vector<std::size_t> begins = begins_of_columns(lower_pattern, plan);
     plan.entries = sorted_entries(lower_pattern, plan, begins);
-    std::vector<std::uint32_t> places(plan.elimination.size());
+    std::vector<std::uint32_t> slots(plan.elimination.size());
     for (Front& front : plan.fronts) {
-        plan.write_places(front, places);
+        plan.write_slots(front, slots);
         front.entries_begin = begins[front.first_row];
         front.entries_end = begins[front.first_row + front.pivots];
         for (std::size_t column = 0; column < front.pivots; ++column) {
             const std::size_t row = front.first_row + column;
             for (std::size_t k = begins[row]; k < begins[row + 1]; ++k) {
-                std::uint32_t& place = plan.entries[k].place;
-                place = narrow(column * front.rows() + places[place]);
+                std::uint32_t& target = plan.entries[k].target;
+                target = narrow(column * front.rows() + slots[target]);
             }
         }
     }

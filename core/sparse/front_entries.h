@@ -6,8 +6,8 @@
 
 namespace foam {
 
-/// Finds the place of every number of the matrix among the fronts' panels: sets `entries` of the
-/// plan and the range of each front among them. The plan has its fronts and borders already.
-void place_entries(const Eigen::SparseMatrix<double>& lower_pattern, FrontPlan& plan);
+/// Finds the index of every entry of the matrix in the panel of its front: sets `entries` of the
+/// plan and the range of each front among them. Precondition: the plan has its fronts and borders.
+void locate_entries(const Eigen::SparseMatrix<double>& lower_pattern, FrontPlan& plan);
 
 }  // namespace foam

@@ -1,56 +1,59 @@
 #pragma once
 
-#include "core/sparse/dissection.h"
-
-#include <Eigen/SparseCore>
-
 #include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <limits>
 #include <span>
 #include <vector>
 
 namespace foam {
 
+/// Systems and subtrees with fewer rows are processed by one thread: a second one would save next
+/// to nothing.
+inline constexpr std::size_t kMinParallelRows = 3000;
+
 /// One step of the elimination: the rows of one part of the dissection, the pivots, are eliminated
-/// at once, in a dense matrix of the pivots and of all later rows that are coupled to them, the
-/// border. Rows are counted in the order of elimination.
+/// together, in a dense matrix of the pivots and of all later rows that are coupled to them, the
+/// border. Rows are numbered in the order of elimination.
 ///
-/// The pivots' columns are the front's panel and hold its share of L D Lᵀ in the end. What remains
-/// of the border's rows and columns goes into the parent front.
+/// The columns of the pivots are the front's panel, which finally holds its part of L D Lᵀ. The
+/// remainder, which is the Schur complement over the rows and columns of the border, is added to
+/// the parent front.
 struct Front {
-    std::size_t first_row = 0;  // of the pivots, which follow each other
+    static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+
+    std::size_t first_row = 0;  // of the pivots, which are consecutive
     std::size_t pivots = 0;
     std::size_t border = 0;
-    std::size_t left = DissectionPart::kNoPart;  // the fronts below, both or none
-    std::size_t right = DissectionPart::kNoPart;
+    std::size_t left = kNone;  // the child fronts, both or none
+    std::size_t right = kNone;
     std::size_t first_descendant = 0;  // the subtree's fronts begin with it and end with this one
     bool may_fork = false;             // the two subtrees share no memory
 
-    // Where the front's own begins ...
-    std::size_t border_begin = 0;     // ... in FrontPlan::border_rows and ::border_places
-    std::size_t panel_begin = 0;      // ... among the panels
-    std::size_t remainder_begin = 0;  // ... in the workspace
-    std::size_t entries_begin = 0;    // ... and ends in FrontPlan::entries
+    std::size_t border_begin = 0;     // in FrontPlan::border_rows and ::border_slots
+    std::size_t panel_begin = 0;      // in the factor
+    std::size_t remainder_begin = 0;  // in the workspace
+    std::size_t entries_begin = 0;    // in FrontPlan::entries
     std::size_t entries_end = 0;
 
     std::size_t rows() const { return pivots + border; }
-    bool is_leaf() const { return left == DissectionPart::kNoPart; }
+    bool is_leaf() const { return left == kNone; }
 };
 
-/// What the factorizations of all matrices of one pattern have in common.
+/// The symbolic factorization, which all matrices of one pattern share.
 struct FrontPlan {
-    /// A number of the matrix: its place among the matrix' values and in its front's panel.
+    /// An entry of the matrix: its index among the matrix' values and its index in the panel of its
+    /// front.
     struct Entry {
         std::uint32_t source = 0;
-        std::uint32_t place = 0;
+        std::uint32_t target = 0;
     };
 
-    std::vector<std::uint32_t> elimination;    // of each row of the matrix: when it is eliminated
-    std::vector<Front> fronts;                 // every front after those below it
-    std::vector<std::uint32_t> border_rows;    // of all fronts, increasing in each
-    std::vector<std::uint32_t> border_places;  // of these rows: place in the parent front
-    std::vector<Entry> entries;                // front after front
+    std::vector<std::uint32_t> elimination;   // for each row of the matrix: when it is eliminated
+    std::vector<Front> fronts;                // every front after its children
+    std::vector<std::uint32_t> border_rows;   // of all fronts, increasing in each
+    std::vector<std::uint32_t> border_slots;  // of these rows in the parent front
+    std::vector<Entry> entries;               // front after front
     std::size_t panels_size = 0;
     std::size_t workspace_size = 0;
     std::size_t scratch_size = 0;  // of each thread
@@ -65,22 +68,13 @@ struct FrontPlan {
     std::span<const std::uint32_t> rows_of_border(const Front& front) const {
         return std::span(border_rows).subspan(front.border_begin, front.border);
     }
-    std::span<const std::uint32_t> places_of_border(const Front& front) const {
-        return std::span(border_places).subspan(front.border_begin, front.border);
+    std::span<const std::uint32_t> slots_of_border(const Front& front) const {
+        return std::span(border_slots).subspan(front.border_begin, front.border);
     }
 
-    /// Writes the place of each of the front's rows within the front, and leaves other rows alone.
-    void write_places(const Front& front, std::span<std::uint32_t> place_of_rows) const;
+    /// Writes the slot of each of the front's rows, which is its row in the front's dense matrix:
+    /// the pivots come first, then the border. Elements of other rows are not written.
+    void write_slots(const Front& front, std::span<std::uint32_t> slot_of_rows) const;
 };
-
-/// Plans the factorization of matrices whose lower triangle has the given pattern, compressed and
-/// with its columns in order. The nodes take up the rows in turn. Returns nothing if the factor and
-/// the remainders of fronts would take more numbers than `limit`.
-std::optional<FrontPlan> plan_fronts(const Eigen::SparseMatrix<double>& lower_pattern,
-                                     std::span<const SolverNode> nodes,
-                                     const Domain& domain,
-                                     const DissectionOptions& options,
-                                     std::size_t limit,
-                                     int threads = 1);
 
 }  // namespace foam

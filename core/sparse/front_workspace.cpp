@@ -16,8 +16,8 @@ std::size_t remainder_size(const Front& front) {
     return front.border * front.border;
 }
 
-// Remainders of even levels of the tree lie on one stack, those of odd levels on the other. So both
-// are popped in order, and a front's remainder never lies on those of its children.
+// Remainders of even levels of the tree are on one stack, those of odd levels on the other. So both
+// stacks are popped in order, and a front's remainder never overlaps those of its children.
 class Stacks {
   public:
     explicit Stacks(std::span<Front> fronts) : fronts_(fronts), odd_(fronts.size()) {}
@@ -31,7 +31,7 @@ class Stacks {
     }
 
   private:
-    // Lays out a subtree of which nothing may lie below the given tops.
+    // Lays out a subtree above the given tops of the stacks.
     void lay_out(std::size_t root, int level, std::array<std::size_t, 2> tops) {
         Front& front = fronts_[root];
         const std::size_t own = level % 2 == 0 ? 0 : 1;

@@ -7,12 +7,12 @@
 
 namespace foam {
 
-/// So many threads can be busy with different subtrees.
+/// The largest number of threads that can work on different subtrees.
 inline constexpr int kMostThreads = 16;
 
-/// Lays out the remainders of all fronts, each of which lives from its own front to the parent's,
-/// so that they share as little memory as they need. Sets `remainder_begin` and `may_fork` of every
-/// front and returns the size of the workspace.
+/// Lays out the remainders of all fronts in one workspace. A remainder is needed from the
+/// elimination of its own front to that of the parent; others use the same memory before and after.
+/// Sets `remainder_begin` and `may_fork` of every front and returns the size of the workspace.
 std::size_t share_workspace(std::span<Front> fronts);
 
 }  // namespace foam

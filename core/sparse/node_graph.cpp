@@ -17,7 +17,7 @@ std::vector<std::uint32_t> nodes_of_rows(std::span<const SolverNode> nodes) {
     return owners;
 }
 
-// Each coupled pair of nodes once, the earlier one first and in order of it.
+// Returns each coupled pair of nodes once, with the lower index first and sorted by it.
 std::vector<Pair> coupled_pairs(const Matrix& lower, std::span<const SolverNode> nodes) {
     const std::vector<std::uint32_t> owners = nodes_of_rows(nodes);
     std::vector<std::size_t> last_partner(nodes.size(), nodes.size());
@@ -48,11 +48,11 @@ NodeGraph coupling(const Matrix& lower, std::span<const SolverNode> nodes) {
     for (std::size_t node = 0; node < nodes.size(); ++node) {
         graph.begins[node + 1] += graph.begins[node];
     }
-    graph.neighbours.resize(2 * pairs.size());
+    graph.neighbors.resize(2 * pairs.size());
     std::vector<std::size_t> next(graph.begins.begin(), graph.begins.end() - 1);
     for (const auto& [a, b] : pairs) {
-        graph.neighbours[next[a]++] = b;
-        graph.neighbours[next[b]++] = a;
+        graph.neighbors[next[a]++] = b;
+        graph.neighbors[next[b]++] = a;
     }
     return graph;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/sparse/dissection.h"
 #include "core/sparse/front_plan.h"
 
 #include <Eigen/SparseCore>
@@ -12,7 +13,7 @@ namespace foam {
 
 struct LdltOptions {
     DissectionOptions dissection{};
-    std::size_t max_bytes = std::size_t{1} << 32U;  // of the factor and the remainders of fronts
+    std::size_t max_bytes = std::size_t{1} << 32U;  // for the factor and the remainders of fronts
 };
 
 enum class LdltAnalysis {
@@ -20,15 +21,15 @@ enum class LdltAnalysis {
     TooLarge,  // see LdltOptions::max_bytes; nothing was planned
 };
 
-/// Direct solver for symmetric quasi-definite matrices over points of a torus: L D Lᵀ without
-/// pivoting, multifrontal, in the order of a geometric nested dissection. The bits of its results
-/// do not depend on the number of threads.
+/// A direct solver for symmetric quasi-definite matrices whose rows have positions on a torus or in
+/// the plane: multifrontal L D Lᵀ without pivoting, in the order of a geometric nested dissection.
+/// `threads` is meant as in thread_count. The bits of the results do not depend on it.
 template <class Real>
 class SparseLdlt {
   public:
-    /// Plans for all matrices of this pattern, of which the lower triangle is given, compressed and
-    /// in order. The nodes take up the rows in turn. Memory of the planned size is allocated only
-    /// if it is within the limit.
+    /// Plans the factorization of all matrices of a pattern, whose lower triangle is given,
+    /// compressed and with sorted columns. The nodes own the rows in turn. Memory of the planned
+    /// size is allocated only if it is within the limit.
     LdltAnalysis analyze(const Eigen::SparseMatrix<double>& lower_pattern,
                          std::span<const SolverNode> nodes,
                          const Domain& domain,
@@ -38,24 +39,24 @@ class SparseLdlt {
     /// Returns the number of bytes that `factor` works on with this many threads.
     std::size_t memory_bytes(int threads) const;
 
-    /// Factors a matrix of the pattern that was analyzed, on up to so many threads. Takes memory at
-    /// the first call only. False where a pivot is zero or not finite: there is then nothing to
-    /// solve with.
+    /// Factors a matrix of the pattern that was analyzed. Returns false if a pivot is zero or not
+    /// finite: then there is no factor.
     bool factor(const Eigen::SparseMatrix<double>& lower, int threads);
 
-    /// Needs a factor.
+    /// Returns the solution. Precondition: there is a factor.
     Eigen::VectorXd solve(const Eigen::VectorXd& right_hand_side, int threads = 1) const;
 
-    /// Numbers in L, the diagonal and the zeros in dense fronts included.
+    /// Returns the number of entries of L, including the diagonal and the zeros in dense fronts.
     std::size_t nonzeros() const;
 
-    /// Of the factor. The matrix has as many positive eigenvalues (Sylvester).
+    /// Returns the number of positive pivots of the factor, which is the number of positive
+    /// eigenvalues of the matrix (Sylvester).
     std::size_t positive_pivots() const;
 
   private:
     FrontPlan plan_;
     std::vector<Real> factor_;     // D and L, front after front
-    std::vector<Real> workspace_;  // remainders of fronts until their parents take them up
+    std::vector<Real> workspace_;  // remainders of fronts until they are added to their parents
     std::vector<Real> scratch_;
 };
 

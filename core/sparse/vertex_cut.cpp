@@ -8,7 +8,7 @@ namespace foam {
 namespace {
 
 constexpr std::uint32_t kNoArc = std::numeric_limits<std::uint32_t>::max();
-constexpr int kBoundless = std::numeric_limits<int>::max() / 2;
+constexpr int kUnlimited = std::numeric_limits<int>::max() / 2;
 constexpr std::size_t kSource = 0;
 constexpr std::size_t kSink = 1;
 
@@ -25,36 +25,37 @@ void VertexCut::set_weight(std::size_t node, int weight) {
 }
 
 void VertexCut::make_source(std::size_t node) {
-    add_arc(kSource, entry(node), kBoundless);
+    add_arc(kSource, entry(node), kUnlimited);
 }
 
 void VertexCut::make_sink(std::size_t node) {
-    add_arc(exit(node), kSink, kBoundless);
+    add_arc(exit(node), kSink, kUnlimited);
 }
 
 void VertexCut::connect(std::size_t from, std::size_t to) {
-    add_arc(exit(from), entry(to), kBoundless);
+    add_arc(exit(from), entry(to), kUnlimited);
 }
 
-void VertexCut::add_arc(std::size_t from, std::size_t to, int room) {
+void VertexCut::add_arc(std::size_t from, std::size_t to, int capacity) {
     const auto arc = static_cast<std::uint32_t>(arcs_.size());
-    arcs_.push_back({static_cast<std::uint32_t>(to), first_[from], room});
+    arcs_.push_back({static_cast<std::uint32_t>(to), first_[from], capacity});
     arcs_.push_back({static_cast<std::uint32_t>(from), first_[to], 0});
     first_[from] = arc;
     first_[to] = arc + 1;
 }
 
-// Counts the steps to each place, up to the sink. False where that is out of reach.
+// Counts the steps from the source to each vertex, up to the sink. Returns false if the sink is out
+// of reach.
 bool VertexCut::find_levels() {
     levels_.assign(first_.size(), -1);
     queue_.assign(1, static_cast<std::uint32_t>(kSource));
     levels_[kSource] = 0;
     for (std::size_t k = 0; k < queue_.size() && levels_[kSink] < 0; ++k) {
-        const std::uint32_t place = queue_[k];
-        for (std::uint32_t arc = first_[place]; arc != kNoArc; arc = arcs_[arc].next) {
+        const std::uint32_t vertex = queue_[k];
+        for (std::uint32_t arc = first_[vertex]; arc != kNoArc; arc = arcs_[arc].next) {
             const std::uint32_t to = arcs_[arc].to;
-            if (arcs_[arc].room > 0 && levels_[to] < 0) {
-                levels_[to] = levels_[place] + 1;
+            if (arcs_[arc].capacity > 0 && levels_[to] < 0) {
+                levels_[to] = levels_[vertex] + 1;
                 queue_.push_back(to);
             }
         }
@@ -62,18 +63,19 @@ bool VertexCut::find_levels() {
     return levels_[kSink] >= 0;
 }
 
-// Pushes up to the amount from the place to the sink, by levels; returns what went through.
-int VertexCut::push(std::size_t place, int amount) {
-    if (place == kSink) {
+// Pushes up to an amount of flow from a vertex to the sink, by levels, and returns the amount that
+// arrived.
+int VertexCut::push(std::size_t vertex, int amount) {
+    if (vertex == kSink) {
         return amount;
     }
     int pushed = 0;
-    for (std::uint32_t& arc = untried_[place]; arc != kNoArc; arc = arcs_[arc].next) {
+    for (std::uint32_t& arc = untried_[vertex]; arc != kNoArc; arc = arcs_[arc].next) {
         Arc& out = arcs_[arc];
-        if (out.room > 0 && levels_[out.to] == levels_[place] + 1) {
-            const int through = push(out.to, std::min(amount - pushed, out.room));
-            out.room -= through;
-            arcs_[arc ^ 1U].room += through;
+        if (out.capacity > 0 && levels_[out.to] == levels_[vertex] + 1) {
+            const int through = push(out.to, std::min(amount - pushed, out.capacity));
+            out.capacity -= through;
+            arcs_[arc ^ 1U].capacity += through;
             pushed += through;
         }
         if (pushed == amount) {
@@ -86,7 +88,7 @@ int VertexCut::push(std::size_t place, int amount) {
 const std::vector<CutSide>& VertexCut::solve() {
     while (find_levels()) {
         untried_ = first_;
-        push(kSource, kBoundless);
+        push(kSource, kUnlimited);
     }
     sides_.assign(nodes_, CutSide::Sink);
     for (std::size_t node = 0; node < nodes_; ++node) {

@@ -34,15 +34,15 @@ CoupledNodes random_nodes(int bubbles, double aspect) {
     return coupled_nodes(seed_foam(options));
 }
 
-// Nodes in a row, each of one row, with the given neighbours.
-CoupledNodes nodes_in_row(const std::vector<std::vector<std::uint32_t>>& neighbours) {
-    CoupledNodes row{{static_cast<double>(neighbours.size()), 1.0}, {}, {}};
+// Nodes in a row, each of one row, with the given neighbors.
+CoupledNodes nodes_in_row(const std::vector<std::vector<std::uint32_t>>& neighbors) {
+    CoupledNodes row{{static_cast<double>(neighbors.size()), 1.0}, {}, {}};
     row.graph.begins.push_back(0);
-    for (std::size_t node = 0; node < neighbours.size(); ++node) {
+    for (std::size_t node = 0; node < neighbors.size(); ++node) {
         row.nodes.push_back({Vec2(static_cast<double>(node), 0.5), 1});
-        row.graph.neighbours.insert(
-            row.graph.neighbours.end(), neighbours[node].begin(), neighbours[node].end());
-        row.graph.begins.push_back(row.graph.neighbours.size());
+        row.graph.neighbors.insert(
+            row.graph.neighbors.end(), neighbors[node].begin(), neighbors[node].end());
+        row.graph.begins.push_back(row.graph.neighbors.size());
     }
     return row;
 }
@@ -91,8 +91,8 @@ int couplings_across(const CoupledNodes& coupled, const Dissection& dissection) 
         const std::size_t left_begin = subtree_begin(dissection, part.left);
         const std::size_t right_begin = subtree_begin(dissection, part.right);
         for (std::size_t turn = left_begin; turn < right_begin; ++turn) {
-            for (const std::uint32_t neighbour : coupled.graph.of(dissection.order[turn])) {
-                across += turns[neighbour] >= right_begin && turns[neighbour] < part.begin ? 1 : 0;
+            for (const std::uint32_t neighbor : coupled.graph.of(dissection.order[turn])) {
+                across += turns[neighbor] >= right_begin && turns[neighbor] < part.begin ? 1 : 0;
             }
         }
     }
@@ -155,7 +155,7 @@ CoupledNodes square_grid(int side, const Vec2& corner) {
     grid.graph.begins.push_back(0);
     const auto connect = [&](int x, int y) {
         if (x >= 0 && x < side && y >= 0 && y < side) {
-            grid.graph.neighbours.push_back(static_cast<std::uint32_t>(y * side + x));
+            grid.graph.neighbors.push_back(static_cast<std::uint32_t>(y * side + x));
         }
     };
     for (int k = 0; k < side * side; ++k) {
@@ -166,7 +166,7 @@ CoupledNodes square_grid(int side, const Vec2& corner) {
         connect(x + 1, y);
         connect(x, y - 1);
         connect(x, y + 1);
-        grid.graph.begins.push_back(grid.graph.neighbours.size());
+        grid.graph.begins.push_back(grid.graph.neighbors.size());
     }
     return grid;
 }

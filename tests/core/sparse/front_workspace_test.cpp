@@ -3,6 +3,7 @@
 #include "core/equilibrium/hessian.h"
 #include "core/equilibrium/linear_solver.h"
 #include "core/foam/seeding.h"
+#include "core/sparse/front_planner.h"
 
 #include <gtest/gtest.h>
 
@@ -21,8 +22,8 @@ FrontPlan plan_of(int bubbles) {
         hessian.matrix(), solver_nodes(foam, unknowns), foam.domain, {}, std::size_t{1} << 30U);
 }
 
-// Plays the factorization: a front writes its number over its remainder, and finds its children's
-// numbers still on theirs.
+// Simulates the factorization: a front fills its remainder with its own index, and the remainders
+// of its children must still hold theirs.
 class Playback {
   public:
     explicit Playback(const FrontPlan& plan) : plan_(plan), owners_(plan.workspace_size) {}

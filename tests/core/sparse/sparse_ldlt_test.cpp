@@ -5,6 +5,7 @@
 #include "core/equilibrium/relaxation.h"
 #include "core/foam/honeycomb.h"
 #include "core/foam/seeding.h"
+#include "core/parallel/parallel_for.h"
 #include "tests/support/sample_foams.h"
 
 #include <Eigen/Dense>
@@ -130,10 +131,17 @@ TEST(SparseLdlt, CountsPivotsOfADiagonalMatrix) {
 TEST(SparseLdlt, HasTheSameBitsOnAnyNumberOfThreads) {
     const System system = system_of(relaxed_foam(800), 1e-9);
     const Eigen::VectorXd expected = factored(system, 1).solve(system.right_hand_side);
-    for (const int threads : {2, 3, 8, 100}) {
+    for (const int threads : {0, 2, 3, 8, 100}) {
         const Eigen::VectorXd x = factored(system, threads).solve(system.right_hand_side);
         EXPECT_TRUE((x.array() == expected.array()).all()) << threads << " threads";
     }
+}
+
+// Each thread has scratch memory of its own.
+TEST(SparseLdlt, UsesAllThreadsIfTheirNumberIsZero) {
+    const SparseLdlt<double> solver = factored(system_of(relaxed_foam(800), 1e-9));
+    EXPECT_EQ(solver.memory_bytes(0), solver.memory_bytes(thread_count(0)));
+    EXPECT_GT(solver.memory_bytes(2), solver.memory_bytes(1));
 }
 
 TEST(SparseLdlt, FactorsNewValuesOfThePattern) {

@@ -1,0 +1,119 @@
+#include "core/sparse/front_factor.h"
+
+#include "core/parallel/parallel_for.h"
+#include "core/sparse/partial_ldlt.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstdint>
+
+namespace foam {
+
+namespace {
+
+Eigen::Index signed_size(std::size_t size) {
+    return static_cast<Eigen::Index>(size);
+}
+
+template <class Real>
+class Factorization {
+  public:
+    Factorization(const FrontPlan& plan, const FactorMemory<Real>& memory)
+        : plan_(plan), memory_(memory) {}
+
+    bool run(std::size_t threads) {
+        factor_subtree(plan_.fronts.size() - 1, 0, threads);
+        return !failed_;
+    }
+
+  private:
+    // Uses threads from first_thread on, each of which has scratch memory of its own.
+    void factor_subtree(std::size_t root, std::size_t first_thread, std::size_t threads) {
+        const Front& front = plan_.fronts[root];
+        if (threads == 1 || !front.may_fork) {
+            for (std::size_t k = front.first_descendant; k <= root; ++k) {
+                factor_front(plan_.fronts[k], first_thread);
+            }
+            return;
+        }
+        const std::size_t half = threads / 2;
+        parallel_for(2, 2, [&](int which) {
+            if (which == 0) {
+                factor_subtree(front.left, first_thread, half);
+            } else {
+                factor_subtree(front.right, first_thread + half, threads - half);
+            }
+        });
+        factor_front(front, first_thread);
+    }
+
+    void factor_front(const Front& front, std::size_t thread) {
+        if (failed_) {
+            return;
+        }
+        assemble(front);
+        Real* scratch = memory_.scratch.data() + thread * plan_.scratch_size;
+        const DenseView<Real> panel(memory_.factor.data() + front.panel_begin,
+                                    signed_size(front.rows()),
+                                    signed_size(front.pivots));
+        const DenseView<Real> remainder(memory_.workspace.data() + front.remainder_begin,
+                                        signed_size(front.border),
+                                        signed_size(front.border));
+        if (factor_panel(panel, scratch)) {
+            update_remainder(panel, remainder, scratch);
+        } else {
+            failed_ = true;
+        }
+    }
+
+    // Adds up the entries of the matrix and the remainders of the front's children.
+    void assemble(const Front& front) {
+        const auto panel = memory_.factor.subspan(front.panel_begin, front.pivots * front.rows());
+        const auto remainder =
+            memory_.workspace.subspan(front.remainder_begin, front.border * front.border);
+        std::fill(panel.begin(), panel.end(), Real(0));
+        std::fill(remainder.begin(), remainder.end(), Real(0));
+        for (std::size_t k = front.entries_begin; k < front.entries_end; ++k) {
+            const FrontPlan::Entry& entry = plan_.entries[k];
+            panel[entry.target] = static_cast<Real>(memory_.values[entry.source]);
+        }
+        if (!front.is_leaf()) {
+            add_remainder(plan_.fronts[front.left], front);
+            add_remainder(plan_.fronts[front.right], front);
+        }
+    }
+
+    void add_remainder(const Front& child, const Front& front) {
+        const std::span<const std::uint32_t> slots = plan_.slots_of_border(child);
+        const Real* source = memory_.workspace.data() + child.remainder_begin;
+        for (std::size_t column = 0; column < child.border; ++column) {
+            const std::size_t slot = slots[column];
+            const bool in_panel = slot < front.pivots;
+            Real* target = in_panel
+                               ? memory_.factor.data() + front.panel_begin + slot * front.rows()
+                               : memory_.workspace.data() + front.remainder_begin +
+                                     (slot - front.pivots) * front.border;
+            const std::size_t first_slot = in_panel ? 0 : front.pivots;
+            for (std::size_t row = column; row < child.border; ++row) {
+                target[slots[row] - first_slot] += source[row];
+            }
+            source += child.border;
+        }
+    }
+
+    const FrontPlan& plan_;
+    FactorMemory<Real> memory_;
+    std::atomic<bool> failed_ = false;
+};
+
+}  // namespace
+
+template <class Real>
+bool factor_fronts(const FrontPlan& plan, const FactorMemory<Real>& memory, std::size_t threads) {
+    return Factorization<Real>(plan, memory).run(threads);
+}
+
+template bool factor_fronts(const FrontPlan&, const FactorMemory<float>&, std::size_t);
+template bool factor_fronts(const FrontPlan&, const FactorMemory<double>&, std::size_t);
+
+}  // namespace foam

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "core/sparse/front_plan.h"
+
+#include <cstddef>
+#include <span>
+
+namespace foam {
+
+/// The memory that a numeric factorization reads and writes.
+template <class Real>
+struct FactorMemory {
+    std::span<const double> values;  // of the matrix
+    std::span<Real> factor;          // FrontPlan::panels_size
+    std::span<Real> workspace;       // FrontPlan::workspace_size
+    std::span<Real> scratch;         // FrontPlan::scratch_size for each thread
+};
+
+/// Factors a matrix by the multifrontal method (Duff, Reid 1983), for float and double: each front
+/// is assembled from its entries of the matrix and the remainders of its two children, then its
+/// pivots are eliminated. Returns false if a pivot is zero or not finite; the factor is then
+/// without meaning. The bits do not depend on the number of threads, which is at least 1 and at
+/// most kMostThreads.
+template <class Real>
+bool factor_fronts(const FrontPlan& plan, const FactorMemory<Real>& memory, std::size_t threads);
+
+}  // namespace foam

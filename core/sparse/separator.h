@@ -1,0 +1,65 @@
+#pragma once
+
+#include "core/sparse/node_graph.h"
+#include "core/sparse/vertex_cut.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace foam {
+
+struct SeparatorOptions {
+    int band_layers = 1;      // beside the border of each zone, in which the separator is sought
+    double band_share = 0.4;  // no layer is added that makes the band hold more of its zone
+};
+
+/// The side of a node in the part of the graph that is being divided.
+enum class Zone : std::uint8_t { Outside, Low, High };
+
+/// Finds the lightest separator near the common border of two zones.
+class SeparatorSearch {
+  public:
+    static constexpr std::uint32_t kNotInBand = std::numeric_limits<std::uint32_t>::max();
+
+    /// Works on one element per node of the graph. All elements of `band_indices` are kNotInBand
+    /// on entry and between calls. Parts of the graph that are not coupled to each other may be
+    /// divided at the same time, by one object each.
+    SeparatorSearch(const NodeGraph& graph,
+                    std::span<const SolverNode> nodes,
+                    const SeparatorOptions& options,
+                    std::span<Zone> zones,
+                    std::span<std::uint32_t> band_indices)
+        : graph_(graph),
+          nodes_(nodes),
+          options_(options),
+          zones_(zones),
+          band_indices_(band_indices) {}
+
+    /// Moves the nodes of the lightest separator in a band along the border of the zones Low and
+    /// High to the zone Outside, and other nodes of the band to the zone on whose side of the
+    /// separator they are. No node of the zone Low is then coupled to one of the zone High.
+    /// Precondition: `part` holds the nodes of both zones, half of them in each.
+    void separate(std::span<const std::uint32_t> part);
+
+  private:
+    std::size_t grow_band(std::span<const std::uint32_t> part, Zone zone);
+    void add_border(std::span<const std::uint32_t> part, Zone zone);
+    void add_layer(std::size_t rim, Zone zone);
+    bool touches(std::uint32_t node, Zone zone) const;
+    void add_to_band(std::uint32_t node);
+    void drop_from(std::size_t begin);
+    void pose_cut(std::size_t low_rim, std::size_t low_end, std::size_t high_rim);
+
+    const NodeGraph& graph_;
+    std::span<const SolverNode> nodes_;
+    SeparatorOptions options_;
+    std::span<Zone> zones_;
+    std::span<std::uint32_t> band_indices_;
+    std::vector<std::uint32_t> band_;
+    VertexCut cut_;
+};
+
+}  // namespace foam

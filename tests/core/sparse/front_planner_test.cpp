@@ -1,0 +1,92 @@
+#include "core/sparse/front_planner.h"
+
+#include "tests/core/sparse/grids.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace foam {
+namespace {
+
+TEST(FrontPlanner, EliminatesEveryRowOnce) {
+    const FrontPlan plan = test::plan_of(test::torus_grid(15, 20));
+    std::vector<std::uint32_t> turns = plan.elimination;
+    std::sort(turns.begin(), turns.end());
+    for (std::uint32_t k = 0; k < turns.size(); ++k) {
+        EXPECT_EQ(turns[k], k);
+    }
+    std::size_t row = 0;
+    for (const Front& front : plan.fronts) {
+        EXPECT_EQ(front.first_row, row);
+        row += front.pivots;
+    }
+    EXPECT_EQ(row, 300U);
+}
+
+// The remainder of a front is added to its parent, so its border must be among the parent's rows.
+TEST(FrontPlanner, BordersAreRowsOfTheParent) {
+    const FrontPlan plan = test::plan_of(test::torus_grid(15, 20));
+    std::size_t checked = 0;
+    for (const Front& front : plan.fronts) {
+        if (front.is_leaf()) {
+            continue;
+        }
+        const std::vector<std::size_t> parent_rows = test::rows_of(plan, front);
+        for (const Front* child : {&plan.fronts[front.left], &plan.fronts[front.right]}) {
+            const auto rows = plan.rows_of_border(*child);
+            const auto slots = plan.slots_of_border(*child);
+            EXPECT_TRUE(std::is_sorted(rows.begin(), rows.end()));
+            for (std::size_t k = 0; k < rows.size(); ++k, ++checked) {
+                ASSERT_LT(slots[k], parent_rows.size());
+                EXPECT_EQ(parent_rows[slots[k]], rows[k]);
+            }
+        }
+    }
+    EXPECT_GT(checked, 300U);
+}
+
+// Every entry of the matrix below the diagonal has its row in the front that eliminates its column.
+TEST(FrontPlanner, FrontsHoldAllCoupledRows) {
+    const test::PointSystem grid = test::torus_grid(15, 20);
+    const FrontPlan plan = test::plan_of(grid);
+    const Eigen::MatrixXd matrix = test::reordered(grid, plan);
+    for (const Front& front : plan.fronts) {
+        const std::vector<std::size_t> rows = test::rows_of(plan, front);
+        for (std::size_t column = front.first_row; column < front.first_row + front.pivots;
+             ++column) {
+            for (std::size_t row = column; row < 300; ++row) {
+                if (matrix(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) !=
+                    0.0) {
+                    EXPECT_TRUE(std::binary_search(rows.begin(), rows.end(), row));
+                }
+            }
+        }
+    }
+}
+
+// 60 rows that are all coupled are one front with 60 * 60 numbers.
+TEST(FrontPlanner, RejectsAPlanAboveTheLimit) {
+    const test::PointSystem complete = test::complete_system(60);
+    const auto plan = [&](std::size_t limit) {
+        return plan_fronts(complete.matrix, complete.nodes, complete.domain, {}, limit);
+    };
+    EXPECT_FALSE(plan(3599).has_value());
+    ASSERT_TRUE(plan(3600).has_value());
+    EXPECT_EQ(plan(3600)->panels_size, 3600U);
+    EXPECT_EQ(plan(3600)->workspace_size, 0U);
+}
+
+// The factor alone is within the limit, but not together with the remainders of fronts.
+TEST(FrontPlanner, CountsTheWorkspaceTowardsTheLimit) {
+    const test::PointSystem grid = test::torus_grid(15, 20);
+    const FrontPlan unlimited = test::plan_of(grid);
+    const std::size_t size = unlimited.panels_size + unlimited.workspace_size;
+    ASSERT_GT(unlimited.workspace_size, 0U);
+    EXPECT_TRUE(plan_fronts(grid.matrix, grid.nodes, grid.domain, {}, size).has_value());
+    EXPECT_FALSE(plan_fronts(grid.matrix, grid.nodes, grid.domain, {}, size - 1).has_value());
+}
+
+}  // namespace
+}  // namespace foam

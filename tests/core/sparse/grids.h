@@ -1,0 +1,100 @@
+#pragma once
+
+#include "core/geometry/domain.h"
+#include "core/sparse/front_planner.h"
+
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace foam::test {
+
+/// A symmetric matrix over points, each of one row.
+struct PointSystem {
+    Domain domain;
+    std::vector<SolverNode> nodes;
+    Eigen::SparseMatrix<double> matrix;  // lower triangle
+};
+
+/// Returns the lower triangle of a matrix with -1 for each pair of coupled rows, the lower row
+/// first, and with 10, 11, 12, ... on the diagonal, so that all pivots are positive if no row is
+/// coupled to more than nine others.
+inline Eigen::SparseMatrix<double> coupled_matrix(
+    Eigen::Index rows, const std::vector<std::pair<Eigen::Index, Eigen::Index>>& pairs) {
+    std::vector<Eigen::Triplet<double>> entries;
+    for (Eigen::Index row = 0; row < rows; ++row) {
+        entries.emplace_back(row, row, 10.0 + static_cast<double>(row));
+    }
+    for (const auto& [low, high] : pairs) {
+        entries.emplace_back(high, low, -1.0);
+    }
+    Eigen::SparseMatrix<double> matrix(rows, rows);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    return matrix;
+}
+
+/// Returns the points of a square grid on the torus, row after row, each coupled to the four beside
+/// it. Precondition: width and height are at least 3.
+inline PointSystem torus_grid(int width, int height) {
+    PointSystem grid{{static_cast<double>(width), static_cast<double>(height)}, {}, {}};
+    std::vector<std::pair<Eigen::Index, Eigen::Index>> pairs;
+    const auto index = [=](int x, int y) { return Eigen::Index{y % height * width + x % width}; };
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            grid.nodes.push_back({Vec2(x + 0.5, y + 0.5), 1});
+            pairs.push_back(std::minmax({index(x, y), index(x + 1, y)}));
+            pairs.push_back(std::minmax({index(x, y), index(x, y + 1)}));
+        }
+    }
+    grid.matrix = coupled_matrix(index(width - 1, height - 1) + 1, pairs);
+    return grid;
+}
+
+/// Returns points on a line in the plane, each coupled to all others.
+inline PointSystem complete_system(int points) {
+    PointSystem system{kPlane, {}, {}};
+    std::vector<std::pair<Eigen::Index, Eigen::Index>> pairs;
+    for (int point = 0; point < points; ++point) {
+        system.nodes.push_back({Vec2(point, 0.0), 1});
+        for (int earlier = 0; earlier < point; ++earlier) {
+            pairs.emplace_back(earlier, point);
+        }
+    }
+    system.matrix = coupled_matrix(points, pairs);
+    return system;
+}
+
+inline FrontPlan plan_of(const PointSystem& system) {
+    return *plan_fronts(system.matrix, system.nodes, system.domain, {}, std::size_t{1} << 40U);
+}
+
+/// Returns the whole matrix, its rows and columns in the order of elimination.
+inline Eigen::MatrixXd reordered(const PointSystem& system, const FrontPlan& plan) {
+    const Eigen::SparseMatrix<double> whole = system.matrix.selfadjointView<Eigen::Lower>();
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(whole.rows(), whole.cols());
+    for (Eigen::Index column = 0; column < whole.cols(); ++column) {
+        for (Eigen::SparseMatrix<double>::InnerIterator at(whole, column); at; ++at) {
+            result(plan.elimination[static_cast<std::size_t>(at.row())],
+                   plan.elimination[static_cast<std::size_t>(column)]) = at.value();
+        }
+    }
+    return result;
+}
+
+/// Returns the rows of a front in the order of its slots.
+inline std::vector<std::size_t> rows_of(const FrontPlan& plan, const Front& front) {
+    std::vector<std::size_t> rows;
+    for (std::size_t pivot = 0; pivot < front.pivots; ++pivot) {
+        rows.push_back(front.first_row + pivot);
+    }
+    const std::span<const std::uint32_t> border = plan.rows_of_border(front);
+    rows.insert(rows.end(), border.begin(), border.end());
+    return rows;
+}
+
+}  // namespace foam::test
