@@ -50,22 +50,26 @@ TEST(FrontFactor, MultipliesToTheMatrix) {
     EXPECT_LT((product - matrix).cwiseAbs().maxCoeff(), 1e-14 * matrix.maxCoeff());
 }
 
+// Returns D and L without the undefined numbers above the diagonals.
+std::vector<double> lower_part(const FrontPlan& plan, const std::vector<double>& factor) {
+    std::vector<double> numbers;
+    for (const Front& front : plan.fronts) {
+        for (std::size_t pivot = 0; pivot < front.pivots; ++pivot) {
+            const double* column = &factor[front.panel_begin + pivot * front.rows()];
+            numbers.insert(numbers.end(), column + pivot, column + front.rows());
+        }
+    }
+    return numbers;
+}
+
 TEST(FrontFactor, HasTheSameBitsOnAnyNumberOfThreads) {
     const test::PointSystem grid = test::torus_grid(30, 20);
     const FrontPlan plan = test::plan_of(grid);
-    const Factored expected = factored(grid, plan, 1);
+    const std::vector<double> expected = lower_part(plan, factored(grid, plan, 1).factor);
     for (const int threads : {2, 3, kMostThreads}) {
         const Factored result = factored(grid, plan, static_cast<std::size_t>(threads));
         EXPECT_TRUE(result.succeeded);
-        EXPECT_EQ(result.factor.size(), expected.factor.size());
-        for (const Front& front : plan.fronts) {
-            for (std::size_t pivot = 0; pivot < front.pivots; ++pivot) {
-                for (std::size_t row = pivot; row < front.rows(); ++row) {
-                    const std::size_t at = front.panel_begin + pivot * front.rows() + row;
-                    ASSERT_EQ(result.factor[at], expected.factor[at]) << threads << " threads";
-                }
-            }
-        }
+        EXPECT_EQ(lower_part(plan, result.factor), expected) << threads << " threads";
     }
 }
 
