@@ -16,8 +16,12 @@ struct SheetLayout {
     int rows() const { return (frames + columns - 1) / columns; }
     int cell_width() const { return frame_width + 2 * gutter; }
     int cell_height() const { return frame_height + 2 * gutter; }
-    std::int64_t width() const { return std::int64_t{columns} * cell_width(); }
-    std::int64_t height() const { return std::int64_t{rows()} * cell_height(); }
+    std::int64_t width() const {
+        return columns * (std::int64_t{frame_width} + 2 * std::int64_t{gutter});
+    }
+    std::int64_t height() const {
+        return rows() * (std::int64_t{frame_height} + 2 * std::int64_t{gutter});
+    }
 
     friend bool operator==(const SheetLayout&, const SheetLayout&) = default;
 };

@@ -141,7 +141,7 @@ void ArcWalk::place_columns(std::size_t k) {
 
 // The area to the left of a chord is a whole number that a float holds; the arc bulges beyond it.
 // The middle of a part tells its pixel, except where it has no height and adds nothing to any row.
-// Elements beyond the parts of an arc fill the last vector.
+// Elements beyond the parts of an arc fill the last vector; they have no size.
 void ArcWalk::measure_parts() {
     at_simd_level([arcs = std::span(arcs_).first(size_),
                    last_row = rows_ - 1,
@@ -166,12 +166,14 @@ inline void ArcWalk::measure_arc(const Arc& arc,
     for (std::size_t from = arc.first_part; from < end; from += kLanes) {
         const std::int32_t* x = xs + from;
         const std::int32_t* y = ys + from;
+        const auto parts_left = static_cast<std::int32_t>(end - from);
         for (std::size_t k = 0; k < kLanes; ++k) {
-            const std::int32_t height = y[k + 1] - y[k];
+            const std::int32_t is_part = static_cast<std::int32_t>(k) < parts_left ? -1 : 0;
+            const std::int32_t height = (y[k + 1] - y[k]) & is_part;
             const std::int32_t row = (y[k] + y[k + 1]) >> (kSubpixelBits + 1);
             const std::int32_t twice_x = sign * (x[k] + x[k + 1]);
             const std::int32_t column = twice_x >> (kSubpixelBits + 1);
-            const auto dx = static_cast<float>(x[k + 1] - x[k]);
+            const auto dx = static_cast<float>((x[k + 1] - x[k]) & is_part);
             const auto dy = static_cast<float>(height);
             const auto from_left = static_cast<float>(twice_x - 2 * kSubpixel * column);
             const float squared = dx * dx + dy * dy;
