@@ -27,6 +27,7 @@ std::span<const Map> all_maps() {
 std::span<const std::string_view> map_names() {
     static const std::vector<std::string_view> names = [] {
         std::vector<std::string_view> all;
+        all.reserve(kMaps.size());
         for (const Map& map : kMaps) {
             all.push_back(map.name);
         }

@@ -127,7 +127,7 @@ void ArcLanes::evaluate_at(const Vec2& point) {
     const double y = point.y();
     at_simd_level([=] {
         for (std::size_t k = 0; k < count; ++k) {
-            Terms terms;
+            Terms terms{};
             find_directions(blocks[k], terms);
             find_functions(x, y, blocks[k], terms);
             find_bounds(blocks[k]);

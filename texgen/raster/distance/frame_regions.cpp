@@ -32,21 +32,27 @@ void FrameRegions::trace(std::uint32_t region, SubpixelPoint offset, Boundary& b
 
 Buckets<RegionCopy> FrameRegions::copies_by_band(int rows_per_band, int threads) const {
     constexpr std::size_t kRegionsPerPart = 4096;
-    const auto bands = static_cast<std::size_t>((grid_.height - 1) / rows_per_band + 1);
+    const auto bands = static_cast<std::size_t>((grid_.height - 1) / rows_per_band) + 1;
     const std::span<const Region> all = regions();
     const std::size_t parts = (all.size() + kRegionsPerPart - 1) / kRegionsPerPart;
     return counting_sort<RegionCopy>(bands, parts, threads, [&](std::size_t part, const auto& put) {
         const std::size_t end = std::min((part + 1) * kRegionsPerPart, all.size());
         for (std::size_t k = part * kRegionsPerPart; k < end; ++k) {
-            for_each_copy(static_cast<std::uint32_t>(k), [&](const RegionCopy& copy) {
-                const PixelBox box = box_around(all[k], copy.translation);
-                const int last = std::min(box.top, grid_.height) - 1;
-                for (int band = std::max(box.bottom, 0) / rows_per_band;
-                     band <= last / rows_per_band && last >= 0;
-                     ++band) {
-                    put(static_cast<std::size_t>(band), copy);
-                }
-            });
+            put_copies(static_cast<std::uint32_t>(k), rows_per_band, put);
+        }
+    });
+}
+
+// Calls put(band, copy) for the copies of a region and the bands of rows that they reach into.
+template <class Put>
+void FrameRegions::put_copies(std::uint32_t region, int rows_per_band, const Put& put) const {
+    for_each_copy(region, [&](const RegionCopy& copy) {
+        const PixelBox box = box_around(regions()[region], copy.translation);
+        const int last = std::min(box.top, grid_.height) - 1;
+        for (int band = std::max(box.bottom, 0) / rows_per_band;
+             band <= last / rows_per_band && last >= 0;
+             ++band) {
+            put(static_cast<std::size_t>(band), copy);
         }
     });
 }

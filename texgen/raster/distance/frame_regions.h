@@ -43,6 +43,8 @@ class FrameRegions {
     Buckets<RegionCopy> copies_by_band(int rows_per_band, int threads) const;
 
   private:
+    template <class Put>
+    void put_copies(std::uint32_t region, int rows_per_band, const Put& put) const;
     template <class Visit>
     void for_each_copy(std::uint32_t region, const Visit& visit) const;
 

@@ -46,8 +46,8 @@ struct Fraction {
 // The nearest point of some pixels so far: the distance and a vector of any length along the
 // gradient.
 struct Nearest {
-    Lanes numerator;
-    Lanes denominator;
+    Lanes numerator{};
+    Lanes denominator{};
     Lanes gradient_x{};
     Lanes gradient_y{};
 

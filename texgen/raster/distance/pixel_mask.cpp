@@ -52,6 +52,19 @@ struct MaskRows {
     int columns;  // pixels
 };
 
+// Flips the pixels of kLanes rows from a column on, in the rows that are crossed.
+[[gnu::always_inline]] inline void flip_from(const std::array<std::uint64_t, kLanes>& column,
+                                             const std::array<std::uint64_t, kLanes>& is_crossed,
+                                             MaskRows rows,
+                                             std::uint64_t* word) {
+    for (int first = 0; first <= rows.columns; first += PixelMask::kWordColumns) {
+        for (std::size_t k = 0; k < kLanes; ++k) {
+            word[k] ^= is_crossed[k] & bits_from(static_cast<std::int64_t>(column[k]) - first);
+        }
+        word += rows.stride;
+    }
+}
+
 // Flips the pixels to the right of an arc, whose lower end has this x. The middle of the first row
 // is at the height y above that end. Words of rows beyond the last are written, but do not change.
 void flip_rows(
@@ -69,14 +82,7 @@ void flip_rows(
                 column[k] = first_column_from(min_value(max_value(x, 0.0), last_x));
                 is_crossed[k] = step < end ? ~std::uint64_t{0} : 0;
             }
-            std::uint64_t* word = rows.words + from;
-            for (int first = 0; first <= rows.columns; first += PixelMask::kWordColumns) {
-                for (std::size_t k = 0; k < kLanes; ++k) {
-                    word[k] ^=
-                        is_crossed[k] & bits_from(static_cast<std::int64_t>(column[k]) - first);
-                }
-                word += rows.stride;
-            }
+            flip_from(column, is_crossed, rows, rows.words + from);
         }
     });
 }

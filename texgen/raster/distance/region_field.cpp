@@ -123,24 +123,28 @@ void RegionField::halve(const PixelMask& mask, Block block, std::size_t level) {
 }
 
 void RegionField::measure_tiles(const PixelMask& mask, Block block, ArcLanes& arcs) {
-    constexpr int kTilesPerWord = PixelMask::kWordColumns / kTileColumns;
     const int right = std::min(block.x + block.tiles, (mask.columns() - 1) / kTileColumns + 1);
     const int top = std::min(block.y + block.tiles, (mask.rows().end - 1) / kTileRows + 1);
     for (int y = block.y; y < top; ++y) {
         for (int x = block.x; x < right; ++x) {
-            const int column = x * kTileColumns;
-            const int row = y * kTileRows;
-            batch_.clear(Vec2(column + 0.5 * kTileColumns, row + 0.5 * kTileRows));
-            const int end = std::min(row + kTileRows, mask.rows().end);
-            for (int k = std::max(row, mask.rows().begin); k < end; ++k) {
-                const std::uint64_t word = mask.word(x / kTilesPerWord, k);
-                const auto bits =
-                    static_cast<std::uint16_t>(word >> (x % kTilesPerWord * kTileColumns));
-                for_each_span_of_bits(
-                    bits, [&](int begin, int count) { batch_.add_span(column + begin, k, count); });
-            }
+            take_tile(mask, x, y);
             measure_batch(arcs, kTileReach);
         }
+    }
+}
+
+// Makes the pixels of a tile the batch.
+void RegionField::take_tile(const PixelMask& mask, int x, int y) {
+    constexpr int kTilesPerWord = PixelMask::kWordColumns / kTileColumns;
+    const int column = x * kTileColumns;
+    const int row = y * kTileRows;
+    batch_.clear(Vec2(column + 0.5 * kTileColumns, row + 0.5 * kTileRows));
+    const int end = std::min(row + kTileRows, mask.rows().end);
+    for (int k = std::max(row, mask.rows().begin); k < end; ++k) {
+        const std::uint64_t word = mask.word(x / kTilesPerWord, k);
+        const auto bits = static_cast<std::uint16_t>(word >> (x % kTilesPerWord * kTileColumns));
+        for_each_span_of_bits(
+            bits, [&](int begin, int count) { batch_.add_span(column + begin, k, count); });
     }
 }
 

@@ -39,6 +39,7 @@ class RegionField {
     void measure_at_once(const PixelMask& mask, int rows);
     void halve(const PixelMask& mask, Block block, std::size_t level);
     void measure_tiles(const PixelMask& mask, Block block, ArcLanes& arcs);
+    void take_tile(const PixelMask& mask, int x, int y);
     void measure_batch(ArcLanes& arcs, double reach);
     void measure_smooth(double reach);
 

@@ -29,7 +29,7 @@ std::size_t square_of(std::int32_t position, int pixels) {
 }
 
 std::size_t squares_along(int pixels) {
-    return static_cast<std::size_t>((pixels - 1) / kSquare + 1);
+    return static_cast<std::size_t>((pixels - 1) / kSquare) + 1;
 }
 
 }  // namespace

@@ -33,8 +33,8 @@ class TorusRegions {
     struct alignas(64) Film {
         PixelArc shape;  // of the forward side
         std::array<SubpixelPoint, 2> tails;
-        std::array<std::uint32_t, 2> next;  // sides: twice the position of a film, plus 1 if it is
-                                            // the other side
+        std::array<std::uint32_t, 2> next{};  // sides: twice the position of a film, plus 1 if it
+                                              // is the other side
         SubpixelPoint lift;  // from the head's junction to its copy that the tail sees
     };
     static_assert(sizeof(Film) == 64);
