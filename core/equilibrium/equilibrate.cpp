@@ -4,6 +4,7 @@
 #include "core/equilibrium/global_relaxation.h"
 #include "core/equilibrium/local_solve.h"
 #include "core/equilibrium/newton.h"
+#include "core/equilibrium/open_shut_bubbles.h"
 #include "core/equilibrium/untangle.h"
 #include "core/foam/measure.h"
 #include "core/foam/t1_rule.h"
@@ -86,6 +87,7 @@ std::size_t solve_regions(Work& work, Progress& progress) {
 // Where that does not help, all of it is relaxed.
 void relax_where_stalled(Work& work, Progress& progress) {
     untangle(work.foam);  // a step of the whole foam may leave a tangle
+    open_shut_bubbles(work.foam);
     std::vector<DefectRegion> regions = worst_regions(work.foam, work.options.threads);
     if (!progress.solves_regions || regions.empty() ||
         ++progress.stalls_in_regions % kGlobalRelaxationPeriod == 0) {
@@ -97,6 +99,8 @@ void relax_where_stalled(Work& work, Progress& progress) {
 
 Progress first_phase(Work& work) {
     Progress progress;
+    // Relaxation does not open them, but raises their pressures without end.
+    open_shut_bubbles(work.foam);
     // A tangle is no state for Newton's method: its T1s would lead anywhere.
     if (untangle(work.foam) > 0 || work.options.relaxes_first) {
         relax_all(work, true, progress);

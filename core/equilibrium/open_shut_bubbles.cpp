@@ -1,0 +1,86 @@
+#include "core/equilibrium/open_shut_bubbles.h"
+
+#include "core/foam/measure.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace foam {
+
+namespace {
+
+constexpr double kShutShare = 0.01;         // of its target area
+constexpr double kLargestMove = 1.0 / 3.0;  // of an end, in lengths of its third film
+
+// Returns the half-edge that leaves the tail of h along the film that h's two-sided bubble does not
+// have.
+HalfEdgeId third_film(const Network& network, HalfEdgeId h) {
+    HalfEdgeId third = kNone<HalfEdgeId>;
+    for (const HalfEdgeId leaving : network.leaving(network.tail(h))) {
+        if (film_of(leaving) != film_of(h) && film_of(leaving) != film_of(network.next(h))) {
+            third = leaving;
+        }
+    }
+    return third;
+}
+
+bool is_shut(const Foam& foam, BubbleId bubble) {
+    const Network& network = foam.network;
+    if (network.sides(bubble) != 2 ||
+        bubble_area(foam, bubble) >= kShutShare * foam.target_areas[bubble]) {
+        return false;
+    }
+    const HalfEdgeId h = network.first(bubble);
+    return !network.is_outer(film_of(h)) && !network.is_outer(film_of(network.next(h))) &&
+           film_of(third_film(network, h)) != film_of(third_film(network, network.next(h)));
+}
+
+// Returns the distance of the ends of a two-sided bubble in equilibrium: each film, of half angle
+// 60 degrees, encloses half of the area with its chord (E1).
+double equilibrium_chord(double area) {
+    constexpr double kAngle = std::numbers::pi / 3.0;
+    const double of_unit_chord = 0.5 * (kAngle - std::sin(kAngle) * std::cos(kAngle)) /
+                                 (std::sin(kAngle) * std::sin(kAngle));
+    return std::sqrt(area / of_unit_chord);
+}
+
+void move_along_third_film(Foam& foam, HalfEdgeId h, double largest) {
+    const Vec2 ahead = chord(foam, third_film(foam.network, h));
+    const double length = ahead.norm();
+    if (length > 0.0) {
+        const double share = std::min(kLargestMove, largest / length);
+        const JunctionId end = foam.network.tail(h);
+        place_junction(foam, end, foam.positions[end] + share * ahead);
+    }
+}
+
+void open(Foam& foam, BubbleId bubble) {
+    const HalfEdgeId h = foam.network.first(bubble);
+    const HalfEdgeId back = foam.network.next(h);
+    const double largest = 0.5 * equilibrium_chord(foam.target_areas[bubble]);
+    move_along_third_film(foam, h, largest);
+    move_along_third_film(foam, back, largest);
+    const double around = 0.5 * (foam.pressures[foam.network.left(twin(h))] +
+                                 foam.pressures[foam.network.left(twin(back))]);
+    const double length = chord(foam, h).norm();
+    if (length > 0.0) {
+        foam.pressures[bubble] = around + std::numbers::sqrt3 * foam.film_tension / length;
+    }
+}
+
+}  // namespace
+
+int open_shut_bubbles(Foam& foam) {
+    int opened = 0;
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        if (is_shut(foam, bubble)) {
+            open(foam, bubble);
+            ++opened;
+        }
+    }
+    return opened;
+}
+
+}  // namespace foam
