@@ -12,7 +12,7 @@ foam_test_packages=(
     libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev evolver gnuplot-nox
     pngcheck apngdis ffmpeg imagemagick openexr openimageio-tools
 )
-foam_check_packages=(clang clang-format clang-tidy ccache)
+foam_check_packages=(clang libclang-rt-14-dev clang-format clang-tidy ccache python3)
 
 say() {
     printf '==> %s\n' "$*" >&2
