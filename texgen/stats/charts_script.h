@@ -2,7 +2,7 @@
 
 namespace foam::texgen {
 
-/// The content of charts.gp, which draws the charts of the tables stats.csv and sides.csv.
-extern const char* const kChartsScript;
+/// Returns the content of charts.gp, which draws the charts of the tables stats.csv and sides.csv.
+const char* charts_script_text();
 
 }  // namespace foam::texgen
