@@ -1,38 +1,23 @@
 #include "texgen/bake/frame_files.h"
 
+#include "tests/texgen/bake/baked_files.h"
 #include "tests/texgen/pictures.h"
 #include "tests/texgen/small_preset.h"
 #include "tests/texgen/temporary_folder.h"
 #include "texgen/bake/bake.h"
 #include "texgen/image/exr.h"
 #include "texgen/image/file_io.h"
-#include "texgen/image/png.h"
 #include "texgen/maps/map.h"
 
-#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <stdexcept>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace foam::texgen {
 namespace {
-
-constexpr const char* kPattern = "deep/{preset}_{map}.####.png";
-
-std::vector<Bytes> baked_files(const Preset& preset, int threads) {
-    const BakeSummary summary = bake(preset, {.frames = {1, 2, 3, 4, 5}, .threads = threads}, {});
-    std::vector<Bytes> contents;
-    for (const std::filesystem::path& path : summary.files) {
-        contents.push_back(read_file(path));
-    }
-    return contents;
-}
 
 std::vector<std::string> channel_names(const Picture& image) {
     std::vector<std::string> names;

@@ -1,38 +1,14 @@
-#include "tests/texgen/small_preset.h"
+#include "tests/texgen/cache/small_simulation.h"
 #include "tests/texgen/temporary_folder.h"
 #include "texgen/cache/cache.h"
-#include "texgen/image/file_io.h"
-#include "texgen/maps/map.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <span>
 #include <string>
-#include <vector>
 
 namespace foam::texgen {
 namespace {
-
-Preset all_maps_of_a_foam() {
-    Preset preset = small_preset(Preset().output.pattern);
-    preset.coarsening.kappa = 0.05;
-    preset.image.width = 48;
-    preset.image.height = 32;
-    preset.frames.count = 6;
-    const auto names = map_names();
-    preset.image.maps.assign(names.begin(), names.end());
-    return preset;
-}
-
-std::string error_of(const std::filesystem::path& folder, int number) {
-    try {
-        Cache(folder).state(number);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
-}
 
 // What an earlier simulation left must not slip in.
 TEST(SimulateIntoCache, StatesOfAnotherSimulationAreNotTaken) {

@@ -1,3 +1,4 @@
+#include "tests/texgen/image/numbered.h"
 #include "tests/texgen/pictures.h"
 #include "tests/texgen/temporary_folder.h"
 #include "texgen/image/exr.h"
@@ -5,24 +6,11 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <cmath>
 #include <cstring>
-#include <limits>
-#include <stdexcept>
 #include <string>
 
 namespace foam::texgen {
 namespace {
-
-/// Multiples of 1/8 below 32, which a half holds exactly.
-Image<float> numbered(int width, int height, int channels) {
-    Image<float> image(width, height, channels);
-    int k = 0;
-    for (float& sample : image.samples()) {
-        sample = static_cast<float>(k++ % 256) / 8.0F - 4.0F;
-    }
-    return image;
-}
 
 Image<std::uint32_t> numbered_ids(int width, int height) {
     Image<std::uint32_t> ids(width, height, 1);
@@ -47,7 +35,7 @@ Image<float> channel_of(const Image<float>& image, int channel) {
 RC_GTEST_PROP(ExrDecode, PixelsAndTextsComeBack, ()) {
     const int width = *rc::gen::inRange(1, 90);
     const int height = *rc::gen::inRange(1, 70);
-    const Image<float> image = numbered(width, height, 3);
+    const Image<float> image = numbered_floats(width, height, 3);
     const Image<std::uint32_t> ids = numbered_ids(width, height);
     const std::vector<ExrChannel> channels = {{"normal.X", SampleType::Half, image.view(), 0},
                                               {"height.Y", SampleType::Float, image.view(), 2},
@@ -84,7 +72,7 @@ Bytes encoded(SampleType type, const Image<float>& image, const ExrEncoding& enc
 }
 
 TEST(ExrDecode, EveryTruncationIsAnInputError) {
-    const Bytes stream = encoded(SampleType::Half, numbered(5, 20, 1));
+    const Bytes stream = encoded(SampleType::Half, numbered_floats(5, 20, 1));
     for (std::size_t size = 0; size < stream.size(); ++size) {
         EXPECT_THROW(decode_exr(std::span(stream).first(size)), InputError) << size;
     }
@@ -117,7 +105,7 @@ TEST(ExrDecode, AMalformedFileIsNamed) {
 
 TEST(ExrDecode, FilesAreReadAsWritten) {
     const TemporaryFolder folder;
-    const Image<float> image = numbered(5, 7, 1);
+    const Image<float> image = numbered_floats(5, 7, 1);
     const ExrChannel channel{"Y", SampleType::Half, image.view()};
     write_exr(folder.path() / "a.exr", std::span(&channel, 1), {.periodic = true});
     const Picture back = read_picture(folder.path() / "a.exr");

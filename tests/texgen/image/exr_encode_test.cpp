@@ -1,9 +1,8 @@
+#include "tests/texgen/image/numbered.h"
 #include "tests/texgen/pictures.h"
-#include "tests/texgen/temporary_folder.h"
 #include "texgen/image/exr.h"
 
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
 #include <cmath>
 #include <cstring>
@@ -13,16 +12,6 @@
 
 namespace foam::texgen {
 namespace {
-
-/// Multiples of 1/8 below 32, which a half holds exactly.
-Image<float> numbered(int width, int height, int channels) {
-    Image<float> image(width, height, channels);
-    int k = 0;
-    for (float& sample : image.samples()) {
-        sample = static_cast<float>(k++ % 256) / 8.0F - 4.0F;
-    }
-    return image;
-}
 
 /// A file of one channel.
 Bytes encoded(SampleType type, const Image<float>& image, const ExrEncoding& encoding = {}) {
@@ -70,7 +59,7 @@ TEST(ExrEncode, TheTopRowComesFirstInTheFile) {
 }
 
 TEST(ExrEncode, TheBytesDoNotDependOnTheNumberOfThreads) {
-    const Image<float> image = numbered(200, 150, 1);
+    const Image<float> image = numbered_floats(200, 150, 1);
     for (const bool mip_levels : {false, true}) {
         const auto with = [&](int threads) {
             return encoded(SampleType::Half, image, {.mip_levels = mip_levels, .threads = threads});

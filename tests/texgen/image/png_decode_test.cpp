@@ -1,16 +1,13 @@
 #include "tests/support/sample_foams.h"
+#include "tests/texgen/image/numbered.h"
 #include "tests/texgen/image/png_chunks.h"
 #include "tests/texgen/pictures.h"
 #include "tests/texgen/temporary_folder.h"
 #include "texgen/image/png.h"
-#include "texgen/maps/albedo.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <algorithm>
-#include <map>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -18,15 +15,6 @@ namespace foam::texgen {
 namespace {
 
 using Text = std::vector<std::pair<std::string, std::string>>;
-
-Image<std::uint8_t> numbered(int width, int height, int channels) {
-    Image<std::uint8_t> image(width, height, channels);
-    std::uint8_t value = 0;
-    for (std::uint8_t& sample : image.samples()) {
-        sample = value++;
-    }
-    return image;
-}
 
 template <class Sample>
 Image<Sample> any_image() {
@@ -69,14 +57,14 @@ TEST(PngDecode, SamplesAreReadInTheDepthOfTheFile) {
 
 TEST(PngDecode, EveryTruncationIsAnInputError) {
     const Bytes stream =
-        encode_png(numbered(4, 4, 3).view(), {.color = true, .text = {{"a", "b"}}});
+        encode_png(numbered_codes(4, 4, 3).view(), {.color = true, .text = {{"a", "b"}}});
     for (std::size_t size = 0; size < stream.size(); ++size) {
         EXPECT_THROW(decode_png(std::span(stream).first(size)), InputError) << size;
     }
 }
 
 TEST(PngDecode, ADamagedPixelStreamIsAnInputError) {
-    Bytes stream = encode_png(numbered(4, 4, 3).view());
+    Bytes stream = encode_png(numbered_codes(4, 4, 3).view());
     stream[8 + 25 + 8 + 10] ^= std::byte{0xff};  // in the IDAT chunk, after signature and IHDR
     EXPECT_THROW(decode_png(stream), InputError);
 }
@@ -101,7 +89,7 @@ void put(std::span<std::byte> place, std::uint32_t number) {
 
 // 900000 x 900000 pixels in a few bytes: refused before memory is asked for.
 TEST(PngDecode, AHeaderThatPromisesTooMuchIsAnInputError) {
-    Bytes stream = encode_png(numbered(1, 1, 3).view());
+    Bytes stream = encode_png(numbered_codes(1, 1, 3).view());
     const std::span bytes(stream);
     put(bytes.subspan(16, 4), 900'000);  // the header's content starts after 8 + 8 bytes
     put(bytes.subspan(20, 4), 900'000);
@@ -111,7 +99,7 @@ TEST(PngDecode, AHeaderThatPromisesTooMuchIsAnInputError) {
 
 TEST(PngDecode, FilesAreReadAsWritten) {
     const TemporaryFolder folder;
-    const Image<std::uint8_t> image = numbered(5, 7, 3);
+    const Image<std::uint8_t> image = numbered_codes(5, 7, 3);
     write_png(folder.path() / "a.png", image.view(), {.color = true, .text = {{"Seed", "9"}}});
     const Picture back = read_picture(folder.path() / "a.png");
     EXPECT_EQ(codes8(back), image);

@@ -1,14 +1,10 @@
 #include "tests/support/sample_foams.h"
+#include "tests/texgen/image/numbered.h"
 #include "tests/texgen/image/png_chunks.h"
-#include "tests/texgen/pictures.h"
-#include "tests/texgen/temporary_folder.h"
 #include "texgen/image/png.h"
-#include "texgen/maps/albedo.h"
 
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
-#include <algorithm>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -18,15 +14,6 @@ namespace foam::texgen {
 namespace {
 
 using Text = std::vector<std::pair<std::string, std::string>>;
-
-Image<std::uint8_t> numbered(int width, int height, int channels) {
-    Image<std::uint8_t> image(width, height, channels);
-    std::uint8_t value = 0;
-    for (std::uint8_t& sample : image.samples()) {
-        sample = value++;
-    }
-    return image;
-}
 
 // Stored without compression or filter, the rows stand in the stream as they are: the top one
 // first.
@@ -52,8 +39,8 @@ TEST(PngEncode, SixteenBitSamplesHaveTheirHighByteFirst) {
 }
 
 TEST(PngEncode, HoldsOneGroupOfCodes) {
-    Picture picture{{code_channels(numbered(3, 2, 3))}, {.color = true}};
-    EXPECT_EQ(encode_png(picture), encode_png(numbered(3, 2, 3).view(), {.color = true}));
+    Picture picture{{code_channels(numbered_codes(3, 2, 3))}, {.color = true}};
+    EXPECT_EQ(encode_png(picture), encode_png(numbered_codes(3, 2, 3).view(), {.color = true}));
     picture.groups.push_back(picture.groups.front());
     EXPECT_THROW(encode_png(picture), std::invalid_argument);
     const Picture numbers{{{{"Y"}, SampleType::Float, Image<float>(1, 1, 1)}}};
@@ -65,12 +52,12 @@ TEST(PngEncode, HeaderSaysSizeDepthAndKind) {
     const std::map<int, char> types = {{1, 0}, {2, 4}, {3, 2}, {4, 6}};
     for (const auto& [channels, type] : types) {
         const std::string expected{0, 0, 0, 3, 0, 0, 0, 2, 8, type, 0, 0, 0};
-        EXPECT_EQ(chunk(encode_png(numbered(3, 2, channels).view()), "IHDR"), expected);
+        EXPECT_EQ(chunk(encode_png(numbered_codes(3, 2, channels).view()), "IHDR"), expected);
     }
 }
 
 TEST(PngEncode, ColorCarriesItsSpaceAndDataDoesNot) {
-    const Image<std::uint8_t> image = numbered(3, 2, 3);
+    const Image<std::uint8_t> image = numbered_codes(3, 2, 3);
     const Bytes color = encode_png(image.view(), {.color = true, .text = {}});
     EXPECT_EQ(chunk(color, "sRGB"), std::string(1, '\0'));                 // perceptual
     EXPECT_EQ(chunk(color, "gAMA"), std::string({0, 0, '\xb1', '\x8f'}));  // 45455
@@ -82,7 +69,7 @@ TEST(PngEncode, ColorCarriesItsSpaceAndDataDoesNot) {
 
 TEST(PngEncode, TextIsLatinWherePossibleAndUtf8ElseAndKeepsItsOrder) {
     const Text text = {{"Preset", "[foam]\nbubbles = 4\n"}, {"Author", "Zoë 泡"}, {"Empty", ""}};
-    const Bytes stream = encode_png(numbered(1, 1, 1).view(), {.color = false, .text = text});
+    const Bytes stream = encode_png(numbered_codes(1, 1, 1).view(), {.color = false, .text = text});
     EXPECT_EQ(chunk(stream, "tEXt"), std::string("Preset\0[foam]\nbubbles = 4\n", 26));
     EXPECT_NE(chunk(stream, "iTXt").find("Zoë 泡"), std::string::npos);
     EXPECT_EQ(decode_png(stream).metadata.text, text);

@@ -3,23 +3,11 @@
 #include "texgen/manifest/manifest_json.h"
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
-#include <limits>
 #include <string>
 
 namespace foam::texgen {
 namespace {
-
-Manifest small_manifest() {
-    Manifest manifest{{small_set("a", {1, 2, 3, 5}, {1, 3}), small_set("b", {7}, {7})}};
-    manifest.sets[0].failure = "the disk is full";
-    manifest.sets[1].loop.closing_error.reset();
-    manifest.sets[1].maps.front().note.clear();
-    manifest.sets[1].maps.front().samples->range.reset();
-    manifest.sets[1].maps.push_back({"film", "mask", "0 to 1", "", {7}, {}});
-    return manifest;
-}
 
 /// The error that a text draws once a part of it is replaced.
 std::string error_of(const std::string& part, const std::string& by) {

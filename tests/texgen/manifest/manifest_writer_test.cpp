@@ -1,5 +1,4 @@
 #include "tests/texgen/manifest/small_set.h"
-#include "texgen/image/file_io.h"
 #include "texgen/manifest/manifest_json.h"
 
 #include <gtest/gtest.h>
@@ -10,16 +9,6 @@
 
 namespace foam::texgen {
 namespace {
-
-Manifest small_manifest() {
-    Manifest manifest{{small_set("a", {1, 2, 3, 5}, {1, 3}), small_set("b", {7}, {7})}};
-    manifest.sets[0].failure = "the disk is full";
-    manifest.sets[1].loop.closing_error.reset();
-    manifest.sets[1].maps.front().note.clear();
-    manifest.sets[1].maps.front().samples->range.reset();
-    manifest.sets[1].maps.push_back({"film", "mask", "0 to 1", "", {7}, {}});
-    return manifest;
-}
 
 TEST(ManifestWriter, ReadsBackWhatItWrites) {
     const Manifest manifest = small_manifest();

@@ -44,4 +44,15 @@ inline BakedSet small_set(const std::string& preset,
     return set;
 }
 
+/// Returns a manifest of a set that failed and one that lacks what may be left out.
+inline Manifest small_manifest() {
+    Manifest manifest{{small_set("a", {1, 2, 3, 5}, {1, 3}), small_set("b", {7}, {7})}};
+    manifest.sets[0].failure = "the disk is full";
+    manifest.sets[1].loop.closing_error.reset();
+    manifest.sets[1].maps.front().note.clear();
+    manifest.sets[1].maps.front().samples->range.reset();
+    manifest.sets[1].maps.push_back({"film", "mask", "0 to 1", "", {7}, {}});
+    return manifest;
+}
+
 }  // namespace foam::texgen

@@ -1,9 +1,9 @@
 #include "tests/texgen/pictures.h"
+#include "tests/texgen/sheet/shown_pictures.h"
 #include "tests/texgen/temporary_folder.h"
 #include "texgen/image/color.h"
 #include "texgen/image/exr.h"
 #include "texgen/image/file_io.h"
-#include "texgen/image/png.h"
 #include "texgen/sheet/shown_frame.h"
 
 #include <gtest/gtest.h>
@@ -14,31 +14,6 @@
 
 namespace foam::texgen {
 namespace {
-
-ManifestMap map_of(const char* color_space) {
-    ManifestMap map;
-    map.samples = MapSamples{};
-    map.samples->color_space = color_space;
-    return map;
-}
-
-template <class Sample>
-ShownFrame shown(const Image<Sample>& image, const char* color_space) {
-    const TemporaryFolder folder;
-    write_png(folder.path() / "a.png", image.view());
-    return read_shown({.path = folder.path() / "a.png"}, map_of(color_space));
-}
-
-Image<std::uint8_t> picture(int width, int height, int channels, std::vector<std::uint8_t> codes) {
-    Image<std::uint8_t> image(width, height, channels);
-    std::ranges::copy(codes, image.samples().begin());
-    return image;
-}
-
-std::vector<std::uint8_t> codes(const ShownFrame& frame) {
-    const Image<std::uint8_t> image = codes_of(frame);
-    return {image.samples().begin(), image.samples().end()};
-}
 
 TEST(ReadShown, ShowsTheHigherHalfOf16Bits) {
     Image<std::uint16_t> image(1, 1, 1);

@@ -1,41 +1,19 @@
 #include "texgen/sheet/sheet_files.h"
 
-#include "tests/texgen/cli/run_program.h"
 #include "tests/texgen/pictures.h"
+#include "tests/texgen/sheet/sheet_cells.h"
 #include "tests/texgen/sheet/small_bake.h"
 #include "tests/texgen/temporary_folder.h"
-#include "texgen/image/exr.h"
 #include "texgen/image/png.h"
 #include "texgen/sheet/flipbook.h"
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <stdexcept>
-#include <string>
 #include <variant>
-#include <vector>
 
 namespace foam::texgen {
 namespace {
-
-constexpr int kGutter = 3;
-
-/// Every sample of a cell, gutter and all, against the frame that goes on as a tile.
-template <class Sample>
-void expect_cell(const Image<Sample>& sheet, int column, int row, const Image<Sample>& frame) {
-    const int left = column * (frame.width() + 2 * kGutter);
-    const int bottom = sheet.height() - (row + 1) * (frame.height() + 2 * kGutter);
-    for (int y = 0; y < frame.height() + 2 * kGutter; ++y) {
-        for (int x = 0; x < frame.width() + 2 * kGutter; ++x) {
-            const auto expected = frame.pixel((x - kGutter + frame.width()) % frame.width(),
-                                              (y - kGutter + frame.height()) % frame.height());
-            ASSERT_TRUE(std::ranges::equal(sheet.pixel(left + x, bottom + y), expected))
-                << column << " " << row << ": " << x << " " << y;
-        }
-    }
-}
 
 TEST(SheetFiles, HoldsEveryFrameOfEveryMapAsItIs) {
     const TemporaryFolder folder;

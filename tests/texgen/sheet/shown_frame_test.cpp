@@ -1,11 +1,7 @@
 #include "texgen/sheet/shown_frame.h"
 
-#include "tests/texgen/pictures.h"
-#include "tests/texgen/temporary_folder.h"
+#include "tests/texgen/sheet/shown_pictures.h"
 #include "texgen/image/color.h"
-#include "texgen/image/exr.h"
-#include "texgen/image/file_io.h"
-#include "texgen/image/png.h"
 
 #include <gtest/gtest.h>
 
@@ -15,31 +11,6 @@
 
 namespace foam::texgen {
 namespace {
-
-ManifestMap map_of(const char* color_space) {
-    ManifestMap map;
-    map.samples = MapSamples{};
-    map.samples->color_space = color_space;
-    return map;
-}
-
-template <class Sample>
-ShownFrame shown(const Image<Sample>& image, const char* color_space) {
-    const TemporaryFolder folder;
-    write_png(folder.path() / "a.png", image.view());
-    return read_shown({.path = folder.path() / "a.png"}, map_of(color_space));
-}
-
-Image<std::uint8_t> picture(int width, int height, int channels, std::vector<std::uint8_t> codes) {
-    Image<std::uint8_t> image(width, height, channels);
-    std::ranges::copy(codes, image.samples().begin());
-    return image;
-}
-
-std::vector<std::uint8_t> codes(const ShownFrame& frame) {
-    const Image<std::uint8_t> image = codes_of(frame);
-    return {image.samples().begin(), image.samples().end()};
-}
 
 // Half of black and half of white is half the light, which sRGB codes as 188, not 128.
 TEST(ShownFrame, AveragesLightOfColors) {

@@ -3,35 +3,21 @@
 #include "tests/texgen/pictures.h"
 #include "tests/texgen/small_preset.h"
 #include "tests/texgen/temporary_folder.h"
+#include "tests/texgen/verify/breathing_loop.h"
 #include "texgen/image/file_io.h"
 #include "texgen/image/pixel_hash.h"
 #include "texgen/image/png.h"
 #include "texgen/manifest/manifest_file.h"
-#include "texgen/manifest/recorded_bake.h"
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace foam::texgen {
 namespace {
-
-Preset small_loop(const std::filesystem::path& folder) {
-    Preset preset = small_preset(folder / "{map}.####.png");
-    preset.image.maps = {"albedo", "height", "id"};
-    preset.frames.count = 8;
-    preset.loop.kind = LoopKind::Breathe;
-    return preset;
-}
-
-void bake_small(const Preset& preset, const std::vector<int>& frames) {
-    bake_recorded(preset, {.frames = frames, .threads = 1}, {});
-}
 
 /// The only set of a folder.
 VerifiedSet verified(const std::filesystem::path& folder) {
@@ -57,7 +43,7 @@ void change_as_baked(const std::filesystem::path& folder, const std::string& nam
 // However much has changed meanwhile.
 TEST(Verify, AFlowClosesByItsCrossFade) {
     const TemporaryFolder folder;
-    Preset preset = small_loop(folder.path());
+    Preset preset = breathing_loop(folder.path());
     preset.loop = {.kind = LoopKind::Flow, .fade = 0.5, .growth = 6};
     preset.image.maps = {"albedo", "height", "normal", "motion"};
     preset.frames.count = 24;
@@ -77,7 +63,7 @@ TEST(Verify, AFlowClosesByItsCrossFade) {
 
 TEST(Verify, ALoopThatWasBakedHolds) {
     const TemporaryFolder folder;
-    bake_small(small_loop(folder.path()), frames_to(8));
+    bake_small(breathing_loop(folder.path()), frames_to(8));
     const VerifiedSet found = verified(folder.path());
     EXPECT_EQ(found.problems, std::vector<std::string>{});
     EXPECT_EQ(found.files_same, 24);
@@ -92,7 +78,7 @@ TEST(Verify, ALoopThatWasBakedHolds) {
 
 TEST(Verify, LayersOfAnExrAreChecked) {
     const TemporaryFolder folder;
-    Preset preset = small_loop(folder.path());
+    Preset preset = breathing_loop(folder.path());
     preset.output.pattern = (folder.path() / "all.####.exr").string();
     bake_small(preset, frames_to(8));
     const VerifiedSet found = verified(folder.path());
@@ -105,7 +91,7 @@ TEST(Verify, LayersOfAnExrAreChecked) {
 
 TEST(Verify, SaysWhichFilesAreGoneDamagedOrChanged) {
     const TemporaryFolder folder;
-    bake_small(small_loop(folder.path()), {1, 2, 3});
+    bake_small(breathing_loop(folder.path()), {1, 2, 3});
     std::filesystem::remove(folder.path() / "id.0001.png");
     write_file(folder.path() / "id.0002.png", {});
     Image<std::uint8_t> image = codes8(read_picture(folder.path() / "albedo.0003.png"));
@@ -122,7 +108,7 @@ TEST(Verify, SaysWhichFilesAreGoneDamagedOrChanged) {
 // Packed anew, with other texts, the pixels are those that were baked.
 TEST(Verify, APictureThatWasPackedAnewHolds) {
     const TemporaryFolder folder;
-    bake_small(small_loop(folder.path()), {1});
+    bake_small(breathing_loop(folder.path()), {1});
     const std::filesystem::path path = folder.path() / "albedo.0001.png";
     write_png(path, codes8(read_picture(path)).view(), {}, {.compression = Compression::Small});
     EXPECT_TRUE(verified(folder.path()).holds());
@@ -131,7 +117,7 @@ TEST(Verify, APictureThatWasPackedAnewHolds) {
 // Half a tile beside its mirror image: what comes to the border was not made for it.
 TEST(Verify, FindsAnImageThatDoesNotTile) {
     const TemporaryFolder folder;
-    bake_small(small_loop(folder.path()), {1, 2});
+    bake_small(breathing_loop(folder.path()), {1, 2});
     change_as_baked(folder.path(), "albedo.0002.png", [](Image<std::uint8_t>& image) {
         const int width = image.width();
         for (int y = 0; y < image.height(); ++y) {
@@ -150,7 +136,7 @@ TEST(Verify, FindsAnImageThatDoesNotTile) {
 // Half of a period is no loop.
 TEST(Verify, FindsALoopThatJumps) {
     const TemporaryFolder folder;
-    Preset preset = small_loop(folder.path());
+    Preset preset = breathing_loop(folder.path());
     preset.frames.count = 16;
     bake_small(preset, frames_to(8));
     EXPECT_TRUE(verified(folder.path()).holds());
@@ -166,7 +152,7 @@ TEST(Verify, FindsALoopThatJumps) {
 
 TEST(Verify, ALoopIsCheckedOnlyAsAWhole) {
     const TemporaryFolder folder;
-    bake_small(small_loop(folder.path()), {1, 2, 3, 4, 5, 6, 7});
+    bake_small(breathing_loop(folder.path()), {1, 2, 3, 4, 5, 6, 7});
     const VerifiedSet found = verified(folder.path());
     EXPECT_TRUE(found.holds());
     EXPECT_FALSE(found.maps.front().loop);
@@ -176,7 +162,7 @@ TEST(Verify, ALoopIsCheckedOnlyAsAWhole) {
 
 TEST(Verify, SaysWhatABakeLeftOut) {
     const TemporaryFolder folder;
-    bake_small(small_loop(folder.path()), {1, 2, 3});
+    bake_small(breathing_loop(folder.path()), {1, 2, 3});
     update_manifest(folder.path(), [](Manifest& manifest) {
         BakedSet& set = manifest.sets.front();
         std::erase_if(set.files, [](const ManifestFile& file) { return file.frame > 1; });
@@ -189,7 +175,7 @@ TEST(Verify, SaysWhatABakeLeftOut) {
 
 TEST(Verify, APatchIsNoTile) {
     const TemporaryFolder folder;
-    Preset preset = small_loop(folder.path());
+    Preset preset = breathing_loop(folder.path());
     preset.shape.kind = FoamKind::Patch;
     preset.loop.kind = LoopKind::None;
     bake_small(preset, {1, 2});

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "texgen/bake/bake.h"
+#include "texgen/image/file_io.h"
+
+#include <filesystem>
+#include <vector>
+
+namespace foam::texgen {
+
+/// A pattern with a folder that does not exist yet.
+inline constexpr const char* kPattern = "deep/{preset}_{map}.####.png";
+
+/// Returns the files of the first five frames.
+inline std::vector<Bytes> baked_files(const Preset& preset, int threads) {
+    const BakeSummary summary = bake(preset, {.frames = {1, 2, 3, 4, 5}, .threads = threads}, {});
+    std::vector<Bytes> contents;
+    for (const std::filesystem::path& path : summary.files) {
+        contents.push_back(read_file(path));
+    }
+    return contents;
+}
+
+}  // namespace foam::texgen

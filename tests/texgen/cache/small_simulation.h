@@ -1,0 +1,35 @@
+#pragma once
+
+#include "tests/texgen/small_preset.h"
+#include "texgen/cache/cache.h"
+#include "texgen/image/file_io.h"
+#include "texgen/maps/all_maps.h"
+
+#include <filesystem>
+#include <string>
+
+namespace foam::texgen {
+
+/// Returns a preset of a small coarsening foam with every map.
+inline Preset all_maps_of_a_foam() {
+    Preset preset = small_preset(Preset().output.pattern);
+    preset.coarsening.kappa = 0.05;
+    preset.image.width = 48;
+    preset.image.height = 32;
+    preset.frames.count = 6;
+    const auto names = map_names();
+    preset.image.maps.assign(names.begin(), names.end());
+    return preset;
+}
+
+/// Returns the error that reading a state of a cache draws, or nothing.
+inline std::string error_of(const std::filesystem::path& folder, int number) {
+    try {
+        Cache(folder).state(number);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "tests/texgen/temporary_folder.h"
+#include "texgen/image/png.h"
+#include "texgen/sheet/shown_frame.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace foam::texgen {
+
+/// Returns what a manifest says of a map with this color space.
+inline ManifestMap map_of(const char* color_space) {
+    ManifestMap map;
+    map.samples = MapSamples{};
+    map.samples->color_space = color_space;
+    return map;
+}
+
+/// Returns the frame that a preview shows of a PNG of these samples.
+template <class Sample>
+ShownFrame shown(const Image<Sample>& image, const char* color_space) {
+    const TemporaryFolder folder;
+    write_png(folder.path() / "a.png", image.view());
+    return read_shown({.path = folder.path() / "a.png"}, map_of(color_space));
+}
+
+/// Returns an image of these codes, pixel by pixel.
+inline Image<std::uint8_t> picture(int width,
+                                   int height,
+                                   int channels,
+                                   std::vector<std::uint8_t> codes) {
+    Image<std::uint8_t> image(width, height, channels);
+    std::ranges::copy(codes, image.samples().begin());
+    return image;
+}
+
+/// Returns the codes that the frame is shown with.
+inline std::vector<std::uint8_t> codes(const ShownFrame& frame) {
+    const Image<std::uint8_t> image = codes_of(frame);
+    return {image.samples().begin(), image.samples().end()};
+}
+
+}  // namespace foam::texgen
