@@ -22,10 +22,10 @@ namespace {
 constexpr double kSlowRatio = 0.1;
 // After this many rounds without equilibrium, regions are no longer solved on their own.
 constexpr int kRoundsWithRegions = 20;
-// Where Newton's method stalls, every so many relaxations are of the whole foam.
+// Of the relaxations after a stall of Newton's method, one in this many is of the whole foam.
 constexpr int kGlobalRelaxationPeriod = 4;
 
-// What all rounds work on: the foam, and buffers.
+// The foam that all rounds work on, and their buffers.
 struct Work {
     Work(Foam& the_foam, const EquilibriumOptions& the_options)
         : foam(the_foam), options(the_options), local(the_foam) {}
@@ -36,7 +36,7 @@ struct Work {
     LocalMemory local;
 };
 
-// What one round hands on to the next.
+// The state that one round hands on to the next.
 struct Progress {
     EquilibriumSummary summary;
     int rounds = 0;

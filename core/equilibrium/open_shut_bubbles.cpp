@@ -1,9 +1,9 @@
 #include "core/equilibrium/open_shut_bubbles.h"
 
 #include "core/foam/measure.h"
+#include "core/geometry/film_arc.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -38,11 +38,9 @@ bool is_shut(const Foam& foam, BubbleId bubble) {
 }
 
 // Returns the distance of the ends of a two-sided bubble in equilibrium: each film, of half angle
-// 60 degrees, encloses half of the area with its chord (E1).
+// 60 degrees, encloses half of the area with its chord.
 double equilibrium_chord(double area) {
-    constexpr double kAngle = std::numbers::pi / 3.0;
-    const double of_unit_chord = 0.5 * (kAngle - std::sin(kAngle) * std::cos(kAngle)) /
-                                 (std::sin(kAngle) * std::sin(kAngle));
+    const double of_unit_chord = 2.0 * segment_area({Vec2(1.0, 0.0), std::numbers::pi / 3.0});
     return std::sqrt(area / of_unit_chord);
 }
 
