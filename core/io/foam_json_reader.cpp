@@ -15,7 +15,8 @@ namespace foam {
 
 namespace {
 
-// What the sum of the target areas may miss of the torus' area, relative; steps keep it exact.
+// Largest difference of the sum of the target areas from the area of the torus, relative to it.
+// Steps keep the two equal.
 constexpr double kAreaTolerance = 1e-6;
 constexpr double kCellSlack = 1e-9;  // of a period: wrapping rounds
 

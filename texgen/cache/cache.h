@@ -18,7 +18,8 @@ class Cache {
 
     const CacheInfo& info() const { return info_; }
 
-    /// Of the simulation's frame of this number. Throws InputError where it is missing or damaged.
+    /// Returns the state of the frame of this number. Throws InputError where it is missing or
+    /// damaged.
     SimulatedFrame state(int number) const;
 
     /// Hands out frames as a simulation of the preset would, to the last bit. The preset is that of

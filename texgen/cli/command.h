@@ -11,7 +11,7 @@ class App;
 
 namespace foam::texgen {
 
-/// What the command line asked for, ready to run. Failures leave as exceptions.
+/// The action that the command line asked for, ready to run. Failures leave as exceptions.
 using Action = std::function<ExitCode()>;
 
 /// Adds one command to the program. Parsing a command line that names the command sets `action`.

@@ -41,7 +41,7 @@ struct CompareArguments {
 
 using Paths = std::pair<std::filesystem::path, std::filesystem::path>;
 
-/// What is compared with what.
+/// Returns the pairs of images to compare.
 std::vector<Paths> pairs_of(const CompareArguments& arguments) {
     if (!arguments.frames) {
         return {{arguments.a, arguments.b}};

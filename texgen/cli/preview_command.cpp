@@ -64,7 +64,7 @@ PreviewOptions options_of(const PreviewArguments& arguments) {
     return options;
 }
 
-/// What has been made, of which frames.
+/// The preset and the frames that were shown, and the files that were made.
 struct Shown {
     std::string preset;
     std::vector<int> frames;

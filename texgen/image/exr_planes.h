@@ -1,6 +1,6 @@
 #pragma once
 
-// Of exr_encode.cpp: samples on their way into OpenEXR.
+// Only exr_encode.cpp uses this: samples on their way into OpenEXR.
 
 #include "texgen/image/exr.h"
 #include "texgen/image/file_io.h"

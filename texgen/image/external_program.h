@@ -7,7 +7,7 @@
 
 namespace foam::texgen {
 
-/// Where an external program runs, and what of its output is seen.
+/// The folder in which an external program runs, and whether its errors are shown.
 struct ExternalOptions {
     std::filesystem::path folder = {};  // its working directory; empty for that of this process
     bool shows_errors = true;           // its standard error goes to that of this process

@@ -19,7 +19,7 @@ struct EncodingOptions {
     ExrEncoding exr = {};
 };
 
-/// What a format stores of a map.
+/// The kind of samples that a format stores.
 enum class FormatSamples {
     Codes,    // one group of 1 to 4 interleaved channels of integer codes; colors as sRGB
     Numbers,  // any number of named channels of numbers or ids; colors as premultiplied light

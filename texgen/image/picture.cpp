@@ -24,7 +24,7 @@ ChannelGroup group_of(Image<Code> codes, SampleType type) {
     return group;
 }
 
-/// What the number 1 is stored as.
+/// Returns the sample value that stands for the number 1.
 template <class Sample>
 constexpr double unit_of(SampleType type) {
     if constexpr (std::is_integral_v<Sample>) {

@@ -39,7 +39,8 @@ struct ChannelGroup {
     bool has_codes() const { return type == SampleType::Uint8 || type == SampleType::Uint16; }
 };
 
-/// What a file says about its samples. A format that cannot store a member leaves it out.
+/// The facts that a file states about its samples. A format that cannot store a member leaves it
+/// out.
 struct ImageMetadata {
     /// The samples are colors with the primaries and the white of sRGB: encoded with its transfer
     /// function where samples are codes, linear light where they are numbers. Data, such as a

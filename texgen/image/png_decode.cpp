@@ -9,7 +9,7 @@ namespace foam::texgen {
 
 namespace {
 
-/// What is left to read.
+/// The part of the stream that is left to read.
 using Source = std::span<const std::byte>;
 
 // Deflate shrinks nothing further than this, so a header cannot make us allocate what never comes.
