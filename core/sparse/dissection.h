@@ -15,6 +15,13 @@ namespace foam {
 struct DissectionOptions {
     int leaf_rows = 16;  // a part with at most this many rows is not divided
     SeparatorOptions separator{};
+
+    // With this many rows and more, the separators that positions propose are refined by the graph.
+    int least_refined_rows = 60000;
+
+    // In rows, per square root of the rows of the part. If the separator that positions propose has
+    // more, the part and all that is left of it are divided by the graph alone.
+    double heaviest_separator = 4.0;
 };
 
 /// A range of nodes in the order of elimination: the separator between two earlier ranges, or a
@@ -36,12 +43,11 @@ struct Dissection {
     std::vector<DissectionPart> parts;  // every part after both its subtrees; the last is the root
 };
 
-/// Finds an order of elimination by geometric nested dissection (George 1973): divides the nodes at
-/// the median of the coordinate in which they extend further, moves that border to the lightest
-/// separator near it, and divides both sides in the same way. The separators of a torus consist of
-/// two lines at first. Positions are only a guide: the order is valid for any graph. The result is
-/// the same for any number of threads, which are meant as in thread_count. Precondition: there is
-/// at least one node.
+/// Finds an order of elimination by nested dissection (George 1973): divides the nodes by a light
+/// separator, which is eliminated last, and divides both sides in the same way. Positions propose
+/// the separators, and the graph decides (PartDivider). Those of a torus consist of two lines at
+/// first. The order is valid for any positions, and the same for any number of threads, which are
+/// meant as in thread_count. Precondition: there is at least one node.
 Dissection dissect(const NodeGraph& graph,
                    std::span<const SolverNode> nodes,
                    const Domain& domain,

@@ -2,6 +2,7 @@
 
 #include "core/sparse/node_graph.h"
 #include "core/sparse/vertex_cut.h"
+#include "core/sparse/zone.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -15,9 +16,6 @@ struct SeparatorOptions {
     int band_layers = 1;      // beside the border of each zone, in which the separator is sought
     double band_share = 0.4;  // no layer is added that makes the band hold more of its zone
 };
-
-/// The side of a node in the part of the graph that is being divided.
-enum class Zone : std::uint8_t { Outside, Low, High };
 
 /// Finds the lightest separator near the common border of two zones.
 class SeparatorSearch {

@@ -221,5 +221,35 @@ TEST(Dissection, NeedsNoUsefulPositions) {
     expect_sound(coupled);
 }
 
+TEST(Dissection, IsTheSameForAnyNumberOfThreads) {
+    CoupledNodes coupled = random_nodes(1500, 1.0);
+    const auto orders = [&](const DissectionOptions& options) {
+        std::vector<std::vector<std::uint32_t>> found;
+        for (const int threads : {1, 2, 3, 8}) {
+            found.push_back(
+                dissect(coupled.graph, coupled.nodes, coupled.domain, options, threads).order);
+        }
+        return found;
+    };
+    const auto expect_equal = [](const std::vector<std::vector<std::uint32_t>>& found) {
+        for (const std::vector<std::uint32_t>& order : found) {
+            EXPECT_EQ(order, found.front());
+        }
+    };
+    expect_equal(orders({}));
+    expect_equal(orders({.least_refined_rows = 1}));
+    expect_equal(orders({.heaviest_separator = 0.0}));
+}
+
+TEST(Dissection, IsSoundIfTheGraphDecides) {
+    CoupledNodes coupled = random_nodes(300, 1.0);
+    for (const DissectionOptions& options :
+         {DissectionOptions{.least_refined_rows = 1}, {.heaviest_separator = 0.0}}) {
+        const Dissection dissection = dissect(coupled, options);
+        EXPECT_TRUE(covers_every_node_once(dissection));
+        EXPECT_EQ(couplings_across(coupled, dissection), 0);
+    }
+}
+
 }  // namespace
 }  // namespace foam

@@ -94,5 +94,15 @@ TEST(FrontPlanner, CountsTheWorkspaceTowardsTheLimit) {
     EXPECT_FALSE(plan_fronts(grid.matrix, grid.nodes, grid.domain, {}, size - 1).has_value());
 }
 
+// The couplings are those of an ordinary grid, and the graph tells them: by position alone, the
+// first fronts would hold half of all points, and the plan fifty times as many numbers.
+TEST(FrontPlanner, ScatteredPositionsCostLittleMemory) {
+    test::PointSystem grid = test::torus_grid(60, 60);
+    const std::size_t ordinary = test::plan_of(grid).panels_size;
+    test::scatter(grid);
+    EXPECT_LT(static_cast<double>(test::plan_of(grid).panels_size),
+              1.2 * static_cast<double>(ordinary));
+}
+
 }  // namespace
 }  // namespace foam

@@ -2,12 +2,15 @@
 
 #include "core/geometry/domain.h"
 #include "core/sparse/front_planner.h"
+#include "core/sparse/weighted_graph.h"
+#include "core/sparse/zone.h"
 
 #include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <random>
 #include <span>
 #include <utility>
 #include <vector>
@@ -67,6 +70,72 @@ inline PointSystem complete_system(int points) {
     }
     system.matrix = coupled_matrix(points, pairs);
     return system;
+}
+
+/// Returns the points of a square grid in the plane, row after row, each coupled to those beside
+/// it.
+inline PointSystem plane_grid(int side) {
+    PointSystem grid{kPlane, {}, {}};
+    std::vector<std::pair<Eigen::Index, Eigen::Index>> pairs;
+    for (Eigen::Index y = 0; y < side; ++y) {
+        for (Eigen::Index x = 0; x < side; ++x) {
+            grid.nodes.push_back({Vec2(static_cast<double>(x), static_cast<double>(y)), 1});
+            if (x + 1 < side) {
+                pairs.emplace_back(y * side + x, y * side + x + 1);
+            }
+            if (y + 1 < side) {
+                pairs.emplace_back(y * side + x, (y + 1) * side + x);
+            }
+        }
+    }
+    grid.matrix = coupled_matrix(Eigen::Index{side} * side, pairs);
+    return grid;
+}
+
+/// Returns the graph of the coupled points, all of whose edges have weight 1.
+inline WeightedGraph graph_of(const PointSystem& system) {
+    const NodeGraph coupled = coupling(system.matrix, system.nodes);
+    WeightedGraph graph;
+    for (const SolverNode& node : system.nodes) {
+        graph.weights.push_back(node.rows);
+    }
+    for (const std::uint32_t neighbor : coupled.neighbors) {
+        graph.edges.push_back({neighbor, 1});
+    }
+    for (const std::size_t begin : coupled.begins) {
+        graph.begins.push_back(static_cast<std::uint32_t>(begin));
+    }
+    return graph;
+}
+
+/// Gives the points positions that tell nothing of which are coupled.
+inline void scatter(PointSystem& system) {
+    std::mt19937 bits(1);
+    const auto fraction = [&bits] { return static_cast<double>(bits()) / 4294967296.0; };
+    for (SolverNode& node : system.nodes) {
+        const double x = fraction() * system.domain.width;
+        const double y = fraction() * system.domain.height;
+        node.position = Vec2(x, y);
+    }
+}
+
+/// Returns how many edges have an end in the zone Low and the other in the zone High.
+inline int edges_across(const WeightedGraph& graph, std::span<const Zone> zones) {
+    int across = 0;
+    for (std::uint32_t node = 0; node < graph.size(); ++node) {
+        for (const WeightedGraph::Edge& edge : graph.of(node)) {
+            across += zones[node] == Zone::Low && zones[edge.to] == Zone::High ? 1 : 0;
+        }
+    }
+    return across;
+}
+
+inline int weight_of(const WeightedGraph& graph, std::span<const Zone> zones, Zone zone) {
+    int weight = 0;
+    for (std::uint32_t node = 0; node < graph.size(); ++node) {
+        weight += zones[node] == zone ? graph.weights[node] : 0;
+    }
+    return weight;
 }
 
 inline FrontPlan plan_of(const PointSystem& system) {

@@ -1,0 +1,123 @@
+#include "core/sparse/graph_bisection.h"
+
+#include "core/sparse/separator_refinement.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+
+namespace foam {
+
+namespace {
+
+constexpr std::uint32_t kCoarsestNodes = 100;
+
+// Coarsening ends when it no longer merges a tenth of the nodes.
+constexpr double kLeastShrinkage = 0.9;
+
+// Breadth-first searches from nodes at equal distances in the order of the coarsest graph.
+constexpr std::uint32_t kSearches = 4;
+
+int total_weight(const WeightedGraph& graph) {
+    return std::accumulate(graph.weights.begin(), graph.weights.end(), 0);
+}
+
+// Returns the nodes in the order of a breadth-first search from one of them. It begins again with
+// the first node that is not yet found when a component of the graph is complete.
+std::vector<std::uint32_t> breadth_first(const WeightedGraph& graph, std::uint32_t start) {
+    std::vector<std::uint32_t> order;
+    std::vector<bool> is_found(graph.size(), false);
+    const auto find = [&](std::uint32_t node) {
+        if (!is_found[node]) {
+            is_found[node] = true;
+            order.push_back(node);
+        }
+    };
+    std::size_t next = 0;
+    const auto find_component = [&](std::uint32_t node) {
+        find(node);
+        for (; next < order.size(); ++next) {
+            for (const WeightedGraph::Edge& edge : graph.of(order[next])) {
+                find(edge.to);
+            }
+        }
+    };
+    find_component(start);
+    for (std::uint32_t node = 0; node < graph.size(); ++node) {
+        find_component(node);
+    }
+    return order;
+}
+
+// Puts the first half of the weight, in the order of a search, into the zone Low and its neighbors
+// into the separator.
+std::vector<Zone> grow(const WeightedGraph& graph, std::uint32_t start) {
+    std::vector<Zone> zones(graph.size(), Zone::High);
+    int rest = total_weight(graph) / 2;
+    for (const std::uint32_t node : breadth_first(graph, start)) {
+        rest -= graph.weights[node];
+        if (rest < 0) {
+            break;
+        }
+        zones[node] = Zone::Low;
+    }
+    for (std::uint32_t node = 0; node < graph.size(); ++node) {
+        const auto edges = graph.of(node);
+        if (zones[node] == Zone::High && std::any_of(edges.begin(), edges.end(), [&](auto edge) {
+                return zones[edge.to] == Zone::Low;
+            })) {
+            zones[node] = Zone::Outside;
+        }
+    }
+    return zones;
+}
+
+// Refines the separator and returns its weight and the difference of the zones.
+std::pair<int, int> refine(const WeightedGraph& graph, std::vector<Zone>& zones) {
+    SeparatorRefinement refinement(graph, heaviest_zone(total_weight(graph)), zones);
+    refinement.run();
+    return refinement.cost();
+}
+
+std::vector<Zone> bisect_coarsest(const WeightedGraph& graph) {
+    std::vector<Zone> best;
+    std::pair<int, int> best_cost;
+    const std::uint32_t searches = std::min(kSearches, graph.size());
+    for (std::uint32_t search = 0; search < searches; ++search) {
+        std::vector<Zone> zones = grow(graph, search * graph.size() / searches);
+        const std::pair cost = refine(graph, zones);
+        if (best.empty() || cost < best_cost) {
+            best = std::move(zones);
+            best_cost = cost;
+        }
+    }
+    return best;
+}
+
+}  // namespace
+
+int heaviest_zone(int weight) {
+    return weight / 5 * 3;
+}
+
+std::vector<Zone> bisect(const WeightedGraph& graph) {
+    if (graph.size() <= kCoarsestNodes) {
+        return bisect_coarsest(graph);
+    }
+    const int most = 3 * total_weight(graph) / (2 * static_cast<int>(kCoarsestNodes));
+    const CoarseGraph coarse = coarsen(graph, most);
+    if (coarse.graph.size() > kLeastShrinkage * graph.size()) {
+        return bisect_coarsest(graph);
+    }
+    const std::vector<Zone> coarse_zones = bisect(coarse.graph);
+    std::vector<Zone> zones(graph.size());
+    for (std::uint32_t node = 0; node < graph.size(); ++node) {
+        zones[node] = coarse_zones[coarse.coarse_of[node]];
+    }
+    refine(graph, zones);
+    return zones;
+}
+
+}  // namespace foam

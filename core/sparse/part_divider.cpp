@@ -1,0 +1,244 @@
+#include "core/sparse/part_divider.h"
+
+#include "core/geometry/narrow.h"
+#include "core/sparse/graph_bisection.h"
+#include "core/sparse/separator_refinement.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+namespace foam {
+
+namespace {
+
+// Rows of a part: refining smaller ones takes longer than their fronts get shorter.
+constexpr int kLeastRefinedPart = 400;
+
+// Layers of nodes on both sides of a separator, among which a lighter one is sought.
+constexpr int kRefinedLayers = 4;
+
+// Returns the periods of the torus; for the plane, periods so large that no coordinate reaches half
+// of one.
+Vec2 periods_of(const Domain& domain) {
+    return domain.is_plane() ? Vec2(Vec2::Constant(std::numeric_limits<double>::max()))
+                             : Vec2(domain.width, domain.height);
+}
+
+int total_rows(std::span<const SolverNode> nodes) {
+    int rows = 0;
+    for (const SolverNode& node : nodes) {
+        rows += node.rows;
+    }
+    return rows;
+}
+
+}  // namespace
+
+PartDivider::PartDivider(const NodeGraph& graph,
+                         std::span<const SolverNode> nodes,
+                         const Domain& domain,
+                         const DissectionOptions& options,
+                         DivisionMemory& memory)
+    : graph_(graph),
+      nodes_(nodes),
+      domain_(domain),
+      periods_(periods_of(domain)),
+      options_(options),
+      refines_(total_rows(nodes) >= options.least_refined_rows),
+      memory_(memory),
+      separator_(graph, nodes, options.separator, memory.zones, memory.band_indices) {}
+
+PartBox PartDivider::box_of_all() const {
+    if (!domain_.is_plane()) {
+        return {Vec2::Zero(), periods_};
+    }
+    PartBox box{nodes_.front().position, nodes_.front().position};
+    for (const SolverNode& node : nodes_) {
+        box.low = box.low.cwiseMin(node.position);
+        box.high = box.high.cwiseMax(node.position);
+    }
+    return box;
+}
+
+ZoneBoxes PartDivider::divide(Nodes part, int rows, const std::optional<PartBox>& box) {
+    if (box) {
+        ZoneBoxes boxes = divide_by_position(part, *box);
+        if (refines_ && rows >= kLeastRefinedPart) {
+            refine(part, rows);
+        }
+        if (rows_of(part, Zone::Outside) <= options_.heaviest_separator * std::sqrt(rows)) {
+            return boxes;
+        }
+    }
+    divide_by_graph(part);
+    return {};
+}
+
+ZoneBoxes PartDivider::divide_by_position(Nodes part, const PartBox& box) {
+    const Eigen::Index axis = box.high.x() - box.low.x() < box.high.y() - box.low.y() ? 1 : 0;
+    const double cut = halve(part, box, axis);
+    separator_.separate(part);
+    PartBox low_box = box;
+    PartBox high_box = box;
+    low_box.high[axis] = high_box.low[axis] = cut;
+    return {low_box, high_box};
+}
+
+// Assigns the two halves to the zones and returns the coordinate between them. Coordinates are
+// taken relative to the middle of the box, so that one slightly beyond an edge stays near it.
+double PartDivider::halve(Nodes part, const PartBox& box, Eigen::Index axis) {
+    std::vector<double>& keys = memory_.keys;
+    const double middle = 0.5 * (box.low[axis] + box.high[axis]);
+    for (const std::uint32_t node : part) {
+        const double from_middle = nodes_[node].position[axis] - middle;
+        keys[node] = from_middle - periods_[axis] * std::round(from_middle / periods_[axis]);
+    }
+    const std::size_t half = part.size() / 2;
+    std::nth_element(part.begin(),
+                     part.begin() + static_cast<std::ptrdiff_t>(half),
+                     part.end(),
+                     [&keys](std::uint32_t a, std::uint32_t b) {
+                         return std::pair(keys[a], a) < std::pair(keys[b], b);
+                     });
+    for (std::size_t k = 0; k < part.size(); ++k) {
+        memory_.zones[part[k]] = k < half ? Zone::Low : Zone::High;
+    }
+    return middle + keys[part[half]];
+}
+
+// Moves the separator where it is lighter, among the nodes near it.
+void PartDivider::refine(Nodes part, int rows) {
+    std::vector<std::uint32_t> near = nodes_near_separator(part);
+    const WeightedGraph graph = graph_of_near(near, part);
+    std::vector<Zone> zones;
+    zones.reserve(graph.size());
+    for (const std::uint32_t node : near) {
+        zones.push_back(memory_.zones[node]);
+    }
+    zones.push_back(Zone::Low);
+    zones.push_back(Zone::High);
+    SeparatorRefinement(graph, heaviest_zone(rows), zones).run();
+    assign(near, zones);
+}
+
+// Returns the separator and some layers of its neighbors.
+std::vector<std::uint32_t> PartDivider::nodes_near_separator(Nodes part) {
+    std::vector<std::uint32_t> near;
+    std::copy_if(part.begin(), part.end(), std::back_inserter(near), [this](std::uint32_t node) {
+        return memory_.zones[node] == Zone::Outside;
+    });
+    number(near);
+    std::size_t begin = 0;
+    for (int layer = 0; layer < kRefinedLayers; ++layer) {
+        const std::size_t end = near.size();
+        for (; begin < end; ++begin) {
+            add_unnumbered_neighbors(near[begin], near);
+        }
+    }
+    forget_numbers(near);
+    return near;
+}
+
+// All nodes of other parts are in the zone Outside.
+void PartDivider::add_unnumbered_neighbors(std::uint32_t node, std::vector<std::uint32_t>& nodes) {
+    for (const std::uint32_t neighbor : graph_.of(node)) {
+        std::uint32_t& index = memory_.part_indices[neighbor];
+        if (memory_.zones[neighbor] != Zone::Outside && index == DivisionMemory::kNotInPart) {
+            index = narrow(nodes.size());
+            nodes.push_back(neighbor);
+        }
+    }
+}
+
+void PartDivider::divide_by_graph(Nodes part) {
+    std::sort(part.begin(), part.end());
+    assign(part, bisect(graph_of(part)));
+}
+
+// Returns the graph of the nodes of a part alone, numbered in their order.
+WeightedGraph PartDivider::graph_of(Nodes part) {
+    number(part);
+    WeightedGraph graph;
+    for (const std::uint32_t node : part) {
+        graph.begins.push_back(narrow(graph.edges.size()));
+        graph.weights.push_back(nodes_[node].rows);
+        for (const std::uint32_t neighbor : graph_.of(node)) {
+            if (memory_.part_indices[neighbor] != DivisionMemory::kNotInPart) {
+                graph.edges.push_back({memory_.part_indices[neighbor], 1});
+            }
+        }
+    }
+    graph.begins.push_back(narrow(graph.edges.size()));
+    forget_numbers(part);
+    return graph;
+}
+
+// Returns the graph of the nodes near the separator, numbered in their order, and of two more
+// nodes: one for all others of the zone Low, one for all others of the zone High.
+WeightedGraph PartDivider::graph_of_near(Nodes near, Nodes part) {
+    number(near);
+    WeightedGraph graph;
+    std::array<std::vector<WeightedGraph::Edge>, 2> edges_of_rest;
+    for (const std::uint32_t node : near) {
+        const std::uint32_t own = memory_.part_indices[node];
+        std::array<bool, 2> touches_rest{};
+        graph.begins.push_back(narrow(graph.edges.size()));
+        graph.weights.push_back(nodes_[node].rows);
+        for (const std::uint32_t neighbor : graph_.of(node)) {
+            const std::uint32_t other = memory_.part_indices[neighbor];
+            const Zone zone = memory_.zones[neighbor];
+            if (other != DivisionMemory::kNotInPart) {
+                graph.edges.push_back({other, 1});
+            } else if (zone != Zone::Outside) {
+                touches_rest[zone == Zone::High ? 1 : 0] = true;
+            }
+        }
+        for (std::size_t zone = 0; zone < 2; ++zone) {
+            if (touches_rest[zone]) {
+                graph.edges.push_back({narrow(near.size() + zone), 1});
+                edges_of_rest[zone].push_back({own, 1});
+            }
+        }
+    }
+    for (const Zone zone : {Zone::Low, Zone::High}) {
+        const auto& edges = edges_of_rest[zone == Zone::High ? 1 : 0];
+        graph.begins.push_back(narrow(graph.edges.size()));
+        graph.weights.push_back(rows_of(part, zone) - rows_of(near, zone));
+        graph.edges.insert(graph.edges.end(), edges.begin(), edges.end());
+    }
+    graph.begins.push_back(narrow(graph.edges.size()));
+    forget_numbers(near);
+    return graph;
+}
+
+void PartDivider::number(Nodes nodes) {
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+        memory_.part_indices[nodes[k]] = narrow(k);
+    }
+}
+
+void PartDivider::forget_numbers(Nodes nodes) {
+    for (const std::uint32_t node : nodes) {
+        memory_.part_indices[node] = DivisionMemory::kNotInPart;
+    }
+}
+
+// Assigns the first of the zones to the nodes.
+void PartDivider::assign(Nodes nodes, std::span<const Zone> zones) {
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+        memory_.zones[nodes[k]] = zones[k];
+    }
+}
+
+int PartDivider::rows_of(Nodes nodes, Zone zone) const {
+    int rows = 0;
+    for (const std::uint32_t node : nodes) {
+        rows += memory_.zones[node] == zone ? nodes_[node].rows : 0;
+    }
+    return rows;
+}
+
+}  // namespace foam

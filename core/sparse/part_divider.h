@@ -1,0 +1,93 @@
+#pragma once
+
+#include "core/geometry/domain.h"
+#include "core/sparse/dissection.h"
+#include "core/sparse/separator.h"
+#include "core/sparse/weighted_graph.h"
+#include "core/sparse/zone.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace foam {
+
+/// A rectangle around the nodes of a part, except a few that are slightly outside it.
+struct PartBox {
+    Vec2 low;
+    Vec2 high;
+};
+
+/// Boxes around the two zones of a divided part; none if positions did not guide the division.
+struct ZoneBoxes {
+    std::optional<PartBox> low;
+    std::optional<PartBox> high;
+};
+
+/// What PartDivider works on, one element per node. Parts of the graph that are divided at the same
+/// time write different elements and read none of each other's, because a separator is between
+/// them.
+struct DivisionMemory {
+    static constexpr std::uint32_t kNotInPart = std::numeric_limits<std::uint32_t>::max();
+
+    std::vector<Zone> zones;                  // all Outside between divisions
+    std::vector<double> keys;                 // coordinate by which a part is halved
+    std::vector<std::uint32_t> band_indices;  // for SeparatorSearch
+    std::vector<std::uint32_t> part_indices;  // in the graph that is divided; kNotInPart otherwise
+
+    explicit DivisionMemory(std::size_t nodes)
+        : zones(nodes, Zone::Outside),
+          keys(nodes),
+          band_indices(nodes, SeparatorSearch::kNotInBand),
+          part_indices(nodes, kNotInPart) {}
+};
+
+/// Divides parts of a graph by light separators. Positions propose a division: two halves at the
+/// median coordinate and the lightest separator near their border. The graph decides whether it is
+/// good: if the separator is heavy, as it is if positions do not tell who is a neighbor of whom,
+/// the part is divided by its edges alone.
+class PartDivider {
+  public:
+    PartDivider(const NodeGraph& graph,
+                std::span<const SolverNode> nodes,
+                const Domain& domain,
+                const DissectionOptions& options,
+                DivisionMemory& memory);
+
+    /// Returns a box around all nodes.
+    PartBox box_of_all() const;
+
+    /// Assigns the nodes of a part to the zones Low and High, and its separator to Outside. May
+    /// change the order of the nodes in `part`. Positions are not asked if there is no box.
+    ZoneBoxes divide(std::span<std::uint32_t> part, int rows, const std::optional<PartBox>& box);
+
+  private:
+    using Nodes = std::span<std::uint32_t>;
+
+    ZoneBoxes divide_by_position(Nodes part, const PartBox& box);
+    double halve(Nodes part, const PartBox& box, Eigen::Index axis);
+    void refine(Nodes part, int rows);
+    std::vector<std::uint32_t> nodes_near_separator(Nodes part);
+    void add_unnumbered_neighbors(std::uint32_t node, std::vector<std::uint32_t>& nodes);
+    void divide_by_graph(Nodes part);
+    WeightedGraph graph_of(Nodes part);
+    WeightedGraph graph_of_near(Nodes near, Nodes part);
+    void number(Nodes nodes);
+    void forget_numbers(Nodes nodes);
+    void assign(Nodes nodes, std::span<const Zone> zones);
+    int rows_of(Nodes nodes, Zone zone) const;
+
+    const NodeGraph& graph_;
+    std::span<const SolverNode> nodes_;
+    const Domain& domain_;
+    Vec2 periods_;
+    const DissectionOptions& options_;
+    bool refines_;
+    DivisionMemory& memory_;
+    SeparatorSearch separator_;
+};
+
+}  // namespace foam

@@ -1,0 +1,143 @@
+#include "core/sparse/separator_refinement.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace foam {
+
+namespace {
+
+constexpr int kMostSweeps = 20;
+
+// A sweep ends after this many moves without a lighter separator, per node of the separator and
+// altogether.
+constexpr std::size_t kFutileMovesPerNode = 2;
+constexpr std::size_t kMostFutileMoves = 300;
+
+}  // namespace
+
+SeparatorRefinement::SeparatorRefinement(const WeightedGraph& graph,
+                                         int most_weight,
+                                         std::span<Zone> zones)
+    : graph_(graph), most_weight_(most_weight), zones_(zones), pulled_(graph.size()) {
+    for (std::uint32_t node = 0; node < graph.size(); ++node) {
+        weight(zones[node]) += graph.weights[node];
+        if (zones[node] == Zone::Outside) {
+            separator_.push_back(node);
+        }
+    }
+}
+
+std::pair<int, int> SeparatorRefinement::cost() const {
+    const auto [separator, low, high] = weights_;
+    return {separator, std::abs(low - high)};
+}
+
+void SeparatorRefinement::run() {
+    Zone into = weight(Zone::Low) < weight(Zone::High) ? Zone::Low : Zone::High;
+    int futile = 0;
+    for (int sweeps = 0; sweeps < kMostSweeps && futile < 2; ++sweeps) {
+        futile = sweep(into) ? 0 : futile + 1;
+        into = opposite(into);
+    }
+}
+
+// Returns whether the separator is lighter, or as heavy and the zones more alike.
+bool SeparatorRefinement::sweep(Zone into) {
+    start_sweep(into);
+    const std::pair<int, int> first_cost = cost();
+    std::pair<int, int> best_cost = first_cost;
+    std::size_t best_changes = 0;
+    const std::size_t most_futile =
+        std::min(kFutileMovesPerNode * separator_.size(), kMostFutileMoves);
+    for (std::size_t futile = 0; futile < most_futile && make_best_move(into); ++futile) {
+        if (cost() < best_cost) {
+            best_cost = cost();
+            best_changes = changes_.size();
+            futile = 0;
+        }
+    }
+    undo_changes_from(best_changes);
+    return best_cost < first_cost;
+}
+
+void SeparatorRefinement::start_sweep(Zone into) {
+    changes_.clear();
+    moves_ = {};
+    std::erase_if(separator_, [this](std::uint32_t node) { return zones_[node] != Zone::Outside; });
+    std::sort(separator_.begin(), separator_.end());
+    separator_.erase(std::unique(separator_.begin(), separator_.end()), separator_.end());
+    for (const std::uint32_t node : separator_) {
+        pulled_[node] = weight_of_neighbors(node, opposite(into));
+        add_move(node);
+    }
+}
+
+// Returns false if no move is left or the best one makes the zone too heavy.
+bool SeparatorRefinement::make_best_move(Zone into) {
+    while (!moves_.empty() && (zones_[moves_.top().node] != Zone::Outside ||
+                               moves_.top().gain != gain(moves_.top().node))) {
+        moves_.pop();
+    }
+    if (moves_.empty()) {
+        return false;
+    }
+    const std::uint32_t node = moves_.top().node;
+    if (weight(into) + graph_.weights[node] > most_weight_) {
+        return false;
+    }
+    change(node, into);
+    for (const WeightedGraph::Edge& edge : graph_.of(node)) {
+        if (zones_[edge.to] == opposite(into)) {
+            pull_into_separator(edge.to, opposite(into));
+        }
+    }
+    return true;
+}
+
+void SeparatorRefinement::pull_into_separator(std::uint32_t node, Zone from) {
+    change(node, Zone::Outside);
+    separator_.push_back(node);
+    pulled_[node] = weight_of_neighbors(node, from);
+    add_move(node);
+    for (const WeightedGraph::Edge& edge : graph_.of(node)) {
+        if (zones_[edge.to] == Zone::Outside) {
+            pulled_[edge.to] -= graph_.weights[node];
+            add_move(edge.to);
+        }
+    }
+}
+
+void SeparatorRefinement::add_move(std::uint32_t node) {
+    moves_.push({gain(node), node});
+}
+
+void SeparatorRefinement::change(std::uint32_t node, Zone zone) {
+    changes_.push_back({node, zones_[node]});
+    weight(zones_[node]) -= graph_.weights[node];
+    weight(zone) += graph_.weights[node];
+    zones_[node] = zone;
+}
+
+// Restores the zones as they were before a change of this sweep.
+void SeparatorRefinement::undo_changes_from(std::size_t first) {
+    for (; changes_.size() > first; changes_.pop_back()) {
+        const auto [node, before] = changes_.back();
+        weight(zones_[node]) -= graph_.weights[node];
+        weight(before) += graph_.weights[node];
+        zones_[node] = before;
+        if (before == Zone::Outside) {
+            separator_.push_back(node);
+        }
+    }
+}
+
+int SeparatorRefinement::weight_of_neighbors(std::uint32_t node, Zone zone) const {
+    int sum = 0;
+    for (const WeightedGraph::Edge& edge : graph_.of(node)) {
+        sum += zones_[edge.to] == zone ? graph_.weights[edge.to] : 0;
+    }
+    return sum;
+}
+
+}  // namespace foam
