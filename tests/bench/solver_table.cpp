@@ -1,10 +1,7 @@
-// The solver's times beside their targets, as the table of the README:
-//
-//     solver_table [LARGEST]
-//
-// Foams of up to LARGEST bubbles, by default 100,000. All together take about three minutes.
+// The solver's times beside their targets, as the table of the README.
 
 #include "tests/bench/bench_foams.h"
+#include "tests/bench/largest_argument.h"
 
 #include <fmt/core.h>
 #include <sys/resource.h>
@@ -22,6 +19,12 @@ namespace foam::bench {
 
 namespace {
 
+constexpr const char* kUsage = R"(Usage: solver_table [LARGEST]
+
+Prints the solver's times beside their targets as a Markdown table. LARGEST is the largest number
+of bubbles, by default 100,000; a smaller one leaves out the rows of 100,000 bubbles, but no others.
+All together take about three minutes.
+)";
 constexpr int kFrames = 10;
 constexpr std::size_t kFewestBubbles = 11;  // of the paper's Figures 5 and 6
 
@@ -110,8 +113,9 @@ void print_table(int largest) {
 }  // namespace foam::bench
 
 int main(int argc, char** argv) {
+    using namespace foam::bench;
     try {
-        foam::bench::print_table(argc > 1 ? std::atoi(argv[1]) : 100000);
+        print_table(largest_argument(argc, argv, 100000, kUsage));
     } catch (const std::exception& error) {
         fmt::print(stderr, "solver_table: {}\n", error.what());
         return EXIT_FAILURE;
