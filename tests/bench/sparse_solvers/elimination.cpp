@@ -1,0 +1,53 @@
+#include "tests/bench/sparse_solvers/elimination.h"
+
+#include <utility>
+
+namespace foam::bench {
+
+Elimination count_elimination(const Eigen::SparseMatrix<double>& lower, const Turns& turns) {
+    Eigen::SparseMatrix<double> upper(lower.rows(), lower.cols());
+    upper.selfadjointView<Eigen::Upper>() = lower.selfadjointView<Eigen::Lower>().twistedBy(
+        Eigen::PermutationMatrix<Eigen::Dynamic>(turns));
+    Eigen::VectorXi parents = Eigen::VectorXi::Constant(lower.cols(), -1);
+    Eigen::VectorXi last_rows = parents;
+    Eigen::VectorXi counts = Eigen::VectorXi::Ones(lower.cols());
+    // Row k of L has an entry in each column on the paths up the elimination tree that lead from
+    // the entries of row k of the matrix to k itself.
+    for (int k = 0; k < upper.cols(); ++k) {
+        last_rows[k] = k;
+        for (Eigen::SparseMatrix<double>::InnerIterator it(upper, k); it; ++it) {
+            auto column = static_cast<int>(it.row());
+            while (last_rows[column] != k) {
+                last_rows[column] = k;
+                ++counts[column];
+                parents[column] = parents[column] < 0 ? k : parents[column];
+                column = parents[column];
+            }
+        }
+    }
+    const Eigen::VectorXd numbers = counts.cast<double>();
+    return {numbers.sum(), numbers.squaredNorm()};
+}
+
+Turns inverse(const Turns& order) {
+    return Eigen::PermutationMatrix<Eigen::Dynamic>(order).transpose().eval().indices();
+}
+
+Turns turns_of_rows(std::span<const SolverNode> nodes, const Turns& node_turns) {
+    const Turns order = inverse(node_turns);
+    Turns first_turns(order.size());
+    int next = 0;
+    for (const int node : order) {
+        first_turns[node] = std::exchange(next, next + nodes[static_cast<std::size_t>(node)].rows);
+    }
+    Turns turns(next);
+    Eigen::Index row = 0;
+    for (Eigen::Index node = 0; node < order.size(); ++node) {
+        for (int k = 0; k < nodes[static_cast<std::size_t>(node)].rows; ++k) {
+            turns[row++] = first_turns[node] + k;
+        }
+    }
+    return turns;
+}
+
+}  // namespace foam::bench

@@ -1,0 +1,36 @@
+#include "tests/bench/sparse_solvers/peers.h"
+
+#include <metis.h>
+
+#include <stdexcept>
+
+namespace foam::bench {
+
+std::optional<Result> metis_order(const System& system) {
+    const NodeGraph graph = coupling(system.lower, system.nodes);
+    std::vector<idx_t> begins(graph.begins.begin(), graph.begins.end());
+    std::vector<idx_t> neighbors(graph.neighbors.begin(), graph.neighbors.end());
+    std::vector<idx_t> weights;
+    for (const SolverNode& node : system.nodes) {
+        weights.push_back(node.rows);
+    }
+    auto count = static_cast<idx_t>(system.nodes.size());
+    Turns order(count);
+    Turns turns(count);
+    Result result{.solver = "METIS"};
+    result.analysis_seconds = least_seconds([&] {
+        if (METIS_NodeND(&count,
+                         begins.data(),
+                         neighbors.data(),
+                         weights.data(),
+                         nullptr,
+                         order.data(),
+                         turns.data()) != METIS_OK) {
+            throw std::runtime_error("METIS failed");
+        }
+    });
+    result.turns = turns_of_rows(system.nodes, turns);
+    return result;
+}
+
+}  // namespace foam::bench

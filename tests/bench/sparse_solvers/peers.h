@@ -1,0 +1,62 @@
+#pragma once
+
+#include "tests/bench/sparse_solvers/elimination.h"
+#include "tests/bench/sparse_solvers/system.h"
+
+#include <algorithm>
+#include <ctime>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace foam::bench {
+
+inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+/// The cost of one solver for one system, on one thread. Unknown values are NaN.
+struct Result {
+    std::string solver;
+    Turns turns{};
+    double analysis_seconds = kUnknown;
+    double factor_seconds = kUnknown;
+    double solve_seconds = kUnknown;
+    double bytes = kUnknown;    // of the factor and all other memory of the factorization
+    double numbers = kUnknown;  // stored for L, including kept zeros
+    double residual = kUnknown;
+};
+
+/// Returns the least processor time of up to five runs, which end after the first that brings their
+/// sum to a second.
+template <class Work>
+double least_seconds(const Work& work) {
+    double least = std::numeric_limits<double>::infinity();
+    double total = 0.0;
+    for (int run = 0; run < 5 && total < 1.0; ++run) {
+        const std::clock_t start = std::clock();
+        work();
+        const double time = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+        least = std::min(least, time);
+        total += time;
+    }
+    return least;
+}
+
+/// Our own solver, in double and in single precision.
+std::vector<Result> foamtex_results(const System& system);
+
+/// Returns the results of all peers that were built in.
+std::vector<Result> peer_results(const System& system);
+
+/// Our order of elimination, and the time to find it.
+Result foamtex_order(const System& system);
+
+/// The order of METIS's nested dissection of the graph of nodes, each of which weighs as much as it
+/// has rows, and the time to find it. Returns nothing if METIS is not built in.
+std::optional<Result> metis_order(const System& system);
+
+Result eigen_result(const System& system);
+std::vector<Result> cholmod_results(const System& system);
+Result mumps_result(const System& system);
+
+}  // namespace foam::bench

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "core/foam/foam.h"
+#include "core/sparse/node_graph.h"
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <cstdint>
+#include <vector>
+
+namespace foam::bench {
+
+/// A linear system of Newton's method (E3), which is quasi-definite: junctions come with positive
+/// pivots, pressures with negative ones.
+struct System {
+    Domain domain;
+    std::vector<SolverNode> nodes;
+    Eigen::SparseMatrix<double> lower;  // lower triangle of the regularized Hessian
+    Eigen::VectorXd right_side;         // random numbers in [-1, 1)
+};
+
+/// The system of a foam in equilibrium.
+System relaxed_system(int bubbles, std::uint64_t seed);
+
+/// The system of a raw diagram, with the positions that its nodes have after `length` times the
+/// first step of Newton's method. No limit on the motion of films and no line search is applied, so
+/// that the foam is tangled afterwards: a step of length 1 tangles every twentieth junction, one of
+/// length 20 nearly half of them. The values of the matrix are from before the step, since a
+/// Hessian of tangled films is not quasi-definite; the order of elimination does not read them.
+System overshot_system(int bubbles, std::uint64_t seed, double length);
+
+/// The system of a raw diagram whose nodes all have the same position.
+System collapsed_system(int bubbles, std::uint64_t seed);
+
+/// Returns the relative residual |A x - b| / (|A| |x| + |b|) in the maximum norm. The lower
+/// triangle of A is given.
+double residual(const Eigen::SparseMatrix<double>& lower,
+                const Eigen::VectorXd& x,
+                const Eigen::VectorXd& b);
+
+/// Returns the lower triangle of a positive definite matrix of the same pattern: each diagonal
+/// entry becomes larger than the sum of the absolute values beside it.
+Eigen::SparseMatrix<double> dominant(const Eigen::SparseMatrix<double>& lower);
+
+}  // namespace foam::bench
