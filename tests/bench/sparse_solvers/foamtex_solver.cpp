@@ -29,11 +29,13 @@ Result run(const System& system, const std::string& name) {
     result.numbers = static_cast<double>(solver.nonzeros());
     bool has_factor = false;
     result.factor_seconds = least_seconds([&] { has_factor = solver.factor(system.lower, 1); });
-    if (has_factor) {
-        Eigen::VectorXd x;
-        result.solve_seconds = least_seconds([&] { x = solver.solve(system.right_side); });
-        result.residual = residual(system.lower, x, system.right_side);
+    if (!has_factor) {
+        result.solver += ": no factor, a pivot vanished";
+        return result;
     }
+    Eigen::VectorXd x;
+    result.solve_seconds = least_seconds([&] { x = solver.solve(system.right_side); });
+    result.residual = residual(system.lower, x, system.right_side);
     return result;
 }
 
