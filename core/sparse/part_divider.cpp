@@ -15,7 +15,7 @@ namespace foam {
 namespace {
 
 // Rows of a part: refining smaller ones takes longer than their fronts get shorter.
-constexpr int kLeastRefinedPart = 400;
+constexpr int kLeastRefinedPart = 2000;
 
 // Layers of nodes on both sides of a separator, among which a lighter one is sought.
 constexpr int kRefinedLayers = 4;
@@ -66,10 +66,12 @@ PartBox PartDivider::box_of_all() const {
 ZoneBoxes PartDivider::divide(Nodes part, int rows, const std::optional<PartBox>& box) {
     if (box) {
         ZoneBoxes boxes = divide_by_position(part, *box);
-        if (refines_ && rows >= kLeastRefinedPart) {
+        const bool is_refined = refines_ && rows >= kLeastRefinedPart;
+        if (is_refined) {
             refine(part, rows);
         }
-        if (rows_of(part, Zone::Outside) <= options_.heaviest_separator * std::sqrt(rows)) {
+        const double most = is_refined ? options_.heaviest_refined : options_.heaviest_separator;
+        if (rows_of(part, Zone::Outside) <= most * std::sqrt(rows)) {
             return boxes;
         }
     }
