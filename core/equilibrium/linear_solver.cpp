@@ -6,7 +6,7 @@ namespace foam {
 
 namespace {
 
-// Foams of 1,000 to 100,000 bubbles take up to 800 bytes a row in double precision, and a dense
+// Foams of 1,000 to 100,000 bubbles take up to 1,100 bytes a row in double precision, and a dense
 // factor of a small foam fits in the constant part. Only a foam whose positions are in disorder
 // exceeds this: it is no state for Newton's method.
 constexpr std::size_t kMaxBytesPerRow = 2000;

@@ -90,13 +90,15 @@ ZoneBoxes PartDivider::divide_by_position(Nodes part, const PartBox& box) {
 }
 
 // Assigns the two halves to the zones and returns the coordinate between them. Coordinates are
-// taken relative to the middle of the box, so that one slightly beyond an edge stays near it.
+// taken relative to the middle of the box, so that one slightly beyond an edge stays near it; those
+// that are no finite numbers count as the middle.
 double PartDivider::halve(Nodes part, const PartBox& box, Eigen::Index axis) {
     std::vector<double>& keys = memory_.keys;
     const double middle = 0.5 * (box.low[axis] + box.high[axis]);
     for (const std::uint32_t node : part) {
         const double from_middle = nodes_[node].position[axis] - middle;
-        keys[node] = from_middle - periods_[axis] * std::round(from_middle / periods_[axis]);
+        const double key = from_middle - periods_[axis] * std::round(from_middle / periods_[axis]);
+        keys[node] = std::isfinite(key) ? key : 0.0;
     }
     const std::size_t half = part.size() / 2;
     std::nth_element(part.begin(),

@@ -61,15 +61,15 @@ TEST(PartDivider, DividesByTheGraphIfThereIsNoBox) {
 
 // Every other four rows of points lie further right, so that the cut at the median has teeth.
 TEST(PartDivider, RefinesTheSeparatorsOfLargeGraphs) {
-    test::PointSystem system = test::plane_grid(40);
+    test::PointSystem system = test::plane_grid(50);
     for (SolverNode& node : system.nodes) {
         const bool is_shifted = static_cast<int>(node.position.y()) % 8 < 4;
         node.position.x() += is_shifted ? 8.0 : 0.0;
     }
     const int rough = divide_all(system, {.least_refined_rows = 100000}).separator;
     const int refined = divide_all(system, {.least_refined_rows = 1}).separator;
-    EXPECT_GT(rough, 44);
-    EXPECT_LE(refined, 44);
+    EXPECT_GT(rough, 60);
+    EXPECT_LE(refined, 55);
 }
 
 }  // namespace
