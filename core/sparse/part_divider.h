@@ -1,7 +1,8 @@
 #pragma once
 
 #include "core/geometry/domain.h"
-#include "core/sparse/dissection.h"
+#include "core/sparse/dissection_options.h"
+#include "core/sparse/node_graph.h"
 #include "core/sparse/separator.h"
 #include "core/sparse/weighted_graph.h"
 #include "core/sparse/zone.h"
