@@ -99,24 +99,24 @@ class MotionPainter {
     Image<float> paint() {
         const RasterGrid& grid = layers_.grid();
         Image<float> image(grid.width, grid.height, 2);
-        const FrameRegions regions(layers_.frame(), grid, layers_.threads());
-        const Buckets<RegionCopy> copies = regions.copies_by_band(grid.height, layers_.threads());
-        for (const RegionCopy& copy : copies.items) {
-            if (regions.regions()[copy.region].kind != RegionKind::Surroundings) {
-                pixels_.place(regions, copy, {0, grid.height});
-                paint_region(copy.translation, image.view());
-            }
-        }
+        const auto paint =
+            [&](int, const Region& region, SubpixelPoint translation, PixelRows rows) {
+                if (region.kind != RegionKind::Surroundings) {
+                    pixels_.place(region, translation, rows);
+                    paint_region(region, translation, image.view());
+                }
+            };
+        paint_regions(layers_.frame(), grid, 1, paint);
         return image;
     }
 
   private:
-    void paint_region(SubpixelPoint translation, ImageView<float> image) {
+    void paint_region(const Region& region, SubpixelPoint translation, ImageView<float> image) {
         const std::size_t bubbles = layers_.frame().bubbles.size();
-        const std::size_t index = pixels_.region().id;
+        const std::size_t index = region.id;
         if (index < bubbles) {
             const BoundaryMotion boundary = foam_.around(id_at<BubbleId>(index));
-            const Vec2 first = first_junction(translation);
+            const Vec2 first = first_junction(region, translation);
             paint_pixels(image, [&](const Vec2& at) { return motion_at(boundary, at - first); });
         } else {
             const LoneBubble& lone = layers_.frame().lone_bubbles[index - bubbles - 1];
@@ -127,8 +127,7 @@ class MotionPainter {
     }
 
     // On a torus it is rounded to subpixels, so that shifts are exact.
-    Vec2 first_junction(SubpixelPoint translation) const {
-        const Region& region = pixels_.region();
+    Vec2 first_junction(const Region& region, SubpixelPoint translation) const {
         if (layers_.is_patch()) {
             const Network& network = layers_.frame().network;
             const JunctionId first = network.tail(network.first(id_at<BubbleId>(region.id)));

@@ -33,41 +33,56 @@ inline std::int32_t rounded(float x) {
 template <class Real>
 class CrossingSolver {
   public:
+    // What the equation is made of.
+    struct Coefficients {
+        Real half_x = 0;
+        Real half_y = 0;
+        Real sine = 0;
+        Real bulge = 0;
+        Real across = 0;
+        Real up = 0;
+    };
+
     CrossingSolver() = default;
+    explicit CrossingSolver(const Coefficients& c) : c_(c) {}
 
     /// Half the angle by which the arc turns left is given by its sine, and by its cosine if that
     /// is known. Precondition: head.y() > 0.
     CrossingSolver(const Vec2& head, double sine)
         : CrossingSolver(head, std::sqrt(1.0 - sine * sine), sine) {}
     CrossingSolver(const Vec2& head, double cosine, double sine)
-        : half_x_(static_cast<Real>(0.5 * head.x())),
-          half_y_(static_cast<Real>(0.5 * head.y())),
-          sine_(static_cast<Real>(sine)),
-          bulge_(static_cast<Real>(0.25 * sine * head.squaredNorm())),
-          across_(static_cast<Real>(cosine * head.x())),
-          up_(static_cast<Real>(cosine * head.y())),
-          down_(head.x() < 0.0 ? Real(1) : Real(-1)) {}
+        : CrossingSolver(head.x(), head.y(), cosine, sine) {}
+    CrossingSolver(double x, double y, double cosine, double sine)
+        : c_{static_cast<Real>(0.5 * x),
+             static_cast<Real>(0.5 * y),
+             static_cast<Real>(sine),
+             static_cast<Real>(0.25 * sine * (x * x + y * y)),
+             static_cast<Real>(cosine * x),
+             static_cast<Real>(cosine * y)} {}
+
+    const Coefficients& coefficients() const { return c_; }
 
     /// Returns the x at which the arc crosses a height, 0 <= y <= that of its head.
-    Real x_at(Real y) const { return half_x_ + within(from_middle(y), std::abs(half_x_)); }
+    Real x_at(Real y) const { return c_.half_x + within(from_middle(y), std::abs(c_.half_x)); }
 
     /// Returns the same for an arc that may go back in x.
-    Real unbounded_x_at(Real y) const { return half_x_ + from_middle(y); }
+    Real unbounded_x_at(Real y) const { return c_.half_x + from_middle(y); }
 
-    /// Returns the y at which the arc crosses an x between its ends.
+    /// Returns the y at which the arc crosses an x between its ends. What lies on the right of the
+    /// chord of an arc that goes to the left is above its middle.
     Real y_at(Real x) const {
-        const Real q = x - half_x_;
-        const Real c = bulge_ - q * (up_ + sine_ * q);
-        const Real y =
-            Real(2) * c / (std::abs(across_) + root(across_ * across_ + Real(4) * sine_ * c));
-        return half_y_ + within(down_ * y, half_y_);
+        const Real q = x - c_.half_x;
+        const Real c = c_.bulge - q * (c_.up + c_.sine * q);
+        const Real y = Real(2) * c /
+                       (std::abs(c_.across) + root(c_.across * c_.across + Real(4) * c_.sine * c));
+        return c_.half_y + within(c_.half_x < Real(0) ? y : -y, c_.half_y);
     }
 
   private:
     Real from_middle(Real y) const {
-        const Real q = y - half_y_;
-        const Real c = bulge_ + q * (across_ - sine_ * q);
-        return Real(2) * c / (up_ + root(up_ * up_ + Real(4) * sine_ * c));
+        const Real q = y - c_.half_y;
+        const Real c = c_.bulge + q * (c_.across - c_.sine * q);
+        return Real(2) * c / (c_.up + root(c_.up * c_.up + Real(4) * c_.sine * c));
     }
     static Real root(Real squared) { return std::sqrt(squared > Real(0) ? squared : Real(0)); }
     // The lower limit, too, if it is no number.
@@ -76,13 +91,7 @@ class CrossingSolver {
         return raised < limit ? raised : limit;
     }
 
-    Real half_x_ = 0;
-    Real half_y_ = 0;
-    Real sine_ = 0;
-    Real bulge_ = 0;
-    Real across_ = 0;
-    Real up_ = 0;
-    Real down_ = 0;  // the sign of y - y of the middle, of what lies on the right of the chord
+    Coefficients c_;
 };
 
 /// Solves for the crossings of a rising arc in subpixels, rounded to the nearest. For arcs of up to

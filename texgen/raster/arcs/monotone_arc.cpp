@@ -13,15 +13,10 @@ void append_arc(const PixelArc& arc,
         append_piece(tail, head, arc.sine, sides, to);
         return;
     }
-    const MonotonePieces all(arc);
-    const std::span<const MonotonePieces::Piece> pieces = all.pieces();
-    SubpixelPoint from = tail;
-    for (std::size_t k = 0; k + 1 < pieces.size(); ++k) {
-        const SubpixelPoint end = tail + to_subpixel(pieces[k].head);
-        append_piece(from, end, pieces[k].sine, sides, to);
-        from = end;
-    }
-    append_piece(from, head, pieces.back().sine, sides, to);
+    const auto inner = [&](const Vec2& at) { return tail + to_subpixel(at); };
+    for_each_piece(arc, tail, head, inner, [&](SubpixelPoint from, SubpixelPoint end, double sine) {
+        append_piece(from, end, sine, sides, to);
+    });
 }
 
 void append_piece(SubpixelPoint tail,

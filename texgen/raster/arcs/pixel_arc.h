@@ -73,6 +73,23 @@ class MonotonePieces {
     std::size_t count_ = 0;
 };
 
+/// Calls visit(from, to, sine) for the pieces of an arc between two ends. Where one piece ends
+/// and the next begins is inner(head), from its position relative to the tail.
+template <class Point, class Inner, class Visit>
+void for_each_piece(const PixelArc& arc,
+                    const Point& tail,
+                    const Point& head,
+                    const Inner& inner,
+                    const Visit& visit) {
+    const MonotonePieces all(arc);
+    Point from = tail;
+    for (const MonotonePieces::Piece& piece : all.pieces()) {
+        const Point to = &piece == &all.pieces().back() ? head : inner(piece.head);
+        visit(from, to, piece.sine);
+        from = to;
+    }
+}
+
 /// Returns twice the area between the chord of an arc and the arc, with the sign of `sine`, the
 /// sine of half the angle that it turns. A series of E1 for at most 90 degrees; the relative error
 /// is 2.5e-3 at 90 degrees, 6e-5 at 60 and 6e-9 at 23.

@@ -5,16 +5,12 @@
 #include "texgen/raster/distance/frame_regions.h"
 #include "texgen/raster/distance/region_field.h"
 
-#include <algorithm>
 #include <cstddef>
-#include <span>
 #include <vector>
 
 namespace foam::texgen {
 
 namespace {
-
-constexpr int kBandRows = 128;  // a multiple of RegionField::kTileRows
 
 template <class Sample>
 void allocate(bool needed, const RasterGrid& grid, int channels, Image<Sample>& image) {
@@ -37,32 +33,23 @@ void allocate(DistanceNeeds needs, const RasterGrid& grid, DistanceField& field)
 // Paints regions, one after the other. The working memory is reused.
 class RegionPainter {
   public:
-    RegionPainter(const FrameRegions& regions, DistanceNeeds needs, DistanceField& field)
-        : regions_(regions), needs_(needs), writer_(needs, field) {}
+    RegionPainter(DistanceNeeds needs, DistanceField& field)
+        : needs_(needs), writer_(needs, field) {}
 
-    // Paints the copies one after the other. The pixels of the next one are prefetched, unless
-    // there are too many.
-    void paint(std::span<const RegionCopy> copies, PixelRows rows) {
+    // The pixels of a region are prefetched while it is placed, unless there are too many.
+    void paint(const Region& region, SubpixelPoint translation, PixelRows rows) {
         constexpr int kMaxColumns = 64;
-        for (std::size_t k = 0; k < copies.size(); ++k) {
-            const RegionCopy& next = copies[std::min(k + 1, copies.size() - 1)];
-            const PixelBox box = box_around(regions_.regions()[next.region], next.translation);
-            if (box.columns() <= kMaxColumns) {
-                writer_.prefetch(box, rows);
-            }
-            paint(copies[k], rows);
+        const PixelBox box = box_around(region, translation);
+        if (box.columns() <= kMaxColumns) {
+            writer_.prefetch(box, rows);
         }
-    }
-
-  private:
-    void paint(const RegionCopy& copy, PixelRows rows) {
-        pixels_.place(regions_, copy, rows);
-        field_.measure(pixels_, needs_, [&](const PixelBatch& batch) {
-            writer_.write(batch, pixels_.box(), pixels_.region().id);
+        pixels_.place(region, translation, rows);
+        field_.measure(region, pixels_, needs_, [&](const PixelBatch& batch) {
+            writer_.write(batch, pixels_.box(), region.id);
         });
     }
 
-    const FrameRegions& regions_;
+  private:
     DistanceNeeds needs_;
     FieldWriter writer_;
     RegionPixels pixels_;
@@ -71,26 +58,21 @@ class RegionPainter {
 
 }  // namespace
 
-// Bands are painted in parallel. A region that reaches into several bands is painted in parts, so
-// that no two threads write the same rows and the order of regions decides where bubbles overlap.
 void write_distance_field(const Frame& frame,
                           const RasterGrid& grid,
                           DistanceNeeds needs,
                           int threads,
                           DistanceField& field) {
-    const FrameRegions regions(frame, grid, threads);
+    const int workers = thread_count(threads);
     allocate(needs, grid, field);
-    const int bands = (grid.height - 1) / kBandRows + 1;
-    const Buckets<RegionCopy> copies = regions.copies_by_band(kBandRows, threads);
-    std::vector<RegionPainter> painters(
-        static_cast<std::size_t>(std::clamp(thread_count(threads), 1, bands)),
-        RegionPainter(regions, needs, field));
-    parallel_for(bands, painters, [&](RegionPainter& own, int band) {
-        const int begin = band * kBandRows;
-        const PixelRows rows{begin, std::min(begin + kBandRows, grid.height)};
-        const auto k = static_cast<std::size_t>(band);
-        own.paint(copies.of(k, k + 1), rows);
-    });
+    std::vector<RegionPainter> painters(static_cast<std::size_t>(workers),
+                                        RegionPainter(needs, field));
+    paint_regions(frame,
+                  grid,
+                  workers,
+                  [&](int worker, const Region& region, SubpixelPoint translation, PixelRows rows) {
+                      painters[static_cast<std::size_t>(worker)].paint(region, translation, rows);
+                  });
 }
 
 DistanceField distance_field(const Frame& frame,

@@ -1,6 +1,7 @@
 #include "texgen/raster/distance/field_writer.h"
 
 #include "texgen/image/cache_line.h"
+#include "texgen/raster/simd/kernel.h"
 
 #include <algorithm>
 #include <type_traits>
@@ -32,11 +33,11 @@ template <class Visit>
     }
 }
 
-void copy_values(const float* from, std::size_t count, float* to) {
+[[gnu::always_inline]] inline void copy_values(const float* from, std::size_t count, float* to) {
     in_pieces(count, [&](std::size_t k, auto size) { std::copy_n(from + k, size(), to + k); });
 }
 
-void copy_pairs(const float* xs, const float* ys, std::size_t count, float* to) {
+inline void copy_pairs(const float* xs, const float* ys, std::size_t count, float* to) {
     for (std::size_t k = 0; k < count; ++k) {
         to[2 * k] = xs[k];
         to[2 * k + 1] = ys[k];
@@ -45,38 +46,7 @@ void copy_pairs(const float* xs, const float* ys, std::size_t count, float* to) 
 
 }  // namespace
 
-void FieldWriter::write(const PixelBatch& batch, const PixelBox& box, std::uint32_t id) {
-    const int width = field_.ids.width();
-    const int left = wrap(box.left, width);
-    for (const PixelBatch::Span& pixels : batch.spans()) {
-        int x = left + pixels.column;
-        while (x >= width) {
-            x -= width;
-        }
-        Span span{box.bottom + pixels.row, x, pixels.first, 0};
-        for (std::size_t rest = pixels.count; rest > 0; rest -= span.count) {
-            span.count = std::min(rest, static_cast<std::size_t>(width - span.x));
-            write_span(batch, span, id);
-            span.first += span.count;
-            span.x = 0;
-        }
-    }
-}
-
-void FieldWriter::prefetch(const PixelBox& box, PixelRows rows) const {
-    constexpr int kPixelsPerLine = kLineBytes / sizeof(float);
-    const int width = field_.ids.width();
-    const int left = wrap(box.left, width);
-    const int right = std::min(left + box.columns(), width);
-    for (int row = std::max(box.bottom, rows.begin); row < std::min(box.top, rows.end); ++row) {
-        for (int x = left; x < right; x += kPixelsPerLine) {
-            __builtin_prefetch(field_.ids.pixel(x, row).data(), 1);
-            __builtin_prefetch(field_.distance.pixel(x, row).data(), 1);
-        }
-    }
-}
-
-void FieldWriter::write_span(const PixelBatch& batch, const Span& span, std::uint32_t id) {
+inline void FieldWriter::write_span(const PixelBatch& batch, const Span& span, std::uint32_t id) {
     const auto pixel = [&](auto& image) { return image.pixel(span.x, span.row).data(); };
     const auto values = [&](const PixelBatch::Values& of) { return &of[span.first]; };
     std::uint32_t* ids = pixel(field_.ids);
@@ -94,6 +64,39 @@ void FieldWriter::write_span(const PixelBatch& batch, const Span& span, std::uin
                    values(batch.smooth_y()),
                    span.count,
                    pixel(field_.smooth_gradient));
+    }
+}
+
+void FieldWriter::write(const PixelBatch& batch, const PixelBox& box, std::uint32_t id) {
+    const int width = field_.ids.width();
+    const int left = wrap(box.left, width);
+    at_simd_level([this, &batch, bottom = box.bottom, left, width, id] {
+        for (const PixelBatch::Span& pixels : batch.spans()) {
+            int x = left + pixels.column;
+            while (x >= width) {
+                x -= width;
+            }
+            Span span{bottom + pixels.row, x, pixels.first, 0};
+            for (std::size_t rest = pixels.count; rest > 0; rest -= span.count) {
+                span.count = std::min(rest, static_cast<std::size_t>(width - span.x));
+                write_span(batch, span, id);
+                span.first += span.count;
+                span.x = 0;
+            }
+        }
+    });
+}
+
+void FieldWriter::prefetch(const PixelBox& box, PixelRows rows) const {
+    constexpr int kPixelsPerLine = kLineBytes / sizeof(float);
+    const int width = field_.ids.width();
+    const int left = wrap(box.left, width);
+    const int right = std::min(left + box.columns(), width);
+    for (int row = std::max(box.bottom, rows.begin); row < std::min(box.top, rows.end); ++row) {
+        for (int x = left; x < right; x += kPixelsPerLine) {
+            __builtin_prefetch(field_.ids.pixel(x, row).data(), 1);
+            __builtin_prefetch(field_.distance.pixel(x, row).data(), 1);
+        }
     }
 }
 

@@ -1,96 +1,195 @@
 #include "texgen/raster/distance/frame_regions.h"
 
+#include "core/parallel/counting_sort.h"
+#include "core/parallel/parallel_for.h"
+#include "texgen/raster/distance/patch_regions.h"
+#include "texgen/raster/distance/torus_regions.h"
+
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <numeric>
+#include <span>
+#include <utility>
+#include <vector>
 
 namespace foam::texgen {
 
 namespace {
 
-using Source = std::variant<TorusRegions, PatchRegions>;
+constexpr int kBandRows = 128;  // a multiple of the tiles of a RegionField and of squares
 
-Source source_of(const Frame& frame, const RasterGrid& grid, int threads) {
-    if (frame.domain.is_plane()) {
-        return Source(std::in_place_type<PatchRegions>, frame, grid, threads);
+// A copy of a region that reaches into an image.
+struct RegionCopy {
+    const Region* region = nullptr;
+    SubpixelPoint translation;  // from the region to its copy
+};
+
+int bands_of(const RasterGrid& grid) {
+    return (grid.height - 1) / kBandRows + 1;
+}
+
+PixelRows band_rows(const RasterGrid& grid, int band) {
+    return {band * kBandRows, std::min((band + 1) * kBandRows, grid.height)};
+}
+
+// Calls visit(translation) for the copies of a region. Those around a torus are moved by whole
+// periods so that the first point is within the columns of the image; one period up a copy is moved
+// to the right by the shear.
+template <class Visit>
+void for_each_copy(const Region& of,
+                   const RasterGrid& grid,
+                   std::int32_t shear,
+                   const Visit& visit) {
+    if (grid.view) {
+        visit(SubpixelPoint{});
+        return;
     }
-    return Source(std::in_place_type<TorusRegions>, frame, grid, threads);
-}
-
-}  // namespace
-
-FrameRegions::FrameRegions(const Frame& frame, const RasterGrid& grid, int threads)
-    : grid_(grid), source_(source_of(frame, grid_, threads)) {}
-
-std::span<const Region> FrameRegions::regions() const {
-    return std::visit([](const auto& source) { return std::span(source.regions()); }, source_);
-}
-
-void FrameRegions::trace(std::uint32_t region, SubpixelPoint offset, Boundary& boundary) const {
-    boundary.clear();
-    std::visit([&](const auto& source) { source.trace(region, offset, boundary); }, source_);
-}
-
-Buckets<RegionCopy> FrameRegions::copies_by_band(int rows_per_band, int threads) const {
-    constexpr std::size_t kRegionsPerPart = 4096;
-    const auto bands = static_cast<std::size_t>((grid_.height - 1) / rows_per_band) + 1;
-    const std::span<const Region> all = regions();
-    const std::size_t parts = (all.size() + kRegionsPerPart - 1) / kRegionsPerPart;
-    return counting_sort<RegionCopy>(bands, parts, threads, [&](std::size_t part, const auto& put) {
-        const std::size_t end = std::min((part + 1) * kRegionsPerPart, all.size());
-        for (std::size_t k = part * kRegionsPerPart; k < end; ++k) {
-            put_copies(static_cast<std::uint32_t>(k), rows_per_band, put);
-        }
-    });
+    const SubpixelPoint shift = shift_of(grid);
+    const std::int32_t width = grid.width * kSubpixel;
+    const std::int32_t height = grid.height * kSubpixel;
+    const std::int32_t high = of.highest.y + shift.y;
+    for (std::int32_t up = floor_div(of.lowest.y + shift.y, height); up * height <= high; ++up) {
+        const std::int32_t x = shift.x - up * shear;
+        const std::int32_t columns = floor_div(of.first.x + x, width) * width;
+        visit(SubpixelPoint{x - columns, shift.y - up * height});
+    }
 }
 
 // Calls put(band, copy) for the copies of a region and the bands of rows that they reach into.
 template <class Put>
-void FrameRegions::put_copies(std::uint32_t region, int rows_per_band, const Put& put) const {
-    for_each_copy(region, [&](const RegionCopy& copy) {
-        const PixelBox box = box_around(regions()[region], copy.translation);
-        const int last = std::min(box.top, grid_.height) - 1;
-        for (int band = std::max(box.bottom, 0) / rows_per_band;
-             band <= last / rows_per_band && last >= 0;
-             ++band) {
-            put(static_cast<std::size_t>(band), copy);
+void put_copies(const Region& region, const RasterGrid& grid, std::int32_t shear, const Put& put) {
+    for_each_copy(region, grid, shear, [&](SubpixelPoint translation) {
+        const PixelBox box = box_around(region, translation);
+        const int rows = std::min(box.top, grid.height);
+        for (int band = std::max(box.bottom, 0) / kBandRows; band * kBandRows < rows; ++band) {
+            put(static_cast<std::size_t>(band), {&region, translation});
         }
     });
 }
 
-// Copies around the torus are moved by whole periods so that the first point is within the columns
-// of the image. A copy one period up is moved to the right by the shear.
-template <class Visit>
-void FrameRegions::for_each_copy(std::uint32_t region, const Visit& visit) const {
-    const auto* torus = std::get_if<TorusRegions>(&source_);
-    if (torus == nullptr) {
-        visit(RegionCopy{region, {}});
-        return;
-    }
-    const Region& of = regions()[region];
-    const SubpixelPoint shift = shift_of(grid_);
-    const std::int32_t width = grid_.width * kSubpixel;
-    const std::int32_t height = grid_.height * kSubpixel;
-    const std::int32_t high = of.highest.y + shift.y;
-    for (std::int32_t up = floor_div(of.lowest.y + shift.y, height); up * height <= high; ++up) {
-        const std::int32_t x = shift.x - up * torus->shear();
-        const std::int32_t columns = floor_div(of.first.x + x, width) * width;
-        visit(RegionCopy{region, {x - columns, shift.y - up * height}});
-    }
+Buckets<RegionCopy> copies_by_band(std::span<const Region> regions,
+                                   const RasterGrid& grid,
+                                   std::int32_t shear,
+                                   int threads) {
+    constexpr std::size_t kRegionsPerPart = 4096;
+    const auto bands = static_cast<std::size_t>(bands_of(grid));
+    const std::size_t parts = (regions.size() + kRegionsPerPart - 1) / kRegionsPerPart;
+    return counting_sort<RegionCopy>(bands, parts, threads, [&](std::size_t part, const auto& put) {
+        const std::size_t end = std::min((part + 1) * kRegionsPerPart, regions.size());
+        for (std::size_t k = part * kRegionsPerPart; k < end; ++k) {
+            put_copies(regions[k], grid, shear, put);
+        }
+    });
 }
 
-void RegionPixels::place(const FrameRegions& regions, const RegionCopy& copy, PixelRows rows) {
-    region_ = regions.regions()[copy.region];
-    box_ = box_around(region_, copy.translation);
-    regions.trace(copy.region, copy.translation - box_.corner(), boundary_);
+// Traces the bubbles of a torus and paints at once those that lie within one band of rows of the
+// unshifted grid: whatever the shift, no other worker paints there. The rest is appended.
+class TorusPainter {
+  public:
+    TorusPainter(const TorusRegions& regions,
+                 const RasterGrid& grid,
+                 int worker,
+                 const PaintRegion& paint)
+        : grid_(grid), worker_(worker), regions_(regions), paint_(paint) {}
+
+    void paint(int band, std::vector<Region>& rest) {
+        std::span<const TorusRegions::Start> starts = regions_.starts(band * kBandRows, kBandRows);
+        while (!starts.empty()) {
+            const std::size_t count = std::min(starts.size(), group_.size());
+            regions_.trace(starts.first(count), group_);
+            starts = starts.subspan(count);
+            for (const Region& region : std::span(group_).first(count)) {
+                if (is_within(region, band)) {
+                    paint(region);
+                } else {
+                    rest.push_back(region);
+                }
+            }
+        }
+    }
+
+  private:
+    // A region at the far border begins in the first band, where its copy is.
+    bool is_within(const Region& region, int band) const {
+        const std::int32_t height = grid_.height * kSubpixel;
+        const std::int32_t down = region.first.y < height ? 0 : height;
+        return box_around(region, {0, -down}).is_within(band_rows(grid_, band));
+    }
+
+    void paint(const Region& region) const {
+        for_each_copy(region, grid_, regions_.shear(), [&](SubpixelPoint translation) {
+            paint_(worker_, region, translation, {0, grid_.height});
+        });
+    }
+
+    const RasterGrid& grid_;
+    int worker_;
+    const TorusRegions& regions_;
+    const PaintRegion& paint_;
+    std::array<Region, TorusRegions::kAtOnce> group_;
+};
+
+// Paints the regions that lie within a band; returns the others.
+std::vector<Region> paint_within_bands(const TorusRegions& regions,
+                                       const RasterGrid& grid,
+                                       int workers,
+                                       const PaintRegion& paint) {
+    std::vector<TorusPainter> painters;
+    painters.reserve(static_cast<std::size_t>(workers));
+    for (int worker = 0; worker < workers; ++worker) {
+        painters.emplace_back(regions, grid, worker, paint);
+    }
+    std::vector<std::vector<Region>> rest(static_cast<std::size_t>(bands_of(grid)));
+    parallel_for(bands_of(grid), painters, [&](TorusPainter& own, int band) {
+        own.paint(band, rest[static_cast<std::size_t>(band)]);
+    });
+    std::vector<Region> all;
+    for (std::vector<Region>& of_band : rest) {
+        std::move(of_band.begin(), of_band.end(), std::back_inserter(all));
+    }
+    return all;
+}
+
+}  // namespace
+
+// A region that reaches into several bands is painted in parts, so that no two threads write the
+// same rows.
+void paint_regions(const Frame& frame,
+                   const RasterGrid& grid,
+                   int workers,
+                   const PaintRegion& paint) {
+    std::int32_t shear = 0;
+    std::vector<Region> rest;
+    if (frame.domain.is_plane()) {
+        rest = patch_regions(frame, grid, workers);
+    } else {
+        const TorusRegions regions(frame, grid, workers);
+        shear = regions.shear();
+        rest = paint_within_bands(regions, grid, workers, paint);
+    }
+    const Buckets<RegionCopy> copies = copies_by_band(rest, grid, shear, workers);
+    std::vector<int> all(static_cast<std::size_t>(workers));
+    std::iota(all.begin(), all.end(), 0);
+    parallel_for(bands_of(grid), all, [&](int worker, int band) {
+        const auto k = static_cast<std::size_t>(band);
+        for (const RegionCopy& copy : copies.of(k, k + 1)) {
+            paint(worker, *copy.region, copy.translation, band_rows(grid, band));
+        }
+    });
+}
+
+void RegionPixels::place(const Region& region, SubpixelPoint translation, PixelRows rows) {
+    box_ = box_around(region, translation);
+    const SubpixelPoint by = translation - box_.corner();
     const PixelRows shown{std::max(rows.begin - box_.bottom, 0),
                           std::min(rows.end, box_.top) - box_.bottom};
-    mask_.reset(box_.columns(), shown, region_.kind == RegionKind::Surroundings);
-    for (const Edge& edge : boundary_.edges) {
-        mask_.flip_right_of(edge);
-    }
-    for (std::size_t k = 0; boundary_.edges.empty() && k < boundary_.sides.size(); ++k) {
-        mask_.flip_right_of(boundary_.sides[k]);
-    }
+    const Vec2 subpixels(by.x, by.y);
+    offset_ = subpixels / kSubpixel;
+    mask_.reset(box_.columns(), shown, region.kind == RegionKind::Surroundings);
+    mask_.flip_right_of(region.boundary.outline(), subpixels, region.is_chain);
 }
 
 }  // namespace foam::texgen

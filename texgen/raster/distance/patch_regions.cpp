@@ -1,12 +1,15 @@
 #include "texgen/raster/distance/patch_regions.h"
 
 #include "core/parallel/parallel_map.h"
+#include "texgen/raster/arcs/patch_boundaries.h"
 #include "texgen/raster/distance/arc_chain.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -27,11 +30,8 @@ SubpixelPoint clamped(const Vec2& subpixels, const RasterGrid& grid) {
     return {static_cast<std::int32_t>(within.x()), static_cast<std::int32_t>(within.y())};
 }
 
-// Appends the edges of a chain that stands for a side. Both sides of a film have the same ones.
-void append_edges(const ArcLoops::Side& side,
-                  const Vec2& head,
-                  const Vec2& offset,
-                  std::vector<Edge>& edges) {
+// Adds the edges of a chain that stands for a side. Both sides of a film have the same ones.
+void add_chain(const ArcLoops::Side& side, const Vec2& head, Boundary& boundary) {
     const bool tail_first = std::pair(side.tail.x(), side.tail.y()) < std::pair(head.x(), head.y());
     std::vector<Vec2> points;
     append_inner_points(film_arc(tail_first ? side.arc : reversed(side.arc)),
@@ -41,75 +41,79 @@ void append_edges(const ArcLoops::Side& side,
         std::reverse(points.begin(), points.end());
     }
     points.push_back(head);
-    Vec2 from = rounded_to_subpixels(side.tail) + offset;
+    Vec2 from = rounded_to_subpixels(side.tail);
     for (const Vec2& point : points) {
-        const Vec2 to = rounded_to_subpixels(point) + offset;
-        edges.push_back({from, to});
+        const Vec2 to = rounded_to_subpixels(point);
+        boundary.add_edge(from, to, 1.0, 0.0);
         from = to;
     }
 }
 
+Boundary boundary_of(const PixelPatch& pixels, BubbleId bubble) {
+    const ArcLoops traced = boundaries_of(pixels, bubble);
+    Boundary boundary;
+    for (std::size_t loop = 0; loop < traced.loop_ends.size(); ++loop) {
+        const std::span<const ArcLoops::Side> sides = traced.loop(loop);
+        for (std::size_t k = 0; k < sides.size(); ++k) {
+            boundary.add_arc(sides[k].arc, sides[k].tail);
+            add_chain(sides[k], sides[(k + 1) % sides.size()].tail, boundary);
+        }
+        boundary.close_loop();
+    }
+    return boundary;
+}
+
+// Returns nothing for a region that is outside of the image.
+std::optional<Region> region_of(const PixelPatch& pixels, std::size_t index) {
+    const RasterGrid& grid = pixels.grid;
+    Region region;
+    region.boundary = boundary_of(pixels, id_at<BubbleId>(index));
+    const Extent extent = region.boundary.extent();
+    const Vec2 size = Vec2(grid.width, grid.height) * kSubpixel;
+    if ((extent.highest.array() < 0.0).any() || (extent.lowest.array() >= size.array()).any()) {
+        return std::nullopt;
+    }
+    const bool is_lone = index >= pixels.frame.network.bubble_slots();
+    region.id = static_cast<std::uint32_t>(index);
+    region.kind = is_lone ? RegionKind::Circle : RegionKind::Bubble;
+    region.is_chain = true;
+    region.lowest = clamped(extent.lowest, grid);
+    region.highest = clamped(extent.highest, grid);
+    return region;
+}
+
+Region surroundings(const PixelPatch& pixels) {
+    const BubbleId ghost = pixels.frame.network.ghost();
+    Region region;
+    region.id = static_cast<std::uint32_t>(index_of(ghost));
+    region.kind = RegionKind::Surroundings;
+    region.is_chain = true;
+    region.highest = clamped(Vec2::Constant(std::numeric_limits<double>::max()), pixels.grid);
+    region.boundary = boundary_of(pixels, ghost);
+    return region;
+}
+
 }  // namespace
 
-PatchRegions::PatchRegions(const Frame& frame, const RasterGrid& grid, int threads)
-    : pixels_{frame, grid, pixels_per_unit(grid, frame.domain)},
-      around_(boundaries_of(pixels_, frame.network.ghost())) {
+std::vector<Region> patch_regions(const Frame& frame, const RasterGrid& grid, int threads) {
+    const PixelPatch pixels{frame, grid, pixels_per_unit(grid, frame.domain)};
     const std::size_t ghost = index_of(frame.network.ghost());
     const auto make = [&](std::size_t first, std::size_t last) {
-        Boundary boundary;
         std::vector<Region> seen;
         for (std::size_t k = first; k < last; ++k) {
-            const auto id = static_cast<std::uint32_t>(k);
-            if (const auto region = k == ghost ? std::nullopt : region_of(id, boundary)) {
-                seen.push_back(*region);
+            if (auto region = k == ghost ? std::nullopt : region_of(pixels, k)) {
+                seen.push_back(std::move(*region));
             }
         }
         return seen;
     };
-    const SubpixelPoint last = clamped(Vec2::Constant(std::numeric_limits<double>::max()), grid);
-    regions_.push_back({static_cast<std::uint32_t>(ghost), RegionKind::Surroundings, {}, {}, last});
-    const std::size_t count = region_count(frame);
-    for (const std::vector<Region>& seen : parallel_map(count, kRegionsPerTask, threads, make)) {
-        regions_.insert(regions_.end(), seen.begin(), seen.end());
+    std::vector<Region> regions;
+    regions.push_back(surroundings(pixels));
+    for (std::vector<Region>& seen :
+         parallel_map(region_count(frame), kRegionsPerTask, threads, make)) {
+        std::move(seen.begin(), seen.end(), std::back_inserter(regions));
     }
-}
-
-// Returns nothing for a region that is outside of the image.
-std::optional<Region> PatchRegions::region_of(std::uint32_t id, Boundary& boundary) const {
-    boundary.clear();
-    append_boundary(id, {}, boundary);
-    const Extent extent = extent_of(boundary);
-    const Vec2 size = Vec2(grid().width, grid().height) * kSubpixel;
-    if ((extent.highest.array() < 0.0).any() || (extent.lowest.array() >= size.array()).any()) {
-        return std::nullopt;
-    }
-    const bool is_lone = id >= pixels_.frame.network.bubble_slots();
-    return Region{id,
-                  is_lone ? RegionKind::Circle : RegionKind::Bubble,
-                  {},
-                  clamped(extent.lowest, grid()),
-                  clamped(extent.highest, grid())};
-}
-
-void PatchRegions::append_boundary(std::uint32_t id,
-                                   SubpixelPoint offset,
-                                   Boundary& boundary) const {
-    const auto bubble = id_at<BubbleId>(id);
-    const bool is_around = bubble == pixels_.frame.network.ghost();
-    const ArcLoops traced = is_around ? around_ : boundaries_of(pixels_, bubble);
-    const Vec2 by(offset.x, offset.y);
-    for (std::size_t loop = 0; loop < traced.loop_ends.size(); ++loop) {
-        const std::span<const ArcLoops::Side> sides = traced.loop(loop);
-        for (std::size_t k = 0; k < sides.size(); ++k) {
-            const Vec2& head = sides[(k + 1) % sides.size()].tail;
-            boundary.sides.push_back({sides[k].arc,
-                                      sides[k].tail + by / kSubpixel,
-                                      rounded_to_subpixels(sides[k].tail) + by,
-                                      rounded_to_subpixels(head) + by});
-            append_edges(sides[k], head, by, boundary.edges);
-        }
-        boundary.close_loop();
-    }
+    return regions;
 }
 
 }  // namespace foam::texgen

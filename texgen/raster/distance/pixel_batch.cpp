@@ -241,23 +241,6 @@ void PixelBatch::clear(const Vec2& middle) {
     span_count_ = 0;
 }
 
-// Writes whole groups of eight, the last of which may be too many: the next span overwrites them.
-void PixelBatch::add_span(int column, int row, int count) {
-    constexpr std::array<float, 8> kSteps{0, 1, 2, 3, 4, 5, 6, 7};
-    const auto size = static_cast<std::uint32_t>(count);
-    spans_[span_count_++] = {column, row, static_cast<std::uint32_t>(count_), size};
-    const float x = static_cast<float>(column) - first_x_;
-    const float y = static_cast<float>(row) - first_y_;
-    for (std::size_t begin = 0; begin < size; begin += kSteps.size()) {
-        const float first = x + static_cast<float>(static_cast<int>(begin));
-        for (std::size_t k = 0; k < kSteps.size(); ++k) {
-            x_[count_ + begin + k] = first + kSteps[k];
-            y_[count_ + begin + k] = y;
-        }
-    }
-    count_ += size;
-}
-
 // Fills the last lanes with the first pixel.
 void PixelBatch::pad() {
     std::fill_n(x_.begin() + static_cast<std::ptrdiff_t>(count_), kLanes, x_[0]);

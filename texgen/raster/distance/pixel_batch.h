@@ -106,4 +106,20 @@ class PixelBatch {
     alignas(64) Values smooth_y_{};
 };
 
+// Writes whole vectors, the last of which may be too long: the next span overwrites the rest.
+inline void PixelBatch::add_span(int column, int row, int count) {
+    const auto size = static_cast<std::uint32_t>(count);
+    spans_[span_count_++] = {column, row, static_cast<std::uint32_t>(count_), size};
+    const float x = static_cast<float>(column) - first_x_;
+    const float y = static_cast<float>(row) - first_y_;
+    for (std::size_t begin = 0; begin < size; begin += kLanes) {
+        const float first = x + static_cast<float>(static_cast<int>(begin));
+        for (std::size_t k = 0; k < kLanes; ++k) {
+            x_[count_ + begin + k] = first + static_cast<float>(static_cast<int>(k));
+            y_[count_ + begin + k] = y;
+        }
+    }
+    count_ += size;
+}
+
 }  // namespace foam::texgen

@@ -13,25 +13,19 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr std::size_t kLanes = 8;  // rows that are crossed at once
+constexpr std::size_t kLanes = ArcLanes::kLanes;
+constexpr int kRows = 8;  // that are crossed at once
+using Lanes = ArcLanes::Lanes<double>;
 constexpr double kWhole = 0x1p52;  // adding it rounds a double to a whole number
 constexpr double kHalf = 0.5 * kSubpixel;
 
-constexpr std::array<double, kLanes> kRowSteps = [] {
-    std::array<double, kLanes> steps{};
-    for (std::size_t k = 0; k < kLanes; ++k) {
+constexpr std::array<double, kRows> kRowSteps = [] {
+    std::array<double, kRows> steps{};
+    for (std::size_t k = 0; k < steps.size(); ++k) {
         steps[k] = static_cast<double>(k) * kSubpixel;
     }
     return steps;
 }();
-
-// Returns all bits of a word from a position on, which may be outside of it.
-[[gnu::always_inline]] inline std::uint64_t bits_from(std::int64_t position) {
-    const std::int64_t within =
-        min_value(max_value(position, std::int64_t{0}), std::int64_t{PixelMask::kWordColumns});
-    const auto half = static_cast<std::uint64_t>(within) / 2;  // as a shift by 64 is undefined
-    return ~std::uint64_t{0} << half << (static_cast<std::uint64_t>(within) - half);
-}
 
 // Returns the first column whose middle is at or to the right of an x in [0, 2^31), a whole number.
 [[gnu::always_inline]] inline std::uint64_t first_column_from(double x) {
@@ -43,54 +37,140 @@ constexpr std::array<double, kLanes> kRowSteps = [] {
 constexpr double kToNearest = 0.5;
 constexpr double kUp = 1.0 - 0x1p-27;  // a crossing of an edge is a fraction of its height
 
-// Rows of a mask: the first words of the rows, which lie side by side, and the distance from there
-// to the next words of the same rows.
-struct MaskRows {
+// The words of a mask.
+struct MaskWords {
     std::uint64_t* words;
     std::size_t stride;
-    int count;
+    std::size_t word_columns;
+    PixelRows rows;
     int columns;  // pixels
+    double round_up;
 };
 
-// Flips the pixels of kLanes rows from a column on, in the rows that are crossed.
-[[gnu::always_inline]] inline void flip_from(const std::array<std::uint64_t, kLanes>& column,
-                                             const std::array<std::uint64_t, kLanes>& is_crossed,
-                                             MaskRows rows,
-                                             std::uint64_t* word) {
-    for (int first = 0; first <= rows.columns; first += PixelMask::kWordColumns) {
-        for (std::size_t k = 0; k < kLanes; ++k) {
-            word[k] ^= is_crossed[k] & bits_from(static_cast<std::int64_t>(column[k]) - first);
-        }
-        word += rows.stride;
+// Arcs that go up and are nowhere horizontal, in subpixels, with the rows whose middles they cross.
+struct alignas(64) RisingArcs {
+    Lanes low_x, low_y, half_x, half_y, sine, bulge, across, up;
+    Lanes first, last;
+    Lanes other;  // not 0 if the tangent is horizontal somewhere; such an arc has no rows
+
+    [[gnu::always_inline]] CrossingSolver<double> arc(std::size_t k) const {
+        return CrossingSolver<double>({half_x[k], half_y[k], sine[k], bulge[k], across[k], up[k]});
+    }
+};
+
+// Returns the first row whose middle is at or above a height in subpixels, clamped to the rows.
+[[gnu::always_inline]] inline double first_row_from(double y, PixelRows rows) {
+    const double row = std::ceil((y - kHalf) / kSubpixel);
+    return min_value(max_value(row, static_cast<double>(rows.begin)),
+                     static_cast<double>(rows.end));
+}
+
+// Turns the arcs of an outline, moved by (x, y), so that they go up.
+[[gnu::always_inline]] inline void turn_up(
+    const Boundary::Outline& arcs, double x, double y, PixelRows rows, RisingArcs& rising) {
+#pragma GCC unroll 1  // unrolled, it would not be vectorized
+    for (std::size_t k = 0; k < kLanes; ++k) {
+        const double from_x = arcs.from_x[k];
+        const double from_y = arcs.from_y[k];
+        const double to_x = arcs.to_x[k];
+        const double to_y = arcs.to_y[k];
+        const double cosine = arcs.cosine[k];
+        const double sine = arcs.sine[k];
+        const double dx = to_x - from_x;
+        const double dy = to_y - from_y;
+        const double up = std::copysign(1.0, dy);
+        const double height = std::abs(dy);
+        const CrossingSolver<double> arc(up * dx, height, cosine, up * sine);
+        const double low_y = min_value(from_y, to_y) + y;
+        rising.low_x[k] = 0.5 * (from_x + to_x - up * dx) + x;
+        rising.low_y[k] = low_y;
+        rising.half_x[k] = arc.coefficients().half_x;
+        rising.half_y[k] = arc.coefficients().half_y;
+        rising.sine[k] = arc.coefficients().sine;
+        rising.bulge[k] = arc.coefficients().bulge;
+        rising.across[k] = arc.coefficients().across;
+        rising.up[k] = arc.coefficients().up;
+        rising.first[k] = first_row_from(low_y, rows);
+        const double steepness = cosine * height - std::abs(sine * dx);
+        rising.last[k] = first_row_from(low_y + (steepness > 0.0 ? height : 0.0), rows);
+        rising.other[k] = steepness > 0.0 ? 0.0 : std::abs(dx) + height;
     }
 }
 
-// Flips the pixels to the right of an arc, whose lower end has this x. The middle of the first row
-// is at the height y above that end. Words of rows beyond the last are written, but do not change.
-void flip_rows(
-    const CrossingSolver<double>& arc, double low_x, double y, double round_up, MaskRows rows) {
-    at_simd_level([=] {
-        const double last_x = rows.columns * kSubpixel;
-        for (int from = 0; from < rows.count; from += static_cast<int>(kLanes)) {
-            const double begin = from * kSubpixel;
-            const double end = rows.count * kSubpixel;
-            std::array<std::uint64_t, kLanes> column{};
-            std::array<std::uint64_t, kLanes> is_crossed{};
-            for (std::size_t k = 0; k < kLanes; ++k) {
-                const double step = begin + kRowSteps[k];
-                const double x = low_x + std::floor(arc.unbounded_x_at(y + step) + round_up);
-                column[k] = first_column_from(min_value(max_value(x, 0.0), last_x));
-                is_crossed[k] = step < end ? ~std::uint64_t{0} : 0;
-            }
-            flip_from(column, is_crossed, rows, rows.words + from);
-        }
-    });
+// Flips the pixels of a row from a column on.
+[[gnu::always_inline]] inline void flip_from(std::uint64_t column, int row, const MaskWords& mask) {
+    constexpr std::size_t kColumns = PixelMask::kWordColumns;
+    std::uint64_t* const word = mask.words + (row - mask.rows.begin);
+    std::size_t k = column / kColumns;
+    word[k * mask.stride] ^= ~std::uint64_t{0} << column % kColumns;
+    for (++k; k < mask.word_columns; ++k) {
+        word[k * mask.stride] ^= ~std::uint64_t{0};
+    }
 }
 
-// Returns the first row whose middle is at or above a height in subpixels, clamped to the rows.
-int first_row_from(double y, PixelRows rows) {
-    return static_cast<int>(std::clamp<double>(
-        std::ceil((y - kHalf) / kSubpixel), rows.begin, std::max(rows.begin, rows.end)));
+// Flips the pixels to the right of an arc. Words of rows beyond the last that it crosses are
+// written, but do not change.
+[[gnu::always_inline]] inline void flip_right_of_arc(const CrossingSolver<double>& rising,
+                                                     double low_x,
+                                                     double low_y,
+                                                     int first,
+                                                     int last,
+                                                     const MaskWords& mask) {
+    const CrossingSolver<double> arc = rising;
+    const double last_x = mask.columns * kSubpixel;
+    const double round_up = mask.round_up;
+    const auto column_at = [=](double y) {
+        const double x = low_x + std::floor(arc.unbounded_x_at(y) + round_up);
+        return first_column_from(min_value(max_value(x, 0.0), last_x));
+    };
+    if (mask.word_columns > 1) {
+        for (int row = first; row < last; ++row) {
+            flip_from(column_at(row * kSubpixel + kHalf - low_y), row, mask);
+        }
+        return;
+    }
+    const double end = last * kSubpixel + kHalf - low_y;
+    int row = first;
+    do {  // mostly once, even if there is no row: which arcs have some is unpredictable
+        const double y = row * kSubpixel + kHalf - low_y;
+        std::uint64_t* const word = mask.words + (row - mask.rows.begin);
+#pragma GCC unroll 1  // unrolled, it would not be vectorized
+        for (std::size_t k = 0; k < kRows; ++k) {
+            const double at = y + kRowSteps[k];
+            const std::uint64_t crossed = at < end ? ~std::uint64_t{0} : 0;
+            word[k] ^= crossed << column_at(at);
+        }
+        row += kRows;
+    } while (row < last);
+}
+
+// Flips the pixels to the right of an arc that goes up and down, piece by piece: from the lower end
+// on, or from the left one, so that both sides of a film have the same pieces.
+void flip_right_of_pieces(
+    const Vec2& from, const Vec2& to, double cosine, double sine, const MaskWords& mask) {
+    const Vec2 ahead = to - from;
+    const bool is_up = ahead.y() > 0.0 || (ahead.y() == 0.0 && ahead.x() > 0.0);
+    const Vec2 tail = is_up ? from : to;
+    const PixelArc arc{is_up ? ahead : Vec2(-ahead), cosine, is_up ? sine : -sine};
+    const auto inner = [&](const Vec2& at) {
+        return Vec2(tail + (at.array() + 0.5).floor().matrix());
+    };
+    for_each_piece(arc, tail, is_up ? to : from, inner, [&](Vec2 low, Vec2 high, double turn) {
+        const bool rises = low.y() < high.y();
+        if (!rises) {
+            std::swap(low, high);
+        }
+        const CrossingSolver<double> piece(
+            high - low, std::sqrt(1.0 - turn * turn), rises ? turn : -turn);
+        at_simd_level([=] {
+            flip_right_of_arc(piece,
+                              low.x(),
+                              low.y(),
+                              static_cast<int>(first_row_from(low.y(), mask.rows)),
+                              static_cast<int>(first_row_from(high.y(), mask.rows)),
+                              mask);
+        });
+    });
 }
 
 }  // namespace
@@ -98,67 +178,52 @@ int first_row_from(double y, PixelRows rows) {
 void PixelMask::reset(int columns, PixelRows rows, bool full) {
     columns_ = columns;
     rows_ = rows;
-    stride_ = static_cast<std::size_t>(std::max(rows.end - rows.begin, 0)) + kLanes;
+    stride_ = static_cast<std::size_t>(std::max(rows.end - rows.begin, 0)) + kRows;
     const int word_columns = columns / kWordColumns + 1;
-    words_.assign(stride_ * static_cast<std::size_t>(word_columns), 0);
-    for (int k = 0; full && k < word_columns; ++k) {
-        const int here = columns - k * kWordColumns;
-        std::fill_n(
-            words_.begin() + static_cast<std::ptrdiff_t>(stride_) * k, stride_, ~bits_from(here));
+    words_.assign(stride_ * static_cast<std::size_t>(word_columns), full ? ~std::uint64_t{0} : 0);
+    if (full) {
+        std::fill_n(words_.end() - static_cast<std::ptrdiff_t>(stride_),
+                    stride_,
+                    ~(~std::uint64_t{0} << columns % kWordColumns));
     }
 }
 
-// A side whose tangent is nowhere horizontal is one piece.
-void PixelMask::flip_right_of(const DistanceArc& side) {
-    const PixelArc& shape = side.shape;
-    const Vec2 chord = side.to - side.from;
-    if (shape.cosine > 0.0 &&
-        std::abs(shape.cosine * chord.y()) >= std::abs(shape.sine * chord.x())) {
-        flip_right_of_piece(side.from, side.to, shape.cosine, shape.sine, kToNearest);
-    } else if (chord != Vec2::Zero()) {
-        split(side);
+void PixelMask::flip_right_of(std::span<const Boundary::Outline> outline,
+                              const Vec2& offset,
+                              bool is_chain) {
+    const MaskWords mask{words_.data(),
+                         stride_,
+                         words_.size() / stride_,
+                         rows_,
+                         columns_,
+                         is_chain ? kUp : kToNearest};
+    others_.resize(outline.size());
+    at_simd_level([outline, mask, x = offset.x(), y = offset.y(), others = others_.data()] {
+        RisingArcs rising{};
+        for (std::size_t block = 0; block < outline.size(); ++block) {
+            turn_up(outline[block], x, y, mask.rows, rising);
+            std::uint32_t bits = 0;
+            for (std::size_t k = 0; k < kLanes; ++k) {
+                bits |= rising.other[k] != 0.0 ? 1U << k : 0U;
+                flip_right_of_arc(rising.arc(k),
+                                  rising.low_x[k],
+                                  rising.low_y[k],
+                                  static_cast<int>(rising.first[k]),
+                                  static_cast<int>(rising.last[k]),
+                                  mask);
+            }
+            others[block] = bits;
+        }
+    });
+    for (std::size_t block = 0; block < outline.size(); ++block) {
+        const Boundary::Outline& arcs = outline[block];
+        for (std::uint32_t bits = others_[block]; bits != 0; bits &= bits - 1) {
+            const auto k = static_cast<std::size_t>(std::countr_zero(bits));
+            const Vec2 from(arcs.from_x[k], arcs.from_y[k]);
+            const Vec2 to(arcs.to_x[k], arcs.to_y[k]);
+            flip_right_of_pieces(from + offset, to + offset, arcs.cosine[k], arcs.sine[k], mask);
+        }
     }
-}
-
-void PixelMask::flip_right_of(const Edge& edge) {
-    flip_right_of_piece(edge.from, edge.to, 1.0, 0.0, kUp);
-}
-
-// From the lower end on, or from the left one, so that both sides of a film have the same pieces.
-void PixelMask::split(const DistanceArc& side) {
-    const Vec2 ahead = side.to - side.from;
-    const bool is_up = ahead.y() > 0.0 || (ahead.y() == 0.0 && ahead.x() > 0.0);
-    const Vec2 tail = is_up ? side.from : side.to;
-    const MonotonePieces all({is_up ? ahead : Vec2(-ahead),
-                              side.shape.cosine,
-                              is_up ? side.shape.sine : -side.shape.sine});
-    Vec2 from = tail;
-    for (const MonotonePieces::Piece& piece : all.pieces()) {
-        const bool is_last = &piece == &all.pieces().back();
-        const Vec2 whole = (piece.head.array() + 0.5).floor();
-        const Vec2 to = is_last ? Vec2(is_up ? side.to : side.from) : Vec2(tail + whole);
-        flip_right_of_piece(
-            from, to, std::sqrt(1.0 - piece.sine * piece.sine), piece.sine, kToNearest);
-        from = to;
-    }
-}
-
-void PixelMask::flip_right_of_piece(
-    Vec2 from, Vec2 to, double cosine, double sine, double round_up) {
-    if (to.y() < from.y()) {
-        std::swap(from, to);
-        sine = -sine;
-    }
-    const int first = first_row_from(from.y(), rows_);
-    const int last = first_row_from(to.y(), rows_);
-    if (first >= last) {
-        return;
-    }
-    flip_rows(CrossingSolver<double>(to - from, cosine, sine),
-              from.x(),
-              first * kSubpixel + kHalf - from.y(),
-              round_up,
-              {words_.data() + (first - rows_.begin), stride_, last - first, columns_});
 }
 
 }  // namespace foam::texgen

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "texgen/raster/distance/distance_arc.h"
 #include "texgen/raster/distance/region.h"
 
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace foam::texgen {
@@ -39,10 +39,12 @@ class PixelMask {
     int columns() const { return columns_; }
     PixelRows rows() const { return rows_; }
 
-    /// Flips the pixels to the right of a side, which is relative to the corner of the box.
-    void flip_right_of(const DistanceArc& side);
-    /// Does the same with an edge, whose crossings are not rounded.
-    void flip_right_of(const Edge& edge);
+    /// Flips the pixels to the right of each arc of an outline, which is moved by whole subpixels
+    /// to be relative to the corner of the box. Crossings are rounded to subpixels, but not those
+    /// of a chain.
+    void flip_right_of(std::span<const Boundary::Outline> outline,
+                       const Vec2& offset,
+                       bool is_chain);
 
     /// Returns 64 pixels of a row from column 64 k on, the first one in the lowest bit.
     std::uint64_t word(int k, int row) const {
@@ -61,14 +63,11 @@ class PixelMask {
     }
 
   private:
-    void split(const DistanceArc& side);
-    void flip_right_of_piece(Vec2 from, Vec2 to, double cosine, double sine, double round_up);
-
     int columns_ = 0;
     PixelRows rows_;
-    std::size_t stride_ = 0;  // words from a column of words to the next one
-    std::vector<std::uint64_t>
-        words_;  // the words of all rows, one column of words after the other
+    std::size_t stride_ = 0;             // words from a column of words to the next one
+    std::vector<std::uint64_t> words_;   // of all rows, one column of words after the other
+    std::vector<std::uint32_t> others_;  // arcs of an outline that go up and down
 };
 
 }  // namespace foam::texgen

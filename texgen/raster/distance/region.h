@@ -1,6 +1,7 @@
 #pragma once
 
 #include "texgen/raster/coords/fixed_point.h"
+#include "texgen/raster/distance/boundary.h"
 
 #include <cstdint>
 
@@ -12,14 +13,16 @@ enum class RegionKind {
     Surroundings,  // of a patch; unbounded, and without smooth distances of its own
 };
 
-/// A region of the plane whose pixels have one id. Its box is in subpixels of the unshifted grid.
-/// On a torus it is unwrapped: it may leave the grid by several periods.
+/// A region of the plane whose pixels have one id. Positions are in the unshifted grid. On a torus
+/// the region is unwrapped: it may leave the grid by several periods.
 struct Region {
     std::uint32_t id = 0;  // as in DistanceField
     RegionKind kind = RegionKind::Bubble;
-    SubpixelPoint first;  // the tail of its first side
-    SubpixelPoint lowest;
+    bool is_chain = false;  // the outline is of straight edges, whose crossings are not rounded
+    SubpixelPoint first;    // the tail of its first side
+    SubpixelPoint lowest;   // of a box around it, in subpixels
     SubpixelPoint highest;
+    Boundary boundary;
 };
 
 /// A range of rows of pixels.
@@ -38,6 +41,7 @@ struct PixelBox {
     int columns() const { return right - left; }
     int rows() const { return top - bottom; }
     SubpixelPoint corner() const { return {left * kSubpixel, bottom * kSubpixel}; }
+    bool is_within(PixelRows rows) const { return bottom >= rows.begin && top <= rows.end; }
 };
 
 /// Returns the pixels that a region moved by a translation may cover.

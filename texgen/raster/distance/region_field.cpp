@@ -1,6 +1,6 @@
 #include "texgen/raster/distance/region_field.h"
 
-#include "texgen/raster/coords/raster_grid.h"
+#include "texgen/raster/simd/kernel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,19 +17,20 @@ constexpr std::size_t kFewSides = 24;             // of which every batch looks 
 constexpr double kLeastChord = 1e-4;
 constexpr float kNowhere = 1e15F;  // where the film of a circle ends
 
-bool has_direction(const DistanceArc& side) {
-    return side.shape.chord.norm() > kShortestSide;
-}
-
 }  // namespace
 
-void RegionField::measure(const RegionPixels& pixels, DistanceNeeds needs, const Visit& visit) {
+void RegionField::measure(const Region& region,
+                          const RegionPixels& pixels,
+                          DistanceNeeds needs,
+                          const Visit& visit) {
     needs_ = needs;
     visit_ = &visit;
-    take(pixels, needs.smooth);
+    region_ = &region;
+    offset_ = pixels.offset();
+    const ArcLanes& arcs = region.boundary.arcs();
     const PixelMask& mask = pixels.mask();
     const int rows = pixels.box().rows();
-    if (mask.columns() <= kSmall && rows <= kSmall && arcs_.front().size() <= kFewSides) {
+    if (mask.columns() <= kSmall && rows <= kSmall && arcs.size() <= kFewSides) {
         measure_at_once(mask, rows);
         return;
     }
@@ -38,58 +39,26 @@ void RegionField::measure(const RegionPixels& pixels, DistanceNeeds needs, const
     while (tiles * kTileColumns < mask.columns() || (first + tiles) * kTileRows < mask.rows().end) {
         tiles *= 2;
     }
-    halve(mask, {0, first, tiles}, 0);
-}
-
-// A side without direction is left out.
-void RegionField::take(const RegionPixels& pixels, bool smooth) {
-    if (arcs_.empty()) {
-        arcs_.emplace_back();
-    }
-    arcs_.front().clear();
-    films_.clear();
-    is_circle_ = pixels.region().kind == RegionKind::Circle;
-    const bool has_films = smooth && pixels.region().kind != RegionKind::Surroundings;
-    const Boundary& boundary = pixels.boundary();
-    for (std::size_t loop = 0; loop < boundary.loop_ends.size(); ++loop) {
-        const std::span<const DistanceArc> sides = boundary.loop(loop);
-        const auto last = std::find_if(sides.rbegin(), sides.rend(), has_direction);
-        const DistanceArc* before = last == sides.rend() ? nullptr : &*last;
-        for (const DistanceArc& side : sides) {
-            if (!has_direction(side)) {
-                continue;
-            }
-            add_side(side.shape, side.tail, turns_right(before->shape, side.shape));
-            before = &side;
-            if (has_films && !(is_circle_ && films_.size() > 0)) {
-                films_.add(side.shape, side.tail, false);
-            }
-        }
-    }
-}
-
-void RegionField::add_side(const PixelArc& shape, const Vec2& tail, bool corner) {
-    if (shape.cosine >= ArcLanes::kLeastCosine) {
-        arcs_.front().add(shape, tail, corner);
-        return;
-    }
-    const auto [first, second] = halves(shape);
-    add_side(first, tail, corner);
-    add_side(second, tail + first.chord, false);
+    halve(mask, arcs, {0, first, tiles}, 0);
 }
 
 void RegionField::measure_at_once(const PixelMask& mask, int rows) {
     batch_.clear(Vec2(mask.columns() / 2, rows / 2));
-    for (int row = mask.rows().begin; row < mask.rows().end; ++row) {
-        for_each_span_of_bits(mask.word(0, row),
-                              [&](int begin, int count) { batch_.add_span(begin, row, count); });
-    }
-    measure_batch(arcs_.front(), 0.5 * Vec2(mask.columns(), rows).norm());
+    at_simd_level([&mask, &batch = batch_] {
+        for (int row = mask.rows().begin; row < mask.rows().end; ++row) {
+            for_each_span_of_bits(mask.word(0, row),
+                                  [&](int begin, int count) { batch.add_span(begin, row, count); });
+        }
+    });
+    measure_batch(region_->boundary.arcs(), 0.5 * Vec2(mask.columns(), rows).norm());
 }
 
 // Measures a block if it has few arcs near or is a single tile. Otherwise its arcs are narrowed to
 // those that may be nearest to its pixels, and its quarters follow.
-void RegionField::halve(const PixelMask& mask, Block block, std::size_t level) {
+void RegionField::halve(const PixelMask& mask,
+                        const ArcLanes& arcs,
+                        Block block,
+                        std::size_t level) {
     const int left = block.x * kTileColumns;
     const int bottom = block.y * kTileRows;
     const int columns = std::min(mask.columns() - left, block.tiles * kTileColumns);
@@ -97,32 +66,31 @@ void RegionField::halve(const PixelMask& mask, Block block, std::size_t level) {
     if (columns <= 0 || rows <= 0) {
         return;
     }
-    if (block.tiles == 1 || arcs_[level].size() <= kFewSides) {
-        measure_tiles(mask, block, arcs_[level]);
+    if (block.tiles == 1 || arcs.size() <= kFewSides) {
+        measure_tiles(mask, arcs, block);
         return;
     }
-    if (level + 1 == arcs_.size()) {
-        arcs_.emplace_back();
+    if (level == near_.size()) {
+        near_.emplace_back();
     }
-    ArcLanes& all = arcs_[level];
-    ArcLanes& near = arcs_[level + 1];
     const Vec2 size(columns, rows);
-    all.evaluate_at(Vec2(left, bottom) + 0.5 * size);
-    const double horizon = all.horizon(0.5 * size.norm());
+    view_.evaluate(arcs, Vec2(left, bottom) + 0.5 * size - offset_);
+    const double horizon = view_.horizon(0.5 * size.norm());
+    ArcLanes& near = near_[level];
     near.clear();
-    for (std::size_t k = 0; k < all.size(); ++k) {
-        if (all.is_within(k, horizon)) {
-            near.add(all, k);
+    for (std::size_t k = 0; k < arcs.size(); ++k) {
+        if (view_.is_within(k, horizon)) {
+            near.add(arcs, k);
         }
     }
     const int half = block.tiles / 2;
-    halve(mask, {block.x, block.y, half}, level + 1);
-    halve(mask, {block.x + half, block.y, half}, level + 1);
-    halve(mask, {block.x, block.y + half, half}, level + 1);
-    halve(mask, {block.x + half, block.y + half, half}, level + 1);
+    halve(mask, near, {block.x, block.y, half}, level + 1);
+    halve(mask, near, {block.x + half, block.y, half}, level + 1);
+    halve(mask, near, {block.x, block.y + half, half}, level + 1);
+    halve(mask, near, {block.x + half, block.y + half, half}, level + 1);
 }
 
-void RegionField::measure_tiles(const PixelMask& mask, Block block, ArcLanes& arcs) {
+void RegionField::measure_tiles(const PixelMask& mask, const ArcLanes& arcs, Block block) {
     const int right = std::min(block.x + block.tiles, (mask.columns() - 1) / kTileColumns + 1);
     const int top = std::min(block.y + block.tiles, (mask.rows().end - 1) / kTileRows + 1);
     for (int y = block.y; y < top; ++y) {
@@ -149,30 +117,31 @@ void RegionField::take_tile(const PixelMask& mask, int x, int y) {
 }
 
 // `reach` is at least the distance from the middle of the batch to its farthest pixel.
-void RegionField::measure_batch(ArcLanes& arcs, double reach) {
+void RegionField::measure_batch(const ArcLanes& arcs, double reach) {
     if (batch_.is_empty()) {
         return;
     }
-    arcs.evaluate_at(batch_.middle());
-    const double horizon = arcs.horizon(reach);
-    near_.resize(arcs.size());
+    const Vec2 to_batch = offset_ - batch_.middle();
+    view_.evaluate(arcs, -to_batch);
+    const double horizon = view_.horizon(reach);
+    grow(functions_, arcs.size());
     points_.clear();
     std::size_t count = 0;  // no branch: which arcs are near is unpredictable
     for (std::size_t k = 0; k < arcs.size(); ++k) {
-        near_[count] = arcs.functions(k);
-        count += arcs.is_within(k, horizon) ? 1U : 0U;
+        functions_[count] = view_.functions(k);
+        count += view_.is_within(k, horizon) ? 1U : 0U;
     }
     for (std::size_t k = 0; arcs.has_corners() && k < arcs.size(); ++k) {
-        if (arcs.has_corner(k) && arcs.is_within(k, horizon)) {
-            points_.push_back(arcs.tail(k) - batch_.middle());
+        if (arcs.has_corner(k) && view_.is_within(k, horizon)) {
+            points_.push_back(arcs.tail(k) + to_batch);
         }
     }
-    const std::span<const ArcFunctions> near = std::span(near_).first(count);
+    const std::span<const ArcFunctions> near = std::span(functions_).first(count);
     const bool gradient = needs_.gradient || needs_.smooth;
-    if (!batch_.measure(near, points_, gradient)) {  // a pixel slightly outside of a sharp corner
+    if (!batch_.measure(near, points_, gradient)) {  // slightly outside of a sharp corner
         for (std::size_t k = 0; k < arcs.size(); ++k) {
-            points_.push_back(arcs.tail(k) - batch_.middle());
-            points_.push_back(arcs.head(k) - batch_.middle());
+            points_.push_back(arcs.tail(k) + to_batch);
+            points_.push_back(arcs.head(k) + to_batch);
         }
         batch_.measure(near, points_, gradient);
     }
@@ -183,19 +152,24 @@ void RegionField::measure_batch(ArcLanes& arcs, double reach) {
 }
 
 void RegionField::measure_smooth(double reach) {
-    near_films_.clear();
-    films_.evaluate_at(batch_.middle());
-    for (std::size_t k = 0; k < films_.size(); ++k) {
-        const Vec2 middle = 0.5 * (films_.tail(k) + films_.head(k));
-        const double far = (batch_.middle() - middle).norm() + reach;
-        if (films_.chord(k) > kLeastChord * far) {
-            near_films_.push_back(films_.film_functions(k));
-            if (is_circle_) {
-                near_films_.back().along = {kNowhere, 0.0F, 0.0F, 0.0F};
+    static const ArcLanes none;
+    const bool is_circle = region_->kind == RegionKind::Circle;
+    const ArcLanes& films =
+        region_->kind == RegionKind::Surroundings ? none : region_->boundary.films();
+    const Vec2 point = batch_.middle() - offset_;
+    view_.evaluate(films, point);
+    films_.clear();
+    for (std::size_t k = 0; k < films.size() && !(is_circle && k > 0); ++k) {
+        const Vec2 chord = films.chord(k);
+        const double far = (point - films.tail(k) - 0.5 * chord).norm() + reach;
+        if (chord.norm() > kLeastChord * far) {
+            films_.push_back(view_.film_functions(k));
+            if (is_circle) {
+                films_.back().along = {kNowhere, 0.0F, 0.0F, 0.0F};
             }
         }
     }
-    batch_.measure_smooth(near_films_);
+    batch_.measure_smooth(films_);
 }
 
 }  // namespace foam::texgen

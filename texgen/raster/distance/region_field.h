@@ -1,12 +1,14 @@
 #pragma once
 
 #include "texgen/raster/distance/arc_lanes.h"
+#include "texgen/raster/distance/arc_view.h"
 #include "texgen/raster/distance/distance_field.h"
 #include "texgen/raster/distance/frame_regions.h"
 #include "texgen/raster/distance/pixel_batch.h"
 
 #include <array>
 #include <cstddef>
+#include <deque>
 #include <functional>
 #include <span>
 #include <vector>
@@ -24,7 +26,10 @@ class RegionField {
     using Visit = std::function<void(const PixelBatch&)>;
 
     /// Calls visit(batch) for batches of all pixels of a region, measured.
-    void measure(const RegionPixels& pixels, DistanceNeeds needs, const Visit& visit);
+    void measure(const Region& region,
+                 const RegionPixels& pixels,
+                 DistanceNeeds needs,
+                 const Visit& visit);
 
   private:
     // A square of tiles.
@@ -34,24 +39,22 @@ class RegionField {
         int tiles;  // along a side, a power of two
     };
 
-    void take(const RegionPixels& pixels, bool smooth);
-    void add_side(const PixelArc& shape, const Vec2& tail, bool corner);
     void measure_at_once(const PixelMask& mask, int rows);
-    void halve(const PixelMask& mask, Block block, std::size_t level);
-    void measure_tiles(const PixelMask& mask, Block block, ArcLanes& arcs);
+    void halve(const PixelMask& mask, const ArcLanes& arcs, Block block, std::size_t level);
+    void measure_tiles(const PixelMask& mask, const ArcLanes& arcs, Block block);
     void take_tile(const PixelMask& mask, int x, int y);
-    void measure_batch(ArcLanes& arcs, double reach);
+    void measure_batch(const ArcLanes& arcs, double reach);
     void measure_smooth(double reach);
 
     DistanceNeeds needs_;
     const Visit* visit_ = nullptr;
-    bool is_circle_ = false;
-    // The arcs that may be nearest to a pixel of the region, of a part of it, of a part of that ...
-    std::vector<ArcLanes> arcs_;
-    ArcLanes films_;  // the films that smooth distances are made of
-    std::vector<ArcFunctions> near_;
+    const Region* region_ = nullptr;
+    Vec2 offset_{0.0, 0.0};      // from the region to its pixels
+    std::deque<ArcLanes> near_;  // to a part of the region, to a part of that ...
+    ArcView view_;
+    std::vector<ArcFunctions> functions_;
     std::vector<Vec2> points_;
-    std::vector<FilmFunctions> near_films_;
+    std::vector<FilmFunctions> films_;
     PixelBatch batch_;
 };
 

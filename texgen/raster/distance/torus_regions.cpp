@@ -1,6 +1,5 @@
 #include "texgen/raster/distance/torus_regions.h"
 
-#include "core/parallel/counting_sort.h"
 #include "core/parallel/parallel_for.h"
 #include "texgen/raster/arcs/film_shapes.h"
 
@@ -10,8 +9,7 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr std::size_t kItemsPerTask = 2048;
-constexpr int kSquare = 32;  // pixels
+constexpr std::size_t kStartsPerTask = 2048;
 
 SubpixelPoint whole(const Vec2& subpixels) {
     return {static_cast<std::int32_t>(subpixels.x()), static_cast<std::int32_t>(subpixels.y())};
@@ -25,108 +23,122 @@ Vec2 real(SubpixelPoint point) {
 // belongs to the first square, where its copy is.
 std::size_t square_of(std::int32_t position, int pixels) {
     const int pixel = pixel_of(position);
-    return static_cast<std::size_t>(pixel < pixels ? pixel / kSquare : 0);
+    return static_cast<std::size_t>(pixel < pixels ? pixel / TorusRegions::kSquare : 0);
 }
 
 std::size_t squares_along(int pixels) {
-    return static_cast<std::size_t>((pixels - 1) / kSquare) + 1;
+    return static_cast<std::size_t>((pixels - 1) / TorusRegions::kSquare) + 1;
 }
 
 }  // namespace
 
 TorusRegions::TorusRegions(const Frame& frame, const RasterGrid& grid, int threads)
-    : pixels_(frame, grid), junctions_(pixels_.junctions(threads)) {
-    place_films(threads);
-    place_bubbles(threads);
-}
+    : pixels_(frame, grid),
+      columns_(squares_along(grid.width)),
+      junctions_(pixels_.junctions(threads)),
+      films_(films(threads)),
+      starts_(sorted_starts(threads)) {}
 
-// Returns the indices of items, sorted by the square that holds the junction where an item begins.
-std::vector<std::uint32_t> TorusRegions::sorted(const std::vector<JunctionId>& begins,
-                                                int threads) const {
-    const RasterGrid& grid = pixels_.grid;
-    const std::size_t columns = squares_along(grid.width);
-    const std::size_t squares = columns * squares_along(grid.height);
-    const std::size_t parts = (begins.size() + kItemsPerTask - 1) / kItemsPerTask;
-    const auto visit = [&](std::size_t part, const auto& put) {
-        const std::size_t end = std::min((part + 1) * kItemsPerTask, begins.size());
-        for (std::size_t k = part * kItemsPerTask; k < end; ++k) {
-            const SubpixelPoint at = junctions_[index_of(begins[k])];
-            put(square_of(at.y, grid.height) * columns + square_of(at.x, grid.width),
-                static_cast<std::uint32_t>(k));
-        }
-    };
-    return counting_sort<std::uint32_t>(squares, parts, threads, visit).items;
-}
-
-void TorusRegions::place_films(int threads) {
+std::unique_ptr<TorusRegions::Film[]> TorusRegions::films(int threads) const {
     const Network& network = pixels_.frame.network;
-    std::vector<JunctionId> begins(network.film_slots());
-    for (std::size_t k = 0; k < begins.size(); ++k) {
-        begins[k] = network.tail(forward_side(id_at<FilmId>(k)));
-    }
-    const std::vector<std::uint32_t> order = sorted(begins, threads);
-    positions_.resize(order.size());
-    for (std::size_t k = 0; k < order.size(); ++k) {
-        positions_[order[k]] = static_cast<std::uint32_t>(k);
-    }
-    films_.resize(order.size());
+    auto films = std::make_unique_for_overwrite<Film[]>(network.film_slots());
     shape_films(pixels_.frame, pixels_.scale, threads, [&](std::size_t k, const PixelArc& shape) {
         const HalfEdgeId forward = forward_side(id_at<FilmId>(k));
         const HalfEdgeId other = twin(forward);
-        films_[positions_[k]] = {shape,
-                                 {junctions_[index_of(network.tail(forward))],
-                                  junctions_[index_of(network.tail(other))]},
-                                 {side_of(network.next(forward)), side_of(network.next(other))},
-                                 pixels_.translation(network.offset(forward))};
+        const SubpixelPoint tail = junctions_[index_of(network.tail(forward))];
+        const SubpixelPoint head = junctions_[index_of(network.tail(other))];
+        const SubpixelPoint lift = pixels_.translation(network.offset(forward));
+        films[k] = {shape.chord.x(),
+                    shape.chord.y(),
+                    shape.cosine,
+                    shape.sine,
+                    {tail.x, head.x},
+                    {tail.y, head.y},
+                    {network.next(forward), network.next(other)},
+                    lift.x,
+                    lift.y};
     });
+    return films;
 }
 
-void TorusRegions::place_bubbles(int threads) {
+// Loops are short, so that the processor overlaps their cache misses.
+Buckets<TorusRegions::Start> TorusRegions::sorted_starts(int threads) const {
     const Network& network = pixels_.frame.network;
-    std::vector<JunctionId> begins(network.bubble_slots());
-    for (std::size_t k = 0; k < begins.size(); ++k) {
-        begins[k] = network.tail(network.first(id_at<BubbleId>(k)));
-    }
-    const std::vector<std::uint32_t> order = sorted(begins, threads);
-    starts_.resize(order.size());
-    regions_.resize(order.size());
-    parallel_for(order.size(), kItemsPerTask, threads, [&](std::size_t first, std::size_t last) {
-        // A loop of its own, so that the processor overlaps its cache misses.
+    const RasterGrid& grid = pixels_.grid;
+    std::vector<Start> starts(network.bubble_slots());
+    std::vector<JunctionId> tails(starts.size());
+    parallel_for(starts.size(), kStartsPerTask, threads, [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k) {
-            starts_[k] = {side_of(network.first(id_at<BubbleId>(order[k]))),
-                          pixels_.exact(begins[order[k]])};
+            tails[k] = network.tail(network.first(id_at<BubbleId>(k)));
         }
-        Boundary boundary;
         for (std::size_t k = first; k < last; ++k) {
-            boundary.clear();
-            trace(k, {}, boundary);
-            const Extent extent = extent_of(boundary);
-            regions_[k] = {order[k],
-                           RegionKind::Bubble,
-                           whole(boundary.sides.front().from),
-                           whole(extent.lowest),
-                           whole(extent.highest)};
+            starts[k] = {static_cast<std::uint32_t>(k),
+                         network.first(id_at<BubbleId>(k)),
+                         junctions_[index_of(tails[k])],
+                         pixels_.exact(tails[k])};
         }
     });
+    const std::size_t parts = (starts.size() + kStartsPerTask - 1) / kStartsPerTask;
+    const auto visit = [&](std::size_t part, const auto& put) {
+        const std::size_t end = std::min((part + 1) * kStartsPerTask, starts.size());
+        for (std::size_t k = part * kStartsPerTask; k < end; ++k) {
+            const SubpixelPoint at = starts[k].from;
+            put(square_of(at.y, grid.height) * columns_ + square_of(at.x, grid.width), starts[k]);
+        }
+    };
+    return counting_sort<Start>(columns_ * squares_along(grid.height), parts, threads, visit);
 }
 
-void TorusRegions::trace(std::size_t region, SubpixelPoint offset, Boundary& boundary) const {
-    const Start& start = starts_[region];
-    Vec2 tail = start.tail + real(offset) / kSubpixel;
-    SubpixelPoint lift = offset;
-    std::uint32_t side = start.side;
-    do {
-        const Film& film = films_[side / 2];
-        const std::size_t end = side % 2;
-        const int along = 1 - 2 * static_cast<int>(end);  // no branch: the side is unpredictable
-        const PixelArc shape{along * film.shape.chord, film.shape.cosine, along * film.shape.sine};
-        const SubpixelPoint from = film.tails[end] + lift;
-        lift = lift + SubpixelPoint{along * film.lift.x, along * film.lift.y};
-        boundary.sides.push_back({shape, tail, real(from), real(film.tails[1 - end] + lift)});
-        tail += shape.chord;
-        side = film.next[end];
-    } while (side != start.side);
-    boundary.close_loop();
+std::span<const TorusRegions::Start> TorusRegions::starts(int first, int rows) const {
+    const std::size_t all = squares_along(pixels_.grid.height);
+    const auto begin = static_cast<std::size_t>(first / kSquare);
+    const std::size_t end = std::min(begin + static_cast<std::size_t>(rows / kSquare), all);
+    return starts_.of(begin * columns_, end * columns_);
+}
+
+inline void TorusRegions::advance(Walk& walk) const {
+    const Film& film = films_[index_of(film_of(walk.side))];
+    const std::size_t end = index_of(walk.side) % 2;
+    const int along = 1 - 2 * static_cast<int>(end);  // no branch: the side is unpredictable
+    const PixelArc shape{
+        {along * film.chord_x, along * film.chord_y}, film.cosine, along * film.sine};
+    const SubpixelPoint from = SubpixelPoint{film.tail_x[end], film.tail_y[end]} + walk.lift;
+    walk.lift = walk.lift + SubpixelPoint{along * film.lift_x, along * film.lift_y};
+    const SubpixelPoint to = SubpixelPoint{film.tail_x[1 - end], film.tail_y[1 - end]} + walk.lift;
+    walk.side = film.next[end];
+    __builtin_prefetch(&films_[index_of(film_of(walk.side))]);
+    walk.boundary->add_arc(shape, walk.tail);
+    walk.boundary->add_edge(real(from), real(to), shape.cosine, shape.sine);
+    walk.tail += shape.chord;
+}
+
+void TorusRegions::trace(std::span<const Start> starts, std::span<Region> regions) const {
+    std::array<Walk, kAtOnce> walks;
+    for (std::size_t k = 0; k < starts.size(); ++k) {
+        const Start& start = starts[k];
+        __builtin_prefetch(&films_[index_of(film_of(start.side))]);
+        regions[k].boundary.clear();
+        walks[k] = {start.side, start.side, start.tail, {}, &regions[k].boundary};
+    }
+    for (std::size_t count = starts.size(); count > 0;) {
+        for (std::size_t k = 0; k < count;) {
+            advance(walks[k]);
+            if (walks[k].side == walks[k].first) {
+                walks[k] = walks[--count];
+            } else {
+                ++k;
+            }
+        }
+    }
+    for (std::size_t k = 0; k < starts.size(); ++k) {
+        Region& region = regions[k];
+        region.boundary.close_loop();
+        const Extent extent = region.boundary.extent();
+        region.id = starts[k].bubble;
+        region.first = starts[k].from;
+        region.lowest = whole(extent.lowest);
+        region.highest = whole(extent.highest);
+    }
 }
 
 }  // namespace foam::texgen

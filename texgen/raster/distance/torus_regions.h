@@ -1,28 +1,42 @@
 #pragma once
 
+#include "core/parallel/counting_sort.h"
 #include "texgen/raster/coords/pixel_frame.h"
-#include "texgen/raster/distance/distance_arc.h"
 #include "texgen/raster/distance/region.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <vector>
 
 namespace foam::texgen {
 
 /// The bubbles of a frame on a torus as a grid sees them. Borrows both.
 ///
-/// Bubbles and films are sorted by the square of the unshifted grid in which they begin, row by
-/// row: what a boundary is made of is then close together in memory.
+/// Bubbles are sorted by the square of the unshifted grid in which they begin, row by row.
 class TorusRegions {
   public:
+    static constexpr int kSquare = 32;          // pixels
+    static constexpr std::size_t kAtOnce = 16;  // bubbles that are traced at once
+
+    /// The start of a counter-clockwise traversal of a bubble.
+    struct Start {
+        std::uint32_t bubble = 0;
+        HalfEdgeId side{};
+        SubpixelPoint from;
+        Vec2 tail{0.0, 0.0};  // the same without rounding, pixels
+    };
+
     TorusRegions(const Frame& frame, const RasterGrid& grid, int threads);
 
-    const std::vector<Region>& regions() const { return regions_; }
+    /// Returns the bubbles that begin in `rows` rows from `first` on, both multiples of kSquare.
+    std::span<const Start> starts(int first, int rows) const;
 
-    /// Appends the boundary of a region, moved by an offset.
-    void trace(std::size_t region, SubpixelPoint offset, Boundary& boundary) const;
+    /// Traces up to kAtOnce bubbles, which has the memory of all of them read at the same time:
+    /// which film follows is known only once the one before it is there.
+    void trace(std::span<const Start> starts, std::span<Region> regions) const;
 
     /// Returns the distance in subpixels by which a copy one period up is moved to the right.
     std::int32_t shear() const { return pixels_.shear; }
@@ -31,33 +45,31 @@ class TorusRegions {
     // What the boundaries on both sides of a film need of it, in one cache line. Pairs are of the
     // forward side and of the other one.
     struct alignas(64) Film {
-        PixelArc shape;  // of the forward side
-        std::array<SubpixelPoint, 2> tails;
-        std::array<std::uint32_t, 2> next{};  // sides: twice the position of a film, plus 1 if it
-                                              // is the other side
-        SubpixelPoint lift;  // from the head's junction to its copy that the tail sees
+        double chord_x, chord_y;                     // of the forward side, pixels
+        double cosine, sine;                         // of half the angle by which it turns left
+        std::array<std::int32_t, 2> tail_x, tail_y;  // subpixels
+        std::array<HalfEdgeId, 2> next;
+        std::int32_t lift_x, lift_y;  // from the head's junction to its copy that the tail sees
     };
     static_assert(sizeof(Film) == 64);
 
-    // The start of a counter-clockwise traversal of a bubble.
-    struct Start {
-        std::uint32_t side = 0;
-        Vec2 tail{0.0, 0.0};  // without rounding, pixels
+    struct Walk {
+        HalfEdgeId side{};
+        HalfEdgeId first{};
+        Vec2 tail{0.0, 0.0};
+        SubpixelPoint lift;
+        Boundary* boundary = nullptr;
     };
 
-    std::vector<std::uint32_t> sorted(const std::vector<JunctionId>& begins, int threads) const;
-    void place_films(int threads);
-    void place_bubbles(int threads);
-    std::uint32_t side_of(HalfEdgeId side) const {
-        return 2 * positions_[index_of(film_of(side))] + (is_forward(side) ? 0 : 1);
-    }
+    std::unique_ptr<Film[]> films(int threads) const;
+    Buckets<Start> sorted_starts(int threads) const;
+    void advance(Walk& walk) const;
 
     PixelFrame pixels_;
+    std::size_t columns_;  // of squares
     std::vector<SubpixelPoint> junctions_;
-    std::vector<std::uint32_t> positions_;  // of films, by their index
-    std::vector<Film> films_;
-    std::vector<Start> starts_;  // of the regions
-    std::vector<Region> regions_;
+    std::unique_ptr<Film[]> films_;  // by their index
+    Buckets<Start> starts_;          // by squares
 };
 
 }  // namespace foam::texgen

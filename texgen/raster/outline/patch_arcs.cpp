@@ -125,18 +125,14 @@ class PatchArcs {
                        const PixelArc& arc,
                        const ArcSides& sides,
                        std::vector<MonotoneArc>& to) const {
-        const MonotonePieces all(arc);
-        Vec2 from = tail;
-        for (std::size_t k = 0; k < all.pieces().size(); ++k) {
-            const MonotonePieces::Piece& piece = all.pieces()[k];
-            const Vec2 end = k + 1 < all.pieces().size() ? Vec2(tail + piece.head) : head;
+        const auto inner = [&](const Vec2& at) { return Vec2(tail + at); };
+        for_each_piece(arc, tail, head, inner, [&](const Vec2& from, const Vec2& end, double sine) {
             if (from.y() < end.y()) {
-                append_clipped({from, end, piece.sine}, sides, to);
+                append_clipped({from, end, sine}, sides, to);
             } else if (end.y() < from.y()) {
-                append_clipped({end, from, -piece.sine}, reversed(sides), to);
+                append_clipped({end, from, -sine}, reversed(sides), to);
             }
-            from = end;
-        }
+        });
     }
 
     void append_clipped(const MonotonePieces::Piece& piece,

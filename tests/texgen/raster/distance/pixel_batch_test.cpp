@@ -1,7 +1,7 @@
 #include "texgen/raster/distance/pixel_batch.h"
 
 #include "tests/support/simd_levels.h"
-#include "texgen/raster/distance/arc_lanes.h"
+#include "texgen/raster/distance/arc_view.h"
 
 #include <gtest/gtest.h>
 
@@ -35,8 +35,9 @@ void for_each_pixel(const PixelBatch& batch, const Check& check) {
 ArcFunctions functions_of(const PixelArc& arc, const Vec2& tail, const Vec2& middle) {
     ArcLanes lanes;
     lanes.add(arc, tail, false);
-    lanes.evaluate_at(middle);
-    return lanes.functions(0);
+    ArcView view;
+    view.evaluate(lanes, middle);
+    return view.functions(0);
 }
 
 // The nearest of a segment along the x axis and a point: the pixels between the ends face the
@@ -100,11 +101,12 @@ TEST(PixelBatch, JoinsFilmsSmoothly) {
         ArcLanes films;
         films.add({{2e4, 0.0}, 1.0, 0.0}, {-1e4, -1.0}, false);
         films.add({{-2e4, 0.0}, 1.0, 0.0}, {1e4, 23.0}, false);
-        films.evaluate_at(batch.middle());
-        const std::vector<ArcFunctions> arcs{films.functions(0), films.functions(1)};
+        ArcView view;
+        view.evaluate(films, batch.middle());
+        const std::vector<ArcFunctions> arcs{view.functions(0), view.functions(1)};
         ASSERT_TRUE(batch.measure(arcs, {}, true));
         batch.measure_smooth(
-            std::vector<FilmFunctions>{films.film_functions(0), films.film_functions(1)});
+            std::vector<FilmFunctions>{view.film_functions(0), view.film_functions(1)});
         for_each_pixel(batch, [&](const Vec2& at, std::size_t k) {
             const double a = at.y() + 1.0;
             const double b = 23.0 - at.y();

@@ -12,19 +12,33 @@
 namespace foam::texgen {
 namespace {
 
-DistanceArc arc_between(const Vec2& from, const Vec2& to, double half_angle) {
-    return {{(to - from) / kSubpixel, std::cos(half_angle), std::sin(half_angle)},
-            from / kSubpixel,
-            from,
-            to};
+// An arc of an outline, in subpixels.
+struct Side {
+    Vec2 from;
+    Vec2 to;
+    double half_angle;
+};
+
+Side arc_between(const Vec2& from, const Vec2& to, double half_angle) {
+    return {from, to, half_angle};
 }
 
-PixelMask mask_of(const std::vector<DistanceArc>& sides, int columns, PixelRows rows) {
+void flip(const std::vector<Side>& sides, bool is_chain, PixelMask& mask) {
+    const Vec2 offset(77.0, -1000.0);
+    Boundary boundary;
+    for (const Side& side : sides) {
+        boundary.add_edge(side.from - offset,
+                          side.to - offset,
+                          std::cos(side.half_angle),
+                          std::sin(side.half_angle));
+    }
+    mask.flip_right_of(boundary.outline(), offset, is_chain);
+}
+
+PixelMask mask_of(const std::vector<Side>& sides, int columns, PixelRows rows) {
     PixelMask mask;
     mask.reset(columns, rows);
-    for (const DistanceArc& side : sides) {
-        mask.flip_right_of(side);
-    }
+    flip(sides, false, mask);
     return mask;
 }
 
@@ -101,7 +115,7 @@ TEST(PixelMask, GivesEachPixelAlongASharedSideToOneRegion) {
     });
 }
 
-std::vector<DistanceArc> square(double low, double high) {
+std::vector<Side> square(double low, double high) {
     return {arc_between({low, low}, {high, low}, 0.0),
             arc_between({high, low}, {high, high}, 0.0),
             arc_between({high, high}, {low, high}, 0.0),
@@ -123,7 +137,7 @@ TEST(PixelMask, DoesNotRoundTheCrossingsOfAnEdge) {
     const Vec2 high(513.0, 518.0);
     PixelMask exact;
     exact.reset(4, {0, 1});
-    exact.flip_right_of(Edge{low, high});
+    flip({arc_between(low, high, 0.0)}, true, exact);
     EXPECT_EQ(exact.word(0, 0) & 15, 14U);
     EXPECT_EQ(mask_of({arc_between(low, high, 0.0)}, 4, {0, 1}).word(0, 0) & 15, 15U);
 }
@@ -141,10 +155,11 @@ TEST(PixelMask, HoldsOnlyItsOwnRowsAndColumns) {
 TEST(PixelMask, StartsFullForARegionWithoutEnd) {
     PixelMask mask;
     mask.reset(100, {0, 5}, true);
-    for (DistanceArc side : square(2048.0, 4096.0)) {  // a hole, to the right of its sides
+    std::vector<Side> hole = square(2048.0, 4096.0);
+    for (Side& side : hole) {  // is to the right of its sides
         std::swap(side.from, side.to);
-        mask.flip_right_of(side);
     }
+    flip(hole, false, mask);
     for (int y = 0; y < 5; ++y) {
         for (int x = 0; x < 128; ++x) {
             const bool in_hole = x >= 2 && x < 4 && y >= 2 && y < 4;

@@ -3,22 +3,24 @@
 #include "tests/support/raster_reference.h"
 #include "tests/support/sample_foams.h"
 #include "tests/support/simd_levels.h"
+#include "texgen/raster/distance/patch_regions.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace foam::texgen {
 namespace {
 
 // Measures region k of a patch in all rows of the image and compares it with the nearest of all
 // films; returns the number of batches. Each pixel of the mask is in exactly one batch.
-int expect_nearest(const Frame& frame, const RasterGrid& grid, std::uint32_t k) {
-    const FrameRegions regions(frame, grid, 1);
+int expect_nearest(const Frame& frame, const RasterGrid& grid, std::size_t k) {
+    const std::vector<Region> regions = patch_regions(frame, grid, 1);
     const test::NearestFilms films(frame, *grid.view, grid.width, grid.height);
     RegionPixels pixels;
-    pixels.place(regions, {k, {}}, {0, grid.height});
+    pixels.place(regions[k], {}, {0, grid.height});
     const PixelBox& box = pixels.box();
     std::size_t expected = 0;
     for (int row = 0; row < box.rows(); ++row) {
@@ -29,7 +31,7 @@ int expect_nearest(const Frame& frame, const RasterGrid& grid, std::uint32_t k) 
     std::size_t measured = 0;
     int batches = 0;
     RegionField field;
-    field.measure(pixels, {.gradient = true}, [&](const PixelBatch& batch) {
+    field.measure(regions[k], pixels, {.gradient = true}, [&](const PixelBatch& batch) {
         ++batches;
         for (const PixelBatch::Span& span : batch.spans()) {
             for (std::uint32_t i = 0; i < span.count; ++i) {

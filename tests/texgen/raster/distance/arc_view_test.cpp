@@ -1,4 +1,4 @@
-#include "texgen/raster/distance/arc_lanes.h"
+#include "texgen/raster/distance/arc_view.h"
 
 #include "tests/support/simd_levels.h"
 
@@ -50,23 +50,23 @@ ArcLanes lanes_of(const std::vector<PlacedArc>& arcs) {
 }
 
 // More arcs than lanes, and not a multiple of them.
-TEST(ArcLanes, BoundAndMeasureTheDistanceOfEachArc) {
+TEST(ArcView, BoundAndMeasureTheDistanceOfEachArc) {
     at_every_simd_level([] {
         std::mt19937 random(3);
         std::uniform_real_distribution<double> uniform(-40.0, 40.0);
         for (int round = 0; round < 20; ++round) {
             const std::vector<PlacedArc> arcs = random_arcs(19, random);
-            ArcLanes lanes = lanes_of(arcs);
+            ArcView view;
             const Vec2 point(uniform(random), uniform(random));
-            lanes.evaluate_at(point);
+            view.evaluate(lanes_of(arcs), point);
             for (std::size_t k = 0; k < arcs.size(); ++k) {
                 const double distance = sampled_distance(arcs[k], point);
-                EXPECT_TRUE(lanes.is_within(k, distance + 1e-9));
-                const ArcFunctions f = lanes.functions(k);
+                EXPECT_TRUE(view.is_within(k, distance + 1e-9));
+                const ArcFunctions f = view.functions(k);
                 if (f.past_tail.value >= 0.0F && f.before_head.value >= 0.0F) {
                     const double slope = std::hypot(f.across.x, f.across.y);
                     EXPECT_NEAR(std::abs(f.across.twice_value) / (1.0 + slope), distance, 2e-3);
-                    EXPECT_FALSE(lanes.is_within(k, distance - 2e-3));
+                    EXPECT_FALSE(view.is_within(k, distance - 2e-3));
                 }
             }
         }
@@ -74,17 +74,17 @@ TEST(ArcLanes, BoundAndMeasureTheDistanceOfEachArc) {
 }
 
 // Arcs beyond the horizon are not nearest to any point within reach.
-TEST(ArcLanes, HorizonHoldsTheNearestArcOfAllPointsWithinReach) {
+TEST(ArcView, HorizonHoldsTheNearestArcOfAllPointsWithinReach) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> uniform(-20.0, 20.0);
     std::size_t dropped = 0;
     for (int round = 0; round < 20; ++round) {
         const std::vector<PlacedArc> arcs = random_arcs(30, random);
-        ArcLanes lanes = lanes_of(arcs);
+        ArcView view;
         const Vec2 middle(uniform(random), uniform(random));
         constexpr double kReach = 4.0;
-        lanes.evaluate_at(middle);
-        const double horizon = lanes.horizon(kReach);
+        view.evaluate(lanes_of(arcs), middle);
+        const double horizon = view.horizon(kReach);
         for (int sample = 0; sample < 8; ++sample) {
             const double turn = sample * 0.785;
             const Vec2 point = middle + kReach * Vec2(std::cos(turn), std::sin(turn));
@@ -94,10 +94,10 @@ TEST(ArcLanes, HorizonHoldsTheNearestArcOfAllPointsWithinReach) {
                     nearest = k;
                 }
             }
-            EXPECT_TRUE(lanes.is_within(nearest, horizon));
+            EXPECT_TRUE(view.is_within(nearest, horizon));
         }
         for (std::size_t k = 0; k < arcs.size(); ++k) {
-            dropped += lanes.is_within(k, horizon) ? 0U : 1U;
+            dropped += view.is_within(k, horizon) ? 0U : 1U;
         }
     }
     EXPECT_GT(dropped, 100U);
@@ -105,15 +105,16 @@ TEST(ArcLanes, HorizonHoldsTheNearestArcOfAllPointsWithinReach) {
 
 // f is 0 on the arc, t on the circle through its ends that is normal to the arc there: on the arc's
 // middle t is the sagitta of both, at the ends both are 0.
-TEST(ArcLanes, FunctionsOfAFilmVanishAtItsEnds) {
+TEST(ArcView, FunctionsOfAFilmVanishAtItsEnds) {
     at_every_simd_level([] {
         const FilmArc film{{6.0, 2.0}, 0.8};
         const Vec2 tail(1.0, -3.0);
         ArcLanes lanes;
         lanes.add(pixel_arc(film), tail, false);
+        ArcView view;
         for (const double fraction : {0.0, 0.25, 0.5, 1.0}) {
-            lanes.evaluate_at(tail + point_at(film, fraction));
-            const FilmFunctions f = lanes.film_functions(0);
+            view.evaluate(lanes, tail + point_at(film, fraction));
+            const FilmFunctions f = view.film_functions(0);
             EXPECT_NEAR(f.across.twice_value, 0.0, 1e-6);
             EXPECT_NEAR(std::hypot(f.across.x, f.across.y), 1.0, 1e-6);
             const bool is_end = fraction == 0.0 || fraction == 1.0;
@@ -124,7 +125,7 @@ TEST(ArcLanes, FunctionsOfAFilmVanishAtItsEnds) {
                 EXPECT_NEAR(f.along.x * f.across.x + f.along.y * f.across.y, 0.0, 1e-6);
             }
         }
-        EXPECT_NEAR(lanes.film_functions(0).chord, film.chord.norm(), 1e-6);
+        EXPECT_NEAR(view.film_functions(0).chord, film.chord.norm(), 1e-6);
     });
 }
 
@@ -140,6 +141,10 @@ TEST(ArcLanes, CopiesArcsWithTheirCorners) {
     EXPECT_TRUE(some.has_corner(0));
     EXPECT_EQ(some.tail(0), Vec2(7.0, 8.0));
     EXPECT_EQ(some.head(0), Vec2(12.0, 14.0));
+    some.add({{1.0, 2.0}, 0.8, 0.6}, {3.0, 4.0}, false);
+    EXPECT_FALSE(some.has_corner(1));
+    some.set_corner(1);
+    EXPECT_TRUE(some.has_corner(1));
     some.clear();
     EXPECT_EQ(some.size(), 0U);
     EXPECT_FALSE(some.has_corners());

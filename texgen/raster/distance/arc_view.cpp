@@ -1,0 +1,114 @@
+#include "texgen/raster/distance/arc_view.h"
+
+#include "texgen/raster/simd/kernel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr double kFar = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+// Let q be the point seen from the middle of the chord c, e = c/4 - q²/c, which is 0 on the circle
+// around the chord, and h the distance of q to the left of the chord: both are 0 at the ends of the
+// chord. Turned by the half angle they become f = sin e + cos h, which is 0 on the circle of the
+// arc with slope 1, positive on its left, and t = cos e - sin h, which is 0 with slope 1 on the
+// circle that cuts the arc off at right angles, positive on the arc.
+//
+// The distance from the circle of the arc is 2 |f| / (1 + |grad f|), whatever the curvature. A
+// point behind an end of the arc is at least as far from the arc as from the line that is normal to
+// it there.
+[[gnu::always_inline]] inline void ArcView::evaluate(double x,
+                                                     double y,
+                                                     const ArcLanes::Block& arcs,
+                                                     Block& b) {
+    const double far = kFar;
+    for (std::size_t k = 0; k < kLanes; ++k) {
+        const double chord_x = arcs.chord_x[k];
+        const double chord_y = arcs.chord_y[k];
+        const double cosine = arcs.cosine[k];
+        const double sine = arcs.sine[k];
+        const double chord = std::sqrt(chord_x * chord_x + chord_y * chord_y);
+        const double over_chord = 1.0 / chord;
+        const double along_x = chord_x * over_chord;
+        const double along_y = chord_y * over_chord;
+        const double qx = x - (arcs.tail_x[k] + 0.5 * chord_x);
+        const double qy = y - (arcs.tail_y[k] + 0.5 * chord_y);
+        const double forward = qx * along_x + qy * along_y;
+        const double left = qy * along_x - qx * along_y;
+        const double e = 0.25 * chord - (qx * qx + qy * qy) * over_chord;
+        const double curvature = 2.0 * over_chord * sine;
+        const double along_curvature = 2.0 * over_chord * cosine;
+        const double reach = 0.5 * chord * cosine - sine * left;
+        const double twice = 2.0 * (sine * e + cosine * left);
+        const double slope_x = -curvature * qx - cosine * along_y;
+        const double slope_y = -curvature * qy + cosine * along_x;
+        const double past_tail = reach + cosine * forward;
+        const double before_head = reach - cosine * forward;
+        b.twice[k] = static_cast<float>(twice);
+        b.slope_x[k] = static_cast<float>(slope_x);
+        b.slope_y[k] = static_cast<float>(slope_y);
+        b.curvature[k] = static_cast<float>(curvature);
+        b.tail[k] = static_cast<float>(past_tail);
+        b.tail_x[k] = static_cast<float>(cosine * along_x + sine * along_y);
+        b.tail_y[k] = static_cast<float>(cosine * along_y - sine * along_x);
+        b.head[k] = static_cast<float>(before_head);
+        b.head_x[k] = static_cast<float>(sine * along_y - cosine * along_x);
+        b.head_y[k] = static_cast<float>(-sine * along_x - cosine * along_y);
+        b.twice_along[k] = static_cast<float>(2.0 * (cosine * e - sine * left));
+        b.along_x[k] = static_cast<float>(-along_curvature * qx + sine * along_y);
+        b.along_y[k] = static_cast<float>(-along_curvature * qy - sine * along_x);
+        b.along_curvature[k] = static_cast<float>(along_curvature);
+        b.chord[k] = static_cast<float>(chord);
+        const double slope = std::sqrt(slope_x * slope_x + slope_y * slope_y);
+        const double distance = std::abs(twice) / (1.0 + slope);
+        const double end = min_value(past_tail, before_head);
+        b.facing[k] = end >= 0.0 ? distance : far;
+        b.at_least[k] = max_value(distance, -end);
+    }
+}
+
+void ArcView::evaluate(const ArcLanes& arcs, const Vec2& point) {
+    size_ = arcs.size();
+    grow(blocks_, arcs.block_count());
+    at_simd_level([arcs = arcs.blocks(),
+                   count = arcs.block_count(),
+                   x = point.x(),
+                   y = point.y(),
+                   to = blocks_.data()] {
+        for (std::size_t k = 0; k < count; ++k) {
+            evaluate(x, y, arcs[k], to[k]);
+        }
+    });
+}
+
+double ArcView::horizon(double reach) const {
+    double nearest = kFar;
+    for (std::size_t k = 0; k < size_; ++k) {
+        nearest = std::min(nearest, blocks_[k / kLanes].facing[k % kLanes]);
+    }
+    return nearest + 2.0 * reach + PixelBatch::kMargin;
+}
+
+ArcFunctions ArcView::functions(std::size_t k) const {
+    const Block& b = blocks_[k / kLanes];
+    k %= kLanes;
+    return {{b.twice[k], b.slope_x[k], b.slope_y[k], b.curvature[k]},
+            {b.tail[k], b.tail_x[k], b.tail_y[k]},
+            {b.head[k], b.head_x[k], b.head_y[k]}};
+}
+
+FilmFunctions ArcView::film_functions(std::size_t k) const {
+    const Block& b = blocks_[k / kLanes];
+    const FloatQuadratic across = functions(k).across;
+    k %= kLanes;
+    return {
+        across, {b.twice_along[k], b.along_x[k], b.along_y[k], b.along_curvature[k]}, b.chord[k]};
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,102 @@
+#include "texgen/raster/distance/boundary.h"
+
+#include "texgen/raster/simd/kernel.h"
+
+#include <cmath>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr std::size_t kLanes = ArcLanes::kLanes;
+constexpr double kRounding = 2.0;  // subpixels; more than both ends of a side move when rounded
+
+// Bounds of an outline in subpixels.
+struct Bounds {
+    double left, right, bottom, top;  // of the ends of arcs
+    double beyond;                    // by how much an arc reaches beyond its chord
+};
+
+// An arc reaches beyond its chord by its sagitta, half the chord times the tangent of a quarter of
+// the turn. Wide arcs have a diameter instead. The length of the chord is bounded by the sum of its
+// components.
+[[gnu::always_inline]] inline void extend(const Boundary::Outline& arcs, Bounds& bounds) {
+    constexpr double kLeastCosine = 0.2;  // of an arc whose sagitta is computed
+    Bounds b = bounds;
+    for (std::size_t k = 0; k < kLanes; ++k) {
+        const double x = arcs.from_x[k];
+        const double y = arcs.from_y[k];
+        const double length = std::abs(arcs.to_x[k] - x) + std::abs(arcs.to_y[k] - y);
+        const double sine = std::abs(arcs.sine[k]);
+        const double cosine = arcs.cosine[k];
+        const double sagitta = 0.5 * length * sine / (1.0 + cosine);
+        const double beyond = cosine > kLeastCosine ? sagitta : length / sine;
+        b.left = min_value(x, b.left);
+        b.right = max_value(x, b.right);
+        b.bottom = min_value(y, b.bottom);
+        b.top = max_value(y, b.top);
+        b.beyond = max_value(beyond, b.beyond);
+    }
+    bounds = b;
+}
+
+}  // namespace
+
+void Boundary::clear() {
+    arcs_.clear();
+    has_wide_ = false;
+    loop_ = 0;
+    edges_ = 0;
+}
+
+void Boundary::add_wide(const PixelArc& shape, const Vec2& tail, bool corner) {
+    if (!has_wide_) {
+        films_ = arcs_;
+        has_wide_ = true;
+    }
+    films_.add(shape, tail, corner);
+    add_halves(shape, tail, corner);
+}
+
+void Boundary::add_halves(const PixelArc& shape, const Vec2& tail, bool corner) {
+    if (shape.cosine >= ArcLanes::kLeastCosine) {
+        arcs_.add(shape, tail, corner);
+        return;
+    }
+    const auto [first, second] = halves(shape);
+    add_halves(first, tail, corner);
+    add_halves(second, tail + first.chord, false);
+}
+
+void Boundary::close_loop() {
+    if (arcs_.size() > loop_ && cross(head_tangent_, loop_tangent_) < 0.0) {
+        arcs_.set_corner(loop_);
+    }
+    loop_ = arcs_.size();
+}
+
+Extent Boundary::extent() const {
+    return at_simd_level([arcs = outline()] {
+        const double x = arcs[0].from_x[0];
+        const double y = arcs[0].from_y[0];
+        Bounds bounds{x, x, y, y, 0.0};
+        for (const Outline& some : arcs) {
+            extend(some, bounds);
+        }
+        const double margin = std::floor(bounds.beyond + kRounding);
+        return Extent{{bounds.left - margin, bounds.bottom - margin},
+                      {bounds.right + margin, bounds.top + margin}};
+    });
+}
+
+// The middle of the arc is the sagitta, c/2 tan(half of the half angle), to the right of the chord.
+std::array<PixelArc, 2> halves(const PixelArc& arc) {
+    const double cosine = std::sqrt(0.5 * (1.0 + arc.cosine));
+    const double sine = 0.5 * arc.sine / cosine;
+    const Vec2 half_chord = 0.5 * arc.chord;
+    const Vec2 sagitta = -sine / cosine * turned_left(half_chord);
+    return {PixelArc{half_chord + sagitta, cosine, sine},
+            PixelArc{half_chord - sagitta, cosine, sine}};
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,112 @@
+#pragma once
+
+#include "texgen/raster/arcs/pixel_arc.h"
+#include "texgen/raster/coords/raster_grid.h"
+#include "texgen/raster/distance/arc_lanes.h"
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace foam::texgen {
+
+/// A box around a region, in subpixels.
+struct Extent {
+    Vec2 lowest{0.0, 0.0};
+    Vec2 highest{0.0, 0.0};
+};
+
+/// The boundary of a region: closed loops of arcs with the region on their left.
+///
+/// It exists twice: distances are measured from the exact arcs, in pixels; ids are decided by an
+/// outline of arcs whose ends are rounded to subpixels, which neighbors round alike.
+class Boundary {
+  public:
+    /// Eight arcs of an outline, in subpixels. Lanes beyond the last arc have no length.
+    struct alignas(64) Outline {
+        ArcLanes::Lanes<double> from_x, from_y, to_x, to_y;
+        ArcLanes::Lanes<double> cosine, sine;  // of half the angle by which the arc turns left
+    };
+
+    void clear();
+
+    /// Adds an exact arc, which begins where the last one of its loop ended. One of no length is
+    /// left out.
+    void add_arc(const PixelArc& shape, const Vec2& tail);
+    /// Ends a loop of exact arcs.
+    void close_loop();
+
+    /// Adds an arc to the outline, between whole subpixels.
+    void add_edge(const Vec2& from, const Vec2& to, double cosine, double sine);
+
+    /// Returns a box that encloses the outline and is larger by up to the sagitta of an arc.
+    /// Precondition: there is an arc.
+    Extent extent() const;
+
+    /// The exact arcs; wide ones are halved.
+    const ArcLanes& arcs() const { return arcs_; }
+    /// The same, without being halved.
+    const ArcLanes& films() const { return has_wide_ ? films_ : arcs_; }
+    std::span<const Outline> outline() const {
+        return std::span(outline_).first((edges_ + ArcLanes::kLanes - 1) / ArcLanes::kLanes);
+    }
+
+  private:
+    void add_wide(const PixelArc& shape, const Vec2& tail, bool corner);
+    void add_halves(const PixelArc& shape, const Vec2& tail, bool corner);
+
+    ArcLanes arcs_;
+    ArcLanes films_;
+    bool has_wide_ = false;
+    std::size_t loop_ = 0;         // its first arc
+    Vec2 loop_tangent_{0.0, 0.0};  // where it begins
+    Vec2 head_tangent_{0.0, 0.0};  // where the last arc ended
+    std::size_t edges_ = 0;
+    std::vector<Outline> outline_;
+};
+
+/// Returns the two halves of an arc, which have equal length.
+std::array<PixelArc, 2> halves(const PixelArc& arc);
+
+inline void Boundary::add_arc(const PixelArc& shape, const Vec2& tail) {
+    if (!(shape.chord.squaredNorm() > kShortestSide * kShortestSide)) {
+        return;
+    }
+    const Vec2 tangent = tail_tangent(shape);
+    const bool is_first = arcs_.size() == loop_;
+    if (is_first) {
+        loop_tangent_ = tangent;
+    }
+    const bool corner = !is_first && cross(head_tangent_, tangent) < 0.0;
+    head_tangent_ = head_tangent(shape);
+    if (has_wide_ || shape.cosine < ArcLanes::kLeastCosine) [[unlikely]] {
+        add_wide(shape, tail, corner);
+    } else {
+        arcs_.add(shape, tail, corner);
+    }
+}
+
+inline void Boundary::add_edge(const Vec2& from, const Vec2& to, double cosine, double sine) {
+    const std::size_t k = edges_ % ArcLanes::kLanes;
+    const std::size_t block = edges_ / ArcLanes::kLanes;
+    if (block == outline_.size()) {
+        outline_.emplace_back();
+    }
+    if (k == 0) {
+        outline_[block].from_x.fill(from.x());
+        outline_[block].from_y.fill(from.y());
+        outline_[block].to_x.fill(from.x());
+        outline_[block].to_y.fill(from.y());
+    }
+    Outline& to_block = outline_[block];
+    to_block.from_x[k] = from.x();
+    to_block.from_y[k] = from.y();
+    to_block.to_x[k] = to.x();
+    to_block.to_y[k] = to.y();
+    to_block.cosine[k] = cosine;
+    to_block.sine[k] = sine;
+    ++edges_;
+}
+
+}  // namespace foam::texgen
