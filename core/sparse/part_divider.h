@@ -28,9 +28,9 @@ struct ZoneBoxes {
     std::optional<PartBox> high;
 };
 
-/// What PartDivider works on, one element per node. Parts of the graph that are divided at the same
-/// time write different elements and read none of each other's, because a separator is between
-/// them.
+/// The working memory of PartDivider, one element per node. Parts of the graph that are divided at
+/// the same time write different elements and read none of each other's, because a separator is
+/// between them.
 struct DivisionMemory {
     static constexpr std::uint32_t kNotInPart = std::numeric_limits<std::uint32_t>::max();
 

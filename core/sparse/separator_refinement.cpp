@@ -9,8 +9,8 @@ namespace {
 
 constexpr int kMostSweeps = 20;
 
-// A sweep ends after this many moves without a lighter separator, per node of the separator and
-// altogether.
+// A sweep ends when the separator has not become lighter for this many moves per node that it had
+// at first, and at the latest for kMostFutileMoves.
 constexpr std::size_t kFutileMovesPerNode = 2;
 constexpr std::size_t kMostFutileMoves = 300;
 

@@ -8,7 +8,7 @@
 
 namespace foam::texgen {
 
-/// What arcs are near a point: the functions that their distances are made of, and bounds of the
+/// Arcs as a point sees them: the functions that their distances are made of, and bounds of the
 /// distances. Eight arcs are computed at once.
 class ArcView {
   public:
@@ -30,7 +30,7 @@ class ArcView {
 
     using FloatLanes = ArcLanes::Lanes<float>;
 
-    // What is computed of eight arcs.
+    // The results for eight arcs.
     struct alignas(64) Block {
         FloatLanes twice, slope_x, slope_y, curvature;
         FloatLanes tail, tail_x, tail_y, head, head_x, head_y;

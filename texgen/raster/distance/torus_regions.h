@@ -42,7 +42,7 @@ class TorusRegions {
     std::int32_t shear() const { return pixels_.shear; }
 
   private:
-    // What the boundaries on both sides of a film need of it, in one cache line. Pairs are of the
+    // A film as the boundaries on both its sides need it, in one cache line. Pairs are of the
     // forward side and of the other one.
     struct alignas(64) Film {
         double chord_x, chord_y;                     // of the forward side, pixels
