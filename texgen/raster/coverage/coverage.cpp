@@ -70,14 +70,25 @@ struct Band {
     }
 };
 
-// Appends the positions of the flags that are set; returns how many there are.
-std::size_t find_flags(std::span<const std::uint64_t> flags, std::uint16_t* positions) {
+constexpr std::size_t kFlagsAtOnce = 4;
+
+// Appends the positions of the flags that are set; returns how many there are. Writes up to
+// kFlagsAtOnce more. Most words have few flags, and how many is hard to predict: four are taken
+// without asking.
+[[gnu::always_inline]] inline std::size_t find_flags(std::span<const std::uint64_t> flags,
+                                                     std::uint16_t* positions) {
     std::size_t count = 0;
     for (std::size_t word = 0; word < flags.size(); ++word) {
-        for (std::uint64_t bits = flags[word]; bits != 0; bits &= bits - 1) {
-            const auto bit = static_cast<std::size_t>(std::countr_zero(bits));
-            positions[count++] = static_cast<std::uint16_t>(word * kFlagsPerWord + bit);
+        std::uint64_t bits = flags[word];
+        const std::size_t end = count + static_cast<std::size_t>(std::popcount(bits));
+        for (; count < end; count += kFlagsAtOnce) {
+            for (std::size_t k = 0; k < kFlagsAtOnce; ++k) {
+                const auto bit = static_cast<std::size_t>(std::countr_zero(bits));
+                positions[count + k] = static_cast<std::uint16_t>(word * kFlagsPerWord + bit);
+                bits &= bits - 1;
+            }
         }
+        count = end;
     }
     return count;
 }
@@ -170,22 +181,28 @@ void Coverage<Sums>::take_row(int row, const Sum& start, RowSums<Sum>& sums) {
     const auto index = static_cast<std::size_t>(row);
     const auto width = static_cast<std::size_t>(width_);
     const std::span<std::uint64_t> touched(&touched_[index * words_], words_);
-    grow(sums.begins, width + 2);
+    grow(sums.begins, width + 2 + kFlagsAtOnce);
     grow(sums.sums, width + 2);
     Sum sum = start;
     add_times(1, std::exchange(starts_[index], Sum{}), sum);
     const std::size_t untouched = (touched[0] & 1) == 0 ? 1 : 0;  // spans before the first arc
     sums.begins[0] = 0;
     sums.sums[0] = sum;
-    sums.count = untouched + find_flags(touched, &sums.begins[untouched]);
+    sums.count = at_simd_level([touched,
+                                untouched,
+                                sum,
+                                differences = &differences_[index * stride_],
+                                begins = sums.begins.data(),
+                                to = sums.sums.data()] {
+        const std::size_t count = untouched + find_flags(touched, &begins[untouched]);
+        Sum running = sum;
+        for (std::size_t k = untouched; k < count; ++k) {
+            add_times(1, std::exchange(differences[begins[k]], Sum{}), running);
+            to[k] = running;
+        }
+        return count;
+    });
     std::fill(touched.begin(), touched.end(), 0);
-    Sum* differences = &differences_[index * stride_];
-    const std::uint16_t* begins = sums.begins.data();
-    Sum* to = sums.sums.data();
-    for (std::size_t k = untouched; k < sums.count; ++k) {
-        add_times(1, std::exchange(differences[begins[k]], Sum{}), sum);
-        to[k] = sum;
-    }
     if (sums.begins[sums.count - 1] == width) {
         --sums.count;
     }

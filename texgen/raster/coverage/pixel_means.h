@@ -28,9 +28,16 @@ std::uint64_t packed(const std::array<Sample, Channels>& samples) {
     return pixel;
 }
 
-/// Computes the means of sums, which are those of ExactSums or of SmallSums.
-void find_means(std::span<const double> sums, std::uint16_t* means);
-void find_means(std::span<const std::uint32_t> sums, std::uint16_t* means);
+/// Computes the means of sums.
+template <class Sums>
+void find_means(std::span<const typename Sums::Number> sums, std::uint16_t* to) {
+    at_simd_level([sums, to] {
+        std::uint16_t* __restrict means = to;
+        for (std::size_t k = 0; k < sums.size(); ++k) {
+            means[k] = static_cast<std::uint16_t>(Sums::mean(sums[k]));
+        }
+    });
+}
 
 /// Makes pixels of encoded means: encode(mean) is a sample. Buffers are reused between rows.
 template <std::size_t Channels, class Sums, class Encode>
@@ -41,7 +48,7 @@ class EncodedMeans {
     void operator()(std::span<const typename Sums::Sum> sums, std::uint64_t* pixels) {
         constexpr std::size_t kChannels = std::tuple_size_v<typename Sums::Sum>;
         grow(means_, kChannels * sums.size());
-        find_means({sums.front().data(), kChannels * sums.size()}, means_.data());
+        find_means<Sums>({sums.front().data(), kChannels * sums.size()}, means_.data());
         const Encode encode = encode_;  // a copy, which no store changes
         const std::uint16_t* means = means_.data();
         for (std::size_t k = 0; k < sums.size(); ++k, means += kChannels) {
