@@ -36,7 +36,7 @@ filter_by_words() {
 # hash_of SOURCE: of all that decides what is found in it, the same in any folder.
 hash_of() (
     set -o pipefail
-    compile=$(grep -F -B 1 "\"file\": \"$1\"" "$build_dir/compile_commands.json" |
+    compile=$(grep -m 1 -F -B 1 "\"file\": \"$1\"" "$build_dir/compile_commands.json" |
         sed -nE 's/^ *"command": "(.*) -o .*",$/\1/p' | sed 's/\\"/"/g')
     {
         # All that the compiler sees, and comments.
