@@ -83,19 +83,19 @@ void append_piece(SubpixelPoint tail,
 /// negative if the chain goes clockwise.
 double twice_area(std::span<const MonotoneArc> chain, std::uint32_t bubble);
 
-/// Calls maker.make(k, batch) for each k in [0, count), in tasks of `per_task`. Every task has its
-/// own copy of the maker.
-template <class Maker>
+/// Calls make(k, batch) for each k in [0, count), in tasks of `per_task`. Every task has its own
+/// object with this member, which new_maker() returns.
+template <class NewMaker>
 CellArcs make_arcs(const RasterGrid& grid,
                    std::size_t count,
                    std::size_t per_task,
-                   const Maker& maker,
+                   const NewMaker& new_maker,
                    int threads) {
     const auto make = [&](std::size_t first, std::size_t last) {
-        Maker own = maker;
+        auto maker = new_maker();
         ArcBatch batch;
         for (std::size_t k = first; k < last; ++k) {
-            own.make(k, batch);
+            maker.make(k, batch);
         }
         return batch;
     };

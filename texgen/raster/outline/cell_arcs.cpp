@@ -3,8 +3,10 @@
 #include "texgen/raster/arcs/film_shapes.h"
 #include "texgen/raster/arcs/monotone_arc.h"
 #include "texgen/raster/coords/pixel_frame.h"
+#include "texgen/raster/outline/full_insets.h"
 #include "texgen/raster/outline/inset.h"
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <stdexcept>
@@ -70,39 +72,59 @@ class FilmArcs {
     const std::vector<std::int16_t>& periods_;
 };
 
-// The boundary of what films of a width leave free of a bubble.
+// The boundary of what films of a width leave free of the bubbles of a group.
 class InsetArcs {
   public:
+    static constexpr std::size_t kBubblesAtOnce = 16;
+
     InsetArcs(const PixelFrame& pixels, const std::vector<PixelArc>& shapes, double inset)
         : pixels_(pixels), shapes_(shapes), inset_(inset) {}
 
-    // Coordinates are relative to the tail of the first side.
-    void make(std::size_t index, ArcBatch& batch) {
-        const auto bubble = id_at<BubbleId>(index);
-        add_sides(bubble);
-        const SubpixelPoint origin = pixels_.junction(network().tail(network().first(bubble)));
-        const ArcLoops& loops = tracer_.trace(inset_);
-        for (std::size_t k = 0; k < loops.loop_ends.size(); ++k) {
-            append_loop(loops.loop(k), origin, bubble, batch);
+    void make(std::size_t group, ArcBatch& batch) {
+        const std::size_t first = group * kBubblesAtOnce;
+        const std::size_t end = std::min(first + kBubblesAtOnce, network().bubble_slots());
+        outlines_.sides.clear();
+        outlines_.loop_ends.clear();
+        for (std::size_t k = first; k < end; ++k) {
+            add_outline(id_at<BubbleId>(k));
         }
-        batch.unresolved += loops.open_ends;
+        full_.trace(outlines_, inset_);
+        for (std::size_t k = first; k < end; ++k) {
+            append_inset(id_at<BubbleId>(k), k - first, batch);
+        }
     }
 
   private:
     const Network& network() const { return pixels_.frame.network; }
 
-    void add_sides(BubbleId bubble) {
-        tracer_.clear();
+    // Coordinates are relative to the tail of the first side.
+    void add_outline(BubbleId bubble) {
         Vec2 tail = Vec2::Zero();
         const HalfEdgeId first = network().first(bubble);
         HalfEdgeId h = first;
         do {
             const PixelArc arc = shape_along(shapes_, h);
-            tracer_.add_side(arc, tail);
+            outlines_.sides.push_back({tail, arc});
             tail += arc.chord;
             h = network().next(h);
         } while (h != first);
-        tracer_.end_loop();
+        outlines_.loop_ends.push_back(outlines_.sides.size());
+    }
+
+    void append_inset(BubbleId bubble, std::size_t outline, ArcBatch& batch) {
+        const SubpixelPoint origin = pixels_.junction(network().tail(network().first(bubble)));
+        if (full_.shows_every_side(outline)) {
+            inset_loop_.sides.clear();
+            inset_loop_.loop_ends.clear();
+            full_.append_inset(outline, inset_loop_);
+            append_loop(inset_loop_.sides, origin, bubble, batch);
+            return;
+        }
+        const ArcLoops& loops = tracer_.trace_loop(outlines_, outline, inset_);
+        for (std::size_t k = 0; k < loops.loop_ends.size(); ++k) {
+            append_loop(loops.loop(k), origin, bubble, batch);
+        }
+        batch.unresolved += loops.open_ends;
     }
 
     // Drops a loop that is too small for subpixels, or of an invalid bubble.
@@ -127,6 +149,9 @@ class InsetArcs {
     const PixelFrame& pixels_;
     const std::vector<PixelArc>& shapes_;
     double inset_;
+    ArcLoops outlines_;
+    FullInsets full_;
+    ArcLoops inset_loop_;
     InsetTracer tracer_;
 };
 
@@ -136,12 +161,14 @@ CellArcs torus_arcs(const Frame& frame, const RasterGrid& grid, double film_widt
     if (film_width == 0.0) {
         const std::vector<std::int16_t> periods = periods_of_sides(network);
         const std::size_t groups = (network.film_slots() + kFilmsAtOnce - 1) / kFilmsAtOnce;
-        const FilmArcs films(pixels, periods);
+        const auto films = [&] { return FilmArcs(pixels, periods); };
         return make_arcs(grid, groups, kGroupsPerTask, films, threads);
     }
     const std::vector<PixelArc> shapes = film_shapes(frame, pixels.scale, threads);
-    const InsetArcs insets(pixels, shapes, 0.5 * film_width);
-    return make_arcs(grid, network.bubble_slots(), kBubblesPerTask, insets, threads);
+    const auto insets = [&] { return InsetArcs(pixels, shapes, 0.5 * film_width); };
+    constexpr std::size_t kAtOnce = InsetArcs::kBubblesAtOnce;
+    const std::size_t groups = (network.bubble_slots() + kAtOnce - 1) / kAtOnce;
+    return make_arcs(grid, groups, kBubblesPerTask / kAtOnce, insets, threads);
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 #include "texgen/raster/outline/inset.h"
 
 #include "texgen/raster/coords/raster_grid.h"
+#include "texgen/raster/outline/full_insets.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -21,58 +21,44 @@ constexpr double kLargestGap = 1e-3;
 
 bool within(const OffsetArc& a, const OffsetArc& b, double distance) {
     const double reach = extent(a) + extent(b) + distance;
-    return (a.middle - b.middle).squaredNorm() <= reach * reach;
+    return (a.middle - b.middle).squared_norm() <= reach * reach;
 }
 
 }  // namespace
 
-void InsetTracer::clear() {
-    all_sides_.clear();
-    all_loop_ends_.clear();
-}
-
-void InsetTracer::add_side(const PixelArc& side, const Vec2& tail) {
-    if (side.chord.norm() > kShortestSide) {
-        all_sides_.push_back(place(side, tail));
+const ArcLoops& InsetTracer::trace(const ArcLoops& region, double distance) {
+    begin(distance);
+    for (std::size_t k = 0; k < region.loop_ends.size(); ++k) {
+        add_loop(region.loop(k));
     }
+    return trace_pieces();
 }
 
-void InsetTracer::end_loop() {
-    all_loop_ends_.push_back(all_sides_.size());
+const ArcLoops& InsetTracer::trace_loop(const ArcLoops& region, std::size_t loop, double distance) {
+    begin(distance);
+    add_loop(region.loop(loop));
+    return trace_pieces();
 }
 
-const ArcLoops& InsetTracer::trace(double distance) {
-    return trace(all_sides_, all_loop_ends_, distance);
-}
-
-const ArcLoops& InsetTracer::trace_loop(std::size_t loop, double distance) {
-    const std::size_t begin = loop == 0 ? 0 : all_loop_ends_[loop - 1];
-    const std::size_t size = all_loop_ends_[loop] - begin;
-    return trace(std::span(all_sides_).subspan(begin, size), std::array{size}, distance);
-}
-
-const ArcLoops& InsetTracer::trace(std::span<const OffsetArc> sides,
-                                   std::span<const std::size_t> loop_ends,
-                                   double distance) {
-    sides_ = sides;
+void InsetTracer::begin(double distance) {
     distance_ = distance;
-    loops_.sides.clear();
-    loops_.loop_ends.clear();
-    loops_.open_ends = 0;
-    if (loop_ends.size() != 1 || !full_inset_.trace(sides, distance, loops_)) {
-        trace_pieces(loop_ends);
-    }
-    return loops_;
+    sides_.clear();
+    offsets_.clear();
+    pieces_.clear();
+    loops_ = {};
 }
 
-void InsetTracer::trace_pieces(std::span<const std::size_t> loop_ends) {
-    pieces_.clear();
-    offsets_.clear();
-    std::size_t first = 0;
-    for (const std::size_t end : loop_ends) {
-        collect_offsets(first, end);
-        first = end;
+void InsetTracer::add_loop(std::span<const ArcLoops::Side> loop) {
+    const std::size_t first = sides_.size();
+    for (const ArcLoops::Side& side : loop) {
+        if (side.arc.chord.norm() > kShortestSide) {
+            sides_.push_back(place(side.arc, side.tail));
+        }
     }
+    collect_offsets(first, sides_.size());
+}
+
+const ArcLoops& InsetTracer::trace_pieces() {
     for (std::size_t k = 0; k < offsets_.size(); ++k) {
         collect_pieces(k);
     }
@@ -81,6 +67,7 @@ void InsetTracer::trace_pieces(std::span<const std::size_t> loop_ends) {
             link_loop(piece);
         }
     }
+    return loops_;
 }
 
 void InsetTracer::collect_offsets(std::size_t first, std::size_t end) {
@@ -122,7 +109,7 @@ void InsetTracer::collect_nearby(const Offset& offset) {
     }
 }
 
-bool InsetTracer::keeps_distance(const Vec2& point) const {
+bool InsetTracer::keeps_distance(Point point) const {
     return std::all_of(nearby_.begin(), nearby_.end(), [&](std::size_t k) {
         return texgen::distance(sides_[k], point) >= distance_ - kDistanceTolerance;
     });
@@ -156,7 +143,7 @@ InsetTracer::Piece* InsetTracer::successor(const Piece& piece, const Piece& firs
     Piece* nearest = nullptr;
     double least = kLargestGap * kLargestGap;
     for (Piece& candidate : pieces_) {
-        const double gap = (candidate.tail - piece.head).squaredNorm();
+        const double gap = (candidate.tail - piece.head).squared_norm();
         if (gap < least && (!candidate.linked || &candidate == &first)) {
             least = gap;
             nearest = &candidate;
@@ -177,8 +164,9 @@ void InsetTracer::link_loop(Piece& first) {
             return;
         }
         const OffsetArc& arc = offsets_[current->offset].arc;
+        const HalfAngle turn = half_angle_between(arc.curvature, current->from, current->to);
         loops_.sides.push_back(
-            {current->tail, piece(arc, current->from, current->to, next->tail - current->tail)});
+            {current->tail, {next->tail - current->tail, turn.cosine, turn.sine}});
         current = next;
     } while (current != &first);
     loops_.loop_ends.push_back(loops_.sides.size());

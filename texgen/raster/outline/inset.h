@@ -1,7 +1,6 @@
 #pragma once
 
 #include "texgen/raster/arcs/pixel_arc.h"
-#include "texgen/raster/outline/full_inset.h"
 #include "texgen/raster/outline/offset_arc.h"
 
 #include <cstddef>
@@ -17,27 +16,19 @@ namespace foam::texgen {
 /// Each offset is cut where it crosses another; a piece between two cuts belongs to the boundary
 /// exactly if its middle keeps the distance. So sides that are too short to show drop out, a narrow
 /// bubble falls into several parts, and one that is all film into none, without any case being told
-/// apart. FullInset is tried first, and gives the same bits.
+/// apart. Where FullInsets finds an inset, it is the same to the last bit.
 ///
 /// Buffers are reused between regions.
 class InsetTracer {
   public:
-    /// Begins a region.
-    void clear();
-
-    /// Adds the next side of a loop, which has the region on its left; pixels. A side without a
-    /// length is left out.
-    void add_side(const PixelArc& side, const Vec2& tail);
-
-    /// Ends a loop: its last side ended where the first one began. Loops go counter-clockwise
-    /// around the region, and clockwise around what is left out of it.
-    void end_loop();
-
-    /// Precondition: distance > 0, in pixels. The result is valid until the next call.
-    const ArcLoops& trace(double distance);
+    /// Traces the inset of a region that is on the left of all its loops, which go
+    /// counter-clockwise around it, and clockwise around what is left out of it. Sides without a
+    /// length are left out. Precondition: distance > 0, in pixels. The result is valid until the
+    /// next call.
+    const ArcLoops& trace(const ArcLoops& region, double distance);
 
     /// Traces one of the loops as if it were the only one.
-    const ArcLoops& trace_loop(std::size_t loop, double distance);
+    const ArcLoops& trace_loop(const ArcLoops& region, std::size_t loop, double distance);
 
   private:
     struct Offset {
@@ -48,33 +39,27 @@ class InsetTracer {
         std::size_t offset = 0;
         double from = 0.0;  // parameters
         double to = 0.0;
-        Vec2 tail{0.0, 0.0};
-        Vec2 head{0.0, 0.0};
+        Point tail;
+        Point head;
         bool linked = false;
     };
 
-    const ArcLoops& trace(std::span<const OffsetArc> sides,
-                          std::span<const std::size_t> loop_ends,
-                          double distance);
-
-    void trace_pieces(std::span<const std::size_t> loop_ends);
+    void begin(double distance);
+    void add_loop(std::span<const ArcLoops::Side> loop);
+    const ArcLoops& trace_pieces();
     void collect_offsets(std::size_t first, std::size_t end);
     void collect_cuts(const Offset& offset);
     void collect_nearby(const Offset& offset);
     void collect_pieces(std::size_t index);
-    bool keeps_distance(const Vec2& point) const;
+    bool keeps_distance(Point point) const;
     Piece* successor(const Piece& piece, const Piece& first);
     void link_loop(Piece& first);
 
-    std::vector<OffsetArc> all_sides_;
-    std::vector<std::size_t> all_loop_ends_;
-
-    std::span<const OffsetArc> sides_;  // of the loops that are traced
+    std::vector<OffsetArc> sides_;
     double distance_ = 0.0;
     std::vector<Offset> offsets_;
     ArcLoops loops_;
 
-    FullInset full_inset_;
     std::vector<double> cuts_;         // parameters along one offset
     std::vector<std::size_t> nearby_;  // sides that may come too near to one offset
     std::vector<Piece> pieces_;

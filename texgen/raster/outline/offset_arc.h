@@ -6,17 +6,42 @@
 
 namespace foam::texgen {
 
+/// A point or a vector of the plane as two numbers. Operations on Vec2 are Eigen's own vectors of
+/// two, which keep a compiler from computing a loop over many points at once.
+struct Point {
+    double x = 0.0;
+    double y = 0.0;
+
+    Point() = default;
+    Point(double of_x, double of_y) : x(of_x), y(of_y) {}
+    Point(const Vec2& v) : x(v.x()), y(v.y()) {}  // NOLINT: the same thing
+    operator Vec2() const { return {x, y}; }      // NOLINT
+
+    double dot(Point b) const { return x * b.x + y * b.y; }
+    double squared_norm() const { return dot(*this); }
+    double norm() const { return std::sqrt(squared_norm()); }
+
+    friend Point operator+(Point a, Point b) { return {a.x + b.x, a.y + b.y}; }
+    friend Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
+    friend Point operator*(double factor, Point a) { return {factor * a.x, factor * a.y}; }
+    friend Point operator/(Point a, double divisor) { return {a.x / divisor, a.y / divisor}; }
+    friend double cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
+    friend Point turned_left(Point v) { return {-v.y, v.x}; }
+};
+
 /// A side of a bubble, or the offset of one, placed in the plane (pixels), with the bubble on its
 /// left.
 ///
 /// A point of it has the parameter s = 2 r tan(phi / 2), where r is the radius and phi the angle
 /// turned since the middle. It is finite on every arc, equals the arc length on a straight one, and
 /// is rational in the coordinates, so that no formula divides by a curvature.
+///
+/// What is inline here is also computed for many arcs at once (FullInsets).
 struct OffsetArc {
-    Vec2 middle{0.0, 0.0};
-    Vec2 direction{0.0, 0.0};  // unit tangent in the middle
-    double curvature = 0.0;    // 1 / pixels, positive where the arc turns left
-    double cosine = 1.0;       // of half the angle that it turns
+    Point middle;
+    Point direction;         // unit tangent in the middle
+    double curvature = 0.0;  // 1 / pixels, positive where the arc turns left
+    double cosine = 1.0;     // of half the angle that it turns
     double sine = 0.0;
     double reach = 0.0;  // parameter of the head; that of the tail is -reach
 };
@@ -25,11 +50,24 @@ struct OffsetArc {
 inline constexpr double kSmallestShrinkage = 1e-9;
 
 /// Precondition: the chord is not zero.
-OffsetArc place(const PixelArc& arc, const Vec2& tail);
+inline OffsetArc place(Point chord, double cosine, double sine, Point tail) {
+    const double length = chord.norm();
+    const Point direction = chord / length;
+    const double reach = length / (1.0 + cosine);
+    const Point middle = tail + 0.5 * (chord - (reach * sine) * turned_left(direction));
+    return {middle, direction, 2.0 * sine / length, cosine, sine, reach};
+}
+inline OffsetArc place(const PixelArc& arc, Point tail) {
+    return place(arc.chord, arc.cosine, arc.sine, tail);
+}
 
-/// Returns the unit tangents at the ends.
-Vec2 tail_tangent(const OffsetArc& arc);
-Vec2 head_tangent(const OffsetArc& arc);
+/// Return the unit tangents at the ends.
+inline Point tail_tangent(const OffsetArc& arc) {
+    return arc.cosine * arc.direction - arc.sine * turned_left(arc.direction);
+}
+inline Point head_tangent(const OffsetArc& arc) {
+    return arc.cosine * arc.direction + arc.sine * turned_left(arc.direction);
+}
 
 /// Returns the radius of the offset to the left over the radius of the arc: 0 or less where the
 /// arc's center is no farther away than the distance.
@@ -38,17 +76,43 @@ inline double shrinkage(const OffsetArc& arc, double distance) {
 }
 
 /// Returns the arc at a distance to the left. Precondition: its shrinkage is positive.
-OffsetArc offset_left(const OffsetArc& arc, double distance);
+inline OffsetArc offset_left(const OffsetArc& arc, double distance) {
+    const double shrunk = shrinkage(arc, distance);
+    return {arc.middle + distance * turned_left(arc.direction),
+            arc.direction,
+            arc.curvature / shrunk,
+            arc.cosine,
+            arc.sine,
+            arc.reach * shrunk};
+}
 
 /// Returns the offset of a corner between two sides that turns right: the circle around the corner,
 /// from the offset of the first side to that of the second.
 OffsetArc corner_arc(const OffsetArc& before, const OffsetArc& after, double distance);
 
 /// Returns the point with a parameter.
-Vec2 point_at(const OffsetArc& arc, double parameter);
+inline Point point_at(const OffsetArc& arc, double parameter) {
+    const double tangent = 0.5 * arc.curvature * parameter;
+    const double scale = parameter / (1.0 + tangent * tangent);
+    return arc.middle + scale * (arc.direction + tangent * turned_left(arc.direction));
+}
 
-/// Returns the piece between two parameters, from < to, whose ends are known to differ by `chord`.
-PixelArc piece(const OffsetArc& arc, double from, double to, const Vec2& chord);
+/// The cosine and the sine of half an angle.
+struct HalfAngle {
+    double cosine;
+    double sine;
+};
+
+/// Returns half the angle by which an arc of a curvature turns between two parameters, from < to.
+/// Parameters are proportional to tangents of half the angle turned since the middle; the half
+/// angle of the piece is the difference of two such halves.
+inline HalfAngle half_angle_between(double curvature, double from, double to) {
+    const double half = 0.5 * curvature;
+    const double sine = half * (to - from);
+    const double cosine = 1.0 + half * half * from * to;
+    const double scale = 1.0 / std::sqrt(sine * sine + cosine * cosine);
+    return {cosine * scale, sine * scale};
+}
 
 /// Parameters at which an arc, extended to its whole circle, crosses the whole circle of another:
 /// to the other's right side and to its left. Infinite or NaN where there is no such crossing.
@@ -56,24 +120,37 @@ struct Crossings {
     double leaving;
     double entering;
 };
-Crossings crossings(const OffsetArc& arc, const OffsetArc& other);
+
+/// With y(s) = s / (1 + (k s / 2)²) (t + (k s / 2) n) the points of the one circle, relative to its
+/// middle, the equation of the other, n' (y - q) - k' / 2 |y - q|² = 0, becomes
+/// a s² + b s - e = 0. Each root is computed in the form that does not cancel.
+inline Crossings crossings(const OffsetArc& arc, const OffsetArc& other) {
+    const Point q = other.middle - arc.middle;
+    const Point m = other.curvature * q + turned_left(other.direction);
+    const double e = cross(other.direction, q) + 0.5 * other.curvature * q.squared_norm();
+    const double b = m.dot(arc.direction);
+    const double across = cross(arc.direction, m);
+    const double a =
+        0.5 * (arc.curvature * across - other.curvature) - 0.25 * e * arc.curvature * arc.curvature;
+    const double slope = std::sqrt(b * b + 4.0 * a * e);  // minus it at the one, plus at the other
+    return {(b <= 0.0 ? -2.0 * e : -(b + slope)) / (b <= 0.0 ? slope - b : 2.0 * a),
+            (b >= 0.0 ? 2.0 * e : slope - b) / (b >= 0.0 ? b + slope : 2.0 * a)};
+}
 
 /// Returns the distance of a point from the nearest point of the arc.
-double distance(const OffsetArc& arc, const Vec2& point);
+double distance(const OffsetArc& arc, Point point);
 
 /// Returns the radius of the smallest disc around the middle that holds the arc.
 double extent(const OffsetArc& arc);
 
-/// Returns the signed distance of the point middle + (x, y) to the left of the whole circle of an
-/// arc with this unit tangent in its middle. Arguments are numbers, so that loops over points are
-/// vectorized.
+/// Returns the signed distance of a point to the left of the whole circle of an arc.
 ///
-/// With f = n (x, y) - k / 2 (x² + y²), which is 0 on the circle and has a slope of 1 there,
-/// 1 - 2 k f is the squared distance from the center over the squared radius.
-[[gnu::always_inline]] inline double distance_left(
-    double along_x, double along_y, double curvature, double x, double y) {
-    const double f = along_x * y - along_y * x - 0.5 * curvature * (x * x + y * y);
-    const double squared = 1.0 - 2.0 * curvature * f;
+/// With f = n y - k / 2 y² for the point y seen from the middle, which is 0 on the circle and has a
+/// slope of 1 there, 1 - 2 k f is the squared distance from the center over the squared radius.
+inline double distance_left(const OffsetArc& arc, Point point) {
+    const Point y = point - arc.middle;
+    const double f = cross(arc.direction, y) - 0.5 * arc.curvature * y.squared_norm();
+    const double squared = 1.0 - 2.0 * arc.curvature * f;
     return 2.0 * f / (1.0 + std::sqrt(squared > 0.0 ? squared : 0.0));
 }
 

@@ -3,6 +3,7 @@
 #include "texgen/raster/arcs/pixel_arc.h"
 #include "texgen/raster/outline/cell_arcs.h"
 #include "texgen/raster/outline/clip_arc.h"
+#include "texgen/raster/outline/full_insets.h"
 #include "texgen/raster/outline/inset.h"
 
 #include <span>
@@ -42,35 +43,39 @@ class PatchArcs {
             append_loops(boundaries, Vec2::Zero(), bubble, batch);
             return;
         }
-        // Near the origin, coordinates are most exact.
-        const Vec2 anchor = boundaries.sides.front().tail;
-        add_sides(boundaries, anchor);
-        if (const ArcLoops& loops = tracer_.trace(inset_); loops.open_ends == 0) {
-            append_loops(loops, anchor, bubble, batch);
-        } else {
-            append_each(boundaries, anchor, bubble, batch);
-        }
+        append_insets(boundaries, bubble, batch);
     }
 
   private:
-    void add_sides(const ArcLoops& boundaries, const Vec2& anchor) {
-        tracer_.clear();
-        for (std::size_t k = 0; k < boundaries.loop_ends.size(); ++k) {
-            for (const ArcLoops::Side& side : boundaries.loop(k)) {
-                tracer_.add_side(side.arc, side.tail - anchor);
-            }
-            tracer_.end_loop();
+    void append_insets(const ArcLoops& boundaries, BubbleId bubble, ArcBatch& batch) {
+        // Near the origin, coordinates are most exact.
+        const Vec2 anchor = boundaries.sides.front().tail;
+        ArcLoops region = boundaries;
+        for (ArcLoops::Side& side : region.sides) {
+            side.tail -= anchor;
+        }
+        full_.trace(region, inset_);
+        if (region.loop_ends.size() == 1 && full_.shows_every_side(0)) {
+            ArcLoops loops;
+            full_.append_inset(0, loops);
+            append_loops(loops, anchor, bubble, batch);
+        } else if (const ArcLoops& loops = tracer_.trace(region, inset_); loops.open_ends == 0) {
+            append_loops(loops, anchor, bubble, batch);
+        } else {
+            append_each(boundaries, region, bubble, batch);
         }
     }
 
     // Rafts that overlap, which nothing forbids, have no common boundary: each has its own then.
     // One that overlaps itself keeps its films without their outer half.
+    // `region` is the same as `boundaries`, relative to its anchor.
     void append_each(const ArcLoops& boundaries,
-                     const Vec2& anchor,
+                     const ArcLoops& region,
                      BubbleId bubble,
                      ArcBatch& batch) {
+        const Vec2& anchor = boundaries.sides.front().tail;
         for (std::size_t k = 0; k < boundaries.loop_ends.size(); ++k) {
-            const ArcLoops& loops = tracer_.trace_loop(k, inset_);
+            const ArcLoops& loops = tracer_.trace_loop(region, k, inset_);
             batch.unresolved += loops.open_ends;
             if (loops.open_ends == 0) {
                 append_loops(loops, anchor, bubble, batch);
@@ -149,6 +154,7 @@ class PatchArcs {
     const PixelPatch& pixels_;
     double inset_;
     std::vector<ArcLoops::Side> loop_;
+    FullInsets full_;
     InsetTracer tracer_;
 };
 
@@ -156,7 +162,7 @@ class PatchArcs {
 
 CellArcs patch_arcs(const Frame& frame, const RasterGrid& grid, double film_width, int threads) {
     const PixelPatch pixels{frame, grid, pixels_per_unit(grid, frame.domain)};
-    const PatchArcs arcs(pixels, film_width);
+    const auto arcs = [&] { return PatchArcs(pixels, film_width); };
     CellArcs cells = make_arcs(grid, region_count(frame), kBubblesPerTask, arcs, threads);
     cells.outside = frame.network.ghost();
     return cells;

@@ -65,7 +65,8 @@ struct CountingMaker {
 };
 
 TEST(MonotoneArc, BatchesAreMadeByTasks) {
-    const CellArcs cells = make_arcs({4, 6}, 5, 2, CountingMaker{}, 2);
+    const CellArcs cells = make_arcs(
+        {4, 6}, 5, 2, [] { return CountingMaker{}; }, 2);
     ASSERT_EQ(cells.batches.size(), 3U);
     EXPECT_EQ(cells.batches[0].size(), 1U);
     EXPECT_EQ(cells.batches[1].size(), 5U);

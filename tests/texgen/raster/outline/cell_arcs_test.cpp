@@ -64,16 +64,18 @@ TEST(CellArcs, LeaveAStripOfHalfTheWidthFree) {
 
 // As InsetTracer finds it for each bubble; in pixels.
 double area_left_free(const Frame& frame, double scale, BubbleId bubble, double inset) {
-    InsetTracer tracer;
+    ArcLoops outline;
     Vec2 at = Vec2::Zero();
     for (const HalfEdgeId h : frame.network.around(bubble)) {
         const FilmArc arc{scale * frame.arc(h).chord, frame.arc(h).half_angle};
-        tracer.add_side(pixel_arc(arc), at);
+        outline.sides.push_back({at, pixel_arc(arc)});
         at += arc.chord;
     }
-    tracer.end_loop();
+    outline.loop_ends.push_back(outline.sides.size());
+    InsetTracer tracer;
     double area = 0.0;
-    for (const ArcLoops& loops = tracer.trace(inset); const ArcLoops::Side& arc : loops.sides) {
+    for (const ArcLoops& loops = tracer.trace(outline, inset);
+         const ArcLoops::Side& arc : loops.sides) {
         area += 0.5 * cross(arc.tail, arc.arc.chord) + segment_area(film_arc(arc.arc));
     }
     return area;

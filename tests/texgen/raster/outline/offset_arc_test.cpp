@@ -38,7 +38,7 @@ TEST(OffsetArc, DistanceIsThatToTheNearestPoint) {
             for (const double y : {-1.1, 0.3, 1.4, 2.2, 3.1, 4.6}) {
                 const Vec2 point(x, y);
                 EXPECT_NEAR(distance(side, point), brute_distance(arc, {1.0, 2.0}, point), 1e-3)
-                    << half_angle << " at " << point.transpose();
+                    << half_angle << " at " << x << ", " << y;
             }
         }
     }
@@ -50,8 +50,8 @@ TEST(OffsetArc, OffsetKeepsItsDistanceAndItsNormals) {
         const OffsetArc offset = offset_left(side, 1.5);
         for (int k = 0; k <= 10; ++k) {
             const double along = (0.2 * k - 1.0);
-            const Vec2 here = point_at(side, along * side.reach);
-            const Vec2 there = point_at(offset, along * offset.reach);
+            const Point here = point_at(side, along * side.reach);
+            const Point there = point_at(offset, along * offset.reach);
             EXPECT_NEAR((there - here).norm(), 1.5, 1e-12);
             EXPECT_NEAR(distance(side, there), 1.5, 1e-12);
         }
@@ -99,13 +99,14 @@ TEST(OffsetArc, CrossingsLieOnBothArcs) {
     }
 }
 
-TEST(OffsetArc, PieceGoesFromPointToPoint) {
+TEST(OffsetArc, APieceTurnsByItsShareOfTheArc) {
     const OffsetArc side = place(pixel_arc({Vec2(4.0, 1.0), 1.1}), {2.0, 2.0});
+    const HalfAngle turn = half_angle_between(side.curvature, -0.5, 1.0);
     const FilmArc part =
-        film_arc(piece(side, -0.5, 1.0, point_at(side, 1.0) - point_at(side, -0.5)));
+        film_arc({point_at(side, 1.0) - point_at(side, -0.5), turn.cosine, turn.sine});
     EXPECT_NEAR(foam::curvature(part), side.curvature, 1e-14);
-    const FilmArc whole = film_arc(piece(side, -side.reach, side.reach, {4.0, 1.0}));
-    EXPECT_NEAR(whole.half_angle, 1.1, 1e-14);
+    const HalfAngle whole = half_angle_between(side.curvature, -side.reach, side.reach);
+    EXPECT_NEAR(std::atan2(whole.sine, whole.cosine), 1.1, 1e-14);
 }
 
 // A corner at the origin, where a side along the x axis meets one that turns right by 60 degrees.
@@ -144,13 +145,7 @@ TEST(OffsetArc, DistanceLeftIsSigned) {
             for (const double y : {-1.0, 0.7, 3.0}) {
                 const double expected =
                     (1.0 / std::abs(arc.curvature)) - (Vec2(x, y) - center).norm();
-                EXPECT_NEAR(distance_left(arc.direction.x(),
-                                          arc.direction.y(),
-                                          arc.curvature,
-                                          x - arc.middle.x(),
-                                          y - arc.middle.y()),
-                            sign * expected,
-                            1e-12);
+                EXPECT_NEAR(distance_left(arc, {x, y}), sign * expected, 1e-12);
             }
         }
     }

@@ -1,0 +1,171 @@
+#include "texgen/raster/outline/full_insets.h"
+
+#include "tests/support/sample_foams.h"
+#include "tests/support/simd_levels.h"
+#include "texgen/raster/outline/inset.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace foam::texgen {
+namespace {
+
+void add_polygon(const std::vector<Vec2>& corners, double half_angle, ArcLoops& to) {
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+        const Vec2 chord = corners[(k + 1) % corners.size()] - corners[k];
+        to.sides.push_back({corners[k], pixel_arc({chord, half_angle})});
+    }
+    to.loop_ends.push_back(to.sides.size());
+}
+
+ArcLoops polygon(const std::vector<Vec2>& corners, double half_angle = 0.0) {
+    ArcLoops outlines;
+    add_polygon(corners, half_angle, outlines);
+    return outlines;
+}
+
+std::vector<Vec2> regular(int count, double radius) {
+    std::vector<Vec2> corners;
+    for (int k = 0; k < count; ++k) {
+        const double angle = k * 6.283185307179586 / count;
+        corners.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+    }
+    return corners;
+}
+
+bool shows_every_side(const ArcLoops& outlines, double distance) {
+    FullInsets insets;
+    insets.trace(outlines, distance);
+    return insets.shows_every_side(0);
+}
+
+TEST(FullInsets, OfARectangleIsARectangle) {
+    at_every_simd_level([] {
+        FullInsets insets;
+        insets.trace(polygon({{0, 0}, {9, 0}, {9, 5}, {0, 5}}), 1.0);
+        ASSERT_TRUE(insets.shows_every_side(0));
+        ArcLoops loops;
+        insets.append_inset(0, loops);
+        ASSERT_EQ(loops.loop_ends, std::vector<std::size_t>{4});
+        const std::vector<Vec2> tails{{1, 1}, {8, 1}, {8, 4}, {1, 4}};
+        for (std::size_t k = 0; k < tails.size(); ++k) {
+            EXPECT_LT((loops.sides[k].tail - tails[k]).norm(), 1e-12);
+            EXPECT_NEAR(loops.sides[k].arc.sine, 0.0, 1e-15);
+        }
+    });
+}
+
+// The offset of an arc of a hexagon keeps its center, so that the inset's corners are on the
+// bisectors.
+TEST(FullInsets, KeepTheCurvatureCentersOfASymmetricBubble) {
+    const std::vector<Vec2> corners = regular(6, 10.0);
+    FullInsets insets;
+    insets.trace(polygon(corners, 0.2), 1.0);
+    ASSERT_TRUE(insets.shows_every_side(0));
+    ArcLoops loops;
+    insets.append_inset(0, loops);
+    ASSERT_EQ(loops.sides.size(), 6U);
+    for (std::size_t k = 0; k < 6; ++k) {
+        EXPECT_NEAR(cross(loops.sides[k].tail, corners[k]), 0.0, 1e-9);
+        EXPECT_LT(loops.sides[k].tail.norm(), 10.0);
+    }
+}
+
+TEST(FullInsets, AreNotProvenWhereASideDropsOut) {
+    const auto cut_corner = polygon({{0, 0}, {10, 0}, {10, 9.5}, {9.5, 10}, {0, 10}});
+    EXPECT_TRUE(shows_every_side(cut_corner, 0.5));
+    EXPECT_FALSE(shows_every_side(cut_corner, 3.0));
+    EXPECT_FALSE(shows_every_side(polygon({{0, 0}, {9, 0}, {9, 2}, {0, 2}}), 1.5));
+    EXPECT_FALSE(shows_every_side(polygon({{0, 0}, {9, 0}}), 0.1));                  // two sides
+    EXPECT_FALSE(shows_every_side(polygon({{0, 0}, {9, 0}, {9, 0}, {9, 5}}), 0.1));  // no length
+}
+
+// An L of which the inner corner turns right: circles around it belong to the inset.
+TEST(FullInsets, AreNotProvenAtACornerThatTurnsRight) {
+    EXPECT_FALSE(
+        shows_every_side(polygon({{0, 0}, {10, 0}, {10, 4}, {4, 4}, {4, 10}, {0, 10}}), 1.0));
+}
+
+TEST(FullInsets, DoNotProveWhatIsBeyondTheirCapacity) {
+    ArcLoops outlines = polygon(regular(12, 40.0));
+    add_polygon(regular(600, 1000.0), 0.0, outlines);
+    add_polygon(regular(5, 20.0), 0.0, outlines);
+    FullInsets insets;
+    insets.trace(outlines, 1.0);
+    EXPECT_TRUE(insets.shows_every_side(0));
+    EXPECT_FALSE(insets.shows_every_side(1));
+    EXPECT_TRUE(insets.shows_every_side(2));
+}
+
+// Returns the outlines of all bubbles, in foam units.
+ArcLoops outlines_of(const Foam& foam) {
+    const Frame frame = snapshot(foam, 1);
+    ArcLoops outlines;
+    for (const BubbleId bubble : frame.network.bubbles()) {
+        Vec2 tail = Vec2::Zero();
+        for (const HalfEdgeId h : frame.network.around(bubble)) {
+            outlines.sides.push_back({tail, pixel_arc(frame.arc(h))});
+            tail += outlines.sides.back().arc.chord;
+        }
+        outlines.loop_ends.push_back(outlines.sides.size());
+    }
+    return outlines;
+}
+
+void expect_same(const ArcLoops& found, const ArcLoops& expected) {
+    ASSERT_EQ(found.loop_ends, expected.loop_ends);
+    for (std::size_t k = 0; k < found.sides.size(); ++k) {
+        const ArcLoops::Side& a = found.sides[k];
+        const ArcLoops::Side& b = expected.sides[k];
+        EXPECT_EQ(a.tail, b.tail);
+        EXPECT_EQ(a.arc.chord, b.arc.chord);
+        EXPECT_EQ(a.arc.cosine, b.arc.cosine);
+        EXPECT_EQ(a.arc.sine, b.arc.sine);
+    }
+}
+
+// Returns the number of bubbles of which every side shows.
+int compare_with_all_cuts(const Foam& foam, double distance) {
+    const ArcLoops outlines = outlines_of(foam);
+    constexpr std::size_t kAtOnce = 16;
+    FullInsets insets;
+    InsetTracer tracer;
+    int proven = 0;
+    for (std::size_t first = 0; first < outlines.loop_ends.size(); first += kAtOnce) {
+        const std::size_t end = std::min(first + kAtOnce, outlines.loop_ends.size());
+        ArcLoops some;
+        for (std::size_t loop = first; loop < end; ++loop) {
+            const auto sides = outlines.loop(loop);
+            some.sides.insert(some.sides.end(), sides.begin(), sides.end());
+            some.loop_ends.push_back(some.sides.size());
+        }
+        insets.trace(some, distance);
+        for (std::size_t loop = 0; loop < end - first; ++loop) {
+            if (insets.shows_every_side(loop)) {
+                ++proven;
+                ArcLoops found;
+                insets.append_inset(loop, found);
+                expect_same(found, tracer.trace_loop(some, loop, distance));
+            }
+        }
+    }
+    return proven;
+}
+
+TEST(FullInsets, AreThoseOfTheTracerToTheLastBit) {
+    at_every_simd_level([] {
+        for (const std::uint64_t seed : {1U, 2U, 3U}) {
+            for (const double distance : {0.01, 0.04, 0.1, 0.2, 0.35}) {
+                compare_with_all_cuts(test::bent_foam(200, 0.3, seed), distance);
+                compare_with_all_cuts(test::bent_foam(60, 1.5, seed), distance);
+                compare_with_all_cuts(test::polydisperse_foam(60, seed), distance);
+            }
+        }
+        EXPECT_GT(compare_with_all_cuts(test::polydisperse_foam(300, 1), 0.05), 200);
+    });
+}
+
+}  // namespace
+}  // namespace foam::texgen

@@ -1,0 +1,236 @@
+#include "texgen/raster/outline/full_insets.h"
+
+#include "texgen/raster/coords/raster_grid.h"
+#include "texgen/raster/outline/offset_arc.h"
+#include "texgen/raster/simd/kernel.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <span>
+
+namespace foam::texgen {
+
+namespace {
+
+// Bounds within which the nearest points of two sides that meet lie on the sides themselves: of
+// half the angle that a side turns, and of the angle that they turn by where they meet.
+constexpr double kLeastSideCosine = 0.5;
+constexpr double kLeastCornerSine = 1e-3;
+constexpr double kLeastCornerCosine = -0.5;
+
+constexpr std::size_t kFewestSides = 3;
+
+constexpr std::size_t kLanes = 8;
+template <class Number>
+using Lanes = std::array<Number, kLanes>;
+
+}  // namespace
+
+// The loops over all sides.
+struct FullInsets::Formulas {
+    static OffsetArc side(const Columns& c, std::size_t k) {
+        return {{c.middle_x[k], c.middle_y[k]},
+                {c.along_x[k], c.along_y[k]},
+                c.curvature[k],
+                c.cosine[k],
+                c.sine[k]};
+    }
+
+    static OffsetArc offset(const Columns& c, std::size_t k) {
+        return {{c.offset_x[k], c.offset_y[k]},
+                {c.along_x[k], c.along_y[k]},
+                c.offset_curvature[k],
+                c.cosine[k],
+                c.sine[k],
+                c.offset_reach[k]};
+    }
+
+    static void offset_sides(Columns& c, std::size_t count, double distance) {
+        for (std::size_t k = 0; k < count; ++k) {
+            const Point chord(c.chord_x[k], c.chord_y[k]);
+            const OffsetArc side = place(chord, c.cosine[k], c.sine[k], {c.tail_x[k], c.tail_y[k]});
+            const OffsetArc offset = offset_left(side, distance);
+            c.middle_x[k] = side.middle.x;
+            c.middle_y[k] = side.middle.y;
+            c.along_x[k] = side.direction.x;
+            c.along_y[k] = side.direction.y;
+            c.curvature[k] = side.curvature;
+            c.offset_x[k] = offset.middle.x;
+            c.offset_y[k] = offset.middle.y;
+            c.offset_curvature[k] = offset.curvature;
+            c.offset_reach[k] = offset.reach;
+            const bool fits = and_nonshort(
+                and_nonshort(chord.norm() > kShortestSide, side.cosine >= kLeastSideCosine),
+                shrinkage(side, distance) >= kSmallestShrinkage);
+            c.fits[k] = fits ? 1.0 : 0.0;
+        }
+    }
+
+    // Cuts each offset where the next one crosses it: once, to the side on which it is too near to
+    // the next.
+    static void cut_corners(Columns& c, std::size_t count) {
+        for (std::size_t k = 0; k + 1 < count; ++k) {
+            const OffsetArc first = offset(c, k);
+            const OffsetArc second = offset(c, k + 1);
+            const Crossings there = crossings(first, second);
+            const Crossings back = crossings(second, first);
+            c.to[k] = there.leaving;
+            c.from[k + 1] = back.entering;
+            const Point ahead = head_tangent(first);
+            const Point behind = tail_tangent(second);
+            const bool turns_plainly = and_nonshort(cross(ahead, behind) > kLeastCornerSine,
+                                                    ahead.dot(behind) > kLeastCornerCosine);
+            const bool again_there =
+                and_nonshort(there.entering > there.leaving, there.entering <= first.reach);
+            const bool again_back =
+                and_nonshort(back.leaving < back.entering, back.leaving >= -second.reach);
+            const bool is_on_both = and_nonshort(std::abs(there.leaving) < first.reach,
+                                                 std::abs(back.entering) < second.reach);
+            const bool fits = and_nonshort(and_nonshort(turns_plainly, is_on_both),
+                                           and_nonshort(!again_there, !again_back));
+            c.fits[k] = fits ? c.fits[k] : 0.0;
+        }
+    }
+
+    static void place_pieces(Columns& c, std::size_t count) {
+        for (std::size_t k = 0; k < count; ++k) {
+            const Point tail = point_at(offset(c, k), c.from[k]);
+            const HalfAngle turn = half_angle_between(c.offset_curvature[k], c.from[k], c.to[k]);
+            c.point_x[k] = tail.x;
+            c.point_y[k] = tail.y;
+            c.piece_cosine[k] = turn.cosine;
+            c.piece_sine[k] = turn.sine;
+            c.fits[k] = c.to[k] - c.from[k] > kShortestPiece ? c.fits[k] : 0.0;
+        }
+    }
+
+    static bool shows_every_side(const Columns& c, const Loop& loop, double distance) {
+        double fit = loop.size >= kFewestSides ? 1.0 : 0.0;
+        for (std::size_t k = 0; k < loop.size; ++k) {
+            fit = min_value(fit, c.fits[loop.begin + k]);
+        }
+        for (std::size_t first = 0; first < loop.size && false; first += kLanes) {
+            fit = keep_clear_of(c, loop, first, distance) ? fit : 0.0;
+        }
+        return fit > 0.0;
+    }
+
+    // Every piece has to be on the left of the offsets of all other sides. At its ends it is p and
+    // q to the left; between them, t p + (1 - t) q less what the piece and the other circle bend
+    // away from their chords. That is at most t (1 - t) c² (k + k') by the theorem of intersecting
+    // chords, so that c² (k + k') <= (sqrt p + sqrt q)² suffices. With the offset of a neighbor a
+    // piece shares one end, and does not cross it again if the other end is on its left.
+    //
+    // Tests all pieces against the eight sides from `first` on.
+    static bool keep_clear_of(const Columns& c,
+                              const Loop& loop,
+                              std::size_t first,
+                              double distance) {
+        const auto size = static_cast<std::int64_t>(loop.size);
+        Lanes<std::int64_t> sides{};
+        Lanes<std::int64_t> before{};
+        Lanes<std::int64_t> after{};
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+            const auto own = static_cast<std::int64_t>(first + lane);
+            sides[lane] = own;
+            before[lane] = own > 0 ? own - 1 : size - 1;
+            after[lane] = own + 1 < size ? own + 1 : 0;
+        }
+        Lanes<double> p{};  // of the last point
+        p.fill(std::numeric_limits<double>::infinity());
+        Lanes<std::int64_t> too_near{};
+        const std::size_t begin = loop.begin;
+        for (std::size_t k = 0; k <= loop.size; ++k) {
+            const std::size_t last = k > 0 ? k - 1 : loop.size - 1;  // the piece that ends here
+            const auto piece = static_cast<std::int64_t>(last);
+            const Point point(c.point_x[begin + k], c.point_y[begin + k]);
+            const Point tail(c.point_x[begin + last], c.point_y[begin + last]);
+            const double squared_chord = (point - tail).squared_norm();
+            const double own_curvature = std::abs(c.offset_curvature[begin + last]);
+            for (std::size_t lane = 0; lane < kLanes; ++lane) {
+                const OffsetArc other = side(c, begin + first + lane);
+                const double q = distance_left(other, point) - distance;
+                const double bend = squared_chord * (own_curvature + std::abs(other.curvature));
+                const bool bends = bend > p[lane] + q + 2.0 * min_value(p[lane], q);
+                const bool is_side = piece == sides[lane];
+                const bool shares_tail = is_side | (piece == after[lane]);
+                const bool shares_head = is_side | (piece == before[lane]);
+                const bool is_too_near = (!shares_tail & (p[lane] < 0.0)) |
+                                         (!shares_head & (q < 0.0)) |
+                                         (!shares_tail & !shares_head & bends);
+                too_near[lane] |= is_too_near ? 1 : 0;
+                p[lane] = q;
+            }
+        }
+        // Lanes beyond the loop hold sides of other loops.
+        std::int64_t any = 0;
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+            any |= sides[lane] < size ? too_near[lane] : 0;
+        }
+        return any == 0;
+    }
+};
+
+void FullInsets::trace(const ArcLoops& outlines, double distance) {
+    const std::size_t count = place_in_columns(outlines);
+    at_simd_level([columns = columns_.get(),
+                   count,
+                   distance,
+                   loops = loops_.data(),
+                   loop_count = loops_.size()] {
+        Columns& c = *columns;
+        Formulas::offset_sides(c, count, distance);
+        Formulas::cut_corners(c, count);
+        for (std::size_t k = 0; k < loop_count; ++k) {
+            c.from[loops[k].begin] = c.from[loops[k].begin + loops[k].size];
+        }
+        Formulas::place_pieces(c, count);
+        for (std::size_t k = 0; k < loop_count; ++k) {
+            loops[k].shows_every_side = Formulas::shows_every_side(c, loops[k], distance);
+        }
+    });
+}
+
+// Returns how many sides there are, with the first of each loop twice.
+std::size_t FullInsets::place_in_columns(const ArcLoops& outlines) {
+    Columns& c = *columns_;
+    std::size_t count = 0;
+    const auto place = [&](const ArcLoops::Side& side) {
+        c.tail_x[count] = side.tail.x();
+        c.tail_y[count] = side.tail.y();
+        c.chord_x[count] = side.arc.chord.x();
+        c.chord_y[count] = side.arc.chord.y();
+        c.cosine[count] = side.arc.cosine;
+        c.sine[count] = side.arc.sine;
+        ++count;
+    };
+    loops_.clear();
+    for (std::size_t k = 0; k < outlines.loop_ends.size(); ++k) {
+        const std::span<const ArcLoops::Side> sides = outlines.loop(k);
+        // A block of lanes may reach beyond the last side.
+        if (count + sides.size() + 1 + kLanes > kCapacity) {
+            loops_.push_back({});
+            continue;
+        }
+        loops_.push_back({count, sides.size()});
+        std::for_each(sides.begin(), sides.end(), place);
+        place(sides.front());
+    }
+    return count;
+}
+
+void FullInsets::append_inset(std::size_t loop, ArcLoops& to) const {
+    const Columns& c = *columns_;
+    const std::size_t end = loops_[loop].begin + loops_[loop].size;
+    for (std::size_t k = loops_[loop].begin; k < end; ++k) {
+        const Vec2 tail(c.point_x[k], c.point_y[k]);
+        const Vec2 head(c.point_x[k + 1], c.point_y[k + 1]);
+        to.sides.push_back({tail, {head - tail, c.piece_cosine[k], c.piece_sine[k]}});
+    }
+    to.loop_ends.push_back(to.sides.size());
+}
+
+}  // namespace foam::texgen
