@@ -117,6 +117,7 @@ double PartDivider::halve(Nodes part, const PartBox& box, Eigen::Index axis) {
 void PartDivider::refine(Nodes part, int rows) {
     std::vector<std::uint32_t> near = nodes_near_separator(part);
     const WeightedGraph graph = graph_of_near(near, part);
+    forget_numbers(near);
     std::vector<Zone> zones;
     zones.reserve(graph.size());
     for (const std::uint32_t node : near) {
@@ -128,7 +129,7 @@ void PartDivider::refine(Nodes part, int rows) {
     assign(near, zones);
 }
 
-// Returns the separator and some layers of its neighbors.
+// Returns the separator and some layers of its neighbors, which are numbered in this order.
 std::vector<std::uint32_t> PartDivider::nodes_near_separator(Nodes part) {
     std::vector<std::uint32_t> near;
     std::copy_if(part.begin(), part.end(), std::back_inserter(near), [this](std::uint32_t node) {
@@ -142,7 +143,6 @@ std::vector<std::uint32_t> PartDivider::nodes_near_separator(Nodes part) {
             add_unnumbered_neighbors(near[begin], near);
         }
     }
-    forget_numbers(near);
     return near;
 }
 
@@ -167,43 +167,42 @@ WeightedGraph PartDivider::graph_of(Nodes part) {
     number(part);
     WeightedGraph graph;
     for (const std::uint32_t node : part) {
-        graph.begins.push_back(narrow(graph.edges.size()));
-        graph.weights.push_back(nodes_[node].rows);
-        for (const std::uint32_t neighbor : graph_.of(node)) {
-            if (memory_.part_indices[neighbor] != DivisionMemory::kNotInPart) {
-                graph.edges.push_back({memory_.part_indices[neighbor], 1});
-            }
-        }
+        append_node(node, graph);
     }
     graph.begins.push_back(narrow(graph.edges.size()));
     forget_numbers(part);
     return graph;
 }
 
-// Returns the graph of the nodes near the separator, numbered in their order, and of two more
-// nodes: one for all others of the zone Low, one for all others of the zone High.
-WeightedGraph PartDivider::graph_of_near(Nodes near, Nodes part) {
-    number(near);
+// Appends a node and its edges to numbered nodes. Returns whether it also has neighbors without a
+// number in the zones Low and High.
+std::array<bool, 2> PartDivider::append_node(std::uint32_t node, WeightedGraph& graph) const {
+    std::array<bool, 2> has_others{};
+    graph.begins.push_back(narrow(graph.edges.size()));
+    graph.weights.push_back(nodes_[node].rows);
+    for (const std::uint32_t neighbor : graph_.of(node)) {
+        const std::uint32_t number = memory_.part_indices[neighbor];
+        const Zone zone = memory_.zones[neighbor];
+        if (number != DivisionMemory::kNotInPart) {
+            graph.edges.push_back({number, 1});
+        } else if (zone != Zone::Outside) {
+            has_others[zone == Zone::High ? 1 : 0] = true;
+        }
+    }
+    return has_others;
+}
+
+// Returns the graph of the nodes near the separator, which are numbered in their order, and of two
+// more nodes: one for all others of the zone Low, one for all others of the zone High.
+WeightedGraph PartDivider::graph_of_near(Nodes near, Nodes part) const {
     WeightedGraph graph;
     std::array<std::vector<WeightedGraph::Edge>, 2> edges_of_rest;
-    for (const std::uint32_t node : near) {
-        const std::uint32_t own = memory_.part_indices[node];
-        std::array<bool, 2> touches_rest{};
-        graph.begins.push_back(narrow(graph.edges.size()));
-        graph.weights.push_back(nodes_[node].rows);
-        for (const std::uint32_t neighbor : graph_.of(node)) {
-            const std::uint32_t other = memory_.part_indices[neighbor];
-            const Zone zone = memory_.zones[neighbor];
-            if (other != DivisionMemory::kNotInPart) {
-                graph.edges.push_back({other, 1});
-            } else if (zone != Zone::Outside) {
-                touches_rest[zone == Zone::High ? 1 : 0] = true;
-            }
-        }
+    for (std::size_t k = 0; k < near.size(); ++k) {
+        const std::array<bool, 2> touches_rest = append_node(near[k], graph);
         for (std::size_t zone = 0; zone < 2; ++zone) {
             if (touches_rest[zone]) {
                 graph.edges.push_back({narrow(near.size() + zone), 1});
-                edges_of_rest[zone].push_back({own, 1});
+                edges_of_rest[zone].push_back({narrow(k), 1});
             }
         }
     }
@@ -214,7 +213,6 @@ WeightedGraph PartDivider::graph_of_near(Nodes near, Nodes part) {
         graph.edges.insert(graph.edges.end(), edges.begin(), edges.end());
     }
     graph.begins.push_back(narrow(graph.edges.size()));
-    forget_numbers(near);
     return graph;
 }
 

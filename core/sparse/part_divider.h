@@ -7,6 +7,7 @@
 #include "core/sparse/weighted_graph.h"
 #include "core/sparse/zone.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -75,7 +76,8 @@ class PartDivider {
     void add_unnumbered_neighbors(std::uint32_t node, std::vector<std::uint32_t>& nodes);
     void divide_by_graph(Nodes part);
     WeightedGraph graph_of(Nodes part);
-    WeightedGraph graph_of_near(Nodes near, Nodes part);
+    WeightedGraph graph_of_near(Nodes near, Nodes part) const;
+    std::array<bool, 2> append_node(std::uint32_t node, WeightedGraph& graph) const;
     void number(Nodes nodes);
     void forget_numbers(Nodes nodes);
     void assign(Nodes nodes, std::span<const Zone> zones);
