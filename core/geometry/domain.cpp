@@ -1,12 +1,14 @@
 #include "core/geometry/domain.h"
 
 #include <cmath>
+#include <limits>
 
 namespace foam {
 
 namespace {
 
 // floor(x / period), corrected so that x minus that many periods, as computed, lies in [0, period).
+// Returns 0 if that many do not fit 32 bits, or x is no number.
 std::int32_t periods_below(double x, double period) {
     double k = std::floor(x / period);
     if (x - k * period < 0.0) {
@@ -14,7 +16,8 @@ std::int32_t periods_below(double x, double period) {
     } else if (x - k * period >= period) {
         k += 1.0;
     }
-    return static_cast<std::int32_t>(k);
+    constexpr double kMost = std::numeric_limits<std::int32_t>::max();
+    return std::abs(k) <= kMost ? static_cast<std::int32_t>(k) : 0;
 }
 
 }  // namespace

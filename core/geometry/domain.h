@@ -43,7 +43,7 @@ struct Domain {
     }
 
     /// The offset whose translation, subtracted from the point, brings it into the cell. Zero in
-    /// the plane.
+    /// the plane, and along an axis on which the point is no number or 2^31 periods away.
     LatticeOffset cell_of(const Vec2& point) const;
 
     /// The offsets whose translations lie within a reach of the point along x and along y, and some

@@ -45,6 +45,15 @@ TEST(Domain, CellOfPointsInEachDirection) {
     EXPECT_TRUE(kTorus.cell_of({-6.1, 1.5}) == (LatticeOffset{-3, 2}));
 }
 
+TEST(Domain, WhatIsInNoCellIsMovedByNothing) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_TRUE(kTorus.cell_of({nan, 0.1}) == (LatticeOffset{0, 0}));
+    EXPECT_TRUE(kTorus.cell_of({0.1, nan}) == (LatticeOffset{0, 0}));
+    EXPECT_TRUE(kTorus.cell_of({1e300, 0.1}) == (LatticeOffset{0, 0}));
+    EXPECT_TRUE(kTorus.cell_of({-0.1, -std::numeric_limits<double>::infinity()}) ==
+                (LatticeOffset{-1, 0}));
+}
+
 TEST(Domain, AWholePeriodBelongsToTheNextCell) {
     EXPECT_TRUE(kTorus.cell_of({3.0, 0.7}) == (LatticeOffset{1, 1}));
     EXPECT_TRUE(kTorus.cell_of({-3.0, -0.7}) == (LatticeOffset{-1, -1}));
