@@ -9,7 +9,7 @@
 
 namespace foam::texgen {
 
-/// A frame on a torus in the coordinates of a grid. Borrows both.
+/// A frame on a torus in the coordinates of a grid. Borrows the frame.
 struct PixelFrame {
     PixelFrame(const Frame& of, const RasterGrid& on)
         : frame(of),
@@ -38,7 +38,7 @@ struct PixelFrame {
     }
 
     const Frame& frame;
-    const RasterGrid& grid;
+    RasterGrid grid;
     double scale;        // pixels per foam unit
     std::int32_t shear;  // subpixels
     Snap snap;

@@ -13,7 +13,7 @@
 
 namespace foam::texgen {
 
-/// The bubbles of a frame on a torus as a grid sees them. Borrows both.
+/// The bubbles of a frame on a torus as a grid sees them. Borrows the frame.
 ///
 /// Bubbles are sorted by the square of the unshifted grid in which they begin, row by row.
 class TorusRegions {
