@@ -41,7 +41,7 @@ hash_of() (
     {
         # All that the compiler sees, and comments.
         eval "${compile#ccache } -E -C \"$1\"" && printf '%s\n' "$compile" &&
-            cat .clang-tidy && clang-tidy --version
+            find . -name .clang-tidy -not -path './build/*' | sort | xargs cat && clang-tidy --version
     } | sed "s|$PWD/*||g" | sha256sum | cut -d ' ' -f 1
 )
 
