@@ -3,6 +3,7 @@
 #include "texgen/cli/command.h"
 #include "texgen/image/file_io.h"
 #include "texgen/preset/assignment.h"
+#include "texgen/preset/nearest.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -12,10 +13,15 @@
 #include <exception>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace foam::texgen {
 
 namespace {
+
+constexpr const char* kVersion = "foamtex " FOAMTEX_VERSION R"(
+License: Apache-2.0. Presets, and the images that they make: CC0-1.0 (public domain).)";
 
 constexpr const char* kFooter = R"(Examples:
   foamtex bake sea_foam                        48 frames of a tile into out/
@@ -34,13 +40,43 @@ ExitCode report(std::string message, ExitCode code) {
     return code;
 }
 
+/// Returns the names of the subcommands of a command.
+std::vector<std::string> subcommand_names(const CLI::App& command) {
+    std::vector<std::string> names;
+    for (const CLI::App* subcommand :
+         command.get_subcommands([](const CLI::App*) { return true; })) {
+        names.push_back(subcommand->get_name());
+    }
+    return names;
+}
+
+/// Returns what is wrong with the command line. A word in the place of a subcommand is compared
+/// with the existing ones.
+std::string message_of(const CLI::App& app, const CLI::ParseError& error) {
+    const CLI::App* command = &app;
+    while (!command->get_subcommands().empty()) {
+        command = command->get_subcommands().front();
+    }
+    const std::vector<std::string> names = subcommand_names(*command);
+    const std::vector<std::string> words = command->remaining();
+    if (names.empty() || words.empty() || words.front().starts_with('-')) {
+        return error.what();
+    }
+    const std::vector<std::string_view> candidates(names.begin(), names.end());
+    const std::string_view meant = nearest(words.front(), candidates);
+    return fmt::format("{} has no command '{}'{}",
+                       command->get_name(),
+                       words.front(),
+                       meant.empty() ? "" : fmt::format("; did you mean '{}'?", meant));
+}
+
 /// Help and version come as exceptions of code 0.
 ExitCode report_parse(const CLI::App& app, const CLI::ParseError& error) {
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
         app.exit(error);
         return ExitCode::Success;
     }
-    return report(std::string(error.what()) + " (see foamtex --help)", ExitCode::BadRequest);
+    return report(message_of(app, error) + " (see foamtex --help)", ExitCode::BadRequest);
 }
 
 /// Output that never arrived, on a full disk say, is a failure like any other.
@@ -52,7 +88,7 @@ ExitCode flushed(ExitCode code) {
 ExitCode parse_and_run(int argc, char** argv) {
     CLI::App app("Animated, tileable foam textures from real foam physics", "foamtex");
     Action action;
-    app.set_version_flag("--version", "foamtex " FOAMTEX_VERSION);
+    app.set_version_flag("--version", kVersion);
     app.require_subcommand(1);
     app.footer(kFooter);
     for (const AddCommand add : all_commands()) {

@@ -25,8 +25,11 @@ TEST(Main, HelpFitsOneScreenAndNamesTheExitCodes) {
               std::string::npos);
 }
 
-TEST(Main, SaysItsVersion) {
-    EXPECT_EQ(run_program("--version").out, "foamtex " FOAMTEX_VERSION "\n");
+TEST(Main, SaysItsVersionAndLicenses) {
+    const std::string out = run_program("--version").out;
+    EXPECT_EQ(out.rfind("foamtex " FOAMTEX_VERSION "\n", 0), 0U);
+    EXPECT_NE(out.find("Apache-2.0"), std::string::npos);
+    EXPECT_NE(out.find("CC0-1.0"), std::string::npos);
 }
 
 TEST(Main, ABadCommandLineIsOneLineAndCode2) {
@@ -37,6 +40,14 @@ TEST(Main, ABadCommandLineIsOneLineAndCode2) {
     expect_refused("bake sea_foam --threads -1",
                    "--threads: Value -1 not in range 0 to 1024 (see foamtex --help)");
     expect_refused("bake sea_foam -q -v", "--quiet excludes --verbose (see foamtex --help)");
+}
+
+TEST(Main, AnUnknownCommandIsComparedWithThoseThatExist) {
+    expect_refused("bak sea_foam",
+                   "foamtex has no command 'bak'; did you mean 'bake'? (see foamtex --help)");
+    expect_refused("presets keyz",
+                   "presets has no command 'keyz'; did you mean 'keys'? (see foamtex --help)");
+    expect_refused("xyzzy", "foamtex has no command 'xyzzy' (see foamtex --help)");
 }
 
 TEST(Main, AnUnknownSimdLevelIsOneLineAndCode2) {
