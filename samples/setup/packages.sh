@@ -10,7 +10,7 @@ foam_build_packages=(
 )
 foam_test_packages=(
     libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev evolver gnuplot-nox
-    pngcheck apngdis ffmpeg imagemagick openexr openimageio-tools
+    pngcheck apngdis ffmpeg imagemagick openexr openimageio-tools python3 python3-jsonschema
 )
 foam_check_packages=(clang libclang-rt-14-dev clang-format clang-tidy ccache python3)
 

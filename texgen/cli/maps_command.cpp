@@ -1,4 +1,5 @@
 #include "texgen/cli/command.h"
+#include "texgen/cli/json_report.h"
 #include "texgen/image/format.h"
 #include "texgen/maps/all_maps.h"
 
@@ -43,6 +44,21 @@ ExitCode print_markdown() {
     return ExitCode::Success;
 }
 
+ExitCode print_maps_as_json() {
+    Json maps = Json::array();
+    for (const Map& map : all_maps()) {
+        maps.push_back({{"name", map.name},
+                        {"meaning", map.meaning},
+                        {"unit", map.unit},
+                        {"channels", map.channels},
+                        {"png_bits", map.png_bits}});
+    }
+    Json report = json_report();
+    report["maps"] = maps;
+    print_json(report);
+    return ExitCode::Success;
+}
+
 }  // namespace
 
 void add_maps_command(CLI::App& app, Action& action) {
@@ -51,7 +67,11 @@ void add_maps_command(CLI::App& app, Action& action) {
     const auto markdown = std::make_shared<bool>(false);
     command->add_flag("--markdown", *markdown, "As a table in Markdown")->option_text(" ");
     command->footer(fmt::format(kNotes, format_names()));
-    command->callback([&action, markdown] { action = *markdown ? print_markdown : list_maps; });
+    const auto json = std::make_shared<bool>(false);
+    command->add_flag("--json", *json, "One JSON object with all maps")->option_text(" ");
+    command->callback([&action, markdown, json] {
+        action = *json ? print_maps_as_json : *markdown ? print_markdown : list_maps;
+    });
 }
 
 }  // namespace foam::texgen

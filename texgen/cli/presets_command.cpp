@@ -1,6 +1,8 @@
 #include "texgen/cli/command.h"
+#include "texgen/cli/json_report.h"
 #include "texgen/preset/load_preset.h"
 #include "texgen/preset/preset_io.h"
+#include "texgen/preset/preset_schema.h"
 #include "texgen/preset/shipped_presets.h"
 
 #include <CLI/CLI.hpp>
@@ -26,14 +28,60 @@ ExitCode list_presets() {
     return ExitCode::Success;
 }
 
+ExitCode print_presets_as_json() {
+    Json presets = Json::array();
+    for (const ShippedPreset& shipped : shipped_presets()) {
+        const Preset preset = load_preset(std::string(shipped.name));
+        presets.push_back({{"name", shipped.name},
+                           {"description", preset.description},
+                           {"size", {preset.image.width, preset.image.height}},
+                           {"frames", preset.frames.count},
+                           {"maps", preset.image.maps},
+                           {"toml", shipped.toml}});
+    }
+    Json report = json_report();
+    report["presets"] = presets;
+    print_json(report);
+    return ExitCode::Success;
+}
+
 ExitCode show_preset(const std::string& name) {
     fmt::print("{}", find_shipped_preset(name).toml);
     return ExitCode::Success;
 }
 
-ExitCode show_keys() {
-    fmt::print("{}", describe_keys());
+ExitCode show_keys(const std::string& table) {
+    fmt::print("{}", table.empty() ? describe_keys() : describe_table(table));
     return ExitCode::Success;
+}
+
+ExitCode print_schema() {
+    fmt::print("{}", preset_schema());
+    return ExitCode::Success;
+}
+
+void add_list(CLI::App& presets, Action& action) {
+    const auto json = std::make_shared<bool>(false);
+    presets.add_flag("--json", *json, "One JSON object with all presets")->option_text(" ");
+    presets.preparse_callback([&action, json](std::size_t) {
+        action = [json] { return *json ? print_presets_as_json() : list_presets(); };
+    });
+    presets.add_subcommand("list", "The presets that are part of the program (the default)")
+        ->fallthrough();
+}
+
+void add_keys(CLI::App& presets, Action& action) {
+    CLI::App* keys = presets.add_subcommand(
+        "keys", "Every key a preset may set: default, meaning, allowed values");
+    const auto table = std::make_shared<std::string>();
+    const auto schema = std::make_shared<bool>(false);
+    CLI::Option* name = keys->add_option("TABLE", *table, "One table alone, as foam or event");
+    keys->add_flag("--json-schema", *schema, "As a JSON Schema, by which editors complete presets")
+        ->option_text(" ")
+        ->excludes(name);
+    keys->callback([&action, table, schema] {
+        action = [table, schema] { return *schema ? print_schema() : show_keys(*table); };
+    });
 }
 
 }  // namespace
@@ -41,11 +89,8 @@ ExitCode show_keys() {
 void add_presets_command(CLI::App& app, Action& action) {
     CLI::App* presets = app.add_subcommand("presets", "List and explain presets");
     presets->require_subcommand(0, 1);
-    presets->preparse_callback([&action](std::size_t) { action = list_presets; });
-
-    presets->add_subcommand("list", "The presets that are part of the program (the default)");
-    presets->add_subcommand("keys", "Every key a preset may set: default, meaning, allowed values")
-        ->callback([&action] { action = show_keys; });
+    add_list(*presets, action);
+    add_keys(*presets, action);
 
     CLI::App* show = presets->add_subcommand("show", "Print a preset, to start your own from");
     const auto name = std::make_shared<std::string>();

@@ -27,6 +27,7 @@ std::span<const std::string_view> kind_names() {
 // The name of a kind, which is unset while it is empty.
 struct KindNames {
     std::string allowed() const { return Words{kind_names()}.allowed(); }
+    std::string schema() const { return Words{kind_names()}.schema(); }
     bool read(const Value& value, std::string& member) const {
         return Words{kind_names()}.read(value, member);
     }

@@ -19,6 +19,7 @@ struct SingleFrames {
     Integers frame{2, kLastEventFrame};
 
     std::string allowed() const { return frame.allowed(); }
+    std::string schema() const { return frame.schema(); }
     bool read(const Value& value, FrameSpan& member) const {
         const bool allowed = frame.read(value, member.first);
         member.last = allowed ? member.first : member.last;
@@ -37,6 +38,7 @@ struct FrameSpans {
     std::string allowed() const {
         return fmt::format("[first, last], each {}, in this order", frame.allowed());
     }
+    std::string schema() const { return list_schema(frame.schema(), 2, 2); }
     bool read(const Value& value, FrameSpan& member) const {
         const auto* list = std::get_if<Value::List>(&value.data);
         FrameSpan span;
@@ -60,6 +62,9 @@ struct Times {
 
     std::string allowed() const {
         return fmt::format("{}, or [from, to] of such, in this order", time.allowed());
+    }
+    std::string schema() const {
+        return either_schema(time.schema(), list_schema(time.schema(), 2, 2));
     }
     bool read(const Value& value, std::array<double, 2>& member) const {
         std::array<double, 2> span{};

@@ -25,6 +25,7 @@ struct Condition {
 struct KeyInfo {
     std::string path;                          // "foam.bubbles", or "bubbles" outside of a table
     std::string allowed;                       // "an integer from 4 to 1000000"
+    std::string schema;                        // the same as a JSON Schema
     std::string_view meaning;                  // in one sentence
     std::optional<Value> default_value{};      // nothing if the key is unset by default
     std::optional<Condition> condition{};      // if it does not hold, the default must stay
@@ -77,6 +78,7 @@ Key<Owner> key_by(std::string_view name,
     Key<Owner> key;
     key.path = name;
     key.allowed = kind.allowed();
+    key.schema = kind.schema();
     key.meaning = meaning;
     key.read = [=](const Value& value, Owner& owner) {
         return kind.read(value, std::invoke(member, owner));

@@ -65,8 +65,27 @@ Value list_of(const std::vector<std::string>& words) {
 
 }  // namespace
 
+std::string list_schema(const std::string& item, std::size_t least, std::size_t most) {
+    std::string schema = fmt::format(R"({{"type": "array", "items": {})", item);
+    if (least > 0) {
+        schema += fmt::format(R"(, "minItems": {})", least);
+    }
+    if (most > 0) {
+        schema += fmt::format(R"(, "maxItems": {})", most);
+    }
+    return schema + "}";
+}
+
+std::string either_schema(const std::string& one, const std::string& other) {
+    return fmt::format(R"({{"anyOf": [{}, {}]}})", one, other);
+}
+
 std::string Integers::allowed() const {
     return fmt::format("an integer from {} to {}", low, high);
+}
+
+std::string Integers::schema() const {
+    return fmt::format(R"({{"type": "integer", "minimum": {}, "maximum": {}}})", low, high);
 }
 
 std::optional<std::int64_t> Integers::accepted(const Value& value) const {
@@ -77,6 +96,12 @@ std::optional<std::int64_t> Integers::accepted(const Value& value) const {
 
 std::string Reals::allowed() const {
     return fmt::format("{}a number from {} to {}", or_zero ? "0 or " : "", low, high);
+}
+
+std::string Reals::schema() const {
+    const std::string range =
+        fmt::format(R"({{"type": "number", "minimum": {}, "maximum": {}}})", low, high);
+    return or_zero ? either_schema(R"({"const": 0})", range) : range;
 }
 
 bool Reals::read(const Value& value, double& member) const {
@@ -91,6 +116,10 @@ std::string Text::allowed() const {
     return or_empty ? "a text" : "a text that is not empty";
 }
 
+std::string Text::schema() const {
+    return or_empty ? R"({"type": "string"})" : R"({"type": "string", "minLength": 1})";
+}
+
 bool Text::read(const Value& value, std::string& member) const {
     return read_text(
         value, member, [this](const std::string& text) { return or_empty || !text.empty(); });
@@ -100,12 +129,20 @@ std::string Colors::allowed() const {
     return "a colour \"#rrggbb\"";
 }
 
+std::string Colors::schema() const {
+    return R"({"type": "string", "pattern": "^#[0-9a-fA-F]{6}$"})";
+}
+
 bool Colors::read(const Value& value, std::string& member) const {
     return read_text(value, member, is_color);
 }
 
 std::string ColorLists::allowed() const {
     return "a list of colours \"#rrggbb\"";
+}
+
+std::string ColorLists::schema() const {
+    return either_schema(Colors().schema(), list_schema(Colors().schema(), 0, 0));
 }
 
 bool ColorLists::read(const Value& value, std::vector<std::string>& member) const {
@@ -128,6 +165,10 @@ std::string Words::allowed() const {
     return (words.size() > 1 ? "one of " : "") + quoted(words);
 }
 
+std::string Words::schema() const {
+    return fmt::format(R"({{"enum": [{}]}})", quoted(words));
+}
+
 bool Words::read(const Value& value, std::string& member) const {
     return read_text(
         value, member, [this](const std::string& text) { return contains(words, text); });
@@ -135,6 +176,14 @@ bool Words::read(const Value& value, std::string& member) const {
 
 std::string WordLists::allowed() const {
     return fmt::format("a list, each word once, of {}", quoted(words));
+}
+
+std::string WordLists::schema() const {
+    const std::string word = Words{words}.schema();
+    return either_schema(
+        word,
+        fmt::format(R"({{"type": "array", "items": {}, "minItems": 1, "uniqueItems": true}})",
+                    word));
 }
 
 bool WordLists::read(const Value& value, std::vector<std::string>& member) const {

@@ -15,9 +15,16 @@
 
 namespace foam::texgen {
 
-// The kinds of values that keys take. allowed() describes the values in words; read() stores a
-// value in a member, or returns false and changes nothing if it is not allowed; write() turns the
-// member back into a value, or returns nothing if the member is unset.
+// The kinds of values that keys take. allowed() describes the values in words, schema() as a JSON
+// Schema (draft 2020-12); read() stores a value in a member, or returns false and changes nothing
+// if it is not allowed; write() turns the member back into a value, or returns nothing if the
+// member is unset.
+
+/// Returns the schema of a list of `least` to `most` items; 0 means that there is no limit.
+std::string list_schema(const std::string& item, std::size_t least, std::size_t most);
+
+/// Returns the schema of values that either schema allows.
+std::string either_schema(const std::string& one, const std::string& other);
 
 /// Integers from low to high, stored in any integer type.
 struct Integers {
@@ -25,6 +32,7 @@ struct Integers {
     std::int64_t high = 0;
 
     std::string allowed() const;
+    std::string schema() const;
     std::optional<std::int64_t> accepted(const Value& value) const;
 
     template <class Integer>
@@ -47,6 +55,7 @@ struct Reals {
     bool or_zero = false;
 
     std::string allowed() const;
+    std::string schema() const;
     bool read(const Value& value, double& member) const;
     Value write(double member) const { return {member}; }
 };
@@ -58,6 +67,7 @@ struct Text {
     bool or_empty = false;
 
     std::string allowed() const;
+    std::string schema() const;
     bool read(const Value& value, std::string& member) const;
     Value write(const std::string& member) const { return {member}; }
 };
@@ -65,6 +75,7 @@ struct Text {
 /// sRGB colors, written "#rrggbb".
 struct Colors {
     std::string allowed() const;
+    std::string schema() const;
     bool read(const Value& value, std::string& member) const;
     Value write(const std::string& member) const { return {member}; }
 };
@@ -72,6 +83,7 @@ struct Colors {
 /// Lists of colors, which may be empty.
 struct ColorLists {
     std::string allowed() const;
+    std::string schema() const;
     bool read(const Value& value, std::vector<std::string>& member) const;
     Value write(const std::vector<std::string>& member) const;
 };
@@ -81,6 +93,7 @@ struct Words {
     std::span<const std::string_view> words;
 
     std::string allowed() const;
+    std::string schema() const;
     bool read(const Value& value, std::string& member) const;
     Value write(const std::string& member) const { return {member}; }
 };
@@ -90,6 +103,7 @@ struct WordLists {
     std::span<const std::string_view> words;
 
     std::string allowed() const;
+    std::string schema() const;
     bool read(const Value& value, std::vector<std::string>& member) const;
     Value write(const std::vector<std::string>& member) const;
 };
@@ -100,6 +114,9 @@ struct IntegerLists {
     Integers item;
 
     std::string allowed() const { return item.allowed() + ", or a list of such"; }
+    std::string schema() const {
+        return either_schema(item.schema(), list_schema(item.schema(), 1, 0));
+    }
 
     template <class Integer>
     bool read(const Value& value, std::vector<Integer>& member) const {
@@ -132,6 +149,7 @@ struct Pairs {
     Coordinate coordinate;
 
     std::string allowed() const { return "[x, y], each " + coordinate.allowed(); }
+    std::string schema() const { return list_schema(coordinate.schema(), 2, 2); }
 
     template <class Number>
     bool read(const Value& value, std::array<Number, 2>& member) const {
@@ -158,6 +176,7 @@ struct Maybe {
     ValueKind kind;
 
     std::string allowed() const { return kind.allowed(); }
+    std::string schema() const { return kind.schema(); }
 
     template <class Member>
     bool read(const Value& value, std::optional<Member>& member) const {
@@ -177,13 +196,15 @@ template <class Enum, std::size_t count = 2>
 struct Choices {
     std::array<std::pair<std::string_view, Enum>, count> choices;
 
-    std::string allowed() const {
-        std::array<std::string_view, count> words;
+    std::array<std::string_view, count> words() const {
+        std::array<std::string_view, count> all;
         for (std::size_t k = 0; k < count; ++k) {
-            words[k] = choices[k].first;
+            all[k] = choices[k].first;
         }
-        return Words{words}.allowed();
+        return all;
     }
+    std::string allowed() const { return Words{words()}.allowed(); }
+    std::string schema() const { return Words{words()}.schema(); }
     bool read(const Value& value, Enum& member) const {
         const auto* word = std::get_if<std::string>(&value.data);
         for (const auto& [name, choice] : choices) {

@@ -201,7 +201,7 @@ std::string events_to_toml(const Preset& preset) {
 }
 
 std::string describe_event_keys() {
-    std::string text = "\n[[event]]\n";
+    std::string text = "[[event]]\n";
     for (const KeyInfo& key : event_keys()) {
         text += describe(key) + fmt::format("    of {}\n", kinds_of(key));
     }

@@ -34,6 +34,9 @@ struct Outlines {
         return "\"disc\", \"rectangle\", or a polygon that does not cross itself as WKT, "
                "\"POLYGON((x y, ...), (x y of a hole, ...))\"";
     }
+    std::string schema() const {
+        return R"({"type": "string", "pattern": "^(disc|rectangle|[Pp][Oo][Ll][Yy][Gg][Oo][Nn].*)$"})";
+    }
     bool read(const Value& value, std::string& member) const {
         std::string text;
         const bool allowed = Text{}.read(value, text) && is_outline(text);

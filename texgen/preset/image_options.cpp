@@ -20,6 +20,7 @@ struct Sizes {
     std::string allowed() const {
         return fmt::format("[width, height], each {}", extent.allowed());
     }
+    std::string schema() const { return list_schema(extent.schema(), 2, 2); }
     bool read(const Value& value, ImageOptions& member) const {
         const auto* list = std::get_if<Value::List>(&value.data);
         ImageOptions sized = member;

@@ -20,6 +20,19 @@ namespace foam::texgen {
 namespace {
 
 constexpr int kLargestAspect = 16;
+constexpr std::string_view kEventTable = "event";
+
+// Returns the names of all tables, in the order of the reference.
+std::vector<std::string_view> preset_tables() {
+    std::vector<std::string_view> tables;
+    for (const KeyInfo& key : preset_keys()) {
+        if (tables.empty() || tables.back() != key.table()) {
+            tables.push_back(key.table());
+        }
+    }
+    tables.push_back(kEventTable);
+    return tables;
+}
 
 // Returns the key of the same name in another table, or else the path that is most similar.
 std::string_view suggestion(std::string_view path) {
@@ -166,17 +179,39 @@ std::string to_toml(const Preset& preset) {
 
 std::string describe_keys() {
     std::string text;
-    std::string_view table;
-    for (const KeyInfo& key : preset_keys()) {
-        if (key.table() != table) {
-            table = key.table();
-            text += fmt::format("{}[{}]\n", text.empty() ? "" : "\n", table);
+    for (const std::string_view table : preset_tables()) {
+        if (!text.empty()) {
+            text += '\n';
         }
-        text += describe(key);
-        text += key.condition ? fmt::format("    of a {}\n", fmt::join(key.condition->values, ", "))
-                              : "";
+        text += describe_table(table);
     }
-    return text + describe_event_keys();
+    return text;
+}
+
+std::string describe_table(std::string_view table) {
+    if (table == kEventTable) {
+        return describe_event_keys();
+    }
+    std::string text;
+    for (const KeyInfo& key : preset_keys()) {
+        if (key.table() == table) {
+            text += text.empty() ? fmt::format("[{}]\n", table) : "";
+            text += describe(key);
+            text += key.condition
+                        ? fmt::format("    of a {}\n", fmt::join(key.condition->values, ", "))
+                        : "";
+        }
+    }
+    if (text.empty()) {
+        const std::vector<std::string_view> tables = preset_tables();
+        const std::string_view meant = nearest(table, tables);
+        throw PresetError(
+            fmt::format("there is no table [{}]; {}",
+                        table,
+                        meant.empty() ? fmt::format("must be one of {}", fmt::join(tables, ", "))
+                                      : fmt::format("did you mean [{}]?", meant)));
+    }
+    return text;
 }
 
 }  // namespace foam::texgen

@@ -24,4 +24,8 @@ std::string to_toml(const Preset& preset);
 /// Returns the reference of all keys, those of events too: default, meaning, allowed values.
 std::string describe_keys();
 
+/// Returns the part of the reference that is about one table, or about events. Throws PresetError
+/// if there is no such table.
+std::string describe_table(std::string_view table);
+
 }  // namespace foam::texgen

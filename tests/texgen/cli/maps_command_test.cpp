@@ -1,7 +1,7 @@
 #include "tests/support/places.h"
 #include "tests/texgen/cli/run_program.h"
-#include "texgen/image/external_program.h"
-#include "texgen/maps/map.h"
+#include "texgen/json/json_writer.h"
+#include "texgen/maps/all_maps.h"
 #include "texgen/preset/preset_keys.h"
 
 #include <gtest/gtest.h>
@@ -24,6 +24,14 @@ TEST(MapsCommand, ListsEveryMap) {
         EXPECT_NE(list.out.find(map.meaning), std::string::npos);
     }
     EXPECT_EQ(run_program("maps --markdown").out, describe_maps_in_markdown());
+}
+
+TEST(MapsCommand, PrintsJson) {
+    const Json maps = Json::parse(run_program("maps --json").out)["maps"];
+    ASSERT_EQ(maps.size(), all_maps().size());
+    EXPECT_EQ(maps[0]["name"], "albedo");
+    EXPECT_EQ(maps[0]["channels"], "R G B");
+    EXPECT_EQ(maps[0]["png_bits"], 8);
 }
 
 }  // namespace

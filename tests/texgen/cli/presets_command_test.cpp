@@ -1,8 +1,8 @@
 #include "tests/support/places.h"
 #include "tests/texgen/cli/run_program.h"
-#include "texgen/image/external_program.h"
-#include "texgen/maps/map.h"
-#include "texgen/preset/preset_keys.h"
+#include "texgen/json/json_writer.h"
+#include "texgen/preset/preset_schema.h"
+#include "texgen/preset/shipped_presets.h"
 
 #include <gtest/gtest.h>
 
@@ -27,6 +27,23 @@ TEST(PresetsCommand, ListsPresetsAndKeys) {
     EXPECT_EQ(list.find("sea_foam    "), 0U);
     EXPECT_EQ(run_program("presets list").out, list);
     EXPECT_NE(run_program("presets keys").out.find("\nbubbles = 1000\n"), std::string::npos);
+}
+
+TEST(PresetsCommand, PrintsOneTableOfKeys) {
+    const Outcome loop = run_program("presets keys loop");
+    EXPECT_EQ(loop.out.rfind("[loop]\n", 0), 0U);
+    EXPECT_EQ(loop.out.find("[image]"), std::string::npos);
+    EXPECT_EQ(run_program("presets keys event").out.rfind("[[event]]\n", 0), 0U);
+    expect_refused("presets keys lop", "there is no table [lop]; did you mean [loop]?");
+}
+
+TEST(PresetsCommand, PrintsJson) {
+    const Json presets = Json::parse(run_program("presets --json").out);
+    EXPECT_EQ(presets["status"], "complete");
+    EXPECT_EQ(presets["presets"][0]["name"], "sea_foam");
+    EXPECT_EQ(presets["presets"].size(), shipped_presets().size());
+    EXPECT_EQ(run_program("presets list --json").out, run_program("presets --json").out);
+    EXPECT_EQ(run_program("presets keys --json-schema").out, preset_schema());
 }
 
 }  // namespace

@@ -1,0 +1,102 @@
+#include "texgen/preset/preset_schema.h"
+
+#include "texgen/events/all_events.h"
+#include "texgen/json/json_writer.h"
+#include "texgen/preset/preset_keys.h"
+
+#include <string_view>
+#include <type_traits>
+#include <variant>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr std::string_view kDraft = "https://json-schema.org/draft/2020-12/schema";
+
+Json to_json(const Value& value) {
+    return std::visit(
+        [](const auto& data) -> Json {
+            using Data = std::decay_t<decltype(data)>;
+            if constexpr (std::is_same_v<Data, Value::List>) {
+                Json list = Json::array();
+                for (const Value& item : data) {
+                    list.push_back(to_json(item));
+                }
+                return list;
+            } else if constexpr (std::is_same_v<Data, Value::Table>) {
+                return Json::object();
+            } else if constexpr (std::is_same_v<Data, Value::Opaque>) {
+                return data.text;
+            } else {
+                return data;
+            }
+        },
+        value.data);
+}
+
+Json object_schema() {
+    return {{"type", "object"}, {"additionalProperties", false}, {"properties", Json::object()}};
+}
+
+Json key_schema(const KeyInfo& key) {
+    Json schema = Json::parse(key.schema);
+    schema["description"] = key.meaning;
+    if (key.default_value) {
+        schema["default"] = to_json(*key.default_value);
+    }
+    if (key.condition) {
+        schema["x-only-for"] = {{"key", key.condition->key}, {"values", key.condition->values}};
+    }
+    if (key.upper_limit) {
+        schema["x-below"] = *key.upper_limit;
+    }
+    return schema;
+}
+
+// Returns the schema of one kind of event, which takes no keys of the others.
+Json event_schema(const EventKind& kind) {
+    Json schema = object_schema();
+    schema["description"] = kind.meaning;
+    for (const KeyInfo& key : event_keys()) {
+        if (!key.condition || key.condition->allows(kind.name)) {
+            schema["properties"][std::string(key.name())] = key_schema(key);
+        }
+    }
+    schema["properties"]["kind"]["enum"] = {kind.name};
+    schema["required"] = {"kind"};
+    return schema;
+}
+
+Json events_schema() {
+    Json kinds = Json::array();
+    for (const EventKind& kind : kEventKinds) {
+        kinds.push_back(event_schema(kind));
+    }
+    return {{"type", "array"},
+            {"description", "what happens to the foam, and when; in any order"},
+            {"items", {{"anyOf", kinds}}}};
+}
+
+}  // namespace
+
+std::string preset_schema() {
+    Json schema{{"$schema", kDraft}, {"title", "A preset of foamtex " FOAMTEX_VERSION}};
+    schema.update(object_schema());
+    Json& tables = schema["properties"];
+    tables["extends"] = {
+        {"type", "string"},
+        {"minLength", 1},
+        {"description", "a shipped preset or a file beside this one, whose keys this one changes"}};
+    for (const KeyInfo& key : preset_keys()) {
+        const std::string table(key.table());
+        if (!tables.contains(table)) {
+            tables[table] = object_schema();
+        }
+        tables[table]["properties"][std::string(key.name())] = key_schema(key);
+    }
+    tables["event"] = events_schema();
+    return indented(schema);
+}
+
+}  // namespace foam::texgen
