@@ -6,6 +6,9 @@
 
 namespace foam {
 
+// Defects are marked from the residual, the marked set is grown by rings of neighbors, and a
+// breadth-first search divides it into connected regions.
+
 namespace {
 
 // A set of bubbles that grows by rings of neighbors. The ghost is never in it.
@@ -47,7 +50,8 @@ class BubbleSet {
     }
 
   private:
-    // Breadth-first search from a bubble of the set.
+    // Returns the connected part of the set that holds `start`, found by breadth-first search, and
+    // removes its marks.
     DefectRegion take_part(BubbleId start) {
         DefectRegion part{start};
         marks_[start] = 0;
@@ -70,7 +74,8 @@ class BubbleSet {
     std::size_t first_of_last_ring_ = 0;
 };
 
-// A value that is not a number counts as a defect.
+// Adds the bubbles with a large area error and the three bubbles at each junction with a large
+// force. A NaN counts as a defect, which is why the comparisons are negated.
 void add_defects(const Foam& foam,
                  const Unknowns& unknowns,
                  const Eigen::VectorXd& residual,

@@ -8,20 +8,25 @@
 
 namespace foam {
 
-/// What counts as a defect, and how much of the foam around it joins its region.
+/// Thresholds that decide where the foam is far from equilibrium, and the size of the regions
+/// around these defects.
 struct DefectOptions {
-    double force = 0.1;          // a junction is a defect from this force on, in film tensions ...
-    double area = 0.3;           // ... and a bubble from this relative area error on
-    int rings = 1;               // of neighbors around the defects
-    double largest_share = 0.3;  // of all bubbles: if the regions hold more, there are none
+    // A junction is a defect if the force on it is at least this, in film tensions.
+    double force = 0.1;
+    // A bubble is a defect if its relative area error is at least this.
+    double area = 0.3;
+    int rings = 1;  // rings of neighbors that are added around the defects
+    // If the regions hold more than this share of all bubbles, no region is returned.
+    double largest_share = 0.3;
 };
 
-/// A connected set of bubbles, in increasing order, outside of which the foam is near equilibrium.
+/// A connected set of bubbles, in increasing order. Outside of all such regions the foam is near
+/// equilibrium.
 using DefectRegion = std::vector<BubbleId>;
 
 /// Returns the connected regions around all defects, in the order of their first bubbles. Returns
-/// none if there is no defect, or if the regions would hold too large a share of the foam.
-/// `residual` is the residual of `unknowns`, which are all unknowns of the foam.
+/// none if there is no defect, or if the regions would hold more than `largest_share` of the foam.
+/// Precondition: `unknowns` are all unknowns of the foam, and `residual` is their residual.
 std::vector<DefectRegion> find_defect_regions(const Foam& foam,
                                               const Unknowns& unknowns,
                                               const Eigen::VectorXd& residual,

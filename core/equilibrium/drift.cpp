@@ -7,7 +7,8 @@ namespace foam {
 
 namespace {
 
-// Returns the median, of an even number of values the upper one. Precondition: not empty.
+// Returns the median; for an even number of values, the upper of the two in the middle. Changes the
+// order of the values. Precondition: `values` is not empty.
 double median(std::vector<double>& values) {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::nth_element(values.begin(), middle, values.end());

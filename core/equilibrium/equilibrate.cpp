@@ -15,35 +15,45 @@
 
 namespace foam {
 
+// Newton's method (E3) for the whole foam in rounds, each followed by the response to its result:
+// T1s if films collapse or are too short, relaxation (E4) of the worst regions or of the whole foam
+// if the method has stalled. Between rounds the defect regions, where most of the residual is after
+// a T1, are solved on their own with everything else held, since Newton's method takes several
+// damped steps there while one step is enough elsewhere. README.md has the flow, NOTES.md the
+// measurements behind the constants.
+
 namespace {
 
-// A step of the whole foam that leaves more than this share of the residual is slow: it is held
-// back by defect regions.
+// A step of the whole foam is slow if it leaves more than this share of the residual: defect
+// regions then limit its progress.
 constexpr double kSlowRatio = 0.1;
-// After this many rounds without equilibrium, regions are no longer solved on their own.
+// After this many rounds without equilibrium, defect regions are no longer solved on their own.
 constexpr int kRoundsWithRegions = 20;
-// Of the relaxations after a stall of Newton's method, one in this many is of the whole foam.
+// One in this many relaxations after a stall of Newton's method is of the whole foam; the others
+// are of its worst regions.
 constexpr int kGlobalRelaxationPeriod = 4;
 
-// The foam that all rounds work on, and their buffers.
+// The foam that all rounds work on, and the buffers that they reuse.
 struct Work {
     Work(Foam& the_foam, const EquilibriumOptions& the_options)
         : foam(the_foam), options(the_options), local(the_foam) {}
 
     Foam& foam;
     const EquilibriumOptions& options;
-    NewtonSystem whole;  // of all unknowns
+    NewtonSystem whole;  // system of all unknowns of the foam
     LocalMemory local;
 };
 
-// The state that one round hands on to the next.
+// The state that is passed from one round to the next.
 struct Progress {
     EquilibriumSummary summary;
     int rounds = 0;
-    bool is_at_rest = false;      // Newton's method has converged, and no T1 is due
-    bool solves_regions = true;   // defect regions on their own; false once they are given up
-    bool stops_if_slow = false;   // Newton's method, for the sake of defect regions
-    bool network_changed = true;  // since the whole system was started
+    bool is_at_rest = false;  // Newton's method has converged and no T1 is due
+    // Defect regions are solved on their own, which ends after kRoundsWithRegions.
+    bool solves_regions = true;
+    // Newton's method stops after a slow step, so that defect regions can be solved.
+    bool stops_if_slow = false;
+    bool network_changed = true;  // since `whole` was started
     int global_relaxations = 0;
     int stalls_in_regions = 0;
 };
@@ -53,8 +63,9 @@ void count_t1(int t1, Progress& progress) {
     progress.network_changed = progress.network_changed || t1 > 0;
 }
 
-// Each relaxation has a quarter of the sweeps of the one before, down to one, and then all again:
-// Newton's method is to start from another state than the one from which it stalled.
+// Returns the number of sweeps of the next relaxation of the whole foam: all, then a quarter of the
+// previous number, down to one, and then all again in a cycle of four. With different numbers,
+// Newton's method starts from a different state than the one in which it stalled.
 int next_sweeps(int sweeps, Progress& progress) {
     const int quarterings = progress.global_relaxations++ % 4;
     return std::max(1, sweeps >> (2 * quarterings));
@@ -70,10 +81,10 @@ void relax_all(Work& work, bool begins_anew, Progress& progress) {
     const RelaxationSummary relaxation = relax_globally(work.foam, options, work.local.soft);
     progress.summary.sweeps += relaxation.sweeps;
     count_t1(relaxation.t1, progress);
-    progress.network_changed = true;  // pressures and half angles may have begun anew
+    progress.network_changed = true;  // pressures and half angles may have been reset
 }
 
-// Returns the number of regions.
+// Solves the defect regions on their own, unless that has been given up. Returns their number.
 std::size_t solve_regions(Work& work, Progress& progress) {
     if (!progress.solves_regions) {
         return 0;
@@ -83,10 +94,12 @@ std::size_t solve_regions(Work& work, Progress& progress) {
     return local.regions;
 }
 
-// A large foam stalls because of a few bubbles: to relax these alone leaves the rest as it is.
-// Where that does not help, all of it is relaxed.
+// Responds to a stall of Newton's method. A large foam stalls because of a few bubbles, so only the
+// worst regions are relaxed, which keeps the rest as it is. The whole foam is relaxed every
+// kGlobalRelaxationPeriod-th time, if there are no such regions, or if regions are no longer solved
+// on their own.
 void relax_where_stalled(Work& work, Progress& progress) {
-    untangle(work.foam);  // a step of the whole foam may leave a tangle
+    untangle(work.foam);  // a step of the whole foam may have tangled some junctions
     open_shut_bubbles(work.foam);
     std::vector<DefectRegion> regions = worst_regions(work.foam, work.options.threads);
     if (!progress.solves_regions || regions.empty() ||
@@ -99,9 +112,10 @@ void relax_where_stalled(Work& work, Progress& progress) {
 
 Progress first_phase(Work& work) {
     Progress progress;
-    // Relaxation does not open them, but raises their pressures without end.
+    // Relaxation cannot open shut bubbles; it would raise their pressures without bound.
     open_shut_bubbles(work.foam);
-    // A tangle is no state for Newton's method: its T1s would lead anywhere.
+    // Newton's method must not start from a tangled foam: the T1s that it asks for there are
+    // arbitrary.
     if (untangle(work.foam) > 0 || work.options.relaxes_first) {
         relax_all(work, true, progress);
     }
@@ -124,7 +138,7 @@ NewtonSummary solve_whole(Work& work, Progress& progress) {
     return summary;
 }
 
-// Does what Newton's method asks for where it has ended.
+// Responds to the status with which Newton's method has ended.
 void respond(Work& work, const NewtonSummary& newton_summary, Progress& progress) {
     const auto apply_rule = [&](const std::vector<FilmId>& films) {
         const int t1 = apply_t1_rule(work.foam, films, work.options.thresholds);
@@ -133,7 +147,7 @@ void respond(Work& work, const NewtonSummary& newton_summary, Progress& progress
     };
     switch (newton_summary.status) {
         case NewtonStatus::Converged:
-            if (films_at_limit(work.foam) > 0) {  // no equilibrium
+            if (films_at_limit(work.foam) > 0) {  // an equilibrium has no such film
                 relax_all(work, false, progress);
             } else {
                 progress.is_at_rest =
@@ -152,13 +166,14 @@ void respond(Work& work, const NewtonSummary& newton_summary, Progress& progress
     }
 }
 
-// Newton's method for the whole foam, what it asks for, and defect regions on their own.
+// Runs one round: Newton's method for the whole foam, the response to its status, and then the
+// defect regions on their own.
 Progress next_round(Work& work, Progress progress) {
     if (progress.rounds++ == kRoundsWithRegions) {
         progress.solves_regions = false;
         relax_all(work, false, progress);
     }
-    if (work.foam.network.film_count() == 0) {  // all have torn
+    if (work.foam.network.film_count() == 0) {  // every film has torn
         progress.is_at_rest = true;
         return progress;
     }
@@ -166,7 +181,8 @@ Progress next_round(Work& work, Progress progress) {
     respond(work, newton_summary, progress);
     if (!progress.is_at_rest) {
         const std::size_t regions = solve_regions(work, progress);
-        // Slow without a region: it is slow everywhere, and goes on.
+        // If the step was slow without any defect region, progress is slow everywhere, and stopping
+        // again would not help.
         progress.stops_if_slow = newton_summary.status != NewtonStatus::Slow || regions > 0;
     }
     return progress;
@@ -176,7 +192,7 @@ Progress next_round(Work& work, Progress progress) {
 
 EquilibriumSummary equilibrate(Foam& foam, const EquilibriumOptions& options) {
     const Positions before = foam.positions;
-    if (foam.network.film_count() == 0) {  // lone bubbles, which are circles already, or nothing
+    if (foam.network.film_count() == 0) {  // empty, or only lone bubbles, which are circles already
         return conclude(foam, before, options, true, {});
     }
     Work work(foam, options);

@@ -6,36 +6,38 @@
 
 namespace foam {
 
+/// How an equilibration ended.
 enum class EquilibriumStatus {
     Converged,
-    RoundLimit,       // T1s and relaxation led to no equilibrium in max_rounds
-    ToleranceMissed,  // the solver has come to its end, but an error is above the
-                      // tolerance
+    RoundLimit,       // no equilibrium within max_rounds rounds
+    ToleranceMissed,  // the solver has stopped, but an error is above the tolerance
 };
 
-/// How a foam came to equilibrium, and how near.
+/// The work and the result of an equilibration.
 struct EquilibriumSummary {
     EquilibriumStatus status = EquilibriumStatus::RoundLimit;
-    int sweeps = 0;      // of relaxation of the whole foam
-    int iterations = 0;  // of Newton's method for the whole foam, or sweeps of Gauss-Seidel
+    int sweeps = 0;  // relaxation sweeps over the whole foam
+    // Steps of Newton's method for the whole foam, or sweeps of Gauss-Seidel.
+    int iterations = 0;
     int t1 = 0;
     int t2 = 0;
-    double area_error = 0.0;   // largest, relative
+    double area_error = 0.0;   // largest, relative to the target area
     double angle_error = 0.0;  // largest, radians
     double energy = 0.0;
 
     bool converged() const { return status == EquilibriumStatus::Converged; }
 };
 
-/// Brings the foam to mechanical equilibrium (E2) at its target areas by Newton's method (E3), with
-/// T1 (E7) where a film collapses and where one rests below the T1 distance. On a torus, pressures
-/// come out with an area-weighted mean of 0. Preconditions: a valid network; positive targets,
-/// which on a torus add up to its area.
+/// Brings the foam to mechanical equilibrium (E2) at its target areas by Newton's method (E3).
+/// Makes a T1 (E7) where a film collapses and where a film is shorter than its T1 distance in
+/// equilibrium. On a torus, the resulting pressures have an area-weighted mean of 0. Preconditions:
+/// a valid network; positive target areas, which on a torus add up to its area.
 EquilibriumSummary equilibrate(Foam& foam, const EquilibriumOptions& options);
 
-/// Ends an equilibration, whichever solver it used: moves the foam back by its drift from the
-/// positions `before`, centers the pressures, rearms grown films, and measures the errors and the
-/// energy for the summary. `is_at_rest`: the solver has come to its end, and no T1 is due.
+/// Ends an equilibration by any solver: undoes the drift from the positions `before`, centers the
+/// pressures, rearms grown films, and writes the errors, the energy and the status to the summary.
+/// `is_at_rest` means that the solver has stopped by itself and no T1 is due; if it is false, the
+/// status stays as it is.
 EquilibriumSummary conclude(Foam& foam,
                             const Positions& before,
                             const EquilibriumOptions& options,

@@ -9,14 +9,20 @@
 
 namespace foam {
 
+// The foam is scaled to a mean area of 1 and a film tension of 1, since the thresholds are meant
+// for these units. Up to three attempts start from the given state, each allowed to change more of
+// it than the one before: Newton's method alone, relaxation and Newton's method, and finally T1s as
+// well.
+
 namespace {
 
 constexpr TopologyThresholds kKeepTopology{.t1_distance = 0.0, .t2_area = 0.0};
 
-// A mean area that differs less from 1 counts as 1.
+// A unit of length that differs from 1 by less than this counts as 1, so that the foam is not
+// scaled.
 constexpr double kRounding = 1e-9;
 
-// The units in which a foam has mean area 1 and film tension 1.
+// The units of length and tension in which a foam has a mean area of 1 and a film tension of 1.
 struct Units {
     double length = 1.0;
     double tension = 1.0;
@@ -64,13 +70,13 @@ Foam in_units(Foam foam, const Units& units) {
     return foam;
 }
 
-// Takes over the solution. Domain, tension and target areas stay as they were given, to the last
-// bit.
+// Copies the solution, in units of the given foam, to the foam. The bits of the domain, the tension
+// and the target areas stay as given.
 void take_solution(Foam& foam, Foam solved, const Units& units) {
     foam.network = std::move(solved.network);
     foam.t1_armed = std::move(solved.t1_armed);
     foam.half_angles = std::move(solved.half_angles);
-    if (solved.lone_bubbles.size() != foam.lone_bubbles.size()) {  // some came loose
+    if (solved.lone_bubbles.size() != foam.lone_bubbles.size()) {  // a bubble left its raft
         foam.lone_bubbles = std::move(solved.lone_bubbles);
         scale_lone_bubbles(foam, units.length);
     }
@@ -110,7 +116,8 @@ EquilibriumSummary equilibrate_given(Foam& foam, int threads) {
         summary = attempt;
         if (summary.converged()) {
             if (options.thresholds.t1_distance == 0.0) {
-                // At a distance of 0 every film counts as grown.
+                // At a T1 distance of 0 every film counted as grown and was armed. Start again
+                // from the given flags, with the default distance.
                 trial.t1_armed = given.t1_armed;
                 rearm_grown_films(trial, TopologyThresholds{});
             }

@@ -4,15 +4,17 @@
 
 namespace foam {
 
+/// Options of `equilibrate` and of solvers that take its place.
 struct EquilibriumOptions {
     TopologyThresholds thresholds{};
-    // Succeeds if the largest area and angle errors are below this. Gauss-Seidel also stops there;
-    // below 1e-4 it takes long.
+    // The equilibrium is accepted if the errors of the foam are below this
+    // (EquilibriumErrors::are_below). Gauss-Seidel also stops there, and takes long below 1e-4.
     double tolerance = 1e-9;
-    bool relaxes_first = true;   // for a foam that is far from equilibrium (E4)
-    int relaxation_sweeps = 60;  // at first, and where Newton's method stalls
-    int threads = 0;             // as in parallel_for; the result has the same bits for any number
-    int max_rounds = 100;        // of the solver, each followed by T1s or relaxation
+    bool relaxes_first = true;  // relaxation (E4) first, for a foam far from equilibrium
+    // Sweeps of the first relaxation, and of those after a stall of Newton's method.
+    int relaxation_sweeps = 60;
+    int threads = 0;       // as in parallel_for; same bits for any number
+    int max_rounds = 100;  // rounds of the solver, with T1s or relaxation after each
 };
 
 }  // namespace foam

@@ -10,13 +10,15 @@ namespace foam {
 
 using FourBubbles = std::array<BubbleId, 4>;
 
-/// Called after the T1 rule has been applied to a film, with the four bubbles that were around it,
-/// the ghost possibly among them, and with whether the network changed. If it did, the film and
-/// each of the bubbles may have gone; if not, the film may still have been opened anew.
+/// Called after the T1 rule has been applied to a film. The arguments are the film, the four
+/// bubbles that were around it, one of which may be the ghost, and whether the network changed. If
+/// it changed, the film and any of the bubbles may be dead. If not, the film may still have been
+/// reopened (reopen_film).
 using OnT1Rule = std::function<void(FilmId, const FourBubbles&, bool)>;
 
 /// Applies the T1 rule to the films of a part of the foam that are shorter than the T1 distance and
-/// have both ends in the part. Removes what has gone from the part. Returns the number of T1s.
+/// have both ends in the part. Erases dead ids from the junctions, films and bubbles of the part;
+/// its ranks and `outer_films` are not updated. Returns the number of changes of the network.
 int flip_short_films(Foam& foam,
                      Unknowns& part,
                      const TopologyThresholds& thresholds,

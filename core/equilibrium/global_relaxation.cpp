@@ -9,11 +9,12 @@ namespace foam {
 
 namespace {
 
-constexpr int kFewAtLimit = 10;        // films at the limit, as around a bubble of two sides
-constexpr int kMaxFurtherPasses = 10;  // of a foam that stays far from equilibrium
+constexpr int kFewAtLimit = 10;        // films at the limit, for example around a two-sided bubble
+constexpr int kMaxFurtherPasses = 10;  // of relaxation after the first pass
 
-// Returns true if a patch is far from equilibrium, and not in a few regions alone. A torus holds
-// itself together, and to begin anew again and again would shut its two-sided bubbles.
+// Returns true if the foam is a patch and is far from equilibrium in more than a few regions.
+// Always returns false for a torus, which cannot come apart: resetting the pressures in one
+// relaxation after another would shut its two-sided bubbles.
 bool is_far_all_over(const Foam& foam, int threads) {
     if (!foam.domain.is_plane()) {
         return false;

@@ -4,17 +4,23 @@
 
 namespace foam {
 
-/// Relaxation of the whole foam (E4) until Newton's method can take over.
+/// Options for the relaxation of the whole foam (E4).
 struct GlobalRelaxationOptions {
     int sweeps = 60;
-    int further_sweeps = 60;   // of each further pass, while the foam is far from equilibrium
-    bool begins_anew = false;  // see RelaxationOptions; a foam that is far always does
+    // Sweeps of each further pass.
+    int further_sweeps = 60;
+    // The first pass resets pressures and half angles (RelaxationOptions). It always does so if the
+    // foam is tangled, has films at the limit of their half angle, or is far from equilibrium all
+    // over.
+    bool begins_anew = false;
     TopologyThresholds thresholds{};
     int threads = 0;  // as in parallel_for
 };
 
-/// Untangles the foam and relaxes it, again and again while it is far from equilibrium all over, a
-/// bounded number of times. `memory` belongs to the same foam. Returns sums over all passes.
+/// Untangles the foam and relaxes it until Newton's method can take over: once, and then again
+/// while a patch is far from equilibrium all over, or while films are at the limit of their half
+/// angle if the first pass has left many of them there. The number of passes is bounded.
+/// Precondition: `memory` belongs to the same foam. Returns sums over all passes.
 RelaxationSummary relax_globally(Foam& foam,
                                  const GlobalRelaxationOptions& options,
                                  SoftFoam& memory);

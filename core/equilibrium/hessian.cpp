@@ -9,6 +9,12 @@
 
 namespace foam {
 
+// Assembly as in a finite element method: each film contributes a dense matrix of the second
+// derivatives of its term in L (E3), 6 x 6 for an inner film and 7 x 7 for an outer film, whose
+// half angle is an unknown. Its blocks are added to precomputed slots of the compressed column
+// storage. The derivatives of inner films are evaluated in parallel; the sums are taken in the
+// order of the films, so that their bits do not depend on the number of threads.
+
 namespace {
 
 constexpr std::size_t kGrain = 1024;  // films per chunk
@@ -16,17 +22,18 @@ constexpr std::size_t kGrain = 1024;  // films per chunk
 using FilmMatrix = Eigen::Matrix<double, 6, 6>;
 using OuterFilmMatrix = Eigen::Matrix<double, 7, 7>;
 
-// Rows of tail, head, left pressure, right pressure, and half angle.
+// The number of rows, and the first row in a film's matrix, of: tail, head, left pressure, right
+// pressure, and half angle.
 constexpr std::array<int, 5> kFilmRows = {2, 2, 1, 1, 1};
 constexpr std::array<int, 5> kFirstFilmRow = {0, 2, 4, 5, 6};
 
-// Returns the second derivatives of one film's part of L by (tail, head, left pressure, right
-// pressure).
+// Returns the second derivatives of one film's term in L with respect to the tail, the head, the
+// left pressure and the right pressure.
 FilmMatrix film_matrix(const Vec2& d, double delta, const FilmEnergyHessian& hessian) {
     Mat2 turn_right;
     turn_right << 0.0, 1.0, -1.0, 0.0;
     const Mat2 polygon = -0.5 * delta * turn_right;
-    const Vec2 push = -0.5 * turn_right * d;  // of both ends, per unit of delta
+    const Vec2 push = -0.5 * turn_right * d;  // force on each end per unit of delta
     FilmMatrix m = FilmMatrix::Zero();
     m.block<2, 2>(0, 0) = hessian.chord_chord;
     m.block<2, 2>(2, 2) = hessian.chord_chord;
@@ -41,7 +48,7 @@ FilmMatrix film_matrix(const Vec2& d, double delta, const FilmEnergyHessian& hes
     return m;
 }
 
-// The same for an outer film, with its half angle as the last row.
+// Returns the second derivatives of an outer film's term in L, with the half angle as the last row.
 OuterFilmMatrix outer_film_matrix(const Vec2& d, double delta, const BulgeEnergyHessian& hessian) {
     OuterFilmMatrix m = OuterFilmMatrix::Zero();
     m.topLeftCorner<6, 6>() =
@@ -55,8 +62,9 @@ OuterFilmMatrix outer_film_matrix(const Vec2& d, double delta, const BulgeEnergy
     return m;
 }
 
-// Adds the block with the rows of the pair's first node and the columns of its second; of a node's
-// own block only the lower triangle.
+// Adds one block of a film's matrix to the values: the rows of the pair's first node and the
+// columns of its second. With `is_own` both are the same node of the foam, and only the lower
+// triangle of the block is added.
 template <class Matrix>
 void add_block(
     double* values, int stride, const Matrix& film, std::array<std::size_t, 2> pair, bool is_own) {
@@ -77,9 +85,10 @@ void append_rows(int begin, int end, std::vector<int>& rows) {
 
 }  // namespace
 
-// For each node, the later nodes that are coupled to it, each once and in order.
+// The block pattern of the matrix: for each node, the later nodes that are coupled to it, each once
+// and in increasing order.
 struct Hessian::NodePattern {
-    std::vector<int> begins;  // of each node's range in `later`, and the end
+    std::vector<int> begins;  // start of each node's range in `later`, and the end of the last
     std::vector<int> later;
 
     NodePattern(std::size_t node_count, std::span<const FilmNodes> films) {
@@ -165,8 +174,8 @@ Hessian::Hessian(const Network& network, const Unknowns& unknowns)
     }
 }
 
-// Fills the pattern column by column: a node's own rows from the diagonal on, then those of the
-// later nodes that are coupled to it.
+// Fills the pattern column by column: the node's own rows from the diagonal down, then the rows of
+// the later nodes that are coupled to it.
 void Hessian::fill_pattern(const NodePattern& pattern) {
     const auto node_count = static_cast<int>(pattern.begins.size()) - 1;
     std::vector<int> rows;
@@ -204,7 +213,7 @@ Hessian::FilmSlots Hessian::slots_of(const NodePattern& pattern, const FilmNodes
     return slots;
 }
 
-// Returns the number of rows in the node's first column above those of a later node.
+// Returns the number of entries in the node's first column above the rows of the node `later`.
 int Hessian::rows_before(const NodePattern& pattern, int node, int later) const {
     if (node == later) {
         return 0;

@@ -9,34 +9,36 @@
 
 namespace foam {
 
-/// The second derivatives of L by the unknowns (E3) for one network, as a lower triangle. The
-/// pattern and the slots of each film's contributions are found once; `evaluate` then only adds.
-/// Precondition: the unknowns outlive it.
+/// The Hessian of L with respect to the unknowns (E3) for one network, as a lower triangle. The
+/// pattern and the slots of each film's contributions are found once, so that `evaluate` only adds.
+/// Precondition: the unknowns outlive this object.
 class Hessian {
   public:
     Hessian(const Network& network, const Unknowns& unknowns);
 
-    /// Returns the matrix at the foam's present state. `threads` as in parallel_for; the bits are
-    /// the same for any number. Precondition: the foam has the network of the constructor.
+    /// Returns the matrix at the present state of the foam. `threads` as in parallel_for; the
+    /// result has the same bits for any number of threads. Precondition: the foam has the network
+    /// that was given to the constructor.
     const Eigen::SparseMatrix<double>& evaluate(const Foam& foam, int threads = 1);
 
     const Eigen::SparseMatrix<double>& matrix() const { return matrix_; }
 
-    /// Returns the diagonal entry, which is the first of its column.
+    /// Returns a reference to the diagonal entry of a row, which is the first entry of its column.
     double& diagonal(int row) { return matrix_.valuePtr()[matrix_.outerIndexPtr()[row]]; }
 
   private:
-    // The nodes of the pattern are the free junctions, of two rows, then the free bubbles and then
-    // the half angles of outer films, of one row each. A film couples four of them: its tail, its
-    // head, and the bubbles on its left and right. An outer film couples its half angle, too.
+    // The nodes of the pattern are the free junctions with two rows each, then the free bubbles and
+    // the half angles of outer films with one row each. A film couples four nodes: its tail, its
+    // head, and the bubbles on its left and right. An outer film also couples its half angle.
     static constexpr std::size_t kMaxNodes = 5;
-    using FilmNodes = std::array<int, kMaxNodes>;  // negative if held, or absent
-    // The slots of a film's contribution among the values of the matrix.
+    using FilmNodes = std::array<int, kMaxNodes>;  // negative if held or absent
+    // The slots of a film's contributions in the array of the matrix values.
     struct FilmSlots {
-        // For each pair of nodes, the first slot of the block of the first node's rows in the
-        // second node's first column; negative if it is not in the lower triangle.
+        // For each pair of nodes (a, b) of the film, at index kMaxNodes b + a: the first slot of
+        // the block with the rows of a and the columns of b. Negative if the block is not in the
+        // lower triangle.
         std::array<int, kMaxNodes * kMaxNodes> blocks;
-        std::array<int, kMaxNodes> strides;  // from a node's first column to its second
+        std::array<int, kMaxNodes> strides;  // from a block's first column to its second
     };
     struct NodePattern;
 

@@ -6,9 +6,9 @@ namespace foam {
 
 namespace {
 
-// Foams of 1,000 to 100,000 bubbles take up to 1,100 bytes a row in double precision, and a dense
-// factor of a small foam fits in the constant part. Only a foam whose positions are in disorder
-// exceeds this: it is no state for Newton's method.
+// The memory limit of a factor. Foams of 1,000 to 100,000 bubbles take up to 1,100 bytes per row in
+// double precision, and the constant part holds a dense factor of a small foam. Only a foam whose
+// positions are in disorder exceeds the limit, and Newton's method cannot start from such a foam.
 constexpr std::size_t kMaxBytesPerRow = 2000;
 constexpr std::size_t kMaxBytesOfFewRows = std::size_t{32} << 20U;
 

@@ -10,28 +10,32 @@
 
 namespace foam {
 
-/// Returns the positions of the unknowns, in the order of their rows: of a junction its own, of the
-/// pressure of a bubble the mean of its junctions, of the half angle of an outer film the middle of
-/// its chord.
+/// Returns the solver nodes of the unknowns, in the order of their rows. A junction has its own
+/// position, the pressure of a bubble the mean of the bubble's junctions, and the half angle of an
+/// outer film the middle of the film's chord.
 std::vector<SolverNode> solver_nodes(const Foam& foam, const Unknowns& unknowns);
 
-/// The precision of a factor. Single precision takes half the time and memory, and is enough for
-/// steps whose residual is computed in double precision, unless a pivot is nearly zero.
+/// The precision of a factor. Single precision takes half the time and memory. It is enough for the
+/// steps of Newton's method, whose residual is computed in double precision, unless a pivot is
+/// nearly zero.
 enum class Precision { Single, Double };
 
-/// A direct solver for the Hessian of E3, given as a lower triangle. Near a stable state it is
-/// quasi-definite, so that no pivoting is needed.
+/// A direct solver for the Hessian of E3, which is given as a lower triangle. Near a stable state
+/// the Hessian is quasi-definite, so that no pivoting is needed.
 class LinearSolver {
   public:
-    /// Prepares for a network. Positions only guide the order of elimination, so that everything
-    /// stays valid while the foam moves and its network is the same. `threads` as in parallel_for.
+    /// Prepares the solver for a network. The positions only guide the order of elimination, so
+    /// that the preparation stays valid while the foam moves, as long as its network does not
+    /// change. `threads` as in parallel_for.
     void start(const Foam& foam, const Unknowns& unknowns, Precision precision, int threads = 0);
 
-    /// Factors a matrix; all matrices since `start` have the same pattern. Returns false if a pivot
-    /// vanished or the factor would take too much memory: then there is none to solve with.
+    /// Factors a matrix. Returns false if a pivot vanished or the factor would take too much
+    /// memory; no factor is available then. Precondition: all matrices since `start` have the same
+    /// pattern.
     bool factor(const Eigen::SparseMatrix<double>& matrix);
 
-    /// Solves with the factor, to about six digits if it is of single precision.
+    /// Returns the solution for a right-hand side, to about six digits if the factor is in single
+    /// precision. Precondition: `factor` has succeeded.
     Eigen::VectorXd solve(const Eigen::VectorXd& right_hand_side) const;
 
   private:

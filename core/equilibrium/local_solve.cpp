@@ -13,19 +13,21 @@ namespace foam {
 
 namespace {
 
-constexpr double kTolerance = 1e-3;  // the surroundings are held, so there is no need to be exact
+constexpr double kTolerance = 1e-3;  // loose, since the surroundings are held and will move later
 constexpr int kMaxIterations = 12;
-constexpr int kMaxRounds = 5;          // of Newton's method, each followed by T1s or relaxation
-constexpr int kRelaxationSweeps = 30;  // where Newton's method stalls
-constexpr int kWorstRings = 3;         // of neighbors around the worst defects
-constexpr double kWorstShare = 0.2;    // of the largest residual, from which a defect is among them
+constexpr int kMaxRounds = 5;  // rounds of Newton's method, each followed by T1s or relaxation
+constexpr int kRelaxationSweeps = 30;  // of a region in which Newton's method stalls
+constexpr int kWorstRings = 3;         // rings of neighbors around the worst defects
+// A defect is among the worst if its residual is at least this share of the largest.
+constexpr double kWorstShare = 0.2;
 
-// Removes bubbles that came loose when a film of an earlier region tore.
+// Erases bubbles that left their raft when a film of an earlier region tore.
 void drop_dead(const Network& network, DefectRegion& region) {
     std::erase_if(region, [&](BubbleId bubble) { return !network.is_live(bubble); });
 }
 
-// Returns the number of T1s.
+// Solves one region, alternating between Newton's method and the T1s or the relaxation that it asks
+// for. Returns the number of T1s.
 int solve_region(Foam& foam,
                  DefectRegion region,
                  const TopologyThresholds& thresholds,

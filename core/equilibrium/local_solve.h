@@ -10,7 +10,8 @@
 
 namespace foam {
 
-/// Buffers for one region after another: for the whole foam they are costly to allocate and clear.
+/// Buffers that are reused from region to region. Allocating them for each region would be costly,
+/// since SoftFoam has a slot for every bubble and film of the whole foam.
 struct LocalMemory {
     explicit LocalMemory(Foam& foam) : soft(foam) {}
 
@@ -18,21 +19,22 @@ struct LocalMemory {
     SoftFoam soft;
 };
 
+/// The work of `solve_defect_regions`.
 struct LocalSummary {
     std::size_t regions = 0;
     int t1 = 0;
 };
 
 /// Runs Newton's method on each defect region of the foam, with everything else held, and makes the
-/// T1s that it asks for. A region in which it stalls is relaxed once: left as it is, it would stop
-/// every step of the whole foam. The regions are solved loosely, since their surroundings move
-/// again. Does nothing if there are no regions (find_defect_regions).
+/// T1s that it asks for. A region in which it stalls is relaxed once; otherwise the region would
+/// stop every step of the whole foam. The tolerance is loose, since the surroundings move later.
+/// Does nothing if there are no regions (find_defect_regions).
 LocalSummary solve_defect_regions(Foam& foam,
                                   const EquilibriumOptions& options,
                                   LocalMemory& memory);
 
-/// Returns the regions in which the residual is of the order of its largest. Returns none if they
-/// hold a large share of the foam.
+/// Returns the regions around defects whose residual is at least a fifth of the largest residual of
+/// the foam. Returns none if they would hold too large a share of the foam.
 std::vector<DefectRegion> worst_regions(const Foam& foam, int threads);
 
 /// Relaxes each of the regions, with everything else held. Returns the number of T1s.

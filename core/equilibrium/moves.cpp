@@ -8,6 +8,11 @@
 
 namespace foam {
 
+// Newton's method is globalized by limiting relative motion: the ends of a film may approach or
+// rotate around each other only by a fraction of its length, while their common motion is free.
+// Limiting the motion of each junction instead would also stop the common motion of short films,
+// and the rest of the step would not be a descent direction (NOTES.md).
+
 namespace {
 
 constexpr int kLimitSweeps = 4;
@@ -17,7 +22,8 @@ Vec2 move_of(const Unknowns& unknowns, const Eigen::VectorXd& step, JunctionId j
     return row < 0 ? Vec2(0.0, 0.0) : Vec2(step.segment<2>(row));
 }
 
-// Returns true if the whole step leaves the film below a length, and its flipped state stays open.
+// Returns true if the whole step leaves the film below a length, the film can flip or tear, and its
+// flipped state would stay open.
 bool awaits_flip(const Foam& foam,
                  const Unknowns& unknowns,
                  const Eigen::VectorXd& step,
@@ -30,8 +36,8 @@ bool awaits_flip(const Foam& foam,
            flipped_pulls_apart(foam, film);
 }
 
-// Returns the films that have collapsed, and those below their T1 distance for which
-// is_due(film, length) holds.
+// Returns the films that have collapsed, and the films below their T1 distance for which
+// is_due(film, length) returns true.
 template <class IsDue>
 std::vector<FilmId> films_for_t1(const Foam& foam,
                                  const Unknowns& unknowns,
@@ -63,7 +69,8 @@ void add_move(const Unknowns& unknowns,
     }
 }
 
-// Each of the two ends takes half of the cut, or all of it if the other end is held.
+// Reduces the relative motion of the film's ends to its allowed share. Each end takes half of the
+// cut, or all of it if the other end is held. Returns true if the step was changed.
 bool limit_film(const Foam& foam,
                 const Unknowns& unknowns,
                 FilmId film,

@@ -9,15 +9,24 @@
 
 namespace foam {
 
+// Newton's method with backtracking line search (Nocedal and Wright, Numerical Optimization, 2006;
+// paper 4.1) on the gradient of L (E3). The merit function is the sum of squares of the
+// dimensionless residual. The chord method reuses a factor while its measured rate of convergence
+// promises at most kStepsPerFactor further steps, about the price of a new factor. Before each
+// step, films that it would take through a T1 are reported to the caller instead.
+
 namespace {
 
-constexpr double kSufficientDecrease = 1e-4;  // of the sum of squares, per unit of the step
+// Required decrease of the sum of squares, relative and per unit of the step.
+constexpr double kSufficientDecrease = 1e-4;
 constexpr double kSmallestStep = 1.0 / 64.0;
-// A factor is kept while at most this many further steps with it are expected; a new factor costs
+// A factor is kept while at most this many further steps with it are expected. A new factor costs
 // about as much as this many steps.
 constexpr double kStepsPerFactor = 6.0;
-constexpr double kNewFactorRatio = 0.5;    // a new factor is kept if its step leaves less than this
-constexpr double kNearEquilibrium = 0.05;  // largest force and area error at which T1 are predicted
+// A new factor is kept if its first step leaves less than this share of the residual.
+constexpr double kNewFactorRatio = 0.5;
+// T1s are predicted from the step if all forces and area errors are below this.
+constexpr double kNearEquilibrium = 0.05;
 
 // The residual at the foam's present state.
 struct Evaluation {
@@ -25,11 +34,11 @@ struct Evaluation {
     ResidualNorms norms;
 };
 
-// What a line search did to the foam.
+// The result of a line search.
 struct Advance {
     bool moved = false;
     bool was_limited = false;  // the step had to be cut (limit_moves)
-    double ratio = 1.0;        // of the residuals' Euclidean norms, after over before
+    double ratio = 1.0;        // norm of the residual after the step, divided by that before
 };
 
 Evaluation evaluate(const Foam& foam, const NewtonSystem& system) {
@@ -39,7 +48,7 @@ Evaluation evaluate(const Foam& foam, const NewtonSystem& system) {
     return here;
 }
 
-// Returns the status with which the method ends here, if it does.
+// Returns the status if the method ends here, or nothing if it continues.
 std::optional<NewtonStatus> ending(const ResidualNorms& norms,
                                    int iterations,
                                    bool is_slow,
@@ -65,8 +74,8 @@ std::vector<FilmId> films_for_t1(const Foam& foam,
                    : collapsing_films(foam, unknowns, step, options.thresholds);
 }
 
-// Moves the foam along the step to the first of the fractions 1, 1/2, 1/4 ... at which the residual
-// is sufficiently smaller. Returns false, with the foam as it was, if there is none.
+// Moves the foam along the step by the first of the fractions 1, 1/2, 1/4 ... that reduces the
+// residual sufficiently. Returns false and leaves the foam as it was if there is none.
 bool backtrack(Foam& foam,
                const NewtonSystem& system,
                const Eigen::VectorXd& step,
@@ -84,8 +93,8 @@ bool backtrack(Foam& foam,
     return false;
 }
 
-// Backtracks along the step with its moves limited or, since that may be no direction of descent,
-// along the step as it is.
+// Backtracks along the limited step. If that fails, backtracks along the original step, since a
+// limited step may not be a descent direction.
 Advance line_search(Foam& foam,
                     const NewtonSystem& system,
                     const Eigen::VectorXd& step,
@@ -101,8 +110,9 @@ Advance line_search(Foam& foam,
     return advance;
 }
 
-// Returns true if the factor promises to converge faster than a new one. Its first step tells
-// little of those to come, as it is Newton's own.
+// Returns true if keeping the factor is expected to be cheaper than renewing it. The first step
+// with a factor is a full Newton step, so its ratio says little about the rate of the chord steps
+// to come; it is only compared with a fixed limit.
 bool is_worth_keeping(const Advance& advance,
                       bool is_chord_step,
                       const ResidualNorms& norms,
@@ -137,7 +147,8 @@ NewtonSummary newton(Foam& foam, NewtonSystem& system, const NewtonOptions& opti
         if (!is_worth_keeping(advance, is_chord_step, here.norms, options)) {
             system.drop_factor();
         }
-        // Where Newton's own step leads nowhere, the factor may be to blame.
+        // If a step with a new factor makes no progress, the precision of the factor may be the
+        // reason.
         if (!advance.moved && !is_chord_step && !system.raise_precision(foam)) {
             end = NewtonStatus::Stalled;
             break;

@@ -7,16 +7,16 @@ namespace foam {
 
 namespace {
 
-// Regularization of the null modes (E3), relative to the film tension for junctions and to the
-// diagonal entry for pressures. It is small against the softest shear of the foam, and large
-// against rounding in the factor. In a small foam a null mode of the junctions may be held by a
-// later pressure alone: one pivot is then this small and the next one as large as its inverse,
-// which takes double precision.
+// Regularization of the null modes (E3), relative to the film tension for junctions and half
+// angles, and to the diagonal entry for pressures. It is small compared with the softest shear of
+// the foam, and large compared with rounding errors in the factor. In a small foam a null mode of
+// the junctions may be held only by a pressure that is eliminated later: one pivot is then as small
+// as the regularization and the next one as large as its inverse, which requires double precision.
 constexpr double kSingleRegularization = 1e-6;
 constexpr double kDoubleRegularization = 1e-7;
-constexpr int kFewUnknowns = 500;  // below, single precision saves nothing
+constexpr int kFewUnknowns = 500;  // with fewer unknowns, single precision saves nothing
 
-// Subtracts the mean of the junctions' vectors, which are the first rows, from each of them.
+// Subtracts the mean of the junctions' vectors, which are in the first rows, from each of them.
 void remove_mean(Eigen::VectorXd& rows, std::size_t junction_count) {
     const auto junctions = static_cast<Eigen::Index>(junction_count);
     auto vectors = rows.head(2 * junctions).reshaped(2, junctions);
@@ -56,8 +56,9 @@ Eigen::VectorXd NewtonSystem::step(const Foam& foam, const Eigen::VectorXd& resi
     }
     Eigen::VectorXd step = -solver_.solve(solvable_part(foam, residual));
     if (is_whole_) {
-        // Nothing holds the foam as a whole: without this, rounding in the factor of a softly
-        // sheared foam now and then moves all of it by the size of a bubble.
+        // Translations of the whole foam are held by the regularization alone. Without this line,
+        // rounding errors in the factor of a softly sheared foam sometimes move all of it by the
+        // size of a bubble.
         remove_mean(step, unknowns_.junctions.size());
     }
     return step;
@@ -77,9 +78,10 @@ void NewtonSystem::factor(const Foam& foam) {
     has_factor_ = solver_.factor(hessian_->matrix());
 }
 
-// Removes from the residual what no step can change: the mean force, since no step moves the foam
-// as a whole, and on a torus the mean area error, since a common pressure changes no area. Both are
-// zero but for rounding, which a factor of single precision would concentrate in one bubble.
+// Removes the components of the residual that no step can change. These are the mean force, since
+// no step moves the foam as a whole, and on a torus the mean area error, since a common pressure
+// changes no area. Both are zero except for rounding errors, which a factor in single precision
+// would concentrate in one bubble.
 Eigen::VectorXd NewtonSystem::solvable_part(const Foam& foam, Eigen::VectorXd residual) const {
     if (is_whole_) {
         remove_mean(residual, unknowns_.junctions.size());

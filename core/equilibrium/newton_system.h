@@ -10,34 +10,36 @@
 
 namespace foam {
 
-/// The linear system of Newton's method (E3) for some unknowns of a foam: the Hessian, regularized,
-/// and its factor. It is kept between steps, so that the symbolic analysis, memory, and a factor
-/// that is still good enough are used again.
+/// The linear system of Newton's method (E3) for some unknowns of a foam: the regularized Hessian
+/// and its factor. The object is kept between steps, so that the symbolic analysis, the memory, and
+/// a factor that is still good enough are reused.
 class NewtonSystem {
   public:
     NewtonSystem() = default;
     NewtonSystem(const NewtonSystem&) = delete;  // the Hessian refers to the unknowns
     NewtonSystem& operator=(const NewtonSystem&) = delete;
 
-    /// Prepares the system for a foam and its unknowns, without a factor. Must be called first, and
-    /// again whenever the network has changed. `threads` as in parallel_for.
+    /// Prepares the system for a foam and its unknowns, without a factor. Precondition of all other
+    /// functions; call it again whenever the network has changed. `threads` as in parallel_for.
     void start(const Foam& foam, Unknowns unknowns, int threads);
 
     const Unknowns& unknowns() const { return unknowns_; }
     int threads() const { return threads_; }
 
-    /// Returns true if a factor is available, of the foam's present or of an earlier state.
+    /// Returns true if a factor is available, either of the present or of an earlier state of the
+    /// foam.
     bool has_factor() const { return has_factor_; }
+    /// Makes the next step use a new factor.
     void drop_factor() { has_factor_ = false; }
 
-    /// Returns the step -H⁻¹ r for a residual r of the foam. Factors the Hessian at the foam's
-    /// present state if there is no factor; an older factor gives the step of the chord method.
-    /// Returns zero, and leaves no factor, if the Hessian cannot be factored. Precondition: the
-    /// foam has the network of `start`.
+    /// Returns the step -H⁻¹ r for a residual r of the foam. Factors the Hessian at the present
+    /// state of the foam if there is no factor; an older factor gives the step of the chord method.
+    /// Returns zero, without a factor, if the Hessian cannot be factored. Precondition: the foam
+    /// has the network that was given to `start`.
     Eigen::VectorXd step(const Foam& foam, const Eigen::VectorXd& residual);
 
-    /// Changes to factors of double precision and drops the present factor. Returns false if they
-    /// are of double precision already.
+    /// Switches to factors in double precision and drops the present factor. Returns false, and
+    /// does nothing, if factors are in double precision already.
     bool raise_precision(const Foam& foam);
 
   private:

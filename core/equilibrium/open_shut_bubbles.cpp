@@ -11,11 +11,11 @@ namespace foam {
 
 namespace {
 
-constexpr double kShutShare = 0.01;         // of its target area
-constexpr double kLargestMove = 1.0 / 3.0;  // of an end, in lengths of its third film
+constexpr double kShutShare = 0.01;         // a bubble is shut below this share of its target area
+constexpr double kLargestMove = 1.0 / 3.0;  // largest move of an end, in lengths of its third film
 
-// Returns the half-edge that leaves the tail of h along the film that h's two-sided bubble does not
-// have.
+// Returns the half-edge that leaves the tail of h along the film that does not belong to the
+// two-sided bubble on the left of h.
 HalfEdgeId third_film(const Network& network, HalfEdgeId h) {
     HalfEdgeId third = kNone<HalfEdgeId>;
     for (const HalfEdgeId leaving : network.leaving(network.tail(h))) {

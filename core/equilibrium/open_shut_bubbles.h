@@ -4,14 +4,15 @@
 
 namespace foam {
 
-/// Opens the bubbles of two sides that are shut: those with less than a hundredth of their target
-/// area. Returns their number; a foam without any stays as it is.
+/// Opens two-sided bubbles that are shut, which means that they have less than a hundredth of their
+/// target area. Returns their number; a foam without any stays as it is. Bubbles at the surface of
+/// a patch, and bubbles whose two ends share their third film, are left out.
 ///
-/// Relaxation cannot open such a bubble. Its two films pull its ends together, and it takes a
-/// pressure of sqrt(3) film tensions over their distance to push them apart: the more, the smaller
-/// the distance has become. So the ends are moved apart, each along the third film there, by up to
-/// a third of that film, but not beyond the distance in equilibrium. The bubble gets the pressure
-/// of films that meet at 120 degrees. Bubbles at the surface of a patch are left out.
+/// Relaxation cannot open such a bubble. Its two films pull its ends together, and pushing the ends
+/// apart takes a pressure of sqrt(3) film tensions divided by their distance, which grows as the
+/// distance shrinks. Therefore the ends are moved apart directly, each along the third film at its
+/// junction. An end moves by up to a third of that film, and by at most half the distance of the
+/// ends in equilibrium. The bubble gets the pressure at which its films meet at 120 degrees.
 int open_shut_bubbles(Foam& foam);
 
 }  // namespace foam

@@ -9,9 +9,9 @@
 
 namespace foam {
 
-/// The index of each id in a list. For a list that holds a good part of all ids it is a table by
-/// id; for a shorter one it is a hash table of the list's size, so that numbering a few bubbles is
-/// cheap in a large foam.
+/// The inverse of a list of ids: the index of each id in the list. If the list holds at least one
+/// sixteenth of all ids, the ranks are a table with a slot per id. For a shorter list they are a
+/// hash table with linear probing, so that numbering a few bubbles is cheap in a large foam.
 template <class Id>
 class Ranks {
   public:
@@ -36,9 +36,9 @@ class Ranks {
     }
 
   private:
-    static constexpr std::size_t kSparse =
-        16;  // a list is short if it has fewer than one id in so many
-    static constexpr std::size_t kRoom = 2;  // slots of the hash table per id, at least
+    // A list is short if it holds fewer than one in this many ids.
+    static constexpr std::size_t kSparse = 16;
+    static constexpr std::size_t kRoom = 2;  // least number of hash table slots per id
 
     struct Entry {
         Id id = kNone<Id>;
@@ -53,9 +53,10 @@ class Ranks {
         }
     }
 
-    // Returns the slot of the id, or the free one that it would take.
+    // Returns the slot of the id, or the free slot where it would be inserted.
     std::size_t slot_of(Id id) const {
-        constexpr std::uint32_t kGoldenRatio = 0x9E3779B9;  // of 2^32: Fibonacci hashing
+        // 2^32 divided by the golden ratio: Fibonacci hashing.
+        constexpr std::uint32_t kGoldenRatio = 0x9E3779B9;
         std::size_t slot = (static_cast<std::uint32_t>(id) * kGoldenRatio) >> shift_;
         while (entries_[slot].id != id && entries_[slot].id != kNone<Id>) {
             slot = (slot + 1) & (entries_.size() - 1);

@@ -14,22 +14,28 @@
 
 namespace foam {
 
+// Relaxation (E4) is a nonlinear Gauss-Seidel method. Each junction, and then the half angle of
+// each film, makes a Newton step of its own while everything else is held; the areas of the bubbles
+// beside it are updated at once. The pressure of a bubble is a penalty on its area error. Every
+// kSweepsPerUpdate sweeps the pressure reached so far becomes the multiplier of the area constraint
+// (method of multipliers), so that the areas converge to their targets without a large stiffness.
+
 namespace {
 
-constexpr int kSweepsPerUpdate = 10;  // of the method of multipliers (E4)
-constexpr double kLargestBend = 0.3;  // of a half angle in a sweep, radians
-// Smallest stiffness of a film against bending, in that of a straight film; and of an outer film
-// along its chord.
+constexpr int kSweepsPerUpdate = 10;  // sweeps between updates of the method of multipliers (E4)
+constexpr double kLargestBend = 0.3;  // largest change of a half angle in a sweep, radians
+// Smallest stiffness of a film against bending, as a fraction of that of a straight film. Also the
+// smallest stiffness of an outer film along its chord.
 constexpr double kMinStiffness = 0.1;
 
-// The pull of an arc on the end of its chord c, in film tensions, as that end moves. Inner arcs
-// keep their half angles, so that their length c q and their segment c² h / 4 grow. Outer arcs keep
-// their segments, since otherwise a bubble on a short chord would collapse: with c² h constant,
-// d(c q)/dc = cos alpha and d(alpha)/dc = -h / (w c) (E3).
+// The force of an arc on the end of its chord c, in film tensions, when that end moves. Inner arcs
+// keep their half angles, so that their length c q and their segment c² h / 4 grow with the chord.
+// Outer arcs keep the area of their segments, since otherwise a bubble on a short chord would
+// collapse: with c² h constant, d(c q)/dc = cos alpha and d(alpha)/dc = -h / (w c) (E3).
 struct Pull {
     double tension = 0.0;    // along the chord
-    double segment = 0.0;    // h, along the half-edge, if it grows with the chord
-    double stiffness = 0.0;  // along the chord, times c
+    double segment = 0.0;    // h along the half-edge; 0 if the segment keeps its area
+    double stiffness = 0.0;  // stiffness along the chord, times c
 };
 
 class Relaxation {
@@ -63,13 +69,14 @@ class Relaxation {
             begin_anew();
         }
         soft_.begin(options_.stiffness);
-        for (const FilmId film : part_.films) {  // with the bubbles around the part
+        for (const FilmId film : part_.films) {  // this includes the bubbles around the part
             soft_.load(foam_.network.left(forward_side(film)));
             soft_.load(foam_.network.right(forward_side(film)));
         }
     }
 
-    // Starts from straight inner films and from pressures near those of equilibrium.
+    // Resets the pressures to a common value near those of equilibrium, which makes inner films
+    // straight. Outer films get arcs that hold the missing areas of their bubbles.
     void begin_anew() {
         const double pressure = mean_pressure();
         for (const BubbleId bubble : part_.bubbles) {
@@ -78,7 +85,8 @@ class Relaxation {
         }
     }
 
-    // Returns the mean pressure that would hold the films: in equilibrium the energy is 2 sum p A.
+    // Returns the mean pressure that would balance the films, from their energy: in equilibrium it
+    // is 2 sum p A.
     double mean_pressure() const {
         double length = 0.0;
         for (const FilmId film : part_.films) {
@@ -147,7 +155,7 @@ class Relaxation {
         return determinant > 0.0 ? Vec2(stiffness.inverse() * force) : force;
     }
 
-    // Updates the arc of a film whose squared chord has changed.
+    // Updates the arc of a film whose squared chord has changed from `before` to `after`.
     void follow(FilmId film, double before, double after) {
         const SoftFoam::Arc& arc = soft_.arc(film);
         const double angle = foam_.network.is_outer(film) && after > 0.0

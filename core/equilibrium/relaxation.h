@@ -6,32 +6,36 @@
 
 namespace foam {
 
-/// Relaxation (E4): the initial phase for a foam that is far from equilibrium. Films are arcs, each
-/// with a half angle of its own; bubbles are soft.
+/// Options of relaxation (E4), the initial phase for a foam that is far from equilibrium. Films are
+/// arcs with half angles of their own, and bubbles are soft: their pressure depends on their area.
 struct RelaxationOptions {
     int sweeps = 60;
-    double stiffness = 10.0;     // of a bubble against a change of its area, in film tensions
-    double largest_move = 0.33;  // of a junction in a sweep, in its shortest films
-    // Starts from pressures and half angles that are guessed from areas and lengths, instead of
-    // those that the foam has.
+    double stiffness = 10.0;  // resistance of a bubble to a change of its area, in film tensions
+    // Largest relative motion of the two ends of a film in one move of a junction, in film lengths
+    // (allowed_share).
+    double largest_move = 0.33;
+    // Starts from pressures and half angles that are estimated from target areas and film lengths,
+    // instead of those of the foam.
     bool begins_anew = true;
     TopologyThresholds thresholds{};
 };
 
+/// The work of a relaxation.
 struct RelaxationSummary {
     int sweeps = 0;
     int t1 = 0;
 };
 
-/// Sweeps over the junctions and the films, each moved by its own Newton step, with T1s between
-/// sweeps. Leaves each bubble with the pressure that follows from its remaining area error.
+/// Relaxes the whole foam: sweeps over the junctions and the films, which are moved one at a time
+/// by their own Newton steps, and makes T1s between sweeps. Leaves each bubble with the pressure
+/// that corresponds to its remaining area error.
 RelaxationSummary relax(Foam& foam, const RelaxationOptions& options);
 
-/// The same for a part of the foam; everything else is held.
+/// Relaxes a part of the foam; everything else is held.
 RelaxationSummary relax(Foam& foam, Unknowns part, const RelaxationOptions& options);
 
-/// The same with memory that serves one part after another: memory for all of a large foam is
-/// costly to clear. `memory` belongs to the same foam.
+/// Relaxes a part of the foam with memory that is reused from part to part, since memory for a
+/// whole large foam is costly to clear. Precondition: `memory` belongs to the same foam.
 RelaxationSummary relax(Foam& foam,
                         Unknowns part,
                         const RelaxationOptions& options,

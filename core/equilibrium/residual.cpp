@@ -24,13 +24,13 @@ void for_each_index(std::size_t count, int threads, const Body& body) {
     });
 }
 
-// The contribution of a film to the gradient of L, by its tail, its head and the pressure on its
-// right.
+// The derivatives of one film's term in L with respect to its tail, its head, the pressure on its
+// right, and its half angle. The derivative with respect to the pressure on its left is -right.
 struct FilmPart {
     Vec2 tail = Vec2::Zero();
     Vec2 head = Vec2::Zero();
     double right = 0.0;
-    double angle = 0.0;  // by the half angle; only of an outer film
+    double angle = 0.0;  // only used for an outer film
 };
 
 FilmPart film_part(const Foam& foam, FilmId film) {
@@ -48,7 +48,7 @@ FilmPart film_part(const Foam& foam, FilmId film) {
     return {push - energy.gradient, push + energy.gradient, energy.segment_area};
 }
 
-// Adds to a row, unless it is negative: that of something held.
+// Adds a contribution to a row. A negative row belongs to something held and is skipped.
 void add(Eigen::VectorXd& r, int row, const Vec2& force) {
     if (row >= 0) {
         r.segment<2>(row) += force;

@@ -9,20 +9,22 @@ namespace foam {
 /// Returns the function L of E3 for the whole foam.
 double lagrangian(const Foam& foam);
 
-/// Returns the gradient of the function L of E3 by the unknowns: minus the force of films and
-/// pressures on each junction, then target area minus area of each bubble, then the derivative by
-/// the half angle of each outer film (bulge_energy.h). It is zero in equilibrium (E2). `threads` as
-/// in parallel_for; the bits are the same for any number.
+/// Returns the gradient of the function L of E3 with respect to the unknowns, which is zero in
+/// equilibrium (E2). Its rows are: for each junction minus the force of films and pressures on it,
+/// for each bubble its target area minus its area, and for each outer film the derivative with
+/// respect to its half angle (bulge_energy.h). `threads` as in parallel_for; the result has the
+/// same bits for any number of threads.
 Eigen::VectorXd residual(const Foam& foam, const Unknowns& unknowns, int threads = 1);
 
-/// Norms of a residual without units: forces in film tensions, areas in target areas. The error of
-/// Laplace-Young's law at an outer film counts as a force.
+/// Dimensionless norms of a residual: forces in film tensions, area errors in target areas. The
+/// error of Laplace-Young's law at an outer film counts as a force in `force` and `squares`.
 struct ResidualNorms {
     double force = 0.0;    // largest
     double area = 0.0;     // largest
     double squares = 0.0;  // sum of all squares; the merit function of the line search
 };
 
+/// Returns the norms of a residual of the unknowns.
 ResidualNorms norms(const Foam& foam, const Unknowns& unknowns, const Eigen::VectorXd& residual);
 
 }  // namespace foam

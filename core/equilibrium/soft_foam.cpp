@@ -8,7 +8,7 @@ namespace foam {
 
 namespace {
 
-constexpr double kEmptyShare = 0.5;  // of its target area, below which a bubble counts as empty
+constexpr double kEmptyShare = 0.5;  // a bubble with less of its target area counts as empty
 
 SoftFoam::Arc arc_of(double half_angle) {
     return {half_angle, std::sin(half_angle), std::cos(half_angle), arc_shape(half_angle)};

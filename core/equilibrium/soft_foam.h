@@ -7,10 +7,10 @@
 
 namespace foam {
 
-/// The foam of relaxation (E4): soft bubbles, whose pressure depends on their area, and films that
-/// are arcs with half angles of their own. Holds the bubbles that have been loaded, and their
-/// films. Its memory, one slot for each bubble and each film, serves one part of the foam after
-/// another.
+/// The model of the foam in relaxation (E4): soft bubbles, whose pressure depends on their area,
+/// and films that are arcs with half angles of their own. It holds the bubbles that have been
+/// loaded and their films. Its memory has one slot for each bubble and each film of the foam, and
+/// is reused when one part of the foam after another is relaxed.
 class SoftFoam {
   public:
     struct Arc {
@@ -22,46 +22,48 @@ class SoftFoam {
 
     explicit SoftFoam(Foam& foam) : foam_(foam) {}
 
-    /// Forgets all loaded bubbles. `stiffness` is that of a bubble against a change of its area, in
-    /// film tensions.
+    /// Forgets all loaded bubbles. `stiffness` is the resistance of a bubble to a change of its
+    /// area (B of E4), in film tensions.
     void begin(double stiffness);
 
-    /// Loads a bubble and its films from the foam. Does nothing if the bubble is loaded already,
-    /// has gone, or is the ghost, which has no stiffness and no pressure.
+    /// Loads a bubble and its films from the foam. Does nothing if the bubble is loaded already, is
+    /// dead, or is the ghost, which has no stiffness and no pressure.
     void load(BubbleId bubble);
 
-    /// Returns the pressure at the target area, raised by what the bubble lacks of that area; 0 for
-    /// the ghost.
+    /// Returns the pressure of a loaded bubble: its pressure at the target area plus the slope
+    /// times the missing area. Returns 0 for the ghost.
     double pressure(BubbleId bubble) const { return bubbles_[bubble].pressure(); }
-    /// Returns the loss of pressure per area gained.
+    /// Returns the decrease of the pressure per unit of gained area; 0 for the ghost.
     double slope(BubbleId bubble) const { return bubbles_[bubble].slope; }
+    /// Adds to the area of a bubble, which changes its pressure.
     void add_area(BubbleId bubble, double area) { bubbles_[bubble].area += area; }
-    /// Makes the present pressure the one at the target area (method of multipliers, E4).
+    /// Makes the present pressure the pressure at the target area (method of multipliers, E4).
     void keep_pressure(BubbleId bubble);
 
-    /// The film's arc, along its forward side.
+    /// Returns the arc of a film along its forward side.
     const Arc& arc(FilmId film) const { return arcs_[film]; }
-    /// Returns ArcShape::segment along the half-edge.
+    /// Returns ArcShape::segment of the film's arc, with the sign for the half-edge.
     double segment_of(HalfEdgeId h) const {
         const double segment = arcs_[film_of(h)].shape.segment;
         return is_forward(h) ? segment : -segment;
     }
-    /// Sets the half angle of a film, for an outer film in the foam, too, and updates the areas of
-    /// the bubbles beside it, from the squared chord before and after.
+    /// Sets the half angle of a film; for an outer film also in the foam. Updates the areas of the
+    /// bubbles on both sides for this change and for a change of the squared chord.
     void set_arc(FilmId film, double half_angle, double squared_before, double squared_after);
 
-    /// Loads the film's arc: for an inner film as the foam's pressures give it, for an outer film
-    /// by its half angle.
+    /// Loads the arc of a film from the foam. The half angle of an inner film follows from the
+    /// pressures, that of an outer film is stored in the foam.
     void load_arc(FilmId film);
-    /// Loads the arcs of the bubble's outer films and measures its area anew, after a change of the
-    /// network, which may have joined two films into one. With `may_be_empty`, as where a film has
-    /// torn, a bubble with less than half of its target area gets outer films that bulge.
+    /// Updates a bubble after a change of the network, which may have joined two films into one:
+    /// loads the arcs of its outer films and measures its area. With `may_be_empty`, for example
+    /// after a film has torn, the outer films of a bubble with less than half of its target area
+    /// are bent to hold the missing area (bulge_outer_films).
     void renew(BubbleId bubble, bool may_be_empty);
 
   private:
-    // The pressure of a bubble is p + B (1 - A / A_target) / sqrt(A_target) (E4).
+    // The state of a loaded bubble. Its pressure is p + B (1 - A / A_target) / sqrt(A_target) (E4).
     struct SoftBubble {
-        double area = 0.0;                // A, within the arcs
+        double area = 0.0;                // A, the area within the arcs
         double pressure_at_target = 0.0;  // p
         double slope = 0.0;
         double target = 0.0;
@@ -75,13 +77,14 @@ class SoftFoam {
 
     Foam& foam_;
     double stiffness_ = 0.0;
-    Indexed<BubbleId, SoftBubble> bubbles_;  // with target 0 if not loaded
+    Indexed<BubbleId, SoftBubble> bubbles_;  // the target of a bubble that is not loaded is 0
     Indexed<FilmId, Arc> arcs_;
     std::vector<BubbleId> loaded_;
 };
 
-/// Bends the outer films of a bubble so that their segments hold, in equal shares, what its polygon
-/// lacks of the target area.
+/// Bends the outer films of a bubble so that their segments hold, in equal shares, the area that
+/// the polygon of the bubble lacks to its target area. Does nothing if the bubble has no outer
+/// film.
 void bulge_outer_films(Foam& foam, BubbleId bubble);
 
 }  // namespace foam

@@ -10,12 +10,12 @@ namespace foam {
 
 /// The unknowns of a solver, in the order of their rows: x and y of each free junction, then the
 /// pressure of each free bubble, then the half angle of each free outer film, all by increasing id.
-/// Everything else is held, and so is the ghost always.
+/// Everything else is held fixed. The ghost is always held.
 struct Unknowns {
     std::vector<JunctionId> junctions;
     std::vector<BubbleId> bubbles;
-    std::vector<FilmId> films;        // at the free junctions, by increasing id
-    std::vector<FilmId> outer_films;  // the outer ones among them
+    std::vector<FilmId> films;        // films with a free end, by increasing id
+    std::vector<FilmId> outer_films;  // the outer films among them
     Ranks<JunctionId> junction_rank;  // index in `junctions`, negative if held
     Ranks<BubbleId> bubble_rank;      // index in `bubbles`, negative if held
     Ranks<FilmId> outer_rank;         // index in `outer_films`, negative if held
@@ -23,14 +23,14 @@ struct Unknowns {
     int size() const { return first_angle_row() + static_cast<int>(outer_films.size()); }
     int first_pressure_row() const { return static_cast<int>(2 * junctions.size()); }
     int first_angle_row() const { return first_pressure_row() + static_cast<int>(bubbles.size()); }
-    /// Returns the row of the pressure, negative if the bubble is held.
+    /// Returns the row of the pressure; negative if the bubble is held.
     int pressure_row(BubbleId bubble) const {
         const int rank = bubble_rank[bubble];
         return rank < 0 ? -1 : first_pressure_row() + rank;
     }
     /// Returns the row of the half angle. Precondition: the film is one of `outer_films`.
     int angle_row(FilmId film) const { return first_angle_row() + outer_rank[film]; }
-    /// Returns the row of the x coordinate, which y follows; negative if the junction is held.
+    /// Returns the row of the x coordinate; the next row is y. Negative if the junction is held.
     int position_row(JunctionId junction) const { return 2 * junction_rank[junction]; }
 };
 
@@ -38,7 +38,7 @@ struct Unknowns {
 Unknowns all_unknowns(const Network& network);
 
 /// Returns the unknowns of some bubbles and of all their junctions. Precondition: the bubbles are
-/// given in increasing order, each once, without the ghost.
+/// in increasing order, each once, without the ghost.
 Unknowns unknowns_around(const Network& network, std::span<const BubbleId> bubbles);
 
 }  // namespace foam

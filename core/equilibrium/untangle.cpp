@@ -12,12 +12,13 @@ namespace foam {
 
 namespace {
 
-constexpr int kReach = 2;            // films between a tangled junction and those that move with it
-constexpr int kSweeps = 20;          // no state among a thousand needed more
+// Largest number of films between a tangled junction and the junctions that move with it.
+constexpr int kReach = 2;
+constexpr int kSweeps = 20;          // enough for each of a thousand tangled states
 constexpr double kNoLength = 1e-9;   // foam units
 constexpr double kSameAngle = 1e-9;  // radians; the two chords of a two-sided bubble coincide
 
-// Returns the clockwise angle from a to b, in [0, 2 pi) but for rounding.
+// Returns the clockwise angle from a to b, in [0, 2 pi) except for rounding errors.
 double clockwise_angle(const Vec2& a, const Vec2& b) {
     const double angle = std::atan2(cross(b, a), a.dot(b));
     return angle < -kSameAngle ? angle + 2.0 * std::numbers::pi : angle;
@@ -33,7 +34,7 @@ std::vector<JunctionId> tangled_junctions(const Foam& foam) {
     return tangled;
 }
 
-// Adds the neighbors of a junction that are not yet taken.
+// Appends the neighbors of a junction that are not yet taken, and takes them.
 void take_neighbors(const Network& network,
                     JunctionId junction,
                     Indexed<JunctionId, std::uint8_t>& taken,
@@ -47,7 +48,7 @@ void take_neighbors(const Network& network,
     }
 }
 
-// Returns the given junctions, followed by those up to kReach films away.
+// Returns the given junctions, followed by the junctions up to kReach films away.
 std::vector<JunctionId> within_reach(const Network& network, std::vector<JunctionId> junctions) {
     Indexed<JunctionId, std::uint8_t> taken(network.junction_slots(), 0);
     for (const JunctionId junction : junctions) {
@@ -69,7 +70,8 @@ bool is_at_ghost(const Network& network, JunctionId junction) {
     });
 }
 
-// Returns the direction of a film that has a length. An outer arc may leave far from its chord.
+// Returns the direction in which a film of nonzero length leaves its tail. For an outer film it is
+// the tangent, since the arc may leave in a very different direction than its chord.
 Vec2 direction_at_tail(const Foam& foam, HalfEdgeId h) {
     return foam.network.is_outer(film_of(h)) ? tangent_at_tail(film_arc(foam, h)) : chord(foam, h);
 }
@@ -84,7 +86,8 @@ void move_to_mean_of_neighbors(Foam& foam, JunctionId junction) {
 
 }  // namespace
 
-// The clockwise angles from film to film add up to one turn, or to two if their order is reversed.
+// The clockwise angles between successive films add up to one turn if the order is right, and to
+// two turns if it is reversed.
 bool is_tangled(const Foam& foam, JunctionId junction) {
     const std::array<HalfEdgeId, 3> leaving = foam.network.leaving(junction);
     std::array<Vec2, 3> directions;

@@ -4,16 +4,18 @@
 
 namespace foam {
 
-/// Returns true if the films leave the junction in another order around it than the network has, by
-/// the directions of their chords or, for outer films, their arcs, or if a film has no length. Then
-/// its bubbles overlap, or are inverted.
+/// Returns true if the junction is tangled: its films leave it in another cyclic order than in the
+/// network, or one of its films has no length. The order is that of the directions of the chords;
+/// for outer films, of the tangents of the arcs. Bubbles at a tangled junction overlap or are
+/// inverted.
 bool is_tangled(const Foam& foam, JunctionId junction);
 
-/// Untangles the foam: repeatedly moves the junctions within two films of each tangled one to the
+/// Untangles the foam by Tutte's barycentric embedding (How to draw a graph, 1963), applied
+/// locally: repeatedly moves the tangled junctions, and the junctions up to two films away, to the
 /// mean of their neighbors. If every junction is at that mean, each bubble is a convex polygon,
-/// whatever the positions were (Tutte, How to draw a graph, 1963). In a patch the junctions at the
-/// ghost stay, since otherwise all would shrink to a point. Relaxation is left to restore the
-/// areas. Returns the number of tangled junctions; a foam without any stays as it is.
+/// whatever the positions were before. In a patch the junctions at the ghost stay, since otherwise
+/// all would shrink to a point. Areas are not kept; relaxation restores them. Returns the number of
+/// junctions that were tangled; a foam without any stays as it is.
 int untangle(Foam& foam);
 
 }  // namespace foam
