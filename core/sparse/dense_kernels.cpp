@@ -6,20 +6,25 @@
 
 namespace foam {
 
+// Products are blocked for registers: a tile of up to three vectors of rows by kGroup columns is
+// summed up over all depths in registers and is then subtracted from the target. Each element has
+// its own lane and its own sum, taken in the order of depths, so that the width of the vectors does
+// not change any bit.
+
 namespace {
 
 // A vector of `Bytes` bytes with element-wise arithmetic.
 template <class Real, int Bytes>
 using Vector [[gnu::vector_size(Bytes)]] = Real;
 
-// The loops for one width of vectors.
+// The loops for one vector width.
 template <class Real, int Bytes>
 struct Kernels {
     using Lanes = Vector<Real, Bytes>;
     using Index = std::ptrdiff_t;
 
     static constexpr Index kLanes = Bytes / Index{sizeof(Real)};
-    static constexpr Index kLargestStrip = 3;  // in vectors: the height of a strip of rows
+    static constexpr Index kLargestStrip = 3;  // height of a strip of rows, in vectors
 
     static void subtract_product(const DenseProduct<Real>& product) {
         Index row = 0;
@@ -57,8 +62,8 @@ struct Kernels {
         Lanes sums[size(kGroup)][size(Strip)];
     };
 
-    // Vectors are passed by reference: passed by value, they would change the calling convention of
-    // functions that are not compiled for the level.
+    // Vectors are passed by reference. By value they would change the calling convention of
+    // functions that are not compiled for the SIMD level.
     static void load(const Real* source, Lanes& lanes) {
         std::memcpy(&lanes, source, sizeof lanes);
     }
@@ -105,7 +110,7 @@ struct Kernels {
         }
     }
 
-    // Copies the last rows, fewer than a vector holds, into a buffer of whole vectors.
+    // Handles the last rows, fewer than a vector holds: copies them into a buffer of whole vectors.
     static void subtract_last_rows(const DenseProduct<Real>& product, Index row) {
         Real rows[size(kLargestDepth * kLanes)];
         for (Index k = 0; k < product.depth; ++k) {
@@ -147,7 +152,7 @@ struct Kernels {
         }
     }
 
-    // Computes y = L D column by column, each from the columns before it, and then L.
+    // Computes y = L D column by column, each from the columns before it, and then L from y.
     static void eliminate_strip(const DenseElimination<Real>& elimination, Index row, Index count) {
         Lanes y[size(kNarrow)];
         for (Index col = 0; col < elimination.pivots; ++col) {
@@ -176,7 +181,7 @@ struct Kernels {
     }
 };
 
-// The highest level uses vectors of 32 bytes, too; it has twice as many registers for them.
+// Avx512 uses vectors of 32 bytes like Avx2, and has twice as many registers for them.
 template <class Real, SimdLevel Level>
 using KernelsAt = Kernels<Real, Level == SimdLevel::Baseline ? 16 : 32>;
 

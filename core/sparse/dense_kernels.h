@@ -4,20 +4,21 @@
 
 namespace foam {
 
-/// The number of columns of a product that are computed together; its right factor is packed in
-/// groups of this size.
+/// The number of columns of a product that are computed together. The right factor of a product is
+/// packed in groups of this many rows.
 inline constexpr std::ptrdiff_t kGroup = 4;
 
-/// The largest number of columns that are eliminated without a product.
+/// The largest number of columns that are eliminated directly, without a matrix product.
 inline constexpr std::ptrdiff_t kNarrow = 16;
 
-/// Sums over pivots are cut into pieces of this size, so that the factors stay in the cache.
+/// Sums over pivots are cut into pieces of this size, so that the factors of a product stay in the
+/// cache.
 inline constexpr std::ptrdiff_t kLargestDepth = 128;
 
-/// target −= left · rightᵀ, where the target's row is not above its column. All matrices are
-/// column-major except the right factor, which has as many rows as the target has columns: it is
-/// packed in groups of kGroup rows, each depth after depth, and the last group is padded with
-/// zeros. Precondition: rows ≥ cols and depth ≤ kLargestDepth.
+/// target −= left · rightᵀ, computed only on and below the target's diagonal (row ≥ column). `left`
+/// and `target` are column-major. `right` has as many rows as the target has columns and is packed
+/// in groups of kGroup rows; within a group, the kGroup numbers of each depth are contiguous, and
+/// the last group is padded with zeros. Precondition: rows ≥ cols and depth ≤ kLargestDepth.
 template <class Real>
 struct DenseProduct {
     std::ptrdiff_t rows = 0;
@@ -30,20 +31,21 @@ struct DenseProduct {
     std::ptrdiff_t target_stride = 0;
 };
 
-/// Turns rows of a matrix A into rows of L, where A = L D Uᵀ: U is lower unit triangular with
-/// `pivots` ≤ kNarrow rows, D is diagonal; both are stored in `triangle` as factor_panel leaves
-/// them.
+/// Overwrites rows of a matrix A with rows of L, where A = L D Uᵀ. U is unit lower triangular with
+/// `pivots` ≤ kNarrow rows, and D is diagonal. `triangle` holds D on its diagonal and U below, as
+/// factor_panel leaves them.
 template <class Real>
 struct DenseElimination {
     std::ptrdiff_t rows = 0;
     std::ptrdiff_t pivots = 0;
     const Real* triangle = nullptr;
     Real* target = nullptr;
-    std::ptrdiff_t stride = 0;  // of both
+    std::ptrdiff_t stride = 0;  // of `triangle` and `target`
 };
 
-// The inner loops of a dense L D Lᵀ, for float and double, at simd_level(). Each number is computed
-// by the same operations in the same order at every level, so that the bits are the same.
+// The inner loops of a dense L D Lᵀ for float and double, compiled for each SIMD level and run at
+// simd_level(). Each number is computed by the same operations in the same order at every level, so
+// that the bits are the same.
 
 template <class Real>
 void subtract_product(const DenseProduct<Real>& product);

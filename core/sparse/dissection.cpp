@@ -10,14 +10,19 @@
 
 namespace foam {
 
+// Nested dissection by recursion on ranges of the order. PartDivider assigns the nodes of a range
+// to two zones and a separator; the range is sorted into low zone, high zone and separator, and
+// both zones are dissected in turn, or by different threads if the range is large. The parts are
+// collected in postorder.
+
 namespace {
 
-// Parts with fewer rows are dissected by one thread: a second one would save next to nothing.
+// Parts with fewer rows are dissected by one thread, since a second one would save next to nothing.
 constexpr int kMinParallelRows = 2000;
 
 using Nodes = std::span<std::uint32_t>;
 
-// One element per node.
+// Working memory with one element per node.
 struct NodeMemory {
     std::vector<std::uint32_t> order;
     DivisionMemory division;
@@ -39,7 +44,7 @@ class Dissector {
           memory_(memory),
           divider_(graph, nodes, domain, options, memory.division) {}
 
-    // Dissects all nodes; the last of `parts` is then the root.
+    // Dissects all nodes. The last element of `parts` is then the root.
     void dissect_all(int threads) {
         dissect({0, memory_.order.size(), divider_.box_of_all()}, threads);
     }
@@ -47,7 +52,7 @@ class Dissector {
     std::vector<DissectionPart> parts;
 
   private:
-    // A range of the order, whose positions guide the division if there is a box around them.
+    // A range of the order. Positions guide its division if there is a box around them.
     struct Range {
         std::size_t begin = 0;
         std::size_t end = 0;
@@ -55,7 +60,7 @@ class Dissector {
     };
     using BothParts = std::pair<std::size_t, std::size_t>;
 
-    // Returns the index of the part in `parts`.
+    // Dissects a range and returns the index of its part in `parts`.
     std::size_t dissect(const Range& range, int threads) {
         const auto [begin, end, box] = range;
         const Nodes part = Nodes(memory_.order).subspan(begin, end - begin);

@@ -11,8 +11,8 @@ namespace {
 
 using Matrix = Eigen::SparseMatrix<double>;
 
-// Calls action(entry, column, row) for each entry, with its column and row in the order of
-// elimination.
+// Calls action(entry, column, row) for each entry of the matrix. Its column and row are in the
+// order of elimination, with column ≤ row.
 template <class Action>
 void each_entry(const Matrix& lower, const FrontPlan& plan, const Action& action) {
     std::size_t entry = 0;
@@ -25,7 +25,8 @@ void each_entry(const Matrix& lower, const FrontPlan& plan, const Action& action
     }
 }
 
-// Returns where each column begins among the entries sorted by column, in the order of elimination.
+// Returns the start of each column, and the end of the last, among the entries sorted by column in
+// the order of elimination.
 std::vector<std::size_t> begins_of_columns(const Matrix& lower, const FrontPlan& plan) {
     std::vector<std::size_t> begins(plan.elimination.size() + 1, 0);
     each_entry(lower, plan, [&](std::size_t, std::uint32_t column, std::uint32_t) {
@@ -37,8 +38,8 @@ std::vector<std::size_t> begins_of_columns(const Matrix& lower, const FrontPlan&
     return begins;
 }
 
-// Returns the entries sorted by column. Their target is not final: it is their row in the order of
-// elimination.
+// Returns the entries sorted by column. Their `target` is not final yet: it is their row in the
+// order of elimination.
 std::vector<FrontPlan::Entry> sorted_entries(const Matrix& lower,
                                              const FrontPlan& plan,
                                              std::vector<std::size_t> next_of_columns) {

@@ -9,6 +9,12 @@
 
 namespace foam {
 
+// The multifrontal method (Duff, Reid 1983): fronts are processed in postorder. A front's panel is
+// the dense matrix of its pivots' columns. After elimination it holds a part of L and D, and the
+// Schur complement over the front's border, its remainder, is added to the parent. The two subtrees
+// of a front with `may_fork` are factored by different threads. All sums are taken in the same
+// order for any number of threads.
+
 namespace {
 
 Eigen::Index signed_size(std::size_t size) {
@@ -27,7 +33,8 @@ class Factorization {
     }
 
   private:
-    // Uses threads from first_thread on, each of which has scratch memory of its own.
+    // Factors a subtree with the threads from `first_thread` on, each of which has scratch memory
+    // of its own.
     void factor_subtree(std::size_t root, std::size_t first_thread, std::size_t threads) {
         const Front& front = plan_.fronts[root];
         if (threads == 1 || !front.may_fork) {
@@ -66,7 +73,8 @@ class Factorization {
         }
     }
 
-    // Adds up the entries of the matrix and the remainders of the front's children.
+    // Sets the panel and the remainder of a front to the sum of its entries of the matrix and the
+    // remainders of its children.
     void assemble(const Front& front) {
         const auto panel = memory_.factor.subspan(front.panel_begin, front.pivots * front.rows());
         const auto remainder =

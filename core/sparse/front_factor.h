@@ -10,17 +10,17 @@ namespace foam {
 /// The memory that a numeric factorization reads and writes.
 template <class Real>
 struct FactorMemory {
-    std::span<const double> values;  // of the matrix
-    std::span<Real> factor;          // FrontPlan::panels_size
-    std::span<Real> workspace;       // FrontPlan::workspace_size
-    std::span<Real> scratch;         // FrontPlan::scratch_size for each thread
+    std::span<const double> values;  // of the matrix, in the order of its storage
+    std::span<Real> factor;          // size: FrontPlan::panels_size
+    std::span<Real> workspace;       // size: FrontPlan::workspace_size
+    std::span<Real> scratch;         // size: FrontPlan::scratch_size per thread
 };
 
-/// Factors a matrix by the multifrontal method (Duff, Reid 1983), for float and double: each front
-/// is assembled from its entries of the matrix and the remainders of its two children, then its
+/// Factors a matrix by the multifrontal method (Duff, Reid 1983), for float and double. Each front
+/// is assembled from its entries of the matrix and the remainders of its two children; then its
 /// pivots are eliminated. Returns false if a pivot is zero or not finite; the factor is then
-/// without meaning. The bits do not depend on the number of threads, which is at least 1 and at
-/// most kMostThreads.
+/// undefined. The bits do not depend on the number of threads. Precondition: 1 ≤ threads ≤
+/// kMostThreads.
 template <class Real>
 bool factor_fronts(const FrontPlan& plan, const FactorMemory<Real>& memory, std::size_t threads);
 

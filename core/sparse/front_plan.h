@@ -8,27 +8,30 @@
 
 namespace foam {
 
-/// Systems and subtrees with fewer rows are processed by one thread: a second one would save next
-/// to nothing.
+/// Systems with fewer rows are factored and solved by one thread, and subtrees with fewer rows are
+/// solved by one, since a second thread would save next to nothing.
 inline constexpr std::size_t kMinParallelRows = 3000;
 
-/// One step of the elimination: the rows of one part of the dissection, the pivots, are eliminated
-/// together, in a dense matrix of the pivots and of all later rows that are coupled to them, the
-/// border. Rows are numbered in the order of elimination.
+/// One step of the elimination. The rows of one part of the dissection, the pivots, are eliminated
+/// together in a dense matrix. Its rows are the pivots and all later rows that are coupled to them,
+/// the border. Rows are numbered in the order of elimination.
 ///
-/// The columns of the pivots are the front's panel, which finally holds its part of L D Lᵀ. The
-/// remainder, which is the Schur complement over the rows and columns of the border, is added to
-/// the parent front.
+/// The columns of the pivots are the front's panel, which finally holds its part of L and D. The
+/// Schur complement over the rows and columns of the border is the front's remainder, which is
+/// added to the parent front.
 struct Front {
     static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
-    std::size_t first_row = 0;  // of the pivots, which are consecutive
+    std::size_t first_row = 0;  // first of the pivots, which are consecutive
     std::size_t pivots = 0;
     std::size_t border = 0;
-    std::size_t left = kNone;  // the child fronts, both or none
+    std::size_t left = kNone;  // index of the left child front; kNone if this is a leaf
     std::size_t right = kNone;
-    std::size_t first_descendant = 0;  // the subtree's fronts begin with it and end with this one
-    bool may_fork = false;             // the two subtrees share no memory
+    // The fronts of the subtree are consecutive: they begin with this one and end with the front
+    // itself.
+    std::size_t first_descendant = 0;
+    // The two subtrees may be processed at the same time, because they share no workspace.
+    bool may_fork = false;
 
     std::size_t border_begin = 0;     // in FrontPlan::border_rows and ::border_slots
     std::size_t panel_begin = 0;      // in the factor
@@ -42,25 +45,25 @@ struct Front {
 
 /// The symbolic factorization, which all matrices of one pattern share.
 struct FrontPlan {
-    /// An entry of the matrix: its index among the matrix' values and its index in the panel of its
+    /// An entry of the matrix: its index in the array of values, and its index in the panel of its
     /// front.
     struct Entry {
         std::uint32_t source = 0;
         std::uint32_t target = 0;
     };
 
-    std::vector<std::uint32_t> elimination;   // for each row of the matrix: when it is eliminated
-    std::vector<Front> fronts;                // every front after its children
-    std::vector<std::uint32_t> border_rows;   // of all fronts, increasing in each
-    std::vector<std::uint32_t> border_slots;  // of these rows in the parent front
-    std::vector<Entry> entries;               // front after front
+    std::vector<std::uint32_t> elimination;   // for each matrix row, its index in the elimination
+    std::vector<Front> fronts;                // every front is stored after its children
+    std::vector<std::uint32_t> border_rows;   // the borders of all fronts, each in increasing order
+    std::vector<std::uint32_t> border_slots;  // slots of these rows in the parent front
+    std::vector<Entry> entries;               // sorted by front
     std::size_t panels_size = 0;
     std::size_t workspace_size = 0;
-    std::size_t scratch_size = 0;  // of each thread
+    std::size_t scratch_size = 0;  // per thread
     std::size_t largest_border = 0;
 
-    /// Returns how many numbers a factorization on this many threads works on: the factor, the
-    /// remainders of fronts, and the scratch memory of the threads.
+    /// Returns the number of floating-point numbers that a factorization on this many threads works
+    /// on: the factor, the remainders of fronts, and the scratch memory of the threads.
     std::size_t memory_size(std::size_t threads) const {
         return panels_size + workspace_size + threads * scratch_size;
     }
@@ -72,8 +75,8 @@ struct FrontPlan {
         return std::span(border_slots).subspan(front.border_begin, front.border);
     }
 
-    /// Writes the slot of each of the front's rows, which is its row in the front's dense matrix:
-    /// the pivots come first, then the border. Elements of other rows are not written.
+    /// Writes the slot of each row of the front, which is its row in the front's dense matrix: the
+    /// pivots come first, then the border. The elements of other rows are not written.
     void write_slots(const Front& front, std::span<std::uint32_t> slot_of_rows) const;
 };
 

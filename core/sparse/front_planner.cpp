@@ -11,6 +11,11 @@
 
 namespace foam {
 
+// Symbolic factorization. Each part of the dissection becomes a front. Its border is the union of
+// the later neighbors of its nodes and of its children's borders without its own nodes, so one pass
+// in postorder finds all borders. Then the workspace is laid out, the borders are linked to the
+// parent fronts, and each entry of the matrix gets its index in a panel.
+
 namespace {
 
 using Indices = std::vector<std::uint32_t>;
@@ -23,7 +28,7 @@ std::vector<std::size_t> first_rows_of(std::span<const SolverNode> nodes) {
     return first_rows;
 }
 
-// Finds the fronts and their borders. A node's turn is its index in the order of elimination.
+// Finds the fronts and their borders. The turn of a node is its index in the order of elimination.
 class FrontBuilder {
   public:
     FrontBuilder(const NodeGraph& graph,
@@ -34,7 +39,8 @@ class FrontBuilder {
         seen_by_.assign(nodes.size(), narrow(dissection.parts.size()));
     }
 
-    // Returns nothing as soon as the factor alone exceeds the limit.
+    // Returns the fronts with their borders, or nothing as soon as the factor alone exceeds the
+    // limit.
     std::optional<FrontPlan> run(std::size_t limit) && {
         for (const DissectionPart& part : dissection_.parts) {
             find_border(part);
@@ -62,8 +68,8 @@ class FrontBuilder {
         first_rows_.push_back(row);
     }
 
-    // Finds the later nodes that the nodes of a part are coupled to, directly or through earlier
-    // ones.
+    // Finds the border of a part: the later nodes that its nodes are coupled to, directly or
+    // through earlier nodes.
     void find_border(const DissectionPart& part) {
         const std::size_t begin = border_turns_.size();
         for (std::size_t turn = part.begin; turn < part.end; ++turn) {
@@ -93,7 +99,7 @@ class FrontBuilder {
         }
     }
 
-    // Adds the front of a part whose border was found last.
+    // Adds the front of the part whose border was found last.
     void add_front(const DissectionPart& part) {
         Front front;
         front.first_row = first_rows_[part.begin];
@@ -128,10 +134,11 @@ class FrontBuilder {
     const Dissection& dissection_;
     FrontPlan plan_;
     Indices turns_;                        // of each node
-    std::vector<std::size_t> first_rows_;  // of each turn, and the end
-    Indices border_turns_;                 // of all fronts
+    std::vector<std::size_t> first_rows_;  // first row of each turn, and the end of the last
+    Indices border_turns_;                 // the borders of all fronts, as turns
     std::vector<std::size_t> border_begins_{0};
-    Indices seen_by_;  // of each turn: the last front whose border it was added to
+    // For each turn, the last front to whose border it was added.
+    Indices seen_by_;
 };
 
 // Finds the slots of every border in the parent front.

@@ -11,10 +11,10 @@
 
 namespace foam {
 
-/// Plans the factorization of matrices whose lower triangle has the given pattern, compressed and
-/// with sorted columns. The nodes own the rows in turn. Returns nothing if the factor and the
-/// remainders of fronts would take more numbers than `limit`. The plan is the same for any number
-/// of threads, which are meant as in thread_count.
+/// Plans the factorization of matrices whose lower triangle has the given pattern, which is
+/// compressed and has sorted columns. The nodes own the rows in order. Returns nothing if the
+/// factor and the remainders of fronts would take more than `limit` floating-point numbers. The
+/// plan is the same for any number of threads; `threads` as in thread_count.
 std::optional<FrontPlan> plan_fronts(const Eigen::SparseMatrix<double>& lower_pattern,
                                      std::span<const SolverNode> nodes,
                                      const Domain& domain,

@@ -7,6 +7,10 @@
 
 namespace foam {
 
+// Forward and backward substitution over the fronts in postorder and reverse postorder. For a front
+// with dense columns, the pivots' rows are solved first, and the border's rows get one
+// matrix-vector product.
+
 namespace {
 
 using Eigen::Index;
@@ -15,7 +19,7 @@ Index signed_size(std::size_t size) {
     return static_cast<Index>(size);
 }
 
-// The substitutions of one front.
+// The two substitutions of one front.
 template <class Real>
 class FrontSolve {
   public:
@@ -28,7 +32,8 @@ class FrontSolve {
           top_(factor + front.panel_begin, pivots_, pivots_, stride(front)),
           below_(top_.data() + pivots_, signed_size(front.border), pivots_, stride(front)) {}
 
-    // Subtracts from the rows of the border in x; from the row `limit` on, in `beyond` instead.
+    // Solves for the pivots in x and subtracts their contribution from the rows of the border: in x
+    // up to the row `limit`, in `beyond` from this row on.
     void forward(Vector& x, Vector& beyond, std::size_t limit, Vector& scratch) const {
         auto own = x.segment(first_row_, pivots_);
         auto change = scratch.head(signed_size(border_.size()));
@@ -71,9 +76,9 @@ class FrontSolve {
     Window below_;  // the border's rows of L
 };
 
-// Subtrees that may be processed at the same time subtract from vectors of their own in the rows
-// above them. These vectors are then added up in order, so that the bits do not depend on the
-// number of threads.
+// Subtrees that may be processed at the same time each subtract from a vector of their own in the
+// rows above them. These vectors are then added up in a fixed order, so that the bits do not depend
+// on the number of threads.
 template <class Real>
 class Substitution {
   public:
@@ -91,7 +96,8 @@ class Substitution {
   private:
     using Solve = FrontSolve<Real>;
 
-    // Subtracts in `beyond`, which may be x itself, from the row `limit` on.
+    // Substitutes forward in a subtree. Contributions to the rows from `limit` on are subtracted
+    // from `beyond`, which may be x itself.
     void forward(std::size_t root, Vector& beyond, std::size_t limit, std::size_t threads) {
         const Front& front = plan_.fronts[root];
         Vector scratch(signed_size(plan_.largest_border));
@@ -139,7 +145,8 @@ class Substitution {
         });
     }
 
-    // Does not depend on the number of threads, and so neither does the order of the sums.
+    // Returns true if the two subtrees are processed separately. This does not depend on the number
+    // of threads, so neither does the order of the sums.
     bool forks(const Front& front) const {
         const std::size_t first_row = plan_.fronts[front.first_descendant].first_row;
         return front.may_fork && front.first_row + front.pivots - first_row >= kMinParallelRows;

@@ -9,9 +9,9 @@
 namespace foam {
 
 /// Solves L D Lᵀ x = b in place, for float and double: forward substitution from the leaves to the
-/// root, and backward substitution from the root to the leaves. `x` holds b on entry; its rows are
-/// in the order of elimination. `factor` is what factor_fronts wrote. The bits do not depend on the
-/// number of threads, which is at least 1.
+/// root, then backward substitution from the root to the leaves. On entry `x` holds b; its rows are
+/// in the order of elimination. `factor` is the output of factor_fronts. The bits do not depend on
+/// the number of threads. Precondition: threads ≥ 1.
 template <class Real>
 void solve_fronts(const FrontPlan& plan,
                   const Real* factor,

@@ -8,7 +8,8 @@ namespace foam {
 
 namespace {
 
-// The two subtrees of a front on the topmost levels share no memory. 2^levels = kMostThreads.
+// The number of topmost levels on which the two subtrees of a front share no memory. 2^kForkLevels
+// = kMostThreads.
 constexpr int kForkLevels = 4;
 static_assert(kMostThreads == 1 << kForkLevels);
 
@@ -16,8 +17,9 @@ std::size_t remainder_size(const Front& front) {
     return front.border * front.border;
 }
 
-// Remainders of even levels of the tree are on one stack, those of odd levels on the other. So both
-// stacks are popped in order, and a front's remainder never overlaps those of its children.
+// Two stacks: remainders of even levels of the tree are on one, those of odd levels on the other.
+// Both are popped in order, and a front's remainder never overlaps those of its children, which are
+// on the other stack.
 class Stacks {
   public:
     explicit Stacks(std::span<Front> fronts) : fronts_(fronts), odd_(fronts.size()) {}
@@ -48,7 +50,7 @@ class Stacks {
     }
 
     std::span<Front> fronts_;
-    std::vector<bool> odd_;  // the front is on an odd level
+    std::vector<bool> odd_;  // whether the front is on an odd level
     std::array<std::size_t, 2> peaks_{0, 0};
 };
 

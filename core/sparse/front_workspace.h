@@ -11,8 +11,9 @@ namespace foam {
 inline constexpr int kMostThreads = 16;
 
 /// Lays out the remainders of all fronts in one workspace. A remainder is needed from the
-/// elimination of its own front to that of the parent; others use the same memory before and after.
-/// Sets `remainder_begin` and `may_fork` of every front and returns the size of the workspace.
+/// elimination of its own front to that of the parent; before and after, other remainders use the
+/// same memory. Sets `remainder_begin` and `may_fork` of every front. Returns the size of the
+/// workspace.
 std::size_t share_workspace(std::span<Front> fronts);
 
 }  // namespace foam

@@ -10,22 +10,26 @@
 
 namespace foam {
 
+// Multilevel bisection (Karypis and Kumar 1998) by recursion: coarsen, bisect the coarse graph,
+// project its zones to the finer graph, refine. The coarsest graph is divided by growing the zone
+// Low from several nodes; the division with the lightest separator after refinement is kept.
+
 namespace {
 
 constexpr std::uint32_t kCoarsestNodes = 100;
 
-// Coarsening ends when it no longer merges a tenth of the nodes.
+// Coarsening ends when it would reduce the number of nodes by less than a tenth.
 constexpr double kLeastShrinkage = 0.9;
 
-// Breadth-first searches from nodes at equal distances in the order of the coarsest graph.
+// The number of breadth-first searches, which start at evenly spaced nodes of the coarsest graph.
 constexpr std::uint32_t kSearches = 4;
 
 int total_weight(const WeightedGraph& graph) {
     return std::accumulate(graph.weights.begin(), graph.weights.end(), 0);
 }
 
-// Returns the nodes in the order of a breadth-first search from one of them. It begins again with
-// the first node that is not yet found when a component of the graph is complete.
+// Returns all nodes in the order of a breadth-first search from `start`. When a component of the
+// graph is complete, the search continues with the first node that has not been found.
 std::vector<std::uint32_t> breadth_first(const WeightedGraph& graph, std::uint32_t start) {
     std::vector<std::uint32_t> order;
     std::vector<bool> is_found(graph.size(), false);
@@ -51,8 +55,8 @@ std::vector<std::uint32_t> breadth_first(const WeightedGraph& graph, std::uint32
     return order;
 }
 
-// Puts the first half of the weight, in the order of a search, into the zone Low and its neighbors
-// into the separator.
+// Grows the zone Low from a node: the nodes that are found first, up to half of the weight, are
+// Low, their other neighbors are the separator, and the rest is High.
 std::vector<Zone> grow(const WeightedGraph& graph, std::uint32_t start) {
     std::vector<Zone> zones(graph.size(), Zone::High);
     int rest = total_weight(graph) / 2;
@@ -74,7 +78,7 @@ std::vector<Zone> grow(const WeightedGraph& graph, std::uint32_t start) {
     return zones;
 }
 
-// Refines the separator and returns its weight and the difference of the zones.
+// Refines the separator. Returns its weight and the difference of the zones' weights.
 std::pair<int, int> refine(const WeightedGraph& graph, std::vector<Zone>& zones) {
     SeparatorRefinement refinement(graph, heaviest_zone(total_weight(graph)), zones);
     refinement.run();

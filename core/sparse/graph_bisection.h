@@ -7,16 +7,18 @@
 
 namespace foam {
 
-/// Returns the most that a zone of a graph of this weight should hold: six tenths.
+/// Returns the largest weight that a zone should have in a graph of the given weight: six tenths of
+/// it.
 int heaviest_zone(int weight);
 
-/// Divides a graph by a light separator, from its edges alone: returns each node's zone. No node of
-/// the zone Low is a neighbor of one of High; Outside is the separator.
+/// Divides a graph by a light separator, using its edges alone. Returns the zone of each node. No
+/// node of the zone Low is a neighbor of a node of High; the nodes of Outside are the separator.
 ///
-/// This is multilevel bisection (Karypis and Kumar 1998): neighbors are merged until some hundred
-/// nodes are left; that graph is divided by the best of several breadth-first searches; and the
-/// separator is refined on each finer graph in turn. The result depends on the order of nodes and
-/// edges only. Precondition: there is at least one node.
+/// The method is multilevel bisection (Karypis and Kumar 1998): neighbors are merged until at most
+/// 100 nodes are left or merging no longer makes the graph much smaller; the coarsest graph is
+/// divided by the best of several breadth-first searches; and the separator is refined on each
+/// finer graph in turn. The result depends only on the order of nodes and edges. Precondition:
+/// there is at least one node.
 std::vector<Zone> bisect(const WeightedGraph& graph);
 
 }  // namespace foam

@@ -17,7 +17,7 @@ std::vector<std::uint32_t> nodes_of_rows(std::span<const SolverNode> nodes) {
     return owners;
 }
 
-// Returns each coupled pair of nodes once, with the lower index first and sorted by it.
+// Returns each coupled pair of nodes once, with the lower index first, sorted by the lower index.
 std::vector<Pair> coupled_pairs(const Matrix& lower, std::span<const SolverNode> nodes) {
     const std::vector<std::uint32_t> owners = nodes_of_rows(nodes);
     std::vector<std::size_t> last_partner(nodes.size(), nodes.size());

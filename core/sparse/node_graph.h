@@ -11,17 +11,18 @@
 
 namespace foam {
 
-/// Consecutive rows of a symmetric matrix that belong together and have one position: for a foam
-/// the two coordinates of a junction, the pressure of a bubble, or the half angle of an outer film.
+/// Consecutive rows of a symmetric matrix that belong together and have one position. For a foam
+/// these are the two coordinates of a junction, the pressure of a bubble, or the half angle of an
+/// outer film.
 struct SolverNode {
     Vec2 position;
     int rows = 1;
 };
 
-/// An undirected graph without loops, as adjacency lists: the coupled nodes.
+/// The graph of coupled nodes: undirected, without loops, as adjacency lists.
 struct NodeGraph {
-    std::vector<std::uint32_t> neighbors;  // of all nodes, node after node
-    std::vector<std::size_t> begins;       // of each node's neighbors, and the end
+    std::vector<std::uint32_t> neighbors;  // neighbors of all nodes, sorted by node
+    std::vector<std::size_t> begins;  // start of each node's neighbors, and the end of the last
 
     std::span<const std::uint32_t> of(std::size_t node) const {
         return std::span(neighbors).subspan(begins[node], begins[node + 1] - begins[node]);
@@ -29,7 +30,7 @@ struct NodeGraph {
 };
 
 /// Returns the graph in which two nodes are coupled if they share an entry of the matrix, whose
-/// lower triangle is given. The nodes own the rows in turn.
+/// lower triangle is given. The nodes own the rows in order.
 NodeGraph coupling(const Eigen::SparseMatrix<double>& lower, std::span<const SolverNode> nodes);
 
 }  // namespace foam

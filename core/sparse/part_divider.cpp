@@ -12,16 +12,22 @@
 
 namespace foam {
 
+// A part is halved at the median of its longer axis. The lightest separator in a band along the
+// border of the halves follows from a minimum vertex cut (SeparatorSearch). In large parts of large
+// graphs it is refined among the nodes near it (SeparatorRefinement). If the result is heavier than
+// a multiple of the square root of the part's rows, multilevel bisection divides the part instead.
+
 namespace {
 
-// Rows of a part: refining smaller ones takes longer than their fronts get shorter.
+// Parts with fewer rows are not refined: that would take longer than it saves in factoring their
+// fronts.
 constexpr int kLeastRefinedPart = 2000;
 
-// Layers of nodes on both sides of a separator, among which a lighter one is sought.
+// Refinement of a separator may use this many layers of nodes on each side of it.
 constexpr int kRefinedLayers = 4;
 
-// Returns the periods of the torus; for the plane, periods so large that no coordinate reaches half
-// of one.
+// Returns the periods of the torus. For the plane, returns periods so large that no coordinate
+// reaches half of one.
 Vec2 periods_of(const Domain& domain) {
     return domain.is_plane() ? Vec2(Vec2::Constant(std::numeric_limits<double>::max()))
                              : Vec2(domain.width, domain.height);
@@ -90,8 +96,8 @@ ZoneBoxes PartDivider::divide_by_position(Nodes part, const PartBox& box) {
 }
 
 // Assigns the two halves to the zones and returns the coordinate between them. Coordinates are
-// taken relative to the middle of the box, so that one slightly beyond an edge stays near it; those
-// that are no finite numbers count as the middle.
+// taken relative to the middle of the box and wrapped to half a period, so that a node slightly
+// beyond an edge stays near it. Coordinates that are not finite count as the middle.
 double PartDivider::halve(Nodes part, const PartBox& box, Eigen::Index axis) {
     std::vector<double>& keys = memory_.keys;
     const double middle = 0.5 * (box.low[axis] + box.high[axis]);
@@ -113,7 +119,7 @@ double PartDivider::halve(Nodes part, const PartBox& box, Eigen::Index axis) {
     return middle + keys[part[half]];
 }
 
-// Moves the separator where it is lighter, among the nodes near it.
+// Makes the separator lighter by moving it among the nodes near it.
 void PartDivider::refine(Nodes part, int rows) {
     std::vector<std::uint32_t> near = nodes_near_separator(part);
     const WeightedGraph graph = graph_of_near(near, part);
@@ -146,7 +152,8 @@ std::vector<std::uint32_t> PartDivider::nodes_near_separator(Nodes part) {
     return near;
 }
 
-// All nodes of other parts are in the zone Outside.
+// Appends the neighbors of a node that are in a zone of this part and have no number yet, and
+// numbers them. Nodes of other parts are in the zone Outside.
 void PartDivider::add_unnumbered_neighbors(std::uint32_t node, std::vector<std::uint32_t>& nodes) {
     for (const std::uint32_t neighbor : graph_.of(node)) {
         std::uint32_t& index = memory_.part_indices[neighbor];
@@ -162,7 +169,7 @@ void PartDivider::divide_by_graph(Nodes part) {
     assign(part, bisect(graph_of(part)));
 }
 
-// Returns the graph of the nodes of a part alone, numbered in their order.
+// Returns the graph of the nodes of a part, numbered in their order, without edges to other nodes.
 WeightedGraph PartDivider::graph_of(Nodes part) {
     number(part);
     WeightedGraph graph;
@@ -228,7 +235,7 @@ void PartDivider::forget_numbers(Nodes nodes) {
     }
 }
 
-// Assigns the first of the zones to the nodes.
+// Assigns the zones to the nodes one by one. `zones` may be longer than `nodes`.
 void PartDivider::assign(Nodes nodes, std::span<const Zone> zones) {
     for (std::size_t k = 0; k < nodes.size(); ++k) {
         memory_.zones[nodes[k]] = zones[k];

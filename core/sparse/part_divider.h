@@ -17,28 +17,28 @@
 
 namespace foam {
 
-/// A rectangle around the nodes of a part, except a few that are slightly outside it.
+/// A rectangle around the nodes of a part. A few nodes may be slightly outside.
 struct PartBox {
     Vec2 low;
     Vec2 high;
 };
 
-/// Boxes around the two zones of a divided part; none if positions did not guide the division.
+/// Boxes around the two zones of a divided part. Empty if positions did not guide the division.
 struct ZoneBoxes {
     std::optional<PartBox> low;
     std::optional<PartBox> high;
 };
 
-/// The working memory of PartDivider, one element per node. Parts of the graph that are divided at
-/// the same time write different elements and read none of each other's, because a separator is
-/// between them.
+/// The working memory of PartDivider, with one element per node. Several parts of the graph may be
+/// divided at the same time: no part reads an element that another one writes, because a separator
+/// is between them.
 struct DivisionMemory {
     static constexpr std::uint32_t kNotInPart = std::numeric_limits<std::uint32_t>::max();
 
     std::vector<Zone> zones;                  // all Outside between divisions
-    std::vector<double> keys;                 // coordinate by which a part is halved
-    std::vector<std::uint32_t> band_indices;  // for SeparatorSearch
-    std::vector<std::uint32_t> part_indices;  // in the graph that is divided; kNotInPart otherwise
+    std::vector<double> keys;                 // coordinate of each node, for the median
+    std::vector<std::uint32_t> band_indices;  // see SeparatorSearch
+    std::vector<std::uint32_t> part_indices;  // index in the divided graph, or kNotInPart
 
     explicit DivisionMemory(std::size_t nodes)
         : zones(nodes, Zone::Outside),
@@ -48,9 +48,9 @@ struct DivisionMemory {
 };
 
 /// Divides parts of a graph by light separators. Positions propose a division: two halves at the
-/// median coordinate and the lightest separator near their border. The graph decides whether it is
-/// good: if the separator is heavy, as it is if positions do not tell who is a neighbor of whom,
-/// the part is divided by its edges alone.
+/// median coordinate, and the lightest separator near their border. The proposal is rejected if its
+/// separator is heavy, which it is if positions do not reflect which nodes are neighbors. The part
+/// is then divided by its edges alone.
 class PartDivider {
   public:
     PartDivider(const NodeGraph& graph,
@@ -62,8 +62,9 @@ class PartDivider {
     /// Returns a box around all nodes.
     PartBox box_of_all() const;
 
-    /// Assigns the nodes of a part to the zones Low and High, and its separator to Outside. May
-    /// change the order of the nodes in `part`. Positions are not asked if there is no box.
+    /// Assigns the nodes of a part with `rows` rows to the zones Low and High, and its separator to
+    /// Outside. May change the order of the nodes in `part`. Without a box, positions are not used.
+    /// Returns the boxes of both zones.
     ZoneBoxes divide(std::span<std::uint32_t> part, int rows, const std::optional<PartBox>& box);
 
   private:

@@ -6,6 +6,10 @@
 
 namespace foam {
 
+// Recursive, blocked L D Lᵀ: the columns are halved until at most kNarrow are left, the left half
+// is factored, its product is subtracted from the right half, and the right half is factored. Most
+// of the work is thus in large matrix products (dense_kernels.h), whose right factor L D is packed.
+
 namespace {
 
 using Eigen::Index;
@@ -22,7 +26,7 @@ Window<Real> window(DenseView<Real>& matrix, Index row, Index begin, Index end) 
             Eigen::OuterStride<>(matrix.rows())};
 }
 
-// Packs the rows of the right factor L D of a product as DenseProduct describes.
+// Packs rows of the right factor L D of a product in the layout of DenseProduct::right.
 template <class Real>
 void pack_scaled(const DenseView<Real>& panel,
                  Index first_row,
@@ -42,8 +46,9 @@ void pack_scaled(const DenseView<Real>& panel,
     }
 }
 
-// target -= L D Lᵀ over the factored columns begin to end, lower trapezoid. The target has the last
-// rows of the panel; its columns correspond to the first of these rows.
+// target -= L D Lᵀ over the factored columns [begin, end), on and below the target's diagonal. The
+// target corresponds to the last rows of the panel; its columns correspond to the first of these
+// rows.
 template <class Real>
 void subtract_ldlt(
     const DenseView<Real>& panel, Index begin, Index end, Window<Real> target, Real* scratch) {
@@ -62,8 +67,8 @@ void subtract_ldlt(
     }
 }
 
-// Factors the rows begin to end of the columns begin to end, from which the products of all earlier
-// columns have been subtracted.
+// Factors the rows [begin, end) of the columns [begin, end). Precondition: the products of all
+// earlier columns have been subtracted. Returns false if a pivot is zero or not finite.
 template <class Real>
 bool factor_triangle(DenseView<Real>& panel, Index begin, Index end) {
     for (Index j = begin; j < end; ++j) {
@@ -85,8 +90,8 @@ bool factor_triangle(DenseView<Real>& panel, Index begin, Index end) {
     return true;
 }
 
-// Factors columns begin to end, from which the products of all earlier columns have been
-// subtracted.
+// Factors all rows of the columns [begin, end). Precondition: the products of all earlier columns
+// have been subtracted. Returns false if a pivot is zero or not finite.
 template <class Real>
 bool factor_columns(DenseView<Real>& panel, Index begin, Index end) {
     if (!factor_triangle(panel, begin, end)) {
@@ -101,7 +106,8 @@ bool factor_columns(DenseView<Real>& panel, Index begin, Index end) {
     return true;
 }
 
-// Like factor_columns, but recursively by halves, so that most of the work is in large products.
+// Factors the columns [begin, end) as factor_columns does, but recursively by halves, so that most
+// of the work is in large products.
 template <class Real>
 bool factor_range(DenseView<Real>& panel, Index begin, Index end, Real* scratch) {
     if (end - begin <= kNarrow) {

@@ -4,6 +4,10 @@
 
 namespace foam {
 
+// The band is grown by breadth-first search from the border of the two zones. Its outermost layers
+// are the sources and sinks of a minimum vertex cut, whose node weights are numbers of rows. The
+// rest of each zone touches the band only in the outermost layer, so the cut separates the zones.
+
 void SeparatorSearch::separate(std::span<const std::uint32_t> part) {
     band_.clear();
     const std::size_t low_rim = grow_band(part, Zone::Low);
@@ -20,7 +24,7 @@ void SeparatorSearch::separate(std::span<const std::uint32_t> part) {
 }
 
 // Adds layers of a zone to the band, beginning with the nodes that touch the other zone. Returns
-// where the last layer begins.
+// the index in the band where the last layer begins.
 std::size_t SeparatorSearch::grow_band(std::span<const std::uint32_t> part, Zone zone) {
     const std::size_t begin = band_.size();
     add_border(part, zone);
@@ -78,7 +82,8 @@ void SeparatorSearch::drop_from(std::size_t begin) {
     band_.resize(begin);
 }
 
-// Sources are the nodes from low_rim to low_end, sinks those from high_rim on.
+// Sets up the cut problem. The sources are the band's last layer in the zone Low, [low_rim,
+// low_end), and the sinks its last layer in the zone High, from high_rim on.
 void SeparatorSearch::pose_cut(std::size_t low_rim, std::size_t low_end, std::size_t high_rim) {
     const auto is_source = [&](std::size_t k) { return k >= low_rim && k < low_end; };
     cut_.reset(band_.size());

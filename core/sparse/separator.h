@@ -12,9 +12,13 @@
 
 namespace foam {
 
+/// Options of SeparatorSearch.
 struct SeparatorOptions {
-    int band_layers = 1;      // beside the border of each zone, in which the separator is sought
-    double band_share = 0.4;  // no layer is added that makes the band hold more of its zone
+    // The band in which the separator is sought consists, in each zone, of the nodes that touch the
+    // other zone and of this many more layers.
+    int band_layers = 1;
+    // A layer is not added if the band would then hold more than this share of its zone.
+    double band_share = 0.4;
 };
 
 /// Finds the lightest separator near the common border of two zones.
@@ -22,9 +26,9 @@ class SeparatorSearch {
   public:
     static constexpr std::uint32_t kNotInBand = std::numeric_limits<std::uint32_t>::max();
 
-    /// Works on one element per node of the graph. All elements of `band_indices` are kNotInBand
-    /// on entry and between calls. Parts of the graph that are not coupled to each other may be
-    /// divided at the same time, by one object each.
+    /// `zones` and `band_indices` have one element per node of the graph. All elements of
+    /// `band_indices` are kNotInBand on entry and between calls. Parts of the graph that are not
+    /// coupled to each other may be divided at the same time, each by an object of its own.
     SeparatorSearch(const NodeGraph& graph,
                     std::span<const SolverNode> nodes,
                     const SeparatorOptions& options,
@@ -36,9 +40,9 @@ class SeparatorSearch {
           zones_(zones),
           band_indices_(band_indices) {}
 
-    /// Moves the nodes of the lightest separator in a band along the border of the zones Low and
-    /// High to the zone Outside, and other nodes of the band to the zone on whose side of the
-    /// separator they are. No node of the zone Low is then coupled to one of the zone High.
+    /// Finds the lightest separator in a band along the border of the zones Low and High, and moves
+    /// its nodes to the zone Outside. The other nodes of the band move to the zone on whose side of
+    /// the separator they are. No node of the zone Low is then coupled to a node of the zone High.
     /// Precondition: `part` holds the nodes of both zones, half of them in each.
     void separate(std::span<const std::uint32_t> part);
 

@@ -5,12 +5,17 @@
 
 namespace foam {
 
+// The method of Fiduccia and Mattheyses (1982), for separators of nodes. A sweep takes the move
+// with the largest gain from a priority queue. When the gain of a node changes, its new move is
+// added to the queue; outdated moves are recognized by their gain and dropped when they are taken
+// out. Changes are recorded so that the best separator of a sweep can be restored.
+
 namespace {
 
 constexpr int kMostSweeps = 20;
 
-// A sweep ends when the separator has not become lighter for this many moves per node that it had
-// at first, and at the latest for kMostFutileMoves.
+// A sweep ends after this many moves in a row without a new best separator, per node of the
+// separator at the start of the sweep. kMostFutileMoves limits their number.
 constexpr std::size_t kFutileMovesPerNode = 2;
 constexpr std::size_t kMostFutileMoves = 300;
 
@@ -42,7 +47,8 @@ void SeparatorRefinement::run() {
     }
 }
 
-// Returns whether the separator is lighter, or as heavy and the zones more alike.
+// Sweeps the separator over the other zone and restores the best separator of the sweep. Returns
+// true if it is lighter than before, or equally heavy with better balanced zones.
 bool SeparatorRefinement::sweep(Zone into) {
     start_sweep(into);
     const std::pair<int, int> first_cost = cost();
@@ -73,7 +79,8 @@ void SeparatorRefinement::start_sweep(Zone into) {
     }
 }
 
-// Returns false if no move is left or the best one makes the zone too heavy.
+// Makes the move with the largest gain. Returns false if no move is left or if this move makes the
+// zone too heavy.
 bool SeparatorRefinement::make_best_move(Zone into) {
     while (!moves_.empty() && (zones_[moves_.top().node] != Zone::Outside ||
                                moves_.top().gain != gain(moves_.top().node))) {
@@ -119,7 +126,7 @@ void SeparatorRefinement::change(std::uint32_t node, Zone zone) {
     zones_[node] = zone;
 }
 
-// Restores the zones as they were before a change of this sweep.
+// Undoes the changes of this sweep from the index `first` on.
 void SeparatorRefinement::undo_changes_from(std::size_t first) {
     for (; changes_.size() > first; changes_.pop_back()) {
         const auto [node, before] = changes_.back();

@@ -13,26 +13,31 @@
 
 namespace foam {
 
-/// Makes a separator lighter by moving nodes: each node of the graph is in the zone Low, in the
-/// zone High, or Outside, which is the separator, and no node of Low is a neighbor of one of High.
+/// Makes a separator lighter by moving nodes. Each node of the graph is in the zone Low, in the
+/// zone High, or in Outside, which is the separator. No node of Low is a neighbor of a node of
+/// High.
 ///
-/// A move takes a node out of the separator into one zone and its neighbors in the other zone into
-/// the separator. In a pass all moves are into the same zone, the best one first, even if the
-/// separator gets heavier by it, so that it sweeps over the other zone; then the lightest separator
-/// on the way is restored. Passes into both zones alternate until neither gains anything. This is
-/// the method of Fiduccia and Mattheyses (1982) for separators of nodes (Karypis and Kumar 1998).
+/// A move takes a node from the separator into one zone, and the node's neighbors in the other zone
+/// into the separator. In a sweep all moves are into the same zone, the best one first, even if a
+/// move makes the separator heavier, so that the separator sweeps over the other zone. Then the
+/// lightest separator of the sweep is restored. Sweeps into both zones alternate until neither
+/// gains anything. This is the method of Fiduccia and Mattheyses (1982) for separators of nodes
+/// (Karypis and Kumar 1998).
 class SeparatorRefinement {
   public:
-    /// No zone gets heavier than `most_weight` by a move.
+    /// Precondition: `zones` has one element per node, and no edge between Low and High. No move
+    /// makes a zone heavier than `most_weight`.
     SeparatorRefinement(const WeightedGraph& graph, int most_weight, std::span<Zone> zones);
 
+    /// Sweeps until neither direction gains anything; the zones are changed in place.
     void run();
 
-    /// The weight of the separator, and the difference of the zones' weights.
+    /// Returns the weight of the separator and the difference of the zones' weights.
     std::pair<int, int> cost() const;
 
   private:
-    // A node of the separator that may move, and by how much the separator gets lighter.
+    // A candidate move: a node of the separator, and the weight that the separator loses by its
+    // move.
     struct Move {
         int gain = 0;
         std::uint32_t node = 0;
@@ -61,10 +66,10 @@ class SeparatorRefinement {
     int most_weight_;
     std::span<Zone> zones_;
     std::array<int, 3> weights_{};          // of each zone
-    std::vector<std::uint32_t> separator_;  // all of its nodes, and some that have left it
-    std::vector<int> pulled_;          // weight that the move of a node pulls into the separator
-    std::priority_queue<Move> moves_;  // some are out of date
-    std::vector<Change> changes_;      // of this sweep
+    std::vector<std::uint32_t> separator_;  // its nodes, and some that have left it
+    std::vector<int> pulled_;               // weight that the move of each node pulls in
+    std::priority_queue<Move> moves_;       // may hold outdated moves
+    std::vector<Change> changes_;           // of this sweep
 };
 
 }  // namespace foam

@@ -11,11 +11,14 @@
 
 namespace foam {
 
+/// Options of SparseLdlt::analyze.
 struct LdltOptions {
     DissectionOptions dissection{};
-    std::size_t max_bytes = std::size_t{1} << 32U;  // for the factor and the remainders of fronts
+    // Largest memory for the factor and the remainders of fronts.
+    std::size_t max_bytes = std::size_t{1} << 32U;
 };
 
+/// The result of SparseLdlt::analyze.
 enum class LdltAnalysis {
     Planned,
     TooLarge,  // see LdltOptions::max_bytes; nothing was planned
@@ -23,13 +26,13 @@ enum class LdltAnalysis {
 
 /// A direct solver for symmetric quasi-definite matrices whose rows have positions on a torus or in
 /// the plane: multifrontal L D Lᵀ without pivoting, in the order of a geometric nested dissection.
-/// `threads` is meant as in thread_count. The bits of the results do not depend on it.
+/// `threads` as in thread_count; the bits of the results do not depend on it.
 template <class Real>
 class SparseLdlt {
   public:
-    /// Plans the factorization of all matrices of a pattern, whose lower triangle is given,
-    /// compressed and with sorted columns. The nodes own the rows in turn. Memory of the planned
-    /// size is allocated only if it is within the limit.
+    /// Plans the factorization of all matrices of a pattern. Its lower triangle is given,
+    /// compressed and with sorted columns. The nodes own the rows in order. Allocates memory of the
+    /// planned size, unless it exceeds the limit of the options.
     LdltAnalysis analyze(const Eigen::SparseMatrix<double>& lower_pattern,
                          std::span<const SolverNode> nodes,
                          const Domain& domain,
@@ -39,11 +42,11 @@ class SparseLdlt {
     /// Returns the number of bytes that `factor` works on with this many threads.
     std::size_t memory_bytes(int threads) const;
 
-    /// Factors a matrix of the pattern that was analyzed. Returns false if a pivot is zero or not
-    /// finite: then there is no factor.
+    /// Factors a matrix of the analyzed pattern. Returns false if a pivot is zero or not finite; no
+    /// factor is available then.
     bool factor(const Eigen::SparseMatrix<double>& lower, int threads);
 
-    /// Returns the solution. Precondition: there is a factor.
+    /// Returns the solution for a right-hand side. Precondition: a factor is available.
     Eigen::VectorXd solve(const Eigen::VectorXd& right_hand_side, int threads = 1) const;
 
     /// Returns the number of entries of L, including the diagonal and the zeros in dense fronts.
@@ -55,7 +58,7 @@ class SparseLdlt {
 
   private:
     FrontPlan plan_;
-    std::vector<Real> factor_;     // D and L, front after front
+    std::vector<Real> factor_;     // D and L, sorted by front
     std::vector<Real> workspace_;  // remainders of fronts until they are added to their parents
     std::vector<Real> scratch_;
 };

@@ -5,6 +5,11 @@
 
 namespace foam {
 
+// Dinic's maximum flow: repeatedly finds the levels of all vertices by breadth-first search and
+// pushes a blocking flow along arcs from one level to the next. When the sink is unreachable, the
+// cut consists of the nodes whose entry vertex can be reached and whose exit vertex cannot (maximum
+// flow, minimum cut).
+
 namespace {
 
 constexpr std::uint32_t kNoArc = std::numeric_limits<std::uint32_t>::max();
@@ -44,8 +49,8 @@ void VertexCut::add_arc(std::size_t from, std::size_t to, int capacity) {
     first_[to] = arc + 1;
 }
 
-// Counts the steps from the source to each vertex, up to the sink. Returns false if the sink is out
-// of reach.
+// Finds the number of steps from the source to each vertex by breadth-first search, which ends at
+// the sink. Returns false if the sink is unreachable.
 bool VertexCut::find_levels() {
     levels_.assign(first_.size(), -1);
     queue_.assign(1, static_cast<std::uint32_t>(kSource));
@@ -63,8 +68,8 @@ bool VertexCut::find_levels() {
     return levels_[kSink] >= 0;
 }
 
-// Pushes up to an amount of flow from a vertex to the sink, by levels, and returns the amount that
-// arrived.
+// Pushes at most `amount` of flow from a vertex to the sink along arcs to the next level. Returns
+// the amount that arrived.
 int VertexCut::push(std::size_t vertex, int amount) {
     if (vertex == kSink) {
         return amount;

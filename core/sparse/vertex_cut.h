@@ -6,34 +6,37 @@
 
 namespace foam {
 
-/// The side of the cut that a node is on, or the cut itself.
+/// The side of the cut on which a node is, or the cut itself.
 enum class CutSide : std::uint8_t { Source, Cut, Sink };
 
-/// Finds the lightest set of nodes whose removal leaves no path from any source to any sink, by
-/// Dinic's maximum flow with node capacities. A source or a sink may itself be in the cut.
-/// Connections are directed; connections into sources and out of sinks are not needed. Buffers are
-/// reused between problems.
+/// Finds the lightest set of nodes whose removal leaves no path from any source to any sink
+/// (minimum vertex cut), by Dinic's maximum flow with node capacities. Sources and sinks may be in
+/// the cut themselves. Connections are directed. Connections into sources and out of sinks may be
+/// omitted. Buffers are reused between problems.
 class VertexCut {
   public:
-    /// Starts a new problem over the nodes 0, 1, ... without connections.
+    /// Starts a new problem with the given number of nodes and no connections.
     void reset(std::size_t nodes);
 
-    /// Precondition: called once for each node, with a positive weight.
+    /// Sets the weight of a node. Precondition: called once for each node, with a positive weight.
     void set_weight(std::size_t node, int weight);
+    /// Makes a node a source.
     void make_source(std::size_t node);
+    /// Makes a node a sink.
     void make_sink(std::size_t node);
+    /// Adds a connection from one node to another.
     void connect(std::size_t from, std::size_t to);
 
-    /// Returns the side of every node. If several cuts are lightest, takes the one nearest to the
-    /// sources.
+    /// Returns the side of every node. If several cuts are lightest, the cut nearest to the sources
+    /// is taken.
     const std::vector<CutSide>& solve();
 
   private:
-    // A node is an arc from its entry vertex to its exit vertex, with the weight as its capacity;
-    // connections have unlimited capacity.
+    // An arc of the flow network. A node is an arc from its entry vertex to its exit vertex, with
+    // the weight as its capacity; a connection is an arc of unlimited capacity.
     struct Arc {
         std::uint32_t to = 0;
-        std::uint32_t next = 0;  // arc that leaves the same vertex
+        std::uint32_t next = 0;  // next arc that leaves the same vertex
         int capacity = 0;
     };
 
@@ -46,9 +49,9 @@ class VertexCut {
 
     std::size_t nodes_ = 0;
     std::vector<Arc> arcs_;             // an arc and its reverse are adjacent
-    std::vector<std::uint32_t> first_;  // arc that leaves each vertex
+    std::vector<std::uint32_t> first_;  // first arc that leaves each vertex
     std::vector<std::uint32_t> untried_;
-    std::vector<int> levels_;  // steps from the source, -1 if out of reach
+    std::vector<int> levels_;  // steps from the source, -1 if unreachable
     std::vector<std::uint32_t> queue_;
     std::vector<CutSide> sides_;
 };

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-// Returns the node that each node is merged with: itself if it stays alone.
+// Returns the partner with which each node is merged, or the node itself if it stays alone.
 std::vector<std::uint32_t> match(const WeightedGraph& graph, int most_weight) {
     std::vector<std::uint32_t> partners(graph.size(), kNone);
     for (std::uint32_t node = 0; node < graph.size(); ++node) {
@@ -30,8 +30,9 @@ std::vector<std::uint32_t> match(const WeightedGraph& graph, int most_weight) {
     return partners;
 }
 
-// Appends the edges of one coarse node, which is made of the given fine nodes. `places` says where
-// the edge to each coarse node is, if that is among the edges from `begin` on.
+// Appends the edges of one coarse node, which consists of the given fine nodes. `places` holds the
+// index of the edge to each coarse node; it is valid only if it is at least `begin` and that edge
+// exists.
 void append_edges(const WeightedGraph& fine,
                   std::span<const std::uint32_t> members,
                   CoarseGraph& coarse,

@@ -8,16 +8,16 @@
 
 namespace foam {
 
-/// An undirected graph without loops, whose nodes and edges have weights, as adjacency lists.
+/// An undirected graph without loops, with weights of nodes and edges, as adjacency lists.
 struct WeightedGraph {
     struct Edge {
         std::uint32_t to = 0;
         int weight = 1;
     };
 
-    std::vector<int> weights;  // of the nodes, positive
-    std::vector<Edge> edges;   // of all nodes, node after node; each edge is at both its ends
-    std::vector<std::uint32_t> begins;  // of each node's edges, and the end
+    std::vector<int> weights;           // weights of the nodes, positive
+    std::vector<Edge> edges;            // sorted by node; each edge occurs at both its ends
+    std::vector<std::uint32_t> begins;  // start of each node's edges, and the end of the last
 
     std::uint32_t size() const { return static_cast<std::uint32_t>(weights.size()); }
     std::span<const Edge> of(std::uint32_t node) const {
@@ -25,15 +25,15 @@ struct WeightedGraph {
     }
 };
 
-/// A smaller graph of the same shape.
+/// A coarser graph, in which some nodes of the fine graph are merged.
 struct CoarseGraph {
     WeightedGraph graph;
-    std::vector<std::uint32_t> coarse_of;  // for each node of the fine graph
+    std::vector<std::uint32_t> coarse_of;  // coarse node of each fine node
 };
 
-/// Merges pairs of neighbors: each node with the neighbor that it shares the heaviest edge with, of
-/// those not yet merged (Karypis and Kumar 1998, "heavy-edge matching"). The weights of merged
-/// nodes and of parallel edges add up. No pair gets heavier than `most_weight`.
+/// Merges pairs of neighbors: each node is merged with the unmerged neighbor to which its edge is
+/// heaviest ("heavy-edge matching", Karypis and Kumar 1998). The weights of merged nodes and of
+/// parallel edges are added up. No merged pair is heavier than `most_weight`.
 CoarseGraph coarsen(const WeightedGraph& fine, int most_weight);
 
 }  // namespace foam

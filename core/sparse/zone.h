@@ -4,8 +4,8 @@
 
 namespace foam {
 
-/// The side of a node in the part of a graph that is being divided; Outside are the nodes of the
-/// separator and those of other parts.
+/// The side of a node in the part of a graph that is being divided. Nodes of the separator and of
+/// other parts are Outside.
 enum class Zone : std::uint8_t { Outside, Low, High };
 
 /// Returns the other one of Low and High.
