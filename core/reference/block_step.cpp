@@ -7,12 +7,16 @@
 
 namespace foam {
 
+// The Newton step of one block as in the paper (4.1): the Jacobian of eq. 11 by central
+// differences, column by column, whose step is halved until they converge, and the solution by
+// singular value decomposition, which is defined for singular blocks, too.
+
 namespace {
 
 using Eigen::Index;
 
-// Singular values below this share of the largest count as zero: differences are not more accurate.
-// The scaling of the unknowns keeps those of a regular block well above it.
+// Singular values below this share of the largest count as zero, since the differences are not more
+// accurate. The scaling of the unknowns keeps the singular values of a regular block well above it.
 constexpr double kSingular = 1e-6;
 
 BlockVector central_difference(const JunctionBlock& block, Index unknown, double step) {

@@ -4,20 +4,22 @@
 
 namespace foam {
 
-/// Central differences whose step is halved until they converge (paper 4.1). Unknowns and
-/// constraints have no units (JunctionBlock).
+/// Parameters of central differences whose step is halved until they converge (paper 4.1). Unknowns
+/// and constraints are dimensionless (JunctionBlock).
 struct DifferenceOptions {
     double first_step = 1e-3;
-    double threshold = 1e-6;  // stops when a halving changes no entry by this or more
-    int max_halvings = 10;    // or then: slopes jump where half angles reach their limit
+    double threshold = 1e-6;  // converged when a halving changes every entry by less than this
+    // Largest number of halvings. It is reached where the derivatives jump because a half angle is
+    // at its limit.
+    int max_halvings = 10;
 };
 
-/// Returns the derivatives of the constraints' errors by the unknowns, at no change. Precondition:
-/// the block is not degenerate.
+/// Returns the derivatives of the constraints' errors with respect to the unknowns, at the present
+/// state. Precondition: the block is not degenerate.
 BlockMatrix block_slopes(const JunctionBlock& block, const DifferenceOptions& options);
 
-/// Returns the Newton step of the block (paper eq. 10 and 11), the smallest one if the slopes are
-/// singular. Precondition: the block is not degenerate.
+/// Returns the Newton step of the block (paper eq. 10 and 11). If the derivatives are singular,
+/// this is the least-squares solution of minimum norm. Precondition: the block is not degenerate.
 BlockVector block_step(const JunctionBlock& block, const DifferenceOptions& options);
 
 }  // namespace foam

@@ -8,6 +8,10 @@
 
 namespace foam {
 
+// A round ends when the sweeps have converged or have reached their limit. If they have converged,
+// the T1s of the short films follow; without any, the foam is in equilibrium. A round that reaches
+// the limit of sweeps ends the equilibration with the status ToleranceMissed.
+
 namespace {
 
 RelaxationSummary relax_first(Foam& foam, const EquilibriumOptions& options) {
@@ -27,7 +31,7 @@ EquilibriumSummary equilibrate_by_sweeps(Foam& foam,
                                          SweepOrder order,
                                          const EquilibriumOptions& options) {
     const Positions before = foam.positions;
-    if (foam.network.film_count() == 0) {  // lone bubbles, which are circles already, or nothing
+    if (foam.network.film_count() == 0) {  // empty, or only lone bubbles, which are circles already
         return conclude(foam, before, options, true, {});
     }
     EquilibriumSummary summary;

@@ -13,11 +13,17 @@
 
 namespace foam {
 
+// Blocked nonlinear Gauss-Seidel (paper 4.1): the blocks of all junctions are solved one after
+// another, each from the state left by the one before. In colored order (the paper's future work,
+// there red and black) junctions of one color share no bubble, so their blocks are solved in
+// parallel and their changes are then applied in the order of the junctions. Steps are limited,
+// which the paper does not mention.
+
 namespace {
 
-constexpr std::size_t kBlocksPerChunk = 16;  // some 300 microseconds of work
-// Sweeps after which all short films are tried. In the first ones, while areas are far off, a film
-// may be short for a while that ends up long.
+constexpr std::size_t kBlocksPerChunk = 16;  // about 300 microseconds of work
+// T1s of all short films are tried after this many sweeps. In the first sweeps, while areas are far
+// off, a film may be short for a while that is long in the end.
 constexpr int kSweepsBetweenT1 = 30;
 
 struct OuterChange {
@@ -34,8 +40,8 @@ struct BlockChange {
     std::vector<OuterChange> half_angles;
 };
 
-// Returns the step of the block, shortened to the largest change. Returns no change if a film has
-// no length: that is left to the T1 rule.
+// Returns the step of the block, scaled down to the largest allowed change. Returns no change if a
+// film has no length; the T1 rule handles such a film.
 BlockChange change_of(const JunctionBlock& block, const GaussSeidelOptions& options) {
     BlockChange change;
     if (block.is_degenerate()) {
@@ -57,7 +63,7 @@ BlockChange change_of(const JunctionBlock& block, const GaussSeidelOptions& opti
     return change;
 }
 
-// Positions may leave the fundamental cell of the torus.
+// Adds the change of a block to the foam. Positions may leave the fundamental cell of the torus.
 void apply(Foam& foam, JunctionId junction, const BlockChange& change) {
     foam.positions[junction] += change.move;
     for (std::size_t k = 0; k < change.bubble_count; ++k) {
@@ -81,8 +87,8 @@ class Sweeps {
         }
     }
 
-    // Applies the T1 rule to the films that have collapsed and, after some sweeps, to all that are
-    // short. Returns the number of changes.
+    // Applies the T1 rule to films that have collapsed and, every kSweepsBetweenT1 sweeps, to all
+    // films that are short. Returns the number of changes of the network.
     int flip_short_films(int sweep) {
         int flips = 0;
         for (const FilmId film : foam_.network.films()) {
@@ -120,8 +126,8 @@ class Sweeps {
         }
     }
 
-    // Solves all blocks before it applies any: a block also reads the pressures around its bubbles,
-    // which another block of the color may change.
+    // Solves all blocks of a color before it applies any change, since a block also reads the
+    // pressures of the neighbors of its bubbles, which another block of the color may change.
     void sweep_color(const std::vector<JunctionId>& color) {
         changes_.resize(color.size());
         parallel_for(color.size(),
@@ -141,7 +147,7 @@ class Sweeps {
 
     Foam& foam_;
     const GaussSeidelOptions& options_;
-    std::vector<std::vector<JunctionId>> colors_;  // empty if the network has changed since
+    std::vector<std::vector<JunctionId>> colors_;  // empty if the network has changed
     std::vector<BlockChange> changes_;
 };
 

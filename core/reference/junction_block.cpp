@@ -9,6 +9,11 @@
 
 namespace foam {
 
+// The block reads from the foam the films around its bubbles and at its junction as chords and
+// pressure differences. The errors of the constraints for a changed junction, pressures and half
+// angles are then computed from these without touching the foam: areas by the shoelace formula plus
+// the segments between arcs and chords (E1), angles from the tangents of the arcs at the junction.
+
 namespace {
 
 using Eigen::Index;

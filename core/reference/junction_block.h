@@ -14,76 +14,80 @@ namespace foam {
 using BlockVector = Eigen::VectorXd;
 using BlockMatrix = Eigen::MatrixXd;
 
-/// One block of the paper's solver (its eq. 11): a junction and the bubbles that meet there, with
+/// One block of the paper's solver (eq. 11): a junction and the bubbles that meet there, with
 /// everything else held.
 ///
-/// Unknowns are changes of the pressures of the bubbles and then of x and y of the junction.
-/// Constraints are as many: the areas of the bubbles, and then the angles between the junction's
-/// films on the left of the first two of leaving(); the third angle follows (paper eq. 13). A
-/// bubble that meets itself at the junction, around the torus, counts once: the block is smaller by
-/// a pressure and an area.
+/// The unknowns are the changes of the pressures of the bubbles, followed by the changes of x and y
+/// of the junction. There are as many constraints: the areas of the bubbles, followed by the angles
+/// between the junction's films on the left of the first two of leaving(); the third angle follows
+/// from these (paper eq. 13). A bubble that meets itself at the junction, around the torus, counts
+/// once: the block is then smaller by a pressure and an area.
 ///
-/// In a patch the ghost's pressure and area leave the block (paper eq. 15). Each outer film of the
-/// block's bubbles has its half angle as an unknown, after the pressures, and Laplace-Young's law
-/// as a constraint, after the areas. Where this law alone tells the half angle, Newton's step is
-/// that of the block without both; and it is as good at 90 degrees, where the law does not.
+/// In a patch the ghost's pressure and area are left out of the block (paper eq. 15). Each outer
+/// film of the block's bubbles has its half angle as an unknown, after the pressures, and
+/// Laplace-Young's law as a constraint, after the areas. Where this law determines the half angle,
+/// Newton's step is the same as that of the block without these unknowns and constraints. At 90
+/// degrees, where the law does not determine the half angle, the step is just as good.
 ///
-/// Everything is without units, and of order one however small the bubbles are: a pressure is in
-/// film tensions over the root of its bubble's target area, a coordinate in lengths of the
-/// junction's shortest film, an area in target areas, an angle in radians, the error of
+/// All quantities are dimensionless, and of order one however small the bubbles are. Pressures are
+/// in film tensions over the square root of the bubble's target area, coordinates in lengths of the
+/// junction's shortest film, areas in target areas, angles in radians, and the error of
 /// Laplace-Young's law in film tensions.
 class JunctionBlock {
   public:
-    /// Reads the block of a junction from the foam; memory of an earlier block is reused.
+    /// Reads the block of a junction from the foam. Memory of an earlier block is reused.
     void load(const Foam& foam, JunctionId junction);
 
-    /// The bubbles, each once, and the outer films, in the order of the unknowns.
+    /// The bubbles, each once, and the outer films, both in the order of the unknowns.
     std::span<const BubbleId> bubbles() const { return {bubbles_.data(), bubble_count_}; }
     std::span<const FilmId> outer_films() const { return outer_films_; }
 
-    /// Number of unknowns, and of constraints.
+    /// Returns the number of unknowns, which is also the number of constraints.
     Eigen::Index size() const {
         return static_cast<Eigen::Index>(bubble_count_ + outer_films_.size()) + 2;
     }
 
-    /// Returns the chords of the junction's films, away from it.
+    /// Returns the chords of the junction's films, pointing away from it.
     std::array<Vec2, 3> chords() const;
 
-    /// Returns true if a film of the junction has no length: then there are no angles, and no
-    /// constraints.
+    /// Returns true if a film of the junction has no length. The angles, and so the constraints,
+    /// are then undefined.
     bool is_degenerate() const { return move_unit_ == 0.0; }
 
-    /// Returns the errors of the constraints after a change of the unknowns (paper eq. 8 and 12):
-    /// target minus area of each bubble, the error of Laplace-Young's law (bulge_energy.h) at each
-    /// outer film, along its forward side, and 120 degrees minus each angle, in [-pi, pi]. Half
-    /// angles of other films are clamped to the limit (film_energy.h). Precondition: not
-    /// degenerate.
+    /// Returns the errors of the constraints after a change of the unknowns (paper eq. 8 and 12),
+    /// each as the required value minus the actual one. For each bubble it is the target area minus
+    /// the area, for each outer film minus laplace_young_error (bulge_energy.h) along the forward
+    /// side, and for each angle 120 degrees minus the angle, in [-pi, pi]. Half angles of other
+    /// films are clamped to the limit (film_energy.h). Precondition: the block is not degenerate.
     BlockVector constraint_errors(const BlockVector& change) const;
 
-    /// Return the parts of a change of the unknowns in foam units.
+    /// Returns the change of a bubble's pressure, in foam units. `bubble` is an index in bubbles().
     double pressure_change(const BlockVector& change, std::size_t bubble) const;
-    /// The change along the outer film's forward side.
+    /// Returns the change of an outer film's half angle along its forward side, in radians.
+    /// `outer_film` is an index in outer_films().
     double half_angle_change(const BlockVector& change, std::size_t outer_film) const {
         return change[static_cast<Eigen::Index>(bubble_count_ + outer_film)];
     }
+    /// Returns the motion of the junction, in foam units.
     Vec2 move(const BlockVector& change) const { return move_unit_ * change.tail<2>(); }
 
   private:
-    // A film, with one of the bubbles on its left or with the junction at its tail.
+    // A side of a film: either around one of the bubbles, which is on its left, or from the
+    // junction, which is its tail.
     struct Side {
-        Vec2 start{0.0, 0.0};  // relative to the start of the traversal of the bubble
+        Vec2 start{0.0, 0.0};  // tail, relative to the start of the traversal of the bubble
         Vec2 chord{0.0, 0.0};
-        double pressure = 0.0;     // left less right, in film tensions per length
-        double segment = 0.0;      // area between arc and chord
-        double half_angle = 0.0;   // only of an outer film
-        double start_share = 0.0;  // 1 if the start moves with the junction
-        double chord_share = 0.0;  // 1 if the head does, minus 1 if the start does
-        int left = kHeld;          // index of the bubble in bubbles_
+        double pressure = 0.0;     // left minus right, in film tensions per length
+        double segment = 0.0;      // area between arc and chord, counted for the left side
+        double half_angle = 0.0;   // only used for an outer film
+        double start_share = 0.0;  // 1 if the tail moves with the junction, else 0
+        double chord_share = 0.0;  // 1 if only the head moves with it, -1 if only the tail does
+        int left = kHeld;          // index in bubbles_ of the bubble on the left
         int right = kHeld;
-        int outer = kHeld;           // index of the film in outer_films_
+        int outer = kHeld;           // index in outer_films_
         double forward_share = 1.0;  // 1 along the film's forward side, -1 against it
     };
-    static constexpr int kHeld = -1;  // index of a bubble outside, or of an inner film
+    static constexpr int kHeld = -1;  // index of a bubble outside of the block, or of an inner film
 
     void add_bubble(const Foam& foam, BubbleId bubble);
     void add_outer_films(const Network& network, BubbleId bubble);
@@ -106,7 +110,7 @@ class JunctionBlock {
     double tension_ = 1.0;
     double move_unit_ = 0.0;
     std::array<Side, 3> leaving_;
-    std::vector<Side> sides_;  // of all bubbles
+    std::vector<Side> sides_;  // sides of all bubbles
 };
 
 }  // namespace foam

@@ -11,7 +11,8 @@ class Coloring {
   public:
     explicit Coloring(const Network& network) : network_(network), taken_(network.bubble_slots()) {}
 
-    // Takes and returns the first color that no other junction of its bubbles has taken.
+    // Returns the first color that no other junction of the junction's bubbles has, and marks it as
+    // taken.
     std::size_t take(JunctionId junction) {
         const std::array<HalfEdgeId, 3> leaving = network_.leaving(junction);
         std::size_t color = 0;
