@@ -9,11 +9,11 @@
 
 namespace foam {
 
-/// Items sorted into buckets that are stored one after the other.
+/// Items sorted into buckets, which are stored one after the other.
 template <class Item>
 struct Buckets {
     std::vector<Item> items;
-    std::vector<std::size_t> ends{0};  // bucket k holds the items from ends[k] to ends[k + 1]
+    std::vector<std::size_t> ends{0};  // bucket k holds items[ends[k]] to items[ends[k + 1] - 1]
 
     /// Returns the items of the buckets [first, last).
     std::span<const Item> of(std::size_t first, std::size_t last) const {
@@ -21,16 +21,18 @@ struct Buckets {
     }
 };
 
-/// Sorts items into buckets by counting, in two passes. visit(part, put) calls put(bucket, item)
-/// for each item of a part; it is called twice per part and must do the same both times. Within a
-/// bucket, items are ordered by part, then by call. Threads share the parts; the result is the same
-/// for any number of threads.
+/// Sorts items into buckets by a parallel counting sort, in two passes. visit(part, put) calls
+/// put(bucket, item) for each item of a part. Within a bucket, items are ordered by part, then by
+/// call. The parts are shared among threads, up to thread_count(threads); the result is the same
+/// for any number. Precondition: visit is called twice per part and makes the same calls both
+/// times; each bucket is less than `buckets`.
 template <class Item, class Visit>
 Buckets<Item> counting_sort(std::size_t buckets,
                             std::size_t parts,
                             int threads,
                             const Visit& visit) {
-    // First the number of items that each part has in each bucket, then where its next one goes.
+    // First pass: counts the items of each part in each bucket. A prefix sum then turns the counts
+    // into the position of the next item.
     std::vector<std::vector<std::size_t>> next(parts);
     parallel_for(parts, 1, threads, [&](std::size_t part, std::size_t) {
         std::vector<std::size_t> counts(buckets);

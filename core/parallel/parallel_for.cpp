@@ -13,9 +13,9 @@ namespace foam {
 
 namespace {
 
-constexpr std::size_t kMaxThreads = 256;  // however many an option asks for
+constexpr std::size_t kMaxThreads = 256;  // largest number, whatever an option asks for
 
-// The chunks of one parallel_for, which several threads take one after another.
+// The chunks of one parallel_for. Threads take them one after another from a shared atomic counter.
 class Chunks {
   public:
     Chunks(std::size_t count,
@@ -25,7 +25,7 @@ class Chunks {
 
     std::size_t chunks() const { return (count_ + grain_ - 1) / grain_; }
 
-    // Processes chunks until none is left. May run on any number of threads at once.
+    // Processes chunks until none is left. May be called by any number of threads at once.
     void work() {
         for (std::size_t k = next_++; k < chunks(); k = next_++) {
             try {

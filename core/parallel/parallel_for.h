@@ -7,19 +7,19 @@
 
 namespace foam {
 
-/// Returns the number of threads that a `threads` option or argument means, anywhere in the
-/// project: itself if positive, otherwise as many threads as the hardware runs at once. The result
-/// is at least 1.
+/// Returns the number of threads that a `threads` option or argument requests, anywhere in the
+/// project: the value itself if it is positive, otherwise as many threads as the hardware runs at
+/// once. The result is at least 1.
 int thread_count(int threads);
 
-/// Calls body(first, last) for each chunk of [0, count): [0, grain), [grain, 2 grain) and so on;
-/// the last chunk is cut off at `count`.
+/// Calls body(first, last) for each chunk of [0, count). The chunks are [0, grain), [grain, 2
+/// grain) and so on; the last one ends at `count`.
 ///
-/// Runs on up to thread_count(threads) threads, one of which is the caller's. The chunks do not
-/// depend on the number of threads, so that a body that writes only to its own range gives the
-/// same result for any number. They run in no particular order. Returns when all calls have
-/// returned; if a call throws, chunks not yet begun are skipped and the first exception is
-/// rethrown here. `body` may itself call parallel_for. Precondition: grain > 0.
+/// Runs on up to thread_count(threads) threads including the caller's, but at most 256. Chunks run
+/// in no particular order. They do not depend on the number of threads, so that a body that writes
+/// only to its own range gives the same result for any number. Returns when all calls have
+/// returned. If a call throws, chunks that have not begun are skipped, and the first exception is
+/// rethrown. `body` may itself call parallel_for. Precondition: grain > 0.
 void parallel_for(std::size_t count,
                   std::size_t grain,
                   int threads,
@@ -29,9 +29,9 @@ void parallel_for(std::size_t count,
 /// one index. A negative count is an empty range.
 void parallel_for(int count, int threads, const std::function<void(int)>& body);
 
-/// Calls body(worker, k) for each k in [0, count). Each element of `workers` is the state of one
-/// thread, used by no two calls at once; which calls it serves depends on timing.
-/// Precondition: `workers` is not empty.
+/// Calls body(worker, k) for each k in [0, count), on up to one thread per element of `workers`.
+/// Each element is the state of one thread and is never used by two calls at once. Which state a
+/// call gets depends on timing. Precondition: `workers` is not empty.
 template <class Worker, class Body>
 void parallel_for(int count, std::vector<Worker>& workers, const Body& body) {
     std::atomic<int> next{0};

@@ -7,6 +7,9 @@
 
 namespace foam {
 
+// The level is decided at the first call of simd_level() and then stored in an atomic variable. If
+// several threads decide at once, all of them come to the same result.
+
 namespace {
 
 bool is_available(SimdLevel level) {

@@ -8,10 +8,10 @@
 
 namespace foam {
 
-/// Instruction sets that vectorized loops are compiled for. Each level performs the same IEEE
+/// Instruction sets that vectorized loops are compiled for. All levels perform the same IEEE
 /// operations, without fused multiply-add, so that results have the same bits on every level.
 enum class SimdLevel {
-    Baseline,  // of the processor's architecture: SSE2 on x86-64
+    Baseline,  // the baseline of the architecture: SSE2 on x86-64
     Avx2,
     Avx512,  // x86-64-v4: F, BW, CD, DQ and VL
 };
@@ -28,20 +28,20 @@ inline std::atomic<int> simd_level{kUndecided};
 SimdLevel decide_simd_level();
 }  // namespace detail
 
-/// Returns the level in use: the highest available, unless the environment variable FOAMTEX_SIMD
-/// names another or force_simd_level was called. Throws std::invalid_argument if FOAMTEX_SIMD names
-/// no available level.
+/// Returns the level in use: the highest available one, unless the environment variable
+/// FOAMTEX_SIMD names another or force_simd_level was called. Throws std::invalid_argument if
+/// FOAMTEX_SIMD names no available level.
 inline SimdLevel simd_level() {
     const int level = detail::simd_level.load(std::memory_order_relaxed);
     return level != detail::kUndecided ? static_cast<SimdLevel>(level)
                                        : detail::decide_simd_level();
 }
 
-/// Makes every later kernel run at a level; for tests. Throws std::invalid_argument if the level is
+/// Makes all later kernels run at a level, for tests. Throws std::invalid_argument if the level is
 /// not available.
 void force_simd_level(SimdLevel level);
 
-/// Forces a level for a scope, then restores the previous one.
+/// Forces a level for the duration of a scope, then restores the previous one.
 class ForcedSimdLevel {
   public:
     explicit ForcedSimdLevel(SimdLevel level) : previous_(simd_level()) { force_simd_level(level); }
@@ -70,7 +70,8 @@ template <SimdLevel Level, class Kernel>
     }
 }
 
-// `flatten` inlines the kernel and all that it calls, which compiles them for the level.
+// `flatten` inlines the kernel and everything that it calls, so that all of it is compiled for the
+// level.
 template <class Kernel>
 [[gnu::flatten, gnu::noinline]] auto run_at_baseline(Kernel kernel) {
     return call_kernel<SimdLevel::Baseline>(kernel);
@@ -88,12 +89,13 @@ template <class Kernel>
 
 }  // namespace detail
 
-/// Runs a kernel, compiled once for each level, at simd_level(). The kernel is a lambda whose loops
-/// the compiler vectorizes; it is called as kernel(), or as kernel(level) with a
-/// std::integral_constant if it wants to know the level. It should capture by value: what it
-/// captures by reference has an address, so that every store might change it.
+/// Runs a kernel at simd_level(); it is compiled once for each level. The kernel is a lambda whose
+/// loops the compiler vectorizes. It is called as kernel(level) with a std::integral_constant if it
+/// accepts one, otherwise as kernel(). It should capture by value: a variable that is captured by
+/// reference has an address, so that the compiler must assume that every store might change it.
 ///
-/// Precondition: all that the kernel calls is defined in the same source, so that it is inlined.
+/// Precondition: all functions that the kernel calls are defined in the same translation unit, so
+/// that they can be inlined.
 template <class Kernel>
 auto at_simd_level(Kernel kernel) {
 #ifdef FOAM_HAS_SIMD_LEVELS

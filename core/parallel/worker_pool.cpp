@@ -6,12 +6,17 @@
 
 namespace foam {
 
+// The caller of run() puts an offer on a list and works itself. Idle threads of the pool claim the
+// last offer of the list, call its work(), and report when they have left it. The caller withdraws
+// the offer when its own call has returned, and waits for the helpers that are inside work().
+// Caller and helpers spin for a short time before they sleep on a condition variable.
+
 namespace {
 
-// About as long as it takes to put a thread to sleep and to wake it again.
+// About the time that it takes to put a thread to sleep and to wake it again.
 constexpr std::chrono::microseconds kSpinTime{50};
 
-// Spins until the condition holds, or kSpinTime is over.
+// Spins until the condition is true or kSpinTime is over.
 template <class Condition>
 void spin_until(const Condition& condition) {
     const auto end = std::chrono::steady_clock::now() + kSpinTime;
@@ -84,7 +89,7 @@ void WorkerPool::serve() {
         (*offer->work)();
         lock.lock();
         --offer->running;
-        finished_.notify_all();  // under the lock: the offer may end right after it
+        finished_.notify_all();  // under the lock, since the offer may be destroyed right after it
     }
 }
 

@@ -10,12 +10,12 @@
 
 namespace foam {
 
-/// A pool of threads that outlive the work given to them: starting a thread takes longer than most
-/// loops of `parallel_for`. Waking a thread is slow, too, so an idle thread first spins for 50
-/// microseconds, yielding its processor to any other thread, and then sleeps.
+/// A pool of threads that are kept between tasks, since starting a thread takes longer than most
+/// loops of `parallel_for`. Waking a thread is slow, too. An idle thread therefore first spins for
+/// 50 microseconds, yielding its processor to any other thread, and then sleeps.
 class WorkerPool {
   public:
-    /// Returns the only pool of the program. Its threads are started when first needed.
+    /// Returns the only pool of the program. Its threads are started when they are first needed.
     static WorkerPool& shared();
 
     WorkerPool() = default;
@@ -23,12 +23,13 @@ class WorkerPool {
     WorkerPool& operator=(const WorkerPool&) = delete;
     ~WorkerPool();
 
-    /// Calls work() on the caller's thread and concurrently on up to `helpers` threads of the pool;
-    /// returns when all these calls have returned. A helper that has not begun when the caller's
-    /// own call returns is no longer waited for: this is why work() may itself call run(), and why
-    /// any number of threads may call run() at once. Precondition: work() does not throw, and is
-    /// correct for any number of calls from one on. Throws std::system_error if a thread cannot be
-    /// started.
+    /// Calls work() on the caller's thread and concurrently on up to `helpers` threads of the pool.
+    /// Returns when all calls that have begun have returned. The caller does not wait for a helper
+    /// that has not begun when the caller's own call returns. Therefore work() may itself call
+    /// run(), and any number of threads may call run() at once.
+    ///
+    /// Preconditions: work() does not throw, and is correct for any number of concurrent calls,
+    /// including one. Throws std::system_error if a thread cannot be started.
     void run(int helpers, const std::function<void()>& work);
 
   private:
@@ -44,8 +45,8 @@ class WorkerPool {
     void withdraw(Offer& offer);
 
     std::mutex mutex_;
-    std::condition_variable changed_;   // notified of a new offer and of closing
-    std::condition_variable finished_;  // notified when a helper leaves work()
+    std::condition_variable changed_;   // signals a new offer or the closing of the pool
+    std::condition_variable finished_;  // signals that a helper has left work()
     std::vector<Offer*> offers_;
     std::atomic<std::size_t> offered_{0};  // offers_.size(), readable without the lock
     bool closing_ = false;
