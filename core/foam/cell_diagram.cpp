@@ -3,11 +3,16 @@
 #include <cmath>
 #include <stdexcept>
 
+// Builds the network of a foam from polygons that tile the torus. Each side of a cell becomes a
+// half-edge; sides are paired by the cell across them and its lattice offset. A corner becomes one
+// junction, shared by the three half-edges that leave it. The lattice offset of a half-edge is the
+// difference of the lattice cells in which the corners of its two ends lie.
+
 namespace foam {
 
 namespace {
 
-// The half-edge of each corner: [cell][corner].
+// The half-edge that starts at each corner: [cell][corner].
 using HalfEdgeTable = std::vector<std::vector<HalfEdgeId>>;
 
 std::size_t matching_corner(const CellDiagram& cells, std::size_t cell, const CellCorner& corner) {
@@ -50,7 +55,7 @@ void add_bubbles(const HalfEdgeTable& table, Network& network) {
     }
 }
 
-// The junction at the tail of h, shared by the three half-edges that leave it.
+// Adds the junction at the tail of h and sets it as the tail of the three half-edges that leave it.
 void add_junction_at(HalfEdgeId h, const Vec2& point, Foam& foam) {
     const JunctionId junction = foam.network.add_junction();
     foam.positions.push_back(point - foam.domain.translation(foam.domain.cell_of(point)));
@@ -64,7 +69,7 @@ void add_junction_at(HalfEdgeId h, const Vec2& point, Foam& foam) {
     }
 }
 
-// Which copy of its junction a corner is.
+// Returns the lattice offset of the copy of its junction that a corner is.
 LatticeOffset copy_of(const Domain& domain, const Vec2& point, const Vec2& junction) {
     const Vec2 apart = point - junction;
     return {static_cast<std::int32_t>(std::lround(apart.x() / domain.width)),

@@ -6,25 +6,25 @@
 
 namespace foam {
 
-/// A corner of a cell, and what lies across the side that leads from it to the next corner.
+/// A corner of a cell, and the neighbor across the side that leads from it to the next corner.
 struct CellCorner {
     Vec2 point;            // in the plane, next to the cell's own site
-    std::size_t across;    // the neighbouring cell ...
-    LatticeOffset offset;  // ... of which the copy this many periods away is met
+    std::size_t across;    // index of the neighboring cell
+    LatticeOffset offset;  // the copy of the neighbor that is met, in periods of the torus
 };
 
 /// A tiling of the torus by polygons: per cell its corners, counter-clockwise.
 using CellDiagram = std::vector<std::vector<CellCorner>>;
 
-/// The tiling as a foam of straight films and pressure 0, whose target areas are the cells' areas
-/// and whose bubbles are the cells in their order. Throws std::runtime_error where a corner does
-/// not join exactly three cells, or the sides do not match up.
+/// Returns the tiling as a foam of straight films and pressure 0. Bubbles are the cells in their
+/// order; target areas are the areas of the cells. Throws std::runtime_error if a corner does not
+/// join exactly three cells, or if a side has no counterpart in the cell across it.
 Foam foam_from_cells(const Domain& domain, const CellDiagram& cells);
 
-/// Area within a cell's corners.
+/// Returns the area of the polygon of a cell.
 double cell_area(const std::vector<CellCorner>& cell);
 
-/// Centre of the area within a cell's corners.
+/// Returns the centroid of the polygon of a cell.
 Vec2 cell_centroid(const std::vector<CellCorner>& cell);
 
 }  // namespace foam

@@ -8,11 +8,18 @@
 #include <optional>
 #include <utility>
 
+// Clips a Voronoi diagram to an outline and makes a mesh with shared points of the parts. Each cell
+// is clipped by itself, so that the cuts of neighboring cells agree only up to rounding: nearby
+// points are unified by a hash of their coordinates, which is searched in the 3 x 3 boxes around a
+// point. Slivers at the outline would make films that vanish at once, so small parts are then
+// merged with their neighbors.
+
 namespace foam {
 
 namespace {
 
-// Boost takes intersections on a grid of 1e-7 of the size, and neighbouring cells each their own.
+// Boost.Geometry rounds intersections to a grid of 1e-7 of the size, which differs from one cell to
+// its neighbor.
 constexpr double kSamePoint = 3e-5;  // foam units
 constexpr double kSameCorner = 1e-9;
 constexpr double kSliverArea = 0.1;  // of the mean area
@@ -20,7 +27,7 @@ constexpr double kSliverArea = 0.1;  // of the mean area
 using Cell = PolygonMesh::Cell;
 using Side = std::pair<std::uint32_t, std::uint32_t>;
 
-// Points that are nearly the same are one.
+// A set of points in which two points closer than `same` are one.
 class PointSet {
   public:
     PointSet(std::vector<Vec2>& points, double same) : points_(points), same_(same) {}
@@ -53,9 +60,9 @@ class PointSet {
     std::map<Box, std::uint32_t> boxes_;
 };
 
-// Corners of the diagram are the same in all cells but for rounding; where the outline cuts them,
-// cells only nearly agree. Were all corners taken as one so coarsely, one diagram in two of 10,000
-// cells would lose a short side.
+// The points of the mesh. Corners of the diagram agree between cells up to rounding, and have a
+// fine tolerance; points at which the outline cuts the cells need a coarse one. With the coarse
+// tolerance for all, every second diagram of 10,000 cells would lose a short side.
 struct MeshPoints {
     explicit MeshPoints(std::vector<Vec2>& points)
         : corners(points, kSameCorner), cuts(points, kSamePoint) {}
@@ -88,7 +95,8 @@ Vec2 centre_of(const PolygonMesh& mesh, const Cell& cell) {
     return cell_centroid(corners);
 }
 
-// The sides of a cell as its neighbours have them, with their lengths.
+// Returns the sides of a cell in the direction in which its neighbors have them, with their
+// lengths.
 std::map<Side, double> reversed_sides(const PolygonMesh& mesh, const Cell& corners) {
     std::map<Side, double> sides;
     for (std::size_t k = 0; k < corners.size(); ++k) {
@@ -99,7 +107,7 @@ std::map<Side, double> reversed_sides(const PolygonMesh& mesh, const Cell& corne
     return sides;
 }
 
-// How long the given sides are that a cell has.
+// Returns the total length of those of the given sides that the cell has.
 double length_of(const std::map<Side, double>& sides, const Cell& corners) {
     double length = 0.0;
     for (std::size_t k = 0; k < corners.size(); ++k) {
@@ -109,7 +117,7 @@ double length_of(const std::map<Side, double>& sides, const Cell& corners) {
     return length;
 }
 
-// Neighbours in the order of the length of the common border, the longest first.
+// Returns the neighbors by the length of the common border, the longest first.
 std::vector<std::size_t> neighbours_of(const PolygonMesh& mesh, std::size_t cell) {
     const std::map<Side, double> sides = reversed_sides(mesh, mesh.cells[cell]);
     std::map<std::size_t, double> borders;
@@ -130,7 +138,7 @@ std::vector<std::size_t> neighbours_of(const PolygonMesh& mesh, std::size_t cell
     return neighbours;
 }
 
-// Both in one; nothing where that is no single loop.
+// Returns the union of two cells, or nothing if its boundary is not a single loop.
 std::optional<Cell> merged(const Cell& a, const Cell& b) {
     std::map<std::uint32_t, std::uint32_t> next;
     std::size_t sides = 0;

@@ -6,22 +6,23 @@
 
 namespace foam {
 
-/// Cells cut off at an outline.
+/// The cells of a diagram, clipped to an outline.
 struct ClippedCells {
-    PolygonMesh mesh;           // a cell in many parts is many cells
-    std::vector<Vec2> centres;  // of the largest part of each cell of the diagram; for those
-                                // without any part, the middle of its corners
+    PolygonMesh mesh;           // each part of a cell within the outline is a cell of the mesh
+    std::vector<Vec2> centres;  // per cell of the diagram: the centroid of its largest part, or of
+                                // the whole cell if no part is within the outline
 };
 
-/// The diagram must not wrap around its torus anywhere near the outline.
+/// Clips the cells to the outline. Precondition: the diagram does not wrap around its torus
+/// anywhere near the outline.
 ClippedCells clip_cells(const Outline& outline, const CellDiagram& diagram);
 
-/// Area within the corners of a cell.
+/// Returns the area of the polygon of a cell.
 double polygon_area(const PolygonMesh& mesh, const PolygonMesh::Cell& cell);
 
-/// Merges every cell that is much smaller than the mean into the neighbour with which it shares the
-/// longest border, as long as what comes out is in one piece and has no hole. What then has no
-/// neighbour, or too small a share of the rest, is left out.
+/// Merges every cell below a tenth of the mean area into the neighbor with which it shares the
+/// longest border, provided that the union is one piece without a hole; otherwise into the next
+/// best neighbor. Removes a small cell that no neighbor can take.
 void merge_slivers(PolygonMesh& mesh);
 
 }  // namespace foam

@@ -10,7 +10,8 @@ namespace foam {
 
 namespace {
 
-// Of an outer film, so near to a full circle that no bubble above the T2 area has it.
+// Limit for the half angle of an outer film. It is so near to a full circle that no film of a
+// bubble above the T2 area reaches it.
 constexpr double kLargestHalfAngle = std::numbers::pi - 1e-6;
 
 template <class Id, class T>
@@ -22,7 +23,7 @@ void keep(Indexed<Id, T>& values, const std::vector<Id>& kept) {
     values = std::move(dense);
 }
 
-// No gaps, and the ghost comes last.
+// Returns true if the network has no dead slots and the ghost, if any, is the last bubble.
 bool is_compact(const Network& network) {
     const std::size_t bubbles = network.bubble_count();
     const bool has_ghost = network.ghost() != kNone<BubbleId>;

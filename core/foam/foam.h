@@ -9,20 +9,20 @@
 
 namespace foam {
 
-/// A bubble of a patch that touches no other: a circle, outside of the network.
+/// A bubble of a patch that touches no other bubble: a circle, which is not part of the network.
 struct LoneBubble {
     BubbleIdentity identity = 0;
     Vec2 centre{0.0, 0.0};
-    double target_area = 0.0;  // which it has
+    double target_area = 0.0;  // always equal to its area
 
     friend bool operator==(const LoneBubble& a, const LoneBubble& b) = default;
 };
 
-/// A dry foam: the whole state, in foam units (the mean area of the seeded foam is 1). On a torus,
-/// junctions lie in the torus' own cell, [0, width) x [0, height).
+/// The whole state of a dry foam, in foam units (the mean area of the seeded foam is 1). On a
+/// torus, the positions of junctions are in the torus' own cell, [0, width) x [0, height).
 ///
-/// A patch lies in the plane and has a ghost, whose pressure is 0 and whose target area is
-/// infinite: the atmosphere gives and takes any amount.
+/// A patch is in the plane and has a ghost bubble, whose pressure is 0 and whose target area is
+/// infinite: the atmosphere gives and takes any amount of gas.
 struct Foam {
     Domain domain;
     double film_tension = 1.0;  // T = 2 gamma
@@ -33,45 +33,49 @@ struct Foam {
     Indexed<BubbleId, double> target_areas;
     Indexed<BubbleId, BubbleIdentity> identities;
     BubbleIdentity next_identity = 0;
-    // A film that has flipped is not armed until it has grown well above the T1 distance (E7), so
-    // that a film whose two states are both short does not flip to and fro.
+    // 0 for a film that has flipped and has not yet grown well above the T1 distance (E7),
+    // otherwise
+    // 1. It keeps a film whose two states are both short from flipping to and fro.
     Indexed<FilmId, std::uint8_t> t1_armed;
-    // Of a patch: the half angles of the outer films along their forward sides, in (-pi, pi); those
-    // of other films follow from the pressures, and have a place here without a meaning.
+    // The half angles of the outer films of a patch along their forward sides, in (-pi, pi). The
+    // half angles of other films follow from the pressures; their entries are unused. Empty on a
+    // torus.
     Indexed<FilmId, double> half_angles;
-    std::vector<LoneBubble> lone_bubbles;  // of a patch, by increasing identity
-    // Since they were last cleared, which is up to whoever reads them; in their order. No part of
-    // the physical state.
+    std::vector<LoneBubble> lone_bubbles;  // only in a patch; by increasing identity
+    // The events since the list was last cleared, in their order. Readers clear it. It is not part
+    // of the physical state.
     std::vector<TopologyEvent> events;
 };
 
-/// Head minus tail, around the torus.
+/// Returns the vector from the tail to the head of the half-edge, unwrapped from the torus.
 Vec2 chord(const Foam& foam, HalfEdgeId h);
 
-/// Of the film's chord, unwrapped from its forward tail.
+/// Returns the midpoint of the film's chord, unwrapped from the tail of its forward side.
 Vec2 middle_of(const Foam& foam, FilmId film);
 
-/// Pressure on the left less pressure on the right.
+/// Returns the pressure on the left of the half-edge minus the pressure on its right.
 double pressure_difference(const Foam& foam, HalfEdgeId h);
 
-/// The Laplace-Young arc of the half-edge (E1), its half angle held at the limit (kLargestSine); of
-/// an outer film the arc of the half angle that it has.
+/// Returns the arc along the half-edge (E1). The half angle of an outer film is the stored one;
+/// that of any other film is given by Laplace-Young's law, clamped to the limit (kLargestSine).
 FilmArc film_arc(const Foam& foam, HalfEdgeId h);
 
-/// Sets the half angle of an outer film, along the half-edge, held within (-pi, pi).
+/// Sets the half angle of an outer film along the half-edge, clamped to the inside of (-pi, pi).
 void set_half_angle(Foam& foam, HalfEdgeId h, double angle);
 
-/// Gives an outer film the half angle of Laplace-Young, held at the limit. Others stay as they are.
+/// Sets the half angle of an outer film by Laplace-Young's law, clamped to the limit
+/// (kLargestSine). Does nothing to other films.
 void fit_half_angle(Foam& foam, FilmId film);
 
-/// Adds the ghost's values to a foam whose network has just got one, as the last of its bubbles,
-/// and fits the half angles of all outer films.
+/// Makes a patch of a foam whose network has just got a ghost as the last of its bubbles: sets the
+/// domain to the plane, appends the ghost's values, and fits the half angles of all outer films.
 void complete_patch(Foam& foam);
 
-/// Moves the junction to a point anywhere in the plane, in its present frame, and wraps it.
+/// Moves the junction to a point anywhere in the plane, in the lattice frame of its present
+/// position, and wraps it into the torus' own cell. The lattice offsets of its films follow.
 void place_junction(Foam& foam, JunctionId junction, const Vec2& point);
 
-/// Moves all junctions by the same. Lone bubbles stay.
+/// Moves all junctions by the same vector. Lone bubbles are not moved.
 void translate(Foam& foam, const Vec2& by);
 
 /// Closes the gaps that vanished bubbles leave in every vector of the foam.

@@ -10,8 +10,8 @@ namespace foam {
 
 namespace {
 
-// Steps in (column, row) to the neighbours of a hexagon with a point at its top, counter-clockwise
-// from the right; odd rows stand half a hexagon to the right.
+// Returns the steps in (column, row) to the neighbors of a hexagon with a corner at its top,
+// counter-clockwise from the right. Odd rows are shifted by half a hexagon to the right.
 std::array<std::array<int, 2>, 6> neighbour_steps(int row) {
     const int shift = row % 2;
     return {{{1, 0}, {shift, 1}, {shift - 1, 1}, {-1, 0}, {shift - 1, -1}, {shift, -1}}};

@@ -4,9 +4,9 @@
 
 namespace foam {
 
-/// Regular hexagons of area 1 on a torus of columns x rows bubbles: a foam in equilibrium, with
-/// equal pressures and straight films of energy T sqrt(2 sqrt(3)) per bubble. Throws
-/// std::invalid_argument unless columns > 0 and rows is positive and even.
+/// Returns a foam of columns x rows regular hexagons of area 1 on a torus. It is in equilibrium:
+/// all pressures are equal and the films are straight, with an energy of T sqrt(2 sqrt(3)) per
+/// bubble. Throws std::invalid_argument unless columns > 0 and rows is positive and even.
 Foam honeycomb(int columns, int rows);
 
 }  // namespace foam

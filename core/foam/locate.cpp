@@ -6,15 +6,22 @@
 #include <cmath>
 #include <limits>
 
+// Locates points by winding numbers. The winding number of an outline of arcs is that of the
+// polygon of its chords, counted by crossings of a ray to the right, plus or minus 1 for each
+// circular segment between a chord and its arc that contains the point. By the inscribed angle
+// theorem, a point is inside a segment if it is on the side of the arc and sees the chord at an
+// angle of more than 180 degrees minus the half angle. A point that is on a film up to rounding may
+// have a winding number of 0 for every bubble; bubble_at then tries points nearby.
+
 namespace foam {
 
 namespace {
 
-// A point that lies on a film to rounding is looked for this far beside it, in roots of the mean
-// area.
+// Step by which bubble_at moves a point that no bubble contains, in square roots of the mean area.
 constexpr double kAside = 1e-7;
 
-// What a chord adds to the winding number around the origin: crossings of the ray to the right.
+// Returns the contribution of a chord to the winding number around the origin: 1 if it crosses the
+// ray to the right upwards, -1 if downwards, otherwise 0.
 int ray_crossings(const Vec2& from, const Vec2& to) {
     if ((from.y() <= 0.0) == (to.y() <= 0.0)) {
         return 0;
@@ -24,8 +31,9 @@ int ray_crossings(const Vec2& from, const Vec2& to) {
     return upwards == origin_is_left ? (upwards ? 1 : -1) : 0;
 }
 
-// Whether the origin lies between an arc that starts at `from` and its chord: on the side to which
-// the arc bulges, where it sees the chord at more than 180 degrees less the half angle.
+// Returns true if the origin is between an arc that starts at `from` and its chord: on the side to
+// which the arc bulges, where the angle that the chord subtends is more than 180 degrees minus the
+// half angle.
 bool is_in_segment(const Vec2& from, const FilmArc& arc) {
     const Vec2 to = from + arc.chord;
     const double side = cross(from, to);  // positive where the origin is on the left
@@ -88,7 +96,8 @@ double distance_to_segment(const Vec2& from, const Vec2& along) {
     return (from + part * along).norm();
 }
 
-// Of all copies of the point: the chord may reach far around the torus.
+// Returns the distance from a film's chord to the nearest copy of the point. All copies near the
+// chord are tried, because the chord may reach far around the torus.
 double distance_to_chord(const Foam& foam, FilmId film, const Vec2& point) {
     const HalfEdgeId h = forward_side(film);
     const Vec2 along = chord(foam, h);
@@ -142,7 +151,7 @@ std::optional<BubbleId> bubble_at(const Foam& foam, const Vec2& point) {
             return bubble;
         }
     }
-    // A torus is covered.
+    // Bubbles cover a torus: some bubble contains the point, even if rounding hides which one.
     return foam.domain.is_plane() ? std::nullopt : std::optional(*foam.network.bubbles().begin());
 }
 

@@ -7,26 +7,30 @@
 
 namespace foam {
 
-/// The live bubble of an identity; nothing once it has vanished.
+/// Returns the live bubble with the given identity, or nothing if it has vanished or is a lone one.
 std::optional<BubbleId> find_bubble(const Foam& foam, BubbleIdentity identity);
 
-/// How often the outline of a bubble, arcs and all its lattice copies, runs around a point of the
-/// plane counter-clockwise: 1 inside, 0 outside. A point on a film counts for either side.
+/// Returns how often the outline of a bubble and of all its lattice copies runs around a point of
+/// the plane counter-clockwise: 1 inside, 0 outside. Films count as arcs. A point on a film may
+/// count as inside or outside.
 int winding_number(const Foam& foam, BubbleId bubble, const Vec2& point);
 
-/// The bubble that holds a point anywhere in the plane; on a film, one of those beside it. Nothing
-/// outside of a patch, and in a lone bubble. Precondition: no two bubbles overlap.
+/// Returns the bubble that contains a point anywhere in the plane; for a point on a film, one of
+/// the two bubbles beside it. Returns nothing outside of a patch and inside a lone bubble.
+/// Precondition: no two bubbles overlap.
 std::optional<BubbleId> bubble_at(const Foam& foam, const Vec2& point);
 
-/// The identity of the bubble that holds a point, be it a lone one.
+/// Returns the identity of the bubble that contains a point, including lone bubbles.
 std::optional<BubbleIdentity> identity_at(const Foam& foam, const Vec2& point);
 
-/// The live bubbles of so many sides, those of the smallest target area first.
+/// Returns the live bubbles with the given number of sides, by increasing target area.
 std::vector<BubbleId> bubbles_of_sides(const Foam& foam, int sides);
 
-/// The junction nearest to a point anywhere in the plane, and the film whose chord is nearest.
-/// Where several are, the one of the smallest id. Precondition: there are some.
+/// Returns the junction nearest to a point anywhere in the plane; of several, the one with the
+/// smallest id. Precondition: there is a junction.
 JunctionId nearest_junction(const Foam& foam, const Vec2& point);
+/// Returns the film whose chord is nearest to a point anywhere in the plane; of several, the one
+/// with the smallest id. Precondition: there is a film.
 FilmId nearest_film(const Foam& foam, const Vec2& point);
 
 }  // namespace foam

@@ -11,7 +11,8 @@ namespace foam {
 
 namespace {
 
-// NaN where one of them is: a state that is not finite must not look exact.
+// Returns the larger number, or NaN if either is NaN: a state that is not finite must not look
+// exact.
 double larger(double a, double b) {
     return b > a || std::isnan(b) ? b : a;
 }
@@ -28,7 +29,7 @@ double largest_angle_error(const Foam& foam, JunctionId junction) {
     }
     double largest = 0.0;
     for (std::size_t k = 0; k < 3; ++k) {
-        // Clockwise from a to b, in (-pi, pi]; a tangle turns the wrong way round.
+        // The clockwise angle from a to b, in (-pi, pi]. It is negative in an inverted foam.
         const Vec2& a = tangents[k];
         const Vec2& b = tangents[(k + 1) % 3];
         const double angle = std::atan2(cross(b, a), a.dot(b));

@@ -4,42 +4,45 @@
 
 namespace foam {
 
-/// Area of a bubble within its arcs (E1). A bubble that is turned inside out has a negative one.
+/// Returns the area of a bubble within its arcs (E1). The area of an inverted bubble is negative.
 double bubble_area(const Foam& foam, BubbleId bubble);
 
-/// Area of a bubble within the chords of its films.
+/// Returns the area of a bubble within the chords of its films.
 double polygon_area(const Foam& foam, BubbleId bubble);
 
-/// bubble_area of every live bubble; 0 in dead slots.
+/// Returns bubble_area for every live bubble, and 0 in dead slots.
 Indexed<BubbleId, double> bubble_areas(const Foam& foam);
 
-/// Radius of the circle that a lone bubble is. Its pressure is the film tension over it.
+/// Returns the radius of a lone bubble, a circle of its target area. The pressure of a lone bubble
+/// is the film tension divided by this radius.
 double lone_radius(const LoneBubble& bubble);
 
-/// Shifts the pressures, which on a torus are known up to a constant, so that their area-weighted
-/// mean is 0. In a patch they stay: the ghost's is 0.
+/// Shifts the pressures of a torus, which are known up to a constant, so that their mean weighted
+/// by target area is 0. Does nothing to a patch, where the ghost's pressure is 0.
 void center_pressures(Foam& foam);
 
-/// Film tension times the length of all films.
+/// Returns the film tension times the length of all films, including those of lone bubbles.
 double energy(const Foam& foam);
 
-/// Films whose half angle is held at the limit (kLargestSine): no equilibrium rests on one.
+/// Returns the number of films, outer ones aside, whose half angle is clamped to the limit
+/// (kLargestSine). A foam with such a film is not in equilibrium.
 int films_at_limit(const Foam& foam);
 
-/// Distance from equilibrium (E2). An error is NaN, and so below no tolerance, where the foam is
-/// not finite.
+/// Distance from equilibrium (E2). If the foam has a value that is not finite, the errors that
+/// depend on it are NaN, and are below no tolerance.
 struct EquilibriumErrors {
     double area = 0.0;   // largest |A / A_target - 1|
     double angle = 0.0;  // largest |angle - 120 degrees| between two films, radians
-    double arc = 0.0;    // largest |sin(half angle) - what Laplace-Young asks for| of outer films
+    double arc = 0.0;    // largest |sin(half angle) - Delta c / 2T| of outer films (E1)
     int films_at_limit = 0;
 
-    /// Whether the foam is in equilibrium but for less than a tolerance.
+    /// Returns true if every error is below the tolerance and no film is at the limit.
     bool are_below(double tolerance) const {
         return area < tolerance && angle < tolerance && arc < tolerance && films_at_limit == 0;
     }
 };
 
+/// Returns the largest errors over all bubbles, junctions and outer films.
 EquilibriumErrors equilibrium_errors(const Foam& foam);
 
 }  // namespace foam

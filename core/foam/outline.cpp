@@ -37,7 +37,7 @@ Polygon polygon_of(const Outline& outline) {
     return polygon;
 }
 
-// Without the corner that closes it.
+// Returns the corners of a closed ring without the last one, which repeats the first.
 std::vector<Vec2> corners_of(const Polygon::ring_type& ring) {
     std::vector<Vec2> corners;
     for (std::size_t k = 0; k + 1 < ring.size(); ++k) {

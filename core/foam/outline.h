@@ -7,30 +7,33 @@
 
 namespace foam {
 
-/// A polygon with holes, in any units: where a patch is seeded. The outer ring is
+/// The region in which a patch is seeded: a polygon with holes, in any units. The outer ring is
 /// counter-clockwise, holes are clockwise; the last corner is joined to the first.
 struct Outline {
     std::vector<Vec2> outer;
     std::vector<std::vector<Vec2>> holes;
 };
 
-/// Of a WKT text, POLYGON((x y, ...), (...)). Rings may go either way, closed or not. Throws
-/// std::invalid_argument where it is none, or crosses itself.
+/// Parses a WKT text, POLYGON((x y, ...), (...)). Rings may have either direction and may be closed
+/// or not. Throws std::invalid_argument if the text is no polygon, or if the polygon is not valid,
+/// for example because it crosses itself.
 Outline outline_from_wkt(const std::string& text);
 
-/// A regular polygon of many sides.
+/// Returns the unit disc as a regular polygon of 360 sides.
 Outline disc_outline();
 
-/// Width over height.
+/// Returns a rectangle of height 1. `aspect` is its width over its height.
 Outline rectangle_outline(double aspect);
 
-/// Within the outer ring, without the holes.
+/// Returns the area within the outer ring minus the area of the holes.
 double outline_area(const Outline& outline);
 
+/// Returns true if the point is within the outer ring and in no hole. Points on the boundary are
+/// outside.
 bool is_inside(const Outline& outline, const Vec2& point);
 
-/// The parts of a convex polygon, counter-clockwise, that lie within the outline. A hole that lies
-/// within one part is left out.
+/// Returns the parts of a convex polygon that are within the outline, each counter-clockwise. A
+/// hole that is entirely within one part is ignored.
 std::vector<std::vector<Vec2>> clipped(const Outline& outline, const std::vector<Vec2>& polygon);
 
 }  // namespace foam

@@ -13,6 +13,12 @@
 #include <stdexcept>
 #include <vector>
 
+// Seeds a patch: the outline is scaled to an area of 1 per bubble and put in the middle of a torus
+// twice as large; random sites within the outline, relaxed by Lloyd's algorithm if asked for, get
+// the Voronoi diagram of the torus, which is clipped to the outline (clipped_cells.h) and made a
+// foam (polygon_mesh.h). Initial foams from the Voronoi diagrams of random points follow section 5
+// of the paper. A draw that gives no valid foam is repeated with new random sites.
+
 namespace foam {
 
 namespace {
@@ -57,8 +63,8 @@ Outline moved_and_scaled(Outline outline, const Vec2& by, double scale) {
     return outline;
 }
 
-// With an area of one per bubble, in the middle half of a torus: so far from its own copies that
-// their sites do not matter.
+// The outline, scaled to an area of 1 per bubble, in the middle half of a torus. It is so far from
+// its own copies that their sites do not affect the cells within it.
 struct Site {
     Outline outline;
     Domain domain;
@@ -103,7 +109,7 @@ ClippedCells draw_cells(const Site& place, const PatchOptions& options, Random& 
     return cells;
 }
 
-// Around the origin, with a mean area of 1.
+// Centers the mesh at the origin and scales it to a mean area of 1.
 void normalize(PolygonMesh& mesh) {
     double area = 0.0;
     for (const PolygonMesh::Cell& cell : mesh.cells) {
@@ -127,7 +133,7 @@ Foam foam_of(ClippedCells cells) {
     return foam;
 }
 
-// The mean stays 1. The ghost comes last.
+// Spreads the target areas of all bubbles except the ghost, which is the last; their mean stays 1.
 void spread_targets(Foam& foam, double ratio) {
     const std::span<double> targets(foam.target_areas.begin(), foam.network.bubble_count());
     if (ratio > 0.0) {

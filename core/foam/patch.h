@@ -7,20 +7,21 @@
 
 namespace foam {
 
-/// How the first diagram of a patch is drawn.
+/// Options for seeding a patch.
 struct PatchOptions {
-    int bubbles = 100;             // about: slivers are merged; two at least
-    int lloyd_iterations = 0;      // 0 leaves the raw random diagram
-    double area_ratio = 0.0;       // as in SeedingOptions
+    int bubbles = 100;             // approximate number, at least 2: slivers are merged
+    int lloyd_iterations = 0;      // of Lloyd's algorithm; 0 leaves the raw random diagram
+    double area_ratio = 0.0;       // see SeedingOptions
     double surface_tension = 0.5;  // gamma; a film has two surfaces, so its tension is 2 gamma
     std::uint64_t seed = 1;
 };
 
-/// The Voronoi diagram of random sites within an outline as a patch that is not yet in equilibrium:
-/// cells cut off at the outline, small parts of them merged with their neighbours, its corners
-/// dissolved into films. Scaled to a mean area of 1, around the origin. Throws
-/// std::invalid_argument for options out of range or an outline without an area, std::runtime_error
-/// where no draw gives a foam, as in an outline too narrow for its bubbles.
+/// Returns a patch, not yet in equilibrium, of the Voronoi diagram of random sites within an
+/// outline. Cells are clipped to the outline, small parts are merged with their neighbors, and
+/// corners of the outline are dissolved into films. The patch is scaled to a mean area of 1 and
+/// centered at the origin. Throws std::invalid_argument if an option is out of range or the outline
+/// has no area. Throws std::runtime_error if none of several random draws gives a valid foam, for
+/// example if the outline is too narrow for its bubbles.
 Foam seed_patch(const Outline& outline, const PatchOptions& options);
 
 }  // namespace foam

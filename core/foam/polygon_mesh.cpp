@@ -17,6 +17,10 @@ using Side = std::pair<Point, Point>;  // from corner to corner
 
 constexpr std::size_t kFilmsOfJunction = 3;
 
+// Builds the network of a patch. Points of three sides become junctions. Each chain of sides
+// between two junctions becomes one film, made when the first of the two cells beside it is
+// processed; the second cell finds its half-edge by the first side of the chain in its own
+// direction. The half-edges that no cell claims belong to the ghost.
 class PatchBuilder {
   public:
     explicit PatchBuilder(const PolygonMesh& mesh) : mesh_(mesh) {}
@@ -33,7 +37,7 @@ class PatchBuilder {
     }
 
   private:
-    // Tells junctions from the points that only two sides meet.
+    // Collects the directed sides, and makes junctions of the points of three sides.
     void add_sides() {
         std::vector<std::vector<Point>> neighbours(mesh_.points.size());
         for (const PolygonMesh::Cell& corners : mesh_.cells) {
@@ -84,7 +88,7 @@ class PatchBuilder {
         return 0.5 * twice;
     }
 
-    // A film per chain of sides from junction to junction, when its first cell comes to it.
+    // Adds a film for each chain of sides from junction to junction.
     void add_films() {
         for (std::size_t cell = 0; cell < mesh_.cells.size(); ++cell) {
             const PolygonMesh::Cell& corners = mesh_.cells[cell];
@@ -114,7 +118,8 @@ class PatchBuilder {
         return loop;
     }
 
-    // The half-edge whose first and last sides are given; its film may be there already.
+    // Returns the half-edge of the chain of sides from corner `begin` to corner `end`. Adds its
+    // film unless the cell across it has already done so.
     HalfEdgeId half_edge_along(const PolygonMesh::Cell& corners,
                                std::size_t begin,
                                std::size_t end) {
@@ -144,9 +149,9 @@ class PatchBuilder {
     const PolygonMesh& mesh_;
     Foam foam_;
     std::set<Side> sides_;
-    std::vector<JunctionId> junctions_;           // of each point; none where two sides meet
-    std::map<Side, HalfEdgeId> half_edges_;       // of the first side of each that awaits its cell
-    std::vector<std::vector<HalfEdgeId>> loops_;  // of each cell
+    std::vector<JunctionId> junctions_;           // per point; none for a point of two sides
+    std::map<Side, HalfEdgeId> half_edges_;       // by first side; to be found by a second cell
+    std::vector<std::vector<HalfEdgeId>> loops_;  // per cell
 };
 
 }  // namespace

@@ -7,8 +7,8 @@
 
 namespace foam {
 
-/// Polygons in the plane that share corners. Where a side belongs to one cell only, the outside or
-/// a hole lies across it.
+/// Polygons in the plane that share corners. Across a side that belongs to one cell only is the
+/// outside or a hole.
 struct PolygonMesh {
     using Cell = std::vector<std::uint32_t>;  // indices of its corners, counter-clockwise
 
@@ -16,11 +16,11 @@ struct PolygonMesh {
     std::vector<Cell> cells;
 };
 
-/// The mesh as a patch of straight films and pressure 0, whose target areas are the cells' areas
-/// and whose bubbles are the cells in their order. Points that only two sides meet are dissolved,
-/// so that a film may stand for many sides. Throws std::runtime_error where any other point does
-/// not join exactly three sides, a side belongs to more than two cells, or no three cells or
-/// outsides meet anywhere on a cell.
+/// Returns the mesh as a patch of straight films and pressure 0. Bubbles are the cells in their
+/// order; target areas are the areas of the cells. A point of only two sides is dissolved, so that
+/// a film may replace a chain of sides. Throws std::runtime_error if a point of the cells has
+/// neither two nor three sides, if two cells are on the same side of a side, or if a cell has no
+/// corner of three sides.
 Foam foam_from_mesh(const PolygonMesh& mesh);
 
 }  // namespace foam

@@ -12,20 +12,27 @@
 #include <numeric>
 #include <vector>
 
+// The surgery of a patch at the ghost. Torn films separate rafts or open holes; small holes close.
+// The ghost has several boundaries if there are rafts or holes, and the network does not say which
+// of them are holes: their signed area does. The outer boundary of a raft runs clockwise and has a
+// large negative area, a hole has a positive area, or a small negative one if the bubbles around it
+// overlap.
+
 namespace foam {
 
 namespace {
 
 constexpr std::size_t kMaxSidesOfSmallHole = 3;
-constexpr double kRaftShare =
-    0.5;  // of the areas along a boundary: an outer boundary encloses more
+// Fraction of the areas of the bubbles along a boundary; the outer boundary of a raft encloses
+// more.
+constexpr double kRaftShare = 0.5;
 
 // One of the bubbles beside a film that tears.
 struct TornSide {
-    HalfEdgeId kept;  // its outer film that ends at the torn one
-    Vec2 at_tail;     // unit tangents where the joined film begins and ends
-    Vec2 at_head;
-    LoneBubble as_lone;  // if it has no other film
+    HalfEdgeId kept;     // its outer film that ends at the torn one
+    Vec2 at_tail;        // unit tangent at the tail of the joined film
+    Vec2 at_head;        // unit tangent at the head of the joined film
+    LoneBubble as_lone;  // used if the bubble has no other film
 };
 
 // Returns the left bubble of the film as a circle that touches the film at its tail.

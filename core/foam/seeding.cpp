@@ -9,11 +9,16 @@
 #include <stdexcept>
 #include <vector>
 
+// Seeds a foam on a torus from the Voronoi diagram of uniformly random sites (paper section 5).
+// Each iteration of Lloyd's algorithm moves every site to the centroid of its cell and takes the
+// diagram of the new sites, which makes the cells more regular.
+
 namespace foam {
 
 namespace {
 
-// Two sites on one grid point, or four on one circle, are a chance of about 1e-8 a diagram.
+// A draw fails if two sites share a grid point or four are on one circle, with a probability of
+// about 1e-8 per diagram.
 constexpr int kMostDraws = 4;
 
 void check(const SeedingOptions& options) {

@@ -71,7 +71,7 @@ std::vector<SidesStatistics> statistics_by_sides(const Frame& frame) {
     return means;
 }
 
-// The mean over all bubbles of a value that the number of sides decides.
+// Returns the mean over all bubbles of a function of the number of sides.
 template <class OfSides>
 double mean_of(const FoamStatistics& all, OfSides value) {
     double sum = 0.0;

@@ -8,11 +8,17 @@
 #include <algorithm>
 #include <cmath>
 
+// The paper flips every film below the T1 distance (paper eq. 2). This rule adds a test of forces,
+// so that a flip does not have to be undone (E7). In units of the film tension, the flipped film
+// pulls each of its junctions inwards with 1, and the two outer films there pull it outwards. The
+// flipped film stays open if the outer films pull harder. The same forces decide in which of its
+// two states a collapsed film is opened anew.
+
 namespace foam {
 
 namespace {
 
-// Lengths, in T1 distances at the film:
+// Lengths, in units of the T1 distance at the film:
 constexpr double kDisarmedFraction = 0.1;    // below which a film flips that has just flipped
 constexpr double kCollapsedFraction = 0.05;  // below which a film counts as collapsed
 constexpr double kRearmingFactor = 2.0;      // above which a film that has flipped is armed again
@@ -35,11 +41,11 @@ Vec2 tangent(const Foam& foam, HalfEdgeId h) {
     return arc.chord == Vec2::Zero() ? Vec2(0.0, 0.0) : tangent_at_tail(arc);
 }
 
-// Mean pull of the four outer films on the ends of a film, in film tensions.
+// The pull of the four outer films that stretches a film, mean over its two ends, in units of the
+// film tension.
 struct OuterPull {
-    Vec2 present;  // of the film as it is, from its tail to its head
-    Vec2 flipped;  // of the film as it would be flipped, from its right end to its
-                   // left
+    Vec2 present;  // for the film in its present state, from its tail to its head
+    Vec2 flipped;  // for the flipped film, from its right end to its left end
 };
 
 OuterPull outer_pull(const Foam& foam, FilmId film) {
@@ -112,7 +118,7 @@ void flip_film(Foam& foam, FilmId film) {
     note_t1(foam, film);
     flip(foam.network, film);
     lay_film(foam, film, middle,
-             -right_to_left);  // its tail is now on the left side
+             -right_to_left);  // the tail is now on the left side
     fit_half_angle(foam, film);
     foam.t1_armed[film] = 0;
 }
@@ -176,7 +182,7 @@ bool apply_t1_rule(Foam& foam, FilmId film, const TopologyThresholds& thresholds
 int apply_t1_rule(Foam& foam, std::span<const FilmId> films, const TopologyThresholds& thresholds) {
     int changes = 0;
     for (const FilmId film : films) {
-        const bool is_live = foam.network.is_live(film);  // it may have gone with one before it
+        const bool is_live = foam.network.is_live(film);  // an earlier change may have removed it
         changes += is_live && apply_t1_rule(foam, film, thresholds) ? 1 : 0;
     }
     return changes;

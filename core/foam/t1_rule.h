@@ -19,24 +19,25 @@ namespace foam {
 /// Returns true if the network changed; the film may then be gone.
 bool apply_t1_rule(Foam& foam, FilmId film, const TopologyThresholds& thresholds);
 
-/// Applies the T1 rule to each of the films, in their order, unless it has gone with an earlier
-/// one. Returns the number of changes of the network.
+/// Applies the T1 rule to each of the films in their order, except to those that an earlier change
+/// has removed. Returns the number of changes of the network.
 int apply_t1_rule(Foam& foam, std::span<const FilmId> films, const TopologyThresholds& thresholds);
 
 /// Returns the films below their T1 distance that would stay open when flipped, or would tear, in
 /// increasing order.
 std::vector<FilmId> short_films(const Foam& foam, const TopologyThresholds& thresholds);
 
-/// Returns the length below which the film may flip: the T1 distance, scaled down to the smallest
-/// of the four bubbles around the film if that is smaller than 1, and to a tenth of it for a film
-/// that has flipped and has not grown since (rearm_grown_films).
+/// Returns the length below which the film may flip: the T1 distance, times the square root of the
+/// smallest target area of the four bubbles around the film if that is below 1. For a film that has
+/// flipped and has not grown since (rearm_grown_films), it is a tenth of that.
 double t1_length(const Foam& foam, FilmId film, const TopologyThresholds& thresholds);
 
 /// Returns the length below which the film is as good as a point where four films meet.
 double collapsed_length(const Foam& foam, FilmId film, const TopologyThresholds& thresholds);
 
 /// Returns true if the outer films would pull the flipped film apart: if their mean pull along it
-/// exceeds its own. A film that would tear has no pull of its own.
+/// exceeds its own tension. If the film would tear instead of flip, the threshold is 0, because
+/// nothing then pulls the two sides together.
 bool flipped_pulls_apart(const Foam& foam, FilmId film);
 
 /// Flips the film (t1.h), sets its junctions perpendicular to the old film around its middle at the

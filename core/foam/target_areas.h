@@ -4,11 +4,11 @@
 
 namespace foam {
 
-/// Sets areas that are spread evenly in the logarithm, the largest over the smallest being a ratio,
-/// given out in the order of the present ones: the largest stays the largest.
+/// Replaces the areas by areas from 1 to `ratio` that are spread evenly in the logarithm. The order
+/// by size is kept: the largest stays the largest.
 void spread_areas(std::span<double> areas, double ratio);
 
-/// Makes them add up to a total.
+/// Scales the areas so that their sum is `total`.
 void scale_to_total(std::span<double> areas, double total);
 
 }  // namespace foam

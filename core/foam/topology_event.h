@@ -8,21 +8,23 @@
 
 namespace foam {
 
-/// The number under which a bubble is known from its birth to its end; never used again.
+/// A number that identifies a bubble from its birth to its end, and is never reused.
 using BubbleIdentity = std::uint32_t;
 
+/// The kinds of topology changes.
 enum class TopologyEventKind {
-    T1,     // films swapped neighbours; in a patch also: one tore, or a hole closed
+    T1,     // films swapped neighbors; in a patch also: a film tore or a hole closed
     T2,     // a bubble vanished
     Birth,  // a new bubble
 };
 
-/// Where and when it changed who touches whom.
+/// The record of one topology change.
 struct TopologyEvent {
     TopologyEventKind kind = TopologyEventKind::T1;
-    double time = 0.0;                      // of the foam, at the start of the substep
-    Vec2 place{0.0, 0.0};                   // then; anywhere in the plane
-    std::vector<BubbleIdentity> bubbles{};  // whose neighbours changed; one that vanished too
+    double time = 0.0;     // foam time at the start of the substep
+    Vec2 place{0.0, 0.0};  // position at the time of the change; not wrapped to the torus' cell
+    // The bubbles whose neighbors changed, including one that vanished.
+    std::vector<BubbleIdentity> bubbles{};
 
     friend bool operator==(const TopologyEvent&, const TopologyEvent&) = default;
 };

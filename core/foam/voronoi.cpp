@@ -8,6 +8,11 @@
 #include <optional>
 #include <stdexcept>
 
+// The periodic diagram is part of the planar Voronoi diagram (Boost.Polygon) of the sites and of
+// their copies within a margin around the torus' own cell. A cell is final if every circle through
+// the sites at one of its corners is within the margin, since no copy farther away can cut it off.
+// Otherwise the margin is doubled and the diagram computed again.
+
 namespace foam {
 
 namespace {
@@ -15,15 +20,15 @@ namespace {
 using Diagram = boost::polygon::voronoi_diagram<double>;
 using GridPoint = boost::polygon::point_data<std::int32_t>;
 
-// Grid points along the longer period. Boost's builder takes 32-bit coordinates: 16 periods fit on
-// each side of the torus' own cell.
+// Grid points along the longer period. Boost's builder takes 32-bit coordinates, in which 16
+// periods fit on each side of the torus' own cell.
 constexpr double kGridPoints = 0x1.0p26;
 constexpr int kMostRings = 15;
 
 struct Grid {
     double spacing;
-    std::int32_t width;  // periods, in grid points
-    std::int32_t height;
+    std::int32_t width;   // horizontal period in grid points
+    std::int32_t height;  // vertical period in grid points
 };
 
 Grid grid_of(const Domain& domain) {
@@ -33,12 +38,13 @@ Grid grid_of(const Domain& domain) {
             static_cast<std::int32_t>(std::lround(domain.height / spacing))};
 }
 
-// A copy of a site; the sites' own cells come first, in their order.
+// A copy of a site on the lattice.
 struct SiteCopy {
     std::size_t site;
     LatticeOffset offset;
 };
 
+// The sites in their order, at offset 0, and then their copies.
 struct Copies {
     std::vector<SiteCopy> copies;
     std::vector<GridPoint> points;
@@ -50,7 +56,7 @@ void add_copy(
     all.points.emplace_back(p.x() + offset.i * g.width, p.y() + offset.j * g.height);
 }
 
-// The copies of the sites at one offset that lie within a margin around the torus' own cell.
+// Adds the copies of the sites at one offset that are within a margin around the torus' own cell.
 void add_copies_at(Copies& all,
                    const std::vector<GridPoint>& sites,
                    LatticeOffset offset,
@@ -68,7 +74,7 @@ void add_copies_at(Copies& all,
     }
 }
 
-// The sites, then all their copies within a margin around the torus' own cell.
+// Returns the sites, then all their copies within a margin around the torus' own cell.
 Copies copies_within(const std::vector<GridPoint>& sites, const Grid& grid, double margin) {
     Copies all;
     for (std::size_t k = 0; k < sites.size(); ++k) {
@@ -86,8 +92,8 @@ Copies copies_within(const std::vector<GridPoint>& sites, const Grid& grid, doub
     return all;
 }
 
-// The corners of one cell, or nothing where a circle around a corner through its sites may reach
-// beyond the margin, so that copies farther away might matter.
+// Returns the corners of one cell, or nothing if a circle around a corner through its sites may
+// reach beyond the margin, so that copies farther away might cut the cell off.
 std::optional<std::vector<CellCorner>> corners_of(const Diagram::cell_type& cell,
                                                   const Copies& all,
                                                   const Grid& grid,
@@ -130,7 +136,7 @@ std::optional<CellDiagram> cells_within(const std::vector<GridPoint>& sites,
     return cells;
 }
 
-// Of sites on one grid point only one has a cell.
+// Throws std::runtime_error if a site has no cell: of several sites on one grid point only one has.
 void check_every_site_has_a_cell(const CellDiagram& cells) {
     for (const std::vector<CellCorner>& cell : cells) {
         if (cell.empty()) {
