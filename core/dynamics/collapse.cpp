@@ -9,6 +9,12 @@
 #include <algorithm>
 #include <vector>
 
+// The T2 process (E8; paper section 3, eq. 3 and Figure 2). The paper removes three-sided bubbles
+// and suggests T1s for those with more sides: here the shortest film that can flip is flipped,
+// without the test of forces of the T1 rule, until the bubble can vanish. Twice as many flips as
+// the bubble has sides are tried. In a patch, a raft of two bubbles has no junction left when one
+// of them goes; its inner film tears instead.
+
 namespace foam {
 
 namespace {
@@ -17,7 +23,7 @@ constexpr double kSlowFraction = 0.1;  // of the T2 area, for bubbles of four an
 constexpr double kMinFraction = 0.1;   // of the T2 area: target of a bubble that cannot vanish
 
 // Moves the junction that will remain of a three-sided bubble to the mean of its three junctions
-// (paper eq. 3).
+// (paper section 3).
 void move_to_mean(Foam& foam, BubbleId bubble) {
     const HalfEdgeId first = foam.network.first(bubble);
     Vec2 at = Vec2::Zero();
@@ -36,7 +42,7 @@ void share_out(Foam& foam, double gas, const std::vector<BubbleId>& neighbours) 
     }
 }
 
-// Records the event at the first side of the bubble, which is small.
+// Records the event at the middle of the first side: the bubble is small, so any side will do.
 void note_t2(Foam& foam, BubbleId bubble) {
     std::vector<BubbleId> bubbles{bubble};
     for (const HalfEdgeId h : foam.network.around(bubble)) {
@@ -70,7 +76,8 @@ FilmId film_of_raft_of_two(const Network& network, BubbleId bubble) {
     return kNone<FilmId>;
 }
 
-// The other bubble gets half of the gas and the ghost the rest, as from any bubble between two.
+// Removes a bubble of a raft of two. The other bubble gets half of the gas and the ghost gets the
+// other half: its two neighbors have equal shares, as in every T2.
 void vanish_from_raft_of_two(Foam& foam, BubbleId bubble, FilmId film) {
     const HalfEdgeId h = forward_side(film);
     const bool is_left = foam.network.left(h) == bubble;
@@ -108,8 +115,8 @@ BubbleId largest_neighbor(const Foam& foam, BubbleId bubble) {
     return largest;
 }
 
-// Raises the target of a bubble that stays to the smallest one, at the cost of its largest
-// neighbor.
+// Raises the target area of a bubble that cannot vanish to at least `least`, at the cost of its
+// largest neighbor.
 void keep_alive(Foam& foam, BubbleId bubble, double least) {
     const double lacking = least - foam.target_areas[bubble];
     if (lacking > 0.0) {
@@ -167,7 +174,8 @@ TopologyCounts collapse_due(Foam& foam, const TopologyThresholds& thresholds) {
     }
     counts.t2 += collapse_lone(
         foam, [&](const LoneBubble& bubble) { return bubble.target_area <= thresholds.t2_area; });
-    // The negative targets of those that have vanished may leave others with too little.
+    // Bubbles that vanished with a negative target area may have left their neighbors with too
+    // little gas.
     for (int before = -1; counts.t2 != before;) {
         before = counts.t2;
         for (const BubbleId bubble : foam.network.bubbles()) {

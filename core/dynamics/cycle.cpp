@@ -12,7 +12,7 @@ namespace foam {
 
 namespace {
 
-// Unwrapped from one of them.
+// Returns the junctions of a bubble, unwrapped from the first.
 std::vector<Vec2> corners(const Foam& foam, BubbleId bubble) {
     std::vector<Vec2> all;
     Vec2 at = foam.positions[foam.network.tail(foam.network.first(bubble))];
@@ -31,7 +31,7 @@ Vec2 mean(const std::vector<Vec2>& points) {
     return sum / static_cast<double>(points.size());
 }
 
-// On a torus one of many copies.
+// Returns the center of each bubble; on a torus, the mean of its junctions, at any of its copies.
 std::map<BubbleIdentity, Vec2> centres(const Foam& foam) {
     if (foam.domain.is_plane()) {
         return bubble_centres(foam);
@@ -43,7 +43,8 @@ std::map<BubbleIdentity, Vec2> centres(const Foam& foam) {
     return all;
 }
 
-// Of the corners of one bubble from the nearest of another, all in the places of their own foams.
+// Returns the largest distance from a corner in `from` to the nearest corner in `to`, modulo the
+// periods of the torus. The foams are not aligned with each other first.
 double farthest(const Domain& domain, const std::vector<Vec2>& from, const std::vector<Vec2>& to) {
     double largest = 0.0;
     for (const Vec2& a : from) {
@@ -86,7 +87,7 @@ StepSummary Cycle::step_to(int place, Foam& foam, double time, const StepOptions
     return summary;
 }
 
-// Whole turns are taken off, so that every cycle has the same bits.
+// The position is taken modulo the length of a cycle, so that every cycle computes the same bits.
 StateChange Cycle::change_to(int place, const Domain& domain) const {
     const auto swing = [&](double phase) {
         const double turns = static_cast<double>(place % options_.steps) / options_.steps;
@@ -103,7 +104,8 @@ StateChange Cycle::change_to(int place, const Domain& domain) const {
     return change;
 }
 
-// The mean place on a torus, whatever happens in between; each raft of a patch in its own.
+// Moves the foam back to where it was at the start: on a torus as a whole, by the mean displacement
+// of its bubbles; in a patch each raft by itself.
 void Cycle::hold(Foam& foam) const {
     if (foam.domain.is_plane()) {
         hold_rafts(foam, centres_);

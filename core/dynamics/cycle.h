@@ -11,22 +11,24 @@ namespace foam {
 /// A periodic change of a foam (E9).
 struct CycleOptions {
     int steps = 48;          // per cycle
-    double breath = 0.0;     // amplitude of each target area, relative, in a phase of its own
+    double breath = 0.0;     // relative amplitude of each target area; phases are random
     double strain = 0.0;     // amplitude of the shear of a torus
-    std::uint64_t seed = 1;  // of the phases
+    std::uint64_t seed = 1;  // seed of the random phases
 };
 
-/// A foam in equilibrium is a function of its topology, its target areas and its domain. If these
-/// are periodic, it returns to its state after each cycle, once the T1s and T2s of the first cycles
-/// have happened. No gas diffuses meanwhile. The foam as a whole is held where it was at the start.
+/// A periodic sequence of foams, for looping animations. A foam in equilibrium is a function of its
+/// topology, its target areas and its domain. If these are periodic, the foam returns to its state
+/// after each cycle, once the T1s and T2s of the first cycles have happened. No gas diffuses. The
+/// foam as a whole is kept where it was at the start.
 class Cycle {
   public:
-    /// Target areas oscillate around those of the foam.
+    /// Takes the present target areas of the foam as the means around which they oscillate, and its
+    /// present position as the one to keep.
     Cycle(const Foam& foam, const CycleOptions& options);
 
-    /// Steps from position `place` - 1 of the cycle, or from a state near it, to position `place`;
-    /// 0 is the start of a cycle. If the summary is not converged, the foam is left between the
-    /// two, as after any step.
+    /// Steps the foam from position `place` - 1 of the cycle, or from a state near it, to position
+    /// `place`. Position 0 is the start of a cycle; positions may go on beyond one cycle. If the
+    /// summary is not converged, the foam is left between the two positions, as after any step.
     StepSummary step_to(int place, Foam& foam, double time, const StepOptions& options) const;
 
   private:
@@ -40,14 +42,15 @@ class Cycle {
     void hold(Foam& foam) const;
 
     CycleOptions options_;
-    double shear_;  // of the domain, at the start
+    double shear_;  // shear of the domain at the start
     std::vector<Swing> swings_;
-    std::map<BubbleIdentity, Vec2> centres_;  // of the bubbles of the foam
+    std::map<BubbleIdentity, Vec2> centres_;  // centers of the bubbles at the start
 };
 
-/// Returns the distance of two states of a foam: the largest distance of a junction of a bubble
-/// from the nearest junction of the same bubble in the other state, in diameters of a circle of the
-/// mean bubble area. Infinite if a bubble has another number of sides or is not in both.
+/// Returns the distance between two states of a foam: the largest distance from a junction of a
+/// bubble to the nearest junction of the same bubble in the other state, in diameters of a circle
+/// of the mean target area. Returns infinity if a bubble is missing in one state or has different
+/// numbers of sides. Lone bubbles do not count.
 double closing_error(const Foam& one, const Foam& other);
 
 }  // namespace foam

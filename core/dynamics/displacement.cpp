@@ -9,12 +9,12 @@ namespace foam {
 
 namespace {
 
-// Largest step, in radii. The slope of (1 - u²)² is at most 1.54, so that a step of less than 0.64
-// keeps the order of all points.
+// Largest step, in units of the radius. The slope of (1 - u²)² is at most 1.54, so that a step of
+// less than 0.64 keeps the order of all points.
 constexpr double kLargestStep = 0.1;
-// While the foam is pushed, a film may flip that has lost half of its length, at a T1 distance at
-// the upper end of the range that the paper recommends (eq. 16). At 0.05, that of a foam at rest,
-// hardly any film would.
+// While the foam is pushed, a film may flip if it has lost half of its length and is shorter than
+// this T1 distance, the upper end of the range that the paper recommends (eq. 16). At 0.05, the
+// default for a foam at rest, hardly any film would flip.
 constexpr double kT1Distance = 0.25;
 constexpr double kShortened = 0.5;
 

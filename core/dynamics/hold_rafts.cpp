@@ -3,12 +3,18 @@
 #include <cmath>
 #include <vector>
 
+// Finds the rigid motion of each raft, a connected component of bubbles, that minimizes the
+// weighted squared distances from the centers of its bubbles to their earlier centers: the
+// orthogonal Procrustes problem in the plane. The translation matches the weighted means; the
+// rotation angle is atan2(sum of cross products, sum of dot products) of the centers relative to
+// the means. The weight of a bubble is the length of its films.
+
 namespace foam {
 
 namespace {
 
-// Returns the distance between the middle of the chord and the mean of all points of an arc, over
-// half of the chord, to the side of its bulge: 1 / a - cot a for a half angle a.
+// Returns the distance from the middle of the chord to the mean of all points of the arc, divided
+// by half of the chord and positive on the side of the bulge: 1 / a - cot a for a half angle a.
 double bulge(double half_angle) {
     constexpr double kSmall = 1e-3;  // below, the next term of the series is under 1e-11
     return std::abs(half_angle) < kSmall ? half_angle / 3.0
@@ -22,7 +28,7 @@ Vec2 mean_of_arc(const FilmArc& arc) {
 
 struct Centre {
     Vec2 at{0.0, 0.0};
-    double weight = 0.0;  // length of all films
+    double weight = 0.0;  // length of the films of the bubble
 };
 
 Centre centre_of(const Foam& patch, BubbleId bubble) {
@@ -37,7 +43,7 @@ Centre centre_of(const Foam& patch, BubbleId bubble) {
     return centre;
 }
 
-// The bubbles of a raft: a connected component of the patch.
+// The bubbles of a raft, a connected component of the patch.
 using Raft = std::vector<BubbleId>;
 
 Raft raft_around(const Network& network, BubbleId first, Indexed<BubbleId, char>& seen) {
@@ -56,8 +62,8 @@ Raft raft_around(const Network& network, BubbleId first, Indexed<BubbleId, char>
 }
 
 struct RigidMotion {
-    Vec2 from{0.0, 0.0};  // center of rotation, before ...
-    Vec2 to{0.0, 0.0};    // ... and after the motion
+    Vec2 from{0.0, 0.0};  // center of rotation before the motion
+    Vec2 to{0.0, 0.0};    // center of rotation after the motion
     double cosine = 1.0;
     double sine = 0.0;
 
@@ -67,7 +73,8 @@ struct RigidMotion {
     }
 };
 
-// Returns the motion that brings the raft back to the centers before, by least squares.
+// Returns the rigid motion that fits the centers of the raft to the earlier ones by least squares.
+// Bubbles without an earlier center do not count.
 RigidMotion motion_back(const Foam& patch,
                         const Raft& raft,
                         const std::map<BubbleIdentity, Vec2>& before) {

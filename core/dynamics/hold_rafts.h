@@ -6,13 +6,14 @@
 
 namespace foam {
 
-/// Returns the center of each bubble of a patch: the mean of all points of its films.
+/// Returns the center of each bubble of a patch: the mean of all points of its films. The center of
+/// a lone bubble is that of its circle.
 std::map<BubbleIdentity, Vec2> bubble_centres(const Foam& patch);
 
-/// Moves and turns every raft of a patch as a whole to where its bubbles were before, by least
-/// squares. Equilibrium determines neither position nor rotation, and a solver changes both; but a
-/// raft on which nothing pulls does not move. A bubble that has just come loose returns to its
-/// position.
+/// Moves and rotates every raft of a patch as a rigid body to fit the earlier centers of its
+/// bubbles by least squares. Equilibrium determines neither position nor rotation of a raft, and a
+/// solver changes both; but a raft without forces on it does not move. A lone bubble returns to its
+/// earlier center.
 void hold_rafts(Foam& patch, const std::map<BubbleIdentity, Vec2>& before);
 
 }  // namespace foam

@@ -10,28 +10,38 @@
 #include <set>
 #include <vector>
 
+// Nucleation (E10) is the inverse of the T2 process. The new bubble is laid out in the shape that
+// it would have in equilibrium between straight films, and its pressure is set accordingly, so that
+// Newton's method starts near the solution.
+//
+// Let g be segment_shape (E3). A regular three-sided bubble has three arcs with a half angle of 30
+// degrees on an equilateral triangle of side c: its area is c² (sqrt(3)/4 + 3 g(1/2)/4), the radius
+// of its arcs is c, and its corners are at c / sqrt(3) from its center. A regular lens has two arcs
+// with a half angle of 60 degrees on a chord c: its area is c² g(sqrt(3)/2) / 2, and the radius of
+// its arcs is c / sqrt(3).
+
 namespace foam {
 
 namespace {
 
-constexpr double kLargestShare = 0.5;  // of the gas around it, for a new bubble
-constexpr double kFarthest = 0.45;     // of a film, that a new bubble reaches at first
+// Largest fraction of the gas of the surrounding bubbles that a new bubble may take.
+constexpr double kLargestShare = 0.5;
+// Largest fraction of a film, from one end or its middle, that a new bubble may cover at first.
+constexpr double kFarthest = 0.45;
 
-// Regular bubbles of area 1 that meet straight films at 120 degrees, by hand. Three arcs of a half
-// angle of 30 degrees on an equilateral triangle of side c: the area is c² (sqrt(3)/4 + 3
-// g(1/2)/4), the radius of the arcs c, the corners c / sqrt(3) from the middle. Two arcs of 60
-// degrees on a chord c: the area is c² g(sqrt(3)/2) / 2, the radius c / sqrt(3). g = segment_shape
-// (E3).
+// Returns the side of the triangle of a regular three-sided bubble.
 double triangle_side(double area) {
     return std::sqrt(area / (0.25 * std::numbers::sqrt3 + 0.75 * segment_shape(0.5)));
 }
 
+// Returns the chord of a regular two-sided bubble.
 double lens_chord(double area) {
     return std::sqrt(area / (0.5 * segment_shape(0.5 * std::numbers::sqrt3)));
 }
 
-// Takes the area from the target areas of the bubbles, each in proportion; returns whether they
-// have enough. The ghost has no end to it, and so gives all.
+// Takes the area from the target areas of the bubbles, in proportion to them. Returns false and
+// changes nothing if they do not have enough. The ghost, whose target area is infinite, gives all
+// of it if it is among them.
 bool take_gas(Foam& foam, const std::set<BubbleId>& bubbles, double area) {
     double sum = 0.0;
     for (const BubbleId bubble : bubbles) {
@@ -54,7 +64,8 @@ double mean_pressure(const Foam& foam, const std::set<BubbleId>& bubbles) {
     return sum / static_cast<double>(bubbles.size());
 }
 
-// Values for what the network has gained. New junctions are placed by the caller.
+// Appends values for the junctions, films and the bubble that the network has gained. The caller
+// places the new junctions.
 void complete(Foam& foam, double area, double pressure) {
     foam.positions.resize(foam.network.junction_slots(), Vec2(0.0, 0.0));
     foam.t1_armed.resize(foam.network.film_slots(), 1);
@@ -66,20 +77,20 @@ void complete(Foam& foam, double area, double pressure) {
     }
 }
 
-// The part of the arc that the distance is.
+// Returns the fraction of the length of the arc that the distance covers, at most kFarthest.
 double fraction_of(const FilmArc& arc, double distance) {
     return std::min(distance / arc_length(arc), kFarthest);
 }
 
-// What is left of a film of this half angle is a part of its arc. The half angle counts only where
-// the film is an outer one.
+// Sets the half angle of a film of which only the given part of its arc is left. Does nothing if
+// the film is not an outer film, because other half angles follow from the pressures.
 void cut_film(Foam& foam, HalfEdgeId h, double whole_half_angle, double part_left) {
     if (foam.network.is_outer(film_of(h))) {
         foam.half_angles[film_of(h)] = (is_forward(h) ? 1.0 : -1.0) * part_left * whole_half_angle;
     }
 }
 
-// The bubble takes part of the place of those around it.
+// Records the birth of a bubble, with the bubbles around it as those whose neighbors change.
 void note_birth(Foam& foam, BubbleId bubble, const Vec2& place, const std::set<BubbleId>& around) {
     std::vector<BubbleId> bubbles{bubble};
     bubbles.insert(bubbles.end(), around.begin(), around.end());
@@ -101,7 +112,7 @@ std::optional<BubbleId> nucleate_at_junction(Foam& foam, JunctionId junction, do
     std::array<double, 3> cut{};
     const double side = triangle_side(area);
     const auto [a, b, c] = foam.network.leaving(junction);
-    const std::array<HalfEdgeId, 3> outer{a, c, b};  // counter-clockwise, as the corners come
+    const std::array<HalfEdgeId, 3> outer{a, c, b};  // counter-clockwise, like the corners
     for (std::size_t k = 0; k < 3; ++k) {
         around.insert(foam.network.left(outer[k]));
         arcs[k] = film_arc(foam, outer[k]);

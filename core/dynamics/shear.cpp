@@ -18,7 +18,7 @@ void reduce_lattice(Foam& foam) {
     if (std::abs(domain.shear) <= 0.5 * domain.width) {
         return;
     }
-    // A period up is now one up and so many to the right.
+    // An old vertical period is a new one plus this many horizontal periods.
     const auto widths = static_cast<std::int32_t>(std::lround(domain.shear / domain.width));
     domain.shear -= widths * domain.width;
     for (const FilmId film : foam.network.films()) {

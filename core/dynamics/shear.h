@@ -4,13 +4,13 @@
 
 namespace foam {
 
-/// Simple shear of the whole foam along x: every point moves to the right by the strain times its
-/// height, the torus with it. Areas stay; the foam is left out of equilibrium by the strain. The
-/// lattice is reduced where its shear passes half a width.
+/// Applies simple shear along x to the whole foam and its torus: every point moves to the right by
+/// the strain times its y coordinate. Areas are unchanged. The foam is left out of equilibrium by
+/// the strain. Reduces the lattice if its shear exceeds half a width.
 void shear(Foam& foam, double strain);
 
-/// Brings the shear of the torus into [-width/2, width/2] by whole widths: the same lattice by
-/// other periods, so that nothing moves; lattice offsets are adapted.
+/// Changes the shear of the torus by whole widths into [-width/2, width/2]. This describes the same
+/// lattice by other periods: nothing moves, only lattice offsets change.
 void reduce_lattice(Foam& foam);
 
 }  // namespace foam

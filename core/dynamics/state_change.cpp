@@ -8,15 +8,17 @@ namespace foam {
 
 namespace {
 
-constexpr double kLargestDrivenShare = 0.9;  // of the torus, where others are left
-constexpr double kLargestGain = 3.0;         // of its area, of a driven bubble at once
+// Largest fraction of a torus that driven bubbles may take if there are other bubbles.
+constexpr double kLargestDrivenShare = 0.9;
+// Largest gain of a driven bubble at once, in units of its area.
+constexpr double kLargestGain = 3.0;
 
 struct LiveDriven {
     BubbleId bubble;
     DrivenBubble driven;
 };
 
-// The driven bubbles that have not vanished, in the order of the change.
+// Returns the driven bubbles of the network that have not vanished, in the order of the change.
 std::vector<LiveDriven> live_driven(const Foam& foam, const StateChange& change) {
     if (change.empty()) {
         return {};
@@ -50,7 +52,8 @@ void drive_lone(Foam& foam, const StateChange& change, double part) {
     }
 }
 
-// Scales the targets of a torus, driven and others, to its area.
+// Scales the target areas of a torus so that their sum is its area: driven bubbles keep theirs, up
+// to the largest share, and the others fill the rest.
 void share_torus(Foam& foam, const Indexed<BubbleId, char>& is_driven) {
     double driven = 0.0;
     double others = 0.0;

@@ -10,6 +10,12 @@
 #include <utility>
 #include <vector>
 
+// The time step is quasi-static (paper section 4.1): each substep changes target areas and topology
+// and then finds the equilibrium anew. The length of a substep is bounded by the fraction of its
+// area that any bubble may lose (E6), by the imposed change, and by the strain. A substep works on
+// a copy of the foam; if it finds no equilibrium, the copy is dropped and a substep of half the
+// length is tried.
+
 namespace foam {
 
 namespace {
@@ -19,10 +25,10 @@ constexpr double kVanishingAreas = 4.0;
 // Smallest share of a driven step that one substep may cover. It bounds the number of substeps if
 // the change is impossible, for example if every bubble is to shrink.
 constexpr double kMinShare = 0.01;
-constexpr double kLargestStrain = 0.05;  // of a substep
+constexpr double kLargestStrain = 0.05;  // largest strain of one substep
 
-// Returns the longest time in which a bubble does not lose too large a share of its area, unless it
-// is about to vanish.
+// Returns the longest time in which a bubble loses at most the fraction `largest_loss` of its area;
+// infinity if it grows or is about to vanish.
 double safe_time(double area, double rate, const StepOptions& options) {
     const double vanishing = kVanishingAreas * options.equilibrium.thresholds.t2_area;
     return rate < 0.0 && area > vanishing ? options.largest_loss * area / -rate
@@ -43,7 +49,8 @@ double safe_time(const Foam& foam, const StepOptions& options) {
     return time;
 }
 
-// Removes the rounding errors of many additions. In the plane there is no total to restore.
+// Scales the target areas of a torus to its area, to remove the rounding errors of many additions.
+// In the plane there is no total to restore.
 void restore_total(Foam& foam) {
     if (foam.domain.is_plane()) {
         return;
@@ -70,7 +77,7 @@ int push(Foam& foam,
     return flips;
 }
 
-// Brings a foam from near an equilibrium to it. A patch stays where it is.
+// Brings a foam that is near equilibrium to equilibrium. The rafts of a patch stay where they are.
 EquilibriumSummary equilibrate_in_place(Foam& foam, const StepOptions& step_options) {
     EquilibriumOptions options = step_options.equilibrium;
     options.relaxes_first = false;
@@ -89,8 +96,8 @@ EquilibriumSummary equilibrate_in_place(Foam& foam, const StepOptions& step_opti
 // The extent of a substep.
 struct Extent {
     double time = 0.0;
-    double share = 1.0;  // of the whole change
-    double part = 1.0;   // of what is left of the change
+    double share = 1.0;  // fraction of the whole change
+    double part = 1.0;   // fraction of the remaining change
 };
 
 EquilibriumSummary substep(Foam& foam,
@@ -128,15 +135,15 @@ void add(StepSummary& sum, const EquilibriumSummary& part) {
     ++sum.substeps;
 }
 
-// Makes a substep of the given length or, if that leads to no equilibrium, of a shorter one.
-// Returns the length, 0 if there is none. `substep_of` takes the foam and the length.
+// Makes a substep of the given length or, if that finds no equilibrium, of a shorter one. Returns
+// the length of the substep, or 0 if none succeeded. `substep_of` takes the foam and the length.
 template <class Substep>
 double advance(Foam& foam,
                double length,
                const StepOptions& options,
                StepSummary& summary,
                const Substep& substep_of) {
-    std::vector<TopologyEvent> events = std::exchange(foam.events, {});  // not to copy them
+    std::vector<TopologyEvent> events = std::exchange(foam.events, {});  // to avoid copying them
     for (int halvings = 0;; ++halvings, length *= 0.5) {
         Foam next = foam;
         const EquilibriumSummary part = substep_of(next, length);

@@ -7,12 +7,13 @@
 
 namespace foam {
 
+/// Options for a step.
 struct StepOptions {
     CoarseningOptions coarsening{};
     EquilibriumOptions equilibrium{};
     Solver solver = Solver::Newton;
-    double largest_loss = 0.75;  // share of its area that a bubble may lose in a substep
-    int max_halvings = 12;       // of a substep that leads to no equilibrium
+    double largest_loss = 0.75;  // fraction of its area that a bubble may lose in a substep
+    int max_halvings = 12;       // how often a substep that finds no equilibrium is halved
 };
 
 /// The result of a step: sums over its substeps, errors and energy at its end.
@@ -21,14 +22,15 @@ struct StepSummary {
     EquilibriumSummary equilibrium;
 };
 
-/// Advances a foam in equilibrium by a time of coarsening: diffusion (E6), T2 (E8), T1 (E7) and
-/// equilibrium, in as many substeps as the fastest bubble needs. A patch is not moved as a whole
-/// (hold_rafts.h). If the summary is not converged, the foam is left in the last equilibrium that
-/// was reached. Leaves no dead slots.
+/// Advances a foam in equilibrium by the given time of coarsening: diffusion (E6), T2 (E8), T1 (E7)
+/// and equilibrium, in as many substeps as the fastest bubble needs. The rafts of a patch stay
+/// where they are (hold_rafts.h). If the summary is not converged, the foam is left in the last
+/// equilibrium that was reached. Leaves no dead slots.
 StepSummary step(Foam& foam, double time, const StepOptions& options);
 
-/// The same with a change that is imposed from outside, evenly over the time, which may be 0. It
-/// takes more substeps if the change would take from a bubble, or give it, too much at once.
+/// Advances a foam as above while a change is imposed from outside, evenly over the time. The time
+/// may be 0. More substeps are made if the change would take too much gas from a bubble, or give it
+/// too much, at once.
 StepSummary step(Foam& foam, double time, const StateChange& change, const StepOptions& options);
 
 }  // namespace foam
