@@ -7,7 +7,7 @@ namespace foam::evolver {
 
 namespace {
 
-constexpr int kDeepestNesting = 100;  // far below what the stack holds
+constexpr int kDeepestNesting = 100;  // far below the depth at which the stack would overflow
 
 using Function = double (*)(double);
 
@@ -29,6 +29,7 @@ Function find_function(const std::string& name) {
     return found == functions.end() ? nullptr : found->second;
 }
 
+// A recursive descent parser: sum > product > power > primary.
 class Parser {
   public:
     Parser(TokenReader& tokens, const Parameters& parameters)
@@ -45,7 +46,8 @@ class Parser {
     }
 
   private:
-    // Outside parentheses a line's first token begins something new, and so does a sign.
+    // Returns true if the operator continues the expression. Outside parentheses, the first token
+    // of a line ends it, and so does a sign with white space before it only.
     bool at_operator(char symbol) const {
         const Token& token = tokens_.peek();
         const bool is_sign =
@@ -63,7 +65,7 @@ class Parser {
         return value;
     }
 
-    // A sign binds less than a power: -2^2 is -4.
+    // A sign has a lower precedence than a power: -2^2 is -4.
     double power() {
         if (tokens_.at_symbol('-') || tokens_.at_symbol('+')) {
             const bool minus = tokens_.take().is_symbol('-');

@@ -8,7 +8,8 @@ namespace foam::evolver {
 
 namespace {
 
-// Keywords that make it another model, and what the error says of each.
+// Returns the keywords that are rejected, each with its message: most of them select a model that
+// is not supported.
 const std::map<std::string, const char*>& refused_keywords() {
     static constexpr const char* kEnergy = "adds an energy that a foam has not";
     static constexpr const char* kModel = "is another model than the string model of a foam";
@@ -91,13 +92,13 @@ class HeaderReader {
 
     void pass() {}
 
-    // A statement ends before a line that begins with a word.
+    // Returns true at the end of a statement: before a line that begins with a word.
     bool at_statement_end() const {
         return tokens_.at_end() ||
                (tokens_.at_line_start() && tokens_.peek().kind == TokenKind::Word);
     }
 
-    // Those of commands, {...}, may go on over many lines.
+    // Skips the rest of a statement. Commands in braces may extend over many lines.
     void skip_statement() {
         int braces = 0;
         while (!tokens_.at_end() && (braces > 0 || !at_statement_end())) {
@@ -169,7 +170,7 @@ class HeaderReader {
         skip_statement();
     }
 
-    // An energy of every edge's length adds to the film tension.
+    // Adds an energy of the length of every edge to the film tension; rejects other energies.
     void read_energy(const std::string& name) {
         double modulus = 1.0;
         Method method;
@@ -214,7 +215,7 @@ class HeaderReader {
 
     TokenReader& tokens_;
     Header header_;
-    int line_ = 1;  // of the statement being read
+    int line_ = 1;  // line of the statement being read
     std::string_view keyword_;
     std::map<std::string, Method> methods_;
     bool is_string_ = false;

@@ -9,17 +9,17 @@
 
 namespace foam::evolver {
 
-/// What the top of a data file says about the whole foam.
+/// The top section of a data file, which applies to the whole foam.
 struct Header {
     Domain domain;  // the plane for a free cluster
     Parameters parameters;
-    double added_tension = 0.0;      // of every film, by named quantities of its length
-    std::vector<std::string> notes;  // what was left out, one line each
+    double added_tension = 0.0;      // sum of the energies per length of all edges
+    std::vector<std::string> notes;  // statements that were dropped, one line each
 };
 
-/// Reads up to the section of the vertices. What does not bear on a foam's equilibrium is passed
-/// over. Throws FormatError where the file is no string model in the plane or on a torus whose
-/// first period lies along x, and where it adds an energy that a foam has not.
+/// Reads the top section, up to the section of the vertices. Ignores statements that do not affect
+/// the equilibrium of a foam. Throws FormatError if the file is not a string model in the plane or
+/// on a torus whose first period is along x, or if it adds an energy that this model does not have.
 Header read_header(TokenReader& tokens);
 
 }  // namespace foam::evolver

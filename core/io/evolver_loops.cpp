@@ -8,12 +8,17 @@
 #include <cmath>
 #include <cstdlib>
 
+// Turns faces into loops of films in three steps: take the loop of edges of each face, reversed if
+// its body is on the other side; check that loops are closed and that each side of an edge has at
+// most one face; reverse all loops if they are clockwise, as the sign of their total area tells.
+// Each loop is then split into films at the vertices of three edges.
+
 namespace foam::evolver {
 
 namespace {
 
-constexpr double kFarthest = 1e6;         // of a vertex from the origin, in periods
-constexpr double kCoverTolerance = 1e-6;  // of the faces' areas in sum, relative
+constexpr double kFarthest = 1e6;         // largest coordinate of a vertex, in periods
+constexpr double kCoverTolerance = 1e-6;  // relative tolerance for the sum of the areas of faces
 
 using Loop = std::vector<EdgeSide>;
 
@@ -85,7 +90,7 @@ class LoopBuilder {
         return {static_cast<std::int32_t>(std::lround(along / domain_.width)), j};
     }
 
-    // Each face as its body sees it.
+    // Takes the loop of each face, in the direction that its body sees.
     void take_loops() {
         for (const Face& face : mesh_.faces) {
             loops_.push_back(face.sides);
@@ -122,7 +127,8 @@ class LoopBuilder {
         }
     }
 
-    // Every edge has one face on either side; one of a free cluster may have the outside there.
+    // Checks that every edge has one face on each side; an edge of a free cluster may have the
+    // outside on one side.
     void check_sides() const {
         std::vector<int> faces(2 * mesh_.edges.size(), 0);
         for (std::size_t face = 0; face < loops_.size(); ++face) {
@@ -157,7 +163,8 @@ class LoopBuilder {
         return 0.5 * twice;
     }
 
-    // All faces are listed counter-clockwise, or all clockwise.
+    // Makes all loops counter-clockwise. The file lists all faces counter-clockwise or all
+    // clockwise.
     void orient() {
         double total = 0.0;
         for (const Loop& loop : loops_) {
@@ -223,7 +230,7 @@ class LoopBuilder {
     const std::string& file_;
     std::vector<LatticeOffset> wraps_;
     std::vector<Loop> loops_;
-    std::vector<int> edge_counts_;  // of each vertex
+    std::vector<int> edge_counts_;  // number of edges at each vertex
 };
 
 }  // namespace

@@ -19,7 +19,7 @@ std::int32_t decoded_wrap(unsigned bits) {
     return low < 0x10 ? low : low - 0x20;
 }
 
-// Ids of a kind of element, which need not be contiguous.
+// Maps the numbers of one kind of element, which need not be contiguous, to indices.
 class IdTable {
   public:
     IdTable(const TokenReader& tokens, const char* kind) : tokens_(tokens), kind_(kind) {}
@@ -95,7 +95,8 @@ class MeshReader {
         return false;
     }
 
-    // An element ends before a line that begins with an integer or a section's name.
+    // Returns true at the end of an element: before a line that begins with an integer or with the
+    // name of a section.
     bool at_element_end() const {
         return tokens_.at_end() ||
                (tokens_.at_line_start() &&
@@ -216,7 +217,8 @@ class MeshReader {
 
     bool at_integer_of_element() const { return !tokens_.at_line_start() && tokens_.at_integer(); }
 
-    // Hands each word to `handle`, which may take its values; passes over all the rest.
+    // Passes each word to `handle`, which may take the values that follow it; skips everything
+    // else.
     template <class Handle>
     void read_attributes(Handle handle) {
         if (!at_element_end() && tokens_.peek().kind != TokenKind::Word) {

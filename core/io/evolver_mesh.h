@@ -10,27 +10,30 @@
 
 namespace foam::evolver {
 
+/// A vertex with its number and line in the file.
 struct Vertex {
     int id = 0;
     int line = 0;
     Vec2 point{0.0, 0.0};  // anywhere in the plane
 };
 
+/// An edge with its number and line in the file.
 struct Edge {
     int id = 0;
     int line = 0;
-    std::size_t tail = 0;  // places in Mesh::vertices
-    std::size_t head = 0;
-    std::optional<LatticeOffset> wrap;  // the head's copy, in periods
+    std::size_t tail = 0;               // index in Mesh::vertices
+    std::size_t head = 0;               // index in Mesh::vertices
+    std::optional<LatticeOffset> wrap;  // copy of the head that is meant, in periods
     double tension = 1.0;
 };
 
-/// A place in Mesh::edges, and whether the edge is walked from tail to head.
+/// An edge in one of its two directions.
 struct EdgeSide {
-    std::size_t edge = 0;
-    bool forward = true;
+    std::size_t edge = 0;  // index in Mesh::edges
+    bool forward = true;   // true from tail to head
 };
 
+/// A face with its number and line in the file.
 struct Face {
     int id = 0;
     int line = 0;
@@ -38,27 +41,29 @@ struct Face {
     bool has_body = false;
 };
 
+/// A body with its number and line in the file.
 struct Body {
     int id = 0;
     int line = 0;
-    std::size_t face = 0;   // a place in Mesh::faces
-    bool reversed = false;  // whether it lies on the other side of the face
+    std::size_t face = 0;   // index in Mesh::faces
+    bool reversed = false;  // true if the body is on the other side of the face
     std::optional<double> volume;
     std::optional<double> pressure;
 };
 
 /// The elements of a data file, each in the order of the file.
 struct Mesh {
-    std::vector<Vertex> vertices;  // of midpoints too
+    std::vector<Vertex> vertices;  // including midpoints
     std::vector<Edge> edges;
     std::vector<Face> faces;
     std::vector<Body> bodies;
-    int held = 0;  // vertices and edges that are fixed or on a constraint, which a foam has not
+    int held = 0;  // number of elements that are fixed or on a constraint; here they are free
     int end_line = 0;
 };
 
 /// Reads the sections of vertices, edges, faces and bodies, up to `read` or the end of the file.
-/// Attributes that do not bear on a foam's equilibrium are passed over. Throws FormatError.
+/// Ignores attributes that do not affect the equilibrium of a foam. Throws FormatError if a section
+/// is missing or malformed, or has an attribute that is not supported.
 Mesh read_mesh(TokenReader& tokens, const Parameters& parameters);
 
 }  // namespace foam::evolver

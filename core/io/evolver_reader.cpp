@@ -16,9 +16,10 @@ namespace evolver {
 
 namespace {
 
-// What the sum of the volumes may miss of the torus' area, relative: volumes of six digits pass.
-// A sum that is farther off than rounding is brought to the area.
+// Largest relative difference between the sum of the volumes and the area of the torus: volumes of
+// six digits pass.
 constexpr double kVolumeTolerance = 1e-5;
+// A sum that differs by more than this is scaled to the area of the torus.
 constexpr double kVolumeRounding = 1e-12;
 
 class FoamBuilder {
@@ -93,7 +94,7 @@ class FoamBuilder {
     static std::size_t index(EdgeSide side) { return 2 * side.edge + (side.forward ? 0 : 1); }
     static std::size_t twin_index(EdgeSide side) { return index(side) ^ 1U; }
 
-    // In the order of the films' first edges, and in the direction of these.
+    // Adds the films in the order of their first edges, and in the direction of these.
     void add_films() {
         std::vector<const FilmSide*> begins(2 * mesh_.edges.size(), nullptr);
         for (const FilmLoop& loop : loops_) {
@@ -145,7 +146,7 @@ class FoamBuilder {
         check_sum_of_areas();
     }
 
-    // 0 where none is given.
+    // Returns the volume of the body, or 0 if it has none.
     double volume_of(const Body& body) const {
         if (!body.volume) {
             return 0.0;
@@ -156,8 +157,9 @@ class FoamBuilder {
         return *body.volume;
     }
 
-    // One bubble of a torus may be left without an area: the rest of it. If all have bodies, but
-    // none a volume, each keeps what it has.
+    // Fills in missing target areas. One bubble of a torus may have no volume: it gets the rest of
+    // the torus. If every face has a body but no body has a volume, each bubble keeps its polygon's
+    // area.
     void complete_areas() {
         std::vector<std::size_t> missing;
         double sum = 0.0;
@@ -214,8 +216,8 @@ class FoamBuilder {
     const Mesh& mesh_;
     const std::string& file_;
     std::vector<FilmLoop> loops_;
-    std::vector<JunctionId> junctions_;   // of each vertex
-    std::vector<HalfEdgeId> half_edges_;  // of each side of an edge that begins a film
+    std::vector<JunctionId> junctions_;   // by vertex; none for midpoints and dissolved vertices
+    std::vector<HalfEdgeId> half_edges_;  // by side of an edge; set for the first edge of a film
     Foam foam_;
 };
 

@@ -14,9 +14,9 @@ namespace foam::evolver {
 
 namespace {
 
-constexpr std::size_t kLongestShown = 40;  // characters of a token in an error
+constexpr std::size_t kLongestShown = 40;  // characters of a token in an error message
 
-// Of ASCII alone, whatever the locale.
+// These tests know ASCII only and do not depend on the locale.
 bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
@@ -27,8 +27,8 @@ bool is_space(char c) {
     return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
-// Numbers that are too small for a double are 0, as in the dumps of Evolver; too large ones are
-// infinite, which the places of use refuse.
+// Returns the value of a number. A number that is too small for a double, which occurs in dumps of
+// Evolver, becomes 0. One that is too large becomes infinite, which the callers reject.
 double parse_real(std::string_view text) {
     double value = 0.0;
     const std::from_chars_result result =
@@ -152,7 +152,7 @@ void TokenReader::advance() {
     next_.precedes_space = position_ == text_.size() || is_space(at(0));
 }
 
-// Whether there was any. The end of a line counts, but not one behind a backslash.
+// Skips white space, comments and continued lines. Returns true if anything was skipped.
 bool TokenReader::skip_space() {
     const std::size_t start = position_;
     while (position_ < text_.size()) {

@@ -5,6 +5,7 @@
 
 namespace foam::evolver {
 
+/// The kinds of tokens.
 enum class TokenKind {
     Number,
     Word,
@@ -13,12 +14,12 @@ enum class TokenKind {
     End,
 };
 
-/// A piece of a Surface Evolver data file.
+/// A token of a Surface Evolver data file.
 struct Token {
     TokenKind kind = TokenKind::End;
-    std::string_view text;    // as in the file, quotes not included
-    double number = 0.0;      // of a Number
-    bool is_integer = false;  // a Number without point and exponent, or a hexadecimal one
+    std::string_view text;    // the characters in the file, without quotes
+    double number = 0.0;      // value of a Number
+    bool is_integer = false;  // true for a Number without point and exponent, or in hexadecimal
     int line = 1;
     bool starts_line = false;
     bool follows_space = false;
@@ -29,34 +30,38 @@ struct Token {
     }
 };
 
-/// Lower case; words of the format have none of their own.
+/// Returns the word in lower case (ASCII only). Keywords of the format are case-insensitive.
 std::string lower(std::string_view word);
 
-/// Takes a data file apart. Comments and backslashes at the ends of lines are white space. What is
-/// malformed throws FormatError with the line.
+/// Splits a data file into tokens. Comments and backslashes at the ends of lines are white space.
+/// Throws FormatError with the line if the text is malformed.
 class TokenReader {
   public:
-    /// Both have to outlive the reader.
+    /// `text` is the data file, `file` its name in error messages. Both must outlive the reader.
     TokenReader(std::string_view text, const std::string& file);
 
+    /// Returns the next token without taking it.
     const Token& peek() const { return next_; }
+    /// Takes the next token.
     Token take();
 
-    /// Whether the next token is this word, given in lower case.
+    /// Returns true if the next token is the given word, in lower case.
     bool at_word(std::string_view word) const;
     bool at_symbol(char symbol) const { return next_.is_symbol(symbol); }
     bool at_line_start() const { return next_.starts_line; }
     bool at_end() const { return next_.kind == TokenKind::End; }
-    /// Whether an integer comes next, with a sign before it or none.
+    /// Returns true if an integer comes next, with or without a sign.
     bool at_integer() const;
 
-    /// `meaning` says in an error what was expected.
+    // Each of these takes a token of the given kind. Throws FormatError if the next token is of
+    // another kind; `meaning` describes in the message what was expected.
     int take_integer(std::string_view meaning);
     std::string_view take_word(std::string_view meaning);
     std::string_view take_text(std::string_view meaning);
 
+    /// Throws FormatError for the given line.
     [[noreturn]] void fail(int line, const std::string& message) const;
-    /// That something else was expected than what comes next.
+    /// Throws FormatError: `meaning` was expected instead of the next token.
     [[noreturn]] void fail_expecting(std::string_view meaning) const;
 
   private:
@@ -72,7 +77,7 @@ class TokenReader {
     const std::string& file_;
     std::size_t position_ = 0;
     int line_ = 1;
-    bool line_is_fresh_ = true;  // no token of this line has been read
+    bool line_is_fresh_ = true;  // true if no token of this line has been read
     Token next_;
 };
 

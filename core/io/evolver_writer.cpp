@@ -11,7 +11,7 @@ namespace {
 
 constexpr unsigned kWrapBits = 6;  // per axis, in the numeric form of a wrap
 
-// Ids of the file: those that live, counted from 1.
+// Returns the numbers of the live ids in the file, counted from 1.
 template <class Id>
 Indexed<Id, int> numbers(const LiveRange<Id>& live, std::size_t slots) {
     Indexed<Id, int> result(slots, 0);
@@ -63,7 +63,7 @@ class Writer {
         }
     }
 
-    // Midpoints follow the junctions, each in the frame of its film's tail.
+    // Writes the junctions and then the midpoints, each unwrapped from the tail of its film.
     void write_vertices() {
         put("\nvertices\n");
         for (const JunctionId junction : foam_.network.junctions()) {
@@ -108,7 +108,7 @@ class Writer {
         }
     }
 
-    // As symbols, or, beyond one period, as a number.
+    // Writes a wrap as symbols or, if it exceeds one period, as a number.
     void write_wrap(LatticeOffset offset) {
         const auto is_symbol = [](std::int32_t periods) { return -1 <= periods && periods <= 1; };
         if (is_symbol(offset.i) && is_symbol(offset.j)) {

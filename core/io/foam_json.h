@@ -7,17 +7,19 @@
 
 namespace foam {
 
-/// The newest version of the state format; it grows when an older reader could not go on from a
-/// newer file. Foams on a torus are written in version 1, which has no patches.
+/// The newest version of the state format. It is incremented if an older reader could not use a
+/// newer file. Foams on a torus without shear are written in version 1; patches and sheared tori
+/// need version 2.
 inline constexpr int kFoamJsonVersion = 2;
 
-/// The whole state of a foam as JSON (README.md has the format), in the foam's own units: what is
-/// read back steps to the same bits. Dead slots are closed first, as by `compact`. Precondition:
-/// finite numbers.
+/// Returns the whole state of a foam as JSON, in the foam's own units. README.md specifies the
+/// format. A foam that is read back steps to the same bits. Dead slots are removed first, as by
+/// `compact`. Precondition: all numbers are finite.
 std::string write_foam_json(const Foam& foam);
 
-/// The foam of a state file. Members it does not know are passed over. Throws FormatError, in the
-/// name of `file`, where the text is no JSON, no state, of a newer version, or holds no valid foam.
+/// Parses a state file. Ignores members that it does not know. Throws FormatError, with `file` as
+/// the name in its message, if the text is not JSON, is not a state, is of a newer version, or does
+/// not hold a valid foam.
 Foam read_foam_json(std::string_view text, const std::string& file);
 
 }  // namespace foam

@@ -18,7 +18,8 @@ namespace {
 // Largest difference of the sum of the target areas from the area of the torus, relative to it.
 // Steps keep the two equal.
 constexpr double kAreaTolerance = 1e-6;
-constexpr double kCellSlack = 1e-9;  // of a period: wrapping rounds
+// How far a position may be outside of the torus' own cell, in periods, due to rounding.
+constexpr double kCellSlack = 1e-9;
 
 class Reader {
   public:
@@ -66,7 +67,7 @@ class Reader {
         return *items;
     }
 
-    // A list of so many items.
+    // Returns the items of a list, which must have the given size.
     const JsonTree::Array& row(const JsonTree& value, std::size_t size) const {
         const JsonTree::Array& items = array(value);
         if (items.size() != size) {
@@ -128,7 +129,7 @@ class Reader {
         foam_.next_identity = index(member("next_identity"), kNoIndex);
     }
 
-    // Width, height and, where it is not 0, shear.
+    // Reads the width, the height and, if there is a third number, the shear.
     void read_torus(const JsonTree& line) {
         const std::size_t size = array(line).size() == 3 ? 3 : 2;
         const JsonTree::Array& domain = row(line, size);
@@ -230,7 +231,8 @@ class Reader {
         return angle;
     }
 
-    // Setting tails has changed them.
+    // Sets the outgoing half-edge of each junction to that of the file; read_film has overwritten
+    // it.
     void set_outgoing() {
         const JsonTree::Array& rows = array(member("junctions"));
         for (const JunctionId junction : foam_.network.junctions()) {

@@ -46,7 +46,7 @@ class Writer {
         fmt::format_to(std::back_inserter(text_), format, std::forward<Values>(values)...);
     }
 
-    // Without a shear as it has always been.
+    // Writes no shear if it is 0, as in version 1.
     void put_torus() {
         put("\"torus\": [{:#}, {:#}", foam_.domain.width, foam_.domain.height);
         if (foam_.domain.shear != 0.0) {
@@ -122,7 +122,7 @@ class Writer {
     std::string text_;
 };
 
-// Whether there are no dead slots, and the ghost, if there is one, is the last bubble.
+// Returns true if there are no dead slots and the ghost, if there is one, is the last bubble.
 bool is_dense(const Network& network) {
     const bool has_ghost = network.ghost() != kNone<BubbleId>;
     return network.junction_slots() == network.junction_count() &&

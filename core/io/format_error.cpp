@@ -8,7 +8,7 @@ namespace foam {
 
 namespace {
 
-// A message may quote what a file holds, and that may be anything.
+// Replaces characters that are not printable ASCII: a message may quote arbitrary bytes of a file.
 std::string printable(std::string text) {
     std::replace_if(
         text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');

@@ -5,13 +5,14 @@
 
 namespace foam {
 
-/// A file that does not hold what its format asks for, or what a foam needs. what() is one line,
-/// "file:line: message".
+/// The error of all readers: a file does not conform to its format, or does not describe a valid
+/// foam. what() is one line, "file:line: message", in printable ASCII apart from the file name.
 class FormatError : public std::runtime_error {
   public:
     FormatError(const std::string& file, int line, const std::string& message);
 
-    int line() const { return line_; }  // the first is 1
+    /// Returns the number of the line; the first line is 1.
+    int line() const { return line_; }
 
   private:
     int line_;

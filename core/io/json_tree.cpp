@@ -9,23 +9,27 @@
 #include <cstdint>
 #include <iterator>
 
+// nlohmann's own tree does not keep the lines of its values. This one is built from the events of
+// nlohmann's SAX parser; the line of a value is that of the last character the parser has read,
+// which an input iterator counts.
+
 namespace foam {
 
 namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::size_t kDeepest = 16;  // a foam has three
+constexpr std::size_t kDeepest = 16;  // a state of a foam has three levels
 
-// How far the parser has read; it looks one character ahead behind a number.
+// The position up to which the parser has read. After a number it has read one character too many.
 struct Progress {
     int line = 1;
-    bool at_line_end = false;  // the last character read ended a line
+    bool at_line_end = false;  // true if the last character read was a line feed
 
     int token_line() const { return line - (at_line_end ? 1 : 0); }
 };
 
-// The characters of a text, for the parser. All copies report to one progress.
+// An input iterator over the characters of a text. All copies update one shared Progress.
 class Characters {
   public:
     using iterator_category = std::input_iterator_tag;
@@ -50,7 +54,7 @@ class Characters {
     Progress* progress_;
 };
 
-// Without the parser's own name and place.
+// Returns the parser's message without its prefix, which has the parser's own code and position.
 std::string reason(const std::string& what) {
     const std::size_t column = what.find(", column ");
     const std::size_t end = column == std::string::npos ? what.find("] ") : what.find(": ", column);
@@ -70,7 +74,7 @@ class TreeBuilder : public Json::json_sax_t {
     bool number_unsigned(std::uint64_t value) override { return add(static_cast<double>(value)); }
     bool number_float(double value, const std::string&) override { return add(value); }
     bool string(std::string& value) override { return add(std::move(value)); }
-    bool binary(Json::binary_t&) override { return false; }  // never met in text
+    bool binary(Json::binary_t&) override { return false; }  // does not occur in text
 
     bool start_object(std::size_t) override { return open(JsonTree::Object()); }
     bool end_object() override { return close(); }
@@ -95,7 +99,8 @@ class TreeBuilder : public Json::json_sax_t {
         throw FormatError(file_, progress_.token_line(), message);
     }
 
-    // Where the next value goes. A node that is open stands still: its container waits for it.
+    // Returns the node for the next value. Pointers in open_ stay valid: nothing is appended to the
+    // container of an open node until that node is closed.
     JsonTree& next_place() {
         if (open_.empty()) {
             return root_;

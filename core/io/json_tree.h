@@ -8,7 +8,7 @@
 
 namespace foam {
 
-/// A JSON value that knows the line it begins on.
+/// A JSON value with the line on which it begins.
 struct JsonTree {
     using Array = std::vector<JsonTree>;
     using Object = std::vector<std::pair<std::string, JsonTree>>;  // in the order of the file
@@ -16,12 +16,12 @@ struct JsonTree {
     std::variant<std::nullptr_t, bool, double, std::string, Array, Object> data = nullptr;
     int line = 1;
 
-    /// The member of an object, or nullptr where there is none or this is no object.
+    /// Returns the member of an object, or nullptr if there is none or this is not an object.
     const JsonTree* find(std::string_view key) const;
 };
 
-/// Throws FormatError, in the name of `file`, where the text is no JSON, nests deeper than a few
-/// levels, or has a key twice in an object.
+/// Parses a JSON text. Throws FormatError, with `file` as the name in its message, if the text is
+/// not JSON, if it is nested deeper than 16 levels, or if an object has the same key twice.
 JsonTree parse_json(std::string_view text, const std::string& file);
 
 }  // namespace foam
