@@ -6,15 +6,18 @@
 
 namespace foam {
 
-/// Indices of the network's elements, as types of their own so that they cannot be confused.
+/// Indices of the network's elements. Each kind has a type of its own, so that they cannot be
+/// confused.
 enum class JunctionId : std::uint32_t {};
 enum class FilmId : std::uint32_t {};
 enum class BubbleId : std::uint32_t {};
-/// The two sides of film k are the half-edges 2k (from tail to head) and 2k + 1.
+/// The index of a half-edge. The two sides of film k are the half-edges 2k, the forward side from
+/// tail to head, and 2k + 1.
 enum class HalfEdgeId : std::uint32_t {};
 
 inline constexpr std::uint32_t kNoIndex = std::numeric_limits<std::uint32_t>::max();
 
+/// The id that stands for no element.
 template <class Id>
 inline constexpr Id kNone = static_cast<Id>(kNoIndex);
 
@@ -28,6 +31,7 @@ constexpr Id id_at(std::size_t index) {
     return static_cast<Id>(static_cast<std::uint32_t>(index));
 }
 
+/// Returns the other half-edge of the same film.
 constexpr HalfEdgeId twin(HalfEdgeId h) {
     return id_at<HalfEdgeId>(index_of(h) ^ 1U);
 }

@@ -2,6 +2,9 @@
 
 #include <array>
 
+// Both insertions are the inverse of a T2 (t2.cpp). New films have a lattice offset of zero,
+// because all their junctions are in the lattice cell of an existing one.
+
 namespace foam {
 
 namespace {
@@ -10,7 +13,7 @@ void gain_sides(Network& network, BubbleId bubble, int count) {
     network.set_sides(bubble, network.sides(bubble) + count);
 }
 
-// Half-edges that follow each other along a bubble.
+// Makes `next` the successor of h along the same bubble.
 void join(Network& network, HalfEdgeId h, HalfEdgeId next) {
     network.set_next(h, next);
     network.set_left(next, network.left(h));
@@ -56,7 +59,7 @@ BubbleId insert_lens(Network& network, HalfEdgeId h) {
     const JunctionId far = network.add_junction();
     const HalfEdgeId lead = forward_side(network.add_film());   // old tail to near
     const HalfEdgeId left = forward_side(network.add_film());   // near to far, left of the lens
-    const HalfEdgeId right = forward_side(network.add_film());  // far to near, on its right
+    const HalfEdgeId right = forward_side(network.add_film());  // far to near, right of the lens
     const BubbleId lens = add_bubble_along(network, twin(left), 2);
     network.set_tail(lead, old_tail);
     network.set_tail(twin(lead), near);

@@ -4,16 +4,18 @@
 
 namespace foam {
 
-/// Puts a three-sided bubble in the place of a junction: the inverse of its T2 (E8). The junction
-/// stays as one of the three; each bubble around it gains a side. New junctions and films lie in
-/// the junction's lattice cell and have the last ids, and the new bubble's first half-edge leaves
-/// the old junction, so that `vanish` and `compact` give the same network back.
+/// Replaces a junction by a three-sided bubble, and returns the bubble: the inverse of its T2 (E8,
+/// E10). The junction remains as one of the three; each bubble around it gains a side. New
+/// junctions are in the lattice cell of the junction, new ids are the last ones, and the first
+/// half-edge of the new bubble leaves the old junction, so that `vanish` and `compact` restore the
+/// same network.
 BubbleId insert_triangle(Network& network, JunctionId junction);
 
-/// Puts a two-sided bubble on a film: the inverse of its T2. The half-edge now starts at the lens
-/// and ends where it did; a new film leads from its old tail to the lens. Each bubble beside the
-/// film gains two sides. New junctions lie in the lattice cell of the old tail, the last ids are
-/// new, and the new bubble's first half-edge leaves the tail of h, for the same reason as above.
+/// Inserts a two-sided bubble, a lens, into a film, and returns the bubble: the inverse of its T2.
+/// Afterwards h starts at the lens and ends where it did; a new film leads from the old tail of h
+/// to the lens. Each bubble beside the film gains two sides. New junctions are in the lattice cell
+/// of the old tail, new ids are the last ones, and the first half-edge of the new bubble leaves the
+/// new tail of h, so that `vanish` and `compact` restore the same network.
 BubbleId insert_lens(Network& network, HalfEdgeId h);
 
 }  // namespace foam

@@ -7,8 +7,8 @@
 
 namespace foam {
 
-/// The ids whose flag is set, in increasing order, for a range-based for. The flags must outlive
-/// it.
+/// A range of the ids whose flag is set, in increasing order, for a range-based for loop.
+/// Precondition: the flags outlive the range.
 template <class Id>
 class LiveRange {
   public:
@@ -41,7 +41,7 @@ class LiveRange {
     Iterator begin() const { return {*live_, 0}; }
     Iterator end() const { return {*live_, live_->size()}; }
 
-    /// All of them at once. `count` is how many there are, as far as it is known.
+    /// Returns the ids as a vector. `count` is their expected number, for which memory is reserved.
     std::vector<Id> ids(std::size_t count) const {
         std::vector<Id> ids;
         ids.reserve(count);

@@ -15,7 +15,7 @@ std::vector<Id> live_ids(const LiveRange<Id>& range) {
     return ids;
 }
 
-// New id of each old one; the dead map to none.
+// Returns the new id for each old one; dead ids map to none.
 template <class Id>
 Indexed<Id, Id> new_ids(const std::vector<Id>& kept, std::size_t slots) {
     Indexed<Id, Id> ids(slots, kNone<Id>);

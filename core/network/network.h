@@ -10,44 +10,47 @@
 
 namespace foam {
 
-/// Who touches whom in a foam whose every junction joins three films, on a torus or in the plane.
+/// The topology of a foam in which every junction joins three films, on a torus or in the plane: a
+/// half-edge data structure without coordinates.
 ///
-/// Half-edges go counter-clockwise around the bubble on their left. Each knows the junction at its
-/// tail, that bubble, its successor around the bubble, and a lattice offset: the copy of its head's
-/// junction, seen from its tail's, lies that many periods away. No coordinates are held here.
+/// Half-edges run counter-clockwise around the bubble on their left. Each stores the junction at
+/// its tail, that bubble, and its successor around the bubble. Each film stores a lattice offset:
+/// the number of periods from the junction at its head to the copy of that junction at which it
+/// ends, if it starts at its tail in the torus' own cell.
 ///
-/// In the plane one more bubble, the ghost, is what lies around the foam and in its holes (paper
-/// 4.2): it is on the other side of the outer films. It has an id and a slot, but it is none of
-/// `bubbles()`, and as it may have several boundaries, or none, nothing goes around it. Its `sides`
-/// are all its films, its `first` any of them.
+/// In the plane one more bubble, the ghost, is the space around the foam and in its holes (paper
+/// 4.2): it is on the other side of the outer films. It has an id and a slot, but is not one of
+/// `bubbles()`. It may have several boundaries, or none, so that there is no traversal around it.
+/// Its `sides` is the number of all its films, its `first` is any of its half-edges.
 ///
-/// A T2 leaves dead slots behind, so that ids stand while a step works; `compact` closes the gaps.
-/// Accessors take live ids only, unless said otherwise.
+/// A T2 leaves dead slots behind, so that ids stay valid during a step; `compact` removes them.
+/// Accessors take live ids only, unless stated otherwise.
 class Network {
   public:
-    /// Slots in use or dead: the size of every vector that is indexed by such an id.
+    // Numbers of slots, live and dead: the sizes of vectors that are indexed by such an id.
     std::size_t junction_slots() const { return outgoing_.size(); }
     std::size_t film_slots() const { return offsets_.size(); }
     std::size_t bubble_slots() const { return first_.size(); }
 
+    // Numbers of live elements, without the ghost.
     std::size_t junction_count() const { return junction_count_; }
     std::size_t film_count() const { return film_count_; }
     std::size_t bubble_count() const { return bubble_count_; }
 
-    /// None on a torus.
+    /// Returns the ghost, or none on a torus.
     BubbleId ghost() const { return ghost_; }
-    /// Whether the film has the ghost on one side. Its other side is never the ghost too.
+    /// Returns true if the film has the ghost on one side. No film has it on both sides.
     bool is_outer(FilmId film) const {
         return ghost_ != kNone<BubbleId> &&
                (left(forward_side(film)) == ghost_ || right(forward_side(film)) == ghost_);
     }
 
-    /// Live ids in increasing order.
+    // The live ids in increasing order, without the ghost.
     LiveRange<JunctionId> junctions() const { return LiveRange<JunctionId>(junction_live_); }
     LiveRange<FilmId> films() const { return LiveRange<FilmId>(film_live_); }
     LiveRange<BubbleId> bubbles() const { return LiveRange<BubbleId>(bubble_live_); }
 
-    /// Any id. The ghost is live.
+    // Tell whether an element is live. They take any id that has a slot. The ghost is live.
     bool is_live(JunctionId junction) const { return junction_live_[index_of(junction)]; }
     bool is_live(FilmId film) const { return film_live_[index_of(film)]; }
     bool is_live(BubbleId bubble) const {
@@ -64,17 +67,21 @@ class Network {
         return is_forward(h) ? offsets_[film_of(h)] : -offsets_[film_of(h)];
     }
 
-    /// One of the half-edges that leave the junction, or that go around the bubble.
+    /// Returns one of the half-edges that leave the junction.
     HalfEdgeId outgoing(JunctionId junction) const { return outgoing_[junction]; }
+    /// Returns the first half-edge of the bubble.
     HalfEdgeId first(BubbleId bubble) const { return first_[bubble]; }
+    /// Returns the number of half-edges around the bubble.
     int sides(BubbleId bubble) const { return sides_[bubble]; }
 
-    /// The half-edges that leave a junction, clockwise from outgoing().
+    /// Returns the half-edges that leave a junction, clockwise from outgoing().
     std::array<HalfEdgeId, 3> leaving(JunctionId junction) const;
-    /// The half-edges around a bubble, not the ghost, counter-clockwise from first().
+    /// Returns the half-edges around a bubble, counter-clockwise from first(). Precondition: the
+    /// bubble is not the ghost.
     std::vector<HalfEdgeId> around(BubbleId bubble) const;
 
-    // Building and surgery. They keep no invariant by themselves; `validate` checks them all.
+    // Building and surgery. These functions do not maintain the invariants; find_fault (validate.h)
+    // checks them.
     JunctionId add_junction();
     FilmId add_film();
     BubbleId add_bubble();
@@ -90,17 +97,18 @@ class Network {
     void remove(FilmId film);
     void remove(BubbleId bubble);
 
-    /// Moves the junction by whole periods: what was its copy at -by becomes the junction itself.
-    /// Chords stand if its position moves by -by too.
+    /// Moves the junction by whole periods: its copy at the offset -by becomes the junction itself.
+    /// Chords are unchanged if the caller also moves its position by -by.
     void rebase(JunctionId junction, LatticeOffset by);
 
-    /// Old ids of what remains, in the new order, which is the old one without the dead; the ghost
-    /// comes last.
+    /// The old ids of the elements that are kept, in the new order: the old order without the dead
+    /// slots, with the ghost last.
     struct Kept {
         std::vector<JunctionId> junctions;
         std::vector<FilmId> films;
         std::vector<BubbleId> bubbles;
     };
+    /// Removes the dead slots and renumbers all elements. Returns the old ids.
     Kept compact();
 
   private:

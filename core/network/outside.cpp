@@ -6,7 +6,7 @@ namespace foam {
 
 namespace {
 
-// What comes before each half-edge around its bubble.
+// Returns the predecessor of each half-edge around its bubble.
 std::vector<HalfEdgeId> predecessors(const Network& network) {
     std::vector<HalfEdgeId> before(2 * network.film_slots(), kNone<HalfEdgeId>);
     for (const BubbleId bubble : network.bubbles()) {
@@ -17,7 +17,7 @@ std::vector<HalfEdgeId> predecessors(const Network& network) {
     return before;
 }
 
-// The half-edges without a bubble get their tails, and the ghost.
+// Sets the tail of each half-edge without a bubble, gives it to the ghost, and returns them all.
 std::vector<HalfEdgeId> take_outer_sides(Network& network, BubbleId ghost) {
     std::vector<HalfEdgeId> sides;
     for (const FilmId film : network.films()) {
@@ -34,7 +34,9 @@ std::vector<HalfEdgeId> take_outer_sides(Network& network, BubbleId ghost) {
 
 }  // namespace
 
-// Around the junction where an outer side ends, bubble after bubble, to the side that begins there.
+// The successor of a half-edge of the ghost leaves the junction at its head. It is found by
+// circulating around that junction, one bubble after the other, until a half-edge of the ghost
+// leaves it.
 void add_outside(Network& network) {
     const std::vector<HalfEdgeId> before = predecessors(network);
     const BubbleId ghost = network.add_ghost();

@@ -4,9 +4,9 @@
 
 namespace foam {
 
-/// Adds the ghost to a network of bubbles that lacks it: it takes every half-edge that has no
-/// bubble on its left, its tail and its successor not set. Precondition: the half-edges around the
-/// bubbles are linked, and each film has a bubble on one side at least.
+/// Adds the ghost to a network that lacks it. Every half-edge without a bubble on its left becomes
+/// one of the ghost's, and gets its tail and its successor. Precondition: the half-edges around the
+/// bubbles are linked, and each film has a bubble on at least one side.
 void add_outside(Network& network);
 
 }  // namespace foam

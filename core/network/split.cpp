@@ -9,12 +9,11 @@ namespace foam {
 
 namespace {
 
-// The two outer films of one of the bubbles, as half-edges around it: the one that ends at the torn
-// film, the one that begins there, and what comes before the latter around the ghost.
+// The two outer films of one of the two bubbles at the torn film.
 struct TornSide {
-    HalfEdgeId before;
-    HalfEdgeId after;
-    HalfEdgeId around_ghost;
+    HalfEdgeId before;        // around the bubble, ends at the torn film
+    HalfEdgeId after;         // around the bubble, begins at the torn film
+    HalfEdgeId around_ghost;  // predecessor of twin(after) around the ghost
 };
 
 TornSide torn_side(const Network& network, HalfEdgeId before, HalfEdgeId after) {
@@ -25,7 +24,7 @@ void count_out(Network& network, BubbleId bubble, int sides) {
     network.set_sides(bubble, network.sides(bubble) - sides);
 }
 
-// The film before takes the place of the one after, too.
+// Joins the two outer films: the one before is extended over the one after. Returns it.
 FilmId join(Network& network, const TornSide& side) {
     const HalfEdgeId kept = side.before;
     const BubbleId bubble = network.left(kept);

@@ -6,23 +6,23 @@
 
 namespace foam {
 
-/// Whether both ends of a film between two bubbles touch the ghost: flipped, it would have the
-/// ghost on both sides. Instead, it tears.
+/// Returns true if the film is between two bubbles and has the ghost at both ends. If such a film
+/// flipped, it would have the ghost on both sides; it tears instead.
 bool can_split(const Network& network, FilmId film);
 
-/// What is left where a film has torn.
+/// The result of a split.
 struct Split {
-    std::vector<FilmId> joined;   // outer films that were two and are one; at most two
-    std::vector<BubbleId> loose;  // of those beside the film, any that lost its last junction
+    std::vector<FilmId> joined;   // outer films, at most two, each the union of two
+    std::vector<BubbleId> loose;  // bubbles beside the film that lost their last junction
 };
 
-/// Removes the film and both its junctions: on each side, the two outer films that it kept apart
-/// become one. A bubble that has no other film leaves the network. The two bubbles are then parts
-/// of different rafts, or the hole at one end has opened. Precondition: can_split.
+/// Removes the film and both its junctions. On each side, the two outer films that it separated
+/// become one. A bubble that has no other film is removed from the network. The two bubbles then
+/// belong to different rafts, or a hole at one end of the film has opened. Precondition: can_split.
 Split split(Network& network, FilmId film);
 
-/// After a change that may have taken it away: any half-edge of the ghost that is left, as its
-/// first.
+/// Sets the first half-edge of the ghost to any of its half-edges, after a change that may have
+/// removed the old one. Does nothing if the ghost has none left.
 void renew_first_of_ghost(Network& network);
 
 }  // namespace foam

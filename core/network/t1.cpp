@@ -2,12 +2,16 @@
 
 #include <cassert>
 
+// The flip keeps the film and its two junctions, and moves one end of two outer films: that of the
+// film after it along A from w to v, and that of the film after it along B from v to w. The lattice
+// offsets of the two moved films change by the offset of the film.
+
 namespace foam {
 
 namespace {
 
-// Whether the corner of C at v and the corner of D at w belong to one copy of one bubble. The ghost
-// has one copy, however many boundaries.
+// Returns true if the corner of C at v and the corner of D at w belong to one copy of one bubble.
+// The ghost counts as one copy, however many boundaries it has.
 bool ends_meet(const Network& network, const T1Site& site) {
     if (site.end_tail != site.end_head || site.end_tail == network.ghost()) {
         return site.end_tail == site.end_head;
@@ -27,7 +31,8 @@ bool ends_meet(const Network& network, const T1Site& site) {
     return false;
 }
 
-// Of the bubble, or of that boundary of the ghost, on the left of a half-edge that is to go.
+// Returns true if the bubble on the left of h keeps at least two sides after losing `lost`. On the
+// left of h may be the ghost: then the boundary with h must have more than two half-edges.
 bool keeps_two_sides(const Network& network, HalfEdgeId h, int lost) {
     const BubbleId bubble = network.left(h);
     return bubble == network.ghost() ? network.next(network.next(h)) != h

@@ -4,8 +4,8 @@
 
 namespace foam {
 
-/// The neighbourhood of a film that is to swap neighbours. In the sense of the half-edge `film`
-/// from v to w: A on its left, B on its right, C beyond v, D beyond w.
+/// The neighborhood of a film that is to swap neighbors. The half-edge `film` runs from v to w,
+/// with bubble A on its left, B on its right, C beyond v and D beyond w.
 struct T1Site {
     HalfEdgeId film;
     HalfEdgeId before_left;   // arrives at v along A
@@ -16,17 +16,18 @@ struct T1Site {
     BubbleId end_head;        // D
 };
 
+/// Returns the neighborhood of the film.
 T1Site t1_site(const Network& network, FilmId film);
 
-/// Whether the flip leaves a valid foam: the bubbles beside the film keep two sides, the ends are
-/// not the same copy of one bubble (which would wrap around and touch itself), and the film is no
-/// loop (E7). Each boundary of the ghost counts as a bubble here; a film with the ghost at both
-/// ends does not flip (split.h).
+/// Returns true if the flip leaves a valid foam: the bubbles beside the film keep at least two
+/// sides, the bubbles at its ends are not the same copy of one bubble, which would then touch
+/// itself across the film, and the film is not a loop (E7). Each boundary of the ghost counts as a
+/// bubble here. A film with the ghost at both ends cannot flip (split.h).
 bool can_flip(const Network& network, FilmId film);
 
-/// The neighbour swap (E7; paper Figure 1): v takes the two outer films of A, w those of B, and the
-/// film now parts C from D. Its forward side then runs from the side of A to the side of B, with D
-/// on its left; its lattice offset stays. Precondition: can_flip.
+/// Swaps neighbors at the film (E7; paper Figure 1): v takes the two outer films of A, w those of
+/// B, and the film then separates C from D. Its forward side runs from the side of A to the side of
+/// B, with D on its left; its lattice offset is unchanged. Precondition: can_flip.
 void flip(Network& network, FilmId film);
 
 }  // namespace foam

@@ -6,11 +6,16 @@
 #include <array>
 #include <cassert>
 
+// A three-sided bubble is replaced by one of its junctions, to which the three outer films move;
+// their lattice offsets change by the way around the bubble to that junction. A two-sided bubble is
+// removed with both its junctions, and its two outer films become one. A hole of two or three
+// films, a boundary of the ghost, closes in the same way.
+
 namespace foam {
 
 namespace {
 
-// The film that leaves the tail of a bubble's half-edge away from the bubble.
+// Returns the half-edge that leaves the tail of h away from the bubble on the left of h.
 HalfEdgeId outer_film(const Network& network, HalfEdgeId h) {
     return network.next(twin(h));
 }
@@ -28,7 +33,7 @@ void lose_side(Network& network, BubbleId bubble, int count) {
     network.set_sides(bubble, network.sides(bubble) - count);
 }
 
-// The loop's own bubble goes, or the ghost has a boundary less.
+// Removes the bubble inside the loop; if it is the ghost, only subtracts the sides of the hole.
 void remove_inside(Network& network, BubbleId inside, int sides) {
     if (inside == network.ghost()) {
         lose_side(network, inside, sides);

@@ -6,23 +6,28 @@
 
 namespace foam {
 
-/// Whether a bubble of two or three sides can vanish: each bubble around it keeps two sides.
+/// Returns true if the bubble has two or three sides and each bubble around it would keep at least
+/// two sides if it vanished.
 bool can_vanish(const Network& network, BubbleId bubble);
 
-/// What is left where a bubble has vanished.
+/// The elements that replace a vanished bubble.
 struct Vanished {
-    JunctionId junction =
-        kNone<JunctionId>;             // of a three-sided bubble: where its three outer films meet
-    FilmId film = kNone<FilmId>;       // of a two-sided bubble: its two outer films, now one
+    // The junction where the three outer films of a three-sided bubble now meet.
+    JunctionId junction = kNone<JunctionId>;
+    // The union of the two outer films of a two-sided bubble.
+    FilmId film = kNone<FilmId>;
     std::vector<BubbleId> neighbours;  // one entry per side, counter-clockwise
 };
 
-/// The T2 process (E8; paper Figure 2). Of three junctions the tail of `first(bubble)` remains and
-/// takes the three outer films, in its own lattice cell. Precondition: can_vanish.
+/// Removes a bubble by the T2 process (E8; paper Figure 2). Of the three junctions of a three-sided
+/// bubble, the tail of `first(bubble)` remains, in its own lattice cell, and takes the three outer
+/// films. Precondition: can_vanish.
 Vanished vanish(Network& network, BubbleId bubble);
 
-/// The same for a hole: a boundary of the ghost, all its half-edges given in their order.
+/// Returns true if a hole can close, by the conditions of can_vanish. `boundary` is the boundary of
+/// the ghost in the hole: all its half-edges in their order.
 bool can_close(const Network& network, const std::vector<HalfEdgeId>& boundary);
+/// Removes a hole as `vanish` removes a bubble. Precondition: can_close.
 Vanished close(Network& network, const std::vector<HalfEdgeId>& boundary);
 
 }  // namespace foam

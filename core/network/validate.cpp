@@ -5,6 +5,10 @@
 #include <sstream>
 #include <vector>
 
+// The checks go from the local to the global: half-edges, junctions and bubbles one by one, then
+// the counts, then Euler's relation. Later checks rely on the earlier ones, for example when they
+// follow successors.
+
 namespace foam {
 
 namespace {
@@ -48,8 +52,8 @@ Fault junction_fault(const Network& network, JunctionId junction) {
     return std::nullopt;
 }
 
-// A film between one copy of a bubble and itself stands twice in the loop, at the same lattice
-// offset.
+// Checks the loop around a bubble. A film between one copy of a bubble and itself occurs twice in
+// the loop at the same lattice offset.
 Fault loop_fault(const Network& network, BubbleId bubble) {
     std::set<std::array<std::size_t, 3>> seen;
     LatticeOffset at;
@@ -104,7 +108,7 @@ Fault count_fault(const Network& network) {
     return std::nullopt;
 }
 
-// The half-edges around the ghost, boundary after boundary; counts these.
+// Checks the half-edges of the ghost, one boundary after the other, and counts the boundaries.
 class GhostBoundaries {
   public:
     explicit GhostBoundaries(const Network& network)
@@ -154,7 +158,7 @@ class GhostBoundaries {
     int films_ = 0;
 };
 
-// Marks all junctions that films connect to one.
+// Marks all junctions that are connected to `start` by films.
 void mark_raft(const Network& network, JunctionId start, std::vector<bool>& seen) {
     std::vector<JunctionId> open{start};
     seen[index_of(start)] = true;
@@ -171,7 +175,7 @@ void mark_raft(const Network& network, JunctionId start, std::vector<bool>& seen
     }
 }
 
-// Connected parts of the network.
+// Returns the number of connected components of the network.
 std::size_t raft_count(const Network& network) {
     std::vector<bool> seen(network.junction_slots(), false);
     std::size_t rafts = 0;
