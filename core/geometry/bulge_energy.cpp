@@ -2,11 +2,14 @@
 
 #include <cmath>
 
+// Derivatives of T c q(alpha) - delta c² h(alpha) / 4 by the chord, the pressure difference and the
+// half angle (E3), with q' = sin(alpha) w and h' = 2 w (ArcShape).
+
 namespace foam {
 
 namespace {
 
-// Derivative by the chord length: the pull of the film along its chord.
+// Returns the derivative of the energy by the chord length: the pull of the film along its chord.
 double radial_force(double chord_length,
                     const ArcShape& shape,
                     double pressure_difference,

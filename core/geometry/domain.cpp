@@ -56,8 +56,8 @@ Vec2 Domain::nearest_copy(const Vec2& vector) const {
         return Vec2(x - width * std::round(x / width), vector.y() - j * height);
     };
     Vec2 nearest = nearest_in_row(middle);
-    // In this row a copy is no farther than half a width along x, and so no nearer one is farther
-    // than that along y.
+    // The nearest copy in this row is at most half a width away along x (and half a height along
+    // y), so only rows within about half a width along y can have a nearer one.
     const double rows = shear == 0.0 ? 0.0 : std::ceil(0.5 * width / height) + 1.0;
     for (double j = middle - rows; j <= middle + rows; j += 1.0) {
         const Vec2 copy = nearest_in_row(j);

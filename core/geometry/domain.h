@@ -23,21 +23,23 @@ struct LatticeOffset {
     friend bool operator==(LatticeOffset a, LatticeOffset b) = default;
 };
 
-/// A torus: the plane modulo the periods (width, 0) and (shear, height). Its own cell is the
-/// rectangle [0, width) x [0, height), whatever the shear. With all periods 0 it is the plane
-/// itself, in which nothing wraps and all lattice offsets are zero.
+/// The domain of a foam: a torus, or the plane. The torus is the plane modulo the periods (width,
+/// 0) and (shear, height). Its own cell is the rectangle [0, width) x [0, height) for any shear. If
+/// all periods are 0, the domain is the plane, in which nothing wraps and all lattice offsets are
+/// zero.
 struct Domain {
     double width = 1.0;
     double height = 1.0;
-    double shear = 0.0;  // how far the upper neighbour of the cell is moved to the right
+    double shear = 0.0;  // how far the upper neighbor of the cell is shifted to the right
 
     bool is_plane() const { return width == 0.0; }
 
-    /// Precondition: not the plane.
+    /// Returns the area of the torus. Precondition: the domain is not the plane.
     double area() const {
         assert(!is_plane());
         return width * height;
     }
+    /// Returns the translation by the periods of the offset.
     Vec2 translation(LatticeOffset offset) const {
         return {offset.i * width + offset.j * shear, offset.j * height};
     }
@@ -46,18 +48,20 @@ struct Domain {
     /// the plane, and along an axis on which the point is no number or 2^31 periods away.
     LatticeOffset cell_of(const Vec2& point) const;
 
-    /// The offsets whose translations lie within a reach of the point along x and along y, and some
-    /// more; row by row.
+    /// Returns, row by row, the offsets whose translations are within `reach` of the point along x
+    /// and along y. May return some more. Returns only the zero offset in the plane.
     std::vector<LatticeOffset> offsets_near(const Vec2& point, double reach) const;
 
-    /// The shortest of a vector's copies.
+    /// Returns the shortest copy of a vector modulo the periods.
     Vec2 nearest_copy(const Vec2& vector) const;
 
-    /// How far the upper neighbour has moved to the right since an earlier shear of this torus: the
-    /// least, as shears are known up to whole widths. 0 in the plane.
+    /// Returns how far the upper neighbor of the cell has moved to the right since an earlier shear
+    /// of this torus. A shear is known up to whole widths: the result has the smallest magnitude.
+    /// Returns 0 in the plane.
     double shear_since(const Domain& earlier) const;
 };
 
+/// The plane.
 inline constexpr Domain kPlane{0.0, 0.0};
 
 }  // namespace foam

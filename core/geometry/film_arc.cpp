@@ -4,21 +4,26 @@
 #include <cmath>
 #include <numbers>
 
+// Most functions of an arc (E1, E3) have closed forms that cancel near a straight film. There they
+// are evaluated as power series in s = sin alpha, which follow term by term from the binomial
+// series of 1/sqrt(1 - s²).
+
 namespace foam {
 
 namespace {
 
-// Below this the closed forms lose more than the series do; 14 terms then leave less than 1e-17.
+// For |s| below this limit the closed forms lose accuracy by cancellation. The series leaves an
+// error of less than 1e-17 after 14 terms.
 constexpr double kSeriesLimit = 0.25;
 constexpr int kSeriesTerms = 14;
 
 constexpr double kHalfPi = 0.5 * std::numbers::pi;
-constexpr double kNearlyFullCircle = 1e8;  // h = pi / (pi - alpha)² to rounding
-constexpr int kSegmentIterations = 5;      // of Newton's method, down to rounding
+constexpr double kNearlyFullCircle = 1e8;  // above it, h = pi / (pi - alpha)² up to rounding
+constexpr int kSegmentIterations = 5;      // of Newton's method, which converges to rounding error
 
 using Series = std::array<double, kSeriesTerms>;
 
-// weight(k) times the coefficients of 1/sqrt(1 - s²), a series in s².
+// Returns weight(k) times the coefficients of the series of 1/sqrt(1 - s²) in s².
 template <class Weight>
 constexpr Series weighted_series(Weight weight) {
     Series series{};
@@ -33,11 +38,12 @@ constexpr Series weighted_series(Weight weight) {
 constexpr Series kShape = weighted_series([](int k) { return 2.0 / (2 * k + 3); });
 constexpr Series kShapeSlope =
     weighted_series([](int k) { return 2.0 * (2 * k + 1) / (2 * k + 3); });
-// Of the derivative of segment_shape_slope, over s.
+// The derivative of segment_shape_slope, divided by s.
 constexpr Series kShapeBend =
     weighted_series([](int k) { return 2.0 * (2 * k + 1) * (2 * k + 3) / (2 * k + 5); });
 
-// Horner's rule for the even and the odd coefficients apart: neither waits for the other.
+// Evaluates a series by Horner's rule, separately for the even and the odd coefficients: the two
+// chains of dependent operations overlap.
 double sum_of(const Series& series, double s) {
     const double square = s * s;
     const double fourth = square * square;
@@ -60,14 +66,15 @@ double angle_over_sine(double angle) {
     return angle == 0.0 ? 1.0 : angle / std::sin(angle);
 }
 
-// (alpha - sin alpha cos alpha) / sin² alpha on the whole range of half angles.
+// Returns (alpha - sin alpha cos alpha) / sin² alpha on the whole range of half angles.
 double segment_shape_of_angle(double half_angle) {
     const double s = std::sin(half_angle);
     const double c = std::cos(half_angle);
     if (c > 0.0 && std::abs(s) < kSeriesLimit) {
         return segment_shape(s);
     }
-    return (half_angle - s * c) / (s * s);  // not from s alone, whose asin is ill-conditioned at 90
+    // Not segment_shape(s): asin is ill-conditioned at 90 degrees.
+    return (half_angle - s * c) / (s * s);
 }
 
 }  // namespace
@@ -86,8 +93,8 @@ double segment_shape_slope(double s) {
     return 2.0 / std::sqrt((1.0 - s) * (1.0 + s)) - 2.0 * segment_shape(s) / s;
 }
 
-// The closed forms of w and w' cancel near a straight film; there they follow from those of the
-// sine: h = segment_shape(s), so that 2 w = cos alpha segment_shape_slope(s).
+// The closed forms of w and w' cancel near a straight film. There they are computed from series in
+// s = sin alpha: h = segment_shape(s), so that 2 w = cos alpha segment_shape_slope(s).
 ArcShape arc_shape(double half_angle) {
     const double s = std::sin(half_angle);
     const double c = std::cos(half_angle);
@@ -104,8 +111,8 @@ ArcShape arc_shape(double half_angle) {
     return shape;
 }
 
-// Newton's method on h, which is nearly linear up to 90 degrees, and beyond on h^(-1/2), which is
-// so up to 180, where it is sin(alpha) / sqrt(pi).
+// Newton's method on h up to 90 degrees, where h is nearly linear in alpha. Beyond, Newton's method
+// on h^(-1/2), which is nearly linear up to 180 degrees, where it tends to sin(alpha) / sqrt(pi).
 double half_angle_of_segment(double h) {
     const double size = std::abs(h);
     const bool is_low = size < kHalfPi;  // h at 90 degrees
@@ -143,8 +150,7 @@ Vec2 tangent_at_head(const FilmArc& arc) {
 }
 
 Vec2 point_at(const FilmArc& arc, double fraction) {
-    // The chord from the tail to the point makes the angle (fraction - 1) alpha with the whole
-    // chord.
+    // The chord from the tail to the point is at the angle (fraction - 1) alpha to the whole chord.
     const double scale =
         fraction * angle_over_sine(arc.half_angle) / angle_over_sine(fraction * arc.half_angle);
     return scale * rotated(arc.chord, (fraction - 1.0) * arc.half_angle);

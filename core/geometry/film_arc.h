@@ -4,44 +4,48 @@
 
 namespace foam {
 
-/// A film as a circular arc from its tail to its head (E1).
-/// A positive half angle bulges to the right of the chord and adds to the area on its left, as a
-/// higher pressure on the left does. |half_angle| < pi; a zero chord is an arc of no length.
+/// A film as a circular arc from its tail to its head (E1). An arc with a positive half angle
+/// bulges to the right of the chord and adds to the area on its left; it corresponds to a higher
+/// pressure on the left. The half angle is in (-pi, pi). If the chord is zero, the arc has no
+/// length.
 struct FilmArc {
     Vec2 chord{0.0, 0.0};     // head minus tail, foam units
     double half_angle = 0.0;  // radians; half the angle by which the tangent turns left
 };
 
-/// c alpha / sin alpha.
+/// Returns the length of the arc, c alpha / sin alpha.
 double arc_length(const FilmArc& arc);
 
-/// Area between the chord and the arc, counted for the left side (E1).
+/// Returns the area between the chord and the arc, positive if it adds to the left side (E1).
 double segment_area(const FilmArc& arc);
 
-/// Signed curvature, positive where the arc turns left; 0 for a zero chord.
+/// Returns the signed curvature, positive if the arc turns left; 0 if the chord is zero.
 double curvature(const FilmArc& arc);
 
-/// Unit tangents in the sense from tail to head. Precondition: the chord is not zero.
+/// Returns the unit tangent at the tail, in the direction from tail to head. Precondition: the
+/// chord is not zero.
 Vec2 tangent_at_tail(const FilmArc& arc);
+/// Returns the unit tangent at the head, in the direction from tail to head. Precondition: the
+/// chord is not zero.
 Vec2 tangent_at_head(const FilmArc& arc);
 
-/// The point of the arc at a fraction of its length, relative to the tail.
+/// Returns the point of the arc at a fraction of its length, relative to the tail.
 Vec2 point_at(const FilmArc& arc, double fraction);
 
-/// The same arc walked from head to tail.
+/// Returns the same arc in the direction from head to tail.
 inline FilmArc reversed(const FilmArc& arc) {
     return {-arc.chord, -arc.half_angle};
 }
 
-/// (asin s - s sqrt(1 - s²)) / s² for s = sin alpha: four times the segment area over the chord
-/// squared (E1). Accurate to a few units of the last place for |s| <= 1, by a series where the
-/// terms cancel.
+/// Returns (asin s - s sqrt(1 - s²)) / s² for s = sin alpha, the function g of E3: four times the
+/// segment area divided by the square of the chord (E1). Accurate to a few units in the last place
+/// for |s| <= 1; where the terms cancel, a series is used.
 double segment_shape(double s);
 
-/// Derivative of segment_shape, the function g' of E3. Precondition: |s| < 1.
+/// Returns the derivative of segment_shape, the function g' of E3. Precondition: |s| < 1.
 double segment_shape_slope(double s);
 
-/// The shape of an arc as functions of its half angle alpha, on the whole range (-pi, pi):
+/// The shape of an arc as functions of its half angle alpha, on the whole range (-pi, pi) (E3):
 ///     length = c q(alpha),  segment area = c²/4 h(alpha),  q' = sin(alpha) w,  h' = 2 w.
 struct ArcShape {
     double length = 1.0;              // q = alpha / sin alpha
@@ -50,9 +54,10 @@ struct ArcShape {
     double bulging_derivative = 0.0;  // w'
 };
 
+/// Returns the shape of an arc with the given half angle.
 ArcShape arc_shape(double half_angle);
 
-/// The half angle of an arc whose ArcShape::segment is h, within (-pi, pi).
+/// Returns the half angle, in (-pi, pi), of the arc whose ArcShape::segment is h.
 double half_angle_of_segment(double h);
 
 }  // namespace foam

@@ -3,13 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+// The derivatives are those of E3. The energy of a Laplace-Young arc is stationary in the half
+// angle, so that its gradient is the partial derivative at a fixed half angle. At the limit the
+// half angle is constant, and all derivatives are taken at a fixed shape of the arc.
+
 namespace foam {
 
 namespace {
 
 struct FilmState {
     double chord_length;
-    double s;  // sin of the half angle, within the limit
+    double s;  // sine of the half angle, clamped to the limit
     bool at_limit;
 };
 
@@ -19,8 +23,8 @@ FilmState film_state(double chord_length, double pressure_difference, double ten
     return {chord_length, limited, limited != s};
 }
 
-// Derivative of the energy by the chord length at a fixed half angle. On a Laplace-Young arc this
-// is T cos(alpha), the pull of the film along its chord.
+// Returns the derivative of the energy by the chord length at a fixed half angle: the pull of the
+// film along its chord. On a Laplace-Young arc this is T cos(alpha).
 double radial_force(const FilmState& state, double pressure_difference, double tension) {
     if (!state.at_limit) {
         return tension * std::sqrt((1.0 - state.s) * (1.0 + state.s));

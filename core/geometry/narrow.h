@@ -7,7 +7,8 @@
 
 namespace foam {
 
-/// An index as it is stored in large tables. Precondition: it fits.
+/// Returns the index as a 32-bit number, the form in which large tables store it. Precondition: it
+/// fits.
 inline std::uint32_t narrow(std::size_t index) {
     assert(index <= std::numeric_limits<std::uint32_t>::max());
     return static_cast<std::uint32_t>(index);
