@@ -9,10 +9,10 @@
 #include <utility>
 
 // Clips a Voronoi diagram to an outline and makes a mesh with shared points of the parts. Each cell
-// is clipped by itself, so that the cuts of neighboring cells agree only up to rounding: nearby
-// points are unified by a hash of their coordinates, which is searched in the 3 x 3 boxes around a
-// point. Slivers at the outline would make films that vanish at once, so small parts are then
-// merged with their neighbors.
+// is clipped by itself, so that the cuts of neighboring cells agree only up to rounding. Nearby
+// points are made one: a map from boxes of a fine grid to points is searched in the 3 x 3 boxes
+// around a point. Slivers at the outline would make films that vanish at once, so small parts are
+// then merged with their neighbors.
 
 namespace foam {
 
