@@ -10,9 +10,9 @@
 
 // The paper flips every film below the T1 distance (paper eq. 2). This rule adds a test of forces,
 // so that a flip does not have to be undone (E7). In units of the film tension, the flipped film
-// pulls each of its junctions inwards with 1, and the two outer films there pull it outwards. The
-// flipped film stays open if the outer films pull harder. The same forces decide in which of its
-// two states a collapsed film is opened anew.
+// pulls each of its junctions inwards with 1, and the two neighboring films there pull it outwards.
+// The flipped film stays open if the neighboring films pull harder. The same forces decide in which
+// of its two states a collapsed film is opened anew.
 
 namespace foam {
 
@@ -41,8 +41,8 @@ Vec2 tangent(const Foam& foam, HalfEdgeId h) {
     return arc.chord == Vec2::Zero() ? Vec2(0.0, 0.0) : tangent_at_tail(arc);
 }
 
-// The pull of the four outer films that stretches a film, mean over its two ends, in units of the
-// film tension.
+// The pull by which the four neighboring films stretch a film, mean over its two ends, in units of
+// the film tension.
 struct OuterPull {
     Vec2 present;  // for the film in its present state, from its tail to its head
     Vec2 flipped;  // for the flipped film, from its right end to its left end
@@ -75,7 +75,8 @@ bool is_short_and_flips(const Foam& foam, FilmId film, const TopologyThresholds&
            can_change(foam.network, film) && flipped_pulls_apart(foam, film);
 }
 
-// Returns true if the outer films of a film that can tear pull harder across it than along it.
+// Returns true if the neighboring films of a film that can tear pull harder across it than along
+// it, where the tension of the film itself is subtracted.
 bool tears_apart(const Foam& foam, FilmId film) {
     const OuterPull pull = outer_pull(foam, film);
     return pull.flipped.norm() > pull.present.norm() - 1.0;

@@ -32,12 +32,12 @@ std::vector<FilmId> short_films(const Foam& foam, const TopologyThresholds& thre
 /// flipped and has not grown since (rearm_grown_films), it is a tenth of that.
 double t1_length(const Foam& foam, FilmId film, const TopologyThresholds& thresholds);
 
-/// Returns the length below which the film is as good as a point where four films meet.
+/// Returns the length below which the film counts as collapsed to a point where four films meet.
 double collapsed_length(const Foam& foam, FilmId film, const TopologyThresholds& thresholds);
 
-/// Returns true if the outer films would pull the flipped film apart: if their mean pull along it
-/// exceeds its own tension. If the film would tear instead of flip, the threshold is 0, because
-/// nothing then pulls the two sides together.
+/// Returns true if the four films at its ends would pull the flipped film apart: if their mean pull
+/// along it exceeds its own tension. If the film would tear instead of flip, the threshold is 0,
+/// because nothing then pulls the two sides together.
 bool flipped_pulls_apart(const Foam& foam, FilmId film);
 
 /// Flips the film (t1.h), sets its junctions perpendicular to the old film around its middle at the
@@ -45,8 +45,8 @@ bool flipped_pulls_apart(const Foam& foam, FilmId film);
 void flip_film(Foam& foam, FilmId film);
 
 /// Opens a film that has collapsed to a point of four films: places it, with the given length, in
-/// the direction in which its outer films pull the hardest, flipped or not. Returns true if it was
-/// flipped.
+/// the direction in which the films at its ends pull the hardest, flipped or not. Returns true if
+/// it was flipped.
 bool reopen_film(Foam& foam, FilmId film, double length);
 
 /// Returns true if the film has the ghost at both ends (split.h) and neither of its bubbles has

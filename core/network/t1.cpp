@@ -2,9 +2,9 @@
 
 #include <cassert>
 
-// The flip keeps the film and its two junctions, and moves one end of two outer films: that of the
-// film after it along A from w to v, and that of the film after it along B from v to w. The lattice
-// offsets of the two moved films change by the offset of the film.
+// The flip keeps the film and its two junctions, and moves the ends of two neighboring films: that
+// of the film after it along A from w to v, and that of the film after it along B from v to w. The
+// lattice offsets of these two films change by the offset of the flipped film.
 
 namespace foam {
 

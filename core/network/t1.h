@@ -25,9 +25,10 @@ T1Site t1_site(const Network& network, FilmId film);
 /// bubble here. A film with the ghost at both ends cannot flip (split.h).
 bool can_flip(const Network& network, FilmId film);
 
-/// Swaps neighbors at the film (E7; paper Figure 1): v takes the two outer films of A, w those of
-/// B, and the film then separates C from D. Its forward side runs from the side of A to the side of
-/// B, with D on its left; its lattice offset is unchanged. Precondition: can_flip.
+/// Swaps neighbors at the film (E7; paper Figure 1): v takes both
+/// neighboring films along A, w both along B, and the film then separates C from D. Its forward
+/// side runs from the side of A to the side of B, with D on its left; its lattice offset is
+/// unchanged. Precondition: can_flip.
 void flip(Network& network, FilmId film);
 
 }  // namespace foam

@@ -6,10 +6,10 @@
 #include <array>
 #include <cassert>
 
-// A three-sided bubble is replaced by one of its junctions, to which the three outer films move;
-// their lattice offsets change by the way around the bubble to that junction. A two-sided bubble is
-// removed with both its junctions, and its two outer films become one. A hole of two or three
-// films, a boundary of the ghost, closes in the same way.
+// A three-sided bubble is replaced by one of its junctions, to which the films at all three corners
+// move; their lattice offsets change by the offsets along the bubble to that junction. A two-sided
+// bubble is removed with both its junctions, and the films at its two corners become one. A hole of
+// two or three films, a boundary of the ghost, closes in the same way.
 
 namespace foam {
 

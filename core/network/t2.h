@@ -12,16 +12,16 @@ bool can_vanish(const Network& network, BubbleId bubble);
 
 /// The elements that replace a vanished bubble.
 struct Vanished {
-    // The junction where the three outer films of a three-sided bubble now meet.
+    // The junction where the films at the three corners of a three-sided bubble now meet.
     JunctionId junction = kNone<JunctionId>;
-    // The union of the two outer films of a two-sided bubble.
+    // The union of the films at the two corners of a two-sided bubble.
     FilmId film = kNone<FilmId>;
     std::vector<BubbleId> neighbours;  // one entry per side, counter-clockwise
 };
 
 /// Removes a bubble by the T2 process (E8; paper Figure 2). Of the three junctions of a three-sided
-/// bubble, the tail of `first(bubble)` remains, in its own lattice cell, and takes the three outer
-/// films. Precondition: can_vanish.
+/// bubble, the tail of `first(bubble)` remains, in its own lattice cell, and takes the films
+/// at all three corners. Precondition: can_vanish.
 Vanished vanish(Network& network, BubbleId bubble);
 
 /// Returns true if a hole can close, by the conditions of can_vanish. `boundary` is the boundary of
