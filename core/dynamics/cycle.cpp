@@ -8,6 +8,12 @@
 #include <limits>
 #include <numbers>
 
+// Each position of the cycle has target areas A (1 + breath sin 2 pi (t + phase)), with a random
+// phase for each bubble, and a torus that is sheared by strain * sin 2 pi t relative to the start.
+// Here t is the position divided by the number of steps. A step drives the foam from its present
+// state to these (state_change.h). Drift is removed after each step, because equilibrium does not
+// determine the position of the foam.
+
 namespace foam {
 
 namespace {

@@ -36,7 +36,7 @@ int ray_crossings(const Vec2& from, const Vec2& to) {
 // half angle.
 bool is_in_segment(const Vec2& from, const FilmArc& arc) {
     const Vec2 to = from + arc.chord;
-    const double side = cross(from, to);  // positive where the origin is on the left
+    const double side = cross(from, to);  // positive if the origin is on the left
     const double lacking = std::atan2(std::abs(side), -from.dot(to));
     return lacking < std::abs(arc.half_angle) && (arc.half_angle > 0.0) == (side < 0.0);
 }

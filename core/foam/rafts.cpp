@@ -109,8 +109,9 @@ double enclosed_area(const Foam& foam, const std::vector<HalfEdgeId>& boundary) 
     return area;
 }
 
-// Tells a hole from the outer boundary of a raft, which runs clockwise and encloses all bubbles
-// along it. The films of a hole may overlap, but not by the areas of their bubbles.
+// Returns true if the boundary is a hole, and false if it is the outer boundary of a raft, which
+// runs clockwise and encloses at least all bubbles along it. The bubbles around a hole may overlap,
+// but by less than half of their total area.
 bool is_around_hole(const Foam& foam, const std::vector<HalfEdgeId>& boundary, double enclosed) {
     return enclosed > -kRaftShare * area_along(foam, boundary);
 }

@@ -25,7 +25,8 @@ constexpr double kRearmingFactor = 2.0;      // above which a film that has flip
 // Length at which a collapsed film is opened, in lengths at which it counts as collapsed.
 constexpr double kReopenedLength = 2.0;
 
-// Returns the T1 distance at the film: scaled down to the smallest of the four bubbles around it.
+// Returns the T1 distance at the film: scaled down if the smallest of the four bubbles around it
+// has a target area below 1.
 double scaled_distance(const Foam& foam, FilmId film, const TopologyThresholds& thresholds) {
     const T1Site site = t1_site(foam.network, film);
     const double smallest = std::min({foam.target_areas[foam.network.left(site.film)],
@@ -82,8 +83,8 @@ bool tears_apart(const Foam& foam, FilmId film) {
     return pull.flipped.norm() > pull.present.norm() - 1.0;
 }
 
-// Closes the hole or flips the film, whatever the films pull: where bubbles overlap in a hole, its
-// films pull the short ones the wrong way.
+// Closes the hole or flips the film, without the test of pulls: where bubbles overlap in a hole,
+// the pulls of films on short ones have the wrong direction. Returns true if the network changed.
 bool shrink_hole(Foam& foam, FilmId film) {
     if (close_hole(foam, film)) {
         return true;

@@ -49,8 +49,8 @@ void flip_film(Foam& foam, FilmId film);
 /// it was flipped.
 bool reopen_film(Foam& foam, FilmId film, double length);
 
-/// Returns true if the film has the ghost at both ends (split.h) and neither of its bubbles has
-/// only two sides: such a bubble is held by the film at any size.
+/// Returns true if the film has the ghost at both ends (split.h) and both its bubbles have more
+/// than two sides. A bubble of two sides is stable at any size, so its film does not tear.
 bool can_tear(const Network& network, FilmId film);
 
 /// Returns true if the film can flip or tear.

@@ -10,6 +10,11 @@
 #include <cmath>
 #include <utility>
 
+// Builds the foam from the loops of films around the faces (evolver_loops.h): vertices at which
+// films meet become junctions, each film becomes two half-edges, each face becomes a bubble. The
+// half-edges that no face claims belong to the ghost. Target areas and pressures come from the
+// bodies.
+
 namespace foam {
 
 namespace evolver {
