@@ -11,15 +11,21 @@
 #include <utility>
 #include <vector>
 
+// Joins encoded PNGs without decoding them. The stream takes the first frame's chunks up to its
+// data, then acTL (the number of frames and of plays). Each frame is an fcTL chunk (extents and
+// duration) and its data: IDAT chunks for the first frame, and for the others fdAT chunks, which
+// are IDAT chunks with a sequence number in front. All other chunks of later frames are dropped.
+
 namespace foam::texgen {
 
 namespace {
 
+// Sizes in bytes.
 constexpr std::array<unsigned char, 8> kSignature = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-constexpr std::size_t kWord = 4;           // of a length, a type or a check sum
-constexpr std::size_t kExtents = 8;        // of width and height, at the begin of an IHDR
-constexpr std::size_t kFrameControl = 26;  // of an fcTL
-constexpr std::uint32_t kForEver = 0;      // as a number of plays
+constexpr std::size_t kWord = 4;           // a length, a type or a check sum
+constexpr std::size_t kExtents = 8;        // width and height, which begin the content of an IHDR
+constexpr std::size_t kFrameControl = 26;  // the content of an fcTL
+constexpr std::uint32_t kForEver = 0;      // number of plays that means endless
 
 using Content = std::span<const std::byte>;
 
@@ -51,7 +57,8 @@ void append_number(Bytes& to, Number number) {
     }
 }
 
-/// Length, type, content, check sum of the two before it (section 5.3 of the specification).
+/// Appends length, type, content, and the CRC of type and content (section 5.3 of the PNG
+/// specification).
 void append_chunk(Bytes& to, std::string_view type, Content content) {
     append_number(to, static_cast<std::uint32_t>(content.size()));
     const std::size_t begin = to.size();
@@ -61,7 +68,7 @@ void append_chunk(Bytes& to, std::string_view type, Content content) {
     append_number(to, static_cast<std::uint32_t>(crc32_z(0, checked, to.size() - begin)));
 }
 
-/// Takes the signature off a stream.
+/// Returns the stream without its signature. Throws std::invalid_argument if it has none.
 Content after_signature(Content png) {
     const Content signature = std::as_bytes(std::span(kSignature));
     if (png.size() < signature.size() ||
@@ -71,7 +78,8 @@ Content after_signature(Content png) {
     return png.subspan(signature.size());
 }
 
-/// Takes the first chunk off a stream.
+/// Removes the first chunk from a stream and returns it. Throws std::invalid_argument if the chunk
+/// is incomplete.
 Chunk take_chunk(Content& rest) {
     if (rest.size() < 3 * kWord || rest.size() - 3 * kWord < number_at(rest)) {
         refuse_stream();
@@ -83,7 +91,8 @@ Chunk take_chunk(Content& rest) {
     return chunk;
 }
 
-/// Borrows the stream. There is a header and data.
+/// Returns all chunks of a PNG, of which the first is IHDR and at least one is IDAT. Borrows the
+/// stream. Throws std::invalid_argument for any other stream and for one with a palette.
 std::vector<Chunk> chunks_of(Content png) {
     std::vector<Chunk> chunks;
     for (Content rest = after_signature(png); !rest.empty();) {
@@ -169,11 +178,11 @@ void ApngMuxer::append_frame() {
     append_number(control, std::uint64_t{0});  // no offset
     append_number(control, static_cast<std::uint16_t>(rate_.seconds));
     append_number(control, static_cast<std::uint16_t>(rate_.frames));
-    append_number(control, std::uint16_t{0});  // left as it is, and replaced by the next
+    append_number(control, std::uint16_t{0});  // dispose_op none, blend_op source: replaces pixels
     append_chunk(stream_, "fcTL", control);
 }
 
-// The first frame's is that of the plain PNG.
+// The data of the first frame stay in IDAT, so that the stream is also a plain PNG.
 void ApngMuxer::append_data(Content data) {
     if (added_ == 0) {
         append_chunk(stream_, "IDAT", data);

@@ -9,21 +9,21 @@
 
 namespace foam::texgen {
 
-/// Joins pictures, each encoded as a PNG, into one that moves, over and over (APNG, in the third
-/// edition of the PNG specification). Programs that know PNG alone show its first frame. What that
-/// frame says of its samples and its texts holds for all.
+/// Joins pictures, each encoded as a PNG, into an animation that repeats endlessly (APNG, third
+/// edition of the PNG specification). Programs that do not support APNG show its first frame. The
+/// color space and the texts of the first frame apply to all frames.
 class ApngMuxer {
   public:
-    /// So many frames will come. Throws std::invalid_argument unless there is at least one, and for
-    /// a rate of which either number is beyond 1 to 65535.
+    /// Starts an animation of `frames` frames. Throws std::invalid_argument unless `frames` is
+    /// positive and both numbers of `rate` are 1 to 65535.
     ApngMuxer(int frames, FrameRate rate);
 
-    /// The next frame, as encode_png made it. Throws std::invalid_argument for
-    /// another stream, for one of another size or kind of samples than the first, and for a frame
-    /// too many.
+    /// Appends the next frame, a stream that encode_png made. Throws std::invalid_argument if the
+    /// stream is no PNG or has a palette, if its size or kind of samples differs from the first
+    /// frame's, or if all frames have been added.
     void add(std::span<const std::byte> png);
 
-    /// The whole stream. Throws std::invalid_argument unless all frames have come.
+    /// Returns the whole stream. Throws std::invalid_argument unless all frames have been added.
     Bytes finish();
 
   private:
@@ -35,7 +35,7 @@ class ApngMuxer {
     int frames_;
     FrameRate rate_;
     int added_ = 0;
-    std::uint32_t sequence_ = 0;  // the next number of the chunks that animate
+    std::uint32_t sequence_ = 0;  // the next sequence number of fcTL and fdAT chunks
     Bytes header_;                // the content of the first frame's IHDR
     Bytes stream_;
 };

@@ -5,11 +5,17 @@
 #include <cstddef>
 #include <vector>
 
+// A pull-push scheme. Pull: every coarser level halves the one before; a texel is the mean of up to
+// four finer ones weighted by opacity, together with the sum of their opacities. Push: from the
+// coarsest level down, a texel without opacity takes the color of the coarser texel around it. At
+// the finest level, the image itself, a pixel without opacity prefers the weighted mean of its
+// eight neighbors, if any of them has an opacity above 0.
+
 namespace foam::texgen {
 
 namespace {
 
-// Straight colour, and the opacity of all pixels that it is the mean of.
+// A straight color, and the sum of the opacities of all pixels that it is the mean of.
 using Texel = std::array<float, 4>;
 
 struct Level {
@@ -38,13 +44,13 @@ void add_weighted(Texel& sum, const Texel& texel) {
     sum[3] += texel[3];
 }
 
-// Straight again.
+// Divides the colors of a sum by its opacity.
 Texel weighted_mean(const Texel& sum) {
     return sum[3] > 0.0F ? Texel{sum[0] / sum[3], sum[1] / sum[3], sum[2] / sum[3], sum[3]}
                          : Texel{};
 }
 
-// Of up to four texels of a level, the lowest and leftmost of which is given.
+// Returns the mean of up to four texels of a level, of which (x, y) is the lower left one.
 template <class Finer>
 Texel mean_of_four(int width, int height, const Finer& finer, int x, int y) {
     Texel sum{};
@@ -69,7 +75,7 @@ Level halved(int width, int height, const Finer& finer) {
     return level;
 }
 
-// Every coarser level of the image, down to one texel.
+// Returns all levels that are coarser than the image, down to one texel.
 std::vector<Level> coarser_levels(ImageView<std::uint16_t> image) {
     std::vector<Level> levels{
         halved(image.width(), image.height(), [&](int x, int y) { return texel_of(image, x, y); })};
@@ -96,7 +102,7 @@ void bleed_into(Level& level, Level& coarser) {
     }
 }
 
-// Of a pixel and the eight beside it.
+// Returns the mean of a pixel and its eight neighbors.
 Texel mean_around(ImageView<std::uint16_t> image, int x, int y) {
     Texel sum{};
     for (int j = std::max(y - 1, 0); j <= std::min(y + 1, image.height() - 1); ++j) {
@@ -107,7 +113,8 @@ Texel mean_around(ImageView<std::uint16_t> image, int x, int y) {
     return weighted_mean(sum);
 }
 
-// Whether the texels around hold all the pixels around, and no opacity.
+// Returns true if the coarser texels that cover a pixel and its eight neighbors have no opacity.
+// It is a quick test that makes `mean_around` unnecessary.
 bool is_clear_around(Level& coarser, int x, int y) {
     const int right = std::min((x + 1) / 2, coarser.width - 1);
     const int above = std::min((y + 1) / 2, coarser.height - 1);

@@ -7,14 +7,15 @@
 
 namespace foam::texgen {
 
-/// Gives every pixel of no opacity a colour: straight colours (light, not sRGB) in three channels,
-/// opacity in the fourth. Filters that mix colours without regard to opacity, as those of textures
-/// and their mip maps do, then find no colour that is not there.
+/// Gives every fully transparent pixel a color. The image has straight linear colors (not sRGB
+/// codes) in three channels and opacity in the fourth. Filters that ignore opacity, such as those
+/// of textures and mip maps, then mix in no color that the picture does not show.
 ///
-/// The colour is a mean weighted by opacity: of the eight pixels beside it, so that filters between
-/// pixels stay within the colours of the edge; where none of these has any opacity, of the smallest
-/// square of 2, 4, 8, ... pixels around it that has, among those that mip maps are the means of. An
-/// image of no opacity at all becomes `fallback`.
+/// The color is a mean weighted by opacity. It is the mean of the eight neighbors if any of them
+/// has an opacity above 0, so that filters between pixels stay within the colors of the edge.
+/// Otherwise it is the mean of the smallest square of 2, 4, 8, ... pixels around the pixel that has
+/// an opacity above 0, among the squares that mip maps average. In an image without any opacity all
+/// pixels get `fallback`.
 void bleed_colors(ImageView<std::uint16_t> image, const std::array<std::uint16_t, 3>& fallback);
 
 }  // namespace foam::texgen

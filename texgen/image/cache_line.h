@@ -4,7 +4,7 @@
 
 namespace foam::texgen {
 
-/// What a processor's caches read and write at once, in bytes.
+/// The size of a cache line in bytes.
 inline constexpr std::size_t kLineBytes = 64;
 
 }  // namespace foam::texgen

@@ -10,7 +10,7 @@ namespace foam::texgen {
 
 namespace {
 
-// The linear toe of IEC 61966-2-1 ends here, in encoded values and in light.
+// The end of the linear part of IEC 61966-2-1, as an encoded value and as linear light.
 constexpr double kToeEncoded = 0.04045;
 constexpr double kToeLinear = 0.0031308;
 

@@ -5,8 +5,8 @@
 
 namespace foam::texgen {
 
-/// Light, so that colours are mixed by plain weighted sums; primaries and white of sRGB, 1 is
-/// white.
+/// A color in linear light, so that colors are mixed by plain weighted sums. Primaries and white
+/// are those of sRGB; (1, 1, 1) is white.
 struct LinearRgb {
     double r = 0.0;
     double g = 0.0;
@@ -15,7 +15,7 @@ struct LinearRgb {
     friend bool operator==(const LinearRgb&, const LinearRgb&) = default;
 };
 
-/// A colour as an 8-bit sRGB image stores it.
+/// A color as an 8-bit sRGB image stores it.
 struct Srgb8 {
     std::uint8_t r = 0;
     std::uint8_t g = 0;
@@ -24,16 +24,17 @@ struct Srgb8 {
     friend bool operator==(const Srgb8&, const Srgb8&) = default;
 };
 
-/// The transfer function of IEC 61966-2-1 between an encoded value and light, both in [0, 1].
+/// The transfer function of IEC 61966-2-1 and its inverse, between an encoded value and linear
+/// light, both in [0, 1].
 double srgb_to_linear(double encoded);
 double linear_to_srgb(double linear);
 
 LinearRgb to_linear(Srgb8 color);
 
-/// a and b by 1 - part and part.
+/// Returns (1 - part) a + part b.
 LinearRgb mixed(const LinearRgb& a, const LinearRgb& b, double part);
 
-/// Rounded to the nearest code; light beyond [0, 1] is clamped to it, NaN becomes 0.
+/// Encodes a color and rounds it to the nearest codes. Light is clamped to [0, 1]; NaN becomes 0.
 Srgb8 to_srgb8(const LinearRgb& color);
 
 /// Reads "#rrggbb", six hexadecimal digits in either case. Throws std::invalid_argument otherwise.

@@ -9,30 +9,32 @@
 
 namespace foam::texgen {
 
-/// The 256 entries of a colour map, 0xRRGGBB in sRGB.
+/// The 256 entries of a color map, 0xRRGGBB in sRGB.
 using ColorTable = std::array<std::uint32_t, 256>;
 
-/// A ramp of colours over [0, 1].
+/// A color map: a function from [0, 1] to colors, interpolated in a table.
 class ColorMap {
   public:
     /// Borrows the table, which has to outlive the map.
     explicit constexpr ColorMap(const ColorTable& table) : table_(&table) {}
 
-    /// Entry i, 0 <= i < 256.
+    /// Returns entry i. Precondition: 0 <= i < 256.
     Srgb8 entry(int i) const;
 
-    /// The colour at t, clamped to [0, 1]; NaN counts as 0. Between two entries it is interpolated
-    /// in sRGB, the space in which the maps are designed to run evenly to the eye; light would bend
-    /// them.
+    /// Returns the color at t, clamped to [0, 1]; NaN counts as 0. Interpolates between two entries
+    /// in sRGB, the space in which the maps are designed to be perceptually uniform; interpolation
+    /// of linear light would change that.
     LinearRgb at(double t) const;
 
   private:
     const ColorTable* table_;
 };
 
-/// Throws std::invalid_argument that lists the names there are.
+/// Returns the color map of a name. Throws std::invalid_argument, whose message lists all names, if
+/// there is none.
 const ColorMap& find_colormap(std::string_view name);
 
+/// Returns the names of all color maps.
 std::span<const std::string_view> colormap_names();
 
 }  // namespace foam::texgen

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kWhite = 65535.0;
 
-/// Two that are no numbers are the same.
+/// Returns |a - b|: 0 if both are NaN, infinity if one is.
 double difference(double a, double b) {
     if (a == b || (std::isnan(a) && std::isnan(b))) {
         return 0.0;

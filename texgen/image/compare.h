@@ -9,32 +9,32 @@
 
 namespace foam::texgen {
 
-/// How far samples may lie apart; the defaults are idiff's.
+/// The allowed differences between two samples; the defaults are those of idiff.
 struct CompareLimits {
-    double warn = 1e-6;  // warns of a sample that lies farther apart than this
-    double fail = 1e-6;  // and fails for one beyond this
+    double warn = 1e-6;  // a larger difference is a warning
+    double fail = 1e-6;  // a larger difference is a failure
 };
 
 enum class Verdict { Same, Warning, Failure, OtherSize };
 
-/// What two pictures have apart.
+/// The differences between two pictures.
 struct Comparison {
     Verdict verdict = Verdict::Same;
-    double largest = 0.0;      // |a - b| over all samples; infinite where only one is a number
+    double largest = 0.0;      // of |a - b|; infinite if a sample is NaN in one picture only
     double mean = 0.0;         // of |a - b|
-    std::size_t warnings = 0;  // samples beyond the limit
-    std::size_t failures = 0;
-    std::string channel;  // of the largest
-    int x = 0;            // from the left
-    int y = 0;            // from the top
+    std::size_t warnings = 0;  // number of samples beyond CompareLimits::warn
+    std::size_t failures = 0;  // number of samples beyond CompareLimits::fail
+    std::string channel;       // of the largest difference; empty if all samples are equal
+    int x = 0;                 // of the largest difference, from the left
+    int y = 0;                 // of the largest difference, from the top
 };
 
-/// Compares sample by sample. Pictures of different extents, or with channels of different names,
-/// are OtherSize and nothing else is said of them.
+/// Compares two pictures sample by sample. Pictures with different extents or channel names get the
+/// verdict OtherSize and no figures.
 Comparison compare(const Picture& a, const Picture& b, const CompareLimits& limits = {});
 
-/// The largest difference of every pixel over its channels as a grey picture, the largest of all as
-/// white; black where there is none. Takes pictures that are not OtherSize.
+/// Returns a gray picture of the differences: per pixel the largest over its channels, scaled so
+/// that the largest of the picture is white. Precondition: `compare` does not return OtherSize.
 Image<std::uint16_t> difference_picture(const Picture& a, const Picture& b);
 
 }  // namespace foam::texgen

@@ -15,19 +15,21 @@ namespace {
 constexpr int kFastLevel = 2;   // of ISA-L, 0 to 3: 3 gains 1 % in 2 to 6 times the time
 constexpr int kSmallLevel = 7;  // of libdeflate, 1 to 12: 9 gains 1 % in 2 to 4 times the time
 
-// Flushed first, alone: ISA-L then begins with its loop for short ends, which takes no fewer. The
-// loop for all else hashes, in place of the bytes from the third on, a register that still holds
-// the stream's address (2.30, igzip_icf_body_h1_gr_bt.asm, .write_first_byte), so that now and then
-// an address decides what matches.
+// The first bytes of a stream, which are flushed by themselves. ISA-L then starts with its loop for
+// short ends, which takes no fewer bytes than this. Its main loop would hash, in place of the bytes
+// from the third on, a register that still holds the address of the stream (version 2.30,
+// igzip_icf_body_h1_gr_bt.asm, .write_first_byte), so that now and then an address would decide
+// which matches are found.
 constexpr std::size_t kFirstBytes = 4;
 
-// Where data does not shrink, blocks that store it cost 5 bytes in 65,535, those of a code of
-// their own below 1/8; a stream's begin and end add less than 4096.
+// Returns an upper bound of the compressed size. For data that cannot be compressed, stored blocks
+// add 5 bytes per 65,535 bytes, and blocks with codes of their own add less than 1/8. The begin and
+// the end of a stream add less than 4096 bytes.
 std::size_t largest_size(std::size_t size) {
     return size + size / 8 + 4096;
 }
 
-// The C libraries' bytes; they write through no pointer to input.
+// Casts away const for the C libraries, which never write to their input.
 std::uint8_t* input_of(std::span<const std::byte> data) {
     return const_cast<std::uint8_t*>(reinterpret_cast<const std::uint8_t*>(data.data()));
 }

@@ -11,14 +11,15 @@ struct isal_zstream;
 
 namespace foam::texgen {
 
-/// How much work goes into a smaller file; what is decompressed is the same.
+/// The trade-off between the time of the compression and the size of its output. The decompressed
+/// data are the same.
 enum class Compression {
-    None,   // stored as it is
-    Fast,   // as small as zlib's level 1, in a fraction of its time
-    Small,  // as small as zlib's level 9, in the time of its level 6
+    None,   // stored blocks
+    Fast,   // the size of zlib's level 1 in a fraction of its time
+    Small,  // the size of zlib's level 9 in the time of its level 6
 };
 
-/// Compresses data by deflate (RFC 1951), time and again with the same buffers.
+/// Compresses data by deflate (RFC 1951). Its buffers are reused between calls.
 class Deflater {
   public:
     Deflater();
@@ -26,11 +27,12 @@ class Deflater {
     Deflater(Deflater&&) noexcept;
     Deflater& operator=(Deflater&&) noexcept;
 
-    /// Whole blocks up to a byte's end that refer to nothing before them, so that those of one part
-    /// of the data may follow those of the part before; the last part ends the stream. Only
-    /// Compression::Fast makes parts: the others need the whole of the data at once, which then is
-    /// the last part. Valid until the next call. The bytes depend on nothing but the arguments, but
-    /// differ between versions of the libraries, and may between processors.
+    /// Returns the compressed blocks of one part of the data, valid until the next call. The blocks
+    /// end at a byte boundary and refer to no earlier part, so the outputs for consecutive parts
+    /// can be concatenated; the last part ends the stream. Precondition: `last` is true unless
+    /// `compression` is Compression::Fast, as the others compress all of the data at once. The
+    /// bytes depend on the arguments alone, but differ between versions of the libraries and may
+    /// differ between processors.
     std::span<const std::byte> deflate(Compression compression,
                                        std::span<const std::byte> data,
                                        bool last = true);
@@ -46,10 +48,11 @@ class Deflater {
     Bytes deflated_;
 };
 
-/// The check sum at the end of a zlib stream (RFC 1950).
+/// Returns the Adler-32 check sum of the data, which ends a zlib stream (RFC 1950).
 std::uint32_t adler32_of(std::span<const std::byte> data);
 
-/// That of two parts in a row; `second_size` is the second part's in bytes.
+/// Returns the Adler-32 of two consecutive parts from their check sums. `second_size` is the size
+/// of the second part in bytes.
 std::uint32_t joined_adler32(std::uint32_t first, std::uint32_t second, std::size_t second_size);
 
 }  // namespace foam::texgen

@@ -20,10 +20,11 @@ namespace foam::texgen {
 
 namespace {
 
-// Deflate shrinks nothing further than this, so a header cannot make us allocate what never comes.
+// Deflate cannot compress by a larger factor. An image that would need one is rejected before its
+// pixels are allocated.
 constexpr std::size_t kLargestRatio = 1032;
 
-// Strings that the library gives a meaning to.
+// String attributes with a meaning of their own in EXR, which are not returned as texts.
 constexpr std::array<std::string_view, 4> kNoTexts = {"wrapmodes", "name", "type", "view"};
 
 SampleType type_of(const Imf::Channel& channel) {
@@ -39,7 +40,8 @@ struct Extent {
     int height;
 };
 
-/// Of the pixels in a window, as the bytes there are allow.
+/// Returns the extent of a window. Throws InputError if the file has no or subsampled channels, or
+/// if `bytes`, the size of the file, is too small for the pixels of the window.
 Extent extent_of(const Imath::Box2i& window, const Imf::Header& header, std::size_t bytes) {
     const auto width = std::int64_t{window.max.x} - window.min.x + 1;
     const auto height = std::int64_t{window.max.y} - window.min.y + 1;
@@ -86,7 +88,7 @@ Imf::FrameBuffer buffer_of(Groups& groups, const Imath::Box2i& window) {
     return buffer;
 }
 
-/// The rows of an image run upward, those of a file downward.
+/// Reverses the order of the rows, which run upward in an Image and downward in a file.
 template <class Sample>
 void flip_rows(Image<Sample>& image) {
     for (int y = 0; 2 * y + 1 < image.height(); ++y) {
@@ -94,7 +96,7 @@ void flip_rows(Image<Sample>& image) {
     }
 }
 
-/// The channels of a window, filled by read(buffer).
+/// Returns the channels of a window. `read(buffer)` fills them with the pixels of the file.
 template <class Read>
 Groups read_groups(const Imf::Header& header,
                    const Imath::Box2i& window,

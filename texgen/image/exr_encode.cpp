@@ -23,10 +23,10 @@ namespace foam::texgen {
 namespace {
 
 constexpr int kTileSide = 64;
-constexpr std::size_t kLongestName = 31;  // beyond it old readers refuse the file
+constexpr std::size_t kLongestName = 31;  // old readers reject a file with a longer name
 
-// What the library gives a meaning to where it is there; all else that it needs is in a header
-// from the beginning.
+// Optional attributes that have a meaning in EXR. The attributes that OpenEXR requires are in every
+// Imf::Header from the start, so is_text_name finds them there.
 constexpr std::array<std::string_view, 7> kReservedNames = {
     "chromaticities", "wrapmodes", "framesPerSecond", "name", "type", "view", "chunkCount"};
 
@@ -112,7 +112,8 @@ Imf::Header header_of(std::span<const ExrChannel> channels,
     return header;
 }
 
-/// How many threads of the library's pool a file may use; the pool only grows.
+/// Returns the number of OpenEXR's pool threads that a file may use, 0 for the caller's thread
+/// alone. Grows the pool, which is shared by the process, if it has fewer threads.
 int library_threads(int threads) {
     static std::mutex mutex;
     if (threads == 1) {

@@ -14,7 +14,8 @@ namespace foam::texgen {
 
 namespace {
 
-/// A number as a file stores it.
+/// Converts a number to the type of the file. Throws std::invalid_argument if the result is not
+/// finite.
 template <class Stored>
 Stored stored_number(float number, const std::string& channel) {
     const Stored stored(number);
@@ -24,7 +25,7 @@ Stored stored_number(float number, const std::string& channel) {
     return stored;
 }
 
-/// The samples of a channel, those of the top row first, each turned into what is stored.
+/// Returns the converted samples of a channel, the top row first.
 template <class Sample, class Convert>
 Bytes stored_rows(ImageView<const Sample> view, int channel, const Convert& convert) {
     using Stored = decltype(convert(Sample()));

@@ -1,6 +1,6 @@
 #pragma once
 
-// Only exr_encode.cpp uses this: samples on their way into OpenEXR.
+// Used by exr_encode.cpp alone: converts samples to the layout that OpenEXR writes.
 
 #include "texgen/image/exr.h"
 #include "texgen/image/file_io.h"
@@ -25,13 +25,14 @@ ExrSize size_of(const ExrChannel& channel);
 
 Imf::PixelType pixel_type(SampleType type);
 
+/// Throws std::invalid_argument with a message that ends in `why`.
 [[noreturn]] void refuse_exr(const std::string& why);
 
-/// The channels of a picture, which is borrowed. Throws std::invalid_argument for codes.
+/// Returns the channels of a picture, which they borrow. Throws std::invalid_argument for codes.
 std::vector<ExrChannel> exr_channels(const Picture& picture);
 
-/// All channels of one level as the library takes them: each by itself, the top row first, in the
-/// type of the file. Throws as encode_exr for numbers that this type cannot hold.
+/// All channels of one level in the layout that OpenEXR writes: planar, the top row first, in the
+/// sample types of the file. Throws std::invalid_argument for numbers that their type cannot hold.
 class ExrPlanes {
   public:
     explicit ExrPlanes(std::span<const ExrChannel> channels);
@@ -43,7 +44,7 @@ class ExrPlanes {
     Imf::FrameBuffer buffer_;
 };
 
-/// The channels of one mip level after the other.
+/// An iterator over mip levels; it holds the channels of the current level.
 class ExrLevels {
   public:
     explicit ExrLevels(std::span<const ExrChannel> channels)
@@ -51,7 +52,7 @@ class ExrLevels {
 
     std::span<const ExrChannel> channels() const { return channels_; }
 
-    /// Goes on to the next smaller level.
+    /// Replaces the channels by those of the next smaller level.
     void advance();
 
   private:

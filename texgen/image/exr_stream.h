@@ -1,6 +1,6 @@
 #pragma once
 
-// Shared by exr_encode.cpp and exr_decode.cpp: OpenEXR's streams in memory.
+// OpenEXR streams in memory, shared by exr_encode.cpp and exr_decode.cpp.
 
 #include "texgen/image/file_io.h"
 
@@ -13,7 +13,7 @@
 
 namespace foam::texgen {
 
-/// Writes into bytes, which are borrowed.
+/// An output stream that appends to a borrowed buffer, or overwrites it after a seek.
 class ExrOutput : public Imf::OStream {
   public:
     explicit ExrOutput(Bytes& bytes) : Imf::OStream("EXR"), bytes_(bytes) {}
@@ -32,7 +32,7 @@ class ExrOutput : public Imf::OStream {
     std::size_t at_ = 0;
 };
 
-/// Reads from bytes, which are borrowed.
+/// An input stream over borrowed bytes. Throws Iex::InputExc if a read goes beyond their end.
 class ExrInput : public Imf::IStream {
   public:
     explicit ExrInput(std::span<const std::byte> bytes) : Imf::IStream("EXR"), bytes_(bytes) {}

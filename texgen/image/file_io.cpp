@@ -22,7 +22,7 @@ std::string reason(int error) {
     return std::generic_category().message(error);
 }
 
-/// A file being written, which disappears again unless it is published.
+/// A file being written under a temporary name. The destructor removes it unless it was published.
 class TemporaryFile {
   public:
     explicit TemporaryFile(const std::filesystem::path& target)
@@ -49,7 +49,7 @@ class TemporaryFile {
         }
     }
 
-    /// Closes the file and gives it the target's name.
+    /// Closes the file and renames it to the target.
     void publish() {
         if (std::fclose(std::exchange(file_, nullptr)) != 0) {
             fail(errno);
@@ -61,7 +61,7 @@ class TemporaryFile {
     }
 
   private:
-    // Distinct for every thread of every process of one machine.
+    // Returns a name that is unique among all threads and processes of one machine.
     static std::filesystem::path unique_sibling(const std::filesystem::path& target) {
         static std::atomic<unsigned> count{0};
         std::filesystem::path sibling = target;

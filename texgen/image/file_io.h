@@ -20,16 +20,17 @@ class OutputError : public std::runtime_error {
 
 using Bytes = std::vector<std::byte>;
 
-/// The whole content of a file. Throws InputError.
+/// Returns the whole content of a file. Throws InputError if it cannot be read.
 Bytes read_file(const std::filesystem::path& path);
 
-/// Writes all or nothing: under a temporary name in the same folder, renamed to `path` once every
-/// byte and the close are known to be good, so that nobody ever sees half a file. An older file of
-/// the name is replaced. The folder has to exist. Throws OutputError, after removing the temporary.
+/// Writes a file atomically: writes a temporary file in the same folder, closes it, and renames it
+/// to `path` if all of this succeeded, so no reader sees a partial file. Replaces an existing file.
+/// Precondition: the folder exists. Throws OutputError, after removing the temporary file, if
+/// writing fails.
 void write_file(const std::filesystem::path& path, std::span<const std::byte> content);
 
-/// Makes the folder and those it lies in, as far as they are missing; an empty path is where the
-/// program runs. Throws OutputError.
+/// Creates the folder and its parents where they do not exist. An empty path, which is the working
+/// directory, needs nothing. Throws OutputError if a folder cannot be created.
 void make_folders(const std::filesystem::path& folder);
 
 }  // namespace foam::texgen

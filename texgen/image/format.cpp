@@ -28,7 +28,7 @@ constexpr std::array kFormats = {
         .decode = [](std::span<const std::byte> content) { return decode_exr(content); }},
 };
 
-/// "a, b or c".
+/// Joins one member of all formats to a list "a, b or c".
 std::string alternatives(std::string_view ImageFormat::*word) {
     std::string list;
     for (std::size_t k = 0; k < kFormats.size(); ++k) {

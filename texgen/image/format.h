@@ -25,7 +25,7 @@ enum class FormatSamples {
     Numbers,  // any number of named channels of numbers or ids; colors as premultiplied light
 };
 
-/// A still-image format: everything that the program knows about it. README.md tells how to add
+/// A still-image format: all that the rest of the program uses of it. README.md explains how to add
 /// one.
 struct ImageFormat {
     std::string_view name;    // as messages call it: "PNG"
@@ -43,12 +43,12 @@ std::span<const ImageFormat> image_formats();
 /// Returns the format whose suffix ends the name, or nullptr.
 const ImageFormat* find_format(std::string_view file_name);
 
-/// Return what all formats are called, for messages: ".png or .exr", "PNG or EXR".
+/// Return the suffixes and the names of all formats, for messages: ".png or .exr", "PNG or EXR".
 std::string format_suffixes();
 std::string format_names();
 
-/// Reads a file of any format. Throws InputError that names the file: where it is unreadable or
-/// malformed, and for a name with another suffix.
+/// Reads a file of any format. Throws InputError, whose message names the file, if the file is
+/// unreadable or malformed, or if its suffix is not that of a format.
 Picture read_picture(const std::filesystem::path& path);
 
 }  // namespace foam::texgen

@@ -2,7 +2,7 @@
 
 namespace foam::texgen {
 
-/// Frames in so many seconds: 24000 in 1001.
+/// A frame rate as a fraction, `frames` in `seconds`: 24000 in 1001 seconds is 23.976 per second.
 struct FrameRate {
     int frames = 24;
     int seconds = 1;

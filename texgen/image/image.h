@@ -24,7 +24,7 @@ class ImageView {
     ImageView(Sample* samples, int width, int height, int channels)
         : samples_(samples), width_(width), height_(height), channels_(channels) {}
 
-    /// A view that writes serves wherever one that reads is asked for.
+    /// Converts a view that writes to a view that only reads.
     template <class Other>
     requires std::is_same_v<Sample, const Other> ImageView(ImageView<Other> other)
         : ImageView(other.data(), other.width(), other.height(), other.channels()) {}
@@ -54,8 +54,8 @@ class ImageView {
     int channels_ = 0;
 };
 
-/// Owns the samples of a picture; laid out as ImageView says. They begin at a line of a cache, as
-/// vectors of them are best written.
+/// Owns the samples of a picture in the layout of ImageView. They are aligned to a cache line,
+/// which is fastest for vector stores.
 template <class Sample>
 class Image {
   public:

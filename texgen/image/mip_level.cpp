@@ -4,6 +4,13 @@
 #include <cstddef>
 #include <vector>
 
+// Box filter for arbitrary extents. A pixel of the smaller level covers from / to pixels of the
+// larger level along each axis: 2, up to 3 if the larger extent is odd, 1 if it is 1. The mean
+// weights every covered pixel by the covered part of its area, first along rows and then across
+// them, as the filter is separable. No pixel of the smaller level reaches across a border, so a
+// picture that tiles still tiles. Ids cannot be averaged, so for integers the pixel in the middle
+// of the covered area is chosen.
+
 namespace foam::texgen {
 
 namespace {
@@ -12,16 +19,17 @@ int half_of(int extent) {
     return std::max(1, extent / 2);
 }
 
-/// What a pixel of the smaller level covers along one axis, in parts of 1 / `to` of a larger pixel.
+/// The interval that a pixel of the smaller level covers along one axis of the larger level.
 struct Footprint {
-    int from;  // extent of the larger level
-    int to;    // and of the smaller one
-    int pixel;
+    int from;   // extent of the larger level
+    int to;     // extent of the smaller level
+    int pixel;  // of the smaller level
 
     int first() const { return pixel * from / to; }
     int last() const { return ((pixel + 1) * from + to - 1) / to; }  // excluded
 
-    /// The part of it that lies in a larger pixel; over all of them they add up to 1.
+    /// Returns the fraction of the interval that is in the given pixel of the larger level. The
+    /// fractions of all pixels add up to 1. In units of 1 / `to` of a pixel all ends are integers.
     double weight(int larger) const {
         const int begin = std::max(pixel * from, larger * to);
         const int end = std::min((pixel + 1) * from, (larger + 1) * to);
@@ -30,7 +38,7 @@ struct Footprint {
     int middle() const { return (2 * pixel + 1) * from / (2 * to); }
 };
 
-/// Adds weight times the means along a row.
+/// Adds to `sums` the means along row y of the larger level, multiplied by `weight`.
 void add_means(
     ImageView<const float> pixels, int channel, int y, double weight, std::vector<double>& sums) {
     const int width = static_cast<int>(sums.size());

@@ -6,12 +6,13 @@
 
 namespace foam::texgen {
 
-/// One channel of a picture at half its extents, rounded down but at least 1. Each pixel is the
-/// mean of what it covers, by area: pixels that are means of a foam stay so, and what tiles still
-/// does, as no pixel reaches across the border.
+/// Returns one channel of a picture at half its extents, rounded down but at least 1. Each pixel is
+/// the mean over the area that it covers, so pixels that are exact means over the foam stay exact
+/// means. A picture that tiles still tiles, as no pixel reaches across the border.
 Image<float> mean_level(ImageView<const float> pixels, int channel);
 
-/// The same with the sample in the middle of what a pixel covers.
+/// Returns one channel at the extents of `mean_level`. Each pixel is the sample in the middle of
+/// the area that it covers.
 Image<std::uint32_t> central_level(ImageView<const std::uint32_t> pixels, int channel);
 
 }  // namespace foam::texgen

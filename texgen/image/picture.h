@@ -39,14 +39,14 @@ struct ChannelGroup {
     bool has_codes() const { return type == SampleType::Uint8 || type == SampleType::Uint16; }
 };
 
-/// The facts that a file states about its samples. A format that cannot store a member leaves it
+/// Properties of the samples that a file records. A format that cannot store a member leaves it
 /// out.
 struct ImageMetadata {
     /// The samples are colors with the primaries and the white of sRGB: encoded with its transfer
     /// function where samples are codes, linear light where they are numbers. Data, such as a
     /// height or an id, carries no color space, so that no reader bends the values.
     bool color = false;
-    bool periodic = false;  // tiles in both directions
+    bool periodic = false;  // the picture tiles in both directions
     std::optional<FrameRate> frame_rate = {};
     /// Keywords and UTF-8 texts. A keyword has 1 to 31 printable ASCII characters.
     std::vector<std::pair<std::string, std::string>> text = {};
@@ -83,8 +83,9 @@ struct PictureChannel {
 /// Returns all channels of a picture in the order of their names.
 std::vector<PictureChannel> channels_of(const Picture& picture);
 
-/// Reads a row of a channel as numbers: the largest code is 1, numbers and integers stay as they
-/// are. Row 0 is the bottom row; `to` has the width of the picture.
+/// Reads a row of a channel as numbers. Codes are scaled so that the largest code is 1; numbers and
+/// 32-bit integers are not scaled. Row 0 is the bottom row. Precondition: the size of `to` is the
+/// width of the picture.
 void read_numbers(const PictureChannel& channel, int row, std::span<double> to);
 
 }  // namespace foam::texgen

@@ -19,6 +19,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "samples are hashed as they lie there");
 
+/// The XXH3-128 hash of everything that is added.
 class Hasher {
   public:
     Hasher() : state_(XXH3_createState(), XXH3_freeState) {

@@ -4,15 +4,21 @@
 
 #include <algorithm>
 
+// Parallel compression of one picture. The rows are divided into parts of about 512 KiB. Each
+// thread filters and compresses a part, independently of all other parts, and computes the Adler-32
+// of its filtered bytes. The compressed parts are concatenated in order to one zlib stream (RFC
+// 1950), and the check sums are combined to the one that ends the stream. Only Compression::Fast
+// can be divided; for the others the whole picture is one part.
+
 namespace foam::texgen {
 
 namespace {
 
-// What is filtered and compressed at a time: it fits a second-level cache, and files grow by less
-// than 1 % for it.
+// The filtered size of a part in bytes. A part fits into a second-level cache. The division makes
+// files less than 1 % larger.
 constexpr std::size_t kPartBytes = std::size_t{1} << 19;
 
-// The begin of a zlib stream (RFC 1950): deflate with a window of 32 KiB.
+// The first bytes of a zlib stream (RFC 1950): deflate with a window of 32 KiB.
 constexpr std::array<std::byte, 2> kZlibHeader = {std::byte{0x78}, std::byte{0x01}};
 
 int rows_per_part(const PngRows& rows, Compression compression) {

@@ -11,24 +11,25 @@
 
 namespace foam::texgen {
 
-/// Rows on their way into a zlib stream, and the buffers for it.
+/// One part of the rows with the buffers that filter and compress it.
 struct PngPart {
     RowFilter filter;
     Deflater deflater;
-    std::size_t size = 0;  // in bytes, filtered
-    std::uint32_t adler32 = 1;
+    std::size_t size = 0;       // of the filtered rows in bytes
+    std::uint32_t adler32 = 1;  // of the filtered rows
     std::span<const std::byte> deflated;
 };
 
-/// The filtered rows of a picture as a zlib stream, in parts that are compressed in parallel. How
-/// the rows are divided does not depend on the number of threads, so neither do the bytes.
+/// Compresses the filtered rows of a picture to a zlib stream, in parts that are compressed in
+/// parallel. The division into parts does not depend on the number of threads, so neither do the
+/// bytes.
 class PngData {
   public:
-    /// The content of an IDAT chunk, in three pieces.
+    /// The content of an IDAT chunk, in three pieces that follow each other.
     struct Chunk {
-        std::span<const std::byte> begin;
-        std::span<const std::byte> middle;
-        std::span<const std::byte> end;
+        std::span<const std::byte> begin;   // the header of the zlib stream, in the first chunk
+        std::span<const std::byte> middle;  // the compressed rows
+        std::span<const std::byte> end;     // the check sum of the zlib stream, in the last chunk
     };
 
     /// Borrows both arguments.
@@ -36,7 +37,8 @@ class PngData {
 
     bool complete() const { return next_row_ == rows_.height(); }
 
-    /// As many chunks as there are threads, while there are any; valid until the next call.
+    /// Returns the next chunks, at most one per thread; none once complete. Valid until the next
+    /// call.
     std::span<const Chunk> next_chunks();
 
   private:
@@ -51,7 +53,7 @@ class PngData {
     int rows_per_part_;
     int next_row_ = 0;
     std::uint32_t adler32_ = 1;         // of all rows so far
-    std::array<std::byte, 4> check_{};  // the stream's last bytes
+    std::array<std::byte, 4> check_{};  // adler32_ as bytes, which end the stream
 };
 
 }  // namespace foam::texgen

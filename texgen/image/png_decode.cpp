@@ -12,7 +12,8 @@ namespace {
 /// The part of the stream that is left to read.
 using Source = std::span<const std::byte>;
 
-// Deflate shrinks nothing further than this, so a header cannot make us allocate what never comes.
+// Deflate cannot compress by a larger factor. An image that would need one is rejected before its
+// pixels are allocated.
 constexpr std::size_t kLargestRatio = 1032;
 
 void take(png_structp png, png_bytep data, std::size_t count) {
@@ -24,6 +25,7 @@ void take(png_structp png, png_bytep data, std::size_t count) {
     source = source.subspan(count);
 }
 
+/// Reports an error to libpng if `left` bytes are too few for the pixels that the header announces.
 void refuse_promises(const PngSession& session, std::size_t left) {
     const std::size_t promised = png_get_rowbytes(session.png(), session.info()) *
                                  png_get_image_height(session.png(), session.info());
@@ -32,7 +34,7 @@ void refuse_promises(const PngSession& session, std::size_t left) {
     }
 }
 
-/// Asks for samples of 1 to 4 channels as they stand in an Image.
+/// Requests samples of 1 to 4 channels in the layout of an Image.
 template <class Sample>
 void ask_for_samples(const PngSession& session) {
     png_structp png = session.png();
@@ -49,7 +51,7 @@ void ask_for_samples(const PngSession& session) {
     png_set_interlace_handling(png);
 }
 
-/// Reads up to the pixels.
+/// Reads everything before the pixels.
 template <class Sample>
 void read_header(const PngSession& session, Source& source) {
     png_set_read_fn(session.png(), &source, take);
@@ -66,7 +68,7 @@ Image<Sample> blank_image(const PngSession& session) {
             png_get_channels(session.png(), session.info())};
 }
 
-/// The rows of a view as libpng wants them, the top one first.
+/// Returns pointers to the rows of a view in libpng's order, the top row first.
 template <class Sample>
 std::vector<png_bytep> rows_from_top(ImageView<Sample> view) {
     std::vector<png_bytep> rows;
@@ -131,7 +133,7 @@ Picture decode(std::span<const std::byte> content) {
 }  // namespace
 
 Picture decode_png(std::span<const std::byte> content) {
-    constexpr std::size_t kDepth = 24;  // where the header has the bits of a sample
+    constexpr std::size_t kDepth = 24;  // offset of the bit depth in the stream
     const bool deep = content.size() > kDepth && content[kDepth] == std::byte{16};
     return deep ? decode<std::uint16_t>(content) : decode<std::uint8_t>(content);
 }

@@ -13,6 +13,8 @@ namespace foam::texgen {
 
 namespace {
 
+/// The write callback of libpng. Exceptions must not pass through libpng, so std::bad_alloc becomes
+/// a libpng error. png_error is called outside of the catch block, as it leaves by longjmp.
 void append(png_structp png, png_bytep data, std::size_t count) {
     auto& stream = *static_cast<Bytes*>(png_get_io_ptr(png));
     const auto* bytes = reinterpret_cast<const std::byte*>(data);
@@ -37,14 +39,15 @@ bool is_keyword(const std::string& key) {
            std::all_of(key.begin(), key.end(), is_printable_ascii);
 }
 
-/// ASCII is the same in Latin-1 and UTF-8 and goes as tEXt, which every program reads; all else as
-/// iTXt.
+/// Returns the kind of chunk for a text. ASCII is stored as tEXt (Latin-1), which every program
+/// reads, all other texts as iTXt (UTF-8).
 int text_kind(const std::string& text) {
     const bool ascii = std::all_of(text.begin(), text.end(), [](char c) { return c > 0; });
     return ascii ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
 }
 
-/// Borrows the strings.
+/// Returns the texts as libpng's structures, which borrow the strings. Throws std::invalid_argument
+/// for a keyword that PNG forbids.
 std::vector<png_text> text_chunks(const ImageMetadata& metadata) {
     std::vector<png_text> chunks;
     for (const auto& [key, text] : metadata.text) {

@@ -7,11 +7,17 @@
 #include <cstring>
 #include <utility>
 
+// The filters of section 9 of the PNG specification. Each byte is replaced by its difference,
+// modulo 256, from a prediction: nothing, the byte to the left, the byte above, their mean, or the
+// one of left, above and above left that is nearest to left + above - above left (Paeth). The byte
+// to the left is the corresponding byte of the pixel before. Bytes outside of the image count as 0,
+// which is why a pixel of zeros precedes each row in memory.
+
 namespace foam::texgen {
 
 namespace {
 
-/// A row and the one above it, from the first pixel on; a pixel of zeros lies before each.
+/// The first pixels of a row and of the row above it. A pixel of zeros precedes each row in memory.
 struct Neighbours {
     const std::uint8_t* current;
     const std::uint8_t* above;
@@ -22,8 +28,8 @@ const std::uint8_t* first_pixel(const Bytes& row, std::size_t pixel_bytes) {
     return reinterpret_cast<const std::uint8_t*>(row.data()) + pixel_bytes;
 }
 
-/// What is left of the row's bytes when each is predicted from those to the left, above, and above
-/// the left one.
+/// Writes the difference between each byte of the row and its prediction from the bytes to the
+/// left, above, and above left.
 template <class Predict>
 void write_differences(const Neighbours& row, const Predict& predict, std::span<std::byte> out) {
     const std::uint8_t* left = row.current - row.pixel_bytes;
@@ -34,7 +40,7 @@ void write_differences(const Neighbours& row, const Predict& predict, std::span<
     }
 }
 
-/// Whichever of the three is nearest to left + above - above_left, the first of those that tie.
+/// Returns the argument that is nearest to left + above - above_left, the first one in a tie.
 int paeth(int left, int above, int above_left) {
     const int to_left = std::abs(above - above_left);
     const int to_above = std::abs(left - above_left);

@@ -10,8 +10,8 @@
 
 namespace foam::texgen {
 
-/// Borrows the samples of a picture of any depth and hands them out as rows of PNG: the top one
-/// first, 16-bit samples with their high byte first.
+/// The rows of a picture of 8-bit or 16-bit samples in the byte order of PNG: the top row first,
+/// 16-bit samples with their high byte first. Borrows the samples.
 class PngRows {
   public:
     explicit PngRows(ImageView<const std::uint8_t> view) : PngRows(view, 1) {}
@@ -24,7 +24,7 @@ class PngRows {
     std::size_t pixel_bytes() const { return sample_bytes_ * static_cast<std::size_t>(channels_); }
     std::size_t row_bytes() const { return pixel_bytes() * static_cast<std::size_t>(width_); }
 
-    /// `row` counts from the top and takes row_bytes.
+    /// Copies one row; `row` counts from the top. Precondition: `to` has row_bytes() bytes.
     void copy_row(int row, std::span<std::byte> to) const;
 
   private:
@@ -43,11 +43,12 @@ class PngRows {
     std::size_t sample_bytes_;
 };
 
-/// Filters rows as PNG lays them down (its section 9), with the same buffers time and again.
+/// Filters rows as section 9 of the PNG specification defines. Its buffers are reused between
+/// calls.
 class RowFilter {
   public:
-    /// Rows first, first + 1, ..., last - 1 from the top, each after a byte that names the filter.
-    /// Valid until the next call.
+    /// Returns the filtered rows first, first + 1, ..., last - 1, counted from the top, each
+    /// preceded by the byte of its filter type. Valid until the next call.
     std::span<const std::byte> filter(const PngRows& rows, PngFilter filter, int first, int last);
 
   private:

@@ -1,6 +1,6 @@
 #pragma once
 
-// Shared by png_encode.cpp and png_decode.cpp; nobody else sees libpng.
+// Shared by png_encode.cpp and png_decode.cpp. No other file uses libpng.
 
 #include <png.h>
 
@@ -14,11 +14,11 @@ namespace foam::texgen {
 
 enum class PngDirection { Write, Read };
 
-/// Owns libpng's side of one stream.
+/// Owns the libpng structures of one stream.
 ///
-/// libpng reports an error by longjmp, which must cross no frame with a destructor. So every call
-/// that can fail stands in a step of `run`, the one function that is jumped back to; the objects
-/// that own something live in the frames above it.
+/// libpng reports an error by longjmp, which must not skip a stack frame whose objects have
+/// destructors. Every libpng call that can fail is therefore in a step passed to `run`, the only
+/// function that longjmp returns to. Objects that own memory are in the frames of its callers.
 class PngSession {
   public:
     explicit PngSession(PngDirection direction) : direction_(direction) {
@@ -38,10 +38,11 @@ class PngSession {
     png_structp png() const { return png_; }
     png_infop info() const { return info_; }
 
-    /// Why the last step failed, in libpng's words.
+    /// Returns libpng's message for the step that failed.
     const char* error() const { return error_.data(); }
 
-    /// False if libpng gave up on the way; then nothing but the destructor may follow.
+    /// Runs a step. Returns false if libpng reported an error; then only `error` and the destructor
+    /// may be called.
     template <class Step>
     bool run(const Step& step) {
         static_assert(std::is_trivially_destructible_v<Step>);

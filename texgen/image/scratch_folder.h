@@ -4,11 +4,11 @@
 
 namespace foam::texgen {
 
-/// An empty folder of its own among the temporary ones of the system, gone with all that is in it
-/// when this is.
+/// A new empty folder in the system's folder of temporary files. The destructor removes it with its
+/// content.
 class ScratchFolder {
   public:
-    /// Throws OutputError.
+    /// Throws OutputError if the folder cannot be created.
     ScratchFolder();
     ~ScratchFolder();
     ScratchFolder(const ScratchFolder&) = delete;
