@@ -24,8 +24,8 @@ struct Box {
     bool is_empty() const { return !(low.x() <= high.x()); }
 };
 
-// Includes the ends of the arc, and its extreme points to the left, right, top and bottom, where it
-// runs along an axis.
+// Includes the ends of the arc and its extreme points to the left, right, top and bottom, which are
+// the points where its tangent is parallel to an axis.
 void include_arc(const FilmArc& arc, const Vec2& tail, Box& box) {
     constexpr double kQuarter = 0.5 * std::numbers::pi;
     const double first = std::atan2(arc.chord.y(), arc.chord.x()) - arc.half_angle;

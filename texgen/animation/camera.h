@@ -6,8 +6,9 @@
 
 namespace foam::texgen {
 
-/// Returns the view of a patch in all frames. At a zoom of 1 the whole first frame fits the image,
-/// in its middle and as large as the margin allows. If the frame is empty, a foam unit is a pixel.
+/// Returns the view of a patch, which all frames share. At a zoom of 1 the first frame is centered
+/// in the image and as large as the margin allows. If the first frame is empty, a foam unit is a
+/// pixel.
 View camera_view(const Frame& first, const ImageOptions& image, const CameraOptions& camera);
 
 }  // namespace foam::texgen

@@ -3,10 +3,15 @@
 #include <algorithm>
 #include <utility>
 
+// Each frame is a request for one to four states. Requests are sorted by the last state that they
+// need, so a frame is handed out as soon as that state is added. The number of open requests per
+// state decides when a state is released.
+
 namespace foam::texgen {
 
 namespace {
 
+// Returns the frame with another number; copies it only if the number differs.
 std::shared_ptr<const Frame> renumbered(const std::shared_ptr<const Frame>& frame, int number) {
     if (frame->number == number) {
         return frame;
@@ -108,7 +113,8 @@ void FrameAssembly::release(const Request& request) {
     }
 }
 
-// Nothing more where an earlier state is shown again.
+// Returns the part of a total effort that no frame has reported. It is 0 if an earlier state is
+// shown again. Errors are those of the state itself.
 FrameEffort FrameAssembly::effort_since_last(const FrameEffort& total) {
     FrameEffort effort = total;
     if (total.seconds < told_.seconds) {

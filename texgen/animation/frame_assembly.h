@@ -9,8 +9,8 @@
 
 namespace foam::texgen {
 
-/// The presence of the next frame beside each frame. With it the simulation goes on by one frame
-/// beyond the last.
+/// Selects whether each frame is handed out together with the frame after it. If so, the simulation
+/// continues to the state after the last frame.
 enum class NextFrames { LeftOut, HandedOut };
 
 /// Makes the frames of an animation out of the states of a simulation, and hands out each as soon
@@ -18,24 +18,25 @@ enum class NextFrames { LeftOut, HandedOut };
 /// States are kept no longer than they are needed.
 class FrameAssembly {
   public:
-    /// Assembles the frames of these numbers.
+    /// Assembles the frames with the given numbers. Calls `on_frame` for each of them.
     FrameAssembly(const Preset& preset,
                   const std::vector<int>& numbers,
                   NextFrames next_frames,
                   FrameVisitor on_frame);
 
-    /// Returns the states that these frames need, in increasing order; for a patch also the first,
-    /// which decides the view of all frames.
+    /// Returns the numbers of the states that these frames need, in increasing order. For a patch
+    /// they include state 1, which decides the view of all frames.
     std::vector<int> states() const;
 
-    /// Adds a state; states come in that order. Its effort is that since the state before.
+    /// Adds a state and hands out the frames that are complete with it. Precondition: states are
+    /// added in the order of `states`, each with the effort since the one added before.
     void add(const SimulatedFrame& state);
 
   private:
     struct Request {
         int number = 0;
         ShownStates shown;
-        std::vector<int> states;  // that it takes, the last one last
+        std::vector<int> states;  // that the frame needs, in increasing order
     };
 
     Request request_of(int number, const Preset& preset) const;
@@ -47,11 +48,11 @@ class FrameAssembly {
     bool hands_out_next_;
     FrameVisitor on_frame_;
     std::vector<Request> requests_;       // in the order in which they are handed out
-    std::size_t handed_out_ = 0;          // of them
-    std::map<int, int> uses_;             // of a state, by the requests that are left
-    std::map<int, SimulatedFrame> kept_;  // with totals as their efforts
-    FrameEffort total_;                   // from the seed on
-    FrameEffort told_;                    // of it, so far
+    std::size_t handed_out_ = 0;          // number of requests handed out so far
+    std::map<int, int> uses_;             // state number to number of open requests that need it
+    std::map<int, SimulatedFrame> kept_;  // by state number; efforts are totals since the seed
+    FrameEffort total_;                   // effort from the seed to the last added state
+    FrameEffort told_;                    // part of it that handed-out frames have reported
 };
 
 }  // namespace foam::texgen

@@ -33,7 +33,7 @@ void History::renumber(int frames) {
     }
 }
 
-// A shear is small from frame to frame.
+// Shears each position by the shear since the previous frame, which is small.
 void History::carry_events(const Domain& domain) {
     if (domain.is_plane()) {
         return;

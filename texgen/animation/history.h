@@ -5,7 +5,7 @@
 
 namespace foam::texgen {
 
-/// Keeps the record of a foam while it goes from frame to frame.
+/// Keeps the record of a foam up to date while the foam advances from frame to frame.
 class History {
   public:
     /// Begins with a foam at time 0.
@@ -27,11 +27,12 @@ class History {
     const FoamRecord& record() const { return record_; }
 
   private:
+    // Moves the recorded positions along with the shear of the domain.
     void carry_events(const Domain& domain);
 
     FoamRecord record_;
-    double time_ = 0.0;  // of the frame before
-    Domain domain_;
+    double time_ = 0.0;  // foam time of the previous frame
+    Domain domain_;      // to which the positions of the recorded events refer
 };
 
 }  // namespace foam::texgen

@@ -6,7 +6,7 @@ namespace foam::texgen {
 
 namespace {
 
-// Returns the way travelled by the drift.
+// Returns the displacement by the drift after a fraction of the loop.
 Vec2 way(const Domain& domain, const LoopOptions& loop, double passed) {
     return {passed * loop.drift[0] * domain.width, passed * loop.drift[1] * domain.height};
 }
@@ -20,7 +20,7 @@ bool is_posed(const LoopOptions& loop) {
 Foam posed(Foam foam, const LoopOptions& loop, double passed) {
     if (loop.kind == LoopKind::Shear) {
         shear(foam, -foam.domain.shear / foam.domain.height);
-        foam.domain.shear = 0.0;  // but for rounding it is
+        foam.domain.shear = 0.0;  // removes the rounding error
     }
     if (loop.drift != std::array{0, 0}) {
         translate(foam, way(foam.domain, loop, passed));

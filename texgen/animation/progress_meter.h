@@ -9,9 +9,9 @@ namespace foam::texgen {
 
 /// The progress of a run after a frame is done: simulated, measured, or written.
 struct RunProgress {
-    int frame = 0;             // its number
-    int done = 0;              // frames done so far ...
-    int total = 0;             // ... of as many as will be
+    int frame = 0;             // number of the frame
+    int done = 0;              // number of frames done so far
+    int total = 0;             // number of frames in the run
     int bubbles = 0;           // in this frame
     double area_error = 0.0;   // largest |A / A_target - 1| (E2)
     double angle_error = 0.0;  // largest deviation from 120 degrees (E2), radians
@@ -21,12 +21,14 @@ struct RunProgress {
 /// Called from one thread at a time.
 using ProgressCallback = std::function<void(const RunProgress&)>;
 
-/// Counts the frames of a run, which begins with the meter, and reports each. Not thread-safe.
+/// Counts the frames of a run and reports each. The run begins when the meter is constructed. Not
+/// thread-safe.
 class ProgressMeter {
   public:
     /// Borrows the callback, which may be empty.
     ProgressMeter(int total, const ProgressCallback& on_progress);
 
+    /// Counts a frame that is done and reports it.
     void add(const SimulatedFrame& shown);
 
   private:

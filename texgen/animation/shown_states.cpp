@@ -3,6 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+// Frame n of a loop of N frames shows
+// - in a pingpong the states 1, 2, ..., N/2 + 1, ..., 3, 2, after which comes 1 again;
+// - in a flow with a fade of A frames the state A + n. In the last A frames it fades into the state
+//   A + n - N, which is one of the A states before frame 1. In the last frame, n = N, the state A
+//   has nearly replaced the state A + N, and frame 1 shows the state A + 1;
+// - otherwise the state n.
+
 namespace foam::texgen {
 
 namespace {

@@ -18,12 +18,13 @@ struct ShownStates {
     friend bool operator==(const ShownStates&, const ShownStates&) = default;
 };
 
-/// Returns the states of frame `number`, from 1, in a loop of `count` frames. A pingpong returns
-/// from the middle. A flow has as many states before that of frame 1 as frames fade: the last
-/// frames fade into these, so that the state after the last of them is that of frame 1.
+/// Returns the states that frame `number`, counted from 1, shows in a loop of `count` frames. A
+/// pingpong shows the states up to its middle and then the same states backwards. A flow has as
+/// many states before the state of frame 1 as frames fade. The last frames fade into these states,
+/// so that the state after the last of them is the state of frame 1.
 ShownStates shown_states(int number, const LoopOptions& loop, int count);
 
-/// Returns the number of states before that of frame 1; 0 except in a flow.
+/// Returns the number of states before the state of frame 1; 0 except in a flow.
 int states_ahead(const LoopOptions& loop, int count);
 
 /// Returns the first frame that shows a state without a fade.

@@ -13,32 +13,33 @@ namespace foam::texgen {
 enum class RunStatus {
     Complete,
     NoEquilibrium,
-    OpenLoop,  // no frame was handed out
+    OpenLoop,  // the loop did not close; no frame was handed out
 };
 
 /// How a run ended.
 struct RunOutcome {
     RunStatus status = RunStatus::Complete;
-    int failed_frame = 0;                 // whose foam found no equilibrium, or whose loop is open
+    int failed_frame = 0;  // the frame without equilibrium or of the open loop; 0 if complete
     std::optional<double> closing_error;  // of a loop (Simulation::closing_error)
 };
 
-/// A source of frames: hands out those of the given numbers, as simulate_frames does.
+/// A source of frames: hands out the frames with the given numbers in the order of simulate_frames.
 using FrameSource = std::function<RunOutcome(
     const std::vector<int>& numbers, NextFrames next_frames, const FrameVisitor&)>;
 
-/// Returns a source that simulates a preset from its seed at every call.
+/// Returns a source that simulates a preset from its seed in every call. `threads` is the number of
+/// threads of the simulation, 0 for all hardware threads.
 FrameSource simulation_of(const Preset& preset, int threads);
 
-/// Simulates a preset from its seed to the last of these states, and hands them out in increasing
-/// order, each with the effort since the one before.
+/// Simulates a preset from its seed to the last of the given states and hands each of them out with
+/// the effort since the previous one. Precondition: `states` is in increasing order.
 RunOutcome simulate_states(const Preset& preset,
                            int threads,
                            const std::vector<int>& states,
                            const FrameVisitor& on_state);
 
-/// Simulates a preset from its seed as far as the frames of these numbers need, and hands out each
-/// frame as soon as its states exist (FrameAssembly).
+/// Simulates a preset from its seed as far as the frames with the given numbers need, and hands out
+/// each frame as soon as its states exist (FrameAssembly).
 RunOutcome simulate_frames(const Preset& preset,
                            int threads,
                            const std::vector<int>& numbers,

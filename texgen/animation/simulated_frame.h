@@ -19,19 +19,20 @@ struct FrameEffort {
     double seconds = 0.0;      // wall time of the steps
 };
 
-/// A frame of the foam with all that is drawn of it.
+/// A frame of the foam with everything that the maps need to draw it.
 struct DrawnState {
     std::shared_ptr<const Frame> frame;
     std::shared_ptr<const FoamRecord> record;
-    std::shared_ptr<const Frame> next;  // the frame after it, where asked for
+    std::shared_ptr<const Frame> next;  // the frame after it; null if not requested
 };
 
-/// A frame of an animation with all that is drawn or measured of it; or a state of the simulation.
+/// A frame of an animation, or a state of the simulation, with everything that is drawn or measured
+/// of it.
 struct SimulatedFrame : DrawnState {
     FrameEffort effort;
     std::optional<View> view = {};             // of a patch; the same in all frames
     std::optional<double> closing_error = {};  // of a loop (Simulation::closing_error)
-    DrawnState rising = {};                    // in a cross-fade, the one that replaces it
+    DrawnState rising = {};                    // in a cross-fade, the state that replaces it
     double faded = 0.0;                        // fraction of the fade that has passed, 0 to 1
 };
 

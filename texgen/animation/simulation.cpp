@@ -9,11 +9,20 @@
 #include <cmath>
 #include <vector>
 
+// Before frame 1 the foam is seeded, equilibrated and warmed up. Every further frame is one step
+// (core/dynamics/step.h): gas diffuses while the changes of the timeline are imposed. Loops differ:
+// - breathe, shear: a periodic change without diffusion (core/dynamics/cycle.h). Cycles run before
+//   frame 1 until one ends within kClosed of its start; the frames are the steps of the next cycle.
+// - drift: no step at all; the pose of each frame moves the foam (loop_pose.h).
+// - flow: steps as without a loop, while the timeline makes new bubbles; a cross-fade of two states
+//   closes the loop (shown_states.h).
+// - pingpong: steps as without a loop; frames show the states forwards and backwards.
+
 namespace foam::texgen {
 
 namespace {
 
-constexpr double kClosed = 1e-9;  // of a loop: diameters of a mean bubble
+constexpr double kClosed = 1e-9;  // largest closing error of a loop: diameters of a mean bubble
 
 CycleOptions cycle_options_of(const LoopOptions& loop, int steps, std::uint64_t seed) {
     CycleOptions options{.steps = steps, .seed = seed};
@@ -118,7 +127,9 @@ double Simulation::passed() const {
     return static_cast<double>((number - 1) % frames_.count) / frames_.count;
 }
 
-// Cycles until one ends where it began.
+// Runs cycles until one ends where it began, at most loop_.cycles. The cycles before the last are
+// transients: T1s and T2s that happen once and then no more. Events of each cycle are recorded with
+// frame numbers that end at 1, so that the last cycle is the past of frame 1.
 bool Simulation::close_loop() {
     cycle_.emplace(foam_, cycle_options_of(loop_, frames_.count, seed_));
     bool found = step_cycle(0);

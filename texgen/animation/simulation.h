@@ -12,28 +12,28 @@
 
 namespace foam::texgen {
 
-/// The foam of a preset, from its seed through its frames in order.
+/// Simulates the foam of a preset from its seed, one frame after the other.
 class Simulation {
   public:
-    /// The foam is seeded here, and seeded_foam's exceptions come from here. The bits are the same
-    /// for any number of threads; 0 are as many as the machine runs at once.
+    /// Seeds the foam. Throws what seeded_foam throws. The results are the same to the last bit for
+    /// any number of threads; 0 uses all hardware threads.
     explicit Simulation(const Preset& preset, int threads = 0);
 
-    /// Goes on to the next frame: to frame 1 by equilibrium and the warm-up (to frame 2, where
-    /// frame 1 shows the diagram), and by as many cycles as a loop takes to close; from frame to
-    /// frame by a time step and the events of the preset, or by a step of the loop. A flow has new
-    /// bubbles for those that vanished, in its warm-up too. False where no equilibrium is found, or
-    /// the loop stays open; the foam is then of no more use.
+    /// Advances to the next frame. Before frame 1 the foam is equilibrated and warmed up (before
+    /// frame 2 if frame 1 shows the diagram), and a loop runs cycles until it closes. Later frames
+    /// follow by a time step with the events of the preset, or by a step of the loop. In a flow new
+    /// bubbles replace those that have vanished, also in the warm-up. Returns false if no
+    /// equilibrium is found or the loop stays open; the foam must not be used after that.
     bool advance();
 
     /// Returns the frame that was reached. An animation shows some of them (shown_states).
     Frame frame() const;
 
-    /// Returns the distance from the end of a cycle to its start, in diameters of a mean bubble
-    /// (closing_error); nothing if no loop was tried.
+    /// Returns the distance from the end of the last cycle to its start, in diameters of a mean
+    /// bubble (closing_error); nullopt if no cycle was run.
     const std::optional<double>& closing_error() const { return closing_error_; }
 
-    /// Returns the view of a patch, from frame 1 on; nothing for a torus.
+    /// Returns the view of a patch, from frame 1 on; nullopt for a torus.
     const std::optional<View>& view() const { return view_; }
 
     /// Returns the record that the maps of this frame need.
@@ -53,9 +53,9 @@ class Simulation {
     bool warm_up();
     bool close_loop();
     bool step_cycle(int place);
-    double passed() const;  // of a loop, the part of it before the frame that was reached
+    double passed() const;  // fraction of the loop before the frame that was reached
     void add_effort(const EquilibriumSummary& before);
-    bool step_by(double time, const StateChange& change);  // adds to what equilibrium_ counts
+    bool step_by(double time, const StateChange& change);  // adds its effort to equilibrium_
 
     FramesOptions frames_;
     LoopOptions loop_;

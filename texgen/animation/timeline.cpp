@@ -9,8 +9,8 @@ namespace foam::texgen {
 
 namespace {
 
-// Differs for each event and for the renewal, which follows the last event; and from the seed of
-// the foam.
+// Returns the seed of the random numbers of an event. It differs for each event and from the seed
+// of the foam. The renewal of a flow has the seed that follows the last event's.
 std::uint64_t seed_of(const Preset& preset, std::size_t event) {
     return (preset.seeding.seed ^ 0x9e3779b97f4a7c15U) + 0xd1b54a32d192ed03U * (event + 1);
 }
@@ -34,7 +34,7 @@ Timeline::Timeline(const Preset& preset)
     }
     for (std::size_t k = 0; k < preset.events.size(); ++k) {
         Event event = preset.events[k];
-        event.frames = *frames_of(event, preset.frames);  // a checked preset has them
+        event.frames = *frames_of(event, preset.frames);  // never empty in a checked preset
         entries_.push_back({std::move(event), Random(seed_of(preset, k))});
     }
 }
@@ -57,7 +57,7 @@ StateChange Timeline::changes_to(int frame, Foam& foam) {
     return change;
 }
 
-// The first foam has the number of bubbles to keep up.
+// The number of bubbles to maintain is that of the foam at the first call.
 void Timeline::renew(int frame, Foam& foam) {
     if (renewal_->bubbles == 0) {
         renewal_->bubbles = foam.network.bubble_count();

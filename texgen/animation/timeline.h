@@ -17,29 +17,29 @@ class Timeline {
   public:
     explicit Timeline(const Preset& preset);
 
-    /// Carries out everything that is due on the way to a frame: makes new bubbles, small at first,
-    /// in a foam that is in equilibrium, and returns the change to impose on that way. Frames must
-    /// come in order, each once. Nothing happens for a choice that finds no bubble, a position
-    /// outside of a patch, and a new bubble with too little gas around it. In a flow new bubbles
-    /// replace those that have vanished.
+    /// Begins the events that are due on the way to a frame: makes their new bubbles, small at
+    /// first, and returns the change to impose during the step to that frame. In a flow new bubbles
+    /// replace those that have vanished. Preconditions: the foam is in equilibrium; frames come in
+    /// order, each once. It is no error if a choice finds no bubble, if a position is outside of a
+    /// patch, or if a new bubble finds too little gas around it; then nothing happens.
     StateChange changes_to(int frame, Foam& foam);
 
-    /// Sets the view of a patch, in fractions of which events have their positions. By default a
-    /// foam unit is a pixel.
+    /// Sets the view of a patch. Positions of events are fractions of it. By default a foam unit is
+    /// a pixel.
     void set_view(const View& view) { view_ = view; }
 
   private:
-    // An event and the random numbers that are its own.
+    // An event with a random generator of its own.
     struct Entry {
         Event event;
         Random random;
     };
 
-    // The renewal of a flow: new bubbles begin at random points of the torus, so that large
-    // bubbles, whose gas they take, give most.
+    // The renewal of a flow: new bubbles begin at random points of the torus. They take the gas of
+    // the bubbles around them, so large bubbles give most.
     struct Renewal {
-        std::size_t bubbles = 0;  // to keep up
-        int growth = 1;           // frames that new ones take to the mean area
+        std::size_t bubbles = 0;  // number of bubbles to maintain
+        int growth = 1;           // frames that new bubbles take to reach the mean area
         Random random;
     };
 
