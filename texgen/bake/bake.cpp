@@ -14,6 +14,11 @@
 #include <optional>
 #include <stdexcept>
 
+// A pipeline of one producer and several consumers. The caller's thread takes frames from the
+// source, usually the simulation, and submits each as a job; worker threads draw, encode and write
+// one frame per job. The queue of jobs is bounded (bounded_workers.h), so memory does not grow with
+// the number of frames.
+
 namespace foam::texgen {
 
 namespace {
@@ -49,12 +54,12 @@ class FrameWriter {
         }
     }
 
-    /// Says whether the frames need the frame after each.
+    /// Returns whether the maps need the frame after each frame.
     NextFrames next() const {
         return files_.needs_next() ? NextFrames::HandedOut : NextFrames::LeftOut;
     }
 
-    /// Returns the files of those frames that are done, in the order of `frames`.
+    /// Returns the files of the frames that are in `done`, in the order of `frames`.
     std::vector<std::filesystem::path> paths(const std::vector<int>& frames,
                                              const std::set<int>& done) const {
         std::vector<std::filesystem::path> all;

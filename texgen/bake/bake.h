@@ -12,19 +12,19 @@
 
 namespace foam::texgen {
 
-/// Which frames of a preset are baked, and how. None of it changes a pixel.
+/// The frames to bake and the way to compute them. No option changes a pixel.
 struct BakeOptions {
     std::vector<int> frames;   // numbers from 1, in any order, each once
     int threads = 0;           // 0: one per hardware thread
-    FrameSource source = {};   // of the same preset; empty: its simulation
-    std::set<int> there = {};  // of the frames, those whose files are there and stay as they are
+    FrameSource source = {};   // source of the frames of the same preset; empty: its simulation
+    std::set<int> there = {};  // frames of `frames` whose existing files are kept
 };
 
 struct BakeSummary {
-    RunOutcome outcome;  // the frames before one that failed were written
-    // Written, or there before, in the order of the frames asked for.
+    RunOutcome outcome;  // if it failed, the frames handed out before the failure were written
+    // Files written and files kept, in the order of BakeOptions::frames.
     std::vector<std::filesystem::path> files;
-    int kept = 0;  // frames whose files were there
+    int kept = 0;  // number of frames whose existing files were kept; `bake` leaves it 0
 };
 
 /// A frame whose files have been written.
@@ -34,21 +34,21 @@ struct BakedFrame {
     double seconds = 0.0;  // of drawing, encoding and writing
 };
 
-/// What is told of a bake while it runs; any of them may be empty. `on_frame` is called before a
-/// frame is drawn, in the order of simulate_frames; the others after it has been written, in any
-/// order. None is called from two threads at once.
+/// Callbacks of a running bake; each may be empty. `on_frame` is called before a frame is drawn, in
+/// the order of simulate_frames. The others are called after a frame has been written, in any
+/// order. No callback is called from two threads at once.
 struct BakeCallbacks {
     ProgressCallback on_progress = {};
     FrameVisitor on_frame = {};
     std::function<void(const BakedFrame&)> on_baked = {};
 };
 
-/// Throws std::invalid_argument for options out of range and a pattern under which two images would
-/// share a file.
+/// Throws std::invalid_argument if there are no frames, if one is below 1, or if the file pattern
+/// would give two images the same file.
 void check_bake(const Preset& preset, const BakeOptions& options);
 
-/// Takes the frames from their source, draws the frames and writes every map of each; folders are
-/// made as needed. Throws as check_bake, and OutputError where a file cannot be written.
+/// Takes the frames from their source, draws them, and writes every map of each. Creates missing
+/// folders. Throws as check_bake, and OutputError if a file cannot be written.
 BakeSummary bake(const Preset& preset,
                  const BakeOptions& options,
                  const BakeCallbacks& callbacks = {});

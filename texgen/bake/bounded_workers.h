@@ -11,26 +11,27 @@
 
 namespace foam::texgen {
 
-/// Threads that work off jobs beside the caller's thread. No more than two jobs wait for each of
-/// them, so that what the jobs hold, such as frames, stays bounded; the caller lends a hand rather
-/// than wait for room, and leaves jobs for the threads to go on with meanwhile.
+/// A thread pool with a bounded queue. At most two jobs per thread wait in the queue, which bounds
+/// the memory that jobs hold, such as frames. If the queue is full, the caller runs a waiting job
+/// itself instead of blocking; the other waiting jobs keep the threads busy meanwhile.
 class BoundedWorkers {
   public:
-    /// With no threads, every job runs at once on the caller's.
+    /// Starts the threads. With 0 threads, `submit` runs each job on the caller's thread.
     explicit BoundedWorkers(int threads);
 
-    /// Stops after the jobs that run; those that wait are dropped.
+    /// Waits for the running jobs. Waiting jobs are dropped.
     ~BoundedWorkers();
 
     BoundedWorkers(const BoundedWorkers&) = delete;
     BoundedWorkers& operator=(const BoundedWorkers&) = delete;
 
-    /// Hands in a job. Where as many wait as may, the first of them runs on the caller's thread, to
-    /// make room. Throws the first exception that an earlier job threw;
-    /// later jobs are then dropped.
+    /// Adds a job to the queue. If the queue is full, first runs waiting jobs on the caller's
+    /// thread. If a job has thrown, the waiting jobs are dropped and this throws the first of the
+    /// exceptions.
     void submit(std::function<void()> job);
 
-    /// Works until no job waits, and waits until all are done. Throws as submit does.
+    /// Runs waiting jobs on the caller's thread too, and returns when all jobs are done. Throws as
+    /// submit does.
     void finish();
 
   private:

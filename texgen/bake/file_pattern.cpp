@@ -124,7 +124,7 @@ std::filesystem::path FilePattern::folder(std::string_view preset) const {
         } else if (std::holds_alternative<PresetName>(piece)) {
             filled += preset;
         } else {
-            filled += '_';  // whatever stands there
+            filled += '_';  // any text; it differs between maps or frames
             break;
         }
     }

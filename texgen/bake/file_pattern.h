@@ -12,19 +12,20 @@ namespace foam::texgen {
 
 struct ImageFormat;
 
-/// Names the image files of a bake. In the pattern stand for
+/// Names the image files of a bake. A pattern may contain these placeholders:
 ///
 ///     {preset}  the name of the preset
 ///     {map}     the name of the map
-///     #         the frame in four digits; a run of two or more: in as many digits as characters
-///     @         the frame in as many digits as the run has characters
-///     %04d %d   the frame as in C's printf
+///     #         the frame number in four digits
+///     ## ###    the frame number in as many digits as there are characters
+///     @ @@      the frame number in as many digits as there are characters
+///     %04d %d   the frame number as in C's printf
 ///
-/// A number with more digits than asked for is written in full; shorter ones get leading zeros.
+/// Shorter numbers get leading zeros; longer numbers are written in full.
 class FilePattern {
   public:
-    /// Throws std::invalid_argument for a placeholder not listed above and unless the suffix of an
-    /// image format ends it.
+    /// Parses a pattern. Throws std::invalid_argument for any other placeholder, or if the pattern
+    /// does not end in the suffix of an image format.
     explicit FilePattern(std::string_view pattern);
 
     const ImageFormat& format() const { return *format_; }
@@ -33,16 +34,17 @@ class FilePattern {
     /// has no {map}.
     bool joins_maps() const;
 
-    /// Throws std::invalid_argument if two of this many frames would share a file, or two of this
-    /// many maps would that cannot.
+    /// Throws std::invalid_argument if several frames would share a file, or if several maps would
+    /// although the pattern does not join maps. `frames` and `maps` are their numbers.
     void check_distinct(std::size_t frames, std::size_t maps) const;
 
+    /// Returns the path of an image.
     std::filesystem::path path(std::string_view preset, std::string_view map, int frame) const;
 
-    /// The deepest folder that holds the files of all maps and frames.
+    /// Returns the deepest folder that contains the files of all maps and frames.
     std::filesystem::path folder(std::string_view preset) const;
 
-    /// The path with the frame's placeholder left as the pattern has it.
+    /// Returns the path of a map's files with the placeholder of the frame left in it.
     std::string sequence(std::string_view preset, std::string_view map) const;
 
   private:

@@ -21,7 +21,7 @@ namespace {
 
 using Texts = std::vector<std::pair<std::string, std::string>>;
 
-/// Returns the texts that all files of a bake have.
+/// Returns the texts that are written into all files of a bake.
 Texts texts_of(const Preset& preset) {
     if (preset.output.texts == FileTexts::LeftOut) {
         return {};
@@ -112,7 +112,7 @@ WrittenFile FrameFiles::write_maps(std::span<const Map* const> maps, ShownLayers
     return written;
 }
 
-// A map alone in its file is in no layer.
+// Channels are in a layer named after their map only if the file holds several maps.
 Picture FrameFiles::picture_of(std::span<const Map* const> maps,
                                ShownLayers& shown,
                                WrittenFile& written) const {
@@ -135,7 +135,8 @@ Picture FrameFiles::picture_of(std::span<const Map* const> maps,
     return picture;
 }
 
-// A file of codes says what the codes stand for, which a file of numbers need not say.
+// A file of codes names the map and its unit. In a file of numbers the samples are in that unit,
+// and only the notes of its maps are added.
 ImageMetadata FrameFiles::metadata_of(std::span<const Map* const> maps) const {
     ImageMetadata metadata = metadata_;
     if (metadata.text.empty()) {

@@ -13,10 +13,12 @@
 
 namespace foam::texgen {
 
-/// Returns true if images of a domain tile: a plane does not, nor does a torus under shear.
+/// Returns true if images of a domain tile: a torus without shear. A plane and a sheared torus do
+/// not.
 bool tiles(const Domain& domain);
 
-/// Writes the image files of a bake. All functions may be called from several threads at once.
+/// Writes the image files of a bake. Thread-safe: all functions may be called from several threads
+/// at once.
 class FrameFiles {
   public:
     /// Borrows the preset.
@@ -25,12 +27,14 @@ class FrameFiles {
     /// Returns the files of a frame.
     std::vector<std::filesystem::path> paths(int frame) const;
 
-    /// Draws every map of a frame and writes it; folders are made as needed. The files are those of
-    /// `paths`, in that order. Throws OutputError.
+    /// Draws every map of a frame and writes it. Creates missing folders. Returns the files in the
+    /// order of `paths`. Throws OutputError if a file cannot be written.
     std::vector<WrittenFile> write(ShownLayers& shown) const;
 
-    /// Return what the maps need: distances, and the next frame.
+    /// Returns the distances that the maps need.
     DistanceNeeds distance() const;
+
+    /// Returns true if a map needs the frame after each frame.
     bool needs_next() const;
 
   private:

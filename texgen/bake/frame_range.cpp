@@ -12,19 +12,19 @@ namespace foam::texgen {
 
 namespace {
 
-/// first-last, then xSTEP or ySTEP.
+/// A range `first-last`, optionally followed by `xSTEP` or `ySTEP`.
 struct Range {
     int first = 0;
     int last = 0;
     int step = 1;
-    bool inverted = false;  // y: the frames that x leaves out
+    bool inverted = false;  // for y, which selects the frames that x skips
 };
 
 [[noreturn]] void refuse(std::string_view text, std::string_view reason) {
     throw std::invalid_argument(fmt::format("frame range '{}': {}", text, reason));
 }
 
-/// Takes one range off the front of a text, piece by piece.
+/// A recursive descent parser of frame ranges; each function consumes the front of the text.
 class Scanner {
   public:
     explicit Scanner(std::string_view text) : text_(text), rest_(text) {}
@@ -80,7 +80,7 @@ void expand(const Range& range, std::unordered_set<int>& seen, std::vector<int>&
     }
 }
 
-/// How many frames from the front lie at equal steps, upward or downward.
+/// Returns the length of the longest prefix that is an arithmetic progression.
 std::size_t run_length(std::span<const int> frames) {
     std::size_t length = frames.size() < 2 ? frames.size() : 2;
     while (length < frames.size() && frames[length] - frames[length - 1] == frames[1] - frames[0]) {

@@ -7,20 +7,22 @@
 
 namespace foam::texgen {
 
-/// The largest frame number a range may name.
+/// The largest frame number that a range may contain.
 constexpr int kLastFrame = 1'000'000;
 
-/// The frames of a range as the film world writes it, in its order, each once:
+/// Parses a frame range in the notation of film pipelines. Returns the frames in the order of the
+/// range, each once:
 ///
 ///     5        one frame                     1-10     first to last
 ///     1-10x2   every second: 1 3 5 7 9       1-10y3   all but every third: 2 3 5 6 8 9
 ///     10-1     backwards                     1-3,7    a list of ranges
 ///
-/// Throws std::invalid_argument for anything else, for frames outside 1 to kLastFrame and for a
-/// range that leaves no frame.
+/// Throws std::invalid_argument for any other text, for frames outside 1 to kLastFrame, and for a
+/// range without any frame.
 std::vector<int> parse_frame_range(std::string_view text);
 
-/// A short range that parse_frame_range reads as these frames: runs of equal steps become `a-bxs`.
+/// Returns a short text that parse_frame_range parses to these frames. Arithmetic progressions
+/// become `a-bxs`.
 std::string format_frame_range(std::span<const int> frames);
 
 }  // namespace foam::texgen

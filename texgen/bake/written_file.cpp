@@ -16,7 +16,7 @@ std::string_view kind_of(const MapImage& image) {
     return kKinds.at(image.index());
 }
 
-/// Returns true for the colors of a patch, which have an opacity.
+/// Returns true for colors with an opacity, which those of a patch have.
 bool has_opacity(const MapImage& image) {
     const auto* colors = std::get_if<ColorPixels>(&image);
     return colors != nullptr && colors->pixels.channels() == kWithOpacity;

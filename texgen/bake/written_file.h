@@ -17,18 +17,19 @@ namespace foam::texgen {
 /// A description of the samples of a map's files.
 struct MapSamples {
     std::string kind;         // "color", "number" or "id"
-    std::string channels;     // of the file: "R G B A"; 0 for a channel of padding
+    std::string channels;     // of the file: "R G B A"; "0" is a padding channel
     std::string type;         // name_of a SampleType
     std::string color_space;  // "sRGB", "linear sRGB" or "data"
     std::string alpha;        // "none", "straight" or "premultiplied"
-    // The numbers that the smallest and the largest code stand for. A file of numbers does not
-    // clamp to them; previews show the one as black and the other as white.
+    // The numbers that the smallest and the largest code represent, for numbers only. A file of
+    // numbers is not clamped to this range; previews show its ends as black and white.
     std::optional<std::array<double, 2>> range;
 
     friend bool operator==(const MapSamples&, const MapSamples&) = default;
 };
 
-/// Describes a map in a file of a format; `numbers` is the type that files of numbers have.
+/// Describes the samples of a map in a file of a format. `numbers` is the sample type for numbers
+/// in formats that store numbers.
 MapSamples describe_samples(const Map& map,
                             const MapImage& image,
                             const ImageFormat& format,
@@ -40,9 +41,9 @@ int code_bits(const Map& map, const ImageFormat& format);
 /// One image file of a bake.
 struct WrittenFile {
     std::filesystem::path path;
-    std::vector<std::pair<const Map*, MapSamples>> maps;  // one, or one per layer
-    std::uint64_t bytes = 0;
-    std::string pixels;  // pixel_hash
+    std::vector<std::pair<const Map*, MapSamples>> maps;  // one map, or one per layer
+    std::uint64_t bytes = 0;                              // size of the file
+    std::string pixels;                                   // pixel_hash
 };
 
 }  // namespace foam::texgen
