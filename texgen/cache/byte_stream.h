@@ -12,14 +12,14 @@
 
 namespace foam::texgen {
 
-/// Content that ends too early, or holds what it must not; the reason alone.
+/// Content that ends too early or is malformed. The message is the reason, without a file name.
 class BadContent : public std::runtime_error {
     using runtime_error::runtime_error;
 };
 
 static_assert(std::endian::native == std::endian::little, "numbers have their lowest byte first");
 
-/// Numbers one after the other, the lowest byte first.
+/// Appends numbers to a buffer, the lowest byte first.
 class ByteWriter {
   public:
     template <class Number>
@@ -36,7 +36,8 @@ class ByteWriter {
     Bytes bytes_;
 };
 
-/// The way back. Throws BadContent where nothing is left.
+/// Reads the numbers that a ByteWriter wrote. All functions throw BadContent if the bytes end too
+/// early.
 class ByteReader {
   public:
     explicit ByteReader(std::span<const std::byte> bytes) : rest_(bytes) {}
@@ -50,14 +51,15 @@ class ByteReader {
         return number;
     }
 
-    /// A number of things to come, of at least so many bytes each.
+    /// Reads the number of elements that follow, each of at least `bytes_each` bytes. Throws
+    /// BadContent if the rest is too short for them.
     std::size_t take_count(std::size_t bytes_each) {
         const auto count = take<std::uint32_t>();
         check_left(count, bytes_each);
         return count;
     }
 
-    /// An index below a limit.
+    /// Reads an index. Throws BadContent unless it is below the limit.
     std::uint32_t take_index(std::size_t limit) {
         const auto index = take<std::uint32_t>();
         if (index >= limit) {

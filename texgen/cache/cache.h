@@ -9,21 +9,23 @@
 
 namespace foam::texgen {
 
-/// The states of a simulation in a folder, a file each, to draw frames of on any machine. Only
-/// read; many programs may at once, also while a simulation still adds states.
+/// A read-only view of a folder with the states of a simulation, one file each, from which frames
+/// can be drawn on any machine. Many programs may read a folder at once, also while a simulation
+/// still adds states.
 class Cache {
   public:
-    /// Throws InputError where the folder is no cache, or one of a newer file format.
+    /// Opens a cache. Throws InputError if the folder is no cache, is one of a newer file format,
+    /// or has a damaged file of pressures.
     explicit Cache(std::filesystem::path folder);
 
     const CacheInfo& info() const { return info_; }
 
-    /// Returns the state of the frame of this number. Throws InputError where it is missing or
-    /// damaged.
+    /// Returns the state with the given number. Throws InputError if it is missing or damaged.
     SimulatedFrame state(int number) const;
 
-    /// Hands out frames as a simulation of the preset would, to the last bit. The preset is that of
-    /// the cache but for what changes no state (check_same_simulation). Borrows the cache.
+    /// Returns a source of the frames that a simulation of the preset would hand out, equal to the
+    /// last bit. Precondition: the preset differs from that of the cache only in keys that change
+    /// no state (check_same_simulation). Borrows the cache.
     FrameSource frames_of(const Preset& preset) const;
 
   private:
@@ -32,9 +34,11 @@ class Cache {
     std::vector<double> first_pressures_;
 };
 
-/// Simulates the frames of a preset, and those after them that maps of motion need, into a cache;
-/// the folder is made as needed. A cache that is there already is replaced. Throws as Simulation,
-/// std::invalid_argument for frames below 1, and OutputError.
+/// Simulates a preset and writes the states that the frames need to a cache, including the state
+/// after each frame, which maps such as motion need. Uses only `frames` and `threads` of the
+/// options. Creates the folder if necessary and overwrites files of an existing cache. Throws what
+/// Simulation throws, std::invalid_argument if there are no frames or one is below 1, and
+/// OutputError if a file cannot be written.
 RunOutcome simulate_into_cache(const Preset& preset,
                                const BakeOptions& options,
                                const std::filesystem::path& folder,

@@ -16,14 +16,14 @@ inline constexpr const char* kCacheName = "cache.json";
 struct CacheInfo {
     Preset preset;
     std::string simulation;               // simulation_hash
-    std::vector<int> frames;              // that it was made for
+    std::vector<int> frames;              // frames that can be drawn from it
     std::optional<double> closing_error;  // of a loop (Simulation::closing_error)
 };
 
 /// Returns true if a path is a folder with a cache.
 bool is_cache(const std::filesystem::path& path);
 
-/// Return the files of a state, and of the pressures of the first equilibrium.
+/// Return the path of the file of a state, and of the pressures of the first equilibrium.
 std::filesystem::path state_path(const std::filesystem::path& folder, int number);
 std::filesystem::path pressures_path(const std::filesystem::path& folder);
 

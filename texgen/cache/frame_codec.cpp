@@ -7,11 +7,19 @@
 #include <utility>
 #include <vector>
 
+// The topology is rebuilt from the three half-edges that leave each junction, in order: the
+// half-edge after the twin of one of them is the next of them. This gives every `next`, and so the
+// loop around every bubble, of which one half-edge is stored. The half-edges that no bubble claims
+// are those of the ghost bubble, and without a ghost bubble there must be none. The geometry is
+// computed from the stored unknowns by `snapshot`, the code that also made the frame, so it is
+// equal to the last bit. Every index is checked, and find_fault checks the whole network, so
+// damaged content throws.
+
 namespace foam::texgen {
 
 namespace {
 
-constexpr std::size_t kPerJunction = 2;  // films: 3 of them have 2 junctions each
+constexpr std::size_t kPerJunction = 2;  // three films have the ends of two junctions
 constexpr BubbleId kNobody = kNone<BubbleId>;
 
 std::uint32_t number_of(HalfEdgeId h) {
@@ -77,7 +85,8 @@ void write_values(const Frame& frame, ByteWriter& writer) {
     }
 }
 
-// Of outer films the half angle is an unknown of its own; that of others follows from pressures.
+// The half angle of an outer film is an unknown of its own and is stored. The half angles of all
+// other films follow from the pressures.
 void write_patch(const Frame& frame, ByteWriter& writer) {
     for (const FilmId film : frame.network.films()) {
         if (frame.network.is_outer(film)) {
@@ -92,6 +101,7 @@ void write_patch(const Frame& frame, ByteWriter& writer) {
     }
 }
 
+/// Reads a frame in the order in which write_frame writes it.
 class FrameReader {
   public:
     explicit FrameReader(ByteReader& reader) : reader_(reader) {}
@@ -121,7 +131,7 @@ class FrameReader {
 
     HalfEdgeId read_half_edge() { return id_at<HalfEdgeId>(reader_.take_index(half_edges())); }
 
-    // Each leaves one junction.
+    // Reads a half-edge that leaves a junction. Throws BadContent if it leaves another one, too.
     HalfEdgeId take_side() {
         const HalfEdgeId h = read_half_edge();
         if (taken_[index_of(h)]) {
@@ -131,7 +141,8 @@ class FrameReader {
         return h;
     }
 
-    // Of the three that leave a junction, each comes after the twin of the one before.
+    // Links the half-edges around each junction: of the three that leave it, each is the `next` of
+    // the twin of the one before.
     void read_junctions() {
         const std::size_t count = reader_.take_count(3 * sizeof(std::uint32_t));
         if (count % kPerJunction != 0) {
@@ -146,7 +157,7 @@ class FrameReader {
         taken_.assign(half_edges(), false);
         for (std::size_t k = 0; k < count; ++k) {
             const std::array leaving{take_side(), take_side(), take_side()};
-            for (const std::size_t one : {2U, 1U, 0U}) {  // the first is what outgoing() gives
+            for (const std::size_t one : {2U, 1U, 0U}) {  // outgoing() returns the last one set
                 network().set_tail(leaving[one], id_at<JunctionId>(k));
                 network().set_next(twin(leaving[one]), leaving[(one + 1) % 3]);
             }
@@ -169,7 +180,7 @@ class FrameReader {
         }
     }
 
-    // Everything that its first half-edge leads to.
+    // Assigns to a bubble the loop of half-edges that starts with its first one.
     void claim_loop(BubbleId bubble, HalfEdgeId first) {
         network().set_first(bubble, first);
         int sides = 0;
@@ -185,7 +196,7 @@ class FrameReader {
         network().set_sides(bubble, sides);
     }
 
-    // Every side that is left over.
+    // Assigns all remaining half-edges to the ghost bubble.
     void read_ghost() {
         const BubbleId ghost = network().add_ghost();
         const std::vector<HalfEdgeId> sides = unclaimed();
@@ -200,6 +211,7 @@ class FrameReader {
         network().set_sides(ghost, static_cast<int>(sides.size()));
     }
 
+    // Returns the half-edges that belong to no bubble yet.
     std::vector<HalfEdgeId> unclaimed() {
         std::vector<HalfEdgeId> sides;
         for (std::size_t k = 0; k < half_edges(); ++k) {
@@ -251,7 +263,7 @@ class FrameReader {
 
     ByteReader& reader_;
     Foam foam_;
-    std::vector<bool> taken_;  // by half-edge: whether it leaves a junction that was read
+    std::vector<bool> taken_;  // by half-edge: true if it leaves a junction that was read
 };
 
 }  // namespace

@@ -5,13 +5,16 @@
 
 namespace foam::texgen {
 
-// A frame in about 105 bytes a bubble, before compression: of its topology only which half-edges
-// leave every junction, and one half-edge of every bubble, from which all else follows; of its
-// geometry what arcs and areas are computed from (README.md says what is kept).
+// A compact encoding of a frame: about 105 bytes per bubble before compression. Of the topology it
+// stores the half-edges that leave each junction and one half-edge of each bubble, from which the
+// rest follows. Of the geometry it stores the values from which arcs and areas are computed.
+// README.md lists what is stored.
 
+/// Appends a frame.
 void write_frame(const Frame& frame, ByteWriter& writer);
 
-/// The same frame, to the last bit. Throws BadContent where it is none.
+/// Returns the frame that write_frame wrote, equal to the last bit. Throws BadContent if the bytes
+/// are no frame.
 Frame read_frame(ByteReader& reader);
 
 }  // namespace foam::texgen

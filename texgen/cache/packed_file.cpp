@@ -18,7 +18,8 @@ namespace {
 
 constexpr std::string_view kMagic = "foamtex";
 constexpr int kLevel = 6;  // of libdeflate, 1 to 12
-// Deflate shrinks nothing further, so a header cannot make us allocate what never comes.
+// Deflate cannot compress by a larger factor. A header with a size that would need one is rejected
+// before memory is allocated for the content.
 constexpr std::size_t kLargestRatio = 1032;
 
 struct FreeCompressor {
@@ -30,6 +31,7 @@ struct FreeCompressor {
     }
 };
 
+/// The header of a packed file, as it is stored.
 struct Header {
     std::array<char, 8> magic{};
     std::array<char, 8> kind{};
@@ -37,7 +39,7 @@ struct Header {
     std::uint32_t unused = 0;
     std::array<char, 32> belongs{};
     std::uint64_t size = 0;  // of the content
-    std::uint64_t sum = 0;   // XXH3 of what follows the header
+    std::uint64_t sum = 0;   // XXH3 of the compressed bytes, which follow the header
 };
 static_assert(sizeof(Header) == 72, "a header has no gaps");
 

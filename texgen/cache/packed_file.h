@@ -10,22 +10,23 @@
 
 namespace foam::texgen {
 
-/// Of the format of what stands in packed files; one of another version is refused.
+/// The version of the format of packed files. Files of another version are rejected.
 inline constexpr std::uint32_t kPackedVersion = 1;
 
-/// What a file is about: it is read only where both are the same.
+/// The label of a packed file. A file is read only if both members match.
 struct PackedLabel {
-    std::string_view kind;     // "state", at most 8 letters
-    std::string_view belongs;  // 32 letters: the simulation that it comes from
+    std::string_view kind;     // kind of content, such as "state"; at most 8 letters
+    std::string_view belongs;  // hash of the simulation that it comes from, 32 letters
 };
 
-/// Writes bytes compressed and with a check sum, all or nothing. Throws OutputError.
+/// Writes a file atomically, compressed and with a check sum. Throws OutputError if it cannot be
+/// written.
 void write_packed(const std::filesystem::path& path,
                   const PackedLabel& label,
                   std::span<const std::byte> content);
 
-/// Undoes write_packed. Throws InputError for a file that is missing, damaged, of another version,
-/// or about something else.
+/// Returns the content of a packed file. Throws InputError if the file is missing, damaged, of
+/// another version, or has another label.
 Bytes read_packed(const std::filesystem::path& path, const PackedLabel& label);
 
 }  // namespace foam::texgen

@@ -13,7 +13,8 @@ namespace foam::texgen {
 
 namespace {
 
-// Writes states as they come.
+// Writes states to a cache as they are simulated. The first one also writes cache.json, so a
+// simulation that fails before its first state leaves no cache.
 class CacheWriter {
   public:
     CacheWriter(CacheInfo info, std::filesystem::path folder)

@@ -17,10 +17,11 @@ namespace foam::texgen {
 
 namespace {
 
-// The tables that decide only how states look, besides those of maps.
+// The tables that only influence how states are drawn, in addition to those of maps.
 constexpr std::array<std::string_view, 4> kLooks = {"preset", "image", "camera", "output"};
 
-// Positions of a patch's events are in fractions of the image.
+// Returns true if the camera influences the states: positions of events in a patch are fractions of
+// the image.
 bool needs_camera(const Preset& preset) {
     return preset.shape.kind == FoamKind::Patch &&
            std::ranges::any_of(preset.events,
@@ -35,7 +36,7 @@ bool decides(const KeyInfo& key, const Preset& preset) {
     return decides_simulation(key.table()) || (key.table() == "camera" && needs_camera(preset));
 }
 
-// Returns "4:3".
+// Returns the aspect ratio in lowest terms, such as "4:3".
 std::string aspect_of(const ImageOptions& image) {
     const int common = std::gcd(image.width, image.height);
     return fmt::format("{}:{}", image.width / common, image.height / common);

@@ -7,19 +7,20 @@
 
 namespace foam::texgen {
 
-/// Returns true if the keys of a table of presets decide the states of a simulation. A table does,
-/// unless it is listed as one that decides only how states look: a table that nobody has thought of
-/// here cannot be changed at a render.
+/// Returns true if the keys of a table of presets influence the states of a simulation. Every table
+/// does, unless it is listed as one that only influences how states are drawn. Therefore a new
+/// table cannot be changed by `render` until it is listed.
 bool decides_simulation(std::string_view table);
 
-/// Returns a hash of everything that decides the states of a simulation, and of the version of
-/// foamtex. It is written into every file of a cache, and a reader rejects files of another
-/// simulation than that of cache.json.
+/// Returns a hash of everything that influences the states of a simulation, and of the version of
+/// foamtex. It is written into every file of a cache. A reader rejects files whose hash differs
+/// from the one in cache.json.
 std::string simulation_hash(const Preset& preset);
 
-/// Throws PresetError, which names the key, if the changed preset needs another simulation: one of
-/// its deciding keys or its events differ, or the shape of its torus, or, if events of a patch have
-/// positions in the image, its camera.
+/// Throws PresetError, whose message names the key, if the changed preset needs another simulation:
+/// if a key that influences the states differs, or the events, or the aspect ratio of a torus. If
+/// events of a patch have positions in the image, its camera and its aspect ratio must not differ
+/// either.
 void check_same_simulation(const Preset& simulated, const Preset& changed);
 
 }  // namespace foam::texgen

@@ -6,6 +6,11 @@
 #include <algorithm>
 #include <memory>
 
+// A state is its frame (frame_codec.h), its effort and its record, in this order. Values per bubble
+// are in the order of the bubbles of the frame, then of its lone bubbles, so identities are stored
+// only once, in the frame. A flag tells whether the pressures of the first equilibrium are those of
+// the cache's own file; if not, they follow.
+
 namespace foam::texgen {
 
 namespace {

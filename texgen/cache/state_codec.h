@@ -8,16 +8,18 @@
 
 namespace foam::texgen {
 
-/// The state of a frame: the foam as images show it, and what maps need to know of the frames
-/// before. Of the record, the pressures of the first equilibrium are left out where they are those
-/// given, and what belongs to bubbles that are gone; no map asks for it.
+/// Encodes a state: the foam as images show it, its effort, and the record of earlier frames that
+/// maps need. The pressures of the first equilibrium are left out if they equal `first_pressures`.
+/// Births and changes of bubbles that have vanished are left out, as no map needs them.
 Bytes pack_state(const SimulatedFrame& state, const std::vector<double>& first_pressures);
 
-/// Undoes it: every map is the same, to the last bit. Throws BadContent where it is none.
+/// Decodes a state. Every map drawn from it is equal to the last bit. Throws BadContent if the
+/// bytes are no state, or if it needs `first_pressures` and these are empty.
 SimulatedFrame unpack_state(std::span<const std::byte> content,
                             const std::vector<double>& first_pressures);
 
-/// Numbers alone.
+/// Encode and decode a list of numbers. `unpack_numbers` throws BadContent if the bytes end too
+/// early.
 Bytes pack_numbers(const std::vector<double>& numbers);
 std::vector<double> unpack_numbers(std::span<const std::byte> content);
 
