@@ -9,13 +9,13 @@
 
 namespace foam::texgen {
 
-/// What a manifest says of a bake of these frames before any of them is there.
+/// Returns the set of a bake of these frames before any file is written.
 BakedSet describe(const Preset& preset, const std::vector<int>& frames);
 
-/// Adds a frame that has been written; the paths of its files are told relative to the folder.
+/// Adds a frame that has been written. The paths of its files become relative to the folder.
 void add_frame(BakedSet& set, const BakedFrame& baked, const std::filesystem::path& folder);
 
-/// As it stands in a manifest.
+/// Returns a path relative to the folder of the manifest, with '/', as manifests store it.
 std::string relative_path(const std::filesystem::path& path, const std::filesystem::path& folder);
 
 }  // namespace foam::texgen

@@ -12,13 +12,18 @@
 #include <system_error>
 #include <utility>
 
+// An exclusive flock on a file that its owner removes before unlocking. A waiting program may then
+// hold a lock on a file that no longer has the name, while another program locks a new file of that
+// name. Therefore a lock counts only if the path still leads to the locked file; otherwise the
+// attempt is repeated.
+
 namespace foam::texgen {
 
 namespace {
 
-constexpr mode_t kMode = 0666;  // less the user's mask
+constexpr mode_t kMode = 0666;  // the umask of the process applies
 
-/// Whoever held the lock before may have taken the file away in the meantime.
+/// Returns true if the open file is still the file at the path.
 bool is_file_at(int file, const std::filesystem::path& path) {
     struct stat held {};
     struct stat there {};

@@ -4,11 +4,12 @@
 
 namespace foam::texgen {
 
-/// Keeps other programs, and other threads, out for as long as it lives: of all that lock the same
-/// path one goes on at a time. The file is there only for that while. Where the file system has no
-/// locks, nobody is kept out. Throws OutputError where the file cannot be made.
+/// A mutual exclusion between programs and between threads: at any time only one FileLock of a path
+/// exists. The file exists only while it is locked. On a file system without locks nothing is
+/// locked.
 class FileLock {
   public:
+    /// Waits for the lock. Throws OutputError if the file cannot be created.
     explicit FileLock(std::filesystem::path path);
     ~FileLock();
 
@@ -16,6 +17,7 @@ class FileLock {
     FileLock& operator=(const FileLock&) = delete;
 
   private:
+    // Opens and locks the file. Returns false if the previous owner removed it meanwhile.
     bool try_lock();
 
     std::filesystem::path path_;

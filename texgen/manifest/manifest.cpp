@@ -35,7 +35,8 @@ void merge_maps(BakedSet& into, const std::vector<ManifestMap>& more) {
     }
 }
 
-// Where a map stands in the list of maps, for sorting.
+// Returns the sort key of a file: its frame, then the position of its first map in the list of
+// maps.
 auto place_of(const BakedSet& set, const ManifestFile& file) {
     const auto map = std::ranges::find(set.maps, file.maps.front(), &ManifestMap::name);
     return std::pair(file.frame, map - set.maps.begin());

@@ -7,11 +7,12 @@
 
 namespace foam::texgen {
 
-/// A manifest as JSON (README.md has the format): members in a fixed order, one file a line.
+/// Returns a manifest as JSON (README.md describes the format), with members in a fixed order and
+/// one line per map, file and frame.
 std::string to_json(const Manifest& manifest);
 
-/// Undoes to_json; members it does not know are passed over. Throws InputError, in the name of
-/// `file`, where the text is no JSON, no manifest, or one of a newer version.
+/// Parses the JSON of a manifest. Unknown members are ignored. Throws InputError, whose message
+/// names `file`, if the text is no JSON, no manifest, or one of a newer version.
 Manifest parse_manifest(std::string_view text, const std::string& file);
 
 }  // namespace foam::texgen

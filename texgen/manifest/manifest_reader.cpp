@@ -27,7 +27,7 @@ std::vector<int> frames_in(const JsonValue& value) {
     return frames;
 }
 
-/// Numbers that are not finite are null.
+/// Returns the number of a member, or NaN for null, which stands for a number that is not finite.
 double number_in(const std::optional<JsonValue>& value) {
     return value ? value->number() : std::numeric_limits<double>::quiet_NaN();
 }
@@ -126,7 +126,7 @@ std::vector<Item> list_in(const JsonValue& list, Item (*item_in)(const JsonValue
     return items;
 }
 
-/// Every map of a file has to be described.
+/// Throws InputError if a file has a map that is not in the list of maps.
 void check_maps(const BakedSet& set, const JsonValue& files) {
     const std::vector<JsonValue> items = files.items();
     for (std::size_t k = 0; k < set.files.size(); ++k) {

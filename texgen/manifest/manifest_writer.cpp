@@ -75,7 +75,7 @@ Json time_used(const std::vector<ManifestFrame>& frames) {
     return {{"simulating", simulating}, {"drawing", drawing}};
 }
 
-/// A list with a line for each item.
+/// Returns a JSON list with one line per item.
 template <class Item>
 std::string lines_of(const std::vector<Item>& items) {
     std::string lines;

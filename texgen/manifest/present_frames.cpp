@@ -14,7 +14,7 @@ namespace foam::texgen {
 
 namespace {
 
-// The size is cheap to ask for, and other in most files that are damaged.
+// Compares the size first, which is cheap and differs for most damaged files.
 bool has_its_pixels(const ManifestFile& file, const std::filesystem::path& folder) {
     const std::filesystem::path path = folder / file.path;
     std::error_code error;

@@ -10,8 +10,8 @@
 
 namespace foam::texgen {
 
-/// Of the frames of a preset those whose files are all in the folder, were baked with the same
-/// parameters, by the same version, and still have the pixels that were.
+/// Returns the frames of `frames` whose files all exist in the folder, were baked with the same
+/// parameters and version, and still have the pixels that the manifest records.
 std::set<int> present_frames(const Preset& preset,
                              const std::vector<int>& frames,
                              const std::filesystem::path& folder,

@@ -20,19 +20,20 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Writing manifests takes no more than about this part of a bake.
+// The largest fraction of the time of a bake that is spent on writing manifests, approximately.
 constexpr double kShare = 0.05;
 
-// The manifest of a bake that runs.
+// Writes the manifest of a running bake.
 class ManifestWriter {
   public:
-    /// Writes nothing yet.
+    /// Describes the bake. Writes nothing yet.
     ManifestWriter(const Preset& preset, const BakeOptions& options)
         : folder_(manifest_folder(preset)),
           set_(describe(preset, options.frames)),
           paths_(paths_of(preset, options)) {}
 
-    /// Takes the files that are to come out of the manifest.
+    /// Removes the files that the bake will write from the manifest and adds the set of the bake.
+    /// Only the first call has an effect.
     void begin() {
         if (!begun_) {
             begun_ = true;
@@ -59,7 +60,7 @@ class ManifestWriter {
     bool begun() const { return begun_; }
 
   private:
-    // Of the files that are to come.
+    // Returns the relative paths of the files that the bake will write.
     std::vector<std::string> paths_of(const Preset& preset, const BakeOptions& options) const {
         const FrameFiles files(preset);
         std::vector<std::string> paths;
@@ -100,7 +101,8 @@ std::string failure_of(const RunOutcome& outcome) {
     return "";
 }
 
-// What went wrong first is what counts; before the first frame nothing is written.
+// Records the failure of a bake that ends with an exception, unless no frame has been simulated.
+// Ignores exceptions of its own, so that the caller can rethrow the first one.
 void close_anyway(ManifestWriter& writer, const std::string& failure) {
     try {
         if (writer.begun()) {
@@ -139,7 +141,8 @@ BakeSummary bake_and_record(const Preset& preset,
     return bake(preset, options, recording);
 }
 
-/// Of a bake that has nothing to do: how its loop closes is known from the one before.
+/// Returns the summary of a bake whose files all exist already. The closing error of the loop comes
+/// from the manifest.
 BakeSummary all_there(const Preset& preset,
                       const std::vector<int>& frames,
                       const Manifest& manifest) {

@@ -6,17 +6,18 @@
 
 namespace foam::texgen {
 
-/// Where the manifest of a preset's images lies: the deepest folder that holds them all, whatever
-/// the maps and frames.
+/// Returns the folder of the manifest of a preset: the deepest folder that contains all of its
+/// images, for any maps and frames.
 std::filesystem::path manifest_folder(const Preset& preset);
 
-/// Whether a bake goes on where one before it stopped.
+/// Selects whether a bake keeps the files of an earlier bake that was stopped.
 enum class Resume { No, Yes };
 
-/// A bake that leaves a manifest. It is written when the first frame has been simulated, while the
-/// files come, and at the end, however the bake ends; what is not there yet is not in it. To
-/// resume is to keep present_frames; their foam is simulated all the same, unless that is all of
-/// them. Throws as bake and update_manifest.
+/// Bakes and keeps a manifest. The manifest is written when the first frame has been simulated,
+/// repeatedly while files are written, and at the end of the bake, also if it fails. It lists only
+/// files that have been written. With Resume::Yes the files of present_frames are kept. Their
+/// frames are simulated nevertheless, unless all frames are present and `on_frame` is empty. Throws
+/// as bake and update_manifest.
 BakeSummary bake_recorded(const Preset& preset,
                           const BakeOptions& options,
                           const BakeCallbacks& callbacks,
