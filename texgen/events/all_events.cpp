@@ -24,7 +24,7 @@ std::span<const std::string_view> kind_names() {
     return names;
 }
 
-// The name of a kind, which is unset while it is empty.
+// A kind of values: the name of a kind of event. The empty string is unset.
 struct KindNames {
     std::string allowed() const { return Words{kind_names()}.allowed(); }
     std::string schema() const { return Words{kind_names()}.schema(); }

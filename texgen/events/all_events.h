@@ -16,7 +16,8 @@
 
 namespace foam::texgen {
 
-/// One [[event]] of a preset: the shared properties, and options of which those of its kind count.
+/// One [[event]] of a preset: the shared properties, and the options of every kind, of which only
+/// those of its own kind are used.
 struct Event : EventBase {
     CollapseOptions collapse;
     NucleateOptions nucleate;
@@ -25,8 +26,8 @@ struct Event : EventBase {
     ShearOptions shear;
 };
 
-/// A kind of event: its traits, its keys, the check of an event, and its effect on the foam on the
-/// way to each of its frames.
+/// A kind of event: its traits, its keys, and two functions. `check` checks the options of an
+/// event. `advance` applies the event before the step to each of its frames.
 struct EventKind : EventTraits {
     Keys<Event> (*keys)() = nullptr;
     void (*check)(const EventCheck& check, const Event& event) = nullptr;
@@ -50,20 +51,20 @@ inline constexpr std::array kEventKinds = {
     kind_of<&Event::force, force_keys, check_force, advance_force>(kForceEvent),
     kind_of<&Event::shear, shear_keys, check_shear, advance_shear>(kShearEvent)};
 
-/// Returns the kind of a name. Precondition: there is one.
+/// Returns the kind with the given name. Precondition: it exists.
 const EventKind& find_event_kind(std::string_view name);
 
-/// Returns the keys of an [[event]], `kind` first. The condition of a key names the kinds that take
-/// it; keys without one are for all kinds.
+/// Returns the keys of an [[event]], `kind` first. The condition of a key lists the kinds that take
+/// it; a key without a condition is taken by all kinds.
 std::span<const Key<Event>> event_keys();
 
-/// Returns the kinds that take a key, with commas.
+/// Returns the kinds that take a key, separated by commas.
 std::string kinds_of(const KeyInfo& key);
 
-/// Returns the names of the keys that a kind takes, with commas.
+/// Returns the names of the keys that a kind takes, separated by commas.
 std::string keys_of(std::string_view kind);
 
-/// Returns the table of all kinds in Markdown, as in the README.
+/// Returns the table of all kinds in Markdown, as in the README of the project.
 std::string describe_event_kinds_in_markdown();
 
 }  // namespace foam::texgen

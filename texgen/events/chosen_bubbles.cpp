@@ -35,8 +35,9 @@ std::optional<ChosenBubble> choose_identity(const Foam& foam, BubbleIdentity ide
     return std::nullopt;
 }
 
-// Chooses the smallest bubbles of given numbers of sides. The numbers take turns, from `turn` on;
-// one that has no bubble left is passed over.
+// Chooses the bubbles with the smallest target areas among those with given numbers of sides. The
+// numbers take turns, beginning with the one at index `turn`; a number without further bubbles is
+// skipped.
 std::vector<ChosenBubble> choose_by_sides(const std::vector<int>& numbers,
                                           const Foam& foam,
                                           std::size_t turn,

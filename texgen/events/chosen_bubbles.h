@@ -8,20 +8,22 @@
 
 namespace foam::texgen {
 
-/// A bubble that an event is about; it may be a lone one.
+/// A bubble that an event acts on; it may be a lone bubble.
 struct ChosenBubble {
     BubbleIdentity bubble = 0;
-    double area = 0.0;  // its target
+    double area = 0.0;  // target area, foam units
 };
 
-/// Returns `count` bubbles of an event, from the one with number `turn` on, or all bubbles if
-/// `count` is 0. A choice that finds no bubble returns none.
+/// Returns up to `count` of the bubbles that an event names, or all bubbles of the foam if `count`
+/// is 0. `turn` is the number of bubbles that earlier calls have taken: a list of identities or of
+/// numbers of sides continues at this index. Returns fewer bubbles, or none, if they do not exist.
 std::vector<ChosenBubble> choose_bubbles(const EventBase& event,
                                          const EventStage& stage,
                                          std::size_t turn,
                                          std::size_t count);
 
-/// Checks that an event chooses bubbles in one way, or, if it may, not at all.
+/// Rejects an event that chooses bubbles by more than one of its keys bubble, at and sides, or by
+/// none of them unless `may_choose_all`, and a count without sides.
 void check_choice(const EventCheck& check, bool may_choose_all);
 
 }  // namespace foam::texgen

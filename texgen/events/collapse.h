@@ -14,7 +14,7 @@ inline constexpr EventTraits kCollapseEvent = {
     .takes_position = true,
     .takes_count = true};
 
-/// How the bubbles of one event share its frames.
+/// Selects whether the bubbles of one event collapse together or one after the other.
 enum class EventOrder { AtOnce, InTurn };
 
 struct CollapseOptions {
@@ -24,7 +24,7 @@ struct CollapseOptions {
 Keys<CollapseOptions> collapse_keys();
 void check_collapse(const EventCheck& check, const CollapseOptions& options);
 
-/// Drives bubbles to the T2 area, at which they vanish.
+/// Drives the chosen bubbles to the T2 area; at their last frame they vanish.
 void advance_collapse(const EventBase& event, const CollapseOptions& options, EventStage& stage);
 
 }  // namespace foam::texgen

@@ -14,14 +14,14 @@ inline constexpr EventTraits kDriveEvent = {
     .takes_position = true,
     .takes_count = true};
 
-/// The start of the swings of several bubbles.
+/// Selects whether several bubbles swing with the same phase or with random phases.
 enum class Phases { Same, Random };
 
 struct DriveOptions {
     double scale = 1.0;      // factor on the area, reached at the last frame
-    double amplitude = 0.0;  // fraction of the area
-    double period = 24.0;    // frames
-    double phase = 0.0;      // turns
+    double amplitude = 0.0;  // of the swing, as a fraction of the area
+    double period = 24.0;    // of the swing, in frames
+    double phase = 0.0;      // of the swing at the start, in turns
     Phases phases = Phases::Same;
 };
 

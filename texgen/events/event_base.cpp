@@ -14,7 +14,7 @@ namespace {
 constexpr int kMostBubbles = 1'000'000;
 constexpr std::int64_t kLargestIdentity = std::numeric_limits<BubbleIdentity>::max() - 1;
 
-// A single frame, stored as a span.
+// A kind of values: a single frame, stored as a span.
 struct SingleFrames {
     Integers frame{2, kLastEventFrame};
 
@@ -31,7 +31,7 @@ struct SingleFrames {
     }
 };
 
-// [first, last].
+// A kind of values: a span of frames, written [first, last].
 struct FrameSpans {
     Integers frame{2, kLastEventFrame};
 
@@ -56,7 +56,7 @@ struct FrameSpans {
     }
 };
 
-// An instant, or [from, to].
+// A kind of values: an instant of foam time, or an interval [from, to].
 struct Times {
     Reals time{0.0, 1e12};
 
@@ -83,7 +83,8 @@ struct Times {
     }
 };
 
-// Frames replace a time, and a time replaces frames.
+// Returns a key that calls `forget` after it has read a value: frames replace a time, and a time
+// replaces frames.
 Key<EventBase> replacing(Key<EventBase> key, void (*forget)(EventBase& event)) {
     key.read = [read = key.read, forget](const Value& value, EventBase& event) {
         const bool allowed = read(value, event);

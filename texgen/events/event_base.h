@@ -12,10 +12,10 @@
 
 namespace foam::texgen {
 
-/// The last frame that an event may name.
+/// The largest frame number that an event may have.
 inline constexpr int kLastEventFrame = 100'000;
 
-/// The frames of an event: it begins on the way to the first, and is complete at the last.
+/// The frames of an event. It begins with the step to the first frame and is complete at the last.
 struct FrameSpan {
     int first = 0;  // 0 if unset
     int last = 0;
@@ -24,26 +24,27 @@ struct FrameSpan {
     friend bool operator==(const FrameSpan& a, const FrameSpan& b) = default;
 };
 
-/// Divides the frames into parts, as equal as possible, and returns one of them.
+/// Divides the frames into `parts` parts, as equal as possible, and returns the part with the given
+/// index, counted from 0. A part is empty (last = first - 1) if there are more parts than frames.
 FrameSpan part_of(const FrameSpan& frames, std::size_t index, std::size_t parts);
 
 /// The properties that events of all kinds share.
 struct EventBase {
     std::string kind;                           // empty if unset
-    FrameSpan frames;                           // or else `time`
-    std::optional<std::array<double, 2>> time;  // foam time from and to; both equal for an instant
+    FrameSpan frames;                           // in a preset unset if `time` is set
+    std::optional<std::array<double, 2>> time;  // foam time [from, to]; equal for an instant
 
-    // The bubbles, by one of three; a position is in fractions of the image's width and height.
+    // The choice of bubbles, by one of three members.
     std::vector<BubbleIdentity> bubbles;
-    std::optional<std::array<double, 2>> at;
+    std::optional<std::array<double, 2>> at;  // fractions of the image's width and height
     std::vector<int> sides;
-    int count = 1;
+    int count = 1;  // number of bubbles chosen by `sides`, or of new bubbles
 
-    /// Returns the number of bubbles that the event names; 0 stands for all.
+    /// Returns the number of bubbles that the event chooses; 0 means all bubbles.
     std::size_t bubbles_named() const;
 };
 
-/// The properties of a kind of event, and which of the shared keys it takes.
+/// The properties of a kind of event, and the shared keys that it takes.
 struct EventTraits {
     std::string_view name;        // as in `kind = "collapse"`
     std::string_view meaning;     // in Markdown
@@ -52,10 +53,11 @@ struct EventTraits {
     bool takes_count = false;     // count
 };
 
-/// Returns the keys that say when an event happens: frame, frames and time.
+/// Returns the keys that determine when an event happens: frame, frames and time.
 Keys<EventBase> time_keys();
 
-/// Returns the keys that choose bubbles or a position, each for the kinds that take it.
+/// Returns the keys that choose bubbles or a position: bubble, at, sides and count. Each is
+/// restricted to the kinds that take it.
 Keys<EventBase> choice_keys(const std::vector<EventTraits>& kinds);
 
 }  // namespace foam::texgen

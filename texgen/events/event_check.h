@@ -15,22 +15,25 @@ struct EventSetting {
     double shorter_side = 0.0;  // of a torus, foam units
 };
 
-/// Checks what the keys of one event of a preset require of each other and of the foam.
+/// The arguments of the check of one event of a preset: the conditions that its keys impose on each
+/// other and on the foam.
 struct EventCheck {
     const EventBase& event;
-    FrameSpan frames;  // of the event
+    FrameSpan frames;  // of the event, also if it has a time
     EventSetting setting;
     std::string name;         // "event[2]"
     bool is_touched = false;  // false if only keys outside of the event were assigned
     std::function<bool(std::string_view key)> is_given;  // true if the key was assigned
     std::function<void(std::string_view key, std::string_view reason)> reject;  // throws
 
+    /// Rejects the key for the given reason unless the condition holds.
     void require(bool holds, std::string_view key, std::string_view reason) const {
         if (!holds) {
             reject(key, reason);
         }
     }
-    /// Returns `text`, or, for a message about a key outside of the event, "event[2].key text".
+    /// Returns `text`. If only keys outside of the event were assigned, the message is about one of
+    /// those, so the key of the event is put before the text: "event[2].key" + separator + text.
     std::string about(std::string_view key,
                       std::string_view separator,
                       std::string_view text) const {

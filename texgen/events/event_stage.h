@@ -12,30 +12,32 @@
 
 namespace foam::texgen {
 
-/// A bubble whose target area follows a course while the foam goes through some frames.
+/// The course of the target area of a driven bubble over some frames.
 struct DrivenCourse {
     FrameSpan frames;
     TargetCourse course;
     bool vanishes = false;  // at the last frame
 };
 
-/// The driven bubbles. The event that drives a bubble last replaces others.
+/// The courses of all driven bubbles. A later event that drives the same bubble replaces its
+/// course.
 using DrivenCourses = std::map<BubbleIdentity, DrivenCourse>;
 
-/// Returns the point of the plane at a position in an image of this size (pixels). Positions are in
-/// fractions of the image's width and height, from its lower left corner.
+/// Returns the point of the plane at a position in an image. `size` is the size of the image in
+/// pixels. Positions are fractions of the image's width and height, from its lower left corner.
 Vec2 point_in_view(const View& view, const Vec2& size, const std::array<double, 2>& position);
 
-/// A foam in equilibrium on its way from one frame to the next, as an event finds and changes it.
+/// The arguments of the effect of an event: the foam in equilibrium before the step to a frame, and
+/// the changes that the event may make to it or to that step.
 struct EventStage {
-    int frame = 0;  // the next one
+    int frame = 0;  // the frame that the step leads to
     Foam& foam;
-    Random& random;          // the event's own
+    Random& random;          // the event's own generator
     double t2_area = 0.0;    // foam units
     View view;               // of a patch
     Vec2 image_size;         // pixels
-    StateChange& change;     // imposed on the way to the frame
-    DrivenCourses& courses;  // imposed on the way to this and later frames
+    StateChange& change;     // imposed during the step to this frame
+    DrivenCourses& courses;  // imposed during the steps to this and later frames
 
     /// Returns the point of the foam at a position in the image.
     Vec2 point_at(const std::array<double, 2>& position) const;

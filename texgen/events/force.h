@@ -22,7 +22,8 @@ struct ForceOptions {
 Keys<ForceOptions> force_keys();
 void check_force(const EventCheck& check, const ForceOptions& options);
 
-/// Pushes the foam around a point, which moves along with the push.
+/// Pushes the foam around a point by an equal part of the push in each frame. The point moves
+/// along.
 void advance_force(const EventBase& event, const ForceOptions& options, EventStage& stage);
 
 }  // namespace foam::texgen

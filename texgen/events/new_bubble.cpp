@@ -11,7 +11,7 @@ namespace foam::texgen {
 namespace {
 
 constexpr int kMostTries = 100;
-constexpr double kFirstAreas = 2.0;  // T2 areas of a new bubble
+constexpr double kFirstAreas = 2.0;  // initial area of a new bubble, in T2 areas
 
 // Returns a point of the torus, or of the bounding box of the patch.
 Vec2 random_point(const Foam& foam, Random& random) {

@@ -9,26 +9,26 @@ namespace foam::texgen {
 /// The site of a new bubble.
 enum class NucleationSite { Junction, Film };
 
-/// Makes a bubble of a target area, above 0, on the junction or film nearest to a point. Returns
-/// nothing, and changes nothing, outside of a patch and where there is too little gas
-/// (nucleation.h).
+/// Makes a bubble on the junction or film nearest to a point. Returns nullopt, and leaves the foam
+/// unchanged, if the point is in no bubble of the network or if there is too little gas around it
+/// (nucleation.h). Precondition: the target area is above 0.
 std::optional<BubbleId> nucleate_near(NucleationSite on,
                                       const Vec2& point,
                                       double area,
                                       Foam& foam);
 
-/// Makes a bubble near a random point of a torus, or of the bounding box of a patch: at the first
-/// of up to 100 points at which it is possible.
+/// Makes a bubble near a random point of a torus, or of the bounding box of a patch. Tries up to
+/// 100 points and uses the first one at which nucleate_near succeeds. Returns nullopt if none does.
 std::optional<BubbleId> nucleate_anywhere(NucleationSite on,
                                           double area,
                                           Random& random,
                                           Foam& foam);
 
-/// Returns the area of a new bubble that is to grow to `area`: small, but large enough that it does
-/// not vanish at once.
+/// Returns the initial area of a new bubble that will grow to `area`: twice the T2 area, so that it
+/// does not vanish at once, and at most `area`.
 double first_area(double area, double t2_area);
 
-/// Drives a new bubble to its area over some frames.
+/// Drives a new bubble from its present target area to `area` over the given frames.
 void grow_bubble(const Foam& foam,
                  BubbleId bubble,
                  const FrameSpan& frames,

@@ -23,7 +23,7 @@ struct NucleateOptions {
 Keys<NucleateOptions> nucleate_keys();
 void check_nucleate(const EventCheck& check, const NucleateOptions& options);
 
-/// Makes the new bubbles that are due, and drives them to their area.
+/// Makes the new bubbles that are due before this frame, and drives them to their area.
 void advance_nucleate(const EventBase& event, const NucleateOptions& options, EventStage& stage);
 
 }  // namespace foam::texgen

@@ -18,7 +18,7 @@ struct ShearOptions {
 Keys<ShearOptions> shear_keys();
 void check_shear(const EventCheck& check, const ShearOptions& options);
 
-/// Shears the whole torus.
+/// Shears the whole torus by an equal part of the strain in each frame.
 void advance_shear(const EventBase& event, const ShearOptions& options, EventStage& stage);
 
 }  // namespace foam::texgen
