@@ -18,6 +18,7 @@ struct Condition {
     std::string_view key;               // the path of the other key
     std::vector<std::string> values{};  // the values that it may have
 
+    /// Returns true if the other key may have this value.
     bool allows(std::string_view value) const;
 };
 
@@ -27,22 +28,22 @@ struct KeyInfo {
     std::string allowed;                       // "an integer from 4 to 1000000"
     std::string schema;                        // the same as a JSON Schema
     std::string_view meaning;                  // in one sentence
-    std::optional<Value> default_value{};      // nothing if the key is unset by default
+    std::optional<Value> default_value{};      // nullopt if the key is unset by default
     std::optional<Condition> condition{};      // if it does not hold, the default must stay
     std::optional<std::string> upper_limit{};  // the path of a key whose number must be larger
 
-    /// The part of the path before the dot.
+    /// Returns the part of the path before the dot; the whole path if there is no dot.
     std::string_view table() const;
-    /// The part of the path after the dot; the whole path if there is none.
+    /// Returns the part of the path after the dot; the whole path if there is no dot.
     std::string_view name() const;
 };
 
 /// Returns the entry of a key in the reference of all keys: default, meaning, and allowed values.
 std::string describe(const KeyInfo& key);
 
-/// A key of an object of type Owner: everything that reading, checking, writing and documenting
-/// one of its values needs. `read` returns false and changes nothing if the value is not allowed;
-/// `write` returns nothing if the value is unset.
+/// A key of an object of type Owner: everything that is needed to read, check, write and document
+/// one of its values. `read` stores a value in the object, or returns false and changes nothing if
+/// the value is not allowed. `write` returns the value, or nullopt if it is unset.
 template <class Owner>
 struct Key : KeyInfo {
     std::function<bool(const Value&, Owner&)> read;
@@ -50,14 +51,16 @@ struct Key : KeyInfo {
 
     bool is_default(const Owner& owner) const { return write(owner) == default_value; }
 
-    /// Returns the key, restricted to some values of another key.
+    /// Returns this key with a condition: it may differ from its default only if the other key has
+    /// one of the given values.
     Key only_for(std::string_view other, std::vector<std::string> values) const {
         Key key = *this;
         key.condition = Condition{other, std::move(values)};
         return key;
     }
 
-    /// Returns the key, whose number must then be below that of another key of the same owner.
+    /// Returns this key with an upper limit: its number must be below the number of another key of
+    /// the same owner.
     Key below(std::string_view other) const {
         Key key = *this;
         key.upper_limit = other;
@@ -68,8 +71,8 @@ struct Key : KeyInfo {
 template <class Owner>
 using Keys = std::vector<Key<Owner>>;
 
-/// Makes a key of the value that `member`, a pointer to a member or another callable, yields for an
-/// owner. ValueKind is one of value_kinds.h.
+/// Makes a key. `member`, a pointer to a member or another callable, returns a reference to the
+/// value in an owner. `kind` is one of the kinds of value_kinds.h, or has the same functions.
 template <class Owner, class ValueKind, class Member>
 Key<Owner> key_by(std::string_view name,
                   const ValueKind& kind,
@@ -100,8 +103,8 @@ Key<Owner> key(std::string_view name,
 }
 
 /// Turns keys of a part into keys of the object that contains it. `part`, a pointer to a member or
-/// another callable, yields the part of an object. Each path becomes "table.name"; an empty table
-/// leaves the paths as they are.
+/// another callable, returns the part of an object. Each path becomes "table.name"; with an empty
+/// table the paths stay unchanged.
 template <class Outer, class Inner, class Part>
 Keys<Outer> keys_by(std::string_view table, const Part& part, const Keys<Inner>& keys) {
     const std::string prefix = table.empty() ? "" : std::string(table) + '.';
@@ -139,7 +142,7 @@ Keys<Owner> joined(std::initializer_list<Keys<Owner>> lists) {
     return all;
 }
 
-/// Returns the key of a path, or nullptr if there is none.
+/// Returns the key with the given path, or nullptr if there is none.
 template <class Owner>
 const Key<Owner>* find_key(std::span<const Key<Owner>> keys, std::string_view path) {
     for (const Key<Owner>& key : keys) {

@@ -30,7 +30,8 @@ struct Writer {
     std::string operator()(bool flag) const { return flag ? "true" : "false"; }
     std::string operator()(std::int64_t integer) const { return fmt::format("{}", integer); }
 
-    /// The shortest digits that read back the same; a point or an exponent makes it a TOML float.
+    /// Returns the shortest digits that parse to the same number, with ".0" where TOML would take
+    /// them for an integer.
     std::string operator()(double real) const {
         std::string digits = fmt::format("{}", real);
         const bool looks_integer = digits.find_first_not_of("-0123456789") == std::string::npos;

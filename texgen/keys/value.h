@@ -9,10 +9,10 @@ namespace foam::texgen {
 
 /// A TOML value, independent of the library that parses it.
 struct Value {
-    struct Table {  // [a.b] or {...}; its entries are keys of their own
+    struct Table {  // [a.b] or {...}, without its entries, which are read as keys of their own
         friend bool operator==(const Table&, const Table&) = default;
     };
-    struct Opaque {  // a date or a time, which no key takes
+    struct Opaque {  // a date or a time, which no key allows
         std::string text;
         friend bool operator==(const Opaque&, const Opaque&) = default;
     };
@@ -23,7 +23,8 @@ struct Value {
     friend bool operator==(const Value& a, const Value& b) { return a.data == b.data; }
 };
 
-/// Returns the value as TOML. Reading it back gives the same value, to the last bit of a real.
+/// Returns the value as TOML. Parsing the text gives an equal value; reals are equal to the last
+/// bit. A table becomes "{...}".
 std::string to_toml(const Value& value);
 
 }  // namespace foam::texgen

@@ -47,8 +47,8 @@ struct Integers {
     }
 };
 
-/// Finite numbers from low to high, written with or without a point. `or_zero` also allows 0, which
-/// then means "none".
+/// Finite numbers from low to high, written with or without a decimal point. With `or_zero` 0 is
+/// allowed, too, and means "none".
 struct Reals {
     double low = 0.0;
     double high = 0.0;
@@ -62,7 +62,7 @@ struct Reals {
 
 inline constexpr Reals kFractions{0.0, 1.0};
 
-/// Strings; the empty one only with `or_empty`.
+/// Strings. The empty string is allowed only with `or_empty`.
 struct Text {
     bool or_empty = false;
 
@@ -80,7 +80,7 @@ struct Colors {
     Value write(const std::string& member) const { return {member}; }
 };
 
-/// Lists of colors, which may be empty.
+/// Lists of colors, which may be empty. A single color may be written without brackets.
 struct ColorLists {
     std::string allowed() const;
     std::string schema() const;
@@ -88,7 +88,7 @@ struct ColorLists {
     Value write(const std::vector<std::string>& member) const;
 };
 
-/// One word of a list.
+/// One of the given words.
 struct Words {
     std::span<const std::string_view> words;
 
@@ -98,7 +98,8 @@ struct Words {
     Value write(const std::string& member) const { return {member}; }
 };
 
-/// At least one word of a list, each at most once. A single word may be written without brackets.
+/// Lists of at least one of the given words, each at most once. A single word may be written
+/// without brackets.
 struct WordLists {
     std::span<const std::string_view> words;
 
@@ -108,8 +109,8 @@ struct WordLists {
     Value write(const std::vector<std::string>& member) const;
 };
 
-/// At least one integer of a range; an empty member is unset. A single integer may be written
-/// without brackets.
+/// Lists of at least one integer; an empty member is unset. A single integer may be written without
+/// brackets.
 struct IntegerLists {
     Integers item;
 
@@ -191,7 +192,7 @@ struct Maybe {
     }
 };
 
-/// Words for the values of an enumeration.
+/// The values of an enumeration, each written as a word.
 template <class Enum, std::size_t count = 2>
 struct Choices {
     std::array<std::pair<std::string_view, Enum>, count> choices;
