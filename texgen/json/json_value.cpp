@@ -13,8 +13,9 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr std::size_t kLongest = 60;  // characters of a value in a message
+constexpr std::size_t kLongest = 60;  // largest number of bytes of a value in a message
 
+/// Returns the text of a value for a message, truncated if it is long.
 std::string shown(const nlohmann::json& json) {
     const std::string text = json.dump();
     return text.size() <= kLongest ? text : text.substr(0, kLongest) + "...";

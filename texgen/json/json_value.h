@@ -14,26 +14,29 @@
 
 namespace foam::texgen {
 
-/// A value of a JSON file that knows its position in the file. Reading a value as another kind than
-/// it is throws an InputError that names the file, the position, the value, and what is allowed.
+/// A value of a JSON file that knows its path in the file, such as "sets[0].size". Borrows the
+/// document. Every function that reads it as a value of a different kind throws an InputError that
+/// names the file, the path, the value, and what is allowed.
 class JsonValue {
   public:
-    /// Returns a member of an object; throws if there is none.
+    /// Returns a member of an object. Throws InputError if it is missing or null.
     JsonValue operator[](std::string_view name) const;
-    /// Returns a member of an object, or nothing if it is missing or null.
+    /// Returns a member of an object, or nullopt if it is missing or null.
     std::optional<JsonValue> find(std::string_view name) const;
     /// Returns the items of a list.
     std::vector<JsonValue> items() const;
 
     const std::string& text() const;
-    /// Returns a text that is one of these words.
+    /// Returns a text. Throws InputError unless it is one of these words.
     const std::string& word(std::span<const std::string_view> words) const;
+    /// Returns an integer. Throws InputError unless it is from `low` to `high`.
     std::int64_t integer(std::int64_t low, std::int64_t high) const;
     int count() const;  // an integer of 0 or more
     double number() const;
     bool flag() const;
 
-    /// Returns parse(text()). If that throws std::invalid_argument, the text "must be" as told.
+    /// Returns parse(text()). If `parse` throws std::invalid_argument, throws an InputError that
+    /// says that the text must be `must_be`.
     template <class Parse>
     auto parsed(const Parse& parse, std::string_view must_be) const {
         try {
@@ -43,7 +46,7 @@ class JsonValue {
         }
     }
 
-    /// Throws: the value "must be" this.
+    /// Throws an InputError that says that the value must be `must_be`.
     [[noreturn]] void refuse(std::string_view must_be) const;
 
   private:
@@ -58,20 +61,21 @@ class JsonValue {
 /// The content of a JSON file.
 class JsonDocument {
   public:
-    /// Throws InputError, in the name of the file, if the text is no JSON.
+    /// Parses a text. Throws InputError if it is no JSON. `file` is the name in error messages.
     JsonDocument(std::string_view text, std::string file);
     ~JsonDocument();
     JsonDocument(const JsonDocument&) = delete;
     JsonDocument& operator=(const JsonDocument&) = delete;
 
-    /// Reads a file. Throws InputError.
+    /// Reads a file. Throws InputError if it is unreadable or no JSON.
     static JsonDocument read(const std::filesystem::path& path);
 
-    /// Returns the whole content; it borrows the document.
+    /// Returns the root value, which borrows the document.
     JsonValue root() const;
 
-    /// Checks the members "format" and "version" of the root. Throws InputError for another format
-    /// than this, which is called `what` ("a manifest"), and for a newer version.
+    /// Checks the members "format" and "version" of the root. Throws InputError if the format
+    /// differs or if the version is newer than `version`. Messages call the format `what`, such as
+    /// "a manifest".
     void check_format(std::string_view what, std::string_view format, int version) const;
 
   private:

@@ -9,16 +9,16 @@
 
 namespace foam::texgen {
 
-/// A JSON value that is written. Members keep the order in which they are added.
+/// A JSON value to be written. Members keep the order in which they are added.
 using Json = nlohmann::ordered_json;
 
-/// Returns null for a missing number and for one that is not finite, for which JSON has no word.
+/// Returns a number, or null if it is missing or not finite, as JSON has no such numbers.
 Json number_or_null(const std::optional<double>& number);
 
 /// Returns a list of paths.
 Json path_list(std::span<const std::filesystem::path> paths);
 
-/// Returns the text of a file: indented, with an end of line.
+/// Returns the text of a JSON file: indented by two spaces, with a newline at the end.
 std::string indented(const Json& value);
 
 }  // namespace foam::texgen
