@@ -3,6 +3,11 @@
 #include <fmt/core.h>
 #include <fmt/format.h>
 
+// The script follows the words of the command line to find the path of subcommands. A first `case`
+// completes the value of the option before the cursor; it has an entry for each path and option
+// with a value. A second `case` completes options, subcommands and positional arguments; it has an
+// entry for each path.
+
 namespace foam::texgen {
 
 namespace {
@@ -108,7 +113,9 @@ class BashScript {
         }
     }
 
-    // Options where a hyphen is, else commands, or names and files.
+    // Adds the words that complete a command: its options after a hyphen, otherwise its subcommands
+    // and the values of its positional arguments, and files if none of these match and a positional
+    // argument may be a file.
     void add_words(const CommandGrammar& command,
                    const std::string& path,
                    const std::vector<std::string>& options) {
@@ -136,9 +143,9 @@ class BashScript {
 
     std::string program_;
     const CompletionWords& words_;
-    std::vector<std::string> paths_;  // of commands
-    std::string values_;              // of options
-    std::string words_of_paths_;
+    std::vector<std::string> paths_;  // the paths of all subcommands, quoted
+    std::string values_;              // entries of the `case` for values of options
+    std::string words_of_paths_;      // entries of the `case` for words of commands
 };
 
 }  // namespace

@@ -11,7 +11,7 @@ class App;
 
 namespace foam::texgen {
 
-/// The action that the command line asked for, ready to run. Failures leave as exceptions.
+/// The action of the parsed command, ready to run. It returns an exit code or throws.
 using Action = std::function<ExitCode()>;
 
 /// Adds one command to the program. Parsing a command line that names the command sets `action`.

@@ -109,7 +109,7 @@ Comparison compare_files(const Paths& paths, const CompareArguments& arguments) 
     return found;
 }
 
-/// The worst verdict of all decides.
+/// Compares all pairs. The exit code is the worst of the verdicts.
 ExitCode run_compare(const CompareArguments& arguments) {
     Verdict worst = Verdict::Same;
     Json images = Json::array();

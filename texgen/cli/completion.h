@@ -7,15 +7,16 @@
 
 namespace foam::texgen {
 
-/// Words that values are chosen from.
+/// The words that completion offers as values.
 struct CompletionWords {
     std::vector<std::string> presets;
     std::vector<std::string> maps;
     std::vector<std::string> keys;  // of presets
 };
 
-/// A script that completes command lines of a program, in bash and in zsh. After PRESET come names
-/// of presets and files, after a list of words with '|' these, and elsewhere files.
+/// Return a script that completes command lines of a program, for bash and for zsh. It offers map
+/// names after --maps, keys after --set, preset names and files for PRESET, preset names alone for
+/// NAME, the words of a value such as "a|b|c", and files for all other values.
 std::string bash_completion(const CommandGrammar& program, const CompletionWords& words);
 std::string zsh_completion(const CommandGrammar& program, const CompletionWords& words);
 

@@ -1,4 +1,4 @@
-// The command that prints completions for shells.
+// The command `completion` prints the completion script of a shell.
 #include "texgen/cli/command.h"
 #include "texgen/cli/completion.h"
 #include "texgen/cli/grammar.h"

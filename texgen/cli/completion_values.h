@@ -7,22 +7,24 @@
 
 namespace foam::texgen {
 
+/// The kind of value that is completed.
 enum class ValueKind {
-    Words,  // one of some
-    List,   // several of some, with commas
-    Key,    // one of some, to be gone on from with '='
-    Path,   // of a file
+    Words,  // one of the words
+    List,   // several of the words, separated by commas
+    Key,    // one of the words, followed by '=' and a value
+    Path,   // the path of a file
 };
 
-/// What may stand for an argument.
+/// The values that completion offers for an argument.
 struct Values {
     ValueKind kind = ValueKind::Path;
     std::vector<std::string> words{};
 };
 
+/// Returns the values that completion offers for an argument.
 Values values_of(const ArgumentGrammar& argument, const CompletionWords& words);
 
-/// With blanks between them.
+/// Joins words with blanks between them.
 std::string joined(const std::vector<std::string>& words);
 
 }  // namespace foam::texgen

@@ -2,16 +2,16 @@
 
 namespace foam::texgen {
 
-/// What the program returns to the shell; the help of the program lists the same. `compare` returns
-/// its Verdict instead, and BadInput, as idiff does.
+/// The exit codes of the program, which its help lists, too. As idiff does, `compare` returns its
+/// Verdict (0 to 3) instead, or BadInput if an image is unreadable.
 enum class ExitCode : int {
     Success = 0,
     InternalFailure = 1,  // a bug, or out of memory
-    BadRequest = 2,       // the command line or a preset, a missing preset file too
-    NoEquilibrium = 3,    // the foam could not be brought to equilibrium, or its loop not be closed
+    BadRequest = 2,       // wrong command line or preset, including a missing preset file
+    NoEquilibrium = 3,    // the foam has no equilibrium, or its loop could not be closed
     BadInput = 4,         // an input file is unreadable or malformed
     OutputFailed = 5,     // an output could not be written
-    CheckFailed = 6,      // verify: something does not hold
+    CheckFailed = 6,      // verify: a check failed
 };
 
 }  // namespace foam::texgen

@@ -28,7 +28,7 @@ constexpr const char* kExamples = R"(Examples:
   foamtex flipbook out --strip --frames 1-48x2  for texture arrays
   foamtex flipbook out --out sheets             into another folder)";
 
-// Graphics hardware takes no larger textures.
+// The largest width and height of a texture that graphics hardware supports.
 constexpr int kLargestTexture = 16384;
 constexpr int kLargestGutter = 1024;
 
@@ -54,7 +54,7 @@ void warn_of_size(const SheetLayout& layout) {
     }
 }
 
-/// The sheets, and what describes them.
+/// Prints the JSON object of the command: the sheets, and the file that describes their layout.
 void print_report(const BakedSet& set, const std::vector<int>& frames, const Flipbook& flipbook) {
     Json report = json_report();
     report["preset"] = set.preset;

@@ -8,21 +8,22 @@
 
 namespace foam::texgen {
 
-/// A foam and what of its file a foam has not, one line each.
+/// A foam from a file.
 struct LoadedFoam {
     Foam foam;
-    std::vector<std::string> notes;
+    std::vector<std::string> notes;  // contents of the file that a Foam cannot hold, one line each
 };
 
-/// Throws std::invalid_argument, naming the extensions there are, unless the name ends in one:
-/// .fe and .dmp are Surface Evolver's, .json is our own state.
+/// Throws std::invalid_argument, whose message lists the allowed extensions, unless the name ends
+/// in one of them: .fe and .dmp are files of Surface Evolver, .json is a state of foamtex.
 void check_foam_name(const std::filesystem::path& path);
 
-/// Throws as check_foam_name, InputError where the file cannot be read, FormatError where it is
-/// malformed.
+/// Reads a foam from a file. Throws as check_foam_name, InputError if the file cannot be read, and
+/// FormatError if it is malformed.
 LoadedFoam load_foam(const std::filesystem::path& path);
 
-/// All or nothing, as write_file. Throws as check_foam_name, and OutputError.
+/// Writes a foam to a file, atomically as write_file does. Throws as check_foam_name, and
+/// OutputError if the file cannot be written.
 void save_foam(const std::filesystem::path& path, const Foam& foam);
 
 }  // namespace foam::texgen

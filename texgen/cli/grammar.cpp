@@ -6,7 +6,8 @@ namespace foam::texgen {
 
 namespace {
 
-// Flags have a blank where help would else show a default.
+// Returns the placeholder of an option's value; empty for a flag. Flags have the option text " ",
+// without which the help would show a default.
 std::string value_of(const CLI::Option& option) {
     const std::string text = CLI::detail::trim_copy(option.get_option_text());
     const bool takes_one = option.get_items_expected_max() > 0;

@@ -9,23 +9,24 @@ class App;
 
 namespace foam::texgen {
 
-/// An option of a command, or what it takes without one.
+/// An option or a positional argument of a command.
 struct ArgumentGrammar {
-    std::vector<std::string> names;  // "-o", "--out"; of what comes without an option its one name
-    std::string value;               // what it takes, "W[xH]"; empty for a flag
+    std::vector<std::string> names;  // "-o", "--out"; a positional argument has one name, "PRESET"
+    std::string value;               // placeholder of the value, "W[xH]"; empty if it has none
     std::string meaning;
 };
 
-/// What a command takes, as manuals and completions tell it.
+/// The syntax of a command, from which the manual page and the completions are made.
 struct CommandGrammar {
     std::string name;
     std::string meaning;
     std::vector<ArgumentGrammar> positionals;
     std::vector<ArgumentGrammar> options;
     std::vector<CommandGrammar> commands;
-    std::string notes;  // after all that: examples and what else help says
+    std::string notes;  // the footer of the help, such as examples
 };
 
+/// Returns the syntax of a command and of its subcommands.
 CommandGrammar grammar_of(const CLI::App& app);
 
 }  // namespace foam::texgen

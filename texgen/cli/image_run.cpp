@@ -21,8 +21,8 @@ namespace foam::texgen {
 
 namespace {
 
-/// One line a map, or one for all: the file, or the sequence and its frames, as image viewers take
-/// them.
+/// Prints a line per map, or one for all maps that share a file: the name of the file, or the
+/// pattern of the sequence and its frames, in the notation of image viewers.
 void print_images(const Preset& preset,
                   const FilePattern& pattern,
                   const std::vector<int>& frames) {

@@ -12,7 +12,7 @@
 
 namespace foam::texgen {
 
-/// What the commands that draw images are told of them.
+/// The options of the commands that draw images, as given on the command line.
 struct ImageArguments {
     std::optional<std::string> maps;
     std::optional<std::string> normal_y;
@@ -22,14 +22,15 @@ struct ImageArguments {
     bool json = false;
 };
 
-/// --maps, --normal-y, --out, --stats, --resume, --json; the arguments have to outlive the parsing.
+/// Adds --maps, --normal-y, --out, --stats, --resume and --json. The arguments must outlive the
+/// parsing.
 void add_image_options(CLI::App& command, ImageArguments& arguments);
 
-/// The options that stand for a key.
+/// Returns the assignments of the options that set a key of the preset.
 std::vector<Assignment> assignments_of(const ImageArguments& arguments);
 
-/// Draws the frames of a preset into files, with a manifest, and statistics where asked for; says
-/// where they are.
+/// Draws the frames of a preset into files with a manifest, and writes statistics if requested.
+/// Prints the names of the files, or a JSON object. Returns the exit code.
 ExitCode run_images(const Preset& preset,
                     const BakeOptions& options,
                     const ImageArguments& arguments,

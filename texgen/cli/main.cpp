@@ -32,7 +32,8 @@ Exit codes: 0 success, 1 unexpected internal failure, 2 bad command line or pres
   3 the foam could not be brought to equilibrium, or its loop not be closed, 4 an input file
   is unreadable or malformed, 5 an output could not be written, 6 verify: something does not hold)";
 
-/// One line on stderr, whatever the message.
+/// Prints a message on stderr as one line and returns the code. Newlines in the message become
+/// blanks.
 ExitCode report(std::string message, ExitCode code) {
     std::replace_if(
         message.begin(), message.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
@@ -79,7 +80,8 @@ ExitCode report_parse(const CLI::App& app, const CLI::ParseError& error) {
     return report(message_of(app, error) + " (see foamtex --help)", ExitCode::BadRequest);
 }
 
-/// Output that never arrived, on a full disk say, is a failure like any other.
+/// Flushes stdout and returns the code, or OutputFailed if output was lost, for example on a full
+/// disk.
 ExitCode flushed(ExitCode code) {
     const bool arrived = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
     return arrived ? code : report("cannot write to standard output", ExitCode::OutputFailed);

@@ -10,7 +10,8 @@ namespace foam::texgen {
 
 namespace {
 
-// As troff takes it: hyphens that can be copied, no line that would be a request.
+// Escapes a text for troff: hyphens become "\-", so that they can be copied, and a line that begins
+// with a period or an apostrophe gets "\&" in front, so that it is no request.
 std::string escaped(std::string_view text) {
     std::string result;
     bool begins_line = true;
@@ -41,7 +42,7 @@ std::string as_it_is(std::string_view text) {
     return text.empty() ? "" : fmt::format(".nf\n{}\n.fi\n", escaped(text));
 }
 
-// A section of a command, and those of its own commands after it.
+// Returns the section of a command, followed by the sections of its subcommands.
 std::string command_section(const CommandGrammar& command, const std::string& path) {
     std::string usage = path + (command.options.empty() ? "" : " [OPTIONS]");
     for (const ArgumentGrammar& positional : command.positionals) {

@@ -7,7 +7,7 @@
 
 namespace foam::texgen {
 
-/// The manual page of a program, section 1, as troff with the macros of man(7).
+/// Returns the manual page of a program, section 1, in troff with the macros of man(7).
 std::string manual_page(const CommandGrammar& program, std::string_view version);
 
 }  // namespace foam::texgen

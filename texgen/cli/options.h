@@ -1,6 +1,6 @@
 #pragma once
 
-// Options that several commands have. Each function adds one option to a command; the value has to
+// Options that several commands share. Each function adds one option to a command. The value must
 // outlive the parsing.
 
 #include <filesystem>
@@ -14,29 +14,29 @@ class Option;
 
 namespace foam::texgen {
 
-/// --json: the command prints one JSON object (JsonReport).
+/// Adds --json: the command prints one JSON object (json_report.h).
 void add_json_option(CLI::App& command, bool& json);
 
-/// -q, --quiet. `meaning` is the line of the help.
+/// Adds -q, --quiet. `meaning` is its line in the help.
 CLI::Option* add_quiet_option(CLI::App& command,
                               bool& quiet,
                               const char* meaning = "Say nothing but errors");
 
-/// --threads, 0 for one per hardware thread.
+/// Adds --threads, where 0 means one per hardware thread.
 void add_threads_option(CLI::App& command, int& threads);
 
-/// --frames, a range as parse_frame_range reads it.
+/// Adds --frames, a range in the notation of parse_frame_range.
 void add_frames_option(CLI::App& command,
                        std::optional<std::string>& frames,
                        const char* meaning = "As 5, 1-10, 1-10x2, 1-10y3 or 1-3,7");
 
-/// --maps, names with commas between them.
+/// Adds --maps, names separated by commas.
 void add_maps_option(CLI::App& command, std::optional<std::string>& maps, const char* meaning);
 
-/// --preset, for choose_set.
+/// Adds --preset, the preset whose set choose_set selects.
 void add_set_option(CLI::App& command, std::string& preset);
 
-/// -o, --out: the folder of the output.
+/// Adds -o, --out: the folder of the output.
 void add_out_folder_option(CLI::App& command,
                            std::optional<std::filesystem::path>& out,
                            const char* meaning);

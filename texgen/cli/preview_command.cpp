@@ -97,7 +97,8 @@ ExitCode preview_folder(const PreviewArguments& arguments) {
     return ExitCode::Success;
 }
 
-/// Bakes no more than is looked at.
+/// Returns the preset with only the maps to preview, the first map by default, and with PNG files
+/// in the folder.
 Preset preset_to_bake(const PreviewArguments& arguments, const std::filesystem::path& folder) {
     std::vector<Assignment> assignments;
     if (arguments.maps) {

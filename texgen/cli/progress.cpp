@@ -14,7 +14,8 @@ namespace {
 
 constexpr int kBarWidth = 24;  // characters between the brackets
 
-/// Minutes and seconds to go if the rest takes as long a frame as what is done.
+/// Returns the estimated time left in minutes and seconds. Precondition: at least one frame is
+/// done. The remaining frames are assumed to take as long as the frames so far.
 std::string time_left(const RunProgress& progress) {
     const double share = static_cast<double>(progress.total - progress.done) / progress.done;
     const auto seconds = static_cast<long>(std::ceil(progress.seconds * share));
@@ -26,7 +27,7 @@ bool wants_color() {
     return no_color == nullptr || *no_color == '\0';
 }
 
-/// Draws over the bar before it; the last one stays.
+/// Draws the bar over the previous one. The last bar ends with a newline, so it stays visible.
 void draw_bar(const RunProgress& progress, bool color) {
     const std::string bar = progress_bar(progress);
     const char* end = progress.done == progress.total ? "\n" : "";

@@ -6,20 +6,23 @@
 
 namespace foam::texgen {
 
-/// How much a bake says on stderr while it runs.
+/// The amount of progress that a run reports on stderr.
 enum class Verbosity {
     Quiet,
-    Normal,   // a bar, on a terminal only
+    Normal,   // a progress bar, on a terminal only
     Verbose,  // a line per frame
 };
 
-/// "[#####---------------]  12/48  583 bubbles  0:14 left", without an end of line.
+/// Returns the progress bar, without a newline:
+/// "[######------------------] 12/48  583 bubbles  0:14 left".
 std::string progress_bar(const RunProgress& progress);
 
-/// "frame 12: 583 bubbles, area error 1.2e-14, angle error 3.1e-15, 4.21 s"
+/// Returns the line of a frame:
+/// "frame 12: 583 bubbles, area error 1.2e-14, angle error 3.1e-15, 4.21 s".
 std::string progress_line(const RunProgress& progress);
 
-/// Reports to stderr. A bar needs a terminal, and colour in it needs NO_COLOR to be unset or empty.
+/// Returns a callback that reports to stderr. A bar is drawn only on a terminal, and in color only
+/// if the environment variable NO_COLOR is unset or empty.
 ProgressCallback progress_reporter(Verbosity verbosity);
 
 }  // namespace foam::texgen

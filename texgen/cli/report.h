@@ -9,13 +9,13 @@
 
 namespace foam::texgen {
 
-/// One line a file, on stdout.
+/// Prints the paths of files on stdout, one per line.
 void print_files(std::span<const std::filesystem::path> files);
 
-/// Tells on stderr why there are no charts beside the tables, if there are none.
+/// Prints a note on stderr if no charts were drawn: the reason, and the command that draws them.
 void note_missing_charts(const StatisticsFiles& statistics);
 
-/// Says on stderr which frame failed and why; the code to leave with.
+/// Prints on stderr why a run failed, and returns the exit code. Precondition: the run failed.
 ExitCode report_failure(const RunOutcome& outcome);
 
 }  // namespace foam::texgen

@@ -15,7 +15,7 @@ namespace foam::texgen {
 
 namespace {
 
-/// "W" or "WxH" as [W, H]; what is no number is left for the schema to refuse.
+/// Returns "W" or "WxH" as the list [W, H]. Parts that are no numbers are rejected by the key.
 Value size_value(const std::string& size) {
     const std::size_t x = size.find('x');
     const std::string width = size.substr(0, x);
@@ -23,7 +23,7 @@ Value size_value(const std::string& size) {
     return {Value::List{read_value(width), read_value(height)}};
 }
 
-/// "a,b" as ["a", "b"].
+/// Returns "a,b" as the list ["a", "b"].
 Value list_value(const std::string& words) {
     Value::List list;
     for (const std::string& word : CLI::detail::split(words, ',')) {
@@ -32,7 +32,8 @@ Value list_value(const std::string& words) {
     return {std::move(list)};
 }
 
-/// The options that stand for a key come after the `--set`s, and so win.
+/// Returns the assignments of every `--set`, then those of the options that set a key, so that the
+/// latter win.
 std::vector<Assignment> assignments_of(const RunArguments& arguments) {
     std::vector<Assignment> assignments;
     for (const std::string& set : arguments.sets) {

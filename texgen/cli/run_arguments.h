@@ -14,8 +14,8 @@ class App;
 
 namespace foam::texgen {
 
-/// What the commands that run the frames of a preset are told, as it was given, not yet checked
-/// against the preset's limits.
+/// The arguments of the commands that run the frames of a preset, as given on the command line.
+/// Values of keys are not checked yet.
 struct RunArguments {
     std::string preset;
     std::vector<std::string> sets;
@@ -27,29 +27,30 @@ struct RunArguments {
     bool verbose = false;
 };
 
-/// PRESET, --set, --frames, --size, --seed; the arguments have to outlive the parsing.
+/// Adds PRESET, --set, --frames, --size and --seed. The arguments must outlive the parsing.
 void add_preset_options(CLI::App& command, RunArguments& arguments);
 
-/// The same without PRESET and --seed.
+/// Adds --set, --frames and --size. The arguments must outlive the parsing.
 void add_frame_options(CLI::App& command, RunArguments& arguments);
 
-/// --threads, -q, -v.
+/// Adds --threads, -q and -v. The arguments must outlive the parsing.
 void add_run_options(CLI::App& command, RunArguments& arguments);
 
-/// What `--maps A,B` does, for preset_of.
+/// Returns the assignment of `--maps A,B`, for preset_of.
 Assignment maps_assignment(const std::string& maps);
 
-/// The preset with its `--set`s, then the options that stand for a key, then `more` carried out.
-/// Throws PresetError.
+/// Loads the preset and applies its assignments in this order: every `--set`, the options that set
+/// a key, and `more`. Later assignments win. Throws PresetError if a value is not allowed.
 Preset preset_of(const RunArguments& arguments, const std::vector<Assignment>& more = {});
 
-/// The same for a preset that was not loaded by its name.
+/// Returns a preset that has been loaded already with the assignments of preset_of applied. Throws
+/// PresetError if a value is not allowed.
 Preset changed(Preset preset,
                const RunArguments& arguments,
                const std::vector<Assignment>& more = {});
 
-/// Those of --frames, which may go beyond the preset's own, or all of the preset. Throws
-/// std::invalid_argument.
+/// Returns the frames of --frames, which may be beyond frames.count of the preset, or without that
+/// option all frames of the preset. Throws std::invalid_argument if the range is malformed.
 std::vector<int> frames_of(const RunArguments& arguments, const Preset& preset);
 
 Verbosity verbosity_of(const RunArguments& arguments);

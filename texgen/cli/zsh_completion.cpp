@@ -9,7 +9,8 @@ namespace foam::texgen {
 
 namespace {
 
-// Within single quotes, and within what _arguments sets apart by brackets and colons.
+// Escapes a text for use within single quotes and within a spec of _arguments, where brackets and
+// colons have a meaning.
 std::string zsh_escaped(std::string_view text) {
     std::string result;
     for (const char c : text) {
@@ -39,6 +40,8 @@ std::string zsh_action(const Values& values, bool or_files) {
     }
 }
 
+// Writes one shell function per command. A command without subcommands calls _arguments with a spec
+// per option and positional argument; a command with subcommands dispatches to their functions.
 class ZshScript {
   public:
     ZshScript(const CommandGrammar& program, const CompletionWords& words) : words_(words) {
