@@ -25,8 +25,8 @@ struct AgeOptions {
 
 Keys<AgeOptions> age_keys();
 
-/// Draws the age of every bubble in foam time; pixels that bubbles share are mixed. One channel; 0
-/// around a patch.
+/// Draws the age of every bubble in foam time. A pixel that several bubbles share has the mean of
+/// their ages by area. One channel; 0 around a patch.
 NumberPixels draw_age(FrameLayers& layers, const AgeOptions& options);
 
 }  // namespace foam::texgen

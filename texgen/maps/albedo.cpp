@@ -20,7 +20,8 @@ ColorPixels draw_flat(FrameLayers& layers, const AlbedoOptions& options) {
                        width);
 }
 
-// Pixels that bubbles share are mixed first; then come their shade, and films over it.
+// Draws the colors of bubbles first, mixed in pixels that bubbles share. The shade beside films is
+// mixed into these colors, and the films are painted over the result.
 ColorPixels draw_shaded(FrameLayers& layers, const AlbedoOptions& options) {
     const LinearRgb film = to_linear(parse_color(options.film_color));
     const ColorPixels cells = fill_colors(layers, cell_colors(layers.frame(), options), film, 0.0);

@@ -17,13 +17,13 @@ inline constexpr MapTraits kAlbedoMap = {
     .channels = "R G B",
     .smooth_distance = SmoothDistance::UsedByFilms};
 
-/// Draws the colors of bubbles and films: mixed as by fill_colors, or with wet films and shades as
-/// by paint_films. Throws as cell_colors does, and std::invalid_argument for an invalid color of
-/// films.
+/// Draws the colors of bubbles and films. Even films without a shade are drawn by fill_colors, wet
+/// films and shades by paint_films. Throws as cell_colors does, and std::invalid_argument for an
+/// invalid color of films or of the shade.
 ColorPixels draw_albedo(FrameLayers& layers, const AlbedoOptions& options);
 
-/// Draws the same as an sRGB image of a single frame. The result does not depend on the number of
-/// threads. Throws as cell_arcs does, too.
+/// Draws the albedo of a single frame and encodes it as sRGB. The result does not depend on the
+/// number of threads. Throws as draw_albedo and cell_arcs do.
 Image<std::uint8_t> albedo(const Frame& frame,
                            const RasterGrid& grid,
                            const AlbedoOptions& options,

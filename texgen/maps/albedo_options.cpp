@@ -89,7 +89,7 @@ Keys<AlbedoOptions> albedo_keys() {
 }
 
 double diameters_in_pixels(double diameters, const RasterGrid& grid, const Domain& domain) {
-    const double diameter = 2.0 * std::numbers::inv_sqrtpi;  // of a circle of area 1
+    const double diameter = 2.0 * std::numbers::inv_sqrtpi;  // diameter of a circle of area 1
     return diameters * diameter * pixels_per_unit(grid, domain);
 }
 

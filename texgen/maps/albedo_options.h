@@ -12,16 +12,16 @@ namespace foam::texgen {
 
 /// The property of a bubble that decides its color.
 enum class ColorBy {
-    Pressure,  // on a scale from pressure_low to pressure_high
+    Pressure,  // the scale goes from pressure_low to pressure_high
     Area,      // area / (area + mean): the mean area of the frame is the middle of the scale
-    Sides,     // from three films at the start of the scale to nine at its end
-    Random,    // anywhere on the scale, each bubble for life
+    Sides,     // three films are at the start of the scale, nine at its end
+    Random,    // a pseudo-random position on the scale, which a bubble keeps for life
 };
 
-/// How `colors` make a scale.
+/// The way in which `colors` become a scale.
 enum class ColorMix {
-    Blend,  // each turns into the next
-    Pick,   // only the colors themselves, each for an equal part of the scale
+    Blend,  // interpolated from each color to the next
+    Pick,   // not interpolated; each color takes an equal part of the scale
 };
 
 /// The shape of films.
@@ -33,7 +33,7 @@ enum class FilmProfile {
 /// The unit of the width of films.
 enum class WidthUnit {
     Pixels,
-    Diameters,  // of a circle of the seeded mean bubble area
+    Diameters,  // diameters of a circle that has the seeded mean bubble area
 };
 
 /// The colors of bubbles, and the width and shape of films in all maps.
@@ -43,22 +43,22 @@ struct AlbedoOptions {
     std::vector<std::string> colors{};  // sRGB; if not empty, a scale that replaces the color map
     ColorMix color_mix = ColorMix::Blend;
     double variation = 0.0;      // bubbles are lighter or darker by up to this fraction, for life
-    double pressure_low = -0.5;  // the pressure at the start of the scale ...
-    double pressure_high = 0.5;  // ... and at its end; the same in all frames, without flicker
+    double pressure_low = -0.5;  // pressure at the start of the scale, the same in all frames
+    double pressure_high = 0.5;  // pressure at the end of the scale, the same in all frames
     PressureUnit pressure_unit = PressureUnit::Current;
     std::string film_color = "#ffffff";  // sRGB
-    double film_width = 2.0;             // of both sides of the arc together; 0 draws no films
+    double film_width = 2.0;             // whole width of a film, centered on its arc; 0 draws none
     WidthUnit film_unit = WidthUnit::Pixels;
     FilmProfile film_profile = FilmProfile::Even;
-    std::string shade_color = "#000000";  // sRGB; bubbles turn to it beside films ...
-    double shade_width = 0.3;  // ... within this distance, in diameters of a seeded mean bubble ...
-    double shade = 0.0;        // ... by at most this fraction
+    std::string shade_color = "#000000";  // sRGB; mixed into bubbles beside films
+    double shade_width = 0.3;  // reach of the shade, in diameters of a seeded mean bubble
+    double shade = 0.0;        // fraction of the shade's color right beside a film; 0 for no shade
 };
 
 Keys<AlbedoOptions> albedo_keys();
 
-/// Returns a length, given in diameters of a circle of the seeded mean bubble area, in pixels.
-/// Throws std::invalid_argument as pixels_per_unit does.
+/// Converts a length to pixels. The unit of `diameters` is the diameter of a circle that has the
+/// seeded mean bubble area. Throws std::invalid_argument as pixels_per_unit does.
 double diameters_in_pixels(double diameters, const RasterGrid& grid, const Domain& domain);
 
 /// Returns the whole width of a film in pixels. Throws std::invalid_argument as pixels_per_unit

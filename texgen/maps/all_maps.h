@@ -43,7 +43,7 @@ struct MapOptions {
     EventMapOptions event_map;
     MotionOptions motion;
     DistanceOptions distance;
-    ReliefOptions relief;  // of height, normal, occlusion and curvature
+    ReliefOptions relief;  // used by lit, height, normal, occlusion and curvature
     HeightOptions height;
     NormalOptions normal;
     OcclusionOptions occlusion;
@@ -51,8 +51,9 @@ struct MapOptions {
     ThinFilmOptions thin_film;
 };
 
-/// Returns the keys of all maps, "height.full", in the order in which presets list them. The table
-/// of map event is event_map, because [[event]] is something that happens to the foam.
+/// Returns the keys of all maps, such as "height.full", in the order in which presets list them.
+/// The table of the map event is named event_map, because [[event]] describes what happens to the
+/// foam.
 inline Keys<MapOptions> map_keys() {
     using M = MapOptions;
     return joined({keys_in("albedo", &M::albedo, albedo_keys()),
@@ -73,7 +74,8 @@ inline Keys<MapOptions> map_keys() {
                    keys_in("thin_film", &M::thin_film, thin_film_keys())});
 }
 
-/// Makes a map that is drawn by draw(layers, options.member...).
+/// Makes a map that is drawn by draw(layers, options.*members...), with an optional text for its
+/// files.
 template <auto draw, auto... members>
 constexpr Map map_of(const MapTraits& traits, std::string (*note)(const MapOptions&) = nullptr) {
     return {traits,
@@ -118,7 +120,7 @@ inline constexpr std::array kMaps = [] {
 /// Returns every map.
 std::span<const Map> all_maps();
 
-/// Returns the names of all maps, in the same order.
+/// Returns the names of all maps, in the order of kMaps.
 std::span<const std::string_view> map_names();
 
 /// Returns the map of a name. Throws std::invalid_argument with the known names if there is none.

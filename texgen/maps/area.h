@@ -19,8 +19,8 @@ struct AreaOptions {
 
 Keys<AreaOptions> area_keys();
 
-/// Draws the area that the arcs of every bubble enclose; pixels that bubbles share are mixed. One
-/// channel; 0 around a patch.
+/// Draws the area that the arcs of every bubble enclose. A pixel that several bubbles share has the
+/// mean of their numbers by area. One channel; 0 around a patch.
 NumberPixels draw_area(FrameLayers& layers, const AreaOptions& options);
 
 }  // namespace foam::texgen

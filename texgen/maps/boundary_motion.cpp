@@ -5,6 +5,11 @@
 
 namespace foam::texgen {
 
+// Mean value coordinates (Floater 2003, Hormann and Floater 2006). A corner at the distance r from
+// the point has the weight (tan(a / 2) + tan(b / 2)) / r, where a and b are the signed angles under
+// which the point sees the two sides at the corner. Each side adds its tangent to the weights of
+// its two ends. Corners and sides that contain the point are handled separately, because weights
+// are infinite there.
 Vec2 motion_at(const BoundaryMotion& boundary, const Vec2& point) {
     Vec2 sum = Vec2::Zero();
     double weights = 0.0;
@@ -19,12 +24,12 @@ Vec2 motion_at(const BoundaryMotion& boundary, const Vec2& point) {
         }
         const double twice_area = cross(from, to);
         const double lengths = from_length * to_length;
-        if (twice_area == 0.0 && from.dot(to) < 0.0) {  // on the side
+        if (twice_area == 0.0 && from.dot(to) < 0.0) {  // the point is on this side
             return (to_length * boundary.ways[k] + from_length * boundary.ways[next]) /
                    (from_length + to_length);
         }
         if (twice_area != 0.0) {
-            const double tangent = (lengths - from.dot(to)) / twice_area;  // of half the angle
+            const double tangent = (lengths - from.dot(to)) / twice_area;  // tan(angle / 2)
             sum += tangent / from_length * boundary.ways[k] +
                    tangent / to_length * boundary.ways[next];
             weights += tangent / from_length + tangent / to_length;

@@ -8,13 +8,13 @@ namespace foam::texgen {
 
 /// A closed polygon whose corners move.
 struct BoundaryMotion {
-    std::vector<Vec2> points{};  // counter-clockwise
-    std::vector<Vec2> ways{};    // as many
+    std::vector<Vec2> points{};  // corners, counter-clockwise
+    std::vector<Vec2> ways{};    // the motion of each corner
 };
 
-/// Returns the motion of a point within or just outside the polygon: smooth there, and linear from
-/// corner to corner on the polygon. Mean value coordinates (Floater 2003, Hormann and Floater
-/// 2006). Precondition: there are corners.
+/// Returns the motion of a point within or just outside the polygon, interpolated between the
+/// corners by mean value coordinates (Floater 2003, Hormann and Floater 2006). The motion is smooth
+/// off the polygon, and linear from corner to corner on it. Precondition: the polygon has a corner.
 Vec2 motion_at(const BoundaryMotion& boundary, const Vec2& point);
 
 }  // namespace foam::texgen

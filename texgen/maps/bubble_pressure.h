@@ -8,8 +8,8 @@ namespace foam::texgen {
 /// The unit of a pressure.
 enum class PressureUnit {
     Seed,     // film tension over the square root of the seeded mean area, which is 1
-    Current,  // film tension over the square root of the frame's mean area: contrast outlives
-              // coarsening
+    Current,  // film tension over the square root of the frame's mean area, which preserves
+              // contrast while the foam coarsens
 };
 
 inline constexpr Choices<PressureUnit> kPressureUnits = {

@@ -15,7 +15,7 @@ namespace foam::texgen {
 
 namespace {
 
-// A bubble of three films is at the start of the scale, one of nine at its end.
+// Bubbles of three films are at the start of the scale, bubbles of nine at its end.
 constexpr double kFewestSides = 3.0;
 constexpr double kMostSides = 9.0;
 
@@ -31,7 +31,7 @@ PerBubble<double> tones_by_pressure(const Frame& frame, const AlbedoOptions& opt
     return tones;
 }
 
-// The mean area is the middle of the scale.
+// Maps areas to (0, 1) so that the mean area of the frame is the middle of the scale.
 PerBubble<double> tones_by_area(const Frame& frame) {
     const double mean = area_of(MeanBubble::Current, frame);
     const auto tone = [mean](double area) { return area / (area + mean); };
@@ -60,7 +60,7 @@ PerBubble<double> numbers_of(const Frame& frame, IdentityStream stream) {
 
 using ColorOfTone = std::function<LinearRgb(double)>;
 
-// Interpolates between colors as color maps do, in sRGB.
+// Interpolates between colors in sRGB, as color maps do.
 LinearRgb blended(const std::vector<LinearRgb>& colors, double tone) {
     const double position = tone * static_cast<double>(colors.size() - 1);
     const auto below = std::min(static_cast<std::size_t>(position), colors.size() - 1);

@@ -7,12 +7,14 @@
 
 namespace foam::texgen {
 
-/// Returns the position of every bubble on the scale of options.color_by, 0 to 1.
+/// Returns the position of every bubble on the scale of options.color_by: 0 at its start, 1 at its
+/// end. Pressures and numbers of sides beyond the scale have positions outside [0, 1]. Throws
+/// std::invalid_argument if colors are by pressure and pressure_low is not below pressure_high.
 PerBubble<double> tones_of(const Frame& frame, const AlbedoOptions& options);
 
-/// Returns the color of every bubble: that of its tone, lighter or darker by the bubble's own share
-/// of options.variation, which it keeps for life. Throws std::invalid_argument for an unknown color
-/// map or color, and unless pressure_low < pressure_high.
+/// Returns the color of every bubble: the color at its position on the scale, made lighter or
+/// darker by at most options.variation. Each bubble keeps its own variation for life. Throws
+/// std::invalid_argument for an unknown color map or an invalid color, and as tones_of does.
 PerBubble<LinearRgb> cell_colors(const Frame& frame, const AlbedoOptions& options);
 
 }  // namespace foam::texgen

@@ -16,11 +16,11 @@ namespace {
 
 constexpr std::uint16_t kWhole = 65535;
 
-// One pixel's worth of a fill.
+// The samples of one pixel; a fill uses the first `channels` of them.
 using Texel = std::array<std::uint16_t, kMaxChannels>;
 
-// Values for the rasterizer: in a patch, what is around it comes between the bubbles and the lone
-// ones, and is 0.
+// Collects the values of all cells in the order of CellValues. In a patch the surroundings come
+// after the bubbles of the network and before the lone bubbles, and have the value 0.
 template <class TexelOf>
 CellValues cell_values(const FrameLayers& layers,
                        std::size_t channels,
@@ -48,7 +48,8 @@ Texel light_of(const LinearRgb& color) {
     return {light_step(color.r), light_step(color.g), light_step(color.b), kWhole};
 }
 
-// A scale of 65535 steps from the smallest to the largest of some numbers.
+// A linear scale of 65535 steps from the smallest to the largest of some numbers. It converts
+// numbers to the 16-bit integers of the rasterizer and back.
 class Steps {
   public:
     explicit Steps(const CellNumbers& numbers) {
@@ -79,7 +80,7 @@ Image<float> numbers_of(const Image<std::uint16_t>& steps, const Steps& scale) {
     return image;
 }
 
-// The second channel is the opacity.
+// Converts images of a patch, whose second channel is the opacity; pixels of no opacity become 0.
 Image<float> covered_numbers_of(const Image<std::uint16_t>& steps, const Steps& scale) {
     Image<float> image(steps.width(), steps.height(), 1);
     const std::span<const std::uint16_t> from = steps.samples();
@@ -132,7 +133,8 @@ Image<float> fill_numbers(FrameLayers& layers, const CellNumbers& numbers, doubl
 }
 
 Image<float> fill_numbers(FrameLayers& layers, const PerBubble<double>& bubbles) {
-    const double film = bubbles.empty() ? 0.0 : bubbles.front();  // which no pixel shows
+    // No pixel shows a film of no width, so any number within the range of the bubbles will do.
+    const double film = bubbles.empty() ? 0.0 : bubbles.front();
     return fill_numbers(layers, {bubbles, film}, 0.0);
 }
 

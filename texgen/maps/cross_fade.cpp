@@ -18,7 +18,7 @@ void mix(std::span<std::uint16_t> falling, std::span<const std::uint16_t> rising
     constexpr std::uint32_t kHalf = kWhole / 2;
     const auto risen = static_cast<std::uint32_t>(std::lround(share * kWhole));
     for (std::size_t c = 0; c < falling.size(); ++c) {
-        // The weights add up to 2^16, and both numbers are below: 32 bits hold the sum.
+        // The weights add up to 2^16 and both numbers are below 2^16, so 32 bits hold the sum.
         falling[c] = static_cast<std::uint16_t>(
             ((kWhole - risen) * falling[c] + risen * rising[c] + kHalf) >> 16U);
     }
@@ -36,7 +36,8 @@ void mix(std::span<std::uint32_t> falling, std::span<const std::uint32_t> rising
     }
 }
 
-// The normal of the mean of two slopes.
+// Mixes two normals by their slopes -x / z and -y / z, and normalizes the result. Both slopes are
+// multiplied by both z, which avoids a division.
 void mix_slopes(std::span<float> falling, std::span<const float> rising, float share) {
     const float fallen = (1.0F - share) * rising[2];
     const float risen = share * falling[2];
@@ -49,7 +50,8 @@ void mix_slopes(std::span<float> falling, std::span<const float> rising, float s
     falling[2] = z / length;
 }
 
-// Pixels that show one image alone keep its samples unchanged.
+// Calls mix_pixel for pixels that show both images. Pixels that show only one keep its samples to
+// the bit.
 template <class Sample, class Mix>
 void mix_pixels(Image<Sample>& falling,
                 const Image<Sample>& rising,

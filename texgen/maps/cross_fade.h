@@ -7,19 +7,21 @@
 
 namespace foam::texgen {
 
-/// The content of a frame: one foam or, in a cross-fade, two, of which one replaces the other.
+/// The content of a frame: one foam or, in a cross-fade, two foams. The rising foam replaces the
+/// other one.
 struct ShownLayers {
     FrameLayers layers;
     std::optional<FrameLayers> rising = {};
-    Image<float> shares = {};  // of `rising` in every pixel, from 0 to 1
+    Image<float> shares = {};  // weight of `rising` in every pixel, from 0 to 1
 };
 
-/// Draws a map of a frame.
+/// Draws a map of a frame, and cross-fades the maps of both foams if there are two.
 MapImage draw(const Map& map, ShownLayers& shown, const MapOptions& options);
 
-/// Fades one image into another of the same size and kind; `shares` are those of the other one,
-/// from 0 to 1. Colors are mixed as light, without opacity, numbers are mixed, and ids are those of
-/// the image with the larger share.
+/// Fades an image into a rising one of the same size and kind. `shares` holds the weight of the
+/// rising image in every pixel, from 0 to 1. Colors are mixed as light, without regard to opacity.
+/// Numbers are mixed by value or by slope. Ids are not mixed: each pixel takes the id of the image
+/// with the larger share.
 MapImage cross_fade(MapImage falling,
                     const MapImage& rising,
                     const Image<float>& shares,

@@ -10,7 +10,8 @@ namespace foam::texgen {
 
 namespace {
 
-// In the section's own unit.
+// Returns the curvature of a section, as a difference over a radius. All lengths are in the
+// section's unit.
 double bend(const ReliefSection& section, double smooth, double radius) {
     const double way = section.way(smooth);
     const double outside = section.height_along(way - radius) + section.height_along(way + radius);

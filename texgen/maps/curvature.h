@@ -16,7 +16,7 @@ inline constexpr MapTraits kCurvatureMap = {
     .smooth_distance = SmoothDistance::Used};
 
 struct CurvatureOptions {
-    double radius = 0.08;  // of the neighborhood, in diameters of the relief's mean bubble
+    double radius = 0.08;  // radius of the neighborhood, in diameters of the relief's mean bubble
     double full = 10.0;    // curvature at the largest code of a PNG; its negative is at code 0
 };
 

@@ -30,8 +30,8 @@ struct DistanceOptions {
 
 Keys<DistanceOptions> distance_keys();
 
-/// Draws the distance from the center of every pixel to the nearest film, exactly from its arc. The
-/// edges of films are those of albedo. One channel.
+/// Draws the distance from the center of every pixel to the nearest film, computed from the film's
+/// exact arc. For signed distances, films are as wide as in albedo. One channel.
 NumberPixels draw_distance(FrameLayers& layers,
                            const DistanceOptions& options,
                            const AlbedoOptions& films);

@@ -13,16 +13,16 @@ inline constexpr MapTraits kEventMap = {
     .png_filter = PngFilter::Up};
 
 struct EventMapOptions {
-    double radius = 1.0;  // of a spot, in diameters of a mean bubble of the seeded foam
-    int fade = 8;         // frames until a spot is gone, up to kRecordedFrames
+    double radius = 1.0;  // radius of a spot, in diameters of a mean bubble of the seeded foam
+    int fade = 8;         // number of frames that show a spot, up to kRecordedFrames
 };
 
 Keys<EventMapOptions> event_map_keys();
 
 /// Draws spots where the topology of the foam has just changed: red for T1, green for T2, blue for
-/// new bubbles. A spot has the profile (1 - r²/R²)², times 1 in the first frame that shows it and
-/// falling evenly to 0 over the next frames. Where spots overlap, the highest counts. Three
-/// channels, 0 to 1.
+/// new bubbles. A spot has the profile (1 - r²/R²)², times a factor that is 1 in the first frame
+/// that shows the spot and falls linearly to 0 over options.fade frames. Where spots of a color
+/// overlap, the largest value counts. Three channels, 0 to 1.
 NumberPixels draw_event(FrameLayers& layers, const EventMapOptions& options);
 
 }  // namespace foam::texgen

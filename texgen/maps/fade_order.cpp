@@ -13,10 +13,16 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr int kWaves = 24;
-constexpr double kBubblesInWave = 4.0;  // along a mean one
+// The order is a tileable random field. It is the sum of plane waves with random directions and
+// phases, each with a whole number of periods across the tile, so that the field is periodic. Such
+// a sum is nearly normally distributed; its cumulative distribution function turns it into ranks
+// that are spread evenly over [0, 1]. A pixel of rank t begins to fade at the fraction `spread` * t
+// of the time, and takes the fraction 1 - `spread` of the time.
 
-// A wave that goes a whole number of times into the tile, in both directions.
+constexpr int kWaves = 24;
+constexpr double kBubblesInWave = 4.0;  // mean wavelength, in mean bubble widths
+
+// A plane wave with whole numbers of periods across the tile and up.
 struct Wave {
     int across = 0;
     int up = 0;
@@ -26,7 +32,7 @@ struct Wave {
 std::vector<Wave> random_waves(const FadeOrder::Options& options) {
     Random random(options.seed);
     const double aspect = std::sqrt(static_cast<double>(options.width) / options.height);
-    const double mean = std::sqrt(options.bubbles) / kBubblesInWave;  // in a tile of area 1
+    const double mean = std::sqrt(options.bubbles) / kBubblesInWave;  // waves per tile of area 1
     std::vector<Wave> waves;
     for (int k = 0; k < kWaves; ++k) {
         const double way = 2.0 * std::numbers::pi * random.uniform();
@@ -42,7 +48,8 @@ std::vector<Wave> random_waves(const FadeOrder::Options& options) {
     return waves;
 }
 
-// Adds cos(2 pi (across x + up y) + phase) at the middle of every pixel.
+// Adds cos(2 pi (across x + up y) + phase) at the center of every pixel; x and y are in fractions
+// of the tile.
 void add(const Wave& wave, Image<float>& sum) {
     const auto angle = [](int times, int place, int places) {
         return 2.0 * std::numbers::pi * times * (place + 0.5) / places;
@@ -72,8 +79,8 @@ FadeOrder::FadeOrder(const Options& options)
     for (const Wave& wave : random_waves(options)) {
         add(wave, turns_);
     }
-    // A sum of many waves is normally distributed; each has a mean square of 1/2. Turns are then
-    // even.
+    // A sum of many waves is nearly normally distributed. Each wave has a mean square of 1/2, which
+    // gives the standard deviation. The distribution function makes the ranks uniform.
     const double deviations = 1.0 / std::sqrt(0.5 * kWaves);
     for (float& turn : turns_.samples()) {
         turn = static_cast<float>(0.5 * std::erfc(-deviations * turn / std::numbers::sqrt2));

@@ -6,27 +6,30 @@
 
 namespace foam::texgen {
 
-/// The order in which the pixels of a tile fade: neighbors at about the same time, points some
-/// bubbles apart at other times. Only a part of the image is between two foams at any moment.
+/// The order in which the pixels of a tile fade. Neighboring pixels fade at about the same time,
+/// and points several bubbles apart at different times, so that only a part of the image shows a
+/// mixture of two foams at any moment.
 class FadeOrder {
   public:
     struct Options {
-        int width = 1;  // of the tile, pixels
+        int width = 1;  // width and height of the tile in pixels
         int height = 1;
-        double bubbles = 1.0;  // in it, about
-        double spread = 0.0;   // 0: all places at once, towards 1: each in a moment of its own
+        double bubbles = 1.0;  // approximate number of bubbles in the tile
+        double spread = 0.0;   // 0 fades all pixels at once, values towards 1 one after the other;
+                               // below 1
         std::uint64_t seed = 1;
     };
 
     explicit FadeOrder(const Options& options);
 
-    /// Returns the share of the rising image in every pixel, from 0 to 1, when a fraction of the
-    /// fade has passed, from 0 to 1: all 0 at its start, all 1 at its end, and level at both.
+    /// Returns the weight of the rising image in every pixel, from 0 to 1, after a fraction of the
+    /// fade, from 0 to 1. All weights are 0 at the start and 1 at the end of the fade, and each has
+    /// the slope 0 in time where it leaves 0 and reaches 1.
     Image<float> shares(double passed) const;
 
   private:
     double spread_;
-    Image<float> turns_;  // from 0, the first places, to 1, the last
+    Image<float> turns_;  // the rank of each pixel: 0 fades first, 1 last
 };
 
 }  // namespace foam::texgen

@@ -11,8 +11,8 @@ inline constexpr MapTraits kFilmMap = {.name = "film",
                                        .channels = "Y",
                                        .smooth_distance = SmoothDistance::UsedByFilms};
 
-/// Draws the fraction of every pixel that films cover, which are as wide as those of albedo. One
-/// channel, 0 to 1; 0 around a patch.
+/// Draws the fraction of every pixel that films cover. Films are as wide as in albedo. One channel,
+/// 0 to 1; 0 around a patch.
 NumberPixels draw_film(FrameLayers& layers, const AlbedoOptions& options);
 
 }  // namespace foam::texgen

@@ -11,25 +11,27 @@
 namespace foam::texgen {
 
 /// Returns the fraction of every pixel that films cover, 0 to 1, in one channel. Even films are
-/// drawn by exact area. Wet ones end at half their width in the smooth distance (distance.h), which
-/// rounds the corners of bubbles; their edges are mixed over the width of a pixel.
+/// drawn by exact area. Wet films end where the smooth distance (distance_field.h) is half their
+/// width, which rounds the corners of bubbles; their edges are mixed over the width of a pixel.
 Image<float> film_cover(FrameLayers& layers, const AlbedoOptions& options);
 
-/// Returns the fraction that films and bubbles cover together.
+/// Returns the fraction of every pixel that films and bubbles cover together, in one channel.
 Image<float> foam_cover(FrameLayers& layers, const AlbedoOptions& options);
-/// Does the same with a known film_cover.
+/// Returns the same fraction as above from a known film_cover `films`, which is used only for wet
+/// films of a patch.
 Image<float> foam_cover(FrameLayers& layers,
                         const AlbedoOptions& options,
                         const Image<float>& films);
 
-/// Returns the weight of the shade on bubbles, 0 to 1. Precondition: options.shade > 0.
+/// Returns the weight of the shade's color at every pixel: options.shade on films, falling smoothly
+/// to 0 at options.shade_width from them. One channel. Precondition: options.shade > 0.
 Image<float> film_shade(FrameLayers& layers, const AlbedoOptions& options);
 
 /// Returns the distances that the functions above need.
 DistanceNeeds distance_of_look(const AlbedoOptions& options);
 
-/// Paints films over bubbles whose color at a pixel, counted row by row, is `color_at`. Transparent
-/// around a patch, as in fill_colors.
+/// Paints films over bubbles. `color_at` returns the color of the bubbles at the index of a pixel,
+/// counted row by row. Transparent around a patch, as in fill_colors.
 ColorPixels paint_films(FrameLayers& layers,
                         const AlbedoOptions& options,
                         const std::function<LinearRgb(std::size_t)>& color_at);

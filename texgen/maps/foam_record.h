@@ -6,11 +6,11 @@
 
 namespace foam::texgen {
 
-/// A topology event on the way to a frame from the one before it.
+/// A topology event that happened between a frame and the one before it.
 struct RecordedEvent {
     TopologyEventKind kind = TopologyEventKind::T1;
-    int frame = 0;
-    Vec2 position{0.0, 0.0};  // in the plane; carried along if the foam has been sheared since
+    int frame = 0;            // the first frame that shows the event
+    Vec2 position{0.0, 0.0};  // in the plane; moves with the foam if the foam is sheared later
 
     friend bool operator==(const RecordedEvent&, const RecordedEvent&) = default;
 };
@@ -21,18 +21,19 @@ inline constexpr int kRecordedFrames = 100;
 /// The facts about earlier frames that the maps of a frame need. They do not depend on which of
 /// these frames are drawn.
 struct FoamRecord {
-    /// The frame of the record, counted as in its events.
+    /// The number of the frame that the record belongs to, counted as in its events.
     int frame = 1;
-    /// The pressures of all bubbles in the first equilibrium that a frame shows, over the film
-    /// tension and times the root of the mean area, in increasing order. They scale the pressures
-    /// of all frames, so that none flickers.
+    /// The pressures of all bubbles in the first equilibrium that a frame shows, in increasing
+    /// order and in units of PressureUnit::Current: divided by the film tension and multiplied by
+    /// the square root of the mean area. They scale the pressures of all frames, which prevents
+    /// flicker.
     std::vector<double> first_pressures{};
-    /// By identity: when a bubble was born, and when its neighbours last changed; foam time. The
-    /// seeded ones are of time 0.
+    /// The foam time at which a bubble was born, and at which its neighbors last changed, indexed
+    /// by the bubble's identity. Seeded bubbles start with time 0.
     std::vector<double> births{};
     std::vector<double> changes{};
-    /// In order. Events before frame 1 are kept only in a loop, where those of the cycle before
-    /// have the frame numbers 1 and less.
+    /// The events in the order in which they happened. Events before frame 1 are kept only in a
+    /// loop, where events of the preceding cycle have frame numbers of 1 and less.
     std::vector<RecordedEvent> events{};
 };
 

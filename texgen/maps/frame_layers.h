@@ -15,14 +15,15 @@ struct FrameInput {
     const Frame& frame;
     const FoamRecord& record;
     const Frame* next = nullptr;  // the frame after it, for maps that need one
-    DistanceNeeds distance{};     // of the maps that use distances
+    DistanceNeeds distance{};     // the union of the needs of all maps
 };
 
-/// A frame on a raster grid, and the intermediate results that its maps share. Each is computed for
-/// the first map that uses it, and then kept. For one thread at a time.
+/// A frame on a raster grid, and the intermediate results that its maps share. Each result is
+/// computed when a map first needs it, and then kept. Not thread-safe: one thread may use an object
+/// at a time.
 class FrameLayers {
   public:
-    /// `threads` is for the drawing of this one frame.
+    /// `threads` is the number of threads that draw this one frame.
     FrameLayers(const FrameInput& input, const RasterGrid& grid, int threads);
 
     const Frame& frame() const { return input_.frame; }
@@ -33,8 +34,10 @@ class FrameLayers {
     int threads() const { return threads_; }
     bool is_patch() const { return frame().domain.is_plane(); }
 
-    /// Returns the cells without their films, for a width in pixels. Throws as cell_arcs.
+    /// Returns the outlines of cells and films for a film width in pixels. Throws as cell_arcs
+    /// does.
     const CellArcs& arcs(double film_width);
+    /// Returns the distances to films, with the images named in FrameInput::distance.
     const DistanceField& distance();
     /// Returns true if an id of the distance field stands for the surroundings of a patch.
     bool is_around(std::uint32_t id) const { return is_patch() && id == frame().bubbles.size(); }
@@ -43,7 +46,7 @@ class FrameLayers {
     FrameInput input_;
     RasterGrid grid_;
     int threads_;
-    std::map<double, CellArcs> arcs_;  // by the width of films
+    std::map<double, CellArcs> arcs_;  // the key is the film width
     std::optional<DistanceField> distance_;
 };
 

@@ -13,9 +13,10 @@ inline SubpixelPoint pixel_centre(int x, int y) {
     return {x * kSubpixel + kSubpixel / 2, y * kSubpixel + kSubpixel / 2};
 }
 
-/// Calls visit(point) with each copy of a point that is at most a reach (pixels) away from the
-/// image: one in the plane, all around a torus; to the nearest subpixel of the shifted grid. Shifts
-/// of the grid move all of them by whole pixels.
+/// Calls visit(copy) for each copy of a point that is in the image or at most `reach` pixels
+/// outside it. In the plane a point has one copy; on a torus it has one per period. Copies are
+/// rounded to the nearest subpixel of the shifted grid, so that a shift of the grid moves them by
+/// whole pixels.
 template <class Visit>
 void for_each_copy(const RasterGrid& grid,
                    const Domain& domain,

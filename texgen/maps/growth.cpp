@@ -10,7 +10,7 @@ namespace foam::texgen {
 
 namespace {
 
-// By identity, of all bubbles.
+// Returns the area of every bubble, by identity.
 std::unordered_map<BubbleIdentity, double> areas_of(const Frame& frame) {
     std::unordered_map<BubbleIdentity, double> areas;
     for (const FrameBubble& bubble : frame.bubbles) {
@@ -33,7 +33,7 @@ Keys<GrowthOptions> growth_keys() {
 
 NumberPixels draw_growth(FrameLayers& layers, const GrowthOptions& options) {
     const Frame& frame = layers.frame();
-    const double time = std::abs(layers.next().time - frame.time);  // a pingpong goes back
+    const double time = std::abs(layers.next().time - frame.time);  // pingpong runs time backwards
     const auto next_areas = areas_of(layers.next());
     const auto rate_of = [&](BubbleIdentity bubble, double area) {
         const auto next = next_areas.find(bubble);

@@ -19,10 +19,11 @@ struct GrowthOptions {
 
 Keys<GrowthOptions> growth_keys();
 
-/// Draws the growth of every bubble until the next frame: the change of its area over the foam
-/// time. A bubble that vanishes loses all its area. Pixels that bubbles share are mixed. Without
-/// driving and without a T2 nearby, growth follows von Neumann's law. One channel; 0 around a
-/// patch, and everywhere if no time passes. Throws std::invalid_argument without a next frame.
+/// Draws the growth of every bubble until the next frame: the change of its area per foam time. A
+/// bubble that vanishes loses all its area. A pixel that several bubbles share has the mean of
+/// their numbers by area. Growth follows von Neumann's law if nothing drives the foam and no T2 is
+/// nearby. One channel; 0 around a patch, and everywhere if no time passes. Throws
+/// std::invalid_argument without a next frame.
 NumberPixels draw_growth(FrameLayers& layers, const GrowthOptions& options);
 
 }  // namespace foam::texgen

@@ -21,7 +21,7 @@ struct HeightOptions {
 
 Keys<HeightOptions> height_keys();
 
-/// Draws the height of the relief in diameters of its mean bubble. One channel.
+/// Draws the height of the relief in diameters of the relief's mean bubble. One channel.
 NumberPixels draw_height(FrameLayers& layers,
                          const ReliefOptions& relief,
                          const HeightOptions& options);

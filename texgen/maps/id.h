@@ -11,9 +11,8 @@ inline constexpr MapTraits kIdMap = {
     .channels = "Y",
     .png_bits = 16};
 
-/// Draws the identity of the bubble at the center of every pixel, plus 1. It is never mixed, and
-/// stays the same for the bubble's whole life. 0 around a patch. The codes of a PNG are its lowest
-/// 16 bits.
+/// Draws the identity of the bubble at the center of every pixel, plus 1. Ids are never mixed. A
+/// bubble keeps its identity for its whole life. 0 around a patch. A PNG stores the lowest 16 bits.
 IdPixels draw_id(FrameLayers& layers);
 
 }  // namespace foam::texgen

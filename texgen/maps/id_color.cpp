@@ -10,7 +10,7 @@ namespace foam::texgen {
 
 namespace {
 
-// Every hue of these is within sRGB.
+// In this range of lightness, and with this chroma, every hue is within sRGB.
 constexpr double kDarkest = 0.59;
 constexpr double kLightest = 0.80;
 constexpr double kChroma = 0.10;
@@ -19,7 +19,8 @@ double cube(double x) {
     return x * x * x;
 }
 
-// B. Ottosson, "A perceptual color space for image processing" (2020).
+// Converts Oklab to linear sRGB (B. Ottosson, "A perceptual color space for image processing",
+// 2020).
 LinearRgb oklab_to_linear(double lightness, double a, double b) {
     const double l = cube(lightness + 0.3963377774 * a + 0.2158037573 * b);
     const double m = cube(lightness - 0.1055613458 * a - 0.0638541728 * b);

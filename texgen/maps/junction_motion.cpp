@@ -10,15 +10,21 @@ namespace foam::texgen {
 
 namespace {
 
+// Junctions have no identity that lasts from frame to frame, but bubbles do. A junction is
+// therefore identified by its corner: the identities of its three bubbles in cyclic order. If
+// several junctions of the next frame have the same corner, the nearest one is taken. Junctions
+// whose corner does not exist in the next frame take the mean motion of their neighbors, ring by
+// ring, from the junctions whose motion is known.
+
 using Corner = std::array<BubbleIdentity, 3>;
 using Motion = Indexed<JunctionId, std::optional<Vec2>>;
 
-// The ghost's is one that no bubble has.
+// The ghost bubble gets kNoIndex, an identity that no bubble has.
 BubbleIdentity identity_of(const Frame& frame, BubbleId bubble) {
     return bubble == frame.network.ghost() ? kNoIndex : frame.bubbles[bubble].identity;
 }
 
-// Clockwise, the smallest first.
+// Returns the bubbles at a junction in clockwise order, the smallest identity first.
 Corner corner_at(const Frame& frame, JunctionId junction) {
     Corner corner{};
     const auto leaving = frame.network.leaving(junction);
@@ -62,7 +68,7 @@ Motion motion_of_kept(const Frame& frame, const Frame& next) {
     return motion;
 }
 
-// In the mean of the neighbours whose motion is known.
+// Returns the mean motion of the neighbors whose motion is known, if there are any.
 std::optional<Vec2> motion_beside(const Network& network,
                                   const Motion& motion,
                                   JunctionId junction) {
@@ -77,7 +83,7 @@ std::optional<Vec2> motion_beside(const Network& network,
     return known > 0 ? std::optional<Vec2>(sum / known) : std::nullopt;
 }
 
-// One more ring around what is known; false where nothing was added.
+// Extends the known motion by one ring of junctions. Returns false if nothing was added.
 bool spread(const Network& network, Motion& motion) {
     const Motion before = motion;
     bool added = false;

@@ -21,12 +21,20 @@ namespace foam::texgen {
 
 namespace {
 
+// The shading adds diffuse light, a mix of Lambert's cosine law and of the visible sky, a highlight
+// by the halfway vector (J. F. Blinn, "Models of light reflection for computer synthesized
+// pictures", 1977), and a rim that grows with the slope. Diffuse light is divided by its value on
+// flat ground, and the highlight of flat ground is subtracted, so that flat ground keeps its color.
+// Films and their shade may glow, which bypasses the lighting. The picture is drawn on a finer
+// grid, and squares of its pixels are averaged.
+
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr int kRimPower = 3;
 
-using Direction = Eigen::Vector3d;  // right, up, towards the eye
+using Direction = Eigen::Vector3d;  // right, up, towards the viewer
 
-// Fewer samples where so many would be more pixels than a grid may have.
+// Returns the number of samples per pixel in either direction: as many as wanted, but no more than
+// the largest grid has room for.
 int samples_for(const RasterGrid& grid, int wanted) {
     return std::clamp(kLargestSide / std::max(grid.width, grid.height), 1, wanted);
 }
@@ -42,7 +50,7 @@ RasterGrid finer(RasterGrid grid, int samples) {
     return grid;
 }
 
-// Lengths in pixels become lengths in pixels of the finer grid.
+// Converts lengths in pixels to pixels of the finer grid.
 AlbedoOptions finer(AlbedoOptions options, int samples) {
     if (options.film_unit == WidthUnit::Pixels) {
         options.film_width *= samples;
@@ -50,7 +58,7 @@ AlbedoOptions finer(AlbedoOptions options, int samples) {
     return options;
 }
 
-// Light on a relief.
+// Lights the colors of a relief.
 class Lighting {
   public:
     explicit Lighting(const LitOptions& options)
@@ -61,8 +69,8 @@ class Lighting {
           halfway_((light_ + Direction::UnitZ()).normalized()),
           flat_highlight_(highlight(Direction::UnitZ())) {}
 
-    // Lights a color at a point that sees a fraction of the sky and glows with a fraction of its
-    // color.
+    // Lights a color at a point with a slope. `sky` is the fraction of the sky that is visible from
+    // the point, and `glowing` the fraction of the color that needs no light.
     LinearRgb lit(const LinearRgb& color, const Vec2& slope, double sky, double glowing) const {
         const Direction normal = Direction(-slope.x(), -slope.y(), 1.0).normalized();
         const double direct = std::max(normal.dot(light_), 0.0) / light_.z();
@@ -83,10 +91,10 @@ class Lighting {
     const LitOptions& options_;
     Direction light_;
     Direction halfway_;
-    double flat_highlight_;  // taken off everywhere
+    double flat_highlight_;  // the highlight of flat ground, which is subtracted everywhere
 };
 
-// The part of every pixel that shines by itself.
+// Returns the fraction of every pixel that glows.
 Image<float> glow_of(FrameLayers& layers, const AlbedoOptions& albedo, double glow) {
     Image<float> shining = film_cover(layers, albedo);
     const Image<float> shade = albedo.shade > 0.0 ? film_shade(layers, albedo) : shining;
@@ -125,7 +133,7 @@ ColorPixels draw_samples(FrameLayers& layers, const LitOptions& lit, const LitSu
     return colors;
 }
 
-// Means of squares of pixels; colours of four channels are weighted by the last.
+// Averages squares of samples. Colors with an opacity, the fourth channel, are weighted by it.
 class Means {
   public:
     Means(const Image<std::uint16_t>& fine, int samples) : fine_(fine), samples_(samples) {}

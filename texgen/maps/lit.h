@@ -18,17 +18,17 @@ inline constexpr MapTraits kLitMap = {.name = "lit",
 /// The map that is lit.
 enum class LitColors { Albedo, ThinFilm };
 
-/// A distant light, and the way the surface reflects it; the viewer is straight above.
+/// A distant light, and the reflection of the surface. The viewer is straight above.
 struct LitOptions {
     LitColors colors = LitColors::Albedo;
-    double azimuth = 135.0;   // of the light: degrees from the right, counterclockwise
-    double elevation = 50.0;  // of the light: degrees above the plane
+    double azimuth = 135.0;   // direction of the light: degrees from the right, counterclockwise
+    double elevation = 50.0;  // height of the light: degrees above the plane
     double ambient = 0.4;     // fraction of the light that comes from an even sky
     double gloss = 0.25;      // brightness of highlights
-    double shininess = 40.0;  // the larger, the smaller they are
+    double shininess = 40.0;  // exponent of highlights; larger values make them smaller
     double rim = 0.0;         // brightness of steep parts, as on bubbles before a bright ground
     double glow = 0.0;        // fraction of films and their shade that shines by itself
-    int samples = 2;          // per pixel in either direction, which are averaged
+    int samples = 2;          // samples per pixel in either direction, which are averaged
 };
 
 Keys<LitOptions> lit_keys();
@@ -42,8 +42,8 @@ struct LitSurface {
 };
 
 /// Draws the foam as a picture: its colors on its relief, under a light. Flat ground keeps its
-/// color. Highlights are J. Blinn's ("Models of light reflection for computer synthesized
-/// pictures", 1977), and the sky is that of draw_occlusion. Transparent around a patch.
+/// color. Highlights follow J. F. Blinn, "Models of light reflection for computer synthesized
+/// pictures" (1977). The visible sky is computed by draw_occlusion. Transparent around a patch.
 ColorPixels draw_lit(FrameLayers& layers, const LitOptions& options, const LitSurface& surface);
 
 }  // namespace foam::texgen

@@ -11,30 +11,31 @@ namespace foam::texgen {
 
 struct MapOptions;
 
-/// The quantity that is interpolated when one image of a map fades into another. Ids never are.
+/// The quantity that is interpolated when one image of a map fades into another. Ids are never
+/// interpolated.
 enum class Mixing {
     Values,
-    Slopes,  // the slopes that normals stand for
+    Slopes,  // the slopes of the surface whose normals the map holds
 };
 
-/// The use that a map makes of the smooth distance to films.
+/// Tells if a map uses the smooth distance to films.
 enum class SmoothDistance {
     Unused,
     Used,
-    UsedByFilms,  // if films are wet or shade their bubbles (distance_of_look)
+    UsedByFilms,  // used if films are wet or shade their bubbles (distance_of_look)
 };
 
 /// The properties of a map that do not depend on options.
 struct MapTraits {
-    std::string_view name;                   // as in file names
-    std::string_view meaning;                // in a few words
-    std::string_view unit;                   // of the values, and the range of a PNG's codes
-    std::string_view channels;               // on a torus, "R G B"; colors of a patch also have A
-    int png_bits = 8;                        // per sample
+    std::string_view name;                   // part of file names
+    std::string_view meaning;                // a description in a few words
+    std::string_view unit;                   // unit of the values, and the range of a PNG's codes
+    std::string_view channels;               // such as "R G B"; colors of a patch also have A
+    int png_bits = 8;                        // bits per sample of a PNG
     PngFilter png_filter = PngFilter::None;  // None for flat cells, Up for smooth maps
     bool needs_next = false;                 // true if drawing needs the next frame
     SmoothDistance smooth_distance = SmoothDistance::Unused;
-    double around = 0.0;  // the last channel around a patch
+    double around = 0.0;  // the value of the last channel around a patch
     Mixing mixing = Mixing::Values;
 };
 

@@ -8,21 +8,22 @@
 
 namespace foam::texgen {
 
-/// Colors as light with the primaries of sRGB: red, green, blue and, of a patch, an opacity. White
-/// is kWhite. Colors are straight: not premultiplied.
+/// Colors as linear light with the primaries of sRGB: red, green, blue and, for a patch, an
+/// opacity. White and full opacity are kWhite. Colors are straight: not premultiplied.
 struct ColorPixels {
     Image<std::uint16_t> pixels;
 };
 
 inline constexpr double kWhite = 65535.0;
 
-/// Light from 0 to 1 as ColorPixels has it.
+/// Converts light from 0 to 1 to the integers of ColorPixels.
 inline std::uint16_t light_step(double light) {
     return static_cast<std::uint16_t>(std::lround(light * kWhite));
 }
 
-/// Numbers in the map's own unit, and the range of a PNG's codes. A file of floats stores all
-/// numbers unchanged, also beyond that range.
+/// Numbers in the map's own unit, and the range of numbers that a PNG can hold: `low` is at code 0,
+/// `high` at the largest code. A file of floats stores all numbers unchanged, also outside that
+/// range.
 struct NumberPixels {
     Image<float> pixels;
     double low = 0.0;

@@ -9,7 +9,7 @@ namespace foam::texgen {
 
 double area_of(MeanBubble bubble, const Frame& frame) {
     const double mean = bubble == MeanBubble::Current ? mean_area(frame) : 1.0;
-    return mean > 0.0 ? mean : 1.0;  // no bubble is left
+    return mean > 0.0 ? mean : 1.0;  // the mean is 0 if no bubble is left
 }
 
 double diameter_of(MeanBubble bubble, const Frame& frame) {

@@ -5,19 +5,19 @@
 
 namespace foam::texgen {
 
-/// The bubble that areas and lengths are measured by.
+/// The mean bubble that is the unit of areas and lengths.
 enum class MeanBubble {
-    Seed,     // of the mean area of the seeded foam, which is 1
-    Current,  // of the mean area of the frame, so that maps keep their look while a foam coarsens
+    Seed,     // the mean area of the seeded foam, which is 1
+    Current,  // the mean area of the frame, so that maps keep their look while a foam coarsens
 };
 
 inline constexpr Choices<MeanBubble> kMeanBubbles = {
     {{{"seed", MeanBubble::Seed}, {"current", MeanBubble::Current}}}};
 
-/// Returns its area in foam units, which is above 0.
+/// Returns the area of a mean bubble in foam units. The area is above 0, even if no bubble is left.
 double area_of(MeanBubble bubble, const Frame& frame);
 
-/// Returns the diameter of a circle of that area.
+/// Returns the diameter of a circle that has the area of a mean bubble, in foam units.
 double diameter_of(MeanBubble bubble, const Frame& frame);
 
 }  // namespace foam::texgen

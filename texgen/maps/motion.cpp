@@ -19,7 +19,13 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr double kLargestTurn = 0.17;  // of a piece of a film that stands for its arc; 10 degrees
+// Junctions are followed from frame to frame (junction_motion.h), and points on films move in
+// proportion between them. The outline of each bubble becomes a polygon whose corners have these
+// motions, and mean value coordinates interpolate them at the pixels of the bubble
+// (boundary_motion.h). Lone bubbles move and grow as circles.
+
+// The largest turn of an arc that one side of the polygon replaces, in radians; 10 degrees.
+constexpr double kLargestTurn = 0.17;
 
 // The motion of a frame's bubbles, in pixels.
 class FoamMotion {
@@ -30,7 +36,8 @@ class FoamMotion {
           junctions_(junction_motion(frame_, layers.next())),
           shear_(layers.next().domain.shear_since(frame_.domain)) {}
 
-    // Relative to the bubble's first junction.
+    // Returns the polygon of a bubble and its motion. Points are relative to the bubble's first
+    // junction.
     BoundaryMotion around(BubbleId bubble) const {
         BoundaryMotion boundary;
         Vec2 tail = Vec2::Zero();
@@ -64,8 +71,8 @@ class FoamMotion {
     double shear_;
 };
 
-// The motion of the circles of lone bubbles: those that are still circles in the next frame go
-// there, and grow with it.
+// The motion of a lone bubble. If it is still a lone bubble in the next frame, its circle moves and
+// grows to the one there; otherwise it does not move.
 class CircleMotion {
   public:
     CircleMotion(const LoneBubble& bubble, const Frame& next, double scale) : scale_(scale) {
@@ -77,13 +84,13 @@ class CircleMotion {
         }
     }
 
-    // Both in pixels.
+    // Returns the motion at a position relative to the center, both in pixels.
     Vec2 at(const Vec2& from_centre) const { return scale_ * way_ + growth_ * from_centre; }
 
   private:
     double scale_;
     Vec2 way_{0.0, 0.0};
-    double growth_ = 0.0;  // of the radius, a part of it
+    double growth_ = 0.0;  // growth of the radius, as a fraction of the radius
 };
 
 // Paints motion into the pixels of all bubbles.
@@ -126,7 +133,8 @@ class MotionPainter {
         }
     }
 
-    // On a torus it is rounded to subpixels, so that shifts are exact.
+    // Returns the position of a bubble's first junction in the image, in pixels. On a torus it is
+    // rounded to subpixels, so that shifts of the grid are exact.
     Vec2 first_junction(const Region& region, SubpixelPoint translation) const {
         if (layers_.is_patch()) {
             const Network& network = layers_.frame().network;

@@ -22,26 +22,27 @@ enum class MotionUnit {
     Pixels,  // as compositing programs expect
 };
 
-/// The direction of a positive second number.
+/// The direction in which the second number is positive.
 enum class MotionY { Up, Down };
 
 struct MotionOptions {
     MotionUnit unit = MotionUnit::Image;
     MotionY y = MotionY::Up;
-    double multiplier = 0.005;  // motion at the largest code of a PNG, in fractions of the image's
-                                // width, as engines ask for it; its negative is at code 0
+    // The motion at the largest code of a PNG, in fractions of the image's width, which is the form
+    // that engines expect. Its negative is at code 0.
+    double multiplier = 0.005;
 };
 
 Keys<MotionOptions> motion_keys();
 
-/// Draws how far every point of the foam moves until the next frame. Junctions move as they do,
-/// points on films in proportion between them, and points in a bubble smoothly between those on its
-/// films. Two channels: to the right, and up or down; 0 around a patch. On a sheared torus, motion
-/// is that of the image's own cell: copies one period up move farther. Throws std::invalid_argument
-/// without a next frame.
+/// Draws how far every point of the foam moves until the next frame. The motion of junctions is
+/// exact. Points on films move in proportion between their junctions, and points in a bubble
+/// smoothly between points on its films. Two channels: to the right, and up or down; 0 around a
+/// patch. On a torus whose shear changes, the copy that is drawn in the image determines the
+/// motion: copies one period up move farther. Throws std::invalid_argument without a next frame.
 NumberPixels draw_motion(FrameLayers& layers, const MotionOptions& options);
 
-/// Returns "y up; a PNG's largest code is 0.005 of the image's width".
+/// Returns a text for files, such as "y up; a PNG's largest code is 0.005 of the image's width".
 std::string note_on_motion(const MotionOptions& options);
 
 }  // namespace foam::texgen

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kWithOpacity = 4;
 
-/// Removes and returns the first word; empty if there is none.
+// Removes the first word and returns it. Returns an empty word if none is left.
 std::string_view take_word(std::string_view& words) {
     const std::size_t end = std::min(words.find(' '), words.size());
     const std::string_view word = words.substr(0, end);

@@ -7,17 +7,18 @@
 
 namespace foam::texgen {
 
-/// The names of a map's channels in a file of numbers.
+/// The names of a map's channels in a file of floats or integers, such as an EXR.
 struct ChannelNames {
     std::string_view layer;     // empty for no layer
     std::string_view channels;  // separated by spaces; an opacity after them is named A
 };
 
-/// Turns a map into channels of numbers: colors become linear light from 0 to 1, premultiplied by
-/// their opacity, in half; numbers keep their unit and are stored as `numbers`; ids are integers.
+/// Turns a map into channels of numbers. Colors become linear light from 0 to 1, premultiplied by
+/// their opacity, as half floats. Numbers keep their unit and have the type `numbers`. Ids become
+/// integers of 32 bits.
 ChannelGroup number_channels(MapImage map, const ChannelNames& names, SampleType numbers);
 
-/// Returns the type that the function above stores a map as.
+/// Returns the type of the samples that number_channels makes of a map.
 SampleType number_type(const MapImage& map, SampleType numbers);
 
 /// Turns straight colors of 16 bits into light from 0 to 1, premultiplied by their opacity.

@@ -17,15 +17,22 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr int kSteps = 128;  // in a section's unit
+// Occlusion is computed once per frame, for points of a section through the relief, and looked up
+// at every pixel by its distance from the nearest film. The section stands for an endless furrow:
+// the visible fraction of an even sky is (sin a + sin b) / 2, where a and b are the angles from the
+// normal to both horizons. Each horizon is the steepest line from the point to a sample of the
+// section, or the tangent at the point.
 
-// The sky that is visible at places of a section, all heights times a factor.
+constexpr int kSteps = 128;  // samples per unit of a section
+
+// A table of the visible fraction of the sky along a section whose heights are multiplied by a
+// strength.
 class VisibleSky {
   public:
     VisibleSky(const ReliefSection& section, double strength) {
         const int reach = static_cast<int>(section.reach() * kSteps);
         const int end = reach + kSteps;
-        std::vector<double> heights;  // from -end to end
+        std::vector<double> heights;  // at the samples from -end to end
         for (int k = -end; k <= end; ++k) {
             heights.push_back(strength * section.height_along(place(k)));
         }
@@ -34,7 +41,7 @@ class VisibleSky {
         }
     }
 
-    // Between the steps it is interpolated.
+    // Returns the visible fraction at a distance from the film, interpolated between samples.
     double at(double way) const {
         const double last = static_cast<double>(sky_.size() - 1);
         const double step = std::min(way * kSteps, last);
@@ -51,7 +58,7 @@ class VisibleSky {
 
     static double place(int step) { return static_cast<double>(step) / kSteps; }
 
-    // Returns (sin a + sin b) / 2 with the angles from the normal to both horizons of a furrow.
+    // Returns (sin a + sin b) / 2, where a and b are the angles from the normal to both horizons.
     static double visible(std::span<const double> heights, int here, double slope) {
         const auto steepest = [&](int step) {
             double steepness = step * slope;
@@ -63,7 +70,7 @@ class VisibleSky {
             return steepness;
         };
         constexpr double kRight = 0.5 * std::numbers::pi;
-        const double tilt = std::atan(slope);  // of the normal, to the left
+        const double tilt = std::atan(slope);  // tilt of the normal to the left
         const double left = kRight - std::atan(steepest(-1)) - tilt;
         const double right = kRight - std::atan(steepest(1)) + tilt;
         return 0.5 * (std::sin(left) + std::sin(right));

@@ -21,9 +21,9 @@ struct OcclusionOptions {
 
 Keys<OcclusionOptions> occlusion_keys();
 
-/// Draws the fraction of the light of an even sky that reaches the relief: 1 in the open. It is
-/// computed for an endless furrow whose section is that of the relief across the nearest film, the
-/// same on both sides. One channel; 1 around a patch.
+/// Draws the fraction of the light of an even sky that reaches the relief, to the power of
+/// options.strength: 1 in the open. It is computed for an endless furrow that has the section of
+/// the relief across the nearest film, the same on both sides. One channel; 1 around a patch.
 NumberPixels draw_occlusion(FrameLayers& layers,
                             const ReliefOptions& relief,
                             const OcclusionOptions& options);

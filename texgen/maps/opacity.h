@@ -13,8 +13,8 @@ inline constexpr MapTraits kOpacityMap = {
     .smooth_distance = SmoothDistance::UsedByFilms};
 
 /// Draws the fraction of every pixel that bubbles and films cover, which is the alpha of albedo.
-/// The outer films of a patch reach half their width outwards. One channel, 0 to 1; 1 everywhere on
-/// a torus.
+/// The outer films of a patch extend outwards by half their width. One channel, 0 to 1; 1
+/// everywhere on a torus.
 NumberPixels draw_opacity(FrameLayers& layers, const AlbedoOptions& options);
 
 }  // namespace foam::texgen

@@ -7,12 +7,12 @@
 
 namespace foam::texgen {
 
-/// A value for every bubble of a frame: first those of the network by their ids, then the lone
-/// ones.
+/// A value for every bubble of a frame: the bubbles of the network in the order of their ids, then
+/// the lone bubbles.
 template <class Value>
 using PerBubble = std::vector<Value>;
 
-/// Returns of(id) for every bubble of the network and of_lone(bubble) for every lone one.
+/// Returns of(id) for every bubble of the network and of_lone(bubble) for every lone bubble.
 template <class Value, class Of, class OfLone>
 PerBubble<Value> per_bubble(const Frame& frame, const Of& of, const OfLone& of_lone) {
     PerBubble<Value> values;

@@ -39,8 +39,8 @@ double percentile_of(std::span<const double> sorted, double percentile) {
     return std::lerp(sorted[below], sorted[above], position - static_cast<double>(below));
 }
 
-// Returns the rank of a pressure among sorted ones: 0 for the lowest, 1 for the highest, and the
-// middle of the ranks of equal ones.
+// Returns the rank of a pressure among sorted pressures: 0 for the lowest, 1 for the highest. Equal
+// pressures share the middle of their ranks; between two pressures the rank is interpolated.
 double rank_among(std::span<const double> sorted, double pressure) {
     const auto [first, last] = std::equal_range(sorted.begin(), sorted.end(), pressure);
     const auto lower = static_cast<double>(first - sorted.begin());

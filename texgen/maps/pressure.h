@@ -18,15 +18,15 @@ inline constexpr MapTraits kPressureMap = {
 /// The scale that turns pressures into numbers from 0 to 1.
 enum class PressureScaling {
     Range,       // from a lowest to a highest pressure
-    Percentile,  // the same, between percentiles of the first frame's bubbles
-    Rank,        // the share of the first frame's bubbles with a lower pressure, which gives every
-                 // tone the same number of bubbles
+    Percentile,  // from a low to a high percentile of the first frame's bubbles
+    Rank,        // the fraction of the first frame's bubbles with a lower pressure, which gives
+                 // every tone the same number of bubbles
 };
 
-/// The scale is the same in all frames, so that none flickers.
+/// The scale of pressures, which is the same in all frames to prevent flicker.
 struct PressureOptions {
     PressureScaling scaling = PressureScaling::Percentile;
-    PressureUnit unit = PressureUnit::Current;  // of low and high
+    PressureUnit unit = PressureUnit::Current;  // the unit of low and high, for Range
     double low = -0.5;
     double high = 0.5;
     double percentile = 2.0;        // percentage of bubbles left out at either end
@@ -36,10 +36,11 @@ struct PressureOptions {
 
 Keys<PressureOptions> pressure_keys();
 
-/// Draws the pressures of bubbles as tones, without films: numbers from 0 to 1, and beyond for
-/// pressures beyond the scale, or colors of a color map. If all pressures of the scale are equal,
-/// the tone is 0.5. One channel; 0 around a patch, where colors are transparent. Throws
-/// std::invalid_argument for an unknown color map, and unless low < high.
+/// Draws the pressures of bubbles as tones, without films. Tones are numbers from 0 to 1, and
+/// outside that range for pressures outside the scale, or colors of a color map. If all pressures
+/// of the scale are equal, the tone is 0.5. Numbers have one channel and are 0 around a patch;
+/// colors are transparent there. Throws std::invalid_argument for an unknown color map, and unless
+/// low < high.
 MapImage draw_pressure(FrameLayers& layers, const PressureOptions& options);
 
 }  // namespace foam::texgen

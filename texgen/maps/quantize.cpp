@@ -14,7 +14,8 @@ namespace {
 
 using Encoding = std::array<std::uint8_t, 65536>;
 
-// Code k stands for the light that rounds to it: up to where sRGB passes k + 1/2.
+// Tabulates the sRGB code of every 16-bit light. Code k covers the light whose sRGB value rounds to
+// k: it ends where sRGB reaches k + 1/2.
 Encoding make_srgb_encoding() {
     Encoding encoding{};
     std::size_t value = 0;
@@ -40,7 +41,7 @@ std::uint8_t opacity_code(std::uint32_t opacity) {
 template <class Code>
 Image<Code> number_codes(const NumberPixels& numbers) {
     constexpr double kLargest = std::numeric_limits<Code>::max();
-    constexpr double kHalf = 0.5;  // added to what is not negative, to round it to the nearest
+    constexpr double kHalf = 0.5;  // added before truncation, which rounds positive numbers
     const double scale = kLargest / (numbers.high - numbers.low);
     const auto code_of = [&](float number) {
         const double code = (static_cast<double>(number) - numbers.low) * scale;

@@ -10,16 +10,16 @@ namespace foam::texgen {
 /// Samples in the form that a PNG stores.
 struct CodedImage {
     std::variant<Image<std::uint8_t>, Image<std::uint16_t>> codes;
-    bool color = false;  // sRGB; data otherwise
+    bool color = false;  // true for sRGB colors, false for data
 };
 
 /// Encodes light as sRGB and opacity linearly, each as the nearest of 256 codes.
 Image<std::uint8_t> srgb_codes(const ColorPixels& colors);
 
-/// Encodes a map as integers of 8 or 16 bits. Colors become srgb_codes for any number of bits. Of
-/// numbers, `low` becomes 0 and `high` the largest code; numbers beyond are clamped, and NaN
-/// becomes 0. Two channels get a third one of 0, because PNG would take the second for an opacity.
-/// Ids keep their lowest bits.
+/// Encodes a map as integers of 8 or 16 bits. Colors always become 8-bit srgb_codes. The number
+/// `low` becomes code 0 and `high` the largest code; numbers outside are clamped, and NaN becomes
+/// 0. Images of two channels get a third channel of 0, because a PNG would take the second for an
+/// opacity. Ids keep their lowest bits.
 CodedImage quantize(const MapImage& map, int bits);
 
 }  // namespace foam::texgen

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-// Returns the radius of a circle of each bubble's area for domes, else the same unit for all;
-// pixels.
+// Returns the unit of the section for every cell, in pixels. For domes it is the radius of a circle
+// that has the bubble's area, otherwise the width of ridges or borders.
 std::vector<double> units_of(FrameLayers& layers, const ReliefOptions& options, double diameter) {
     const Frame& frame = layers.frame();
     if (options.profile != ReliefProfile::Dome) {

@@ -6,13 +6,13 @@
 
 namespace foam::texgen {
 
-/// The relief that height, normal, occlusion and curvature show.
+/// The relief that height, normal, occlusion, curvature and lit show.
 struct ReliefOptions {
     ReliefProfile profile = ReliefProfile::Dome;
-    double angle = 50.0;    // of domes at films, degrees
-    double width = 0.2;     // from a film to the foot of its ridge, or the radius of borders; in
-                            // diameters of the mean bubble
-    double strength = 1.0;  // factor on heights
+    double angle = 50.0;  // slope angle of domes at films, degrees
+    double width = 0.2;   // distance from a film to the foot of its ridge, or radius of borders; in
+                          // diameters of the mean bubble; not used by domes
+    double strength = 1.0;                         // factor on heights
     MeanBubble mean_bubble = MeanBubble::Current;  // the unit of heights and widths
 };
 

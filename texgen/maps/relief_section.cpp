@@ -8,10 +8,12 @@ namespace foam::texgen {
 namespace {
 
 constexpr double kRidgeHeight = 0.5;
-// A film of no width would have a knife's edge between its fillets; up to here it is a parabola.
+// Two fillets on a film of no width would meet in an infinitely steep edge. Up to this distance
+// from the film they are replaced by a parabola.
 constexpr double kCrest = 0.1;
 
-// The height and slope of a fillet of radius 1 that touches the ground at 1, for 0 < x <= 1.
+// The height and slope of a fillet: a quarter of a circle of radius 1 that touches the ground at
+// x = 1. Precondition: 0 < x <= 1.
 double fillet_height(double x) {
     return 1.0 - std::sqrt(x * (2.0 - x));
 }
@@ -25,7 +27,8 @@ double fillet_slope(double x) {
 ReliefSection::ReliefSection(ReliefProfile profile, double angle)
     : profile_(profile), cotangent_(1.0 / std::tan(angle)) {}
 
-// A cap over a circle of radius 1 at r from its middle: sqrt(1/sin² - r²) - cot, r² = 1 - 2 s.
+// A spherical cap over a circle of radius 1 that meets the ground at an angle a has the height
+// sqrt(1/sin² a - r²) - cot a at the distance r from the center of the circle; there, r² = 1 - 2 s.
 double ReliefSection::height(double smooth) const {
     switch (profile_) {
         case ReliefProfile::Dome:
@@ -64,7 +67,7 @@ double ReliefSection::smooth(double way) const {
 }
 
 double ReliefSection::height_along(double x) const {
-    // Beyond the middle of a dome it goes down to the next film, and so on.
+    // Beyond its middle a dome descends to the next film, so domes repeat with the period 2.
     const bool dome = profile_ == ReliefProfile::Dome;
     return height(smooth(std::abs(dome ? std::remainder(x, 2.0) : x)));
 }

@@ -4,25 +4,27 @@ namespace foam::texgen {
 
 /// The shape of a foam seen from the side.
 enum class ReliefProfile {
-    Dome,   // every bubble is a dome between its films; where it is a circle, a cap of a sphere
+    Dome,   // every bubble is a dome between its films; a circular bubble is a spherical cap
     Ridge,  // films are rounded ridges on flat bubbles
     Wet,    // films are walls of liquid with the fillets of Plateau borders on both sides
 };
 
-/// A section through a relief across a film, the same on both sides, in a unit of length of its
-/// own: the radius of a bubble, or the width of a ridge or border. A point has a smooth distance s
-/// from films (distance.h). In a circle of radius 1, s = x - x²/2 at the distance x from the film;
-/// profiles other than domes use s as x.
+/// A section through a relief across a film, the same on both sides. Its unit of length is the
+/// radius of a bubble, or the width of a ridge or border. Heights depend on the smooth distance s
+/// from films (distance_field.h). In a circle of radius 1, s = x - x²/2 at the distance x from the
+/// film. Profiles other than domes take s for x.
 class ReliefSection {
   public:
-    /// Takes the angle of domes at films, in radians, below pi / 2.
+    /// `angle` is the slope angle of domes at films, in radians, between 0 and pi / 2.
     ReliefSection(ReliefProfile profile, double angle);
 
-    /// Return the height at a smooth distance, which is 0 or more, and its derivative.
+    /// Return the height at a smooth distance, and the derivative of the height. Precondition: the
+    /// distance is not negative.
     double height(double smooth) const;
     double slope(double smooth) const;
 
-    /// Convert a smooth distance to the distance x, for a dome up to its middle at 1, and back.
+    /// Convert a smooth distance to the distance x from the film, and back. A dome has its middle
+    /// at x = 1, which is the largest x.
     double way(double smooth) const;
     double smooth(double way) const;
 
@@ -35,7 +37,7 @@ class ReliefSection {
 
   private:
     ReliefProfile profile_;
-    double cotangent_;  // of the angle
+    double cotangent_;  // cotangent of the angle of domes
 };
 
 }  // namespace foam::texgen

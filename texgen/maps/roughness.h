@@ -14,15 +14,15 @@ inline constexpr MapTraits kRoughnessMap = {
     .smooth_distance = SmoothDistance::UsedByFilms};
 
 struct RoughnessOptions {
-    double cell = 0.15;      // of bubbles, which are smooth and wet
-    double film = 0.45;      // of films, as wide as those of albedo
-    double variation = 0.1;  // width of the range of the bubbles, each of which keeps its value
+    double cell = 0.15;      // roughness of bubbles, which are smooth and wet
+    double film = 0.45;      // roughness of films, which are as wide as in albedo
+    double variation = 0.1;  // width of the range of bubbles; each bubble keeps its value
 };
 
 Keys<RoughnessOptions> roughness_keys();
 
-/// Draws the roughness of a surface as materials take it: 0 is a mirror. Pixels are mixed by exact
-/// area. One channel, 0 to 1; 0 around a patch.
+/// Draws the roughness of the surface for a material: 0 is a mirror. Numbers in a pixel are
+/// averaged by area. One channel, 0 to 1; 0 around a patch.
 NumberPixels draw_roughness(FrameLayers& layers,
                             const RoughnessOptions& options,
                             const AlbedoOptions& films);

@@ -9,8 +9,8 @@ inline constexpr MapTraits kSidesMap = {.name = "sides",
                                         .unit = "films; PNG: as it is",
                                         .channels = "Y"};
 
-/// Draws the number of films around the bubble at the center of every pixel; it is never mixed. 0
-/// in lone bubbles, whose film has no junction, and around a patch.
+/// Draws the number of films around the bubble at the center of every pixel. Numbers are never
+/// mixed. The number is 0 in lone bubbles, whose film has no junction, and around a patch.
 IdPixels draw_sides(FrameLayers& layers);
 
 }  // namespace foam::texgen

@@ -2,7 +2,8 @@
 
 namespace foam::texgen {
 
-/// Returns a smooth step from 0 to 1 as `passed` goes from 0 to 1, level at both ends.
+/// Returns the smoothstep function 3 t² - 2 t³, which rises from 0 to 1 as `passed` goes from 0 to
+/// 1 and has the slope 0 at both ends.
 template <class Number>
 Number smooth_step(Number passed) {
     return passed * passed * (Number{3} - Number{2} * passed);

@@ -18,11 +18,18 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr double kIndex = 1.33;       // of soapy water
-constexpr double kFirstWave = 380.0;  // nanometres
+// The reflectance of a layer is Airy's sum over all reflections, at normal incidence. It is
+// integrated over the visible spectrum with the CIE 1931 color matching functions, in the
+// multi-lobe approximation of Wyman, Sloan and Shirley ("Simple analytic approximations to the CIE
+// XYZ color matching functions", 2013), converted to linear sRGB and divided by the color of a
+// perfect mirror. A table holds the color of every nanometer of thickness. A film is thinnest in
+// the middle of its bubble, and thicker at the rim, by the smooth distance from films.
+
+constexpr double kIndex = 1.33;       // refractive index of soapy water
+constexpr double kFirstWave = 380.0;  // nanometers
 constexpr double kWaveStep = 5.0;
-constexpr int kWaves = 81;       // up to 780
-constexpr int kThickest = 4000;  // nanometres; beyond it films are as good as white
+constexpr int kWaves = 81;       // up to 780 nanometers
+constexpr int kThickest = 4000;  // nanometers; thicker films are practically white
 
 struct Xyz {
     double x = 0.0;
@@ -30,11 +37,14 @@ struct Xyz {
     double z = 0.0;
 };
 
+// A Gaussian with different widths below and above its middle.
 double lobe(double wave, double height, double middle, double below, double above) {
     const double t = (wave - middle) / (wave < middle ? below : above);
     return height * std::exp(-0.5 * t * t);
 }
 
+// The CIE 1931 color matching functions at a wavelength in nanometers, by Wyman, Sloan and Shirley
+// (2013).
 Xyz color_matching(double wave) {
     return {lobe(wave, 1.056, 599.8, 37.9, 31.0) + lobe(wave, 0.362, 442.0, 16.0, 26.7) +
                 lobe(wave, -0.065, 501.1, 20.4, 26.2),
@@ -48,6 +58,8 @@ LinearRgb to_rgb(const Xyz& c) {
             0.0556434 * c.x - 0.2040259 * c.y + 1.0572252 * c.z};
 }
 
+// Returns the fraction of light of a wavelength that a film reflects: Airy's sum. Both lengths are
+// in nanometers.
 double reflectance(double thickness, double wave) {
     const double at_surface = (kIndex - 1.0) / (kIndex + 1.0);
     const double once = at_surface * at_surface;
@@ -56,7 +68,7 @@ double reflectance(double thickness, double wave) {
     return interference / ((1.0 - once) * (1.0 - once) + interference);
 }
 
-// Returns the color of a spectrum between 0 and 1, not scaled to white.
+// Returns the color of a spectrum whose values are between 0 and 1. It is not scaled to white.
 template <class Spectrum>
 LinearRgb seen(const Spectrum& spectrum) {
     Xyz sum;
@@ -71,7 +83,7 @@ LinearRgb seen(const Spectrum& spectrum) {
     return to_rgb(sum);
 }
 
-// Returns the reflectance for every nanometer up to the thickest.
+// Returns the reflectance for every nanometer of thickness up to kThickest.
 std::vector<LinearRgb> make_reflectances() {
     std::vector<LinearRgb> all;
     for (int thickness = 0; thickness <= kThickest; ++thickness) {
@@ -88,7 +100,7 @@ LinearRgb tabled_reflectance(double thickness) {
     return mixed(table[below], table[below + 1], part);
 }
 
-// Towards the grey of the same luminance until it is within [0, 1].
+// Mixes a color with gray of the same luminance until it is within [0, 1].
 LinearRgb within_srgb(const LinearRgb& color) {
     const double grey =
         std::clamp(0.2126 * color.r + 0.7152 * color.g + 0.0722 * color.b, 0.0, 1.0);
@@ -100,10 +112,10 @@ LinearRgb within_srgb(const LinearRgb& color) {
     return {inside(color.r), inside(color.g), inside(color.b)};
 }
 
-// A bubble's film: in its middle of a thickness, at its rim thicker.
+// The film of a bubble, which is thicker at its rim.
 struct Film {
-    double thickness = 0.0;
-    double radius = 0.0;  // pixels; 0 around a patch
+    double thickness = 0.0;  // nanometers, in the middle
+    double radius = 0.0;     // pixels; 0 around a patch
 };
 
 std::vector<Film> films_of(FrameLayers& layers, const ThinFilmOptions& options) {
@@ -125,19 +137,20 @@ std::vector<Film> films_of(FrameLayers& layers, const ThinFilmOptions& options) 
     return by_cell_id(layers, films, Film{});
 }
 
-// At a smooth distance from the rim: in the middle of a circle of radius R it is R / 2.
+// Returns the thickness at a smooth distance from the rim. In the middle of a circle of radius R
+// the smooth distance is R / 2.
 double thickness_at(const Film& film, double smooth, double drainage) {
     const double rim = 1.0 - std::min(2.0 * smooth / film.radius, 1.0);
     return film.thickness * (1.0 + drainage * rim * rim);
 }
 
-// The interference colours of bubbles at the middle of pixels.
+// The interference colors of bubbles at the centers of pixels.
 class FilmColors {
   public:
     FilmColors(FrameLayers& layers, const ThinFilmOptions& options)
         : options_(options), field_(layers.distance()), films_(films_of(layers, options)) {}
 
-    // Nothing around a patch.
+    // Returns the color at the index of a pixel, or nullopt around a patch.
     std::optional<LinearRgb> at(std::size_t index) const {
         const Film& film = films_[field_.ids.samples()[index]];
         if (!(film.radius > 0.0)) {

@@ -16,26 +16,27 @@ inline constexpr MapTraits kThinFilmMap = {
     .smooth_distance = SmoothDistance::Used};
 
 struct ThinFilmOptions {
-    double thickness = 350.0;  // nanometers, in the middle of a mean bubble
-    double variation = 0.6;    // largest difference of a bubble, as a fraction; each keeps its own
-    double drainage = 0.5;     // how much thicker a film is at the bubble's rim, where liquid
-                               // gathers, as a fraction
+    double thickness = 350.0;  // nanometers, in the middle of an average bubble
+    double variation = 0.6;    // range of the bubbles' thicknesses, as a fraction of the thickness;
+                               // each bubble keeps its own
+    double drainage = 0.5;     // added thickness at the bubble's rim, where liquid gathers, as a
+                               // fraction of the thickness in the middle
     double exposure = 8.0;     // factor on the light; a soap film reflects at most 8 % of it
 };
 
 Keys<ThinFilmOptions> thin_film_keys();
 
-/// Returns the fraction of white light of normal incidence that a soap film in air reflects, as
-/// light: Airy's sum over all reflections in a layer of index 1.33, times the CIE 1931 color
-/// matching functions (Wyman, Sloan, Shirley, "Simple analytic approximations to the CIE XYZ color
-/// matching functions", 2013), scaled so that a perfect mirror is white. The color may lie outside
-/// sRGB: components may be negative.
+/// Returns the color of white light that a soap film in air reflects at normal incidence, as linear
+/// light. The reflectance is Airy's sum over all reflections in a layer of refractive index 1.33.
+/// It is weighted with the CIE 1931 color matching functions (Wyman, Sloan, Shirley, "Simple
+/// analytic approximations to the CIE XYZ color matching functions", 2013), and scaled so that a
+/// perfect mirror is white. The color may be outside sRGB: components may be negative.
 LinearRgb film_reflectance(double nanometres);
 
-/// Draws bubbles in the interference colors of a soap film across them, with the films of albedo
-/// between them. The thickness belongs to the bubble and the point in it, and so does not move
-/// while the foam is at rest. Colors outside sRGB are mixed with gray of the same luminance.
-/// Transparent around a patch.
+/// Draws bubbles in the interference colors of a soap film that spans each bubble, with the films
+/// of albedo between bubbles. The thickness depends only on the bubble and the point in it, so
+/// colors do not move while the foam is at rest. Colors outside sRGB are mixed with gray of the
+/// same luminance. Transparent around a patch.
 ColorPixels draw_thin_film(FrameLayers& layers,
                            const ThinFilmOptions& options,
                            const AlbedoOptions& albedo);
