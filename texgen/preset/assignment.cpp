@@ -59,7 +59,7 @@ struct Located {
     Assignment assignment;
 };
 
-// Flattens what is nested in a node into `found`, depth first.
+// Appends the assignments of a node and of all nodes nested in it to `found`, depth first.
 void collect_node(const toml::node& node,
                   const toml::source_position& position,
                   const std::string& path,
@@ -75,7 +75,7 @@ void collect(const toml::table& table,
     }
 }
 
-// Tables of an array are told apart by their number: event[1], event[2].
+// Tables of an array have their number in the key: event[1], event[2].
 void collect_tables(const toml::array& tables,
                     const std::string& path,
                     const std::string& source,

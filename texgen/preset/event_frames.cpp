@@ -4,10 +4,11 @@ namespace foam::texgen {
 
 namespace {
 
-// Times this close, as a fraction of a step, are the same: 0.3 is the third frame of steps of 0.1.
+// Times that differ by less than this fraction of a time step count as equal, so that rounding does
+// not matter: with steps of 0.1, the time 0.3 is reached after three steps.
 constexpr double kSameTime = 1e-6;
 
-// The frames after the first, one by one, each with the time that has passed when it is shown.
+// Enumerates the frames from frame 2 on. Each has the foam time that has passed when it is shown.
 class FrameClock {
   public:
     explicit FrameClock(const FramesOptions& frames)

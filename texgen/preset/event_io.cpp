@@ -21,10 +21,10 @@ namespace {
 
 constexpr std::string_view kTable = "event";
 
-// The parts of event[2].kind: the number of the event, from 1, and the name of the key, which is
-// empty for the table itself.
+// The parts of a path such as event[2].kind: the number of the event, which counts from 1, and the
+// name of the key. The name is empty for the table itself.
 struct EventPath {
-    std::size_t number = 0;  // 0 where the path is malformed
+    std::size_t number = 0;  // 0 if the path is malformed
     std::string_view name;
 };
 
@@ -53,7 +53,8 @@ std::string_view nearest_name(std::string_view name) {
     return nearest(name, names);
 }
 
-// Returns the last assignment to an event, or to one of its keys.
+// Returns the last assignment to a key of an event, or to any of its keys if `name` is empty.
+// Returns nullptr if there is none.
 const Assignment* last_of(std::span<const Assignment> assignments,
                           std::size_t number,
                           std::string_view name = {}) {
@@ -66,7 +67,7 @@ const Assignment* last_of(std::span<const Assignment> assignments,
     return nullptr;
 }
 
-// The keys of other tables that limit the keys of events.
+// The keys of other tables that limit the values of events.
 constexpr std::array<std::string_view, 7> kOtherSides{"foam.domain",
                                                       "foam.bubbles",
                                                       "image.size",
@@ -82,8 +83,8 @@ const Assignment& last_of_other_sides(std::span<const Assignment> assignments) {
     return last != assignments.rend() ? *last : assignments.back();
 }
 
-// Rejects the assignment to the key, or else the last to the event, or else the last that changed
-// the other side of a limit.
+// Rejects the last assignment to the key. If there is none, rejects the last assignment to the
+// event, and otherwise the last one to a key in kOtherSides.
 [[noreturn]] void reject_event(std::span<const Assignment> assignments,
                                std::size_t number,
                                std::string_view name,

@@ -9,21 +9,23 @@
 
 namespace foam::texgen {
 
-/// Returns true if a key belongs to an event or was meant to: event[2].kind, event.
+/// Returns true if a key belongs to an event, such as event[2].kind, or looks as if it should, such
+/// as event or event.kind.
 bool is_event_key(std::string_view key);
 
-/// Stores the value of an event's key in the preset; the table event[n] itself adds the n-th event.
-/// Throws PresetError for an unknown key or a value that is not allowed.
+/// Stores the value of an event's key in the preset. The assignment of the table event[n] adds the
+/// n-th event. Throws PresetError for an unknown key or a value that is not allowed.
 void assign_event(Preset& preset, const Assignment& assignment);
 
-/// Checks that each event has a kind, frames and only keys of its kind, and that it fits the foam.
-/// Throws PresetError, which names the last assignment that matters.
+/// Checks that each event has a kind, has frames or a time, has only keys of its kind, and fits the
+/// foam. Throws PresetError otherwise; the error names the last assignment that can be the cause.
 void check_events(const Preset& preset, std::span<const Assignment> assignments);
 
-/// Writes the events as TOML, without values that are defaults.
+/// Returns the events as TOML. Values that equal their defaults are left out.
 std::string events_to_toml(const Preset& preset);
 
-/// Returns the reference of all keys of events: default, meaning, allowed values, kinds.
+/// Returns the reference documentation of all keys of events: default, meaning, allowed values, and
+/// the kinds of events that have the key.
 std::string describe_event_keys();
 
 }  // namespace foam::texgen

@@ -28,7 +28,7 @@ bool is_outline(const std::string& text) {
     }
 }
 
-// Values of foam.outline: "disc", "rectangle", or a polygon as WKT.
+// The kind of values of foam.outline: "disc", "rectangle", or a polygon as WKT.
 struct Outlines {
     std::string allowed() const {
         return "\"disc\", \"rectangle\", or a polygon that does not cross itself as WKT, "

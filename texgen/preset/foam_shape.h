@@ -10,18 +10,19 @@ namespace foam::texgen {
 /// The domain of a foam: a torus, which tiles, or the plane, where a patch has a free surface.
 enum class FoamKind { Torus, Patch };
 
-/// The kind of a foam and, of a patch, the outline it is seeded in. The size of the outline follows
-/// from the number of bubbles, whose mean area is 1.
+/// The kind of a foam and, for a patch, the outline in which it is seeded. The size of the outline
+/// follows from the number of bubbles, whose mean area is 1.
 struct FoamShape {
     FoamKind kind = FoamKind::Torus;
-    std::string outline = "disc";  // "rectangle", or a polygon as WKT
-    double outline_aspect = 1.0;   // factor on x; discs and rectangles are as wide as high before
+    std::string outline = "disc";  // "disc", "rectangle", or a polygon as WKT
+    double outline_aspect = 1.0;   // stretches the outline in x; a disc is a circle at 1, and a
+                                   // rectangle a square
 };
 
 Keys<FoamShape> shape_keys();
 
-/// Returns the outline of a patch at some scale. Throws std::invalid_argument for an invalid text
-/// or a polygon without area.
+/// Returns the outline of a patch. Its scale is arbitrary. Throws std::invalid_argument for an
+/// invalid text or a polygon without area.
 foam::Outline outline_of(const FoamShape& shape);
 
 }  // namespace foam::texgen

@@ -4,11 +4,11 @@
 
 namespace foam::texgen {
 
-/// The content of frame 1: the foam, or the diagram that it is made from, before equilibrium.
+/// The content of frame 1: the foam in equilibrium, or the seeding diagram of straight films.
 enum class FirstFrame { Equilibrium, Diagram };
 
-/// The times that become pictures: frame 1 shows the foam at time warm_up, and frame i + 1 shows it
-/// time_step step_growth^(i - 1) after frame i.
+/// The foam times that the frames show. Frame 1 shows the foam at time warm_up. Frame i + 1 shows
+/// it time_step * step_growth^(i - 1) after frame i.
 struct FramesOptions {
     int count = 48;
     FirstFrame first = FirstFrame::Equilibrium;

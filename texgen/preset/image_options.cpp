@@ -11,9 +11,9 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr int kLargestExtent = 16384;  // 1 GB of RGBA
+constexpr int kLargestExtent = 16384;  // a square of this size takes 1 GB in 8-bit RGBA
 
-// Values of image.size: [width, height] in pixels.
+// The kind of values of image.size: [width, height] in pixels.
 struct Sizes {
     Integers extent{1, kLargestExtent};
 

@@ -7,7 +7,7 @@
 
 namespace foam::texgen {
 
-/// The size of the images, and the maps that are drawn of every frame.
+/// The size of the images, and the maps that are drawn for every frame.
 struct ImageOptions {
     int width = 1024;  // pixels
     int height = 1024;

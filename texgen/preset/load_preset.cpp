@@ -26,9 +26,9 @@ bool is_path(std::string_view argument) {
 
 struct Document {
     std::string name;
-    std::string source;  // as errors name it
+    std::string source;  // the name in error messages
     std::string toml;
-    std::filesystem::path folder;  // from which it names others
+    std::filesystem::path folder;  // the folder that paths in `extends` are relative to
 };
 
 Document read_document(const std::string& path) {
@@ -52,7 +52,7 @@ Document find_document(const std::string& name_or_path) {
         name_or_path, fmt::format("presets/{}.toml", name_or_path), std::string(shipped.toml), {}};
 }
 
-// Loads a preset and those that it extends.
+// Loads a preset and the presets that it extends.
 class Loader {
   public:
     Preset load(const Document& document) {
@@ -70,7 +70,8 @@ class Loader {
     }
 
   private:
-    // The preset to go on from: the one that is extended, and the default where none is.
+    // Removes `extends` from the assignments and returns the preset that it names, or the default
+    // preset if there is no `extends`.
     Preset take_extended(std::vector<Assignment>& assignments, const Document& document) {
         const auto found = std::find_if(assignments.begin(),
                                         assignments.end(),

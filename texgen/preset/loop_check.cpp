@@ -57,7 +57,7 @@ void check_frames(const Preset& preset, std::span<const Assignment> assignments)
     }
 }
 
-// A flow is stationary, and needs time to pass.
+// A flow is a steady state, so all its time steps are equal and above 0.
 void check_flow(const Preset& preset, std::span<const Assignment> assignments) {
     if (preset.loop.kind != LoopKind::Flow) {
         return;

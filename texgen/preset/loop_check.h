@@ -8,7 +8,7 @@
 namespace foam::texgen {
 
 /// Checks that the loop is possible with the foam, the frames and the events of a preset. Throws
-/// PresetError, which names the last assignment that matters.
+/// PresetError otherwise; the error names the last assignment that can be the cause.
 void check_loop(const Preset& preset, std::span<const Assignment> assignments);
 
 }  // namespace foam::texgen

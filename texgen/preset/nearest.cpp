@@ -10,7 +10,7 @@ namespace foam::texgen {
 
 namespace {
 
-// Returns the Levenshtein distance, computing one row of its table at a time.
+// Returns the Levenshtein distance by dynamic programming. Only one row of the table is stored.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> row(b.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t{0});

@@ -5,9 +5,9 @@
 
 namespace foam::texgen {
 
-/// Returns the candidate that was most likely meant by a misspelled word: the one with the smallest
-/// edit distance, or an empty view if none is within a third of the word's length, or 2 if that is
-/// more.
+/// Returns the candidate that a misspelled word most likely stands for: the one with the smallest
+/// edit distance (Levenshtein). Returns an empty view if every distance is more than 2 and more
+/// than a third of the word's length.
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates);
 
 }  // namespace foam::texgen

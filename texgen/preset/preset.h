@@ -20,13 +20,14 @@ namespace foam::texgen {
 /// The solver that brings the foam to equilibrium, and its accuracy.
 struct SolverOptions {
     Solver solver = Solver::Newton;
-    double tolerance = 1e-9;  // of every area, relative, and every angle, in radians
+    double tolerance = 1e-9;  // largest relative error of areas, and error of angles in radians
 };
 
-/// Everything that decides the pixels of a bake. Each value that the user may set is a key; see
-/// preset_keys.h and all_events.h. The aspect of a torus has no key: it follows from the image.
+/// All options that determine the images of a bake. Each value that the user may set is a key; see
+/// preset_keys.h and all_events.h. The aspect of a torus has no key: it follows from the image
+/// size.
 struct Preset {
-    std::string name;  // of the shipped preset or the stem of the file; fills {preset}
+    std::string name;  // name of the shipped preset or stem of the file; replaces {preset}
     std::string description;
     FoamShape shape;
     SeedingOptions seeding;
@@ -35,7 +36,7 @@ struct Preset {
     TopologyThresholds thresholds;
     FramesOptions frames;
     LoopOptions loop;
-    std::vector<Event> events;  // in the order of the file
+    std::vector<Event> events;  // the events, in the order of the file
     ImageOptions image;
     CameraOptions camera;
     MapOptions maps;

@@ -34,7 +34,7 @@ std::vector<std::string_view> preset_tables() {
     return tables;
 }
 
-// Returns the key of the same name in another table, or else the path that is most similar.
+// Returns the path of a key that has the same name in another table, or else the most similar path.
 std::string_view suggestion(std::string_view path) {
     const std::string_view name = path.substr(path.rfind('.') + 1);
     std::vector<std::string_view> paths;
@@ -65,7 +65,8 @@ void assign_one(Preset& preset, const Assignment& assignment) {
     }
 }
 
-// Returns the last assignment to the first key that has one, or else the last of all.
+// Returns the last assignment to `first`. If there is none, returns the last one to `second`, and
+// otherwise the last of all.
 const Assignment& blamed(std::span<const Assignment> assignments,
                          std::string_view first,
                          std::string_view second) {
@@ -105,7 +106,7 @@ double number_of(const Key<Preset>& key, const Preset& preset) {
     return number;
 }
 
-// The preset was valid before these assignments, so the last one that matters is to blame.
+// The preset was valid before these assignments, so the last one to either key is rejected.
 void check_order(const Key<Preset>& lower,
                  const Key<Preset>& upper,
                  const Preset& preset,
@@ -133,7 +134,7 @@ void check_orders(const Preset& preset, std::span<const Assignment> assignments)
     }
 }
 
-// A foam of few bubbles does not fit a torus that is much longer than wide.
+// Limits the aspect of the image: a foam of few bubbles does not fit a very long torus.
 void check_aspect(const Preset& preset, std::span<const Assignment> assignments) {
     const int shorter = std::min(preset.image.width, preset.image.height);
     const int longer = std::max(preset.image.width, preset.image.height);

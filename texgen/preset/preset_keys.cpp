@@ -10,7 +10,8 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr std::int64_t kLargestSeed = std::numeric_limits<std::int64_t>::max();  // of TOML
+// The largest integer of TOML.
+constexpr std::int64_t kLargestSeed = std::numeric_limits<std::int64_t>::max();
 
 Keys<SeedingOptions> seeding_keys() {
     using Options = SeedingOptions;

@@ -11,9 +11,9 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr std::size_t kLongestShown = 60;  // characters of a value in an error
+constexpr std::size_t kLongestShown = 60;  // bytes of a value that an error message shows
 
-// Cuts a text at a whole UTF-8 character.
+// Shortens a text that is too long, without splitting a UTF-8 character.
 std::string shortened(std::string text) {
     if (text.size() > kLongestShown) {
         std::size_t end = kLongestShown;

@@ -8,16 +8,17 @@
 
 namespace foam::texgen {
 
-/// Throws PresetError: one line with location, key, value and the reason.
+/// Throws PresetError. The message is one line with location, key, value and the reason.
 [[noreturn]] void reject(const Assignment& assignment, std::string_view reason);
 
-/// Rejects the last assignment to any of some keys, or else the last of all: the one that made a
-/// valid preset invalid. Precondition: there are assignments.
+/// Rejects the last assignment to any of the keys, because it made a valid preset invalid. If none
+/// of the keys is assigned, rejects the last assignment of all. Precondition: there are
+/// assignments.
 [[noreturn]] void reject_last(std::span<const Assignment> assignments,
                               std::initializer_list<std::string_view> keys,
                               std::string_view reason);
 
-/// Rejects an unknown key or table. `meant` is the most similar one, or empty.
+/// Rejects an unknown key or table. `meant` is the most similar known one, or empty.
 [[noreturn]] void reject_unknown(const Assignment& assignment, std::string_view meant);
 
 }  // namespace foam::texgen

@@ -14,7 +14,8 @@ struct ShippedPreset {
 /// Returns the files of presets/, which are embedded in the program.
 std::span<const ShippedPreset> shipped_presets();
 
-/// Returns the preset of a name. Throws PresetError, which suggests a similar name.
+/// Returns the preset with a name. Throws PresetError if there is none; the error suggests a
+/// similar name.
 const ShippedPreset& find_shipped_preset(std::string_view name);
 
 }  // namespace foam::texgen
