@@ -8,13 +8,15 @@ namespace foam::texgen {
 
 namespace {
 
-// In pixels. Points outside the arc make up for the area that edges cut off where a pixel holds an
-// edge or more. A longer edge stands alone, and the ends of a short arc cannot move out, so that an
-// arc gets one edge more than the sagitta asks for.
+// The inner points are moved outwards to compensate the area that the edges cut off. Within a pixel
+// that contains whole edges the errors cancel, so short edges may have a larger sagitta. Longer
+// edges must be accurate on their own. The ends of the arc cannot be moved, so an arc gets one edge
+// more than its sagitta requires. All lengths are in pixels.
 constexpr double kSagittaOfShortEdges = 1.0 / 256;
 constexpr double kShortEdge = std::numbers::sqrt2;
 constexpr double kSagitta = 1.0 / 1024;
 
+// A rotation to the left by an angle, stored as its cosine and sine.
 struct Rotation {
     double c;
     double s;
@@ -27,8 +29,9 @@ struct Rotation {
     Vec2 back(const Vec2& v) const { return {c * v.x() + s * v.y(), c * v.y() - s * v.x()}; }
 };
 
-// An arc of length l and half angle a has a sagitta of at most l a / 4; so has each of n equal
-// parts, with l / n and a / n.
+// Returns the number of edges of a chain. An arc of length l and half angle a has a sagitta of at
+// most l a / 4. Each of n equal parts has the length l / n and the half angle a / n, so its sagitta
+// is smaller by n².
 int edge_count(const FilmArc& arc, double sine) {
     const double turn = std::abs(arc.half_angle);
     const double length = arc.chord.norm() * turn / std::abs(sine);  // NaN on a straight arc
@@ -42,9 +45,10 @@ int edge_count(const FilmArc& arc, double sine) {
 
 }  // namespace
 
-// The n edges cut off n segments of 2/3 sagitta x edge; each of the n - 1 inner points gains its
-// distance from the arc times one edge. Two edges add up to 2 cos(half_step) edges along the
-// tangent between them.
+// The n edges cut off n circular segments, each of an area of about 2/3 sagitta * edge. Moving an
+// inner point outwards by a distance adds about distance * edge, and there are n - 1 inner points;
+// both areas are equal for distance = 2/3 sagitta * n / (n - 1). The direction outwards is normal
+// to the sum of the two edges at the point, whose length is 2 cos(half_step) edges.
 void append_inner_points(const FilmArc& arc, const Vec2& tail, std::vector<Vec2>& points) {
     const Rotation half_turn(arc.half_angle);
     const int edges = edge_count(arc, half_turn.s);
@@ -54,7 +58,7 @@ void append_inner_points(const FilmArc& arc, const Vec2& tail, std::vector<Vec2>
     const Rotation half_step(arc.half_angle / edges);
     const Rotation step = half_step.twice();
     Vec2 edge = half_step * half_turn.back(arc.chord) * (half_step.s / half_turn.s);
-    const double sagitta = 0.5 * half_step.s / (1.0 + half_step.c);  // over the length of an edge
+    const double sagitta = 0.5 * half_step.s / (1.0 + half_step.c);  // divided by the edge's length
     const double outwards = 2.0 / 3.0 * sagitta * edges / (edges - 1) / (2.0 * half_step.c);
     Vec2 at = tail;
     for (int k = 1; k < edges; ++k) {

@@ -9,30 +9,31 @@
 
 namespace foam::texgen {
 
-/// Arcs in structure-of-arrays layout, eight to a block, so that they are computed at once.
+/// Arcs in structure-of-arrays layout, in blocks of eight that are computed at once.
 class ArcLanes {
   public:
     static constexpr std::size_t kLanes = 8;
     template <class Value>
     using Lanes = std::array<Value, kLanes>;
 
-    /// The least cosine of the half angle of an arc that bounds a region. Wider arcs are halved, as
-    /// the half planes at the ends of an arc tell what faces it only if it turns by less.
+    /// The smallest cosine of the half angle of an arc that bounds a region. Wider arcs are halved:
+    /// the test by half planes whether a point faces an arc requires that the arc turns by less.
     static constexpr double kLeastCosine = 0.5;
 
-    /// Eight arcs. Lanes beyond the last arc are not used.
+    /// Eight arcs. Lanes beyond the last arc have unspecified values.
     struct alignas(64) Block {
         Lanes<double> tail_x, tail_y, chord_x, chord_y, cosine, sine;
         Lanes<std::uint8_t> corner;
     };
 
     void clear();
-    /// Adds an arc of at least kShortestSide. `corner` says whether the region has an angle of more
-    /// than 180 degrees at the tail, so that the tail itself may be the nearest point.
+    /// Adds an arc. `corner` is true if the region has an angle of more than 180 degrees at the
+    /// tail, so that the tail itself may be the nearest point. Precondition: the chord is longer
+    /// than kShortestSide.
     void add(const PixelArc& shape, const Vec2& tail, bool corner);
-    /// Adds arc k of another set.
+    /// Adds the arc k of another object.
     void add(const ArcLanes& other, std::size_t k);
-    /// Says that the region has such a corner at the tail of an arc.
+    /// Marks the tail of an arc as a corner of more than 180 degrees.
     void set_corner(std::size_t k);
 
     std::size_t size() const { return size_; }

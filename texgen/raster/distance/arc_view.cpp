@@ -14,15 +14,18 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-// Let q be the point seen from the middle of the chord c, e = c/4 - q²/c, which is 0 on the circle
-// around the chord, and h the distance of q to the left of the chord: both are 0 at the ends of the
-// chord. Turned by the half angle they become f = sin e + cos h, which is 0 on the circle of the
-// arc with slope 1, positive on its left, and t = cos e - sin h, which is 0 with slope 1 on the
-// circle that cuts the arc off at right angles, positive on the arc.
+// Let c be the chord, a the half angle, and q the position of the point relative to the middle of
+// the chord. Two functions are 0 at both ends of the chord: e = c/4 - q²/c, which is 0 on the
+// circle that has the chord as its diameter, and h, the distance of q to the left of the chord. A
+// rotation by the half angle combines them:
+//   f = sin a e + cos a h is 0 on the circle of the arc, has slope 1 there, and is positive on the
+//   left of the arc;
+//   t = cos a e - sin a h is 0 on the circle that crosses the arc's circle at right angles in both
+//   ends, has slope 1 there, and is positive on the arc.
 //
-// The distance from the circle of the arc is 2 |f| / (1 + |grad f|), whatever the curvature. A
-// point behind an end of the arc is at least as far from the arc as from the line that is normal to
-// it there.
+// The distance to the circle of the arc is 2 |f| / (1 + |grad f|), for any curvature. A point
+// beyond an end of the arc is at least as far from the arc as from the line that is normal to the
+// arc at this end.
 [[gnu::always_inline]] inline void ArcView::evaluate(double x,
                                                      double y,
                                                      const ArcLanes::Block& arcs,

@@ -8,19 +8,22 @@
 
 namespace foam::texgen {
 
-/// Arcs as a point sees them: the functions that their distances are made of, and bounds of the
+/// The functions from which distances to arcs are computed, evaluated at a point, and bounds of the
 /// distances. Eight arcs are computed at once.
 class ArcView {
   public:
-    /// Computes the functions and bounds of all arcs at a point. The members below refer to it.
+    /// Computes the functions and bounds of all arcs at a point. The members below refer to this
+    /// point and these arcs.
     void evaluate(const ArcLanes& arcs, const Vec2& point);
 
-    /// Returns an upper bound of the distance between any point within reach of the point and its
-    /// nearest arc, plus reach: farther arcs are not nearest to any such point.
+    /// Returns a distance from the point beyond which no arc is the nearest one of any other point
+    /// within `reach` of it: the distance of the nearest arc, plus twice the reach and a margin.
     double horizon(double reach) const;
+    /// Returns true if the arc k may be as near to the point as a horizon.
     bool is_within(std::size_t k, double horizon) const {
         return blocks_[k / kLanes].at_least[k % kLanes] <= horizon;
     }
+    /// Return the functions of the arc k, relative to the point.
     ArcFunctions functions(std::size_t k) const;
     FilmFunctions film_functions(std::size_t k) const;
 
@@ -35,8 +38,8 @@ class ArcView {
         FloatLanes twice, slope_x, slope_y, curvature;
         FloatLanes tail, tail_x, tail_y, head, head_x, head_y;
         FloatLanes twice_along, along_x, along_y, along_curvature, chord;
-        Lanes at_least;
-        Lanes facing;  // the distance, infinite if the point does not face the arc
+        Lanes at_least;  // a lower bound of the distance
+        Lanes facing;    // the distance, or infinity if the point does not face the arc
     };
 
     static void evaluate(double x, double y, const ArcLanes::Block& arcs, Block& block);

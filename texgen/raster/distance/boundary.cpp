@@ -11,17 +11,17 @@ namespace {
 constexpr std::size_t kLanes = ArcLanes::kLanes;
 constexpr double kRounding = 2.0;  // subpixels; more than both ends of a side move when rounded
 
-// Bounds of an outline in subpixels.
+// The bounds of an outline, in subpixels.
 struct Bounds {
-    double left, right, bottom, top;  // of the ends of arcs
-    double beyond;                    // by how much an arc reaches beyond its chord
+    double left, right, bottom, top;  // bounds of the ends of arcs
+    double beyond;                    // the largest distance of an arc from its chord
 };
 
-// An arc reaches beyond its chord by its sagitta, half the chord times the tangent of a quarter of
-// the turn. Wide arcs have a diameter instead. The length of the chord is bounded by the sum of its
-// components.
+// Extends the bounds by eight arcs. An arc reaches beyond its chord by its sagitta: half the chord
+// times the tangent of a quarter of the angle by which the arc turns. For wide arcs the diameter of
+// the circle is used instead. The length of the chord is bounded by the sum of its components.
 [[gnu::always_inline]] inline void extend(const Boundary::Outline& arcs, Bounds& bounds) {
-    constexpr double kLeastCosine = 0.2;  // of an arc whose sagitta is computed
+    constexpr double kLeastCosine = 0.2;  // wider arcs use the diameter
     Bounds b = bounds;
     for (std::size_t k = 0; k < kLanes; ++k) {
         const double x = arcs.from_x[k];
@@ -89,7 +89,8 @@ Extent Boundary::extent() const {
     });
 }
 
-// The middle of the arc is the sagitta, c/2 tan(half of the half angle), to the right of the chord.
+// The middle of an arc that turns left is to the right of the chord by the sagitta, half the chord
+// times the tangent of half the half angle.
 std::array<PixelArc, 2> halves(const PixelArc& arc) {
     const double cosine = std::sqrt(0.5 * (1.0 + arc.cosine));
     const double sine = 0.5 * arc.sine / cosine;

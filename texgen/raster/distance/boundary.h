@@ -19,20 +19,21 @@ struct Extent {
 
 /// The boundary of a region: closed loops of arcs with the region on their left.
 ///
-/// It exists twice: distances are measured from the exact arcs, in pixels; ids are decided by an
-/// outline of arcs whose ends are rounded to subpixels, which neighbors round alike.
+/// The boundary is stored in two forms. Distances are measured from the exact arcs, in pixels. Ids
+/// are decided by an outline, whose arcs end at whole subpixels; two neighboring regions round the
+/// ends of a shared arc to the same subpixels.
 class Boundary {
   public:
     /// Eight arcs of an outline, in subpixels. Lanes beyond the last arc have no length.
     struct alignas(64) Outline {
         ArcLanes::Lanes<double> from_x, from_y, to_x, to_y;
-        ArcLanes::Lanes<double> cosine, sine;  // of half the angle by which the arc turns left
+        ArcLanes::Lanes<double> cosine, sine;  // of half the angle of the left turn
     };
 
     void clear();
 
-    /// Adds an exact arc, which begins where the last one of its loop ended. One of no length is
-    /// left out.
+    /// Adds an exact arc. It begins where the last arc of its loop ended. An arc of no length is
+    /// ignored.
     void add_arc(const PixelArc& shape, const Vec2& tail);
     /// Ends a loop of exact arcs.
     void close_loop();
@@ -40,14 +41,15 @@ class Boundary {
     /// Adds an arc to the outline, between whole subpixels.
     void add_edge(const Vec2& from, const Vec2& to, double cosine, double sine);
 
-    /// Returns a box that encloses the outline and is larger by up to the sagitta of an arc.
-    /// Precondition: there is an arc.
+    /// Returns a box that encloses the outline. It is larger than necessary by up to the largest
+    /// sagitta of an arc. Precondition: the outline is not empty.
     Extent extent() const;
 
-    /// The exact arcs; wide ones are halved.
+    /// Returns the exact arcs. Arcs that are too wide for ArcLanes are halved.
     const ArcLanes& arcs() const { return arcs_; }
-    /// The same, without being halved.
+    /// Returns the exact arcs without halving, one per film.
     const ArcLanes& films() const { return has_wide_ ? films_ : arcs_; }
+    /// Returns the outline in blocks of eight arcs.
     std::span<const Outline> outline() const {
         return std::span(outline_).first((edges_ + ArcLanes::kLanes - 1) / ArcLanes::kLanes);
     }
@@ -59,14 +61,14 @@ class Boundary {
     ArcLanes arcs_;
     ArcLanes films_;
     bool has_wide_ = false;
-    std::size_t loop_ = 0;         // its first arc
-    Vec2 loop_tangent_{0.0, 0.0};  // where it begins
-    Vec2 head_tangent_{0.0, 0.0};  // where the last arc ended
+    std::size_t loop_ = 0;         // index of the first arc of the current loop
+    Vec2 loop_tangent_{0.0, 0.0};  // tangent at the start of the loop
+    Vec2 head_tangent_{0.0, 0.0};  // tangent at the end of the last arc
     std::size_t edges_ = 0;
     std::vector<Outline> outline_;
 };
 
-/// Returns the two halves of an arc, which have equal length.
+/// Returns the two halves of an arc.
 std::array<PixelArc, 2> halves(const PixelArc& arc);
 
 inline void Boundary::add_arc(const PixelArc& shape, const Vec2& tail) {

@@ -30,13 +30,19 @@ void allocate(DistanceNeeds needs, const RasterGrid& grid, DistanceField& field)
     allocate(needs.smooth, grid, 2, field.smooth_gradient);
 }
 
-// Paints regions, one after the other. The working memory is reused.
+// The field is painted region by region. paint_regions distributes the bubbles and the surroundings
+// of a patch over threads. For each region, RegionPixels finds the pixels whose centers are inside,
+// RegionField measures them in batches, and FieldWriter stores the results. The formulas are in
+// arc_view.cpp (distances) and pixel_batch.cpp (smooth distances).
+
+// Paints regions, one after the other. Buffers are reused between regions.
 class RegionPainter {
   public:
     RegionPainter(DistanceNeeds needs, DistanceField& field)
         : needs_(needs), writer_(needs, field) {}
 
-    // The pixels of a region are prefetched while it is placed, unless there are too many.
+    // Paints the pixels of a region in some rows. If the region is small, its pixels in the images
+    // are prefetched while the mask is computed.
     void paint(const Region& region, SubpixelPoint translation, PixelRows rows) {
         constexpr int kMaxColumns = 64;
         const PixelBox box = box_around(region, translation);

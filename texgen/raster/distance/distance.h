@@ -6,17 +6,18 @@
 
 namespace foam::texgen {
 
-/// Returns the distance field of a frame. Each pixel is measured from the arcs of its own bubble:
-/// the shortest path to a film crosses no other film.
+/// Returns the distance field of a frame. The distance of each pixel is measured from the arcs of
+/// its own bubble only, because the shortest path to a film crosses no other film.
 ///
-/// The result has the same bits for any number of threads, and a shift of the grid gives the exact
-/// cyclic shift of the images. Throws std::invalid_argument as pixels_per_unit does.
+/// The result is the same to the bit for any number of threads. A shift of the grid shifts the
+/// images cyclically, to the bit. Throws std::invalid_argument as pixels_per_unit does.
 DistanceField distance_field(const Frame& frame,
                              const RasterGrid& grid,
                              DistanceNeeds needs,
                              int threads);
 
-/// Writes the distance field of a frame into an existing field and reuses the field's memory.
+/// Writes the distance field of a frame into an existing field, and reuses its memory. Otherwise as
+/// distance_field.
 void write_distance_field(const Frame& frame,
                           const RasterGrid& grid,
                           DistanceNeeds needs,

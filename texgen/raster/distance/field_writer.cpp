@@ -10,9 +10,9 @@ namespace foam::texgen {
 
 namespace {
 
-// Calls visit(begin, size) for pieces of [0, count) that may overlap, of sizes known to the
-// compiler: spans are mostly a few pixels long, for which library calls are slow. Precondition:
-// count > 0.
+// Calls visit(begin, size) for pieces that cover [0, count) and may overlap. Their sizes are
+// compile-time constants: most spans are a few pixels long, for which calls of memcpy and fill are
+// slow. Precondition: count > 0.
 template <class Visit>
 [[gnu::always_inline]] inline void in_pieces(std::size_t count, const Visit& visit) {
     constexpr std::integral_constant<std::size_t, 8> kEight;

@@ -9,17 +9,18 @@
 
 namespace foam::texgen {
 
-/// Writes measured pixels into the images of a field, which is borrowed.
+/// Writes measured pixels into the images of a distance field. Borrows the field.
 class FieldWriter {
   public:
-    /// Precondition: the images that are needed have the grid's size.
+    /// Precondition: the images of `field` that are needed have the size of the grid.
     FieldWriter(DistanceNeeds needs, DistanceField& field) : needs_(needs), field_(field) {}
 
-    /// Writes a batch of a region. Around a torus, columns beyond the image's width wrap around.
+    /// Writes a batch of a region's pixels. `box` is the region's box in the image. On a torus,
+    /// columns beyond the image's width wrap around.
     void write(const PixelBatch& batch, const PixelBox& box, std::uint32_t id);
 
-    /// Prefetches the pixels of a box in some rows of the image: rows are far apart in memory,
-    /// which processors do not predict.
+    /// Prefetches the pixels of a box in some rows of the image. Rows are far apart in memory, so
+    /// hardware prefetchers do not predict them.
     void prefetch(const PixelBox& box, PixelRows rows) const;
 
   private:

@@ -19,9 +19,16 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr int kBandRows = 128;  // a multiple of the tiles of a RegionField and of squares
+// On a torus, bubbles are traced and painted at once if they are within one band of rows of the
+// unshifted grid, so that their boundaries need not be stored; bands are painted in parallel. All
+// other regions, and all regions of a patch, are stored, sorted by the bands of the image that they
+// overlap, and painted in parts. No two threads write the same rows, and the order in which
+// overlapping regions are painted depends neither on threads nor on shifts.
 
-// A copy of a region that reaches into an image.
+// A multiple of RegionField::kTileRows and TorusRegions::kSquare.
+constexpr int kBandRows = 128;
+
+// A copy of a region that overlaps the image.
 struct RegionCopy {
     const Region* region = nullptr;
     SubpixelPoint translation;  // from the region to its copy
@@ -35,9 +42,9 @@ PixelRows band_rows(const RasterGrid& grid, int band) {
     return {band * kBandRows, std::min((band + 1) * kBandRows, grid.height)};
 }
 
-// Calls visit(translation) for the copies of a region. Those around a torus are moved by whole
-// periods so that the first point is within the columns of the image; one period up a copy is moved
-// to the right by the shear.
+// Calls visit(translation) for the copies of a region that overlap the rows of an image. On a
+// torus, copies are moved by whole periods so that the first point of the region is within the
+// columns of the image. A copy one period up is also moved to the right by the shear.
 template <class Visit>
 void for_each_copy(const Region& of,
                    const RasterGrid& grid,
@@ -58,7 +65,7 @@ void for_each_copy(const Region& of,
     }
 }
 
-// Calls put(band, copy) for the copies of a region and the bands of rows that they reach into.
+// Calls put(band, copy) for each copy of a region and each band of rows that it overlaps.
 template <class Put>
 void put_copies(const Region& region, const RasterGrid& grid, std::int32_t shear, const Put& put) {
     for_each_copy(region, grid, shear, [&](SubpixelPoint translation) {
@@ -85,8 +92,9 @@ Buckets<RegionCopy> copies_by_band(std::span<const Region> regions,
     });
 }
 
-// Traces the bubbles of a torus and paints at once those that lie within one band of rows of the
-// unshifted grid: whatever the shift, no other worker paints there. The rest is appended.
+// Traces the bubbles of a torus that begin in a band of rows of the unshifted grid. Bubbles that
+// are within the band are painted at once: for any shift, no other worker paints in the same rows.
+// The other bubbles are appended to `rest`.
 class TorusPainter {
   public:
     TorusPainter(const TorusRegions& regions,
@@ -112,7 +120,8 @@ class TorusPainter {
     }
 
   private:
-    // A region at the far border begins in the first band, where its copy is.
+    // Returns true if a region is within a band. A region that begins on the upper border of the
+    // grid belongs to the first band, where its copy is.
     bool is_within(const Region& region, int band) const {
         const std::int32_t height = grid_.height * kSubpixel;
         const std::int32_t down = region.first.y < height ? 0 : height;
@@ -132,7 +141,7 @@ class TorusPainter {
     std::array<Region, TorusRegions::kAtOnce> group_;
 };
 
-// Paints the regions that lie within a band; returns the others.
+// Paints the regions that are within a band, and returns all others.
 std::vector<Region> paint_within_bands(const TorusRegions& regions,
                                        const RasterGrid& grid,
                                        int workers,
@@ -155,8 +164,8 @@ std::vector<Region> paint_within_bands(const TorusRegions& regions,
 
 }  // namespace
 
-// A region that reaches into several bands is painted in parts, so that no two threads write the
-// same rows.
+// A region that overlaps several bands is painted in parts, so that no two threads write the same
+// rows.
 void paint_regions(const Frame& frame,
                    const RasterGrid& grid,
                    int workers,

@@ -9,34 +9,37 @@
 
 namespace foam::texgen {
 
-/// Paints a region, moved by a translation, in some rows of an image. `worker` tells the threads
-/// apart that paint at the same time.
+/// A function that paints a region, moved by a translation, in some rows of an image. `worker` is
+/// the index of the calling worker; a worker makes one call at a time.
 using PaintRegion = std::function<void(
     int worker, const Region& region, SubpixelPoint translation, PixelRows rows)>;
 
-/// Has all regions painted that the pixels of an image may belong to: the bubbles of a frame and,
-/// around a patch, the ghost. Workers paint in parallel, and no two of them in the same rows.
+/// Calls `paint` for all regions that may contain pixels of an image: the bubbles of a frame and
+/// the surroundings of a patch. Workers paint in parallel; no two of them write to the same rows at
+/// the same time.
 ///
 /// Where regions overlap, the order in which they are painted does not depend on the number of
-/// workers or on the shift of the grid; in a patch it is that of the ids, with the ghost first.
-/// Throws std::invalid_argument as pixels_per_unit does.
+/// workers or on the shift of the grid. In a patch the surroundings are painted first, and then the
+/// bubbles in the order of their ids. Throws std::invalid_argument as pixels_per_unit does.
 void paint_regions(const Frame& frame,
                    const RasterGrid& grid,
                    int workers,
                    const PaintRegion& paint);
 
-/// The pixels of a region in some rows of an image, relative to the lower left corner of its box.
-/// The memory is reused from one region to the next.
+/// The pixels of a region in some rows of an image, relative to the lower left corner of the
+/// region's box. Buffers are reused between regions.
 class RegionPixels {
   public:
-    /// Precondition: the box of the region, moved by the translation, reaches into the rows.
+    /// Finds the pixels of a region that is moved by a translation. Precondition: the moved box of
+    /// the region overlaps the rows.
     void place(const Region& region, SubpixelPoint translation, PixelRows rows);
 
-    /// Returns the box in the image. Around a torus it is unwrapped: it may reach beyond the last
+    /// Returns the box in the image. On a torus it is unwrapped: it may extend beyond the last
     /// column.
     const PixelBox& box() const { return box_; }
+    /// Returns the pixels of the region within the box.
     const PixelMask& mask() const { return mask_; }
-    /// Returns the distance in pixels by which the region was moved to be relative to the box.
+    /// Returns the translation, in pixels, from the region to coordinates relative to the box.
     const Vec2& offset() const { return offset_; }
 
   private:

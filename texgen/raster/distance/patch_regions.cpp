@@ -19,7 +19,8 @@ namespace {
 
 constexpr std::size_t kRegionsPerTask = 256;
 
-// Rounds a position in pixels to subpixels, which may not fit 32 bits.
+// Converts a position in pixels to whole subpixels. The result is real, because it may not fit 32
+// bits.
 Vec2 rounded_to_subpixels(const Vec2& pixels) {
     return (kSubpixel * pixels.array() + 0.5).floor().matrix();
 }
@@ -30,7 +31,8 @@ SubpixelPoint clamped(const Vec2& subpixels, const RasterGrid& grid) {
     return {static_cast<std::int32_t>(within.x()), static_cast<std::int32_t>(within.y())};
 }
 
-// Adds the edges of a chain that stands for a side. Both sides of a film have the same ones.
+// Adds the edges of a chain that approximates a side. The chain is computed from the lower end (in
+// x, then y) of the side, so that both sides of a film have the same edges.
 void add_chain(const ArcLoops::Side& side, const Vec2& head, Boundary& boundary) {
     const bool tail_first = std::pair(side.tail.x(), side.tail.y()) < std::pair(head.x(), head.y());
     std::vector<Vec2> points;
@@ -63,7 +65,7 @@ Boundary boundary_of(const PixelPatch& pixels, BubbleId bubble) {
     return boundary;
 }
 
-// Returns nothing for a region that is outside of the image.
+// Returns the region of a bubble, or nullopt if it is outside the image.
 std::optional<Region> region_of(const PixelPatch& pixels, std::size_t index) {
     const RasterGrid& grid = pixels.grid;
     Region region;

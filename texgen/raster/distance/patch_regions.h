@@ -8,9 +8,9 @@
 
 namespace foam::texgen {
 
-/// Returns the regions of a frame in the plane that a grid with a view may show: first what
-/// surrounds the foam, then bubbles and lone bubbles in their order. Their boxes are within the
-/// image.
+/// Returns the regions of a frame in the plane that may be visible on a grid with a view: first the
+/// surroundings of the foam, then the bubbles and the lone bubbles in their order. Their boxes are
+/// clipped to the image.
 std::vector<Region> patch_regions(const Frame& frame, const RasterGrid& grid, int threads);
 
 }  // namespace foam::texgen

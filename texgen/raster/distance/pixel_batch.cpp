@@ -13,22 +13,28 @@ namespace foam::texgen {
 
 namespace {
 
+// Distances to arcs are kept as fractions 2 |f| / (1 + |grad f|) (arc_view.cpp) and compared by
+// multiplying crosswise, which avoids a division per arc. Only the smallest fraction of each pixel
+// is divided. Smooth distances follow Biswas and Shapiro, "Approximate distance fields with
+// non-vanishing gradients" (2004): 1/s² is the sum of 1/phi² over the films of a bubble. All loops
+// are over lanes of pixels and have no branches, so that compilers vectorize them.
+
 constexpr std::size_t kLanes = PixelBatch::kLanes;
 constexpr float kFar = std::numeric_limits<float>::infinity();
-// A pixel that is past the end of an arc by at most this still faces it, so that rounding leaves no
-// gap between two arcs that continue each other smoothly; pixels.
+// A pixel that is past the end of an arc by at most this distance, in pixels, still faces the arc.
+// Otherwise rounding could leave a gap between two arcs that continue each other smoothly.
 constexpr float kPastEnd = 1e-3F;
-// Squared distances are at least this, so that their inverse is a float; square pixels.
+// The smallest phi², in square pixels. It keeps the inverse within the range of floats.
 constexpr float kLeastSquare = 1e-12F;
-// The least root at an end of a film, where 0 / 0 would come up.
+// The smallest root, which avoids 0 / 0 at the ends of a film.
 constexpr float kLeastRoot = 1e-18F;
-// Smaller sums have no film left: this is the sum of a smooth distance of a million pixels.
+// A sum of 1/phi² below this counts as 0: it belongs to a smooth distance of a million pixels.
 constexpr float kLeastSum = 1e-12F;
 
-// A float per pixel.
+// One float for each of kLanes pixels.
 using Lanes = std::array<float, kLanes>;
 
-// Returns a mask with which `chosen` selects without a branch, so that loops vectorize.
+// Returns a mask for `chosen`, which selects a value without a branch, so that loops vectorize.
 std::uint32_t mask_if(bool condition) {
     return condition ? ~std::uint32_t{0} : 0;
 }
@@ -37,14 +43,14 @@ float chosen(std::uint32_t mask, float first, float second) {
                                 (std::bit_cast<std::uint32_t>(second) & ~mask));
 }
 
-// A distance as a fraction. Fractions are compared without a division.
+// A distance as a fraction, so that distances are compared without a division.
 struct Fraction {
-    float numerator;  // infinite where the pixel does not face the arc
+    float numerator;  // infinite if the pixel does not face the arc
     float denominator;
 };
 
-// The nearest point of some pixels so far: the distance and a vector of any length along the
-// gradient.
+// The smallest distance of each of kLanes pixels so far, and a vector in the direction of its
+// gradient, which has any length.
 struct Nearest {
     Lanes numerator{};
     Lanes denominator{};
@@ -64,10 +70,10 @@ struct Nearest {
     }
 };
 
-// A FloatQuadratic at a point.
+// The value and the gradient of a FloatQuadratic at a point.
 struct Seen {
-    float twice;
-    float x;  // the gradient
+    float twice;  // twice the value
+    float x;      // the gradient
     float y;
 };
 
@@ -110,7 +116,8 @@ template <bool kGradient>
     }
 }
 
-// Where distances and unit gradients are written. A distance is a fraction until all arcs are seen.
+// The arrays into which distances and unit gradients are written. Distances are fractions until
+// `divide` is called.
 struct Distances {
     float* distance;
     float* denominator;
@@ -144,7 +151,7 @@ template <bool kGradient>
     }
 }
 
-// Returns true if all distances are finite.
+// Divides the fractions. Returns true if all distances are finite.
 [[gnu::always_inline]] inline bool divide(std::size_t count, const Distances& to) {
     std::uint32_t any_far = 0;
     for (std::size_t k = 0; k < count; ++k) {
@@ -165,15 +172,16 @@ template <bool kGradient>
     }
 }
 
-// The sums over films that smooth distances are made of.
+// The sums over films from which smooth distances and their gradients are computed.
 struct SmoothSums {
     Lanes sum{};
     Lanes x{};
     Lanes y{};
 };
 
-// phi² = f² + r², r = (root - t) / 2, root = sqrt(t² + f^4 / c²), with f the function across the
-// film, t the function along it and c its chord; r grad r = r (f³ / c² grad f - r grad t) / root.
+// Adds a film to the sums. With f the function across the film, t the function along it and c its
+// chord: phi² = f² + r², r = (root - t) / 2, root = sqrt(t² + f^4 / c²), and
+// r grad r = r (f³ / c² grad f - r grad t) / root.
 [[gnu::always_inline]] inline void add_film(const FilmFunctions& film,
                                             const float* xs,
                                             const float* ys,
@@ -216,7 +224,8 @@ struct SmoothSums {
     }
 }
 
-// s = S^-1/2, and grad s = s³ times the sum of phi^-4 (f grad f + r grad r).
+// Computes s = S^-1/2 from S, the sum of 1/phi². The gradient of s is s³ times the sum of
+// phi^-4 (f grad f + r grad r). If S is practically 0, the plain distance takes the place of s.
 [[gnu::always_inline]] inline void finish_sums(std::size_t count,
                                                const Distances& plain,
                                                const Distances& to) {
@@ -241,7 +250,7 @@ void PixelBatch::clear(const Vec2& middle) {
     span_count_ = 0;
 }
 
-// Fills the last lanes with the first pixel.
+// Fills the lanes after the last pixel with copies of the first pixel.
 void PixelBatch::pad() {
     std::fill_n(x_.begin() + static_cast<std::ptrdiff_t>(count_), kLanes, x_[0]);
     std::fill_n(y_.begin() + static_cast<std::ptrdiff_t>(count_), kLanes, y_[0]);

@@ -9,8 +9,8 @@
 
 namespace foam::texgen {
 
-/// A function of the plane: at the distance d from the middle of a batch it is
-/// value + gradient d - curvature / 2 d².
+/// A quadratic function of the plane. At a position d relative to the middle of a batch it is
+/// value + gradient . d - curvature / 2 d².
 struct FloatQuadratic {
     float twice_value = 0.0F;
     float x = 0.0F;  // the gradient
@@ -20,36 +20,38 @@ struct FloatQuadratic {
 
 /// The signed distance from a line.
 struct FloatLine {
-    float value = 0.0F;  // at the middle of a batch
+    float value = 0.0F;  // distance at the middle of a batch
     float x = 0.0F;      // the gradient
     float y = 0.0F;
 };
 
-/// What an arc is to the pixels of a batch: the function that is 0 on its circle, with slope 1
-/// there, and the lines that are normal to it at its ends, positive on the side of the arc.
+/// The functions of an arc, relative to the middle of a batch. `across` is 0 on the circle of the
+/// arc and has slope 1 there. The lines are normal to the arc at its ends, and positive on the side
+/// of the arc.
 struct ArcFunctions {
     FloatQuadratic across;
     FloatLine past_tail;
     FloatLine before_head;
 };
 
-/// What a film is to a smooth distance: the function across it, and the function that is 0, with
-/// slope 1, on the circle through its ends that is normal to it there, positive on the film.
+/// The functions of a film that determine smooth distances, relative to the middle of a batch.
+/// `across` is the function of its arc. `along` is 0 on the circle that is normal to the arc at
+/// both ends, has slope 1 there, and is positive on the film.
 struct FilmFunctions {
     FloatQuadratic across;
     FloatQuadratic along;
-    float chord = 0.0F;
+    float chord = 0.0F;  // length, pixels
 };
 
-/// Up to 1600 pixels of a region that are close together, and their distances, gradients and smooth
-/// distances. All arithmetic is in floats relative to the middle of the batch, where the functions
-/// of the arcs are computed in doubles: so nothing cancels, and it does not matter how far arcs
-/// reach. The result of a pixel does not depend on the other pixels of its batch.
+/// Up to 1600 pixels of a region that are close together, with their distances, gradients and
+/// smooth distances. The functions of the arcs are evaluated in doubles at the middle of the batch;
+/// all further arithmetic is in floats relative to the middle. This avoids cancellation, however
+/// large the arcs are. The result of a pixel does not depend on the other pixels of its batch.
 class PixelBatch {
   public:
     static constexpr std::size_t kCapacity = 1600;
     static constexpr std::size_t kLanes = 16;  // pixels that are measured at once
-    static constexpr double kMargin = 0.01;    // more than the error of its floats, pixels
+    static constexpr double kMargin = 0.01;    // upper bound of the error of the floats, pixels
     using Values = std::array<float, kCapacity + kLanes>;
 
     /// Adjacent pixels of a row, in the coordinates of the region's box.
@@ -62,20 +64,21 @@ class PixelBatch {
 
     /// Starts an empty batch. Precondition: the middle is at whole or half pixels.
     void clear(const Vec2& middle);
-    /// Precondition: there is capacity left.
+    /// Adds a span of pixels. Precondition: the capacity is not exceeded.
     void add_span(int column, int row, int count);
 
     const Vec2& middle() const { return middle_; }
     std::span<const Span> spans() const { return std::span(spans_).first(span_count_); }
     bool is_empty() const { return count_ == 0; }
 
-    /// Computes the distance of each pixel to the nearest of the arcs that it faces and of the
-    /// points, which are relative to the middle. Gradients are computed if they are needed. Returns
-    /// false if a pixel faces no arc and there is no point: its distance is infinite.
+    /// Computes the distance of each pixel to the nearest of the points and of the arcs that it
+    /// faces. Points are relative to the middle. `gradient` is true if gradients are needed.
+    /// Returns false if any distance is infinite, because a pixel faces no arc and there is no
+    /// point.
     bool measure(std::span<const ArcFunctions> arcs, std::span<const Vec2> points, bool gradient);
 
-    /// Computes smooth distances and their gradients. Where there is no film these are the distance
-    /// and its gradient. Precondition: gradients were computed.
+    /// Computes smooth distances and their gradients. Without films, or far from all of them, these
+    /// equal the distance and its gradient. Precondition: measure() has computed gradients.
     void measure_smooth(std::span<const FilmFunctions> films);
 
     const Values& distance() const { return distance_; }
@@ -90,12 +93,12 @@ class PixelBatch {
     std::size_t padded_count() const { return (count_ + kLanes - 1) / kLanes * kLanes; }
 
     Vec2 middle_{0.0, 0.0};
-    float first_x_ = 0.0F;  // from the center of pixel (0, 0) to the middle; exact
+    float first_x_ = 0.0F;  // exact vector from the center of pixel (0, 0) to the middle
     float first_y_ = 0.0F;
     std::size_t count_ = 0;
     std::size_t span_count_ = 0;
     std::array<Span, kCapacity> spans_;
-    alignas(64) Values x_{};  // from the middle
+    alignas(64) Values x_{};  // positions relative to the middle
     alignas(64) Values y_{};
     alignas(64) Values distance_{};
     alignas(64) Values denominator_{};
@@ -106,7 +109,8 @@ class PixelBatch {
     alignas(64) Values smooth_y_{};
 };
 
-// Writes whole vectors, the last of which may be too long: the next span overwrites the rest.
+// Writes whole vectors. The last one may extend beyond the span; the next span overwrites the
+// excess.
 inline void PixelBatch::add_span(int column, int row, int count) {
     const auto size = static_cast<std::uint32_t>(count);
     spans_[span_count_++] = {column, row, static_cast<std::uint32_t>(count_), size};

@@ -13,10 +13,16 @@ namespace foam::texgen {
 
 namespace {
 
+// Each arc is oriented upwards, and its crossing with the middle of every row between its ends is
+// computed (CrossingSolver). The crossing, rounded to a subpixel, determines the first column on
+// its right, from which on the pixels of the row are flipped. An arc whose tangent is horizontal
+// somewhere is first split into monotone pieces. Rounding depends only on the film, never on the
+// side, so two neighboring regions compute the same crossings.
+
 constexpr std::size_t kLanes = ArcLanes::kLanes;
-constexpr int kRows = 8;  // that are crossed at once
+constexpr int kRows = 8;  // number of rows whose crossings are computed at once
 using Lanes = ArcLanes::Lanes<double>;
-constexpr double kWhole = 0x1p52;  // adding it rounds a double to a whole number
+constexpr double kWhole = 0x1p52;  // the sum with a smaller double is rounded to a whole number
 constexpr double kHalf = 0.5 * kSubpixel;
 
 constexpr std::array<double, kRows> kRowSteps = [] {
@@ -27,15 +33,19 @@ constexpr std::array<double, kRows> kRowSteps = [] {
     return steps;
 }();
 
-// Returns the first column whose middle is at or to the right of an x in [0, 2^31), a whole number.
+// Returns the first column whose middle is at or to the right of x, in subpixels. Precondition: x
+// is a whole number in [0, 2^31).
 [[gnu::always_inline]] inline std::uint64_t first_column_from(double x) {
     return std::bit_cast<std::uint64_t>((x - 0.5) / kSubpixel + kWhole) -
            std::bit_cast<std::uint64_t>(kWhole);
 }
 
-// Added before a crossing is rounded down.
+// The number that is added to a crossing before it is rounded down. kToNearest rounds to the
+// nearest subpixel. kUp rounds up, which decides as the exact crossing does, because the middles of
+// pixels are at whole subpixels. The difference of kUp from 1 is below the smallest fractional part
+// that the crossing of an edge can have.
 constexpr double kToNearest = 0.5;
-constexpr double kUp = 1.0 - 0x1p-27;  // a crossing of an edge is a fraction of its height
+constexpr double kUp = 1.0 - 0x1p-27;
 
 // The words of a mask.
 struct MaskWords {
@@ -43,15 +53,16 @@ struct MaskWords {
     std::size_t stride;
     std::size_t word_columns;
     PixelRows rows;
-    int columns;  // pixels
-    double round_up;
+    int columns;      // pixels
+    double round_up;  // kToNearest or kUp
 };
 
-// Arcs that go up and are nowhere horizontal, in subpixels, with the rows whose middles they cross.
+// Eight arcs that go up and are nowhere horizontal, in subpixels, and the range of rows whose
+// middles they cross.
 struct alignas(64) RisingArcs {
     Lanes low_x, low_y, half_x, half_y, sine, bulge, across, up;
     Lanes first, last;
-    Lanes other;  // not 0 if the tangent is horizontal somewhere; such an arc has no rows
+    Lanes other;  // not 0 if the tangent is horizontal somewhere; the range of rows is then empty
 
     [[gnu::always_inline]] CrossingSolver<double> arc(std::size_t k) const {
         return CrossingSolver<double>({half_x[k], half_y[k], sine[k], bulge[k], across[k], up[k]});
@@ -65,7 +76,7 @@ struct alignas(64) RisingArcs {
                      static_cast<double>(rows.end));
 }
 
-// Turns the arcs of an outline, moved by (x, y), so that they go up.
+// Orients eight arcs of an outline, moved by (x, y), so that they go up.
 [[gnu::always_inline]] inline void turn_up(
     const Boundary::Outline& arcs, double x, double y, PixelRows rows, RisingArcs& rising) {
 #pragma GCC unroll 1  // unrolled, it would not be vectorized
@@ -108,8 +119,8 @@ struct alignas(64) RisingArcs {
     }
 }
 
-// Flips the pixels to the right of an arc. Words of rows beyond the last that it crosses are
-// written, but do not change.
+// Flips the pixels to the right of an arc in the rows [first, last). Rows are processed in groups;
+// words of a group beyond `last` are written back unchanged.
 [[gnu::always_inline]] inline void flip_right_of_arc(const CrossingSolver<double>& rising,
                                                      double low_x,
                                                      double low_y,
@@ -131,7 +142,7 @@ struct alignas(64) RisingArcs {
     }
     const double end = last * kSubpixel + kHalf - low_y;
     int row = first;
-    do {  // mostly once, even if there is no row: which arcs have some is unpredictable
+    do {  // at least once, because a branch on an empty range would be unpredictable
         const double y = row * kSubpixel + kHalf - low_y;
         std::uint64_t* const word = mask.words + (row - mask.rows.begin);
 #pragma GCC unroll 1  // unrolled, it would not be vectorized
@@ -144,8 +155,9 @@ struct alignas(64) RisingArcs {
     } while (row < last);
 }
 
-// Flips the pixels to the right of an arc that goes up and down, piece by piece: from the lower end
-// on, or from the left one, so that both sides of a film have the same pieces.
+// Flips the pixels to the right of an arc that goes both up and down, piece by piece. The arc is
+// split from its lower end on, or from its left end if it is level, so that both sides of a film
+// have the same pieces.
 void flip_right_of_pieces(
     const Vec2& from, const Vec2& to, double cosine, double sine, const MaskWords& mask) {
     const Vec2 ahead = to - from;

@@ -10,18 +10,18 @@ namespace foam::texgen {
 enum class RegionKind {
     Bubble,
     Circle,        // a lone bubble; its boundary is a circle of two arcs
-    Surroundings,  // of a patch; unbounded, and without smooth distances of its own
+    Surroundings,  // the surroundings of a patch; unbounded, smooth distances equal distances
 };
 
-/// A region of the plane whose pixels have one id. Positions are in the unshifted grid. On a torus
-/// the region is unwrapped: it may leave the grid by several periods.
+/// A region of the plane whose pixels have the same id. Positions are in the unshifted grid. On a
+/// torus the region is unwrapped: it may extend beyond the grid by several periods.
 struct Region {
     std::uint32_t id = 0;  // as in DistanceField
     RegionKind kind = RegionKind::Bubble;
-    bool is_chain = false;  // the outline is of straight edges, whose crossings are not rounded
-    SubpixelPoint first;    // the tail of its first side
-    SubpixelPoint lowest;   // of a box around it, in subpixels
-    SubpixelPoint highest;
+    bool is_chain = false;  // true if the outline has straight edges, whose crossings are exact
+    SubpixelPoint first;    // the tail of the first side; torus only
+    SubpixelPoint lowest;   // lower left corner of a box around the region, in subpixels
+    SubpixelPoint highest;  // upper right corner
     Boundary boundary;
 };
 
@@ -44,7 +44,7 @@ struct PixelBox {
     bool is_within(PixelRows rows) const { return bottom >= rows.begin && top <= rows.end; }
 };
 
-/// Returns the pixels that a region moved by a translation may cover.
+/// Returns a box of the pixels that a region, moved by a translation, may cover.
 inline PixelBox box_around(const Region& region, SubpixelPoint translation) {
     const SubpixelPoint low = region.lowest + translation;
     const SubpixelPoint high = region.highest + translation;

@@ -9,13 +9,19 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr double kTileReach = 8.276472678623424;  // sqrt(7.5² + 3.5²), to the farthest pixel center
-constexpr int kSmall = 40;                        // columns and rows of a region that is one batch
-constexpr std::size_t kFewSides = 24;             // of which every batch looks at each
-// A film adds less than 1e-8 to a smooth distance, and its functions may leave the range of floats,
-// if its chord is shorter than this part of its distance.
+// Arcs are culled by distance. Let d be the distance from the middle of a batch to the nearest arc
+// that it faces, and r the reach, the distance to the farthest pixel. An arc that is farther from
+// the middle than d + 2 r is not the nearest one of any pixel (ArcView::horizon). The same test at
+// the middle of a block of tiles narrows the arcs for all its parts.
+
+// sqrt(7.5² + 3.5²), the distance from the middle of a tile to its farthest pixel center.
+constexpr double kTileReach = 8.276472678623424;
+constexpr int kSmall = 40;             // largest number of columns and rows of a one-batch region
+constexpr std::size_t kFewSides = 24;  // up to this number, every batch tests all sides
+// A film whose chord is shorter than this fraction of its distance is ignored in smooth distances.
+// It would add less than 1e-8, and its functions could leave the range of floats.
 constexpr double kLeastChord = 1e-4;
-constexpr float kNowhere = 1e15F;  // where the film of a circle ends
+constexpr float kNowhere = 1e15F;  // value of `along` for a circle, whose film has no end
 
 }  // namespace
 
@@ -53,8 +59,9 @@ void RegionField::measure_at_once(const PixelMask& mask, int rows) {
     measure_batch(region_->boundary.arcs(), 0.5 * Vec2(mask.columns(), rows).norm());
 }
 
-// Measures a block if it has few arcs near or is a single tile. Otherwise its arcs are narrowed to
-// those that may be nearest to its pixels, and its quarters follow.
+// Measures a block of tiles. If the block is a single tile or has few arcs, its tiles are measured.
+// Otherwise the arcs are narrowed to those that may be nearest to a pixel of the block, and the
+// quarters of the block are processed recursively.
 void RegionField::halve(const PixelMask& mask,
                         const ArcLanes& arcs,
                         Block block,
@@ -101,7 +108,7 @@ void RegionField::measure_tiles(const PixelMask& mask, const ArcLanes& arcs, Blo
     }
 }
 
-// Makes the pixels of a tile the batch.
+// Fills the batch with the pixels of a tile.
 void RegionField::take_tile(const PixelMask& mask, int x, int y) {
     constexpr int kTilesPerWord = PixelMask::kWordColumns / kTileColumns;
     const int column = x * kTileColumns;
@@ -116,7 +123,8 @@ void RegionField::take_tile(const PixelMask& mask, int x, int y) {
     }
 }
 
-// `reach` is at least the distance from the middle of the batch to its farthest pixel.
+// Measures the batch and passes it to the visitor. Precondition: `reach` is at least the distance
+// from the middle of the batch to its farthest pixel.
 void RegionField::measure_batch(const ArcLanes& arcs, double reach) {
     if (batch_.is_empty()) {
         return;
@@ -126,7 +134,7 @@ void RegionField::measure_batch(const ArcLanes& arcs, double reach) {
     const double horizon = view_.horizon(reach);
     grow(functions_, arcs.size());
     points_.clear();
-    std::size_t count = 0;  // no branch: which arcs are near is unpredictable
+    std::size_t count = 0;  // counts without a branch, which would be unpredictable
     for (std::size_t k = 0; k < arcs.size(); ++k) {
         functions_[count] = view_.functions(k);
         count += view_.is_within(k, horizon) ? 1U : 0U;
@@ -138,7 +146,8 @@ void RegionField::measure_batch(const ArcLanes& arcs, double reach) {
     }
     const std::span<const ArcFunctions> near = std::span(functions_).first(count);
     const bool gradient = needs_.gradient || needs_.smooth;
-    if (!batch_.measure(near, points_, gradient)) {  // slightly outside of a sharp corner
+    // A pixel slightly outside of a sharp corner may face no arc; then the ends of all arcs count.
+    if (!batch_.measure(near, points_, gradient)) {
         for (std::size_t k = 0; k < arcs.size(); ++k) {
             points_.push_back(arcs.tail(k) + to_batch);
             points_.push_back(arcs.head(k) + to_batch);

@@ -15,26 +15,26 @@
 
 namespace foam::texgen {
 
-/// Measures the pixels of regions in batches: the pixels of a small region at once, those of other
-/// regions by tiles. The arcs that may be nearest to a tile are found by halving a region with many
-/// sides again and again; sides that are too far from a part are dropped. The memory is reused from
-/// one region to the next.
+/// Measures the pixels of regions in batches. A small region is one batch; other regions are
+/// divided into tiles. A region with many sides is subdivided recursively, as in a quadtree, and
+/// arcs that are too far from a part to be the nearest one are dropped. Buffers are reused between
+/// regions.
 class RegionField {
   public:
     static constexpr int kTileColumns = 16;  // pixels
     static constexpr int kTileRows = 8;
     using Visit = std::function<void(const PixelBatch&)>;
 
-    /// Calls visit(batch) for batches of all pixels of a region, measured.
+    /// Measures all pixels of a region and calls visit(batch) for each batch.
     void measure(const Region& region,
                  const RegionPixels& pixels,
                  DistanceNeeds needs,
                  const Visit& visit);
 
   private:
-    // A square of tiles.
+    // A block of tiles, with as many rows as columns of tiles.
     struct Block {
-        int x;  // tiles
+        int x;  // position of the first tile, in tiles
         int y;
         int tiles;  // along a side, a power of two
     };
@@ -49,8 +49,8 @@ class RegionField {
     DistanceNeeds needs_;
     const Visit* visit_ = nullptr;
     const Region* region_ = nullptr;
-    Vec2 offset_{0.0, 0.0};      // from the region to its pixels
-    std::deque<ArcLanes> near_;  // to a part of the region, to a part of that ...
+    Vec2 offset_{0.0, 0.0};      // translation from the region to the pixels of its box
+    std::deque<ArcLanes> near_;  // the remaining arcs at each level of the recursion
     ArcView view_;
     std::vector<ArcFunctions> functions_;
     std::vector<Vec2> points_;

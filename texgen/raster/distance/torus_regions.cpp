@@ -9,6 +9,12 @@ namespace foam::texgen {
 
 namespace {
 
+// Films are not contiguous along the outline of a bubble, so tracing one bubble stalls on a cache
+// miss at every side. Up to 16 bubbles are therefore traced in lockstep: the next film of each
+// bubble is prefetched while the others advance. A film, including the index of the side that
+// follows, fits into one cache line. Bubbles are sorted by squares of the grid, so that bubbles
+// that are traced together write pixels that are close together.
+
 constexpr std::size_t kStartsPerTask = 2048;
 
 SubpixelPoint whole(const Vec2& subpixels) {
@@ -19,8 +25,8 @@ Vec2 real(SubpixelPoint point) {
     return Vec2(point.x, point.y);
 }
 
-// Returns the row or column of the square that holds a position. A position at the far border
-// belongs to the first square, where its copy is.
+// Returns the row or column of the square that contains a position. A position on the far border of
+// the grid belongs to the first square, where its copy is.
 std::size_t square_of(std::int32_t position, int pixels) {
     const int pixel = pixel_of(position);
     return static_cast<std::size_t>(pixel < pixels ? pixel / TorusRegions::kSquare : 0);
@@ -61,7 +67,8 @@ std::unique_ptr<TorusRegions::Film[]> TorusRegions::films(int threads) const {
     return films;
 }
 
-// Loops are short, so that the processor overlaps their cache misses.
+// Returns the starts of all bubbles, sorted by squares. Two short loops let the processor overlap
+// the cache misses of successive iterations.
 Buckets<TorusRegions::Start> TorusRegions::sorted_starts(int threads) const {
     const Network& network = pixels_.frame.network;
     const RasterGrid& grid = pixels_.grid;
@@ -99,7 +106,7 @@ std::span<const TorusRegions::Start> TorusRegions::starts(int first, int rows) c
 inline void TorusRegions::advance(Walk& walk) const {
     const Film& film = films_[index_of(film_of(walk.side))];
     const std::size_t end = index_of(walk.side) % 2;
-    const int along = 1 - 2 * static_cast<int>(end);  // no branch: the side is unpredictable
+    const int along = 1 - 2 * static_cast<int>(end);  // no branch, it would be unpredictable
     const PixelArc shape{
         {along * film.chord_x, along * film.chord_y}, film.cosine, along * film.sine};
     const SubpixelPoint from = SubpixelPoint{film.tail_x[end], film.tail_y[end]} + walk.lift;
