@@ -10,25 +10,27 @@
 
 namespace foam::texgen {
 
-/// The rows of an image, divided into bands, and the arcs that reach into each band, shifted by the
-/// grid and wrapped around the torus. Within a band arcs are sorted by tiles from left to right, so
-/// that the sums that one of them adds to are mostly cached for the next.
+/// The rows of an image, divided into bands, and the arcs that overlap each band. Arcs are shifted
+/// as the grid requires and wrapped around the torus. Within a band, arcs are sorted by tiles from
+/// left to right, so that the sums to which an arc adds are mostly cached for the next arc.
 class ArcBands {
   public:
-    /// A copy of an arc: shifted, and on a torus moved up or down by whole periods. Its y is
+    /// A copy of an arc, shifted, and on a torus moved up or down by whole periods. Its y is
     /// relative to row 0 of the image.
     struct Entry {
         const MonotoneArc* arc = nullptr;
         SubpixelPoint translation;
     };
 
-    /// Borrows the arcs. `rows_per_band` is rounded up to a power of two. The result is the same
-    /// for any number of threads.
+    /// Sorts the arcs, which are borrowed. `rows_per_band` is rounded up to a power of two. The
+    /// result is the same for any number of threads.
     ArcBands(const CellArcs& cells, int rows_per_band, int threads);
 
+    /// Returns the number of bands.
     int count() const { return ((grid_.height - 1) >> row_bits_) + 1; }
     int first_row(int band) const { return band << row_bits_; }
     int row_count(int band) const;
+    /// Returns the copies of arcs that overlap a band, sorted by tiles.
     std::span<const Entry> entries(int band) const {
         const std::size_t first = static_cast<std::size_t>(band) * tiles_;
         return entries_.of(first, first + tiles_);
@@ -37,9 +39,11 @@ class ArcBands {
   private:
     using Batches = std::span<const std::vector<MonotoneArc>>;
 
-    // Calls visit(entry, tile) for all copies of the arcs; tiles are numbered through all bands.
+    // Calls visit(entry, tile) for each copy of an arc and each band that it overlaps. Tiles are
+    // numbered consecutively through all bands.
     template <class Visit>
     void visit_tiles(Batches batches, const Visit& visit) const;
+    // Both call visit(entry, band): for all copies of all arcs, and for one copy.
     template <class Visit>
     void visit_copies(Batches batches, const Visit& visit) const;
     template <class Visit>
@@ -49,8 +53,8 @@ class ArcBands {
     RasterGrid grid_;
     std::int32_t shear_;
     int row_bits_;
-    std::size_t tiles_;       // of a band
-    Buckets<Entry> entries_;  // by the tiles of all bands
+    std::size_t tiles_;       // tiles per band
+    Buckets<Entry> entries_;  // one bucket per tile of all bands
 };
 
 }  // namespace foam::texgen

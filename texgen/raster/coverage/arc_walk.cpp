@@ -12,7 +12,14 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr std::size_t kLanes = 16;  // parts measured at once
+// An arc is split in stages: the crossings with borders of rows are computed, then the crossings
+// with borders of columns. Both sequences are then merged by position: the index of a crossing in
+// the merged sequence is its own index plus the number of crossings of the other kind before it.
+// That number is known without comparing crossings, so the merge has no unpredictable branches.
+// Finally the area to the left of each part is computed from its chord and the circular segment
+// beyond it.
+
+constexpr std::size_t kLanes = 16;  // number of parts that are measured at once
 
 }  // namespace
 
@@ -41,7 +48,7 @@ void ArcWalk::add(const MonotoneArc& arc, SubpixelPoint translation) {
                          k == 0 ? 0 : row_crossings_[k - 1].end()};
 }
 
-// Does one stage for all arcs before the next, so that their square roots overlap.
+// Completes each stage for all arcs before the next stage, so that their square roots overlap.
 void ArcWalk::split() {
     if (size_ == 0) {
         return;
@@ -65,7 +72,7 @@ void ArcWalk::split() {
     measure_parts();
 }
 
-// Finds which borders between columns an arc crosses.
+// Determines which borders between columns an arc crosses.
 void ArcWalk::find_columns(std::size_t k) {
     Arc& arc = arcs_[k];
     const ArcCrossings& rows = row_crossings_[k];
@@ -90,11 +97,11 @@ void ArcWalk::find_columns(std::size_t k) {
     arc.first_part = k == 0 ? 0 : arcs_[k - 1].first_part + arcs_[k - 1].parts + 1;
 }
 
-// Stores where an arc leaves each row, and leaves room for the borders between columns that it has
-// crossed before: no branch depends on which comes first. Rounding may have taken a step back,
-// which the minimum and maximum undo.
+// Stores the points at which an arc leaves each row. Each point is stored behind the slots for the
+// crossings of columns that come before it, so that no branch depends on their order. Minimum and
+// maximum keep x increasing in spite of rounding.
 void ArcWalk::place_rows(std::size_t k) {
-    const Arc arc = arcs_[k];  // a copy, which no point changes
+    const Arc arc = arcs_[k];  // a copy, which the stores below cannot alias
     const ArcCrossings& rows = row_crossings_[k];
     const std::int32_t* xs = &xs_[rows.position];
     const std::int32_t first_column = column_of(arc, arc.from.x);
@@ -118,7 +125,8 @@ void ArcWalk::place_rows(std::size_t k) {
     }
 }
 
-// Stores the crossings of borders between columns in that room, each within its row.
+// Stores the crossings with borders between columns in the slots that place_rows left free. Each
+// crossing is clamped to its row.
 void ArcWalk::place_columns(std::size_t k) {
     const Arc& arc = arcs_[k];
     const ArcCrossings& columns = column_crossings_[k];
@@ -139,9 +147,10 @@ void ArcWalk::place_columns(std::size_t k) {
     rows_left[count] = 0;
 }
 
-// The area to the left of a chord is a whole number that a float holds; the arc bulges beyond it.
-// The middle of a part tells its pixel, except where it has no height and adds nothing to any row.
-// Elements beyond the parts of an arc fill the last vector; they have no size.
+// Computes the parts of all arcs. The area to the left of a part's chord is a whole number that a
+// float represents exactly; the circular segment between chord and arc is added to it. The middle
+// of a part determines its pixel. A part without height may get another pixel, but adds nothing
+// there. Elements beyond the parts of an arc fill the last vector and have no size.
 void ArcWalk::measure_parts() {
     at_simd_level([arcs = std::span(arcs_).first(size_),
                    last_row = rows_ - 1,
@@ -159,7 +168,7 @@ inline void ArcWalk::measure_arc(const Arc& arc,
                                  const std::int32_t* __restrict xs,
                                  const std::int32_t* __restrict ys,
                                  Part* __restrict parts) {
-    constexpr float kHalf = 0.5F;  // makes truncation the nearest
+    constexpr float kHalf = 0.5F;  // added before truncation, which rounds to the nearest
     const std::int32_t sign = arc.sign;
     const float half_curvature = arc.half_curvature;
     const std::size_t end = arc.first_part + arc.parts;

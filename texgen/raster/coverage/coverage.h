@@ -14,37 +14,40 @@
 
 namespace foam::texgen {
 
-/// Bits of the area of a pixel. Areas are in half squares of a subpixel.
+/// The area of a pixel is 2^kAreaBits. The unit of areas is half a square subpixel.
 inline constexpr int kAreaBits = 2 * kSubpixelBits + 1;
 
+/// The largest value of a mean.
 inline constexpr std::int32_t kLargestMean = std::numeric_limits<std::uint16_t>::max();
 
-/// Sums of 16-bit values times areas, per channel, in doubles, which are exact below 2^53. Channels
-/// are rounded up to a power of two, with unused ones 0, so that they are vectorized.
+/// Sums of 16-bit values times areas, per channel. They are stored as doubles, which are exact for
+/// integers below 2^53. The number of channels is rounded up to a power of two, so that they are
+/// vectorized; unused channels are 0.
 template <std::size_t Channels>
 struct ExactSums {
     using Number = double;
     using Sum = std::array<Number, std::bit_ceil(Channels)>;
 
-    static constexpr double kPixel = std::int64_t{1} << kAreaBits;  // of coverage 1
+    static constexpr double kPixel = std::int64_t{1} << kAreaBits;  // area of a pixel
 
     static Number of_area(std::int32_t area) { return area; }
     static Number of_value(std::int32_t value) { return value; }
-    /// Returns what a row begins with if the value is `base` everywhere.
+    /// Returns the sum at the start of a row whose value is `base` everywhere.
     static Number start(std::int32_t base) { return base * kPixel; }
 
-    /// Returns sum / kPixel, rounded to the nearest. Clamped to the range of values, as arcs of an
-    /// invalid foam may overlap.
+    /// Returns sum / kPixel, rounded to the nearest. The result is clamped to the range of values,
+    /// because arcs of an invalid foam may overlap.
     static std::int32_t mean(Number sum) {
-        constexpr double kHalf = 0.5;  // makes truncation the nearest
+        constexpr double kHalf = 0.5;  // added before truncation, which rounds to the nearest
         const auto mean = static_cast<std::int32_t>(sum * (1.0 / kPixel) + kHalf);
         return std::min(std::max(mean, 0), kLargestMean);
     }
 };
 
-/// Sums of areas rounded to 2^-15 pixel, in 32 bits, for means that become 8 bits. Sums wrap
-/// around; values are counted from the middle of their range, which leaves half a range beyond
-/// either end.
+/// Sums of values times areas that are rounded to 2^-15 pixel, in integers of 32 bits, for images
+/// of 8 bits. Unsigned arithmetic wraps around, so that intermediate overflows do no harm. Values
+/// are counted from the middle of their range; this leaves room for means that exceed the range by
+/// up to half its size on either side, and are then clamped.
 template <std::size_t Channels>
 struct SmallSums {
     using Number = std::uint32_t;
@@ -53,7 +56,8 @@ struct SmallSums {
     static constexpr int kPixelBits = 15;
     static constexpr std::int32_t kMiddle = 1 << 15;
 
-    /// Areas of whole heights are exact.
+    /// Rounds an area to 2^-15 pixel. ArcWalk::Part::whole is a multiple of this unit, and so stays
+    /// exact.
     static Number of_area(std::int32_t area) {
         constexpr int kDropped = kAreaBits - kPixelBits;
         return static_cast<Number>((area + (1 << (kDropped - 1))) >> kDropped);
@@ -70,55 +74,58 @@ struct SmallSums {
     }
 };
 
-/// A row of pixels goes around a torus, or ends on both sides.
+/// The topology of a row of pixels: a ring around a torus, or a line that ends on both sides.
 enum class RowKind { Ring, Line };
 
-/// The sums along a row, in spans of one sum each. Its arrays only grow.
+/// The sums along a row, as spans of pixels with equal sums. Only the first `count` spans are
+/// valid; the arrays never shrink.
 template <class Sum>
 struct RowSums {
     std::size_t count = 0;
-    std::vector<std::uint16_t> begins;  // where each span begins, and the width of the row
+    std::vector<std::uint16_t> begins;  // the first pixel of each span, and the width of the row
     std::vector<Sum> sums;
 };
 
-/// Accumulates signed areas: adds up arcs, each with the values on its sides per channel, over a
-/// band of rows, so that a pixel ends with the sum of value times covered area.
+/// Accumulates signed areas over a band of rows. Each arc is added with the values on its two
+/// sides, per channel. The result for a pixel is the sum of value times covered area.
 ///
-/// Along a row, an arc adds its part of a pixel to that pixel and its height to all pixels on its
-/// right. So the band holds differences from pixel to pixel, and a running sum along the row turns
-/// them into values. Around the torus a row has no end, and the sum to the right of an arc would go
-/// around forever. But the heights of each bubble's closed outline cancel in every row, so that
-/// only differences of periods count: an arc that lies k periods to the right of the band subtracts
-/// its height k times from the row's start. In the plane, an arc to the left of the row adds its
-/// height to the whole row, and one to the right nothing.
+/// Along a row, an arc adds its part of a pixel to that pixel, and its height to all pixels on its
+/// right. The band therefore stores differences from pixel to pixel, and a running sum along the
+/// row turns them into values.
 ///
-/// All sums are of integers and exact, so that they do not depend on the order of the arcs. `Sums`
-/// says how they are stored.
+/// On a torus a row is a ring, so that "to the right" has no end. The heights of each bubble's
+/// closed outline cancel in every row, however, so that only differences of periods matter: an arc
+/// that is k periods to the right of the band subtracts its height k times from the start of the
+/// row. In the plane, an arc to the left of the row adds its height to the whole row, and an arc to
+/// the right of the row adds nothing.
+///
+/// All sums are exact sums of integers, so that they do not depend on the order of the arcs. `Sums`
+/// (ExactSums or SmallSums) determines how they are stored.
 template <class Sums>
 class Coverage {
   public:
     using Sum = typename Sums::Sum;
 
-    /// What an arc adds to a row: the value on its right minus the value on its left, and the same
-    /// with each value times the periods of its side.
+    /// The change of values from the left of an arc to its right.
     struct Step {
-        Sum across{};
-        Sum around{};
-        bool goes_around = false;  // `around` is not 0
+        Sum across{};              // value on the right minus value on the left
+        Sum around{};              // the difference of the values times the periods of their sides
+        bool goes_around = false;  // true if `around` may not be 0
     };
 
-    /// Begins with all differences zero. Width and rows are in pixels.
+    /// Creates a band whose differences are all zero. Width and rows are in pixels.
     Coverage(int width, int rows, RowKind kind = RowKind::Ring);
 
-    /// Adds an arc, whose y is relative to the lower end of the band; the parts above and below the
-    /// band are left out. Arcs are split in batches: the last ones wait for finish().
+    /// Adds an arc, moved by a translation. Its y is relative to the lower border of the band;
+    /// parts above and below the band are ignored. Arcs are split in batches, so the last arcs are
+    /// pending until finish() is called.
     void add(const MonotoneArc& arc, SubpixelPoint translation, const Step& step);
 
-    /// Adds the arcs that are still waiting.
+    /// Adds all pending arcs.
     void finish();
 
-    /// Computes the sums along a row from left to right, `start` plus what arcs added, and clears
-    /// the row.
+    /// Computes the sums along a row from left to right, which is `start` plus the contributions of
+    /// arcs, and clears the row. Precondition: no arc is pending.
     void take_row(int row, const Sum& start, RowSums<Sum>& sums);
 
   private:
@@ -133,14 +140,15 @@ class Coverage {
 
     int width_;
     RowKind kind_;
-    std::size_t
-        stride_;         // pixels between rows; one beyond the width takes what leaves on the right
-    std::size_t words_;  // of 64 flags, per row
+    std::size_t stride_;  // pixels between rows; one pixel beyond the width receives what an arc
+                          // adds to the right of the last pixel
+    std::size_t words_;  // words of 64 flags per row
     std::vector<Sum> differences_;
-    std::vector<std::uint64_t> touched_;  // a bit per pixel whose difference may not be zero
+    std::vector<std::uint64_t>
+        touched_;  // one bit per pixel, set if its difference may not be zero
     ArcWalk walk_;
-    std::array<Step, ArcWalk::kMaxArcs> steps_;  // of its arcs
-    std::vector<Sum> starts_;                    // what the running sum of a row begins with
+    std::array<Step, ArcWalk::kMaxArcs> steps_;  // the steps of the pending arcs
+    std::vector<Sum> starts_;                    // added to the start of each row's running sum
 };
 
 extern template class Coverage<ExactSums<1>>;

@@ -17,10 +17,16 @@ namespace foam::texgen {
 
 namespace {
 
-// Bytes of sums per band. Few of them are touched: cutting arcs at bands costs more than cache
-// misses (README).
+// The image is filled in bands of rows, in parallel. For each band, the arcs that overlap it are
+// added to a Coverage, which accumulates signed areas; a running sum along each row gives the value
+// of every pixel, and only the spans between arcs are written. All bubbles and films are summed in
+// one pass: films are the background, and each arc adds the difference of the values on its two
+// sides.
+
+// Bytes of sums per band. Few of them are touched, so cache misses cost less than splitting arcs at
+// the borders of more bands (README).
 constexpr std::size_t kBandBytes = std::size_t{1} << 21;
-constexpr std::size_t kAhead = 6;  // arcs are not contiguous: how many ahead to prefetch
+constexpr std::size_t kAhead = 6;  // prefetch distance in arcs, which are not contiguous
 constexpr int kMinRows = 4;
 constexpr int kMaxRows = 64;
 
@@ -55,7 +61,7 @@ void check(const CellArcs& cells, const CellValues& values, ImageView<Sample> im
     }
 }
 
-// Fills an image of `Channels` channels; ToSamples computes the samples of a pixel from its sums.
+// Fills an image of `Channels` channels. ToSamples computes the samples of a pixel from its sums.
 template <class Sums, std::size_t Channels, class Sample, class ToSamples>
 class Filler {
   public:
@@ -74,7 +80,7 @@ class Filler {
           bands_(
               cells, rows_per_band(image.width(), sizeof(typename BandCoverage::Sum)), threads_) {}
 
-    // Each worker allocates one buffer for all its bands.
+    // Fills all bands in parallel. Each worker allocates its buffers once for all its bands.
     void fill() const {
         const int workers = std::min(threads_, bands_.count());
         std::vector<std::optional<Worker>> all(static_cast<std::size_t>(workers));
@@ -130,8 +136,8 @@ class Filler {
                                                         Channels);
     }
 
-    // Returns the value of a pixel that no outline touches. In a patch that is the ghost's; its
-    // outlines subtract it elsewhere.
+    // Returns the value of pixels before any arc is added: on a torus the value of films, in a
+    // patch the value of the ghost bubble, which the outlines of the foam subtract inside it.
     std::span<const std::uint16_t, Channels> base() const {
         return cells_.outside ? value_of(*cells_.outside)
                               : std::span(values_.film).template first<Channels>();
@@ -145,7 +151,7 @@ class Filler {
         return start;
     }
 
-    // Returns the value of a side minus the value of films, which is under everything.
+    // Returns the value of a side minus the value of films, which are the background.
     typename BandCoverage::Sum over_film(std::uint32_t side) const {
         typename BandCoverage::Sum value{};
         if (side != kFilmSide) {

@@ -13,13 +13,14 @@ std::uint64_t in_memory(std::uint64_t word) {
     return std::endian::native == std::endian::little ? word : __builtin_bswap64(word);
 }
 
-// Pixels are repeated until they fill a word, or 6 bytes of it if they have 3 or 6. From the
-// latter, each word of a block takes the bytes from one on and continues with the first.
+// The pattern of a block of equal pixels. A pixel is repeated until it fills a word of 8 bytes, or
+// 6 bytes of a word if the pixel has 3 or 6 bytes. In the second case each word of a block starts
+// at another byte of the pattern; it is composed of two shifted copies of the pattern.
 template <std::size_t PixelBytes>
 struct Repetition {
     static constexpr std::size_t kBytes = 8 % PixelBytes == 0 ? 8 : 6;
 
-    std::array<std::uint64_t, kWords> right{};  // bits by which words are shifted
+    std::array<std::uint64_t, kWords> right{};  // shifts of the pattern for each word, in bits
     std::array<std::uint64_t, kWords> left{};
 
     constexpr Repetition() {
@@ -51,8 +52,8 @@ inline void store_block(std::uint64_t pixel, std::uint8_t* to) {
 
 }  // namespace
 
-// Most spans are shorter than a block. What a block has too much is overwritten by the next one,
-// which avoids a branch that is hard to predict.
+// Most spans are shorter than a block. The excess of a block is overwritten by the next one, which
+// avoids an unpredictable branch per span.
 template <std::size_t PixelBytes>
 void paint_spans(std::span<const std::uint16_t> begins,
                  const std::uint64_t* pixels,

@@ -12,33 +12,34 @@
 
 namespace foam::texgen {
 
-/// How many bytes paint_spans may write beyond the end of a row.
+/// The number of bytes that paint_spans may write beyond the end of a row.
 inline constexpr std::size_t kBlockBytes = 128;
 
-/// Writes a row of pixels of 1, 2, 3, 4, 6 or 8 bytes in spans of one value each. Span k covers the
-/// pixels from begins[k] to begins[k + 1] and has the value pixels[k], whose bytes are in the order
-/// of memory from the lowest on.
+/// Writes a row of pixels of 1, 2, 3, 4, 6 or 8 bytes as spans of equal pixels. Span k covers the
+/// pixels [begins[k], begins[k + 1]), and pixels[k] contains the bytes of each pixel: the first
+/// byte in memory is the lowest one. May write up to kBlockBytes beyond the end of the row.
 template <std::size_t PixelBytes>
 void paint_spans(std::span<const std::uint16_t> begins,
                  const std::uint64_t* pixels,
                  std::uint8_t* row);
 
-/// Turns the sums along a row into samples: to_samples(sums, pixels) computes the pixel of each
-/// sum, of `Channels` samples. Buffers are reused between rows.
+/// Turns the sums along a row into samples and writes them. to_samples(sums, pixels) computes one
+/// pixel of `Channels` samples from each sum. Buffers are reused between rows.
 template <class Sums, std::size_t Channels, class Sample, class ToSamples>
 class RowWriter {
   public:
     explicit RowWriter(const ToSamples& to_samples) : to_samples_(to_samples) {}
 
-    /// Prefetches a row before its sums are taken. Stores would wait for its cache lines one by
-    /// one.
+    /// Prefetches a row before its sums are computed. Without it, stores stall on the cache misses
+    /// one after the other.
     void prefetch(std::span<const Sample> row) const {
         for (std::size_t k = 0; k < row.size(); k += kLineBytes / sizeof(Sample)) {
             __builtin_prefetch(&row[k], 1);
         }
     }
 
-    /// Writes a row of `width` pixels at the start of `room`; the rest of it may be overwritten.
+    /// Writes a row of `width` pixels to the start of `room`. The rest of `room` may be
+    /// overwritten.
     void write(const RowSums<typename Sums::Sum>& sums, std::size_t width, std::span<Sample> room) {
         grow(pixels_, sums.count);
         to_samples_(std::span(sums.sums).first(sums.count), pixels_.data());
