@@ -6,13 +6,13 @@ namespace foam::texgen {
 
 namespace {
 
-// Finds crossing(arc, position) for all positions of a query.
+// Computes crossing(arc, position) for all positions of a query.
 template <class Real, class Crossing>
 inline void find_of(const CrossingSolver<Real>& equation,
                     const ArcCrossings& crossings,
                     const Crossing& crossing,
                     std::int32_t* to) {
-    const CrossingSolver<Real> arc = equation;  // a copy, which no store changes
+    const CrossingSolver<Real> arc = equation;  // a copy, which the stores below cannot alias
     const std::int32_t step = crossings.step;
     const std::int32_t offset = crossings.offset;
     const std::int32_t sign = crossings.sign;

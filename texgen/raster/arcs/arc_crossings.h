@@ -11,29 +11,30 @@
 
 namespace foam::texgen {
 
-/// Rounds to the nearest, ties up. Precondition: |x| < 2^30.
+/// Rounds to the nearest integer, ties up. Precondition: |x| < 2^30.
 inline std::int32_t rounded(double x) {
-    constexpr std::int32_t kBias = 1 << 30;  // makes the sum positive, where truncation is floor
+    constexpr std::int32_t kBias = 1 << 30;  // makes the sum positive, so that truncation is floor
     return static_cast<std::int32_t>(x + (kBias + 0.5)) - kBias;
 }
 
-/// Rounds to the nearest, ties to even. Precondition: |x| < 2^22.
+/// Rounds to the nearest integer, ties to even. Precondition: |x| < 2^22.
 inline std::int32_t rounded(float x) {
-    constexpr float kWhole = 0x1.8p23F;  // beside which floats are whole numbers
+    constexpr float kWhole = 0x1.8p23F;  // floats of this size are whole numbers
     return std::bit_cast<std::int32_t>(x + kWhole) - std::bit_cast<std::int32_t>(kWhole);
 }
 
-/// Solves for where an arc crosses heights and columns. The arc rises from the origin, and goes
-/// back neither in x nor in y.
+/// Computes the points at which an arc crosses horizontal and vertical lines. The arc rises from
+/// the origin and is monotone in x and in y. Coordinates are relative to the start of the arc.
 ///
-/// From the middle of its chord d, an arc of half angle a runs through the q where
+/// Let d be the chord and a the half angle of the arc. A point at q from the middle of the chord is
+/// on the circle of the arc if
 ///     cos a (d x q) + sin a (d² / 4 - q²) = 0,
-/// which is quadratic in x for a given y, and in y for a given x. The root that is on the arc has a
-/// form in which nothing cancels.
+/// which is quadratic in x for a given y, and in y for a given x. The root on the arc is computed
+/// in the form 2 c / (b + sqrt(b² - 4 a c)), which avoids cancellation.
 template <class Real>
 class CrossingSolver {
   public:
-    // What the equation is made of.
+    // The coefficients of the equation.
     struct Coefficients {
         Real half_x = 0;
         Real half_y = 0;
@@ -46,8 +47,8 @@ class CrossingSolver {
     CrossingSolver() = default;
     explicit CrossingSolver(const Coefficients& c) : c_(c) {}
 
-    /// Half the angle by which the arc turns left is given by its sine, and by its cosine if that
-    /// is known. Precondition: head.y() > 0.
+    /// Creates a solver for the arc from the origin to `head`. `sine` and `cosine` are those of
+    /// half the angle by which the arc turns left. Precondition: head.y() > 0.
     CrossingSolver(const Vec2& head, double sine)
         : CrossingSolver(head, std::sqrt(1.0 - sine * sine), sine) {}
     CrossingSolver(const Vec2& head, double cosine, double sine)
@@ -62,14 +63,14 @@ class CrossingSolver {
 
     const Coefficients& coefficients() const { return c_; }
 
-    /// Returns the x at which the arc crosses a height, 0 <= y <= that of its head.
+    /// Returns the x at which the arc crosses the height y. Precondition: 0 <= y <= head.y().
     Real x_at(Real y) const { return c_.half_x + within(from_middle(y), std::abs(c_.half_x)); }
 
-    /// Returns the same for an arc that may go back in x.
+    /// Returns the same x, but for an arc that need not be monotone in x.
     Real unbounded_x_at(Real y) const { return c_.half_x + from_middle(y); }
 
-    /// Returns the y at which the arc crosses an x between its ends. What lies on the right of the
-    /// chord of an arc that goes to the left is above its middle.
+    /// Returns the y at which the arc crosses an x between its ends. (The sign of the root depends
+    /// on the direction: the right side of an arc that goes to the left is above its chord.)
     Real y_at(Real x) const {
         const Real q = x - c_.half_x;
         const Real c = c_.bulge - q * (c_.up + c_.sine * q);
@@ -85,7 +86,7 @@ class CrossingSolver {
         return Real(2) * c / (c_.up + root(c_.up * c_.up + Real(4) * c_.sine * c));
     }
     static Real root(Real squared) { return std::sqrt(squared > Real(0) ? squared : Real(0)); }
-    // The lower limit, too, if it is no number.
+    // Clamps a value to [-limit, limit]. NaN becomes the lower limit.
     static Real within(Real value, Real limit) {
         const Real raised = value > -limit ? value : -limit;
         return raised < limit ? raised : limit;
@@ -94,8 +95,8 @@ class CrossingSolver {
     Coefficients c_;
 };
 
-/// Solves for the crossings of a rising arc in subpixels, rounded to the nearest. For arcs of up to
-/// 256 pixels they are computed in floats, to 1/10 of a subpixel; for longer ones in doubles.
+/// Computes the crossings of a rising arc in subpixels, rounded to the nearest. Arcs of up to 256
+/// pixels are computed in floats, with errors of up to 1/10 of a subpixel; longer arcs in doubles.
 class RoundedCrossings {
   public:
     RoundedCrossings() = default;
@@ -113,15 +114,15 @@ class RoundedCrossings {
     }
 
   private:
-    static constexpr double kLongest = 256 * kSubpixel;  // along x and y, of short ones
+    static constexpr double kLongest = 256 * kSubpixel;  // largest width and height of short arcs
 
     Vec2 head_{0.0, 1.0};
     double sine_ = 0.0;
     CrossingSolver<float> in_floats_;
 };
 
-/// A query for the crossings of an arc with heights y, y + step, ..., or columns x, x + step, ...;
-/// the results are moved by an offset and mirrored by a sign.
+/// A query for `count` crossings of an arc, with the heights or the columns first, first + step,
+/// ... Each result is sign * (offset + crossing).
 struct ArcCrossings {
     static constexpr std::size_t kLanes = 8;  // computed at once
 
@@ -129,15 +130,16 @@ struct ArcCrossings {
     std::int32_t first = 0;
     std::int32_t step = 0;
     std::int32_t offset = 0;
-    std::int32_t sign = 1;  // or -1
+    std::int32_t sign = 1;  // 1 or -1
     std::size_t count = 0;
-    std::size_t position = 0;  // of the first among the results, with room for whole vectors
+    std::size_t position = 0;  // index of the first result; results are padded to whole vectors
 
     /// Returns the position for the results of the next query.
     std::size_t end() const { return position + (count + kLanes - 1) / kLanes * kLanes; }
 };
 
-/// Computes the crossings of several arcs, which do not wait for each other's square roots.
+/// Compute the crossings of several arcs with heights (find_xs) or columns (find_ys). The square
+/// roots of different arcs overlap.
 void find_xs(std::span<const ArcCrossings> arcs, std::int32_t* xs);
 void find_ys(std::span<const ArcCrossings> arcs, std::int32_t* ys);
 

@@ -16,8 +16,8 @@ inline double nested(double z, double factor, Later... later) {
     }
 }
 
-// The series of sin(h) / h and cos(h) in z = h², to 4e-15 for h up to a quarter turn. The factors
-// are quotients of successive coefficients, as 1! / 3!.
+// The power series of sin(h) / h and cos(h) in z = h², with errors of up to 4e-15 for h up to a
+// quarter turn. The factors are quotients of successive coefficients, such as 1! / 3!.
 inline double sine_series(double z) {
     return nested(z,
                   1.0 / 6.0,
@@ -46,7 +46,7 @@ inline double cosine_series(double z) {
 
 }  // namespace
 
-// From half the angle: cos a = 1 - 2 sin²(a / 2), sin a = 2 sin(a / 2) cos(a / 2).
+// Uses the formulas for double angles: cos a = 1 - 2 sin²(a / 2), sin a = 2 sin(a / 2) cos(a / 2).
 void find_turns(HalfTurns& turns) {
     at_simd_level([&turns] {
         for (std::size_t k = 0; k < HalfTurns::kLanes; ++k) {

@@ -12,8 +12,8 @@
 
 namespace foam::texgen {
 
-/// Angles in [-pi, pi] with their cosines and sines, which are computed by IEEE operations alone,
-/// to 1e-14.
+/// Angles in [-pi, pi] with their cosines and sines. These are computed by IEEE operations alone,
+/// so that they are the same on every machine, with errors of up to 1e-14.
 struct HalfTurns {
     static constexpr std::size_t kLanes = 8;
 
@@ -25,10 +25,10 @@ struct HalfTurns {
 /// Computes the cosines and sines of all lanes.
 void find_turns(HalfTurns& turns);
 
-/// Films whose shapes are computed at once.
+/// The number of films whose shapes are computed at once.
 inline constexpr std::size_t kFilmsAtOnce = HalfTurns::kLanes;
 
-/// Calls take(index, arc) for up to kFilmsAtOnce films from index `first` on. The arc is that of
+/// Calls take(index, arc) for up to kFilmsAtOnce films from index `first` on. `arc` is the arc of
 /// the forward side in pixels; `scale` is in pixels per foam unit.
 template <class Take>
 void shape_some(const Frame& frame, double scale, std::size_t first, const Take& take) {
@@ -59,10 +59,12 @@ void shape_films(const Frame& frame, double scale, int threads, const Take& take
     });
 }
 
-/// Returns the arcs of all films by their index.
+/// Returns the arcs of the forward sides of all films, in pixels, by the index of the film. `scale`
+/// is in pixels per foam unit.
 std::vector<PixelArc> film_shapes(const Frame& frame, double scale, int threads);
 
-/// Returns the arc of a side, without a branch: its direction is hard to predict.
+/// Returns the arc of a side. There is no branch on the direction of the side, which would be
+/// unpredictable.
 inline PixelArc shape_along(std::span<const PixelArc> shapes, HalfEdgeId side) {
     const PixelArc& forward = shapes[index_of(film_of(side))];
     const double along = static_cast<int>(is_forward(side)) * 2 - 1;

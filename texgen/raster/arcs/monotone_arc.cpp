@@ -31,7 +31,7 @@ void append_piece(SubpixelPoint tail,
     }
 }
 
-// The integral of 2 x dy, with x from the first arc.
+// Computes the integral of 2 x dy, with x relative to the first arc.
 double twice_area(std::span<const MonotoneArc> chain, std::uint32_t bubble) {
     double area = 0.0;
     for (const MonotoneArc& arc : chain) {

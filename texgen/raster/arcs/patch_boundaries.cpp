@@ -19,7 +19,7 @@ void append_network_loop(const PixelPatch& pixels, HalfEdgeId first, ArcLoops& t
 void append_circle(const PixelPatch& pixels, const LoneBubble& bubble, int sign, ArcLoops& to) {
     const Vec2 radius(pixels.scale * lone_radius(bubble), 0.0);
     const Vec2 center = pixels.pixel(bubble.centre);
-    const double sine = sign;  // of half a turn's half
+    const double sine = sign;  // each half of the circle turns by 180 degrees: sin 90 degrees = 1
     to.sides.push_back({center - radius, {2.0 * radius, 0.0, sine}});
     to.sides.push_back({center + radius, {-2.0 * radius, 0.0, sine}});
     to.loop_ends.push_back(to.sides.size());

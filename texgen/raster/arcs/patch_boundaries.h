@@ -9,13 +9,15 @@
 
 namespace foam::texgen {
 
-/// A frame in the plane in the coordinates of a grid with a view. Borrows both.
+/// A frame in the plane, in the pixel coordinates of a grid with a view. Borrows both.
 struct PixelPatch {
     const Frame& frame;
     const RasterGrid& grid;
     double scale;  // pixels per foam unit
 
+    /// Converts a position in foam units to pixels.
     Vec2 pixel(const Vec2& position) const { return pixel_in_view(grid, position); }
+    /// Returns the arc of a side in pixels.
     ArcLoops::Side arc(HalfEdgeId h) const {
         const FilmArc arc = frame.arc(h);
         return {pixel(frame.positions[frame.network.tail(h)]),
@@ -23,19 +25,20 @@ struct PixelPatch {
     }
 };
 
-/// Returns the number of regions: the bubbles with the ghost, then the lone bubbles.
+/// Returns the number of regions: the bubbles, the ghost bubble and the lone bubbles, in this
+/// order.
 std::size_t region_count(const Frame& frame);
 
-/// Arcs are cut off this many pixels beyond the image, as coordinates have 32 bits; no pixel
-/// depends on what is so far away.
+/// The distance in pixels beyond the image at which arcs are cut off, because coordinates have 32
+/// bits. No pixel depends on arcs that are so far away.
 inline constexpr double kGuard = kLargestSide;
 
-/// Returns true if part of a loop may show. Conservative: an arc reaches no farther than its
-/// length.
+/// Returns true if a part of a loop may be visible. The test is conservative: it assumes that an
+/// arc may extend from its tail by its length in any direction.
 bool may_show(const RasterGrid& grid, std::span<const ArcLoops::Side> loop);
 
-/// Returns the boundary loops of a region, by its index in the order of region_count, with the
-/// region on their left.
+/// Returns the boundary loops of a region, with the region on their left. `bubble` is the index of
+/// the region in the order of region_count.
 ArcLoops boundaries_of(const PixelPatch& pixels, BubbleId bubble);
 
 }  // namespace foam::texgen

@@ -7,8 +7,8 @@ namespace foam::texgen {
 
 namespace {
 
-// Returns the quadrant of a direction, counter-clockwise; each includes the axis that it begins
-// with.
+// Returns the quadrant of a direction, 0 to 3 counter-clockwise. Each quadrant includes the axis at
+// which it begins.
 int quadrant_of(const Vec2& direction) {
     const auto [x, y] = std::pair(direction.x(), direction.y());
     if (y > 0.0) {
@@ -20,6 +20,7 @@ int quadrant_of(const Vec2& direction) {
     return x > 0.0 ? 0 : 2;
 }
 
+// Returns the direction of the axis at which a quadrant begins.
 Vec2 axis(int quarter) {
     constexpr std::array<double, 5> kCosines{1.0, 0.0, -1.0, 0.0, 1.0};
     const auto k = static_cast<std::size_t>(quarter % 4);
@@ -36,9 +37,10 @@ MonotonePieces::MonotonePieces(const PixelArc& arc) {
     }
 }
 
-// Splits the arc where its tangent is parallel to an axis. From where the unit tangent is a to
-// where it is b, an arc that turns left moves by the radius times b - a, turned right; half of |b -
-// a| is the sine of half the angle between them. An arc that turns right is its mirror image.
+// Splits the arc at the points where its tangent is parallel to an axis. Between two points with
+// the unit tangents a and b, an arc that turns left moves by radius * (b - a), turned right by 90
+// degrees; |b - a| / 2 is the sine of half the angle between a and b. An arc that turns right is
+// mirrored.
 void MonotonePieces::split(const PixelArc& arc) {
     const double side = arc.sine < 0.0 ? -1.0 : 1.0;
     const Vec2 mirror(1.0, side);

@@ -10,13 +10,15 @@
 
 namespace foam::texgen {
 
-/// A FilmArc in pixels, with the cosine and the sine of its half angle in place of the angle.
+/// A circular arc in pixels. It has the cosine and the sine of its half angle in place of the half
+/// angle of a FilmArc.
 struct PixelArc {
     Vec2 chord{0.0, 0.0};  // head minus tail, pixels
     double cosine = 1.0;
     double sine = 0.0;
 };
 
+/// Convert between both forms of an arc. The scale remains the same.
 inline PixelArc pixel_arc(const FilmArc& arc) {
     return {arc.chord, std::cos(arc.half_angle), std::sin(arc.half_angle)};
 }
@@ -29,7 +31,7 @@ inline PixelArc reversed(const PixelArc& arc) {
     return {-arc.chord, arc.cosine, -arc.sine};
 }
 
-/// Returns the tangents at the ends of an arc, as long as its chord.
+/// Return the tangents at the ends of an arc. They have the length of its chord.
 inline Vec2 tail_tangent(const PixelArc& arc) {
     return arc.cosine * arc.chord - arc.sine * turned_left(arc.chord);
 }
@@ -43,22 +45,24 @@ bool turns_right(const Arc& before, const Arc& after) {
     return cross(head_tangent(before), tail_tangent(after)) < 0.0;
 }
 
-/// Returns true if an arc goes back neither in x nor in y: it turns by less than half a turn, and
-/// all its tangents are between those at its ends.
+/// Returns true if an arc is monotone in x and in y: it turns by less than 180 degrees, and the
+/// tangents at its ends are in the same quadrant.
 inline bool is_monotone(const PixelArc& arc) {
     const Vec2 first = tail_tangent(arc);
     const Vec2 last = head_tangent(arc);
     return arc.cosine > 0.0 && first.x() * last.x() >= 0.0 && first.y() * last.y() >= 0.0;
 }
 
-/// The pieces of an arc of less than a whole turn, from its tail on and relative to it.
+/// The monotone pieces of an arc that turns by less than 360 degrees, in order from its tail.
+/// Positions are relative to the tail.
 class MonotonePieces {
   public:
-    /// A piece that goes back neither in x nor in y; pixels.
+    /// A piece that is monotone in x and in y, in pixels.
     struct Piece {
         Vec2 tail{0.0, 0.0};
         Vec2 head{0.0, 0.0};
-        double sine = 0.0;  // of half the angle by which it turns left, at most 45 degrees
+        double sine = 0.0;  // sine of half the angle by which the piece turns left; the half angle
+                            // is at most 45 degrees
     };
 
     explicit MonotonePieces(const PixelArc& arc);
@@ -73,8 +77,8 @@ class MonotonePieces {
     std::size_t count_ = 0;
 };
 
-/// Calls visit(from, to, sine) for the pieces of an arc between two ends. Where one piece ends
-/// and the next begins is inner(head), from its position relative to the tail.
+/// Calls visit(from, to, sine) for the monotone pieces of an arc between two ends. The point
+/// between two pieces is inner(position), where `position` is its position relative to the tail.
 template <class Point, class Inner, class Visit>
 void for_each_piece(const PixelArc& arc,
                     const Point& tail,
@@ -90,9 +94,10 @@ void for_each_piece(const PixelArc& arc,
     }
 }
 
-/// Returns twice the area between the chord of an arc and the arc, with the sign of `sine`, the
-/// sine of half the angle that it turns. A series of E1 for at most 90 degrees; the relative error
-/// is 2.5e-3 at 90 degrees, 6e-5 at 60 and 6e-9 at 23.
+/// Returns twice the area between the chord of an arc and the arc, with the sign of `sine`, which
+/// is the sine of half the angle by which the arc turns. The area is a power series of E1.
+/// Precondition: the arc turns by at most 90 degrees. The relative error is 2.5e-3 at 90 degrees,
+/// 6e-5 at 60 and 6e-9 at 23.
 template <class Real>
 Real twice_segment(Real squared_chord, Real sine) {
     const Real z = sine * sine;
@@ -101,16 +106,17 @@ Real twice_segment(Real squared_chord, Real sine) {
     return squared_chord * sine * (Real(1) / 3) * series;
 }
 
-/// Closed loops of arcs in pixels, each with the region that it bounds on its left.
+/// Closed loops of arcs in pixels, which have the region that they bound on their left.
 struct ArcLoops {
     struct Side {
         Vec2 tail{0.0, 0.0};
-        PixelArc arc;  // ends where the next side of the loop begins
+        PixelArc arc;  // ends at the tail of the next side of the loop
     };
     std::vector<Side> sides;
     std::vector<std::size_t> loop_ends;  // one past the last side of each loop
     int open_ends = 0;                   // pieces without a successor; 0 for a valid bubble
 
+    /// Returns the sides of the loop k.
     std::span<const Side> loop(std::size_t k) const {
         const std::size_t begin = k == 0 ? 0 : loop_ends[k - 1];
         return std::span(sides).subspan(begin, loop_ends[k] - begin);
