@@ -6,8 +6,8 @@
 
 namespace foam::texgen {
 
-/// Subpixels per pixel, a power of two. The rasterizer's coordinates are integers, so that sums do
-/// not depend on their order and a shift by whole pixels moves every point exactly.
+/// The number of subpixels per pixel, a power of two. Coordinates of the rasterizer are integers,
+/// so that sums do not depend on their order and a shift by whole pixels moves every point exactly.
 inline constexpr int kSubpixelBits = 10;
 inline constexpr std::int32_t kSubpixel = 1 << kSubpixelBits;
 
@@ -25,9 +25,9 @@ struct SubpixelPoint {
     friend bool operator==(SubpixelPoint a, SubpixelPoint b) = default;
 };
 
-/// Converts pixels to the nearest subpixel. Precondition: |pixels| < 2^16.
+/// Converts pixels to the nearest subpixel, ties up. Precondition: |pixels| < 2^16.
 inline std::int32_t to_subpixel(double pixels) {
-    constexpr std::int32_t kBias = 1 << 26;  // makes the sum positive, where truncation is floor
+    constexpr std::int32_t kBias = 1 << 26;  // makes the sum positive, so that truncation is floor
     return static_cast<std::int32_t>(pixels * kSubpixel + (kBias + 0.5)) - kBias;
 }
 
@@ -35,7 +35,7 @@ inline SubpixelPoint to_subpixel(const Vec2& pixels) {
     return {to_subpixel(pixels.x()), to_subpixel(pixels.y())};
 }
 
-/// Returns the pixel of a subpixel.
+/// Returns the pixel that contains a subpixel.
 inline std::int32_t pixel_of(std::int32_t subpixel) {
     return subpixel >> kSubpixelBits;
 }

@@ -8,6 +8,7 @@ namespace foam::texgen {
 
 namespace {
 
+// The largest relative difference between the scales in x and y.
 constexpr double kLargestAnisotropy = 1e-6;
 
 void check_side(int side) {

@@ -10,31 +10,35 @@ namespace foam::texgen {
 
 /// The part of the plane that an image shows.
 struct View {
-    Vec2 center{0.0, 0.0};  // shown in the middle of the image; foam units
+    Vec2 center{0.0, 0.0};  // the point in the middle of the image, in foam units
     double pixels_per_unit = 1.0;
 
     friend bool operator==(const View& a, const View& b) = default;
 };
 
-/// The pixels that cover a torus or a view of the plane. Row 0 is the lowest; on a torus, pixel (0,
-/// 0) has its lower left corner at the origin when nothing is shifted.
+/// The pixels that cover a torus or a view of the plane. Row 0 is the lowest. On a torus, the lower
+/// left corner of pixel (0, 0) of an unshifted grid is at the origin.
+///
+/// Pixel (x, y) of a shifted grid is the same, to the bit, as pixel (x + shift_x, y + shift_y) of
+/// the unshifted grid, wrapped around the torus. Precondition on a sheared torus: 0 <= shift_y <
+/// height.
 struct RasterGrid {
-    int width = 0;  // pixels, as are the next three
+    int width = 0;  // all in pixels
     int height = 0;
-    int shift_x = 0;  // pixel (x, y) shows what pixel (x + shift_x, y + shift_y) of the unshifted
-    int shift_y = 0;  // grid shows, around the torus, bit for bit; 0 <= shift_y < height if sheared
-    std::optional<View> view = {};  // of the plane, in which nothing is shifted or wrapped
+    int shift_x = 0;
+    int shift_y = 0;
+    std::optional<View> view = {};  // set in the plane, where nothing is shifted or wrapped
 };
 
-/// The longest side of a grid, so that coordinates of a few periods fit 32 bits.
+/// The longest side of a grid in pixels. It ensures that coordinates of a few periods fit 32 bits.
 inline constexpr int kLargestSide = 1 << 14;
 
-/// A side of a bubble that is shorter, in pixels, has no reliable direction and is left out.
+/// The length in pixels below which a side of a bubble has no reliable direction and is left out.
 inline constexpr double kShortestSide = 1e-9;
 
-/// Returns pixels per foam unit. Throws std::invalid_argument if a side of the grid is not in [1,
-/// kLargestSide], on a torus if its pixels are not square to one part in a million, in the plane if
-/// the grid has no view of it.
+/// Returns the number of pixels per foam unit. Throws std::invalid_argument if a side of the grid
+/// is not in [1, kLargestSide], if the grid has no view of a plane or has a view of a torus, and if
+/// the pixels on a torus are not square to one part in a million.
 double pixels_per_unit(const RasterGrid& grid, const Domain& domain);
 
 /// Returns the translation from subpixels of the unshifted grid to subpixels of this one.
@@ -43,9 +47,9 @@ inline SubpixelPoint shift_of(const RasterGrid& grid) {
             -wrap(grid.shift_y, grid.height) * kSubpixel};
 }
 
-/// Converts a position in the torus' own cell, in foam units, to the nearest subpixel of the
-/// unshifted grid: from 0 to its width and height, both included. A point on the far border stays
-/// there; wrapped, it would tear the outlines around it.
+/// Converts a position in the home cell of a torus, in foam units, to the nearest subpixel of the
+/// unshifted grid. The result is from 0 to the width and height of the grid, both included: a point
+/// on the upper or right border is not wrapped to 0, which would tear the outlines around it.
 class Snap {
   public:
     Snap(const RasterGrid& grid, const Domain& domain)
@@ -56,7 +60,7 @@ class Snap {
     }
 
   private:
-    double across_;  // pixels per unit
+    double across_;  // pixels per foam unit, in x and y
     double up_;
 };
 
@@ -66,8 +70,8 @@ inline Vec2 pixel_in_view(const RasterGrid& grid, const Vec2& position) {
            0.5 * Vec2(grid.width, grid.height);
 }
 
-/// Returns by how many subpixels the copy of a point one period up lies to the right. A sheared
-/// torus covers the plane with rows of grids that are displaced against each other.
+/// Returns the displacement to the right, in subpixels, of the copy of a point one period up. The
+/// copies of a grid on a sheared torus cover the plane in rows that are displaced by this amount.
 std::int32_t shear_in_subpixels(const RasterGrid& grid, const Domain& domain);
 
 }  // namespace foam::texgen
