@@ -11,10 +11,10 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr int kGap = 10;       // pixels between thumbnails, and around all
-constexpr int kNumberGap = 5;  // between a thumbnail and its number
+constexpr int kGap = 10;       // pixels between thumbnails, and around all of them
+constexpr int kNumberGap = 5;  // pixels between a thumbnail and its number
 constexpr std::uint8_t kInk = 0xb4;
-constexpr double kAspect = 1.5;  // about that of a sheet
+constexpr double kAspect = 1.5;  // approximate width over height of a sheet
 
 int columns_for(std::size_t count, const Image<std::uint8_t>& thumbnail) {
     const double square = static_cast<double>(count) * thumbnail.height() / thumbnail.width();

@@ -7,14 +7,16 @@
 
 namespace foam::texgen {
 
-/// A small picture of a frame, of three channels.
+/// A small picture of a frame, with three channels.
 struct Thumbnail {
     Image<std::uint8_t> pixels;
-    int number = 0;  // of the frame, not negative
+    int number = 0;  // the number of the frame, not negative
 };
 
-/// Thumbnails of one size on a grey ground, from left to right and from the top down, wider than
-/// high, with the number of its frame under each. Throws std::invalid_argument for none.
+/// Arranges thumbnails on a gray ground, from left to right and from top to bottom, with the number
+/// of its frame below each thumbnail. A sheet of many thumbnails is about 1.5 times as wide as
+/// high. Precondition: all thumbnails have the same size. Throws std::invalid_argument if there are
+/// none.
 Image<std::uint8_t> contact_sheet(std::span<const Thumbnail> thumbnails);
 
 }  // namespace foam::texgen

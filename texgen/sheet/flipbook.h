@@ -9,26 +9,28 @@
 
 namespace foam::texgen {
 
-/// What is made of a baked set. None of it changes a sample.
+/// The content and the layout of a flipbook. No option changes a sample.
 struct FlipbookOptions {
-    std::vector<std::string> maps = {};  // all of the set if there are none
-    std::vector<int> frames = {};        // in this order; all of the set if there are none
-    int columns = 0;                     // 0: near_square_columns
+    std::vector<std::string> maps = {};  // empty for all maps of the set
+    std::vector<int> frames = {};        // in this order; empty for all frames of the set
+    int columns = 0;                     // 0 for near_square_columns
     int gutter = 0;                      // pixels around each frame
-    /// One column, as importers of texture arrays and volumes cut it: its frames wrap around by
-    /// themselves, so it has no gutter.
+    /// True for a strip: one column without gutters, the form that importers of texture arrays and
+    /// volumes expect. They wrap each frame around by themselves.
     bool strip = false;
 };
 
+/// The result of write_flipbook.
 struct Flipbook {
-    std::vector<std::filesystem::path> files;  // an image a map, then what describes them all
-    SheetLayout layout;                        // of every map
+    std::vector<std::filesystem::path> files;  // one image per map, then the JSON file
+    SheetLayout layout;                        // the layout of all images
 };
 
-/// Writes {preset}_sheet_{map}, or {preset}_strip_{map}, in the format of the set's files, and
-/// {preset}_sheet.json or {preset}_strip.json (flipbook_json.h) into a folder, made as needed.
-/// `folder` is that of the manifest. Throws as map_sequence, check_layout and write_sheet, and
-/// std::invalid_argument for a strip with a gutter or of several columns.
+/// Writes a flipbook of a baked set into the folder `to`, which is created if needed. Each map
+/// becomes an image {preset}_sheet_{map} or {preset}_strip_{map} in the format of the set's files.
+/// {preset}_sheet.json or {preset}_strip.json describes the images (flipbook_json.h). `folder` is
+/// the folder of the manifest. Throws as map_sequence, check_layout and write_sheet do, and
+/// std::invalid_argument for a strip with a gutter or several columns.
 Flipbook write_flipbook(const BakedSet& set,
                         const std::filesystem::path& folder,
                         const FlipbookOptions& options,

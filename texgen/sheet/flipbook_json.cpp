@@ -11,7 +11,8 @@ namespace foam::texgen {
 
 namespace {
 
-/// Whether the first of these frames comes after the last, by the same step as all others.
+// Returns true if the frames close a loop: the step from the last frame to the first of the next
+// period is the same as all other steps.
 bool closes(const ManifestLoop& loop, std::span<const int> frames) {
     const std::optional<int> step = common_step(frames);
     return loop.period > 0 && step &&
@@ -32,8 +33,8 @@ Json conventions_value(const ManifestConventions& conventions) {
             {"motion_multiplier", conventions.motion_multiplier}};
 }
 
-/// In texture coordinates, from the top left: frame k, in column k mod columns and row k / columns,
-/// begins at (column, row) * cell + inset and is `frame` large.
+// Returns the layout in texture coordinates, from the top left. Frame k is in column k mod columns
+// and row k / columns; it begins at (column, row) * cell + inset and has the size `frame`.
 Json uv_value(const SheetLayout& layout) {
     const auto width = static_cast<double>(layout.width());
     const auto height = static_cast<double>(layout.height());

@@ -11,11 +11,12 @@ namespace foam::texgen {
 
 /// A sheet that has been written.
 struct SheetImage {
-    std::string file;  // its name, beside the JSON
+    std::string file;  // file name, relative to the folder of the JSON file
     MapSequence sequence;
 };
 
-/// What a program that plays these sheets has to know, as JSON; README.md has the members.
+/// Returns a description of the sheets for programs that play them, as JSON. The README of the
+/// project describes the members.
 std::string flipbook_json(const BakedSet& set,
                           std::span<const int> frames,
                           const SheetLayout& layout,

@@ -8,9 +8,9 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr int kAdvance = kDigitWidth + 1;
+constexpr int kAdvance = kDigitWidth + 1;  // pixels from one digit to the next
 
-/// The rows of a digit from the top, the leftmost pixel in the highest of five bits.
+// The rows of a digit from top to bottom. The leftmost pixel is in the highest of five bits.
 using Digit = std::array<unsigned, kDigitHeight>;
 
 constexpr std::array<Digit, 10> kDigits = {{

@@ -6,14 +6,15 @@
 
 namespace foam::texgen {
 
-/// Of the digits, in pixels.
+/// The size of a digit in pixels.
 inline constexpr int kDigitWidth = 5;
 inline constexpr int kDigitHeight = 7;
 
-/// The width of a number of 0 or more, in pixels.
+/// Returns the width of a number in pixels. Precondition: the number is not negative.
 int number_width(int number);
 
-/// Draws a number in a grey, its lower left corner at a pixel; it has to fit into the image.
+/// Draws a number in a shade of gray. Its lower left corner is at the pixel (left, bottom).
+/// Precondition: the number is not negative and fits into the image.
 void draw_number(
     ImageView<std::uint8_t> image, int left, int bottom, int number, std::uint8_t grey);
 

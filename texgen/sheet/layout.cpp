@@ -11,7 +11,7 @@ namespace foam::texgen {
 
 namespace {
 
-/// 0 for a square, in powers of two from there.
+// Returns the absolute logarithm, to base 2, of a sheet's aspect; 0 for a square.
 double distance_from_square(int frames, int columns, double cell_width, double cell_height) {
     const double rows = std::ceil(static_cast<double>(frames) / columns);
     return std::abs(std::log2(columns * cell_width / (rows * cell_height)));

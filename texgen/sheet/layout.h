@@ -4,8 +4,8 @@
 
 namespace foam::texgen {
 
-/// How the frames of a sheet lie in it: from left to right, rows from top to bottom. Each has a
-/// cell of its own, with a gutter on all four sides. All lengths in pixels.
+/// The layout of frames in a sheet: from left to right, in rows from top to bottom. Each frame has
+/// a cell, with a gutter on all four sides of the frame. All lengths are in pixels.
 struct SheetLayout {
     int frames = 1;
     int frame_width = 1;
@@ -26,12 +26,13 @@ struct SheetLayout {
     friend bool operator==(const SheetLayout&, const SheetLayout&) = default;
 };
 
-/// The power of two, for sizes of which graphics hardware is fond, that comes nearest to a square
-/// sheet; of two that are equally near the larger.
+/// Returns the number of columns, a power of two, that makes a sheet most nearly square. If two
+/// numbers are equally good, returns the larger one. Powers of two give sheets of sizes that
+/// graphics hardware prefers.
 int near_square_columns(int frames, int cell_width, int cell_height);
 
-/// Throws std::invalid_argument for a layout without frames or columns, with a gutter below 0, and
-/// for a sheet that is wider or higher than a file can say.
+/// Throws std::invalid_argument if a layout has no frames, columns or pixels, if its gutter is
+/// negative, or if the sheet would be wider or higher than 2^31 - 1 pixels.
 void check_layout(const SheetLayout& layout);
 
 }  // namespace foam::texgen

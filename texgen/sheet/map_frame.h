@@ -7,8 +7,9 @@
 
 namespace foam::texgen {
 
-/// Reads a frame of a map from its file. Of a file with layers, keeps the channels of the map's
-/// layer and removes the layer from their names. Throws InputError, also for a missing layer.
+/// Reads a frame of a map from its file. If the file has layers, only the channels of the map's
+/// layer are kept, and the layer is removed from their names. Throws InputError if the file cannot
+/// be read or has no such layer.
 Picture read_map_frame(const MapFile& file, std::string_view map);
 
 }  // namespace foam::texgen

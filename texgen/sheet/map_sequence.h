@@ -11,31 +11,34 @@
 
 namespace foam::texgen {
 
-/// One frame of a map that was baked.
+/// The file of one frame of a baked map.
 struct MapFile {
     std::filesystem::path path;
     int frame = 0;
-    bool tiles = false;    // in both directions
-    bool layered = false;  // the file has other maps as well
+    bool tiles = false;    // true if the frame tiles in both directions
+    bool layered = false;  // true if the file contains other maps, too
 };
 
-/// The files of a map, one a frame, in the order of the frames.
+/// The files of a map, one per frame, in the order of the frames.
 struct MapSequence {
     ManifestMap map;
     std::vector<MapFile> files;
 
-    bool tiles() const;  // all of it
+    bool tiles() const;  // true if all frames tile
 };
 
-/// From each frame to the next, where that is the same for all; 1 of a single frame.
+/// Returns the difference between successive frame numbers, or nullopt if it is not always the
+/// same. Returns 1 for a single frame.
 std::optional<int> common_step(std::span<const int> frames);
 
-/// At which these frames of a set show it at its own speed: every second of 24 a second, 24 in 2 s.
-/// The set's own rate where the steps differ.
+/// Returns the rate at which selected frames of a set play at the set's own speed. For example,
+/// every second frame of a set with 24 frames per second plays at 24 frames in 2 s. Returns the
+/// set's own rate if the steps between frames differ.
 FrameRate playing_rate(const BakedSet& set, std::span<const int> frames);
 
-/// Of a set whose manifest lies in the folder. Throws std::invalid_argument that lists the maps
-/// there are, InputError for a frame that was not baked.
+/// Returns the files of some frames of a map. `folder` is the folder of the set's manifest. Throws
+/// std::invalid_argument, with a list of the existing maps, for a map that was not baked, and
+/// InputError for a frame that was not baked.
 MapSequence map_sequence(const BakedSet& set,
                          const std::filesystem::path& folder,
                          std::string_view map,

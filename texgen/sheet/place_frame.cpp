@@ -8,7 +8,7 @@ namespace foam::texgen {
 
 namespace {
 
-/// Where a frame of so many pixels in a direction has what stands at a place in or beyond it.
+// Returns the position in [0, extent) from which a pixel at any position is copied.
 int source_of(int place, int extent, Gutter gutter) {
     if (gutter == Gutter::Edge) {
         return std::clamp(place, 0, extent - 1);
@@ -17,7 +17,7 @@ int source_of(int place, int extent, Gutter gutter) {
     return rest < 0 ? rest + extent : rest;
 }
 
-/// Row y of a frame, or beyond it, into a row of the sheet from pixel x on.
+// Copies row y of a frame, which may be outside of the frame, with `margin` pixels on both sides.
 template <class Sample>
 void copy_row(ImageView<const Sample> frame, int y, int margin, Gutter gutter, Sample* to) {
     const int from = source_of(y, frame.height(), gutter);

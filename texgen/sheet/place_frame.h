@@ -5,13 +5,12 @@
 
 namespace foam::texgen {
 
-/// What stands in a gutter, as if the frame went on there: round and round, as a tile does, or with
-/// the pixel at its edge.
+/// The content of a gutter: the frame repeated as a tile, or the pixels at the frame's edge.
 enum class Gutter { Periodic, Edge };
 
-/// Copies a frame into the cell of this number, from 0, of a sheet that is laid out so, and fills
-/// the gutter around it. Frame and sheet have the same number of channels. For 8-bit and 16-bit
-/// samples, floats and 32-bit integers.
+/// Copies a frame into a cell of a sheet and fills the gutter around it. Cells are numbered from 0
+/// in the order of the layout. Precondition: frame and sheet have the same number of channels, and
+/// their sizes agree with the layout. Samples are integers of 8, 16 or 32 bits, or floats.
 template <class Sample>
 void place_frame(ImageView<Sample> sheet,
                  const SheetLayout& layout,

@@ -25,9 +25,9 @@ using Codes = Image<std::uint8_t>;
 constexpr std::size_t kMostThumbnails = 24;
 constexpr int kThumbnailSize = 200;  // the longer side, in pixels
 constexpr int kTileSize = 512;
-constexpr int kTiles = 2;  // in each direction
+constexpr int kTiles = 2;  // number of copies in each direction
 
-/// Not larger than this on its longer side, and no larger than it is.
+// Returns the codes of a frame, reduced if its longer side is larger than `size`.
 Codes codes_within(const ShownFrame& frame, int size) {
     const int width = frame.pixels.width();
     const int height = frame.pixels.height();
@@ -38,7 +38,7 @@ Codes codes_within(const ShownFrame& frame, int size) {
     return codes_of(reduced(frame, scaled(width), scaled(height)));
 }
 
-/// All frames of a map at one size.
+// Returns the codes of all frames of a sequence, reduced to the same size.
 std::vector<Codes> frames_within(const MapSequence& sequence, int size, int threads) {
     std::vector<Codes> frames(sequence.files.size());
     parallel_for(frames.size(), 1, threads, [&](std::size_t k, std::size_t) {
@@ -58,13 +58,13 @@ Codes tiled(const Codes& tile) {
     return tiling;
 }
 
-/// For screens, whatever the samples once were.
+// Encodes a picture as a PNG of colors, even if the map holds data.
 Bytes encoded(const Codes& codes) {
     return encode_png(
         codes.view(), {.color = true, .text = {}}, {.compression = Compression::Small});
 }
 
-/// At most so many, evenly spread, the first among them.
+// Returns at most `most` files, evenly spread. The first file is always included.
 std::vector<MapFile> spread(const std::vector<MapFile>& files, std::size_t most) {
     const std::size_t count = std::min(files.size(), most);
     std::vector<MapFile> chosen;
@@ -86,7 +86,7 @@ Bytes animation(const std::vector<Codes>& frames, FrameRate rate, int threads) {
     return muxer.finish();
 }
 
-/// The first that shows colours, or else no ids.
+// Returns the first map of colors or, if there is none, the first map of numbers.
 std::string map_for_the_eye(const BakedSet& set) {
     for (const std::string_view kind : {"color", "number"}) {
         for (const ManifestMap& map : set.maps) {
@@ -98,7 +98,7 @@ std::string map_for_the_eye(const BakedSet& set) {
     throw std::invalid_argument("no map can be seen; id_color shows ids");
 }
 
-/// Makes the previews of one map; what several have in common is made once.
+// Makes the previews of one map. The animation is made once for all kinds that need it.
 class Previews {
   public:
     Previews(const BakedSet& set,

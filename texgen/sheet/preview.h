@@ -10,32 +10,35 @@
 
 namespace foam::texgen {
 
-/// What a preview shows of a map.
+/// The kinds of previews of a map.
 enum class PreviewKind {
-    Contact,  // up to 24 frames side by side, with their numbers
-    Tiling,   // a frame 2 x 2 times
+    Contact,  // a contact sheet: up to 24 frames side by side, with their numbers
+    Tiling,   // a frame repeated 2 x 2 times
     Loop,     // an animated PNG
-    Mp4,      // the same as a video; the program ffmpeg makes it
-    Gif,
+    Mp4,      // the same animation as a video, encoded by ffmpeg
+    Gif,      // the same animation as a GIF, encoded by ffmpeg
 };
 
+/// The names of the kinds of previews, in the order of PreviewKind.
 inline constexpr std::array<std::string_view, 5> kPreviewNames = {
     "contact", "tiling", "loop", "mp4", "gif"};
 
 struct PreviewOptions {
-    std::vector<std::string> maps = {};  // one of colours, or else no ids, if there are none
-    std::vector<int> frames = {};        // in this order; all of the set if there are none
-    std::vector<PreviewKind> kinds =
-        {};          // if there are none: Contact, Loop, and Tiling of what tiles
-    int size = 384;  // the longer side of frames that move, at most, in pixels
-    int threads = 0;
+    // Empty for the first map of colors or, if there is none, the first map of numbers.
+    std::vector<std::string> maps = {};
+    std::vector<int> frames = {};  // in this order; empty for all frames of the set
+    // Empty for Contact, Loop and, if the first frame tiles, Tiling.
+    std::vector<PreviewKind> kinds = {};
+    int size = 384;   // largest width and height of animations, in pixels
+    int threads = 0;  // 0 for all
 };
 
-/// Writes {preset}_{map}_contact.png, ..._tiling.png, ..._loop.png, .mp4 and .gif into a folder,
-/// made as needed, and returns their names. Frames become smaller as ShownFrame says; all are
-/// opaque. `folder` is that of the manifest. Throws as map_sequence, read_shown and encode_video,
-/// and std::invalid_argument for a map of ids, of which nothing can be seen, and for the tiling of
-/// a frame that does not tile.
+/// Writes previews of a baked set into the folder `to`, which is created if needed, and returns
+/// their paths: {preset}_{map}_contact.png, {preset}_{map}_tiling.png, {preset}_{map}_loop.png,
+/// {preset}_{map}.mp4 and {preset}_{map}.gif. Frames are reduced in size (shown_frame.h) and
+/// opaque. `folder` is the folder of the manifest. Throws as map_sequence, read_shown and
+/// encode_video do, and std::invalid_argument for a map of ids, which cannot be shown, and for the
+/// tiling of a frame that does not tile.
 std::vector<std::filesystem::path> write_previews(const BakedSet& set,
                                                   const std::filesystem::path& folder,
                                                   const PreviewOptions& options,

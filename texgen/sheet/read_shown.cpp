@@ -19,13 +19,16 @@ namespace foam::texgen {
 
 namespace {
 
+// Integer samples are decoded by a table; floats are scaled from the range in the manifest to [0,
+// 1]. Transparent colors are composited over the ground color as linear light.
+
 constexpr int kColors = 3;
 
 bool is_light_in(const ManifestMap& map) {
     return map.samples->color_space != "data";
 }
 
-/// Returns the number that each code of a sample stands for.
+// Returns the value from 0 to 1 of each code of a sample.
 template <class Sample>
 std::vector<float> values_of_codes(bool is_light) {
     constexpr std::size_t kCodes = std::size_t{std::numeric_limits<Sample>::max()} + 1;
@@ -45,7 +48,7 @@ ShownFrame shown_codes(const Image<Sample>& image, bool is_light) {
     ShownFrame frame{Image<float>(image.width(), image.height(), kColors), is_light};
     const auto from = image.samples();
     const auto step = static_cast<std::size_t>(image.channels());
-    const std::size_t next = step >= kColors ? 1 : 0;  // the same for all colours where it is grey
+    const std::size_t next = step >= kColors ? 1 : 0;  // gray uses one sample for all three colors
     float* to = frame.pixels.samples().data();
     for (std::size_t k = 0; k < from.size(); k += step) {
         const float opacity = has_alpha ? static_cast<float>(from[k + step - 1]) /
@@ -67,8 +70,8 @@ const PictureChannel* find_channel(const Channels& channels, std::string_view na
     return is_number ? &*found : nullptr;
 }
 
-/// Returns the channels shown as red, green and blue. Grey is shown as all three, and a missing
-/// channel as black.
+// Returns the channels that are shown as red, green and blue. A single channel Y is shown as gray.
+// A missing channel is null and shown as black.
 std::array<const PictureChannel*, kColors> channels_shown(const Channels& channels) {
     if (const PictureChannel* const grey = find_channel(channels, "Y"); channels.size() == 1) {
         return {grey, grey, grey};
@@ -79,12 +82,12 @@ std::array<const PictureChannel*, kColors> channels_shown(const Channels& channe
             find_channel(channels, is_color ? "B" : "Z")};
 }
 
-/// Clamps to [0, 1]; NaN becomes 0.
+// Clamps a value to [0, 1]; NaN becomes 0.
 float clamped(double value) {
     return value > 0.0 ? static_cast<float>(std::min(value, 1.0)) : 0.0F;
 }
 
-/// Calls visit(pixel, number) for every pixel of a channel.
+// Calls visit(pixel, number) for every pixel of a channel.
 void visit_numbers(Image<float>& pixels, const PictureChannel& channel, const auto& visit) {
     std::vector<double> row(static_cast<std::size_t>(pixels.width()));
     for (int y = 0; y < pixels.height(); ++y) {
@@ -95,7 +98,7 @@ void visit_numbers(Image<float>& pixels, const PictureChannel& channel, const au
     }
 }
 
-/// Adds the ground to light that is premultiplied by its opacity.
+// Adds the ground color to light that is premultiplied by its opacity.
 void add_ground(Image<float>& pixels, const PictureChannel& opacity) {
     const auto ground = static_cast<float>(srgb_to_linear(kGround / 255.0));
     visit_numbers(pixels, opacity, [&](std::span<float> pixel, double covered) {

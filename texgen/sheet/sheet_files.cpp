@@ -29,7 +29,7 @@ std::string text_of(const SheetLayout& layout) {
                        layout.gutter);
 }
 
-/// A sheet of zeros with the channels and the metadata of a frame.
+// Returns a sheet of zeros with the channels and the metadata of a frame.
 Picture blank_sheet(const Picture& frame, const SheetLayout& layout) {
     Picture sheet{{}, frame.metadata};
     sheet.metadata.periodic = false;
@@ -104,7 +104,8 @@ Picture sheet_of(const MapSequence& sequence, const SheetLayout& layout) {
     return sheet;
 }
 
-/// Chooses what suits the map. A bake of another version may have a map that is not known here.
+// Returns the encoding that suits a map. A bake of another version may contain an unknown map,
+// which gets the default filter.
 EncodingOptions encoding_of(std::string_view map) {
     const auto maps = all_maps();
     const auto known = std::ranges::find(maps, map, &Map::name);

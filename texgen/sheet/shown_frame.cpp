@@ -14,12 +14,14 @@ namespace {
 constexpr int kColors = 3;
 constexpr float kLargestCode = 255.0F;
 
-/// Which pixels along an axis one of fewer pixels covers: from the first on, these parts of it.
+// The pixels along an axis that one pixel of the smaller image covers: the index of the first one,
+// and the weight of each, which add up to 1.
 struct Cover {
     int first = 0;
     std::vector<float> parts;
 };
 
+// Returns the pixels, out of `many`, that each of `few` pixels covers.
 std::vector<Cover> covers_of(int many, int few) {
     const double scale = static_cast<double>(many) / few;
     std::vector<Cover> covers(static_cast<std::size_t>(few));
@@ -36,7 +38,7 @@ std::vector<Cover> covers_of(int many, int few) {
     return covers;
 }
 
-/// The mean of the rows that are covered, sample by sample.
+// Computes the weighted mean of the covered rows, sample by sample.
 void add_rows(ImageView<const float> from, const Cover& cover, std::vector<float>& mean) {
     std::ranges::fill(mean, 0.0F);
     for (std::size_t k = 0; k < cover.parts.size(); ++k) {

@@ -7,25 +7,27 @@
 
 namespace foam::texgen {
 
-/// Grey that transparent frames are shown on, and that lies between frames; 8-bit sRGB.
+/// The shade of gray behind transparent frames and between frames, as 8-bit sRGB.
 inline constexpr std::uint8_t kGround = 0x2b;
 
-/// A frame for the eye, red, green and blue from 0 to 1: colours as light, over kGround where they
-/// are not opaque; data as a PNG codes it, whatever the file's format.
+/// A frame for display: red, green and blue from 0 to 1. Colors are linear light, composited over
+/// kGround. Data have the values that the codes of a PNG would have, for any file format.
 struct ShownFrame {
     Image<float> pixels;
-    bool is_light = false;
+    bool is_light = false;  // true for colors, false for data
 };
 
-/// Reads a frame of a map. Numbers are scaled from the manifest's `range` and clamped to it. Throws
-/// InputError, also for a file of numbers whose range the manifest does not tell.
+/// Reads a frame of a map. Numbers are scaled from the manifest's `range` to [0, 1] and clamped.
+/// Throws InputError if the file cannot be read or shown, for example if the manifest has no range
+/// for a file of numbers.
 ShownFrame read_shown(const MapFile& file, const ManifestMap& map);
 
-/// Means by area: of light, and of data as it is. Pixels of what tiles look at nothing beyond their
-/// own place, so it still does. No extent may grow.
+/// Reduces a frame to a smaller size. Each pixel becomes the mean, by area, of the pixels that it
+/// covers: the mean of light, or of the values of data. Because a pixel depends only on the area
+/// that it covers, a reduced tile still tiles. Precondition: neither width nor height grows.
 ShownFrame reduced(const ShownFrame& frame, int width, int height);
 
-/// As a PNG stores it: light as sRGB, data as it is.
+/// Encodes a frame as 8-bit codes: light as sRGB, data unchanged.
 Image<std::uint8_t> codes_of(const ShownFrame& frame);
 
 }  // namespace foam::texgen

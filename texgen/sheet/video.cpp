@@ -27,7 +27,8 @@ void run_ffmpeg(Arguments arguments) {
     }
 }
 
-/// Colors of a PNG are sRGB, whose primaries are those of BT.709; the matrix is declared as well.
+// The colors of the PNG are sRGB, which has the primaries of BT.709. Primaries, transfer function
+// and matrix are declared in the video.
 Arguments mp4_arguments() {
     return {"-vf",
             "crop=floor(iw/2)*2:floor(ih/2)*2:0:0,scale=out_color_matrix=bt709:flags=accurate_rnd",

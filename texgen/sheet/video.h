@@ -8,17 +8,18 @@
 
 namespace foam::texgen {
 
-/// Films that the program `ffmpeg` makes, where it is installed.
+/// The formats of videos, which the external program `ffmpeg` encodes.
 enum class VideoFormat {
-    Mp4,  // H.264, 4:2:0, as all players take it; at an odd extent the last pixel is left out
-    Gif,  // 256 colours, over and over
+    Mp4,  // H.264, 4:2:0, which all players support; an odd last column or row is cropped
+    Gif,  // 256 colors, repeated endlessly
 };
 
-/// Throws OutputError unless ffmpeg is there.
+/// Throws OutputError if ffmpeg is not installed or does not run.
 void check_ffmpeg();
 
-/// From an animated PNG of this rate, which ffmpeg reads from it with an error of 1e-4. Throws
-/// OutputError where ffmpeg is missing or fails; it says on stderr why.
+/// Encodes an animated PNG as a video. `rate` must be its rate; it is passed to ffmpeg separately,
+/// because ffmpeg reads the rate of an animated PNG with an error of 1e-4. Throws OutputError if
+/// ffmpeg is not installed or fails; ffmpeg prints the reason to stderr.
 Bytes encode_video(std::span<const std::byte> apng, FrameRate rate, VideoFormat format);
 
 }  // namespace foam::texgen
