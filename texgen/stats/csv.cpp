@@ -9,6 +9,7 @@ namespace foam::texgen {
 
 namespace {
 
+// Returns the growth of the bubbles with a number of sides, or a growth of no bubbles.
 SidesGrowth growth_of(const FrameRecord& record, int sides) {
     const auto found = std::find_if(record.growth.begin(),
                                     record.growth.end(),

@@ -8,17 +8,19 @@
 
 namespace foam::texgen {
 
-/// The name of the script beside the tables.
+/// The file name of the script, which is in the folder of the tables.
 inline constexpr const char* kChartsScriptName = "charts.gp";
 
+/// The result of write_statistics.
 struct StatisticsFiles {
     std::vector<std::filesystem::path> paths;  // the tables, the script, and the charts if drawn
     ChartStatus charts = ChartStatus::Drawn;
 };
 
-/// Writes the tables (csv.h) and the script of the charts (charts.h) into a folder, which is made
-/// as needed, and draws the charts if gnuplot is installed. A table appears under its name only
-/// when it is complete; charts of an earlier run are removed. Throws OutputError.
+/// Writes the tables (csv.h) and the script of the charts (charts.h) into a folder, which is
+/// created if needed, and draws the charts if gnuplot is installed. Charts of an earlier run are
+/// removed. A table appears under its name only when it is complete. Throws OutputError if a file
+/// cannot be written.
 StatisticsFiles write_statistics(const RunRecord& run, const std::filesystem::path& folder);
 
 }  // namespace foam::texgen

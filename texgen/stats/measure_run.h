@@ -5,12 +5,13 @@
 
 namespace foam::texgen {
 
+/// The result of measure_run.
 struct MeasureSummary {
-    RunOutcome outcome;  // the record ends before a frame that failed
-    RunRecord run;
+    RunOutcome outcome;
+    RunRecord run;  // ends before a frame that failed
 };
 
-/// Takes the frames of a preset as a bake does, and measures instead of drawing them.
+/// Simulates the frames of a preset as a bake does, and measures them instead of drawing them.
 MeasureSummary measure_run(const Preset& preset,
                            const BakeOptions& options,
                            const ProgressCallback& on_progress);

@@ -10,41 +10,43 @@
 
 namespace foam::texgen {
 
-/// One frame in numbers. What counts events or time is since the record before it.
+/// The statistics of one frame. Growth, events and wall time are counted since the preceding
+/// record.
 struct FrameRecord {
-    int frame = 0;  // its number
-    double time = 0.0;
+    int frame = 0;      // number of the frame
+    double time = 0.0;  // foam time
     FoamStatistics foam;
-    std::vector<SidesGrowth> growth;  // none in the first record
+    std::vector<SidesGrowth> growth;  // empty in the first record
     FrameEffort effort;
 };
 
-/// The statistics of a run, and what is needed to read them.
+/// The statistics of a run, and the parameters that are needed to interpret them.
 struct RunRecord {
-    std::string preset;         // its name
+    std::string preset;         // name of the preset
     double film_tension = 1.0;  // T = 2 gamma
-    double kappa = 0.0;         // of von Neumann's law (E6)
+    double kappa = 0.0;         // diffusion constant of von Neumann's law (E6)
     std::vector<FrameRecord> frames;
 
-    /// von Neumann's law: dA/dt of a bubble of so many sides.
+    /// Returns dA/dt of a bubble with a number of sides by von Neumann's law.
     double law_rate(int sides) const;
 };
 
-/// Takes down the frames of a run as they are handed out.
+/// Records the statistics of the frames of a run, one frame after the other.
 class Recorder {
   public:
     explicit Recorder(const Preset& preset);
 
+    /// Appends the record of a frame, and keeps the frame until the next one.
     void record(const std::shared_ptr<const Frame>& frame, const FrameEffort& effort);
 
-    /// `record`, for simulate_frames; borrows the recorder.
+    /// Returns a function for simulate_frames that calls record(). It borrows the recorder.
     FrameVisitor visitor();
 
     const RunRecord& run() const { return run_; }
 
   private:
     RunRecord run_;
-    std::shared_ptr<const Frame> before_;
+    std::shared_ptr<const Frame> before_;  // the preceding frame, or null
 };
 
 }  // namespace foam::texgen
