@@ -11,7 +11,7 @@ namespace {
 
 using SeamOf = std::optional<Seam> VerifiedMap::*;
 
-/// "albedo 0.93, height 0.88".
+// Returns the ratios of all maps, for example "albedo 0.93, height 0.88".
 std::string ratios(const VerifiedSet& found, SeamOf seam) {
     std::string list;
     for (const VerifiedMap& map : found.maps) {

@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-/// The sum of the differences of two rows of samples, or of parts of them.
+// Returns the sum of the differences of two sequences of samples. Precondition: they have the same
+// length.
 template <class Sample>
 double sum_of_differences(std::span<const Sample> a,
                           std::span<const Sample> b,
@@ -30,7 +31,8 @@ double sum_of_differences(std::span<const Sample> a,
     return sum;
 }
 
-/// Adds what each column differs from the one before it, the first from the last.
+// Adds the difference of each column from the preceding one to `steps`. The first column is
+// compared with the last.
 template <class Sample>
 void add_column_steps(const Image<Sample>& image,
                       Difference difference,
@@ -47,7 +49,7 @@ void add_column_steps(const Image<Sample>& image,
     }
 }
 
-/// The same of rows.
+// Adds the difference of each row from the preceding one. The first row is compared with the last.
 template <class Sample>
 void add_row_steps(const Image<Sample>& image, Difference difference, std::vector<double>& steps) {
     std::span<const Sample> before = image.row(image.height() - 1);
@@ -57,7 +59,8 @@ void add_row_steps(const Image<Sample>& image, Difference difference, std::vecto
     }
 }
 
-/// Of the steps, the first is that across the border. Each is a sum over so many samples.
+// Converts sums of differences to a seam. The first step is the one across the border. Each step is
+// a sum over `samples` samples.
 Seam seam_of(const std::vector<double>& steps, double samples) {
     Seam seam{steps.front() / samples, 0.0};
     for (std::size_t k = 1; k < steps.size(); ++k) {
@@ -74,7 +77,8 @@ int channel_count(std::span<const ChannelGroup* const> groups) {
     return channels;
 }
 
-/// Returns the sum of the differences of all samples; infinite for groups of different forms.
+// Returns the sum of the differences of all samples, or infinity for groups of different types or
+// sizes.
 double group_difference(const ChannelGroup& a, const ChannelGroup& b, Difference difference) {
     return std::visit(
         [&](const auto& left) {

@@ -6,30 +6,33 @@
 
 namespace foam::texgen {
 
-/// How two samples differ: by their numbers, or, as ids do, by being the same or not.
+/// The measure of the difference of two samples: the absolute difference of numbers; for ids, 1 if
+/// they differ and 0 if they are equal.
 enum class Difference { Numbers, Ids };
 
-/// A step where there should be none, beside those that are there anyway; means over the samples of
-/// a border, or of a frame.
+/// The step across a possible seam, compared with the largest step elsewhere. A step is the mean
+/// difference of the samples of two adjacent columns, rows or frames.
 struct Seam {
-    double across = 0.0;          // the step at the seam
-    double largest_within = 0.0;  // of all other steps
+    double across = 0.0;          // the step across the seam
+    double largest_within = 0.0;  // the largest of all other steps
 
-    /// 0 where there is no step at the seam, infinite where there are no others.
+    /// Returns across / largest_within. The ratio is 0 if there is no step across the seam, and
+    /// infinite if there is one but all other steps are 0.
     double ratio() const;
 };
 
-/// How images tile: the step from the last column to the first beside those from column to column,
-/// and the same of rows.
+/// The seams of a tile. For columns, the step from the last column to the first is compared with
+/// the steps between adjacent columns; likewise for rows.
 struct TileSeams {
     Seam columns;
     Seam rows;
 };
 
-/// Returns the seams of one image. Precondition: all groups have one size.
+/// Returns the seams of one image. Precondition: all groups have the same size.
 TileSeams tile_seams(std::span<const ChannelGroup* const> groups, Difference difference);
 
-/// The mean difference of two images of one form; infinite where they are of another form.
+/// Returns the mean difference of the samples of two images, or infinity if the images differ in
+/// size, channels or type, or are empty.
 double step_between(std::span<const ChannelGroup* const> a,
                     std::span<const ChannelGroup* const> b,
                     Difference difference);

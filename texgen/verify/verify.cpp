@@ -18,13 +18,18 @@ namespace foam::texgen {
 
 namespace {
 
+// Every file is decoded once. Its pixels are compared with the hash in the manifest, and each of
+// its maps is passed on to a MapCheck. A MapCheck accumulates the largest steps within frames,
+// across their borders and from frame to frame. At the end it compares the steps at seams with the
+// largest other steps (steps.h).
+
 using File = std::shared_ptr<const Picture>;
 
 Difference difference_of(const ManifestMap& map) {
     return map.samples && map.samples->kind == "id" ? Difference::Ids : Difference::Numbers;
 }
 
-/// One map, frame after frame.
+// Accumulates the steps of one map, frame after frame.
 class MapCheck {
   public:
     explicit MapCheck(const ManifestMap& map)
@@ -46,7 +51,8 @@ class MapCheck {
         last_frame_ = frame;
     }
 
-    /// Of a loop of so many frames; 0 for none.
+    // Returns the result. `period` is the number of frames of the loop, or 0 if there is no loop.
+    // The loop is checked if the frames 1 to `period` were added in this order.
     VerifiedMap finish(int period) {
         const bool all =
             period > 1 && first_frame_ == 1 && steps_ >= period - 1 && last_frame_ == period;
@@ -67,10 +73,10 @@ class MapCheck {
         rows_.add(seams.rows, frame);
     }
 
-    // The largest steps of all frames.
+    // The largest step across a border, and the largest step within, over all frames.
     struct Border {
         Seam seam;
-        int frame = 0;  // with the largest step across
+        int frame = 0;  // the frame with the largest step across; 0 if there is no frame
 
         void add(const Seam& one, int number) {
             if (frame == 0 || one.across > seam.across) {
@@ -101,7 +107,8 @@ class MapCheck {
     Border rows_;
 };
 
-/// The file as it was baked; nothing, and a problem more, where it is not.
+// Returns the picture in a file if its pixels are those that were baked. Otherwise adds a problem
+// and returns null.
 File read_baked(const ManifestFile& file,
                 const std::filesystem::path& folder,
                 std::vector<std::string>& problems) {
@@ -117,7 +124,7 @@ File read_baked(const ManifestFile& file,
     return nullptr;
 }
 
-/// One line for all maps that lack the same frames.
+// Adds a problem for missing frames, one line for all maps that lack the same frames.
 void note_missing(const BakedSet& set, std::vector<std::string>& problems) {
     std::map<std::vector<int>, std::string> maps_by_missing;
     for (const ManifestMap& map : set.maps) {

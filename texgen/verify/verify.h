@@ -10,54 +10,58 @@
 
 namespace foam::texgen {
 
-/// Tiles hold where the step across the border is at most so many times the largest within, in all
-/// frames together.
+/// The largest ratio of the step across the border of a tile to the largest step within, over all
+/// frames together, that counts as seamless.
 inline constexpr double kLargestTileRatio = 1.25;
-/// Smaller images, in pixels, have too few steps to compare with.
+/// The smallest width and height, in pixels, of images whose tiling is checked. Smaller images have
+/// too few columns or rows for a comparison.
 inline constexpr int kSmallestTile = 64;
-/// A loop holds where the step from its last frame to its first is at most so many times the
-/// largest from frame to frame.
+/// The largest ratio of the step from the last frame of a loop to its first, to the largest step
+/// between successive frames, that counts as seamless.
 inline constexpr double kLargestLoopRatio = 1.1;
 
-/// What was found of a map; nothing where it was not to be checked, or could not be.
+/// The result of checking a map. A seam is empty if it did not have to be checked, or could not be.
 struct VerifiedMap {
     std::string name;
     std::optional<Seam> tile;
-    int tile_frame = 0;  // with the largest step across the border
+    int tile_frame = 0;  // the frame with the largest step across the border
     std::optional<Seam> loop;
 
+    /// Returns true if no seam exceeds its largest ratio.
     bool holds() const;
 };
 
-/// What was found of a set of images.
+/// The result of checking a set of images.
 struct VerifiedSet {
     BakedSet set;
-    int files_same = 0;                 // that have the pixels that were baked
-    std::vector<std::string> problems;  // one line each: files, frames that lack, seams
+    int files_same = 0;                 // number of files that have the pixels that were baked
+    std::vector<std::string> problems;  // one line each: invalid files, missing frames, seams
     std::vector<VerifiedMap> maps;
 
+    /// Returns true if there are no problems.
     bool holds() const { return problems.empty(); }
 };
 
-/// What was found of a folder, and where that was.
+/// The result of checking a folder.
 struct Verification {
     std::filesystem::path folder;
     std::vector<VerifiedSet> sets;
 
-    /// Whether everything does; not of a folder without images.
+    /// Returns true if no set has a problem. Returns false for a folder without sets.
     bool holds() const;
 };
 
-/// Checks the images of a folder, or of a manifest in it, against the manifest: that every file is
-/// there and decodes to the pixels that were baked, that what tiles has no seam, and that what
-/// loops leads from its last frame to its first. A loop is checked once all frames of its period
-/// are there. Throws InputError where the manifest cannot be read; all else is found, not thrown.
+/// Checks the images of a folder against its manifest: that every file exists and decodes to the
+/// pixels that were baked, that frames that tile have no seam, and that loops have no seam between
+/// their last frame and their first. A loop is checked only if all frames of its period exist.
+/// `path` is the folder or a manifest in it. Throws InputError if the manifest cannot be read; all
+/// other problems are part of the result.
 Verification verify(const std::filesystem::path& path);
 
-/// For persons: a few lines a set.
+/// Returns the result as text for people, with a few lines per set.
 std::string to_text(const Verification& found);
 
-/// For programs: one JSON object (README.md has the members).
+/// Returns the result as one JSON object for programs. README.md describes its members.
 std::string to_json(const Verification& found);
 
 }  // namespace foam::texgen
