@@ -142,7 +142,7 @@ class Coverage {
     RowKind kind_;
     std::size_t stride_;  // pixels between rows; one pixel beyond the width receives what an arc
                           // adds to the right of the last pixel
-    std::size_t words_;  // words of 64 flags per row
+    std::size_t words_;   // words of 64 flags per row
     std::vector<Sum> differences_;
     std::vector<std::uint64_t>
         touched_;  // one bit per pixel, set if its difference may not be zero
