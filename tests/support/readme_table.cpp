@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -13,8 +14,8 @@ namespace foam::test {
 
 namespace {
 
-std::string read_readme() {
-    std::ifstream file(readme());
+std::string read_text(const std::filesystem::path& path) {
+    std::ifstream file(path);
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
@@ -35,13 +36,14 @@ std::string replace_table(std::string text, std::string_view table) {
 
 }  // namespace
 
-void expect_in_readme(std::string_view table) {
+void expect_in_readme(std::string_view folder, std::string_view table) {
+    const std::filesystem::path path = readme().parent_path() / folder / "README.md";
     if (std::getenv("FOAMTEX_UPDATE_GOLDEN") != nullptr) {
-        const std::string updated = replace_table(read_readme(), table);
-        std::ofstream(readme()) << updated;
+        const std::string updated = replace_table(read_text(path), table);
+        std::ofstream(path) << updated;
     }
-    EXPECT_NE(read_readme().find(table), std::string::npos)
-        << "FOAMTEX_UPDATE_GOLDEN=1 writes this table into the README:\n"
+    EXPECT_NE(read_text(path).find(table), std::string::npos)
+        << "FOAMTEX_UPDATE_GOLDEN=1 writes this table into " << path << ":\n"
         << table;
 }
 

@@ -46,7 +46,7 @@ TEST(AllEvents, AKindIsOneOfTheNames) {
 }
 
 TEST(AllEvents, TheReadmeHasTheTableOfKinds) {
-    foam::test::expect_in_readme(describe_event_kinds_in_markdown());
+    foam::test::expect_in_readme("texgen/events", describe_event_kinds_in_markdown());
 }
 
 }  // namespace

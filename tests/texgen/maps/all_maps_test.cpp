@@ -259,7 +259,7 @@ TEST(AllMaps, AnUnknownOneIsRefusedWithThoseThereAre) {
 }
 
 TEST(AllMaps, StandInTheReadme) {
-    foam::test::expect_in_readme(describe_maps_in_markdown());
+    foam::test::expect_in_readme("texgen/maps", describe_maps_in_markdown());
 }
 
 }  // namespace
