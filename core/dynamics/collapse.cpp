@@ -36,9 +36,9 @@ void move_to_mean(Foam& foam, BubbleId bubble) {
     place_junction(foam, junction, foam.positions[junction] + sum / 3.0);
 }
 
-void share_out(Foam& foam, double gas, const std::vector<BubbleId>& neighbours) {
-    for (const BubbleId neighbor : neighbours) {
-        foam.target_areas[neighbor] += gas / static_cast<double>(neighbours.size());
+void share_out(Foam& foam, double gas, const std::vector<BubbleId>& neighbors) {
+    for (const BubbleId neighbor : neighbors) {
+        foam.target_areas[neighbor] += gas / static_cast<double>(neighbors.size());
     }
 }
 
@@ -59,7 +59,7 @@ void apply_t2(Foam& foam, BubbleId bubble) {
     const double gas = foam.target_areas[bubble];
     note_t2(foam, bubble);
     const Vanished vanished = vanish(foam.network, bubble);
-    share_out(foam, gas, vanished.neighbours);
+    share_out(foam, gas, vanished.neighbors);
     if (vanished.film != kNone<FilmId>) {
         foam.t1_armed[vanished.film] = 1;
         fit_half_angle(foam, vanished.film);

@@ -32,7 +32,7 @@ int collapse_lone(Foam& foam, const Vanishes& vanishes) {
         if (!vanishes(bubble)) {
             return false;
         }
-        foam.events.push_back({TopologyEventKind::T2, foam.time, bubble.centre, {bubble.identity}});
+        foam.events.push_back({TopologyEventKind::T2, foam.time, bubble.center, {bubble.identity}});
         return true;
     }));
 }

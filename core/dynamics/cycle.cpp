@@ -38,9 +38,9 @@ Vec2 mean(const std::vector<Vec2>& points) {
 }
 
 // Returns the center of each bubble; on a torus, the mean of its junctions, at any of its copies.
-std::map<BubbleIdentity, Vec2> centres(const Foam& foam) {
+std::map<BubbleIdentity, Vec2> centers(const Foam& foam) {
     if (foam.domain.is_plane()) {
-        return bubble_centres(foam);
+        return bubble_centers(foam);
     }
     std::map<BubbleIdentity, Vec2> all;
     for (const BubbleId bubble : foam.network.bubbles()) {
@@ -75,7 +75,7 @@ double mean_diameter(const Foam& foam) {
 }  // namespace
 
 Cycle::Cycle(const Foam& foam, const CycleOptions& options)
-    : options_(options), shear_(foam.domain.shear), centres_(centres(foam)) {
+    : options_(options), shear_(foam.domain.shear), centers_(centers(foam)) {
     Random random(options.seed);
     for (const BubbleId bubble : foam.network.bubbles()) {
         swings_.push_back({foam.identities[bubble], foam.target_areas[bubble], random.uniform()});
@@ -114,14 +114,14 @@ StateChange Cycle::change_to(int place, const Domain& domain) const {
 // of its bubbles; in a patch each raft by itself.
 void Cycle::hold(Foam& foam) const {
     if (foam.domain.is_plane()) {
-        hold_rafts(foam, centres_);
+        hold_rafts(foam, centers_);
         return;
     }
     Vec2 sum = Vec2::Zero();
     std::size_t count = 0;
-    for (const auto& [bubble, centre] : centres(foam)) {
-        if (const auto start = centres_.find(bubble); start != centres_.end()) {
-            sum += foam.domain.nearest_copy(centre - start->second);
+    for (const auto& [bubble, center] : centers(foam)) {
+        if (const auto start = centers_.find(bubble); start != centers_.end()) {
+            sum += foam.domain.nearest_copy(center - start->second);
             ++count;
         }
     }

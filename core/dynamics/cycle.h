@@ -44,7 +44,7 @@ class Cycle {
     CycleOptions options_;
     double shear_;  // shear of the domain at the start
     std::vector<Swing> swings_;
-    std::map<BubbleIdentity, Vec2> centres_;  // centers of the bubbles at the start
+    std::map<BubbleIdentity, Vec2> centers_;  // centers of the bubbles at the start
 };
 
 /// Returns the distance between two states of a foam: the largest distance from a junction of a

@@ -26,21 +26,21 @@ Vec2 mean_of_arc(const FilmArc& arc) {
     return 0.5 * (arc.chord - bulge(arc.half_angle) * turned_left(arc.chord));
 }
 
-struct Centre {
+struct Center {
     Vec2 at{0.0, 0.0};
     double weight = 0.0;  // length of the films of the bubble
 };
 
-Centre centre_of(const Foam& patch, BubbleId bubble) {
-    Centre centre;
+Center center_of(const Foam& patch, BubbleId bubble) {
+    Center center;
     for (const HalfEdgeId h : patch.network.around(bubble)) {
         const FilmArc arc = film_arc(patch, h);
         const double length = arc_length(arc);
-        centre.at += length * (patch.positions[patch.network.tail(h)] + mean_of_arc(arc));
-        centre.weight += length;
+        center.at += length * (patch.positions[patch.network.tail(h)] + mean_of_arc(arc));
+        center.weight += length;
     }
-    centre.at /= centre.weight;
-    return centre;
+    center.at /= center.weight;
+    return center;
 }
 
 // The bubbles of a raft, a connected component of the patch.
@@ -51,10 +51,10 @@ Raft raft_around(const Network& network, BubbleId first, Indexed<BubbleId, char>
     seen[first] = 1;
     for (std::size_t k = 0; k < raft.size(); ++k) {
         for (const HalfEdgeId h : network.around(raft[k])) {
-            const BubbleId neighbour = network.right(h);
-            if (neighbour != network.ghost() && seen[neighbour] == 0) {
-                seen[neighbour] = 1;
-                raft.push_back(neighbour);
+            const BubbleId neighbor = network.right(h);
+            if (neighbor != network.ghost() && seen[neighbor] == 0) {
+                seen[neighbor] = 1;
+                raft.push_back(neighbor);
             }
         }
     }
@@ -78,13 +78,13 @@ struct RigidMotion {
 RigidMotion motion_back(const Foam& patch,
                         const Raft& raft,
                         const std::map<BubbleIdentity, Vec2>& before) {
-    std::vector<std::pair<Centre, Vec2>> pairs;
+    std::vector<std::pair<Center, Vec2>> pairs;
     RigidMotion motion;
     double weight = 0.0;
     for (const BubbleId bubble : raft) {
         const auto then = before.find(patch.identities[bubble]);
         if (then != before.end()) {
-            const Centre now = centre_of(patch, bubble);
+            const Center now = center_of(patch, bubble);
             pairs.emplace_back(now, then->second);
             motion.from += now.weight * now.at;
             motion.to += now.weight * then->second;
@@ -122,15 +122,15 @@ void move_raft(Foam& patch, const Raft& raft, const RigidMotion& motion, std::ve
 
 }  // namespace
 
-std::map<BubbleIdentity, Vec2> bubble_centres(const Foam& patch) {
-    std::map<BubbleIdentity, Vec2> centres;
+std::map<BubbleIdentity, Vec2> bubble_centers(const Foam& patch) {
+    std::map<BubbleIdentity, Vec2> centers;
     for (const BubbleId bubble : patch.network.bubbles()) {
-        centres[patch.identities[bubble]] = centre_of(patch, bubble).at;
+        centers[patch.identities[bubble]] = center_of(patch, bubble).at;
     }
     for (const LoneBubble& bubble : patch.lone_bubbles) {
-        centres[bubble.identity] = bubble.centre;
+        centers[bubble.identity] = bubble.center;
     }
-    return centres;
+    return centers;
 }
 
 void hold_rafts(Foam& patch, const std::map<BubbleIdentity, Vec2>& before) {
@@ -144,7 +144,7 @@ void hold_rafts(Foam& patch, const std::map<BubbleIdentity, Vec2>& before) {
     }
     for (LoneBubble& bubble : patch.lone_bubbles) {
         const auto then = before.find(bubble.identity);
-        bubble.centre = then != before.end() ? then->second : bubble.centre;
+        bubble.center = then != before.end() ? then->second : bubble.center;
     }
 }
 

@@ -8,7 +8,7 @@ namespace foam {
 
 /// Returns the center of each bubble of a patch: the mean of all points of its films. The center of
 /// a lone bubble is that of its circle.
-std::map<BubbleIdentity, Vec2> bubble_centres(const Foam& patch);
+std::map<BubbleIdentity, Vec2> bubble_centers(const Foam& patch);
 
 /// Moves and rotates every raft of a patch as a rigid body to fit the earlier centers of its
 /// bubbles by least squares. Equilibrium determines neither position nor rotation of a raft, and a

@@ -84,7 +84,7 @@ EquilibriumSummary equilibrate_in_place(Foam& foam, const StepOptions& step_opti
     if (foam.network.ghost() == kNone<BubbleId>) {
         return equilibrate_with(step_options.solver, foam, options);
     }
-    const std::map<BubbleIdentity, Vec2> before = bubble_centres(foam);
+    const std::map<BubbleIdentity, Vec2> before = bubble_centers(foam);
     const EquilibriumSummary summary = equilibrate_with(step_options.solver, foam, options);
     compact(foam);  // films may have torn
     if (summary.converged()) {

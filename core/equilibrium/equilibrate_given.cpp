@@ -49,7 +49,7 @@ Units units_of(const Foam& foam) {
 
 void scale_lone_bubbles(Foam& foam, double factor) {
     for (LoneBubble& bubble : foam.lone_bubbles) {
-        bubble.centre *= factor;
+        bubble.center *= factor;
         bubble.target_area *= factor * factor;
     }
 }

@@ -86,7 +86,7 @@ Cell cell_of_ring(const std::vector<Vec2>& ring,
     return cell;
 }
 
-Vec2 centre_of(const PolygonMesh& mesh, const Cell& cell) {
+Vec2 center_of(const PolygonMesh& mesh, const Cell& cell) {
     std::vector<CellCorner> corners;
     corners.reserve(cell.size());
     for (const std::uint32_t point : cell) {
@@ -118,7 +118,7 @@ double length_of(const std::map<Side, double>& sides, const Cell& corners) {
 }
 
 // Returns the neighbors by the length of the common border, the longest first.
-std::vector<std::size_t> neighbours_of(const PolygonMesh& mesh, std::size_t cell) {
+std::vector<std::size_t> neighbors_of(const PolygonMesh& mesh, std::size_t cell) {
     const std::map<Side, double> sides = reversed_sides(mesh, mesh.cells[cell]);
     std::map<std::size_t, double> borders;
     for (std::size_t other = 0; other < mesh.cells.size(); ++other) {
@@ -127,15 +127,15 @@ std::vector<std::size_t> neighbours_of(const PolygonMesh& mesh, std::size_t cell
             borders[other] = border;
         }
     }
-    std::vector<std::size_t> neighbours;
-    neighbours.reserve(borders.size());
-    for (const auto& [neighbour, length] : borders) {
-        neighbours.push_back(neighbour);
+    std::vector<std::size_t> neighbors;
+    neighbors.reserve(borders.size());
+    for (const auto& [neighbor, length] : borders) {
+        neighbors.push_back(neighbor);
     }
-    std::stable_sort(neighbours.begin(), neighbours.end(), [&](std::size_t a, std::size_t b) {
+    std::stable_sort(neighbors.begin(), neighbors.end(), [&](std::size_t a, std::size_t b) {
         return borders[a] > borders[b];
     });
-    return neighbours;
+    return neighbors;
 }
 
 // Returns the union of two cells, or nothing if its boundary is not a single loop.
@@ -179,9 +179,9 @@ double mean_area(const PolygonMesh& mesh) {
 }
 
 void merge_or_drop(PolygonMesh& mesh, std::size_t cell) {
-    for (const std::size_t neighbour : neighbours_of(mesh, cell)) {
-        if (const std::optional<Cell> both = merged(mesh.cells[cell], mesh.cells[neighbour])) {
-            mesh.cells[neighbour] = *both;
+    for (const std::size_t neighbor : neighbors_of(mesh, cell)) {
+        if (const std::optional<Cell> both = merged(mesh.cells[cell], mesh.cells[neighbor])) {
+            mesh.cells[neighbor] = *both;
             break;
         }
     }
@@ -209,7 +209,7 @@ ClippedCells clip_cells(const Outline& outline, const CellDiagram& diagram) {
         for (const CellCorner& corner : corners) {
             ring.push_back(corner.point);
         }
-        Vec2 centre = cell_centroid(corners);
+        Vec2 center = cell_centroid(corners);
         double largest = 0.0;
         for (const std::vector<Vec2>& part : clipped(outline, ring)) {
             const Cell cell = cell_of_ring(part, ring, points);
@@ -219,11 +219,11 @@ ClippedCells clip_cells(const Outline& outline, const CellDiagram& diagram) {
             const double area = polygon_area(mesh, cell);
             if (area > largest) {
                 largest = area;
-                centre = centre_of(mesh, cell);
+                center = center_of(mesh, cell);
             }
             mesh.cells.push_back(cell);
         }
-        clipped_cells.centres.push_back(centre);
+        clipped_cells.centers.push_back(center);
     }
     return clipped_cells;
 }

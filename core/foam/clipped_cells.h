@@ -9,7 +9,7 @@ namespace foam {
 /// The cells of a diagram, clipped to an outline.
 struct ClippedCells {
     PolygonMesh mesh;           // each part of a cell within the outline is a cell of the mesh
-    std::vector<Vec2> centres;  // per cell of the diagram: the centroid of its largest part, or of
+    std::vector<Vec2> centers;  // per cell of the diagram: the centroid of its largest part, or of
                                 // the whole cell if no part is within the outline
 };
 

@@ -12,7 +12,7 @@ namespace foam {
 /// A bubble of a patch that touches no other bubble: a circle, which is not part of the network.
 struct LoneBubble {
     BubbleIdentity identity = 0;
-    Vec2 centre{0.0, 0.0};
+    Vec2 center{0.0, 0.0};
     double target_area = 0.0;  // always equal to its area
 
     friend bool operator==(const LoneBubble& a, const LoneBubble& b) = default;

@@ -12,7 +12,7 @@ namespace {
 
 // Returns the steps in (column, row) to the neighbors of a hexagon with a corner at its top,
 // counter-clockwise from the right. Odd rows are shifted by half a hexagon to the right.
-std::array<std::array<int, 2>, 6> neighbour_steps(int row) {
+std::array<std::array<int, 2>, 6> neighbor_steps(int row) {
     const int shift = row % 2;
     return {{{1, 0}, {shift, 1}, {shift - 1, 1}, {-1, 0}, {shift - 1, -1}, {shift, -1}}};
 }
@@ -24,8 +24,8 @@ int floor_div(int a, int b) {
 std::vector<CellCorner> hexagon(int column, int row, int columns, int rows, double side) {
     constexpr double kPi = 3.14159265358979323846;
     const double width = std::sqrt(3.0) * side;
-    const Vec2 centre(width * (column + 0.5 * (row % 2) + 0.5), side * (1.5 * row + 1.0));
-    const auto steps = neighbour_steps(row);
+    const Vec2 center(width * (column + 0.5 * (row % 2) + 0.5), side * (1.5 * row + 1.0));
+    const auto steps = neighbor_steps(row);
     std::vector<CellCorner> corners;
     for (std::size_t k = 0; k < 6; ++k) {
         const double angle = kPi / 6.0 * (2.0 * static_cast<double>(k) - 1.0);
@@ -33,7 +33,7 @@ std::vector<CellCorner> hexagon(int column, int row, int columns, int rows, doub
         const int r = row + steps[k][1];
         const LatticeOffset offset{floor_div(c, columns), floor_div(r, rows)};
         const int across = (r - offset.j * rows) * columns + (c - offset.i * columns);
-        corners.push_back({centre + side * Vec2(std::cos(angle), std::sin(angle)),
+        corners.push_back({center + side * Vec2(std::cos(angle), std::sin(angle)),
                            static_cast<std::size_t>(across),
                            offset});
     }

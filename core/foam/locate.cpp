@@ -160,7 +160,7 @@ std::optional<BubbleIdentity> identity_at(const Foam& foam, const Vec2& point) {
         return foam.identities[*bubble];
     }
     for (const LoneBubble& bubble : foam.lone_bubbles) {
-        if ((point - bubble.centre).norm() <= lone_radius(bubble)) {
+        if ((point - bubble.center).norm() <= lone_radius(bubble)) {
             return bubble.identity;
         }
     }

@@ -101,8 +101,8 @@ ClippedCells draw_cells(const Site& place, const PatchOptions& options, Random& 
     ClippedCells cells = cells_of(place, sites);
     for (int k = 0; k < options.lloyd_iterations; ++k) {
         for (std::size_t cell = 0; cell < sites.size(); ++cell) {
-            const Vec2 centre = cells.centres[cell];
-            sites[cell] = is_inside(place.outline, centre) ? centre : sites[cell];
+            const Vec2 center = cells.centers[cell];
+            sites[cell] = is_inside(place.outline, center) ? center : sites[cell];
         }
         cells = cells_of(place, sites);
     }

@@ -39,30 +39,30 @@ class PatchBuilder {
   private:
     // Collects the directed sides, and makes junctions of the points of three sides.
     void add_sides() {
-        std::vector<std::vector<Point>> neighbours(mesh_.points.size());
+        std::vector<std::vector<Point>> neighbors(mesh_.points.size());
         for (const PolygonMesh::Cell& corners : mesh_.cells) {
             for (std::size_t k = 0; k < corners.size(); ++k) {
                 const Side side{corners[k], corners[(k + 1) % corners.size()]};
                 if (!sides_.insert(side).second) {
                     throw std::runtime_error("polygon mesh: two cells lie on one side of a side");
                 }
-                neighbours[side.first].push_back(side.second);
-                neighbours[side.second].push_back(side.first);
+                neighbors[side.first].push_back(side.second);
+                neighbors[side.second].push_back(side.first);
             }
         }
         junctions_.assign(mesh_.points.size(), kNone<JunctionId>);
-        for (Point point = 0; point < neighbours.size(); ++point) {
-            add_junction(point, neighbours[point]);
+        for (Point point = 0; point < neighbors.size(); ++point) {
+            add_junction(point, neighbors[point]);
         }
     }
 
-    void add_junction(Point point, std::vector<Point>& neighbours) {
-        std::sort(neighbours.begin(), neighbours.end());
-        neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
-        if (neighbours.size() > kFilmsOfJunction || neighbours.size() == 1) {
+    void add_junction(Point point, std::vector<Point>& neighbors) {
+        std::sort(neighbors.begin(), neighbors.end());
+        neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
+        if (neighbors.size() > kFilmsOfJunction || neighbors.size() == 1) {
             throw std::runtime_error("polygon mesh: a point joins more than three sides");
         }
-        if (neighbours.size() == kFilmsOfJunction) {
+        if (neighbors.size() == kFilmsOfJunction) {
             junctions_[point] = foam_.network.add_junction();
             foam_.positions.push_back(mesh_.points[point]);
         }

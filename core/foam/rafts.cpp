@@ -39,7 +39,7 @@ struct TornSide {
 LoneBubble as_lone(const Foam& foam, HalfEdgeId h) {
     const BubbleId bubble = foam.network.left(h);
     LoneBubble lone{foam.identities[bubble], Vec2::Zero(), foam.target_areas[bubble]};
-    lone.centre = foam.positions[foam.network.tail(h)] +
+    lone.center = foam.positions[foam.network.tail(h)] +
                   lone_radius(lone) * turned_left(tangent_at_tail(film_arc(foam, h)));
     return lone;
 }

@@ -52,8 +52,8 @@ CellDiagram lloyd_relaxed(const Domain& domain, std::vector<Vec2> sites, int ite
     CellDiagram cells = voronoi_cells(domain, sites);
     for (int k = 0; k < iterations; ++k) {
         for (std::size_t cell = 0; cell < cells.size(); ++cell) {
-            const Vec2 centre = cell_centroid(cells[cell]);
-            sites[cell] = centre - domain.translation(domain.cell_of(centre));
+            const Vec2 center = cell_centroid(cells[cell]);
+            sites[cell] = center - domain.translation(domain.cell_of(center));
         }
         cells = voronoi_cells(domain, sites);
     }

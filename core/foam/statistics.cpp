@@ -81,24 +81,24 @@ double mean_of(const FoamStatistics& all, OfSides value) {
     return sum / std::max(1, all.bubbles);
 }
 
-struct Neighbourhood {
+struct Neighborhood {
     double area = 0.0;
-    std::vector<BubbleIdentity> neighbours;  // in increasing order
+    std::vector<BubbleIdentity> neighbors;  // in increasing order
 };
 
-Neighbourhood neighbourhood(const Frame& frame, BubbleId bubble) {
-    Neighbourhood found{frame.bubbles[bubble].area, {}};
+Neighborhood neighborhood(const Frame& frame, BubbleId bubble) {
+    Neighborhood found{frame.bubbles[bubble].area, {}};
     for (const HalfEdgeId h : frame.network.around(bubble)) {
-        found.neighbours.push_back(identity(frame, frame.network.right(h)));
+        found.neighbors.push_back(identity(frame, frame.network.right(h)));
     }
-    std::sort(found.neighbours.begin(), found.neighbours.end());
+    std::sort(found.neighbors.begin(), found.neighbors.end());
     return found;
 }
 
-std::map<BubbleIdentity, Neighbourhood> neighbourhoods(const Frame& frame) {
-    std::map<BubbleIdentity, Neighbourhood> all;
+std::map<BubbleIdentity, Neighborhood> neighborhoods(const Frame& frame) {
+    std::map<BubbleIdentity, Neighborhood> all;
     for (const BubbleId bubble : frame.network.bubbles()) {
-        all.emplace(frame.bubbles[bubble].identity, neighbourhood(frame, bubble));
+        all.emplace(frame.bubbles[bubble].identity, neighborhood(frame, bubble));
     }
     return all;
 }
@@ -140,12 +140,12 @@ std::vector<SidesGrowth> growth_by_sides(const Frame& before, const Frame& after
     if (time == 0.0) {
         return {};
     }
-    const std::map<BubbleIdentity, Neighbourhood> earlier = neighbourhoods(before);
+    const std::map<BubbleIdentity, Neighborhood> earlier = neighborhoods(before);
     std::map<int, SidesGrowth> sums;
-    for (const auto& [identity, now] : neighbourhoods(after)) {
+    for (const auto& [identity, now] : neighborhoods(after)) {
         const auto then = earlier.find(identity);
-        if (then != earlier.end() && then->second.neighbours == now.neighbours) {
-            SidesGrowth& sum = sums[static_cast<int>(now.neighbours.size())];
+        if (then != earlier.end() && then->second.neighbors == now.neighbors) {
+            SidesGrowth& sum = sums[static_cast<int>(now.neighbors.size())];
             ++sum.bubbles;
             sum.mean_rate += (now.area - then->second.area) / time;
         }

@@ -81,8 +81,8 @@ class Writer {
     void put_lone_bubble(const LoneBubble& bubble) {
         put("[{}, {:#}, {:#}, {:#}]",
             bubble.identity,
-            bubble.centre.x(),
-            bubble.centre.y(),
+            bubble.center.x(),
+            bubble.center.y(),
             bubble.target_area);
     }
 

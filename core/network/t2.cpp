@@ -20,13 +20,13 @@ HalfEdgeId outer_film(const Network& network, HalfEdgeId h) {
     return network.next(twin(h));
 }
 
-std::vector<BubbleId> neighbours_of(const Network& network, const std::vector<HalfEdgeId>& loop) {
-    std::vector<BubbleId> neighbours;
-    neighbours.reserve(loop.size());
+std::vector<BubbleId> neighbors_of(const Network& network, const std::vector<HalfEdgeId>& loop) {
+    std::vector<BubbleId> neighbors;
+    neighbors.reserve(loop.size());
     for (const HalfEdgeId h : loop) {
-        neighbours.push_back(network.right(h));
+        neighbors.push_back(network.right(h));
     }
-    return neighbours;
+    return neighbors;
 }
 
 void lose_side(Network& network, BubbleId bubble, int count) {
@@ -44,7 +44,7 @@ void remove_inside(Network& network, BubbleId inside, int sides) {
 
 Vanished vanish_three_sided(Network& network, const std::vector<HalfEdgeId>& loop) {
     const BubbleId inside = network.left(loop[0]);
-    Vanished vanished{network.tail(loop[0]), kNone<FilmId>, neighbours_of(network, loop)};
+    Vanished vanished{network.tail(loop[0]), kNone<FilmId>, neighbors_of(network, loop)};
     const std::array<HalfEdgeId, 3> outer{
         outer_film(network, loop[0]), outer_film(network, loop[1]), outer_film(network, loop[2])};
     const std::array<JunctionId, 2> gone{network.tail(loop[1]), network.tail(loop[2])};
@@ -54,11 +54,11 @@ Vanished vanish_three_sided(Network& network, const std::vector<HalfEdgeId>& loo
         at = at + network.offset(loop[i]);
     }
     for (std::size_t i = 0; i < 3; ++i) {
-        const BubbleId neighbour = vanished.neighbours[i];
+        const BubbleId neighbor = vanished.neighbors[i];
         network.set_next(twin(outer[(i + 1) % 3]), outer[i]);
         network.set_tail(outer[i], vanished.junction);
-        network.set_first(neighbour, outer[i]);
-        lose_side(network, neighbour, 1);
+        network.set_first(neighbor, outer[i]);
+        lose_side(network, neighbor, 1);
     }
     for (const HalfEdgeId h : loop) {
         network.remove(film_of(h));
@@ -74,7 +74,7 @@ Vanished vanish_two_sided(Network& network, const std::vector<HalfEdgeId>& loop)
     const BubbleId inside = network.left(loop[0]);
     const HalfEdgeId kept = outer_film(network, loop[0]);
     const HalfEdgeId dropped = outer_film(network, loop[1]);
-    Vanished vanished{kNone<JunctionId>, film_of(kept), neighbours_of(network, loop)};
+    Vanished vanished{kNone<JunctionId>, film_of(kept), neighbors_of(network, loop)};
     const JunctionId gone_0 = network.tail(loop[0]);
     const JunctionId gone_1 = network.tail(loop[1]);
 
@@ -98,16 +98,16 @@ Vanished vanish_two_sided(Network& network, const std::vector<HalfEdgeId>& loop)
 
 bool can_vanish_along(const Network& network, const std::vector<HalfEdgeId>& loop) {
     const BubbleId inside = network.left(loop.front());
-    const std::vector<BubbleId> neighbours = neighbours_of(network, loop);
+    const std::vector<BubbleId> neighbors = neighbors_of(network, loop);
     if (loop.size() == 2 &&
         film_of(outer_film(network, loop[0])) == film_of(outer_film(network, loop[1]))) {
         return false;
     }
     const int lost_per_side = loop.size() == 2 ? 2 : 1;
-    return std::all_of(neighbours.begin(), neighbours.end(), [&](BubbleId neighbour) {
-        const auto shared = std::count(neighbours.begin(), neighbours.end(), neighbour);
-        return neighbour != inside &&
-               network.sides(neighbour) - lost_per_side * static_cast<int>(shared) >= 2;
+    return std::all_of(neighbors.begin(), neighbors.end(), [&](BubbleId neighbor) {
+        const auto shared = std::count(neighbors.begin(), neighbors.end(), neighbor);
+        return neighbor != inside &&
+               network.sides(neighbor) - lost_per_side * static_cast<int>(shared) >= 2;
     });
 }
 

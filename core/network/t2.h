@@ -16,7 +16,7 @@ struct Vanished {
     JunctionId junction = kNone<JunctionId>;
     // The union of the films at the two corners of a two-sided bubble.
     FilmId film = kNone<FilmId>;
-    std::vector<BubbleId> neighbours;  // one entry per side, counter-clockwise
+    std::vector<BubbleId> neighbors;  // one entry per side, counter-clockwise
 };
 
 /// Removes a bubble by the T2 process (E8; paper Figure 2). Of the three junctions of a three-sided

@@ -111,10 +111,10 @@ Foam settled_foam(int bubbles, std::uint64_t seed) {
     return foam;
 }
 
-HalfEdgeId side_between(const Network& network, BubbleId bubble, BubbleId neighbour) {
+HalfEdgeId side_between(const Network& network, BubbleId bubble, BubbleId neighbor) {
     const std::vector<HalfEdgeId> loop = network.around(bubble);
     return *std::find_if(
-        loop.begin(), loop.end(), [&](HalfEdgeId h) { return network.right(h) == neighbour; });
+        loop.begin(), loop.end(), [&](HalfEdgeId h) { return network.right(h) == neighbor; });
 }
 
 double total_target(const Foam& foam) {

@@ -23,15 +23,15 @@ Foam raw_foam(int bubbles, std::uint64_t seed);
 /// The same foam brought to equilibrium.
 Foam settled_foam(int bubbles, std::uint64_t seed);
 
-/// The side of a bubble across which a neighbour lies: the first one, if there are several.
-/// Precondition: the bubbles are neighbours.
-HalfEdgeId side_between(const Network& network, BubbleId bubble, BubbleId neighbour);
+/// The side of a bubble across which a neighbor lies: the first one, if there are several.
+/// Precondition: the bubbles are neighbors.
+HalfEdgeId side_between(const Network& network, BubbleId bubble, BubbleId neighbor);
 
 /// Sum of the target areas of the live bubbles.
 double total_target(const Foam& foam);
 
 /// honeycomb(4, 4) whose bubble 5 has lost films by T1, one after the other, until it has so many
-/// sides, 2 ... 6. Of its neighbours 6, 10, 9, 4, 1 and 2 (counter-clockwise from its right) first
+/// sides, 2 ... 6. Of its neighbors 6, 10, 9, 4, 1 and 2 (counter-clockwise from its right) first
 /// every other one goes, 10, 4 and 2, which leaves a triangle, and then 6.
 Foam honeycomb_around(int sides);
 

@@ -11,7 +11,7 @@ namespace foam::test {
 namespace {
 
 // A film in one of its copies around the torus, in pixels: a straight one as its chord, any other
-// by its centre and the range of directions from there.
+// by its center and the range of directions from there.
 struct FilmCopy {
     Vec2 tail;
     Vec2 chord;
@@ -108,7 +108,7 @@ std::vector<FilmCopy> all_films(const Frame& frame, double scale, const Vec2& tr
     for (std::size_t k = 0; k < frame.lone_bubbles.size(); ++k) {
         const LoneBubble& bubble = frame.lone_bubbles[k];
         const auto id = id_at<BubbleId>(frame.network.bubble_slots() + k);
-        const Vec2 center = scale * (bubble.centre + translation);
+        const Vec2 center = scale * (bubble.center + translation);
         const Vec2 radius(scale * std::sqrt(bubble.target_area / std::numbers::pi), 0.0);
         for (const double side : {-1.0, 1.0}) {
             films.push_back(film_copy(center + side * radius,

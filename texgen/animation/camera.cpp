@@ -47,8 +47,8 @@ Box box_of(const Frame& frame) {
     }
     for (const LoneBubble& bubble : frame.lone_bubbles) {
         const Vec2 radius = Vec2::Constant(lone_radius(bubble));
-        box.include(bubble.centre - radius);
-        box.include(bubble.centre + radius);
+        box.include(bubble.center - radius);
+        box.include(bubble.center + radius);
     }
     return box;
 }

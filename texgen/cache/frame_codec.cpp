@@ -96,7 +96,7 @@ void write_patch(const Frame& frame, ByteWriter& writer) {
     writer.put(static_cast<std::uint32_t>(frame.lone_bubbles.size()));
     for (const LoneBubble& bubble : frame.lone_bubbles) {
         writer.put(bubble.identity);
-        write_point(bubble.centre, writer);
+        write_point(bubble.center, writer);
         writer.put(bubble.target_area);
     }
 }
@@ -256,8 +256,8 @@ class FrameReader {
         const std::size_t lone = reader_.take_count(kLoneBubble);
         for (std::size_t k = 0; k < lone; ++k) {
             const auto identity = reader_.take<std::uint32_t>();
-            const Vec2 centre = read_point(reader_);
-            foam_.lone_bubbles.push_back({identity, centre, reader_.take<double>()});
+            const Vec2 center = read_point(reader_);
+            foam_.lone_bubbles.push_back({identity, center, reader_.take<double>()});
         }
     }
 

@@ -146,7 +146,7 @@ void add_compare_command(CLI::App& app, Action& action) {
         ->check(any_distance)
         ->option_text("T");
     add_frames_option(*command, arguments->frames, "Frames of the sequences, as 1-10x2");
-    command->add_option("--diff", arguments->difference, "A grey PNG of where they differ")
+    command->add_option("--diff", arguments->difference, "A gray PNG of where they differ")
         ->excludes("--frames")
         ->option_text("FILE");
     add_quiet_option(*command, arguments->quiet, "Say nothing; only the exit code tells");

@@ -15,7 +15,7 @@ namespace foam::texgen {
 namespace {
 
 constexpr const char* kNotes =
-    R"(Every map is written as {}, as the end of --out says. In a PNG colours are 8-bit sRGB,
+    R"(Every map is written as {}, as the end of --out says. In a PNG colors are 8-bit sRGB,
 with an opacity in a patch; all else is data, 0 around a patch, where normals point up and occlusion
 is 1. Their options are keys of the preset: foamtex presets keys)";
 

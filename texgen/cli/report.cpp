@@ -31,7 +31,7 @@ ExitCode report_failure(const RunOutcome& outcome) {
         const double error = *outcome.closing_error;
         const std::string apart = std::isfinite(error)
                                       ? fmt::format("lie {:.2g} mean diameters elsewhere", error)
-                                      : "have other neighbours";
+                                      : "have other neighbors";
         fmt::print(
             stderr,
             "foamtex: the loop does not close: bubbles at the end of its last cycle {} than at "

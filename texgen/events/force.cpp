@@ -14,7 +14,7 @@ Keys<ForceOptions> force_keys() {
             key("push",
                 Points{{-100.0, 100.0}},
                 "how far its middle is moved, in foam units, in all; then the foam settles, and "
-                "only what has swapped neighbours stays changed",
+                "only what has swapped neighbors stays changed",
                 &ForceOptions::push)};
 }
 

@@ -11,7 +11,7 @@ inline constexpr EventTraits kForceEvent = {
     .name = "force",
     .meaning =
         "junctions around a place are pushed; the foam settles, and what has swapped "
-        "neighbours stays",
+        "neighbors stays",
     .takes_position = true};
 
 struct ForceOptions {

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kLastEntry = 255;
 
-constexpr ColorTable grey_table() {
+constexpr ColorTable gray_table() {
     ColorTable table{};
     for (std::size_t i = 0; i < table.size(); ++i) {
         table[i] = static_cast<std::uint32_t>(i * 0x010101);
@@ -26,7 +26,7 @@ constexpr ColorTable grey_table() {
     return table;
 }
 
-constexpr ColorTable kGrey = grey_table();
+constexpr ColorTable kGray = gray_table();
 
 // The two lists run in parallel.
 constexpr std::array<std::string_view, 8> kNames = {
@@ -36,7 +36,7 @@ constexpr std::array<ColorMap, kNames.size()> kMaps = {ColorMap(kViridis),
                                                        ColorMap(kInferno),
                                                        ColorMap(kPlasma),
                                                        ColorMap(kCividis),
-                                                       ColorMap(kGrey),
+                                                       ColorMap(kGray),
                                                        ColorMap(kLabyrinthBlue),
                                                        ColorMap(kSeaWater)};
 

@@ -18,7 +18,7 @@ namespace foam::texgen {
 namespace {
 
 /// The first pixels of a row and of the row above it. A pixel of zeros precedes each row in memory.
-struct Neighbours {
+struct Neighbors {
     const std::uint8_t* current;
     const std::uint8_t* above;
     std::size_t pixel_bytes;
@@ -31,7 +31,7 @@ const std::uint8_t* first_pixel(const Bytes& row, std::size_t pixel_bytes) {
 /// Writes the difference between each byte of the row and its prediction from the bytes to the
 /// left, above, and above left.
 template <class Predict>
-void write_differences(const Neighbours& row, const Predict& predict, std::span<std::byte> out) {
+void write_differences(const Neighbors& row, const Predict& predict, std::span<std::byte> out) {
     const std::uint8_t* left = row.current - row.pixel_bytes;
     const std::uint8_t* above_left = row.above - row.pixel_bytes;
     for (std::size_t i = 0; i < out.size(); ++i) {
@@ -49,7 +49,7 @@ int paeth(int left, int above, int above_left) {
     return to_left <= to_above && to_left <= to_above_left ? left : nearer_above;
 }
 
-void filter_row(const Neighbours& row, PngFilter filter, std::span<std::byte> out) {
+void filter_row(const Neighbors& row, PngFilter filter, std::span<std::byte> out) {
     switch (filter) {
         case PngFilter::None:
             return write_differences(

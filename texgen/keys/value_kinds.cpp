@@ -126,7 +126,7 @@ bool Text::read(const Value& value, std::string& member) const {
 }
 
 std::string Colors::allowed() const {
-    return "a colour \"#rrggbb\"";
+    return "a color \"#rrggbb\"";
 }
 
 std::string Colors::schema() const {
@@ -138,7 +138,7 @@ bool Colors::read(const Value& value, std::string& member) const {
 }
 
 std::string ColorLists::allowed() const {
-    return "a list of colours \"#rrggbb\"";
+    return "a list of colors \"#rrggbb\"";
 }
 
 std::string ColorLists::schema() const {

@@ -12,7 +12,7 @@ Keys<AgeOptions> age_keys() {
         {{{"birth", AgeSince::Birth}, {"change", AgeSince::Change}}}};
     return {key("since",
                 kSince,
-                "a bubble's birth, of the seeded ones at time 0, or when its neighbours last "
+                "a bubble's birth, of the seeded ones at time 0, or when its neighbors last "
                 "changed",
                 &AgeOptions::since),
             key("full",

@@ -12,7 +12,7 @@ namespace foam::texgen {
 
 inline constexpr MapTraits kAlbedoMap = {
     .name = "albedo",
-    .meaning = "colours of bubbles by their pressure, and of films",
+    .meaning = "colors of bubbles by their pressure, and of films",
     .unit = "light",
     .channels = "R G B",
     .smooth_distance = SmoothDistance::UsedByFilms};

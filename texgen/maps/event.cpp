@@ -31,7 +31,7 @@ void paint_copy(const Spot& spot, SubpixelPoint middle, ImageView<float> image) 
     const double squared_radius = spot.radius * spot.radius * kSubpixel * kSubpixel;
     for (int y = bottom; y <= top; ++y) {
         for (int x = left; x <= right; ++x) {
-            const SubpixelPoint from = pixel_centre(x, y) - middle;
+            const SubpixelPoint from = pixel_center(x, y) - middle;
             const double squared =
                 static_cast<double>(from.x) * from.x + static_cast<double>(from.y) * from.y;
             const double inside = std::max(1.0 - squared / squared_radius, 0.0);

@@ -9,7 +9,7 @@
 namespace foam::texgen {
 
 /// Returns the center of a pixel, in subpixels of the shifted grid.
-inline SubpixelPoint pixel_centre(int x, int y) {
+inline SubpixelPoint pixel_center(int x, int y) {
     return {x * kSubpixel + kSubpixel / 2, y * kSubpixel + kSubpixel / 2};
 }
 

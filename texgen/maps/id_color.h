@@ -7,7 +7,7 @@
 namespace foam::texgen {
 
 inline constexpr MapTraits kIdColorMap = {.name = "id_color",
-                                          .meaning = "a colour for every bubble, its own for life",
+                                          .meaning = "a color for every bubble, its own for life",
                                           .unit = "light",
                                           .channels = "R G B"};
 

@@ -181,7 +181,7 @@ Keys<LitOptions> lit_keys() {
             &Options::azimuth),
         key("elevation",
             Reals{1.0, 90.0},
-            "its height, degrees; flat ground keeps its colour under any",
+            "its height, degrees; flat ground keeps its color under any",
             &Options::elevation),
         key("ambient", kFractions, "the part of the light that the sky gives", &Options::ambient),
         key("gloss", Reals{0.0, 1000.0}, "brightness of highlights", &Options::gloss),

@@ -78,14 +78,14 @@ class CircleMotion {
     CircleMotion(const LoneBubble& bubble, const Frame& next, double scale) : scale_(scale) {
         for (const LoneBubble& later : next.lone_bubbles) {
             if (later.identity == bubble.identity) {
-                way_ = later.centre - bubble.centre;
+                way_ = later.center - bubble.center;
                 growth_ = lone_radius(later) / lone_radius(bubble) - 1.0;
             }
         }
     }
 
     // Returns the motion at a position relative to the center, both in pixels.
-    Vec2 at(const Vec2& from_centre) const { return scale_ * way_ + growth_ * from_centre; }
+    Vec2 at(const Vec2& from_center) const { return scale_ * way_ + growth_ * from_center; }
 
   private:
     double scale_;
@@ -128,8 +128,8 @@ class MotionPainter {
         } else {
             const LoneBubble& lone = layers_.frame().lone_bubbles[index - bubbles - 1];
             const CircleMotion circle(lone, layers_.next(), scale_);
-            const Vec2 centre = pixel_in_view(layers_.grid(), lone.centre);
-            paint_pixels(image, [&](const Vec2& at) { return circle.at(at - centre); });
+            const Vec2 center = pixel_in_view(layers_.grid(), lone.center);
+            paint_pixels(image, [&](const Vec2& at) { return circle.at(at - center); });
         }
     }
 

@@ -109,7 +109,7 @@ Keys<PressureOptions> pressure_keys() {
                 &Options::exaggeration),
             key("colormap",
                 Words{colormaps_and_none()},
-                "colours of the tones; none leaves grey numbers",
+                "colors of the tones; none leaves gray numbers",
                 &Options::colormap)};
 }
 

@@ -102,13 +102,13 @@ LinearRgb tabled_reflectance(double thickness) {
 
 // Mixes a color with gray of the same luminance until it is within [0, 1].
 LinearRgb within_srgb(const LinearRgb& color) {
-    const double grey =
+    const double gray =
         std::clamp(0.2126 * color.r + 0.7152 * color.g + 0.0722 * color.b, 0.0, 1.0);
     const auto [low, high] = std::minmax({color.r, color.g, color.b});
     double part = 1.0;
-    part = low < 0.0 ? std::min(part, grey / (grey - low)) : part;
-    part = high > 1.0 ? std::min(part, (1.0 - grey) / (high - grey)) : part;
-    const auto inside = [&](double x) { return std::clamp(std::lerp(grey, x, part), 0.0, 1.0); };
+    part = low < 0.0 ? std::min(part, gray / (gray - low)) : part;
+    part = high > 1.0 ? std::min(part, (1.0 - gray) / (high - gray)) : part;
+    const auto inside = [&](double x) { return std::clamp(std::lerp(gray, x, part), 0.0, 1.0); };
     return {inside(color.r), inside(color.g), inside(color.b)};
 }
 
@@ -173,7 +173,7 @@ class FilmColors {
 Keys<ThinFilmOptions> thin_film_keys() {
     return {key("thickness",
                 Reals{0.0, 3000.0},
-                "of soap films in the middle of bubbles, nanometres",
+                "of soap films in the middle of bubbles, nanometers",
                 &ThinFilmOptions::thickness),
             key("variation",
                 Reals{0.0, 2.0},
@@ -189,9 +189,9 @@ Keys<ThinFilmOptions> thin_film_keys() {
                 &ThinFilmOptions::exposure)};
 }
 
-LinearRgb film_reflectance(double nanometres) {
+LinearRgb film_reflectance(double nanometers) {
     const LinearRgb white = seen([](double) { return 1.0; });
-    const LinearRgb color = seen([&](double wave) { return reflectance(nanometres, wave); });
+    const LinearRgb color = seen([&](double wave) { return reflectance(nanometers, wave); });
     return {color.r / white.r, color.g / white.g, color.b / white.b};
 }
 

@@ -9,7 +9,7 @@ namespace foam::texgen {
 
 inline constexpr MapTraits kThinFilmMap = {
     .name = "thin_film",
-    .meaning = "interference colours of a soap film across every bubble",
+    .meaning = "interference colors of a soap film across every bubble",
     .unit = "light",
     .channels = "R G B",
     .png_filter = PngFilter::Up,
@@ -31,7 +31,7 @@ Keys<ThinFilmOptions> thin_film_keys();
 /// It is weighted with the CIE 1931 color matching functions (Wyman, Sloan, Shirley, "Simple
 /// analytic approximations to the CIE XYZ color matching functions", 2013), and scaled so that a
 /// perfect mirror is white. The color may be outside sRGB: components may be negative.
-LinearRgb film_reflectance(double nanometres);
+LinearRgb film_reflectance(double nanometers);
 
 /// Draws bubbles in the interference colors of a soap film that spans each bubble, with the films
 /// of albedo between bubbles. The thickness depends only on the bubble and the point in it, so

@@ -64,7 +64,7 @@ Keys<CoarseningOptions> coarsening_keys() {
 Keys<TopologyThresholds> threshold_keys() {
     return {key("t1_distance",
                 Reals{0.001, 0.25},
-                "a film shorter than this may swap neighbours, in foam units",
+                "a film shorter than this may swap neighbors, in foam units",
                 &TopologyThresholds::t1_distance),
             key("t2_area",
                 Reals{0.0001, 0.25},

@@ -27,12 +27,12 @@ constexpr std::array<Digit, 10> kDigits = {{
 }};
 
 void draw_digit(
-    ImageView<std::uint8_t> image, int left, int bottom, const Digit& digit, std::uint8_t grey) {
+    ImageView<std::uint8_t> image, int left, int bottom, const Digit& digit, std::uint8_t gray) {
     for (int y = 0; y < kDigitHeight; ++y) {
         const unsigned row = digit.at(static_cast<std::size_t>(kDigitHeight - 1 - y));
         for (int x = 0; x < kDigitWidth; ++x) {
             if ((row >> (kDigitWidth - 1 - x) & 1U) != 0) {
-                std::ranges::fill(image.pixel(left + x, bottom + y), grey);
+                std::ranges::fill(image.pixel(left + x, bottom + y), gray);
             }
         }
     }
@@ -45,9 +45,9 @@ int number_width(int number) {
 }
 
 void draw_number(
-    ImageView<std::uint8_t> image, int left, int bottom, int number, std::uint8_t grey) {
+    ImageView<std::uint8_t> image, int left, int bottom, int number, std::uint8_t gray) {
     for (const char digit : std::to_string(number)) {
-        draw_digit(image, left, bottom, kDigits.at(static_cast<std::size_t>(digit - '0')), grey);
+        draw_digit(image, left, bottom, kDigits.at(static_cast<std::size_t>(digit - '0')), gray);
         left += kAdvance;
     }
 }

@@ -16,6 +16,6 @@ int number_width(int number);
 /// Draws a number in a shade of gray. Its lower left corner is at the pixel (left, bottom).
 /// Precondition: the number is not negative and fits into the image.
 void draw_number(
-    ImageView<std::uint8_t> image, int left, int bottom, int number, std::uint8_t grey);
+    ImageView<std::uint8_t> image, int left, int bottom, int number, std::uint8_t gray);
 
 }  // namespace foam::texgen

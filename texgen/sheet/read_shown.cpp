@@ -73,8 +73,8 @@ const PictureChannel* find_channel(const Channels& channels, std::string_view na
 // Returns the channels that are shown as red, green and blue. A single channel Y is shown as gray.
 // A missing channel is null and shown as black.
 std::array<const PictureChannel*, kColors> channels_shown(const Channels& channels) {
-    if (const PictureChannel* const grey = find_channel(channels, "Y"); channels.size() == 1) {
-        return {grey, grey, grey};
+    if (const PictureChannel* const gray = find_channel(channels, "Y"); channels.size() == 1) {
+        return {gray, gray, gray};
     }
     const bool is_color = find_channel(channels, "R") != nullptr;
     return {find_channel(channels, is_color ? "R" : "X"),

@@ -36,7 +36,7 @@ inline constexpr double kFilmWidth = 2.0;
 /// Lines lie within 1/32 pixel of their arcs: three times as close as cairo's own arcs by default.
 Scene scene_of(const Frame& frame, int side);
 
-/// The same colours for our own rasterizer.
+/// The same colors for our own rasterizer.
 texgen::CellValues values_of(const Scene& scene);
 
 }  // namespace foam::bench

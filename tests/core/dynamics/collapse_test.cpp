@@ -52,27 +52,27 @@ TEST(Collapse, TakesAllButThreeSidesByT1) {
     }
 }
 
-// Every third of the gas, or half of it, goes to one neighbour.
-TEST(Collapse, SharesTheGasAmongTheLastNeighbours) {
+// Every third of the gas, or half of it, goes to one neighbor.
+TEST(Collapse, SharesTheGasAmongTheLastNeighbors) {
     for (int sides = 2; sides <= 6; ++sides) {
         Foam foam = honeycomb_around(sides);
         foam.target_areas[kDying] = 0.3;
         const Foam before = foam;
         TopologyCounts counts;
         collapse(foam, kDying, counts);
-        const int last_neighbours = std::min(sides, 3);
+        const int last_neighbors = std::min(sides, 3);
         int receivers = 0;
         for (const BubbleId bubble : foam.network.bubbles()) {
             const double gain = foam.target_areas[bubble] - before.target_areas[bubble];
-            EXPECT_TRUE(gain == 0.0 || std::abs(gain - 0.3 / last_neighbours) < 1e-14);
+            EXPECT_TRUE(gain == 0.0 || std::abs(gain - 0.3 / last_neighbors) < 1e-14);
             receivers += gain == 0.0 ? 0 : 1;
         }
-        EXPECT_EQ(receivers, last_neighbours);
+        EXPECT_EQ(receivers, last_neighbors);
         EXPECT_NEAR(total_target(foam), total_target(before), 1e-13);
     }
 }
 
-// A negative target is a debt that the neighbours take over.
+// A negative target is a debt that the neighbors take over.
 TEST(Collapse, KeepsTheTotalOfANegativeTargetToo) {
     Foam foam = honeycomb_around(3);
     foam.target_areas[kDying] = -0.3;
@@ -152,7 +152,7 @@ TEST(CollapseDue, TakesTheDueAndNoOthers) {
     EXPECT_NEAR(total_target(foam), total, 1e-13);
 }
 
-TEST(CollapseDue, TakesNeighboursInOneGo) {
+TEST(CollapseDue, TakesNeighborsInOneGo) {
     Foam foam = honeycomb_around(3);
     for (const BubbleId bubble : {kDying, BubbleId{10}, BubbleId{4}}) {
         foam.target_areas[bubble] = 0.0005;
@@ -167,13 +167,13 @@ TEST(CollapseDue, TakesNeighboursInOneGo) {
 
 // A step in which the large bubbles change little can take a small one far below zero.
 TEST(CollapseDue, TakesWhomADebtStarves) {
-    for (const BubbleId neighbour : {BubbleId{1}, BubbleId{6}, BubbleId{9}}) {
+    for (const BubbleId neighbor : {BubbleId{1}, BubbleId{6}, BubbleId{9}}) {
         Foam foam = honeycomb_around(3);
         foam.target_areas[kDying] = -0.3;
-        foam.target_areas[neighbour] = 0.02;  // not due, below or above in the order of ids
+        foam.target_areas[neighbor] = 0.02;  // not due, below or above in the order of ids
         const double total = total_target(foam);
-        EXPECT_EQ(collapse_due(foam, {.t2_area = 0.01}).t2, 2) << index_of(neighbour);
-        EXPECT_FALSE(foam.network.is_live(neighbour));
+        EXPECT_EQ(collapse_due(foam, {.t2_area = 0.01}).t2, 2) << index_of(neighbor);
+        EXPECT_FALSE(foam.network.is_live(neighbor));
         EXPECT_TRUE(is_valid(foam.network));
         EXPECT_NEAR(total_target(foam), total, 1e-13);
         for (const BubbleId bubble : foam.network.bubbles()) {

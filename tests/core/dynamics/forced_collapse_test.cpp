@@ -37,7 +37,7 @@ void expect_exact(const Foam& foam, const StepSummary& summary) {
 }
 
 // Shrinks a bubble over so many steps without diffusion; it is there to the last and then gone, and
-// all others have grown by the same factor but for what the T2 area leaves to its last neighbours.
+// all others have grown by the same factor but for what the T2 area leaves to its last neighbors.
 void expect_collapse(Foam& foam, BubbleId target, int steps) {
     const Foam before = foam;
     const BubbleIdentity identity = foam.identities[target];
@@ -79,7 +79,7 @@ TEST(ForcedCollapse, TakesThemSlowlyToo) {
     }
 }
 
-// Every other bubble gains the same share, but for the T2 area that its last neighbours take.
+// Every other bubble gains the same share, but for the T2 area that its last neighbors take.
 TEST(ForcedCollapse, OthersShareTheGasInProportion) {
     Foam foam = settled_foam(66, 1);
     const Foam before = foam;

@@ -25,19 +25,19 @@ Foam settled(Foam foam) {
     return foam;
 }
 
-TEST(HoldRafts, CentresAreMeansOfArcs) {
+TEST(HoldRafts, CentersAreMeansOfArcs) {
     const Foam foam = settled(test::double_bubble(1.0, 1.0));
     // By hand: an outer arc of radius r, 240 degrees, mean (sin 120 / (2 pi / 3)) r from its
     // middle; the film between them is a chord of sqrt(3) r, half r from the middle, on the other
     // side.
-    const std::map<BubbleIdentity, Vec2> centres = bubble_centres(foam);
+    const std::map<BubbleIdentity, Vec2> centers = bubble_centers(foam);
     const double area = 2.0 * std::numbers::pi / 3.0 + std::numbers::sqrt3 / 4.0;
     const double r = 1.0 / std::sqrt(area);
     const double arc = 4.0 * std::numbers::pi / 3.0 * r;
     const double film = std::numbers::sqrt3 * r;
     const double of_arc = 0.5 * r + 0.5 * std::numbers::sqrt3 / (2.0 * std::numbers::pi / 3.0) * r;
     const double from_film = arc * of_arc / (arc + film);
-    EXPECT_NEAR((centres.at(0) - centres.at(1)).norm(), 2.0 * from_film, 1e-9);
+    EXPECT_NEAR((centers.at(0) - centers.at(1)).norm(), 2.0 * from_film, 1e-9);
 }
 
 TEST(HoldRafts, TakesMotionBackExactly) {
@@ -47,7 +47,7 @@ TEST(HoldRafts, TakesMotionBackExactly) {
         for (const double angle : {0.0, 1e-3, 2.5, -3.0}) {
             Foam moved = foam;
             move(moved, angle, {30.0, -7.0});
-            hold_rafts(moved, bubble_centres(foam));
+            hold_rafts(moved, bubble_centers(foam));
             for (const JunctionId junction : foam.network.junctions()) {
                 EXPECT_NEAR(
                     (moved.positions[junction] - foam.positions[junction]).norm(), 0.0, 1e-12);
@@ -60,22 +60,22 @@ TEST(HoldRafts, TakesMotionBackExactly) {
 TEST(HoldRafts, EachForItself) {
     Foam foam = settled(test::double_bubble(1.0, 2.0));
     foam.lone_bubbles.push_back({9, {4.0, 0.0}, 1.0});
-    const std::map<BubbleIdentity, Vec2> before = bubble_centres(foam);
+    const std::map<BubbleIdentity, Vec2> before = bubble_centers(foam);
     Foam moved = foam;
     move(moved, 0.4, {0.0, 5.0});
-    moved.lone_bubbles[0].centre = {-3.0, 2.0};
+    moved.lone_bubbles[0].center = {-3.0, 2.0};
     hold_rafts(moved, before);
     EXPECT_NEAR(
         (moved.positions[JunctionId{0}] - foam.positions[JunctionId{0}]).norm(), 0.0, 1e-13);
-    EXPECT_EQ(moved.lone_bubbles[0].centre, Vec2(4.0, 0.0));
+    EXPECT_EQ(moved.lone_bubbles[0].center, Vec2(4.0, 0.0));
 }
 
 Vec2 middle_of(const Foam& foam) {
     Vec2 sum = Vec2::Zero();
-    for (const auto& [bubble, centre] : bubble_centres(foam)) {
-        sum += centre;
+    for (const auto& [bubble, center] : bubble_centers(foam)) {
+        sum += center;
     }
-    return sum / static_cast<double>(bubble_centres(foam).size());
+    return sum / static_cast<double>(bubble_centers(foam).size());
 }
 
 // Of the bubbles that are left, around the middle of all.
@@ -83,7 +83,7 @@ double turn_since(const std::map<BubbleIdentity, Vec2>& before, const Foam& foam
     const Vec2 middle = middle_of(foam);
     double along = 0.0;
     double across = 0.0;
-    for (const auto& [bubble, now] : bubble_centres(foam)) {
+    for (const auto& [bubble, now] : bubble_centers(foam)) {
         along += (now - middle).dot(before.at(bubble) - middle);
         across += cross(before.at(bubble) - middle, now - middle);
     }
@@ -102,7 +102,7 @@ TEST(HoldRafts, ACoarseningRaftStaysInItsPlace) {
         StepOptions step_options;
         step_options.coarsening.kappa = 0.02;
         for (int k = 0; k < 400 && foam.network.bubble_count() > 12; ++k) {
-            const std::map<BubbleIdentity, Vec2> before = bubble_centres(foam);
+            const std::map<BubbleIdentity, Vec2> before = bubble_centers(foam);
             ASSERT_TRUE(step(foam, 0.5, step_options).equilibrium.converged());
             EXPECT_LT(turn_since(before, foam), 0.1) << seed << ' ' << k;
         }

@@ -119,7 +119,7 @@ TEST(Nucleation, LeadsToAnEquilibriumAtEveryJunctionAndFilm) {
     }
 }
 
-// A new bubble that is given gas pushes its neighbours aside and gains sides by T1.
+// A new bubble that is given gas pushes its neighbors aside and gains sides by T1.
 TEST(Nucleation, GrowsToAWholeBubble) {
     const Foam settled = settled_foam(30, 3);
     int gained = 0;

@@ -261,7 +261,7 @@ TEST(Step, IdentitiesStayWithTheirBubbles) {
         }
         step(foam, 1.0, {});
         for (const BubbleId bubble : foam.network.bubbles()) {
-            // 12 sides at most would grow by 0.06; a vanished neighbour leaves 0.01.
+            // 12 sides at most would grow by 0.06; a vanished neighbor leaves 0.01.
             EXPECT_NEAR(foam.target_areas[bubble], before[foam.identities[bubble]], 0.08);
         }
     }

@@ -117,7 +117,7 @@ TEST(EquilibrateGiven, AnEquilibriumIsLeftAlone) {
     const Foam before = foam;
     ASSERT_TRUE(equilibrate_given(foam, 1).converged());
     for (const BubbleId bubble : foam.network.bubbles()) {
-        EXPECT_NEAR(foam.pressures[bubble], before.pressures[bubble], 1e-15);  // centred anew
+        EXPECT_NEAR(foam.pressures[bubble], before.pressures[bubble], 1e-15);  // centered anew
     }
     foam.pressures = before.pressures;
     EXPECT_TRUE(test::are_same(foam, before));

@@ -235,7 +235,7 @@ TEST(Equilibrate, PressuresScaleWithTheTensionAndPositionsDoNot) {
     }
 }
 
-// Films of a honeycomb's neighbourhoods that are straight and meet at 120 degrees have the same
+// Films of a honeycomb's neighborhoods that are straight and meet at 120 degrees have the same
 // total length for all areas (E2 with all pressures equal): 6 films of a/2 a bubble, 3a = sqrt(2
 // sqrt(3)). So areas that differ by up to a fifth leave the energy as it is, T1s none.
 TEST(Equilibrate, AHoneycombOfUnequalAreasHasStraightFilmsAndTheSameEnergy) {
@@ -323,7 +323,7 @@ TEST(Equilibrate, FilmsOfABubbleTurnBySixtyDegreesASideFewerThanSix) {
     }
 }
 
-// Pressures are the multipliers of the areas (E3), so that the energies of neighbouring equilibria
+// Pressures are the multipliers of the areas (E3), so that the energies of neighboring equilibria
 // differ by the sum of p dA: work done on the gas.
 TEST(Equilibrate, EnergyGrowsByThePressureTimesTheArea) {
     const Foam foam = settled_foam(30, 2);

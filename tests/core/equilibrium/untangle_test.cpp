@@ -102,7 +102,7 @@ TEST(Untangle, MovesOnlyWhatIsNear) {
         moved += foam.positions[junction] == before.positions[junction] ? 0 : 1;
     }
     EXPECT_GT(moved, 6);
-    // 6 around the bubble, 6 next to them, and the two further neighbours of each of these.
+    // 6 around the bubble, 6 next to them, and the two further neighbors of each of these.
     EXPECT_LE(moved, 24);
 }
 

@@ -101,7 +101,7 @@ TEST(CellDiagram, AreaAndCentroidOfATriangle) {
     EXPECT_DOUBLE_EQ(cell_centroid(triangle).y(), 21.0);
 }
 
-// A unit square on the right half of a 2 x 1 one's top: area 3, centre ((2, 1) + (1.5, 1.5 * 1))
+// A unit square on the right half of a 2 x 1 one's top: area 3, center ((2, 1) + (1.5, 1.5 * 1))
 // ... weighted by 2 and 1.
 TEST(CellDiagram, AreaAndCentroidOfAnL) {
     const auto l =

@@ -30,17 +30,17 @@ TEST(ClipCells, CutsCellsThatShareABorder) {
     for (const PolygonMesh::Cell& cell : clipped.mesh.cells) {
         EXPECT_NEAR(polygon_area(clipped.mesh, cell), 1.0, kClipping);
     }
-    ASSERT_EQ(clipped.centres.size(), 2U);
-    EXPECT_NEAR((clipped.centres[0] - Vec2(1.5, 1.0)).norm(), 0.0, kClipping);
-    EXPECT_NEAR((clipped.centres[1] - Vec2(2.5, 1.0)).norm(), 0.0, kClipping);
+    ASSERT_EQ(clipped.centers.size(), 2U);
+    EXPECT_NEAR((clipped.centers[0] - Vec2(1.5, 1.0)).norm(), 0.0, kClipping);
+    EXPECT_NEAR((clipped.centers[1] - Vec2(2.5, 1.0)).norm(), 0.0, kClipping);
 }
 
 TEST(ClipCells, LeavesNothingOfACellOutsideButItsMiddle) {
     const CellDiagram diagram{rectangle_cell(0, 0, 2, 2)};
     const ClippedCells clipped = clip_cells(rectangle(5.0, 0.0, 6.0, 1.0), diagram);
     EXPECT_TRUE(clipped.mesh.cells.empty());
-    ASSERT_EQ(clipped.centres.size(), 1U);
-    EXPECT_NEAR((clipped.centres[0] - Vec2(1.0, 1.0)).norm(), 0.0, kClipping);
+    ASSERT_EQ(clipped.centers.size(), 1U);
+    EXPECT_NEAR((clipped.centers[0] - Vec2(1.0, 1.0)).norm(), 0.0, kClipping);
 }
 
 // A U of two legs, 1 and 2 wide, across the cell: each leg cuts out a part, and the middle of the
@@ -54,7 +54,7 @@ TEST(ClipCells, MakesACellOfEachPart) {
                     polygon_area(clipped.mesh, clipped.mesh.cells[1]),
                 3.0,
                 kClipping);
-    EXPECT_NEAR((clipped.centres[0] - Vec2(4.0, 2.5)).norm(), 0.0, kClipping);
+    EXPECT_NEAR((clipped.centers[0] - Vec2(4.0, 2.5)).norm(), 0.0, kClipping);
 }
 
 // Unit squares to both sides of a strip of 0.05: its area is below a tenth of the mean, 0.68.

@@ -72,7 +72,7 @@ TEST(PolygonMesh, RefusesWhatIsNoFoam) {
     EXPECT_THROW(foam_from_mesh({points, {{0, 1, 2}, {0, 1, 2}}}), std::runtime_error);
 }
 
-// A T1 at the outer film of a petal: it leaves the surface, and its neighbours come to touch.
+// A T1 at the outer film of a petal: it leaves the surface, and its neighbors come to touch.
 TEST(PolygonMesh, FlipsAnOuterFilm) {
     Network network = test::flower(1.0).network;
     const FilmId outer = film_of(test::side_between(network, BubbleId{1}, network.ghost()));

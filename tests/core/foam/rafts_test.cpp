@@ -49,7 +49,7 @@ TEST(Rafts, ABubbleThatComesLooseIsACircle) {
     const LoneBubble& lone = foam.lone_bubbles.front();
     EXPECT_EQ(lone.identity, identity);
     EXPECT_EQ(lone.target_area, 1.0);
-    EXPECT_NEAR((lone.centre - far_end).norm(), lone_radius(lone), 0.2);
+    EXPECT_NEAR((lone.center - far_end).norm(), lone_radius(lone), 0.2);
     EXPECT_TRUE(test::is_valid(foam.network));
     EXPECT_EQ(foam.network.bubble_count(), 3U);
     const double rest = energy(settled(foam));

@@ -86,7 +86,7 @@ std::vector<Case> cases() {
 // A corner is as far from its cell's site as from the one across the side that leaves it and the
 // one across the side that arrives, and no site at all is nearer: this is what makes it a corner of
 // a Voronoi diagram.
-void expect_empty_circumcentre(const Domain& domain,
+void expect_empty_circumcenter(const Domain& domain,
                                const std::vector<Vec2>& sites,
                                const Vec2& own_site,
                                const CellCorner& before,
@@ -100,14 +100,14 @@ void expect_empty_circumcentre(const Domain& domain,
     EXPECT_NEAR(distance_to_nearest(domain, sites, corner.point), radius, tolerance);
 }
 
-TEST(Voronoi, CornersAreEmptyCircumcentres) {
+TEST(Voronoi, CornersAreEmptyCircumcenters) {
     for (const Case& c : cases()) {
         const std::vector<Vec2> sites = random_sites(c.domain, c.sites, c.seed);
         const CellDiagram cells = voronoi_cells(c.domain, sites);
         for (std::size_t k = 0; k < cells.size(); ++k) {
             CellCorner before = cells[k].back();
             for (const CellCorner& corner : cells[k]) {
-                expect_empty_circumcentre(c.domain, sites, sites[k], before, corner);
+                expect_empty_circumcenter(c.domain, sites, sites[k], before, corner);
                 before = corner;
             }
         }
@@ -164,7 +164,7 @@ TEST(Voronoi, FourSitesOnACircleMakeNoFoam) {
 }
 
 // Copies of the sites are looked for 15 periods around; those of one site on a torus a hundred
-// times as wide as high leave its neighbours farther away.
+// times as wide as high leave its neighbors farther away.
 TEST(Voronoi, RefusesATorusThatIsTooSlender) {
     const Domain domain{100.0, 1.0};
     EXPECT_THROW(voronoi_cells(domain, {{20.0, 0.5}, {70.0, 0.3}}), std::runtime_error);

@@ -69,7 +69,7 @@ TEST(FilmArc, APositiveHalfAngleBulgesToTheRight) {
 }
 
 // On the unit circle an arc of turn t = 2 alpha has the chord 2 sin(t/2), the length t and the
-// segment (t - sin t) / 2: the sector less the triangle of the centre.
+// segment (t - sin t) / 2: the sector less the triangle of the center.
 TEST(FilmArc, LengthAndAreaOfArcsOfTheUnitCircle) {
     struct Case {
         double turn;
@@ -100,10 +100,10 @@ RC_GTEST_PROP(FilmArc, PointsLieOnOneCircle, ()) {
     const FilmArc arc = any_arc();
     RC_PRE(std::abs(arc.half_angle) > 1e-3);
     const double fraction = *rc::gen::inRange(0, 1001) * 1e-3;
-    // The centre lies on the chord's bisector, to the left of an arc that turns left.
-    const Vec2 centre = 0.5 * arc.chord + 0.5 / std::tan(arc.half_angle) * turned_left(arc.chord);
+    // The center lies on the chord's bisector, to the left of an arc that turns left.
+    const Vec2 center = 0.5 * arc.chord + 0.5 / std::tan(arc.half_angle) * turned_left(arc.chord);
     const double radius = 0.5 * arc.chord.norm() / std::abs(std::sin(arc.half_angle));
-    RC_ASSERT(std::abs((point_at(arc, fraction) - centre).norm() - radius) <= kRounding * radius);
+    RC_ASSERT(std::abs((point_at(arc, fraction) - center).norm() - radius) <= kRounding * radius);
     RC_ASSERT(std::abs(std::abs(curvature(arc)) * radius - 1.0) <= kRounding);
 }
 

@@ -172,7 +172,7 @@ TEST_F(EvolverProgram, TakesStraightFilms) {
     EXPECT_NEAR(session.values[0] / energy(foam), 1.0, kTolerance);  // all pressures are 0
 }
 
-// With what users add: fixed vertices, constraints, colours, attributes and quantities of their
+// With what users add: fixed vertices, constraints, colors, attributes and quantities of their
 // own.
 TEST_F(EvolverProgram, WhatItDumpsWeRead) {
     const Foam foam = test::settled_foam(30, 6);

@@ -71,12 +71,12 @@ TEST(Network, OffsetsOfTheTwoSidesAreOpposite) {
 // stand half a hexagon to the right.
 TEST(Network, AroundGoesCounterClockwise) {
     const Network network = honeycomb(4, 4).network;
-    std::vector<BubbleId> neighbours;
+    std::vector<BubbleId> neighbors;
     for (const HalfEdgeId h : network.around(BubbleId{5})) {
         EXPECT_EQ(network.left(h), BubbleId{5});
-        neighbours.push_back(network.right(h));
+        neighbors.push_back(network.right(h));
     }
-    EXPECT_EQ(neighbours,
+    EXPECT_EQ(neighbors,
               (std::vector<BubbleId>{
                   BubbleId{6}, BubbleId{10}, BubbleId{9}, BubbleId{4}, BubbleId{1}, BubbleId{2}}));
 }

@@ -23,7 +23,7 @@ FilmId film_between(const Network& network, std::size_t a, std::size_t b) {
 
 // The film between bubbles 5 and 6 of a 4 x 4 honeycomb stands upright, with 2 below and 10 above.
 // Its forward side belongs to the bubble that was built first, 5, on its left: it runs upward.
-TEST(T1Site, NamesTheNeighbourhood) {
+TEST(T1Site, NamesTheNeighborhood) {
     const Network network = honeycomb(4, 4).network;
     const T1Site site = t1_site(network, film_between(network, 5, 6));
     EXPECT_EQ(network.left(site.film), BubbleId{5});
@@ -36,7 +36,7 @@ TEST(T1Site, NamesTheNeighbourhood) {
     EXPECT_EQ(network.right(site.after_right), BubbleId{2});
 }
 
-TEST(T1, PartsTheNeighboursAndJoinsTheEnds) {
+TEST(T1, PartsTheNeighborsAndJoinsTheEnds) {
     Network network = honeycomb(4, 4).network;
     const FilmId film = film_between(network, 5, 6);
     ASSERT_TRUE(can_flip(network, film));
@@ -69,7 +69,7 @@ TEST(T1, GivesEachEndTheOuterFilmsOfItsSide) {
 
 // After the second flip the forward side has 6 on its left: the film has turned by half a circle,
 // and everything around it is as it was.
-TEST(T1, TwiceRestoresTheNeighbourhoodTurnedRound) {
+TEST(T1, TwiceRestoresTheNeighborhoodTurnedRound) {
     const Network before = honeycomb(4, 4).network;
     Network after = before;
     const FilmId film = film_between(before, 5, 6);

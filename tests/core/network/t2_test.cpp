@@ -35,8 +35,8 @@ std::vector<BubbleId> sorted(std::vector<BubbleId> bubbles) {
     return bubbles;
 }
 
-// Each of the three flips takes a side from the hexagon and the neighbour beyond the film, and
-// gives one to the two neighbours at its ends: 10, 4 and 2 have 5 sides left, and 6, 9 and 1
+// Each of the three flips takes a side from the hexagon and the neighbor beyond the film, and
+// gives one to the two neighbors at its ends: 10, 4 and 2 have 5 sides left, and 6, 9 and 1
 // have 8.
 TEST(T2, TheTriangleHasTheSidesItShould) {
     const Network network = honeycomb_around(3).network;
@@ -62,7 +62,7 @@ TEST(T2, ThreeSidedBubbleBecomesAJunction) {
     EXPECT_EQ(sides_of(network, {10, 4, 2}), (std::vector<int>{5, 5, 5}));
 }
 
-TEST(T2, TheJunctionJoinsTheThreeNeighbours) {
+TEST(T2, TheJunctionJoinsTheThreeNeighbors) {
     Network network = honeycomb_around(3).network;
     const Vanished vanished = vanish(network, kTriangle);
     std::vector<BubbleId> around;
@@ -70,7 +70,7 @@ TEST(T2, TheJunctionJoinsTheThreeNeighbours) {
         around.push_back(network.left(h));
     }
     EXPECT_EQ(sorted(around), (std::vector<BubbleId>{BubbleId{1}, BubbleId{6}, BubbleId{9}}));
-    EXPECT_EQ(sorted(vanished.neighbours), sorted(around));
+    EXPECT_EQ(sorted(vanished.neighbors), sorted(around));
 }
 
 // One flip further the triangle has two sides, 9 and 1; what its vanishing leaves is the film
@@ -86,7 +86,7 @@ TEST(T2, TwoSidedBubbleBecomesAFilm) {
     const HalfEdgeId h = forward_side(vanished.film);
     EXPECT_EQ(sorted({network.left(h), network.right(h)}),
               (std::vector<BubbleId>{BubbleId{1}, BubbleId{9}}));
-    EXPECT_EQ(sorted(vanished.neighbours), (std::vector<BubbleId>{BubbleId{1}, BubbleId{9}}));
+    EXPECT_EQ(sorted(vanished.neighbors), (std::vector<BubbleId>{BubbleId{1}, BubbleId{9}}));
     EXPECT_EQ(network.bubble_count(), 15U);
     EXPECT_EQ(network.film_count(), 45U);
     EXPECT_EQ(network.junction_count(), 30U);

@@ -91,7 +91,7 @@ TEST(JunctionColoring, GivesEveryJunctionOfASingleBubbleItsOwn) {
               (Colors{{JunctionId{0}}, {JunctionId{1}}}));
 }
 
-// A junction shares bubbles with 3 (6 - 1) others at most, two of a bubble with its neighbour's
+// A junction shares bubbles with 3 (6 - 1) others at most, two of a bubble with its neighbor's
 // counted twice: with 12. So 13 colors are enough for a honeycomb, and 6 are the fewest.
 TEST(JunctionColoring, TakesFewColorsForAHoneycomb) {
     const Colors colors = color_junctions(honeycomb(12, 12).network);

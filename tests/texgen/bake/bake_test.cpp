@@ -77,7 +77,7 @@ TEST(Bake, ListsFilesInTheOrderAskedFor) {
     EXPECT_EQ(summary.files[1].filename(), "small_albedo.0001.png");
 }
 
-// Colours say so, data does not, as their numbers mean nothing to the eye.
+// Colors say so, data does not, as their numbers mean nothing to the eye.
 TEST(Bake, WritesEveryMapOfAFrame) {
     const TemporaryFolder folder;
     Preset preset = small_preset(folder.path() / kPattern);

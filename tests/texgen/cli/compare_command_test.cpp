@@ -13,8 +13,8 @@
 namespace foam::texgen {
 namespace {
 
-/// Grey pixels, all of one value but the first.
-void write_grey(const std::filesystem::path& path, int width, int value, int first) {
+/// Gray pixels, all of one value but the first.
+void write_gray(const std::filesystem::path& path, int width, int value, int first) {
     Image<std::uint8_t> image(width, 2, 1);
     std::ranges::fill(image.samples(), static_cast<std::uint8_t>(value));
     image.samples()[0] = static_cast<std::uint8_t>(first);
@@ -24,11 +24,11 @@ void write_grey(const std::filesystem::path& path, int width, int value, int fir
 class CompareCommand : public testing::Test {
   protected:
     CompareCommand() {
-        write_grey(folder_.path() / "a.0001.png", 4, 100, 100);
-        write_grey(folder_.path() / "a.0002.png", 4, 100, 100);
-        write_grey(folder_.path() / "b.0001.png", 4, 100, 100);
-        write_grey(folder_.path() / "b.0002.png", 4, 100, 151);  // 0.2 apart
-        write_grey(folder_.path() / "wide.png", 5, 100, 100);
+        write_gray(folder_.path() / "a.0001.png", 4, 100, 100);
+        write_gray(folder_.path() / "a.0002.png", 4, 100, 100);
+        write_gray(folder_.path() / "b.0001.png", 4, 100, 100);
+        write_gray(folder_.path() / "b.0002.png", 4, 100, 151);  // 0.2 apart
+        write_gray(folder_.path() / "wide.png", 5, 100, 100);
         write_file(folder_.path() / "torn.png", Bytes(10));
     }
 

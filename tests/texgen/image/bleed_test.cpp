@@ -46,7 +46,7 @@ TEST(Bleed, GivesTheMeanOfTheNearestByOpacity) {
     EXPECT_EQ(image.pixel(3, 3)[3], 0);
 }
 
-// The nearer of two colours.
+// The nearer of two colors.
 TEST(Bleed, IsOfThePixelsAround) {
     Image16 image(8, 8, 4);
     set(image, 0, 0, {100, 0, 0}, 65535);
@@ -65,7 +65,7 @@ TEST(Bleed, OfNothingIsTheFallback) {
     }
 }
 
-// Sides that are no powers of two: every pixel has a colour.
+// Sides that are no powers of two: every pixel has a color.
 TEST(Bleed, ReachesEveryPixelOfAnySize) {
     Image16 image(37, 11, 4);
     set(image, 36, 10, {7, 8, 9}, 3);

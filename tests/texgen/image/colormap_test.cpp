@@ -30,7 +30,7 @@ TEST(ColorMap, HasTheKnownEntries) {
     EXPECT_EQ(find_colormap("grey").entry(77), (Srgb8{77, 77, 77}));
 }
 
-// A stride of 4: the rounding to 8 bits may turn direct neighbours round by less than one code.
+// A stride of 4: the rounding to 8 bits may turn direct neighbors round by less than one code.
 TEST(ColorMap, LightnessRunsOneWay) {
     for (const std::string_view name : colormap_names()) {
         const ColorMap& map = find_colormap(name);
@@ -53,10 +53,10 @@ TEST(ColorMap, LabyrinthBlueRunsFromNearWhiteToNavyAndStaysBlue) {
 }
 
 TEST(ColorMap, HitsEntriesAndMixesBetweenThemInSrgb) {
-    const ColorMap& grey = find_colormap("grey");
-    EXPECT_EQ(to_srgb8(grey.at(51.0 / 255.0)), (Srgb8{51, 51, 51}));
+    const ColorMap& gray = find_colormap("grey");
+    EXPECT_EQ(to_srgb8(gray.at(51.0 / 255.0)), (Srgb8{51, 51, 51}));
     // Halfway between codes 100 and 101.
-    EXPECT_NEAR(grey.at(100.5 / 255.0).g, srgb_to_linear(100.5 / 255.0), 1e-12);
+    EXPECT_NEAR(gray.at(100.5 / 255.0).g, srgb_to_linear(100.5 / 255.0), 1e-12);
 }
 
 TEST(ColorMap, ClampsItsArgument) {
@@ -75,7 +75,7 @@ TEST(ColorMap, AnUnknownNameListsTheKnown) {
     } catch (const std::invalid_argument& error) {
         EXPECT_STREQ(error.what(),
                      "colormap 'jet': must be one of viridis, magma, inferno, plasma, cividis, "
-                     "grey, labyrinth_blue, sea_water");
+                     "gray, labyrinth_blue, sea_water");
     }
 }
 

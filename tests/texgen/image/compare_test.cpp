@@ -12,7 +12,7 @@ namespace foam::texgen {
 namespace {
 
 /// 3 x 2 pixels of one channel; the first number is that of the lower left.
-Picture grey(const std::vector<double>& numbers, const std::string& name = "Y") {
+Picture gray(const std::vector<double>& numbers, const std::string& name = "Y") {
     Image<float> image(3, 2, 1);
     std::ranges::transform(
         numbers, image.samples().begin(), [](double number) { return static_cast<float>(number); });
@@ -21,8 +21,8 @@ Picture grey(const std::vector<double>& numbers, const std::string& name = "Y") 
 
 // By hand: 0.5 and 0.25 apart in two of six samples.
 TEST(Compare, MeasuresWhatIsApart) {
-    const Picture a = grey({0, 0, 0, 1, 1, 1});
-    const Picture b = grey({0, 0.25, 0, 1, 1, 0.5});
+    const Picture a = gray({0, 0, 0, 1, 1, 1});
+    const Picture b = gray({0, 0.25, 0, 1, 1, 0.5});
     const Comparison found = compare(a, b, {.warn = 0.1, .fail = 0.3});
     EXPECT_EQ(found.verdict, Verdict::Failure);
     EXPECT_EQ(found.largest, 0.5);
@@ -36,8 +36,8 @@ TEST(Compare, MeasuresWhatIsApart) {
 
 // A limit is still allowed.
 TEST(Compare, LimitsDecide) {
-    const Picture a = grey({0, 0, 0, 0, 0, 0});
-    const Picture b = grey({0.5, 0, 0, 0, 0, 0});
+    const Picture a = gray({0, 0, 0, 0, 0, 0});
+    const Picture b = gray({0.5, 0, 0, 0, 0, 0});
     EXPECT_EQ(compare(a, a).verdict, Verdict::Same);
     EXPECT_EQ(compare(a, b).verdict, Verdict::Failure);
     EXPECT_EQ(compare(a, b, {.warn = 0.5, .fail = 0.5}).verdict, Verdict::Same);
@@ -46,11 +46,11 @@ TEST(Compare, LimitsDecide) {
 }
 
 TEST(Compare, OtherFormsAreNotCompared) {
-    const Picture a = grey({0, 0, 0, 0, 0, 0});
+    const Picture a = gray({0, 0, 0, 0, 0, 0});
     const Picture narrow = {{{{"Y"}, SampleType::Float, Image<float>(2, 2, 1)}}};
     Picture two = a;
     two.groups.push_back({{"Z"}, SampleType::Float, a.groups[0].samples});
-    for (const Picture& b : {narrow, two, grey({0, 0, 0, 0, 0, 0}, "R")}) {
+    for (const Picture& b : {narrow, two, gray({0, 0, 0, 0, 0, 0}, "R")}) {
         EXPECT_EQ(compare(a, b).verdict, Verdict::OtherSize);
     }
 }
@@ -58,16 +58,16 @@ TEST(Compare, OtherFormsAreNotCompared) {
 TEST(Compare, WhatIsNoNumberIsApartFromNumbersOnly) {
     const double nan = std::nan("");
     const double infinity = std::numeric_limits<double>::infinity();
-    const Picture a = grey({nan, infinity, 0, 0, 0, 0});
+    const Picture a = gray({nan, infinity, 0, 0, 0, 0});
     EXPECT_EQ(compare(a, a).verdict, Verdict::Same);
-    const Comparison found = compare(a, grey({0, infinity, 0, 0, 0, 0}), {.fail = 1e30});
+    const Comparison found = compare(a, gray({0, infinity, 0, 0, 0, 0}), {.fail = 1e30});
     EXPECT_EQ(found.verdict, Verdict::Failure);
     EXPECT_EQ(found.largest, infinity);
 }
 
 TEST(Compare, TheDifferencePictureShowsTheLargestAsWhite) {
-    const Picture a = grey({0, 0, 0, 1, 1, 1});
-    const Image<std::uint16_t> shown = difference_picture(a, grey({0, 0.25, 0, 1, 1, 0.5}));
+    const Picture a = gray({0, 0, 0, 1, 1, 1});
+    const Image<std::uint16_t> shown = difference_picture(a, gray({0, 0.25, 0, 1, 1, 0.5}));
     EXPECT_EQ(shown.row(0)[1], 32768);
     EXPECT_EQ(shown.row(1)[2], 65535);
     EXPECT_EQ(shown.row(0)[0], 0);

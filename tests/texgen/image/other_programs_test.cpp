@@ -226,7 +226,7 @@ TEST(OtherPrograms, OpenImageIoReadsOurExrs) {
     EXPECT_TRUE(contains(tiled, "MIP-map levels: 67x35 33x17 16x8 8x4 4x2 2x1 1x1")) << tiled;
 }
 
-// Alone as "Y", a map is grey; the samples as text: "Pixel (x, y): value".
+// Alone as "Y", a map is gray; the samples as text: "Pixel (x, y): value".
 TEST(OtherPrograms, OpenImageIoFindsOurValues) {
     if (const std::string program = missing({"oiiotool"}); !program.empty()) {
         GTEST_SKIP() << "there is no " << program;

@@ -52,10 +52,10 @@ TEST(Picture, TheLargestCodeIsOne) {
     Image<std::uint8_t> codes(3, 1, 2);
     std::ranges::copy(std::vector{0, 1, 51, 2, 255, 3}, codes.samples().begin());
     const Picture picture{{code_channels(codes)}};
-    const PictureChannel grey = channels_of(picture)[1];
-    EXPECT_EQ(grey.name, "Y");
+    const PictureChannel gray = channels_of(picture)[1];
+    EXPECT_EQ(gray.name, "Y");
     std::vector<double> row(3);
-    read_numbers(grey, 0, row);
+    read_numbers(gray, 0, row);
     EXPECT_EQ(row, (std::vector{0.0, 0.2, 1.0}));
     Image<std::uint32_t> ids(3, 1, 1);
     std::ranges::copy(std::vector{7, 8, 9}, ids.samples().begin());

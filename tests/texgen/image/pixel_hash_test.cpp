@@ -41,8 +41,8 @@ std::string hash_of(const Image<std::uint8_t>& codes) {
 
 // As the header says: a line, then the samples from the top row on.
 TEST(PixelHash, IsOfALineAndTheSamplesFromTheTop) {
-    const Image<std::uint8_t> grey = small_image<std::uint8_t>(1);  // 1 11 below, 21 31 above
-    EXPECT_EQ(pixel_hash({{code_channels(grey)}}), hash_of("Y u8 2x2\n\x15\x1f\x01\x0b"));
+    const Image<std::uint8_t> gray = small_image<std::uint8_t>(1);  // 1 11 below, 21 31 above
+    EXPECT_EQ(pixel_hash({{code_channels(gray)}}), hash_of("Y u8 2x2\n\x15\x1f\x01\x0b"));
     Image<std::uint16_t> deep(1, 2, 1);
     deep.row(0)[0] = 0x0102;
     deep.row(1)[0] = 0x0304;

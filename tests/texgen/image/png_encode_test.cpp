@@ -48,7 +48,7 @@ TEST(PngEncode, HoldsOneGroupOfCodes) {
 }
 
 TEST(PngEncode, HeaderSaysSizeDepthAndKind) {
-    // Width 3, height 2, 8 bits, then the colour type of PNG's table 11.1.
+    // Width 3, height 2, 8 bits, then the color type of PNG's table 11.1.
     const std::map<int, char> types = {{1, 0}, {2, 4}, {3, 2}, {4, 6}};
     for (const auto& [channels, type] : types) {
         const std::string expected{0, 0, 0, 3, 0, 0, 0, 2, 8, type, 0, 0, 0};

@@ -18,7 +18,7 @@ std::vector<int> numbers(std::span<const std::byte> bytes) {
     return all;
 }
 
-/// 2 x 2 grey pixels: 10 20 above 30 25.
+/// 2 x 2 gray pixels: 10 20 above 30 25.
 Image<std::uint8_t> four() {
     Image<std::uint8_t> image(2, 2, 1);
     image.row(1)[0] = 10;

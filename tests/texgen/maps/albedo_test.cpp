@@ -16,7 +16,7 @@
 namespace foam::texgen {
 namespace {
 
-// Four bubbles on a torus of area 4, whose pressures are the albedo's to colour, not in
+// Four bubbles on a torus of area 4, whose pressures are the albedo's to color, not in
 // equilibrium.
 Frame four_bubbles(int size) {
     Frame frame = test::fitted_frame(honeycomb(2, 2), size, size);
@@ -48,7 +48,7 @@ Srgb8 color_inside(const Frame& frame, BubbleId bubble, const Image<std::uint8_t
                     wrap(static_cast<int>(std::floor(center.y())), image.height()));
 }
 
-TEST(Albedo, ColoursTheEntriesOfTheMapExactly) {
+TEST(Albedo, ColorsTheEntriesOfTheMapExactly) {
     // Pressures at which the map has entries: codes must come through light and back unchanged.
     Frame frame = four_bubbles(40);
     AlbedoOptions options;
@@ -98,7 +98,7 @@ TEST(Albedo, PressuresBeyondTheRangeTakeItsEnds) {
     EXPECT_EQ(color_inside(frame, id_at<BubbleId>(1), image), find_colormap("viridis").entry(255));
 }
 
-TEST(Albedo, FilmsHaveTheirColour) {
+TEST(Albedo, FilmsHaveTheirColor) {
     const Frame frame = four_bubbles(64);
     AlbedoOptions options;
     options.film_color = "#12ab7f";
@@ -109,7 +109,7 @@ TEST(Albedo, FilmsHaveTheirColour) {
     }
 }
 
-// Every pixel is the colour of the cells and films in it, mixed as light.
+// Every pixel is the color of the cells and films in it, mixed as light.
 TEST(Albedo, MixesLight) {
     const Frame frame = four_bubbles(64);
     AlbedoOptions options;

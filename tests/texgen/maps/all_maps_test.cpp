@@ -181,7 +181,7 @@ TEST_P(EveryMap, ASeamNoStrongerThanAFilmIsFound) {
     });
 }
 
-// The opacity of colours, whose other samples go on beyond the edge; else its last number.
+// The opacity of colors, whose other samples go on beyond the edge; else its last number.
 TEST_P(EveryMap, IsNothingAroundAPatch) {
     const MapImage image = draw_case(GetParam(), test::patch_subject(), test::patch_grid(kSize));
     const double around = find_map(GetParam().map).around;

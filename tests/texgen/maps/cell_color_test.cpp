@@ -51,11 +51,11 @@ TEST(CellColor, VariationIsOfLightAndStaysWithinItsPart) {
     AlbedoOptions options;
     options.colors = {"#808080"};
     options.variation = 0.25;
-    const double grey = to_linear(parse_color("#808080")).r;
+    const double gray = to_linear(parse_color("#808080")).r;
     std::vector<double> light;
     for (const LinearRgb& color : cell_colors(test::torus_subject().frame, options)) {
         EXPECT_EQ(color.r, color.b);
-        light.push_back(color.r / grey);
+        light.push_back(color.r / gray);
     }
     EXPECT_GE(*std::ranges::min_element(light), 0.75);
     EXPECT_LE(*std::ranges::max_element(light), 1.25);

@@ -44,7 +44,7 @@ TEST(CrossFade, EveryPixelHasAShareOfItsOwn) {
     EXPECT_EQ(samples_of(mixed.pixels), (std::vector<float>{0.0F, 2.0F, 8.0F}));
 }
 
-TEST(CrossFade, ColoursAreMixedAsLight) {
+TEST(CrossFade, ColorsAreMixedAsLight) {
     const ColorPixels falling{row_of<std::uint16_t>({0, 1000, 65535}, 3)};
     const ColorPixels rising{row_of<std::uint16_t>({65535, 3000, 65535}, 3)};
     const auto mixed = [&](float share) {

@@ -64,8 +64,8 @@ TEST(Cutout, OpacityIsThePartOfAPixelThatIsCovered) {
     EXPECT_NEAR(area / (std::numbers::pi * 41.25 * 41.25), 1.0, 1e-4);
 }
 
-// The film's own colour, not mixed with any ground, up to the last pixel that has any of it.
-TEST(Cutout, TheEdgeHasTheColourOfTheFilm) {
+// The film's own color, not mixed with any ground, up to the last pixel that has any of it.
+TEST(Cutout, TheEdgeHasTheColorOfTheFilm) {
     const Frame frame = snapshot(test::circles({{0, {0.0, 0.0}, std::numbers::pi}}), 1);
     const Image8 image = albedo(frame, grid_of(96, 40.0), options(), 1);
     const Srgb8 film = parse_color(options().film_color);
@@ -79,7 +79,7 @@ TEST(Cutout, TheEdgeHasTheColourOfTheFilm) {
     }
 }
 
-TEST(Cutout, ALoneBubbleHasTheColourOfItsPressure) {
+TEST(Cutout, ALoneBubbleHasTheColorOfItsPressure) {
     Foam foam = test::circles({{0, {0.0, 0.0}, 2.0}});
     foam.film_tension = 0.7;
     AlbedoOptions seed = options();
@@ -144,7 +144,7 @@ Mip halved(const Mip& fine) {
     return coarse;
 }
 
-// How much a straight colour over a ground of grey light differs from what a premultiplied one
+// How much a straight color over a ground of gray light differs from what a premultiplied one
 // looks like, in steps of 8 bits of sRGB.
 double fringe(const Pixel& straight, const Pixel& premultiplied, double ground) {
     double largest = 0.0;
@@ -205,7 +205,7 @@ double largest_bilinear_fringe(const Image8& image, double ground, bool bled) {
 }
 
 // To half and to a quarter of the size. Farther on, pixels of little opacity count as much in the
-// straight mean as those of much, whatever the colours beside them; but less wrong than without.
+// straight mean as those of much, whatever the colors beside them; but less wrong than without.
 TEST(Cutout, MipMapsShowNoFringe) {
     const Image8 image = patch_image();
     for (const double ground : {0.0, 1.0}) {

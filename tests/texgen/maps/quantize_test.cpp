@@ -49,7 +49,7 @@ TEST(Quantize, TwoChannelsGetAThird) {
               (std::vector<std::uint8_t>{0, 255, 0, 255, 51, 0}));
 }
 
-TEST(Quantize, ColoursAreSrgbAndOpacityIsNot) {
+TEST(Quantize, ColorsAreSrgbAndOpacityIsNot) {
     // Light 0.5 is code 188 of sRGB; opacity 0.5 is code 128.
     const auto colors = row_of<ColorPixels>(std::vector<std::uint16_t>{0, 32768, 65535, 32768}, 4);
     EXPECT_EQ(codes_of<std::uint8_t>(colors, 8), (std::vector<std::uint8_t>{0, 188, 255, 128}));

@@ -32,7 +32,7 @@ TEST(ThinFilm, OfAQuarterWaveIsBrightest) {
 
 // At half a wave of green in the liquid, 207 nm, green is missing: the first purple of Newton's
 // series. Then come blue, green, yellow.
-TEST(ThinFilm, HasNewtonsColours) {
+TEST(ThinFilm, HasNewtonsColors) {
     const LinearRgb purple = film_reflectance(207.0);
     EXPECT_GT(purple.r, 2.0 * purple.g);
     EXPECT_GT(purple.b, 2.0 * purple.g);

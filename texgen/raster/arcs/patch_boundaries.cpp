@@ -18,7 +18,7 @@ void append_network_loop(const PixelPatch& pixels, HalfEdgeId first, ArcLoops& t
 // Appends a circle in two halves, counter-clockwise if sign is 1 and clockwise if it is -1.
 void append_circle(const PixelPatch& pixels, const LoneBubble& bubble, int sign, ArcLoops& to) {
     const Vec2 radius(pixels.scale * lone_radius(bubble), 0.0);
-    const Vec2 center = pixels.pixel(bubble.centre);
+    const Vec2 center = pixels.pixel(bubble.center);
     const double sine = sign;  // each half of the circle turns by 180 degrees: sin 90 degrees = 1
     to.sides.push_back({center - radius, {2.0 * radius, 0.0, sine}});
     to.sides.push_back({center + radius, {-2.0 * radius, 0.0, sine}});

@@ -235,13 +235,13 @@ TEST(Fill, EncodesEachMean) {
 TEST(Fill, RefusesWhatDoesNotFit) {
     const Frame frame = test::fitted_frame(honeycomb(2, 2), 8, 8);
     const CellArcs cells = cell_arcs(frame, {8, 8, 0, 0}, 0.0, 1);
-    Image16 grey(8, 8, 1);
+    Image16 gray(8, 8, 1);
     Image16 wide(9, 8, 1);
     const CellValues good{1, {1, 2, 3, 4}, {}};
-    EXPECT_NO_THROW(fill_cells(cells, good, 1, grey.view()));
+    EXPECT_NO_THROW(fill_cells(cells, good, 1, gray.view()));
     EXPECT_THROW(fill_cells(cells, good, 1, wide.view()), std::invalid_argument);
-    EXPECT_THROW(fill_cells(cells, {1, {1, 2, 3}, {}}, 1, grey.view()), std::invalid_argument);
-    EXPECT_THROW(fill_cells(cells, {2, std::vector<std::uint16_t>(8), {}}, 1, grey.view()),
+    EXPECT_THROW(fill_cells(cells, {1, {1, 2, 3}, {}}, 1, gray.view()), std::invalid_argument);
+    EXPECT_THROW(fill_cells(cells, {2, std::vector<std::uint16_t>(8), {}}, 1, gray.view()),
                  std::invalid_argument);
 }
 

@@ -65,7 +65,7 @@ TEST(Distance, HoldsForTwoSidedBubbles) {
     expect_nearest(test::fitted_frame(foam, 60, 60), 60, 60);
 }
 
-// One bubble around the torus, wider than the image; its own copies are its neighbours.
+// One bubble around the torus, wider than the image; its own copies are its neighbors.
 TEST(Distance, HoldsForABubbleThatMeetsItself) {
     expect_nearest(test::fitted_frame(test::single_bubble(), 50, 50), 50, 50);
     expect_nearest(test::fitted_frame(honeycomb(1, 2), 40, 40), 40, 40);

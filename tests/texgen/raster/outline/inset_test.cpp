@@ -82,8 +82,8 @@ TEST(Inset, DropsASideThatIsTooShort) {
 }
 
 TEST(Inset, OfATwoSidedBubble) {
-    // Two arcs of half angle 60 degrees; their centres are as far apart as the radius r. The inset
-    // is the lens of two circles of radius r - h around the same centres.
+    // Two arcs of half angle 60 degrees; their centers are as far apart as the radius r. The inset
+    // is the lens of two circles of radius r - h around the same centers.
     const double chord = 10.0;
     const double half_angle = std::numbers::pi / 3.0;
     const ArcLoops region{{{{0.0, 0.0}, pixel_arc({Vec2(chord, 0.0), half_angle})},

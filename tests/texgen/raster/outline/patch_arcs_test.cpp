@@ -243,8 +243,8 @@ TEST(PatchArcs, NeedAView) {
     EXPECT_THROW(cell_arcs(frame, {16, 16, 0, 0}, 1.0, 1), std::invalid_argument);
 }
 
-// Straight colours are those of the cells, whatever part of a pixel they cover.
-TEST(FillStraight, ColoursAreWholeWhereOpacityIsNot) {
+// Straight colors are those of the cells, whatever part of a pixel they cover.
+TEST(FillStraight, ColorsAreWholeWhereOpacityIsNot) {
     const Frame frame = snapshot(test::circles({{0, {0.0, 0.0}, 2.0}}), 1);
     CellValues values{4, {0, 0, 0, 0, 1000, 65535, 30001, 65535}, {1000, 65535, 30001, 65535}};
     const CellArcs cells = cell_arcs(frame, grid_of(40, 40, Vec2::Zero(), 20.0), 3.0, 1);
