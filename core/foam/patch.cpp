@@ -23,7 +23,7 @@ namespace foam {
 
 namespace {
 
-constexpr int kMostDraws = 8;
+constexpr int kMaxDraws = 8;
 
 void check(const Outline& outline, const PatchOptions& options) {
     if (options.bubbles < 2) {
@@ -155,7 +155,7 @@ Foam seed_patch(const Outline& outline, const PatchOptions& options) {
             spread_targets(foam, options.area_ratio);
             return foam;
         } catch (const std::runtime_error&) {
-            if (draw == kMostDraws) {
+            if (draw == kMaxDraws) {
                 throw;
             }
         }

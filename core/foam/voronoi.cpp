@@ -23,7 +23,7 @@ using GridPoint = boost::polygon::point_data<std::int32_t>;
 // Grid points along the longer period. Boost's builder takes 32-bit coordinates, in which 16
 // periods fit on each side of the torus' own cell.
 constexpr double kGridPoints = 0x1.0p26;
-constexpr int kMostRings = 15;
+constexpr int kMaxRings = 15;
 
 struct Grid {
     double spacing;
@@ -80,8 +80,8 @@ Copies copies_within(const std::vector<GridPoint>& sites, const Grid& grid, doub
     for (std::size_t k = 0; k < sites.size(); ++k) {
         add_copy(all, k, sites[k], {}, grid);
     }
-    const int rings_x = std::min(kMostRings, static_cast<int>(std::ceil(margin / grid.width)));
-    const int rings_y = std::min(kMostRings, static_cast<int>(std::ceil(margin / grid.height)));
+    const int rings_x = std::min(kMaxRings, static_cast<int>(std::ceil(margin / grid.width)));
+    const int rings_y = std::min(kMaxRings, static_cast<int>(std::ceil(margin / grid.height)));
     for (int j = -rings_y; j <= rings_y; ++j) {
         for (int i = -rings_x; i <= rings_x; ++i) {
             if (i != 0 || j != 0) {
@@ -157,7 +157,7 @@ CellDiagram voronoi_cells(const Domain& domain, const std::vector<Vec2>& sites) 
     }
     const double mean_spacing = std::sqrt(static_cast<double>(grid.width) * grid.height /
                                           static_cast<double>(sites.size()));
-    const double most = static_cast<double>(kMostRings) * std::min(grid.width, grid.height);
+    const double most = static_cast<double>(kMaxRings) * std::min(grid.width, grid.height);
     for (double margin = 8.0 * mean_spacing;; margin *= 2.0) {
         if (std::optional<CellDiagram> cells = cells_within(points, grid, std::min(margin, most))) {
             check_every_site_has_a_cell(*cells);

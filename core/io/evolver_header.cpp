@@ -10,7 +10,7 @@ namespace {
 
 // Returns the keywords that are rejected, each with its message: most of them select a model that
 // is not supported.
-const std::map<std::string, const char*>& refused_keywords() {
+const std::map<std::string, const char*>& rejected_keywords() {
     static constexpr const char* kEnergy = "adds an energy that a foam has not";
     static constexpr const char* kModel = "is another model than the string model of a foam";
     static const std::map<std::string, const char*> refused_words{
@@ -82,8 +82,8 @@ class HeaderReader {
             tokens_.fail(line_, "lines such as #define and #include are not supported");
         }
         keyword_ = tokens_.take_word("a keyword of the top section");
-        const auto refused = refused_keywords().find(lower(keyword_));
-        if (refused != refused_keywords().end()) {
+        const auto refused = rejected_keywords().find(lower(keyword_));
+        if (refused != rejected_keywords().end()) {
             tokens_.fail(line_, fmt::format("{} {}", keyword_, refused->second));
         }
         const auto handler = handlers.find(lower(keyword_));

@@ -182,8 +182,8 @@ class Reader {
     }
 
     std::int32_t periods(const JsonTree& value) const {
-        constexpr double kMostPeriods = 1e6;
-        return static_cast<std::int32_t>(integer(value, -kMostPeriods, kMostPeriods));
+        constexpr double kMaxPeriods = 1e6;
+        return static_cast<std::int32_t>(integer(value, -kMaxPeriods, kMaxPeriods));
     }
 
     void read_bubble(const JsonTree& line) {

@@ -11,7 +11,7 @@ struct DissectionOptions {
 
     // Separators that positions propose are refined by the graph if the matrix has at least this
     // many rows.
-    int least_refined_rows = 60000;
+    int min_refined_rows = 60000;
 
     // A separator that positions propose is rejected if it has more rows than this number times the
     // square root of the rows of its part. The part, and both its sides after it, are then divided

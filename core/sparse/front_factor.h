@@ -20,7 +20,7 @@ struct FactorMemory {
 /// is assembled from its entries of the matrix and the remainders of its two children; then its
 /// pivots are eliminated. Returns false if a pivot is zero or not finite; the factor is then
 /// undefined. The bits do not depend on the number of threads. Precondition: 1 ≤ threads ≤
-/// kMostThreads.
+/// kMaxWorkers.
 template <class Real>
 bool factor_fronts(const FrontPlan& plan, const FactorMemory<Real>& memory, std::size_t threads);
 

@@ -9,9 +9,9 @@ namespace foam {
 namespace {
 
 // The number of topmost levels on which the two subtrees of a front share no memory. 2^kForkLevels
-// = kMostThreads.
+// = kMaxWorkers.
 constexpr int kForkLevels = 4;
-static_assert(kMostThreads == 1 << kForkLevels);
+static_assert(kMaxWorkers == 1 << kForkLevels);
 
 std::size_t remainder_size(const Front& front) {
     return front.border * front.border;

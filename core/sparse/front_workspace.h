@@ -8,7 +8,7 @@
 namespace foam {
 
 /// The largest number of threads that can work on different subtrees.
-inline constexpr int kMostThreads = 16;
+inline constexpr int kMaxWorkers = 16;
 
 /// Lays out the remainders of all fronts in one workspace. A remainder is needed from the
 /// elimination of its own front to that of the parent; before and after, other remainders use the

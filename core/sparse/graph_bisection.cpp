@@ -19,7 +19,7 @@ namespace {
 constexpr std::uint32_t kCoarsestNodes = 100;
 
 // Coarsening ends when it would reduce the number of nodes by less than a tenth.
-constexpr double kLeastShrinkage = 0.9;
+constexpr double kMinShrinkage = 0.9;
 
 // The number of breadth-first searches, which start at evenly spaced nodes of the coarsest graph.
 constexpr std::uint32_t kSearches = 4;
@@ -112,7 +112,7 @@ std::vector<Zone> bisect(const WeightedGraph& graph) {
     }
     const int most = 3 * total_weight(graph) / (2 * static_cast<int>(kCoarsestNodes));
     const CoarseGraph coarse = coarsen(graph, most);
-    if (coarse.graph.size() > kLeastShrinkage * graph.size()) {
+    if (coarse.graph.size() > kMinShrinkage * graph.size()) {
         return bisect_coarsest(graph);
     }
     const std::vector<Zone> coarse_zones = bisect(coarse.graph);

@@ -21,7 +21,7 @@ namespace {
 
 // Parts with fewer rows are not refined: that would take longer than it saves in factoring their
 // fronts.
-constexpr int kLeastRefinedPart = 2000;
+constexpr int kMinRefinedPart = 2000;
 
 // Refinement of a separator may use this many layers of nodes on each side of it.
 constexpr int kRefinedLayers = 4;
@@ -53,7 +53,7 @@ PartDivider::PartDivider(const NodeGraph& graph,
       domain_(domain),
       periods_(periods_of(domain)),
       options_(options),
-      refines_(total_rows(nodes) >= options.least_refined_rows),
+      refines_(total_rows(nodes) >= options.min_refined_rows),
       memory_(memory),
       separator_(graph, nodes, options.separator, memory.zones, memory.band_indices) {}
 
@@ -72,7 +72,7 @@ PartBox PartDivider::box_of_all() const {
 ZoneBoxes PartDivider::divide(Nodes part, int rows, const std::optional<PartBox>& box) {
     if (box) {
         ZoneBoxes boxes = divide_by_position(part, *box);
-        const bool is_refined = refines_ && rows >= kLeastRefinedPart;
+        const bool is_refined = refines_ && rows >= kMinRefinedPart;
         if (is_refined) {
             refine(part, rows);
         }

@@ -12,12 +12,12 @@ namespace foam {
 
 namespace {
 
-constexpr int kMostSweeps = 20;
+constexpr int kMaxSweeps = 20;
 
 // A sweep ends after this many moves in a row without a new best separator, per node of the
-// separator at the start of the sweep. kMostFutileMoves limits their number.
+// separator at the start of the sweep. kMaxFutileMoves limits their number.
 constexpr std::size_t kFutileMovesPerNode = 2;
-constexpr std::size_t kMostFutileMoves = 300;
+constexpr std::size_t kMaxFutileMoves = 300;
 
 }  // namespace
 
@@ -41,7 +41,7 @@ std::pair<int, int> SeparatorRefinement::cost() const {
 void SeparatorRefinement::run() {
     Zone into = weight(Zone::Low) < weight(Zone::High) ? Zone::Low : Zone::High;
     int futile = 0;
-    for (int sweeps = 0; sweeps < kMostSweeps && futile < 2; ++sweeps) {
+    for (int sweeps = 0; sweeps < kMaxSweeps && futile < 2; ++sweeps) {
         futile = sweep(into) ? 0 : futile + 1;
         into = opposite(into);
     }
@@ -55,7 +55,7 @@ bool SeparatorRefinement::sweep(Zone into) {
     std::pair<int, int> best_cost = first_cost;
     std::size_t best_changes = 0;
     const std::size_t most_futile =
-        std::min(kFutileMovesPerNode * separator_.size(), kMostFutileMoves);
+        std::min(kFutileMovesPerNode * separator_.size(), kMaxFutileMoves);
     for (std::size_t futile = 0; futile < most_futile && make_best_move(into); ++futile) {
         if (cost() < best_cost) {
             best_cost = cost();

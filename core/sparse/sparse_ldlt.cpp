@@ -18,7 +18,7 @@ namespace {
 
 std::size_t threads_for(const FrontPlan& plan, int threads) {
     const bool is_small = plan.elimination.size() < kMinParallelRows;
-    return static_cast<std::size_t>(is_small ? 1 : std::min(thread_count(threads), kMostThreads));
+    return static_cast<std::size_t>(is_small ? 1 : std::min(thread_count(threads), kMaxWorkers));
 }
 
 }  // namespace

@@ -72,7 +72,7 @@ bool Simulation::reach_frame() {
         return reach_first_frame();
     }
     equilibrium_.sweeps = equilibrium_.iterations = equilibrium_.t1 = equilibrium_.t2 = 0;
-    if (number_ == 2 && frames_.first == FirstFrame::Diagram && !settle()) {
+    if (number_ == 2 && frames_.first == FirstFrame::Diagram && !equilibrate_and_warm_up()) {
         return false;
     }
     if (cycle_) {
@@ -89,7 +89,7 @@ bool Simulation::reach_frame() {
 bool Simulation::reach_first_frame() {
     if (frames_.first == FirstFrame::Diagram) {
         measure_diagram();
-    } else if (!settle()) {
+    } else if (!equilibrate_and_warm_up()) {
         return false;
     }
     history_.take_events(foam_, number_);
@@ -169,7 +169,7 @@ void Simulation::measure_diagram() {
     equilibrium_.energy = energy(foam_);
 }
 
-bool Simulation::settle() {
+bool Simulation::equilibrate_and_warm_up() {
     equilibrium_ = equilibrate_with(options_.solver, foam_, options_.equilibrium);
     if (!equilibrium_.converged() || !warm_up()) {
         return false;

@@ -49,7 +49,7 @@ class Simulation {
     bool reach_frame();
     bool reach_first_frame();
     void measure_diagram();
-    bool settle();  // equilibrium and the warm-up
+    bool equilibrate_and_warm_up();  // equilibrium and the warm-up
     bool warm_up();
     bool close_loop();
     bool step_cycle(int place);

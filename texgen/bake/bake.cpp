@@ -119,7 +119,7 @@ void check_bake(const Preset& preset, const BakeOptions& options) {
 
 BakeSummary bake(const Preset& preset, const BakeOptions& options, const BakeCallbacks& callbacks) {
     check_bake(preset, options);
-    const auto total = static_cast<int>(options.frames.size() - options.there.size());
+    const auto total = static_cast<int>(options.frames.size() - options.existing_frames.size());
     FrameWriter writer(preset, total, callbacks);
     BoundedWorkers workers(thread_count(options.threads) - 1);
     std::set<int> done;
@@ -128,7 +128,7 @@ BakeSummary bake(const Preset& preset, const BakeOptions& options, const BakeCal
         if (callbacks.on_frame) {
             callbacks.on_frame(shown);
         }
-        if (!options.there.contains(shown.frame->number)) {
+        if (!options.existing_frames.contains(shown.frame->number)) {
             workers.submit([shown, &writer] { writer.write(shown); });
         }
     };

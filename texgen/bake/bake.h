@@ -14,10 +14,10 @@ namespace foam::texgen {
 
 /// The frames to bake and the way to compute them. No option changes a pixel.
 struct BakeOptions {
-    std::vector<int> frames;   // numbers from 1, in any order, each once
-    int threads = 0;           // 0: one per hardware thread
-    FrameSource source = {};   // source of the frames of the same preset; empty: its simulation
-    std::set<int> there = {};  // frames of `frames` whose existing files are kept
+    std::vector<int> frames;  // numbers from 1, in any order, each once
+    int threads = 0;          // 0: one per hardware thread
+    FrameSource source = {};  // source of the frames of the same preset; empty: its simulation
+    std::set<int> existing_frames = {};  // frames of `frames` whose existing files are kept
 };
 
 struct BakeSummary {

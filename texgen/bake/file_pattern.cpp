@@ -34,7 +34,7 @@ std::string padded(int number, int digits) {
 FilePattern::FilePattern(std::string_view pattern)
     : pattern_(pattern), format_(find_format(pattern)) {
     if (format_ == nullptr) {
-        refuse("must end in " + format_suffixes());
+        reject("must end in " + format_suffixes());
     }
     for (std::string_view rest = pattern; !rest.empty();) {
         pieces_.push_back(take_piece(rest));
@@ -70,7 +70,7 @@ FilePattern::Piece FilePattern::take_word(std::string_view& rest) const {
     if (word == "{map}") {
         return MapName{};
     }
-    refuse(fmt::format("'{}' must be {{preset}} or {{map}}", word));
+    reject(fmt::format("'{}' must be {{preset}} or {{map}}", word));
 }
 
 FilePattern::Piece FilePattern::take_format(std::string_view& rest) const {
@@ -81,12 +81,12 @@ FilePattern::Piece FilePattern::take_format(std::string_view& rest) const {
     const bool padded = format.size() == 4 && format[1] == '0' &&
                         std::isdigit(static_cast<unsigned char>(format[2])) != 0;
     if (!padded) {
-        refuse("after '%' must stand d or a width as in %04d");
+        reject("after '%' must stand d or a width as in %04d");
     }
     return FrameNumber{format[2] - '0', std::string(format)};
 }
 
-void FilePattern::refuse(std::string_view reason) const {
+void FilePattern::reject(std::string_view reason) const {
     throw std::invalid_argument(fmt::format("output pattern '{}': {}", pattern_, reason));
 }
 
@@ -103,10 +103,10 @@ bool FilePattern::joins_maps() const {
 
 void FilePattern::check_distinct(std::size_t frames, std::size_t maps) const {
     if (frames > 1 && !has<FrameNumber>()) {
-        refuse(fmt::format("must contain ####, @@@@ or %04d, to tell {} frames apart", frames));
+        reject(fmt::format("must contain ####, @@@@ or %04d, to tell {} frames apart", frames));
     }
     if (maps > 1 && !has<MapName>() && !joins_maps()) {
-        refuse(fmt::format("must contain {{map}}, to tell {} maps apart", maps));
+        reject(fmt::format("must contain {{map}}, to tell {} maps apart", maps));
     }
 }
 

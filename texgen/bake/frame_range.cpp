@@ -20,7 +20,7 @@ struct Range {
     bool inverted = false;  // for y, which selects the frames that x skips
 };
 
-[[noreturn]] void refuse(std::string_view text, std::string_view reason) {
+[[noreturn]] void reject(std::string_view text, std::string_view reason) {
     throw std::invalid_argument(fmt::format("frame range '{}': {}", text, reason));
 }
 
@@ -41,10 +41,10 @@ class Scanner {
         int value = 0;
         const auto [end, error] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), value);
         if (end == rest_.data() || rest_.front() == '-') {
-            refuse(text_, "must be written as 5, 1-10, 1-10x2 or 1-10y3, with commas between");
+            reject(text_, "must be written as 5, 1-10, 1-10x2 or 1-10y3, with commas between");
         }
         if (error != std::errc{} || value < 1 || value > kLastFrame) {
-            refuse(text_, fmt::format("frames and steps go from 1 to {}", kLastFrame));
+            reject(text_, fmt::format("frames and steps go from 1 to {}", kLastFrame));
         }
         rest_.remove_prefix(static_cast<std::size_t>(end - rest_.data()));
         return value;
@@ -104,10 +104,10 @@ std::vector<int> parse_frame_range(std::string_view text) {
         expand(scanner.range(), seen, frames);
     } while (scanner.take(','));
     if (!scanner.at_end()) {
-        refuse(text, "must be written as 5, 1-10, 1-10x2 or 1-10y3, with commas between");
+        reject(text, "must be written as 5, 1-10, 1-10x2 or 1-10y3, with commas between");
     }
     if (frames.empty()) {
-        refuse(text, "leaves no frame");
+        reject(text, "leaves no frame");
     }
     return frames;
 }

@@ -64,7 +64,7 @@ std::string kinds_of(const KeyInfo& key);
 /// Returns the names of the keys that a kind takes, separated by commas.
 std::string keys_of(std::string_view kind);
 
-/// Returns the table of all kinds in Markdown, as in the README of the project.
+/// Returns the table of all kinds in Markdown, as in README.md.
 std::string describe_event_kinds_in_markdown();
 
 }  // namespace foam::texgen

@@ -11,7 +11,7 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr int kMostBubbles = 1'000'000;
+constexpr int kMaxBubbles = 1'000'000;
 constexpr std::int64_t kLargestIdentity = std::numeric_limits<BubbleIdentity>::max() - 1;
 
 // A kind of values: a single frame, stored as a span.
@@ -169,7 +169,7 @@ Keys<EventBase> choice_keys(const std::vector<EventTraits>& kinds) {
             taken_by(kinds,
                      &Traits::takes_count,
                      key("count",
-                         Integers{1, kMostBubbles},
+                         Integers{1, kMaxBubbles},
                          "how many bubbles of so many sides, or how many new ones",
                          &EventBase::count))};
 }

@@ -10,7 +10,7 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr int kMostTries = 100;
+constexpr int kMaxTries = 100;
 constexpr double kFirstAreas = 2.0;  // initial area of a new bubble, in T2 areas
 
 // Returns a point of the torus, or of the bounding box of the patch.
@@ -48,7 +48,7 @@ std::optional<BubbleId> nucleate_anywhere(NucleationSite on,
                                           double area,
                                           Random& random,
                                           Foam& foam) {
-    for (int k = 0; k < kMostTries; ++k) {
+    for (int k = 0; k < kMaxTries; ++k) {
         const Vec2 point = random_point(foam, random);
         if (const auto bubble = nucleate_near(on, point, area, foam)) {
             return bubble;

@@ -25,7 +25,7 @@ constexpr std::array<unsigned char, 8> kSignature = {0x89, 'P', 'N', 'G', '\r', 
 constexpr std::size_t kWord = 4;           // a length, a type or a check sum
 constexpr std::size_t kExtents = 8;        // width and height, which begin the content of an IHDR
 constexpr std::size_t kFrameControl = 26;  // the content of an fcTL
-constexpr std::uint32_t kForEver = 0;      // number of plays that means endless
+constexpr std::uint32_t kEndless = 0;      // number of plays that means endless
 
 using Content = std::span<const std::byte>;
 
@@ -34,7 +34,7 @@ struct Chunk {
     Content content;
 };
 
-[[noreturn]] void refuse_stream() {
+[[noreturn]] void reject_stream() {
     throw std::invalid_argument("a frame is no PNG stream");
 }
 
@@ -73,7 +73,7 @@ Content after_signature(Content png) {
     const Content signature = std::as_bytes(std::span(kSignature));
     if (png.size() < signature.size() ||
         !std::equal(signature.begin(), signature.end(), png.begin())) {
-        refuse_stream();
+        reject_stream();
     }
     return png.subspan(signature.size());
 }
@@ -82,7 +82,7 @@ Content after_signature(Content png) {
 /// is incomplete.
 Chunk take_chunk(Content& rest) {
     if (rest.size() < 3 * kWord || rest.size() - 3 * kWord < number_at(rest)) {
-        refuse_stream();
+        reject_stream();
     }
     const std::size_t size = number_at(rest);
     const auto* type = reinterpret_cast<const char*>(rest.data() + kWord);
@@ -100,7 +100,7 @@ std::vector<Chunk> chunks_of(Content png) {
     }
     const bool has_data = std::ranges::find(chunks, "IDAT", &Chunk::type) != chunks.end();
     if (!has_data || chunks.front().type != "IHDR" || chunks.front().content.size() < kExtents) {
-        refuse_stream();
+        reject_stream();
     }
     if (std::ranges::find(chunks, "PLTE", &Chunk::type) != chunks.end()) {
         throw std::invalid_argument("a frame of an animation has a palette of its own");
@@ -163,7 +163,7 @@ void ApngMuxer::check_header(Content header) {
 void ApngMuxer::append_animation() {
     Bytes control;
     append_number(control, static_cast<std::uint32_t>(frames_));
-    append_number(control, kForEver);
+    append_number(control, kEndless);
     append_chunk(stream_, "acTL", control);
 }
 

@@ -63,7 +63,7 @@ std::span<const std::byte> Deflater::deflate_fast(std::span<const std::byte> dat
         stream_ = std::make_unique<isal_zstream>();
         level_buffer_.resize(ISAL_DEF_LVL2_EXTRA_LARGE);
     }
-    make_room(largest_size(data.size()));
+    reserve_output(largest_size(data.size()));
     isal_deflate_init(stream_.get());
     stream_->level = kFastLevel;
     stream_->level_buf = reinterpret_cast<std::uint8_t*>(level_buffer_.data());
@@ -94,13 +94,13 @@ std::span<const std::byte> Deflater::deflate_whole(int level, std::span<const st
     if (compressor == nullptr) {
         throw std::bad_alloc();
     }
-    make_room(libdeflate_deflate_compress_bound(compressor.get(), data.size()));
+    reserve_output(libdeflate_deflate_compress_bound(compressor.get(), data.size()));
     const std::size_t size = libdeflate_deflate_compress(
         compressor.get(), data.data(), data.size(), deflated_.data(), deflated_.size());
     return std::span(deflated_).first(size);
 }
 
-void Deflater::make_room(std::size_t size) {
+void Deflater::reserve_output(std::size_t size) {
     if (deflated_.size() < size) {
         deflated_.resize(size);
     }

@@ -41,7 +41,7 @@ class Deflater {
     std::span<const std::byte> deflate_fast(std::span<const std::byte> data, bool last);
     void feed(std::span<const std::byte> data, int flush);
     std::span<const std::byte> deflate_whole(int level, std::span<const std::byte> data);
-    void make_room(std::size_t size);
+    void reserve_output(std::size_t size);
 
     std::unique_ptr<isal_zstream> stream_;
     Bytes level_buffer_;

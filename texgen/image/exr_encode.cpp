@@ -37,28 +37,28 @@ int channels_of(const ExrChannel& channel) {
 void check_channel(const ExrChannel& channel, const ExrSize& size) {
     const bool integers = std::holds_alternative<ImageView<const std::uint32_t>>(channel.pixels);
     if (channel.name.empty()) {
-        refuse_exr("a channel has no name");
+        reject_exr("a channel has no name");
     }
     if (size_of(channel) != size) {
-        refuse_exr(fmt::format("channel '{}' has another size", channel.name));
+        reject_exr(fmt::format("channel '{}' has another size", channel.name));
     }
     if (channel.channel < 0 || channel.channel >= channels_of(channel)) {
-        refuse_exr(fmt::format("channel '{}' lies outside of its pixels", channel.name));
+        reject_exr(fmt::format("channel '{}' lies outside of its pixels", channel.name));
     }
     if (integers != (channel.type == SampleType::Uint32)) {
-        refuse_exr(fmt::format("channel '{}' has samples of another type", channel.name));
+        reject_exr(fmt::format("channel '{}' has samples of another type", channel.name));
     }
 }
 
 void check_channels(std::span<const ExrChannel> channels) {
     if (channels.empty() || size_of(channels.front()).width < 1) {
-        refuse_exr("there is no pixel");
+        reject_exr("there is no pixel");
     }
     std::set<std::string> names;
     for (const ExrChannel& channel : channels) {
         check_channel(channel, size_of(channels.front()));
         if (!names.insert(channel.name).second) {
-            refuse_exr(fmt::format("two channels are named '{}'", channel.name));
+            reject_exr(fmt::format("two channels are named '{}'", channel.name));
         }
     }
 }
@@ -80,7 +80,7 @@ bool is_text_name(const Imf::Header& header, const std::string& name) {
 void add_texts(Imf::Header& header, const ImageMetadata& metadata) {
     for (const auto& [name, text] : metadata.text) {
         if (!is_text_name(header, name)) {
-            refuse_exr(fmt::format("'{}' is no name for a text", name));
+            reject_exr(fmt::format("'{}' is no name for a text", name));
         }
         header.insert(name, Imf::StringAttribute(text));
     }

@@ -20,7 +20,7 @@ template <class Stored>
 Stored stored_number(float number, const std::string& channel) {
     const Stored stored(number);
     if (!std::isfinite(static_cast<float>(stored))) {
-        refuse_exr(fmt::format("channel '{}' cannot hold {}", channel, number));
+        reject_exr(fmt::format("channel '{}' cannot hold {}", channel, number));
     }
     return stored;
 }
@@ -88,11 +88,11 @@ Imf::PixelType pixel_type(SampleType type) {
         case SampleType::Uint32:
             return Imf::UINT;
         default:
-            refuse_exr(fmt::format("it does not hold {}", name_of(type)));
+            reject_exr(fmt::format("it does not hold {}", name_of(type)));
     }
 }
 
-void refuse_exr(const std::string& why) {
+void reject_exr(const std::string& why) {
     throw std::invalid_argument("cannot make an EXR: " + why);
 }
 
@@ -108,7 +108,7 @@ std::vector<ExrChannel> exr_channels(const Picture& picture) {
         } else if (const auto* numbers = std::get_if<Image<float>>(&channel.group->samples)) {
             added.pixels = numbers->view();
         } else {
-            refuse_exr(fmt::format("it does not hold {}", name_of(added.type)));
+            reject_exr(fmt::format("it does not hold {}", name_of(added.type)));
         }
     }
     return channels;

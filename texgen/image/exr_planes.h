@@ -26,7 +26,7 @@ ExrSize size_of(const ExrChannel& channel);
 Imf::PixelType pixel_type(SampleType type);
 
 /// Throws std::invalid_argument with a message that ends in `why`.
-[[noreturn]] void refuse_exr(const std::string& why);
+[[noreturn]] void reject_exr(const std::string& why);
 
 /// Returns the channels of a picture, which they borrow. Throws std::invalid_argument for codes.
 std::vector<ExrChannel> exr_channels(const Picture& picture);

@@ -26,7 +26,7 @@ void take(png_structp png, png_bytep data, std::size_t count) {
 }
 
 /// Reports an error to libpng if `left` bytes are too few for the pixels that the header announces.
-void refuse_promises(const PngSession& session, std::size_t left) {
+void check_stream_length(const PngSession& session, std::size_t left) {
     const std::size_t promised = png_get_rowbytes(session.png(), session.info()) *
                                  png_get_image_height(session.png(), session.info());
     if (promised / kLargestRatio > left) {
@@ -56,7 +56,7 @@ template <class Sample>
 void read_header(const PngSession& session, Source& source) {
     png_set_read_fn(session.png(), &source, take);
     png_read_info(session.png(), session.info());
-    refuse_promises(session, source.size());
+    check_stream_length(session, source.size());
     ask_for_samples<Sample>(session);
     png_read_update_info(session.png(), session.info());
 }

@@ -29,14 +29,14 @@ JsonValue::JsonValue(const nlohmann::json* json, std::string file, std::string p
 JsonValue JsonValue::operator[](std::string_view name) const {
     const auto found = find(name);
     if (!found) {
-        refuse(fmt::format("an object with '{}'", name));
+        reject(fmt::format("an object with '{}'", name));
     }
     return *found;
 }
 
 std::optional<JsonValue> JsonValue::find(std::string_view name) const {
     if (!json_->is_object()) {
-        refuse("an object");
+        reject("an object");
     }
     const auto found = json_->find(name);
     if (found == json_->end() || found->is_null()) {
@@ -48,7 +48,7 @@ std::optional<JsonValue> JsonValue::find(std::string_view name) const {
 
 std::vector<JsonValue> JsonValue::items() const {
     if (!json_->is_array()) {
-        refuse("a list");
+        reject("a list");
     }
     std::vector<JsonValue> items;
     for (const nlohmann::json& item : *json_) {
@@ -59,7 +59,7 @@ std::vector<JsonValue> JsonValue::items() const {
 
 const std::string& JsonValue::text() const {
     if (!json_->is_string()) {
-        refuse("a text");
+        reject("a text");
     }
     return json_->get_ref<const std::string&>();
 }
@@ -71,7 +71,7 @@ const std::string& JsonValue::word(std::span<const std::string_view> words) cons
         for (const std::string_view one : words) {
             allowed += fmt::format("{}\"{}\"", allowed.empty() ? "one of " : ", ", one);
         }
-        refuse(allowed);
+        reject(allowed);
     }
     return found;
 }
@@ -83,7 +83,7 @@ std::int64_t JsonValue::integer(std::int64_t low, std::int64_t high) const {
           json_->get<std::uint64_t>() > std::uint64_t{std::numeric_limits<std::int64_t>::max()});
     const std::int64_t found = fits ? json_->get<std::int64_t>() : 0;
     if (!fits || found < low || found > high) {
-        refuse(fmt::format("an integer from {} to {}", low, high));
+        reject(fmt::format("an integer from {} to {}", low, high));
     }
     return found;
 }
@@ -94,19 +94,19 @@ int JsonValue::count() const {
 
 double JsonValue::number() const {
     if (!json_->is_number()) {
-        refuse("a number");
+        reject("a number");
     }
     return json_->get<double>();
 }
 
 bool JsonValue::flag() const {
     if (!json_->is_boolean()) {
-        refuse("true or false");
+        reject("true or false");
     }
     return json_->get<bool>();
 }
 
-void JsonValue::refuse(std::string_view must_be) const {
+void JsonValue::reject(std::string_view must_be) const {
     throw InputError(fmt::format("cannot read '{}': {}{}{}: must be {}",
                                  file_,
                                  place_,
@@ -136,7 +136,7 @@ JsonValue JsonDocument::root() const {
 
 void JsonDocument::check_format(std::string_view what, std::string_view format, int version) const {
     if (!tree_->is_object() || !tree_->contains("format") || (*tree_)["format"] != format) {
-        root().refuse(fmt::format("{}, with \"format\": \"{}\"", what, format));
+        root().reject(fmt::format("{}, with \"format\": \"{}\"", what, format));
     }
     root()["version"].integer(1, version);
 }

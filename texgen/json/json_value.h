@@ -42,12 +42,12 @@ class JsonValue {
         try {
             return parse(text());
         } catch (const std::invalid_argument&) {
-            refuse(must_be);
+            reject(must_be);
         }
     }
 
     /// Throws an InputError that says that the value must be `must_be`.
-    [[noreturn]] void refuse(std::string_view must_be) const;
+    [[noreturn]] void reject(std::string_view must_be) const;
 
   private:
     friend class JsonDocument;

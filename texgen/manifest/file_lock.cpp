@@ -26,9 +26,9 @@ constexpr mode_t kMode = 0666;  // the umask of the process applies
 /// Returns true if the open file is still the file at the path.
 bool is_file_at(int file, const std::filesystem::path& path) {
     struct stat held {};
-    struct stat there {};
-    return fstat(file, &held) == 0 && stat(path.c_str(), &there) == 0 &&
-           held.st_ino == there.st_ino && held.st_dev == there.st_dev;
+    struct stat found {};
+    return fstat(file, &held) == 0 && stat(path.c_str(), &found) == 0 &&
+           held.st_ino == found.st_ino && held.st_dev == found.st_dev;
 }
 
 void wait_for_lock(int file) {

@@ -45,7 +45,7 @@ std::optional<MapSamples> samples_in(const JsonValue& value) {
     if (const auto range = value.find("range")) {
         const std::vector<JsonValue> ends = range->items();
         if (ends.size() != 2) {
-            range->refuse("[low, high]");
+            range->reject("[low, high]");
         }
         samples.range = {ends[0].number(), ends[1].number()};
     }
@@ -73,7 +73,7 @@ ManifestFile file_in(const JsonValue& value) {
         file.maps.push_back(map.text());
     }
     if (file.maps.empty()) {
-        value["maps"].refuse("at least one map");
+        value["maps"].reject("at least one map");
     }
     return file;
 }
@@ -112,7 +112,7 @@ ManifestConventions conventions_in(const JsonValue& value) {
 int extent_in(const JsonValue& size, std::size_t index) {
     const std::vector<JsonValue> extents = size.items();
     if (extents.size() != 2) {
-        size.refuse("[width, height]");
+        size.reject("[width, height]");
     }
     return static_cast<int>(extents[index].integer(1, kLargestExtent));
 }
@@ -132,7 +132,7 @@ void check_maps(const BakedSet& set, const JsonValue& files) {
     for (std::size_t k = 0; k < set.files.size(); ++k) {
         for (const std::string& map : set.files[k].maps) {
             if (set.find_map(map) == nullptr) {
-                items[k]["maps"].refuse("maps that are described in 'maps'");
+                items[k]["maps"].reject("maps that are described in 'maps'");
             }
         }
     }

@@ -3,8 +3,8 @@
 #include "texgen/bake/file_pattern.h"
 #include "texgen/bake/frame_files.h"
 #include "texgen/manifest/describe.h"
+#include "texgen/manifest/existing_frames.h"
 #include "texgen/manifest/manifest_file.h"
-#include "texgen/manifest/present_frames.h"
 
 #include <fmt/core.h>
 
@@ -65,7 +65,7 @@ class ManifestWriter {
         const FrameFiles files(preset);
         std::vector<std::string> paths;
         for (const int frame : options.frames) {
-            if (options.there.contains(frame)) {
+            if (options.existing_frames.contains(frame)) {
                 continue;
             }
             for (const std::filesystem::path& path : files.paths(frame)) {
@@ -169,14 +169,15 @@ BakeSummary bake_recorded(const Preset& preset,
     const Manifest manifest = manifest_in(folder);
     BakeOptions missing = options;
     if (resume == Resume::Yes) {
-        missing.there = present_frames(preset, options.frames, folder, manifest);
+        missing.existing_frames = existing_frames_of(preset, options.frames, folder, manifest);
     }
-    const bool idle = missing.there.size() == options.frames.size() && !callbacks.on_frame;
+    const bool idle =
+        missing.existing_frames.size() == options.frames.size() && !callbacks.on_frame;
     ManifestWriter writer(preset, missing);
     try {
         BakeSummary summary = idle ? all_there(preset, options.frames, manifest)
                                    : bake_and_record(preset, missing, callbacks, writer);
-        summary.kept = static_cast<int>(missing.there.size());
+        summary.kept = static_cast<int>(missing.existing_frames.size());
         writer.close(failure_of(summary.outcome));
         return summary;
     } catch (const std::exception& error) {

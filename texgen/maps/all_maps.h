@@ -129,7 +129,7 @@ const Map& find_map(std::string_view name);
 /// Returns the distances that several maps need together.
 DistanceNeeds distance_needs(std::span<const std::string> names, const MapOptions& options);
 
-/// Returns the table of all maps in Markdown, as in the README.
+/// Returns the table of all maps in Markdown, as in README.md.
 std::string describe_maps_in_markdown();
 
 }  // namespace foam::texgen

@@ -17,7 +17,7 @@ namespace {
 
 // Bubbles of three films are at the start of the scale, bubbles of nine at its end.
 constexpr double kFewestSides = 3.0;
-constexpr double kMostSides = 9.0;
+constexpr double kMaxSides = 9.0;
 
 PerBubble<double> tones_by_pressure(const Frame& frame, const AlbedoOptions& options) {
     if (!(options.pressure_low < options.pressure_high)) {
@@ -42,9 +42,7 @@ PerBubble<double> tones_by_area(const Frame& frame) {
 }
 
 PerBubble<double> tones_by_sides(const Frame& frame) {
-    const auto tone = [](int sides) {
-        return (sides - kFewestSides) / (kMostSides - kFewestSides);
-    };
+    const auto tone = [](int sides) { return (sides - kFewestSides) / (kMaxSides - kFewestSides); };
     return per_bubble<double>(
         frame,
         [&](BubbleId bubble) { return tone(frame.network.sides(bubble)); },

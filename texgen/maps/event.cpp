@@ -14,29 +14,29 @@ namespace foam::texgen {
 
 namespace {
 
-// A round spot on a grid.
-struct Spot {
+// A round disk on a grid.
+struct EventDisk {
     double radius;  // pixels
     float height;
     std::size_t channel;
 };
 
-// Paints the copy of a spot whose middle is at a point of the image.
-void paint_copy(const Spot& spot, SubpixelPoint middle, ImageView<float> image) {
-    const auto reach = static_cast<std::int32_t>(std::ceil(spot.radius));
+// Paints the copy of a disk whose middle is at a point of the image.
+void paint_copy(const EventDisk& disk, SubpixelPoint middle, ImageView<float> image) {
+    const auto reach = static_cast<std::int32_t>(std::ceil(disk.radius));
     const int left = std::max(pixel_of(middle.x) - reach, 0);
     const int right = std::min(pixel_of(middle.x) + reach, image.width() - 1);
     const int bottom = std::max(pixel_of(middle.y) - reach, 0);
     const int top = std::min(pixel_of(middle.y) + reach, image.height() - 1);
-    const double squared_radius = spot.radius * spot.radius * kSubpixel * kSubpixel;
+    const double squared_radius = disk.radius * disk.radius * kSubpixel * kSubpixel;
     for (int y = bottom; y <= top; ++y) {
         for (int x = left; x <= right; ++x) {
             const SubpixelPoint from = pixel_center(x, y) - middle;
             const double squared =
                 static_cast<double>(from.x) * from.x + static_cast<double>(from.y) * from.y;
             const double inside = std::max(1.0 - squared / squared_radius, 0.0);
-            float& value = image.pixel(x, y)[spot.channel];
-            value = std::max(value, spot.height * static_cast<float>(inside * inside));
+            float& value = image.pixel(x, y)[disk.channel];
+            value = std::max(value, disk.height * static_cast<float>(inside * inside));
         }
     }
 }
@@ -50,7 +50,7 @@ Keys<EventMapOptions> event_map_keys() {
                 &EventMapOptions::radius),
             key("fade",
                 Integers{1, kRecordedFrames},
-                "frames until a spot is gone",
+                "frames until a disk is gone",
                 &EventMapOptions::fade)};
 }
 
@@ -66,9 +66,9 @@ NumberPixels draw_event(FrameLayers& layers, const EventMapOptions& options) {
             continue;
         }
         const float height = 1.0F - static_cast<float>(since) / static_cast<float>(options.fade);
-        const Spot spot{radius, height, static_cast<std::size_t>(event.kind)};
+        const EventDisk disk{radius, height, static_cast<std::size_t>(event.kind)};
         for_each_copy(grid, frame.domain, event.position, radius, [&](SubpixelPoint middle) {
-            paint_copy(spot, middle, image.view());
+            paint_copy(disk, middle, image.view());
         });
     }
     return {std::move(image), 0.0, 1.0};

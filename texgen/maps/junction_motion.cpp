@@ -43,9 +43,9 @@ std::map<Corner, std::vector<Vec2>> places_of(const Frame& frame) {
     return places;
 }
 
-std::optional<Vec2> shortest_way(const Domain& domain,
-                                 const Vec2& from,
-                                 const std::vector<Vec2>& places) {
+std::optional<Vec2> shortest_motion(const Domain& domain,
+                                    const Vec2& from,
+                                    const std::vector<Vec2>& places) {
     std::optional<Vec2> shortest;
     for (const Vec2& place : places) {
         const Vec2 way = domain.nearest_copy(place - from);
@@ -61,9 +61,10 @@ Motion motion_of_kept(const Frame& frame, const Frame& next) {
     Motion motion;
     for (const JunctionId junction : frame.network.junctions()) {
         const auto found = places.find(corner_at(frame, junction));
-        motion.push_back(found == places.end()
-                             ? std::nullopt
-                             : shortest_way(next.domain, frame.positions[junction], found->second));
+        motion.push_back(
+            found == places.end()
+                ? std::nullopt
+                : shortest_motion(next.domain, frame.positions[junction], found->second));
     }
     return motion;
 }

@@ -6,7 +6,7 @@ namespace foam::texgen {
 
 Keys<LoopOptions> loop_keys() {
     using Options = LoopOptions;
-    constexpr int kMostPeriods = 100;
+    constexpr int kMaxPeriods = 100;
     constexpr Choices<LoopKind, 6> kKinds = {{{{"none", LoopKind::None},
                                                {"breathe", LoopKind::Breathe},
                                                {"shear", LoopKind::Shear},
@@ -26,7 +26,7 @@ Keys<LoopOptions> loop_keys() {
             "strain does, at most 0.4",
             &Options::amplitude),
         key("drift",
-            IntegerPairs{{-kMostPeriods, kMostPeriods}},
+            IntegerPairs{{-kMaxPeriods, kMaxPeriods}},
             "whole images that the foam travels in a loop, to the right and up",
             &Options::drift)
             .only_for("foam.domain", {"torus"}),

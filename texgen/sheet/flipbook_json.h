@@ -15,8 +15,8 @@ struct SheetImage {
     MapSequence sequence;
 };
 
-/// Returns a description of the sheets for programs that play them, as JSON. The README of the
-/// project describes the members.
+/// Returns a description of the sheets for programs that play them, as JSON. README.md
+/// describes the members.
 std::string flipbook_json(const BakedSet& set,
                           std::span<const int> frames,
                           const SheetLayout& layout,

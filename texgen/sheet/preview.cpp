@@ -22,7 +22,7 @@ namespace {
 
 using Codes = Image<std::uint8_t>;
 
-constexpr std::size_t kMostThumbnails = 24;
+constexpr std::size_t kMaxThumbnails = 24;
 constexpr int kThumbnailSize = 200;  // the longer side, in pixels
 constexpr int kTileSize = 512;
 constexpr int kTiles = 2;  // number of copies in each direction
@@ -156,7 +156,7 @@ class Previews {
     }
 
     Bytes contact() const {
-        const MapSequence shown{sequence_.map, spread(sequence_.files, kMostThumbnails)};
+        const MapSequence shown{sequence_.map, spread(sequence_.files, kMaxThumbnails)};
         std::vector<Codes> codes = frames_within(shown, kThumbnailSize, options_.threads);
         std::vector<Thumbnail> thumbnails;
         for (std::size_t k = 0; k < codes.size(); ++k) {

@@ -108,7 +108,7 @@ void add_ground(Image<float>& pixels, const PictureChannel& opacity) {
     });
 }
 
-[[noreturn]] void refuse(const MapFile& file, std::string_view reason) {
+[[noreturn]] void reject(const MapFile& file, std::string_view reason) {
     throw InputError(fmt::format("'{}' cannot be shown: {}", file.path.string(), reason));
 }
 
@@ -117,10 +117,10 @@ ShownFrame shown_numbers(const Picture& picture, const MapFile& file, const Mani
     const std::array<const PictureChannel*, kColors> colors = channels_shown(channels);
     const bool is_light = is_light_in(map);
     if (colors.front() == nullptr) {
-        refuse(file, "it has neither Y, nor R, nor X");
+        reject(file, "it has neither Y, nor R, nor X");
     }
     if (!is_light && !map.samples->range) {
-        refuse(file, "the manifest does not tell the range of its numbers");
+        reject(file, "the manifest does not tell the range of its numbers");
     }
     const auto [low, high] = map.samples->range.value_or(std::array{0.0, 1.0});
     const double scale = 1.0 / (high - low);

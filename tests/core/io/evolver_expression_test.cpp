@@ -18,7 +18,7 @@ double value_of(std::string_view text) {
     return take_expression(reader, known);
 }
 
-void expect_refused(std::string_view text, const std::string& what) {
+void expect_rejected(std::string_view text, const std::string& what) {
     test::expect_format_error([&] { value_of(text); }, what);
 }
 
@@ -51,15 +51,15 @@ TEST(EvolverExpression, ASignBehindSpaceBeginsTheNext) {
 }
 
 TEST(EvolverExpression, RefusesWhatIsNone) {
-    expect_refused("depth", "a.fe:1: expected a number, found 'depth'");
-    expect_refused("(1", "a.fe:1: expected ')', found the end of the file");
-    expect_refused("sin 1", "a.fe:1: expected '(', found '1'");
-    expect_refused("2*", "a.fe:1: expected a number, found the end of the file");
+    expect_rejected("depth", "a.fe:1: expected a number, found 'depth'");
+    expect_rejected("(1", "a.fe:1: expected ')', found the end of the file");
+    expect_rejected("sin 1", "a.fe:1: expected '(', found '1'");
+    expect_rejected("2*", "a.fe:1: expected a number, found the end of the file");
 }
 
 TEST(EvolverExpression, RefusesWhatIsNotFinite) {
     for (const char* text : {"1/0", "1e999", "log(-1)", "1e300*1e300", "0xffffffffffffffffff"}) {
-        expect_refused(text, "a.fe:1: this number is not finite");
+        expect_rejected(text, "a.fe:1: this number is not finite");
     }
 }
 
@@ -69,7 +69,7 @@ TEST(EvolverExpression, DeepNestingIsAnError) {
         for (int k = 0; k < 100000; ++k) {
             text += opening;
         }
-        expect_refused(text, "a.fe:1: this expression is nested too deeply");
+        expect_rejected(text, "a.fe:1: this expression is nested too deeply");
     }
 }
 

@@ -20,7 +20,7 @@ Header header_with(const std::string& lines) {
     return header;
 }
 
-void expect_refused(const std::string& text, const std::string& what) {
+void expect_rejected(const std::string& text, const std::string& what) {
     test::expect_format_error(
         [&] {
             TokenReader reader(text, file_name);
@@ -92,11 +92,11 @@ TEST(EvolverHeader, AnEnergyOfAllLengthsAddsToTheTension) {
 TEST(EvolverHeader, RefusesOtherEnergies) {
     const std::string start = "STRING SPACE_DIMENSION 2 TORUS\n";
     const std::string what = "a.fe:2: quantity 'q' adds an energy a foam has not";
-    expect_refused(start + "quantity q energy method circular_arc_length\nvertices", what);
-    expect_refused(start + "quantity q energy method vertex_scalar_integral global\nvertices",
-                   what);
-    expect_refused(start + "square_curvature 0.1\nvertices",
-                   "a.fe:2: square_curvature adds an energy that a foam has not");
+    expect_rejected(start + "quantity q energy method circular_arc_length\nvertices", what);
+    expect_rejected(start + "quantity q energy method vertex_scalar_integral global\nvertices",
+                    what);
+    expect_rejected(start + "square_curvature 0.1\nvertices",
+                    "a.fe:2: square_curvature adds an energy that a foam has not");
 }
 
 TEST(EvolverHeader, NotesWhatIsNotHeld) {
@@ -112,32 +112,32 @@ TEST(EvolverHeader, AFreeClusterLiesInThePlane) {
 }
 
 TEST(EvolverHeader, RefusesOtherModels) {
-    expect_refused("SPACE_DIMENSION 2\nTORUS\nvertices",
-                   "a.fe:3: the top section does not say STRING: this is no string model");
-    expect_refused("STRING\nTORUS\nvertices",
-                   "a.fe:3: the top section does not say SPACE_DIMENSION 2");
-    expect_refused("SOAPFILM\n",
-                   "a.fe:1: SOAPFILM is another model than the string model of a foam");
-    expect_refused("STRING\nLAGRANGE 4\n",
-                   "a.fe:2: LAGRANGE is not supported; films are straight (LINEAR) or arcs "
-                   "(QUADRATIC)");
-    expect_refused("symmetry_group \"rotate\"",
-                   "a.fe:1: the only symmetry group supported is \"torus\"");
-    expect_refused("PRESSURE 3",
-                   "a.fe:1: PRESSURE makes the gas compressible, which is not "
-                   "supported");
+    expect_rejected("SPACE_DIMENSION 2\nTORUS\nvertices",
+                    "a.fe:3: the top section does not say STRING: this is no string model");
+    expect_rejected("STRING\nTORUS\nvertices",
+                    "a.fe:3: the top section does not say SPACE_DIMENSION 2");
+    expect_rejected("SOAPFILM\n",
+                    "a.fe:1: SOAPFILM is another model than the string model of a foam");
+    expect_rejected("STRING\nLAGRANGE 4\n",
+                    "a.fe:2: LAGRANGE is not supported; films are straight (LINEAR) or arcs "
+                    "(QUADRATIC)");
+    expect_rejected("symmetry_group \"rotate\"",
+                    "a.fe:1: the only symmetry group supported is \"torus\"");
+    expect_rejected("PRESSURE 3",
+                    "a.fe:1: PRESSURE makes the gas compressible, which is not "
+                    "supported");
 }
 
 TEST(EvolverHeader, RefusesOtherTori) {
-    expect_refused("periods\n1 0.5\n0 1", "a.fe:1: the first period has to lie along x");
-    expect_refused("periods 1 0 0 -1", "a.fe:1: the periods have to be positive");
+    expect_rejected("periods\n1 0.5\n0 1", "a.fe:1: the first period has to lie along x");
+    expect_rejected("periods 1 0 0 -1", "a.fe:1: the periods have to be positive");
 }
 
 TEST(EvolverHeader, RefusesWhatItCannotRead) {
-    expect_refused("", "a.fe:1: expected a section 'vertices', found the end of the file");
-    expect_refused("STRING\n#define X 3\n",
-                   "a.fe:2: lines such as #define and #include are not supported");
-    expect_refused("STRING\n12\n", "a.fe:2: expected a keyword of the top section, found '12'");
+    expect_rejected("", "a.fe:1: expected a section 'vertices', found the end of the file");
+    expect_rejected("STRING\n#define X 3\n",
+                    "a.fe:2: lines such as #define and #include are not supported");
+    expect_rejected("STRING\n12\n", "a.fe:2: expected a keyword of the top section, found '12'");
 }
 
 }  // namespace

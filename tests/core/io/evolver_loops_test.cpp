@@ -16,7 +16,7 @@ std::vector<FilmLoop> loops_of(const std::string& text) {
     return film_loops(mesh, header.domain, file_name);
 }
 
-void expect_refused(std::string_view old, std::string_view replacement, const std::string& what) {
+void expect_rejected(std::string_view old, std::string_view replacement, const std::string& what) {
     test::expect_format_error([&] { loops_of(test::edited(test::kSmallTorus, old, replacement)); },
                               what);
 }
@@ -65,19 +65,20 @@ TEST(EvolverLoops, VerticesOfTwoEdgesAreDissolved) {
 }
 
 TEST(EvolverLoops, RefusesOpenLoops) {
-    expect_refused("1 1 2 -3",
-                   "1 1 -3 2",
-                   "a.fe:15: face 1: edge 3 does not begin where edge 1 "
-                   "ends");
-    expect_refused("+ *", "+ -", "a.fe:18: the faces do not cover the torus once");
-    expect_refused("1 1 2 -3 -1 -2 3\n", "1 1 2\n", "a.fe:15: face 1: its wraps do not cancel out");
+    expect_rejected("1 1 2 -3",
+                    "1 1 -3 2",
+                    "a.fe:15: face 1: edge 3 does not begin where edge 1 "
+                    "ends");
+    expect_rejected("+ *", "+ -", "a.fe:18: the faces do not cover the torus once");
+    expect_rejected(
+        "1 1 2 -3 -1 -2 3\n", "1 1 2\n", "a.fe:15: face 1: its wraps do not cancel out");
 }
 
 TEST(EvolverLoops, RefusesEdgesThatAreNotBetweenTwoFaces) {
-    expect_refused("1 1 2 -3 -1 -2 3\n",
-                   "1 1 3 -3 -1 1 3 -3 -1\n",
-                   "a.fe:15: face 1: edge 1 has a face on that side already");
-    expect_refused(
+    expect_rejected("1 1 2 -3 -1 -2 3\n",
+                    "1 1 3 -3 -1 1 3 -3 -1\n",
+                    "a.fe:15: face 1: edge 1 has a face on that side already");
+    expect_rejected(
         "1 1 2 -3 -1 -2 3\n", "1 1 2 -2 -1\n", "a.fe:13: edge 3 has no face on either side");
 }
 
@@ -102,7 +103,7 @@ TEST(EvolverLoops, RefusesJunctionsOfMoreOrFewerFilms) {
 }
 
 TEST(EvolverLoops, RefusesVerticesFarAway) {
-    expect_refused("2 1 1\n", "2 1 1e99\n", "a.fe:9: vertex 2 lies too far away");
+    expect_rejected("2 1 1\n", "2 1 1e99\n", "a.fe:9: vertex 2 lies too far away");
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ Mesh edited_mesh(std::string_view old, std::string_view replacement) {
     return mesh_of(test::edited(test::kSmallTorus, old, replacement));
 }
 
-void expect_refused(std::string_view old, std::string_view replacement, const std::string& what) {
+void expect_rejected(std::string_view old, std::string_view replacement, const std::string& what) {
     test::expect_format_error([&] { edited_mesh(old, replacement); }, what);
 }
 
@@ -87,9 +87,9 @@ TEST(EvolverMesh, EndsAtRead) {
 }
 
 TEST(EvolverMesh, RefusesMissingSections) {
-    expect_refused("faces     // 14\n1 1 2 -3 -1 -2 3\n",
-                   "",
-                   "a.fe:14: expected a section 'faces', found 'bodies'");
+    expect_rejected("faces     // 14\n1 1 2 -3 -1 -2 3\n",
+                    "",
+                    "a.fe:14: expected a section 'faces', found 'bodies'");
     test::expect_format_error([] { mesh_of("STRING SPACE_DIMENSION 2 TORUS vertices"); },
                               "a.fe:1: expected a section 'edges', found the end of the file");
     test::expect_format_error([] { mesh_of(std::string(test::kSmallTorus) + "edges\n"); },
@@ -97,37 +97,37 @@ TEST(EvolverMesh, RefusesMissingSections) {
 }
 
 TEST(EvolverMesh, RefusesBadNumbersOfElements) {
-    expect_refused("2 1 1\n", "1 1 1\n", "a.fe:9: vertex 1 stands here a second time");
-    expect_refused("2 1 1\n", "0 1 1\n", "a.fe:9: the number of a vertex has to be positive");
-    expect_refused("2 2 1 + +", "2 2 9 + +", "a.fe:12: edge 2: vertex 9 is not there");
-    expect_refused("1 1 2 -3", "1 1 2 -8", "a.fe:15: face 1: edge 8 is not there");
-    expect_refused("1 1 volume", "1 4 volume", "a.fe:17: body 1: face 4 is not there");
-    expect_refused("2 2 1 + +", "2 2 1 99 + +", "a.fe:12: edge 2: vertex 99 is not there");
+    expect_rejected("2 1 1\n", "1 1 1\n", "a.fe:9: vertex 1 stands here a second time");
+    expect_rejected("2 1 1\n", "0 1 1\n", "a.fe:9: the number of a vertex has to be positive");
+    expect_rejected("2 2 1 + +", "2 2 9 + +", "a.fe:12: edge 2: vertex 9 is not there");
+    expect_rejected("1 1 2 -3", "1 1 2 -8", "a.fe:15: face 1: edge 8 is not there");
+    expect_rejected("1 1 volume", "1 4 volume", "a.fe:17: body 1: face 4 is not there");
+    expect_rejected("2 2 1 + +", "2 2 1 99 + +", "a.fe:12: edge 2: vertex 99 is not there");
 }
 
 TEST(EvolverMesh, RefusesIncompleteElements) {
-    expect_refused("2 1 1\n", "2 1\n", "a.fe:9: vertex 2 lacks a coordinate");
-    expect_refused(
+    expect_rejected("2 1 1\n", "2 1\n", "a.fe:9: vertex 2 lacks a coordinate");
+    expect_rejected(
         "2 1 1\n", "2 1 1 7\n", "a.fe:9: expected an attribute or the end of the line, found '7'");
-    expect_refused("2 2 1 + +",
-                   "2 2 1 +",
-                   "a.fe:13: expected a second wrap, '*', '+' or '-', "
-                   "found '3'");
-    expect_refused("1 1 2 -3 -1 -2 3\n", "1\n", "a.fe:15: face 1 has no edges");
-    expect_refused("volume 6", "volume", "a.fe:18: expected a number, found the end of the file");
+    expect_rejected("2 2 1 + +",
+                    "2 2 1 +",
+                    "a.fe:13: expected a second wrap, '*', '+' or '-', "
+                    "found '3'");
+    expect_rejected("1 1 2 -3 -1 -2 3\n", "1\n", "a.fe:15: face 1 has no edges");
+    expect_rejected("volume 6", "volume", "a.fe:18: expected a number, found the end of the file");
 }
 
 TEST(EvolverMesh, RefusesBodiesThatAreNoBubbles) {
-    expect_refused("1 1 volume 6", "1 1 1 volume 6", "a.fe:17: body 1 has more than one face");
-    expect_refused("volume 6\n", "volume 6\n2 1\n", "a.fe:18: body 2: face 1 has a body already");
-    expect_refused(
+    expect_rejected("1 1 volume 6", "1 1 1 volume 6", "a.fe:17: body 1 has more than one face");
+    expect_rejected("volume 6\n", "volume 6\n2 1\n", "a.fe:18: body 2: face 1 has a body already");
+    expect_rejected(
         "volume 6", "pressure 6", "a.fe:17: body 1: a pressure without a volume is not supported");
 }
 
 TEST(EvolverMesh, RefusesBoundaries) {
-    expect_refused(
+    expect_rejected(
         "2 1 1\n", "2 1 1 boundary 1\n", "a.fe:9: vertex 2: boundaries are not supported");
-    expect_refused("+ +", "+ + boundary 1", "a.fe:12: edge 2: boundary is not supported");
+    expect_rejected("+ +", "+ + boundary 1", "a.fe:12: edge 2: boundary is not supported");
 }
 
 }  // namespace

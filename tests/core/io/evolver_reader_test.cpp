@@ -15,7 +15,7 @@ EvolverFoam edited_foam(std::string_view old, std::string_view replacement) {
     return read_evolver(test::edited(test::kSmallTorus, old, replacement), "a.fe");
 }
 
-void expect_refused(std::string_view old, std::string_view replacement, const std::string& what) {
+void expect_rejected(std::string_view old, std::string_view replacement, const std::string& what) {
     test::expect_format_error([&] { edited_foam(old, replacement); }, what);
 }
 
@@ -122,11 +122,11 @@ TEST(EvolverReader, RoundedVolumesAreBroughtToTheSum) {
     EXPECT_DOUBLE_EQ(edited_foam("volume 6", "volume 6.00001").foam.target_areas[BubbleId{0}], 6.0);
     EXPECT_EQ(edited_foam("volume 6", "volume 6.000000000001").foam.target_areas[BubbleId{0}],
               6.000000000001);
-    expect_refused("volume 6",
-                   "volume 6.001",
-                   "a.fe:18: the volumes add up to 6.001, but the torus has an area of 6");
-    expect_refused("volume 6", "volume 0", "a.fe:17: body 1: its volume has to be positive");
-    expect_refused("volume 6", "volume -6", "a.fe:17: body 1: its volume has to be positive");
+    expect_rejected("volume 6",
+                    "volume 6.001",
+                    "a.fe:18: the volumes add up to 6.001, but the torus has an area of 6");
+    expect_rejected("volume 6", "volume 0", "a.fe:17: body 1: its volume has to be positive");
+    expect_rejected("volume 6", "volume -6", "a.fe:17: body 1: its volume has to be positive");
 }
 
 TEST(EvolverReader, NotesWhatIsHeld) {

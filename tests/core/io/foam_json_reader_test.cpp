@@ -16,7 +16,7 @@ Foam read(const std::string& text) {
     return read_foam_json(text, "a.json");
 }
 
-void expect_refused(std::string_view old, std::string_view replacement, const std::string& what) {
+void expect_rejected(std::string_view old, std::string_view replacement, const std::string& what) {
     test::expect_format_error([&] { read(test::edited(kSmallState, old, replacement)); }, what);
 }
 
@@ -54,48 +54,48 @@ TEST(FoamJsonReader, PassesOverUnknownMembers) {
 }
 
 TEST(FoamJsonReader, RefusesOtherFormats) {
-    expect_refused(
+    expect_rejected(
         "foamtex-foam", "foam", "a.json:2: this is no state of a foam (\"foamtex-foam\")");
-    expect_refused("1,\n\"torus\"",
-                   "3,\n\"torus\"",
-                   "a.json:3: this state is of version 3; this program reads up to version 2");
-    expect_refused("\"time\": 0.0,\n", "", "a.json:1: 'time' is missing");
+    expect_rejected("1,\n\"torus\"",
+                    "3,\n\"torus\"",
+                    "a.json:3: this state is of version 3; this program reads up to version 2");
+    expect_rejected("\"time\": 0.0,\n", "", "a.json:1: 'time' is missing");
     test::expect_format_error([] { read("[]"); }, "a.json:1: 'format' is missing");
 }
 
 TEST(FoamJsonReader, RefusesBadValues) {
-    expect_refused("[3.0, 2.0]", "[3.0]", "a.json:4: expected a list of 2 numbers");
-    expect_refused("[3.0, 2.0]", "[3.0, -2.0]", "a.json:4: expected a positive number");
-    expect_refused("0.5, 3]", "\"x\", 3]", "a.json:9: expected a finite number");
-    expect_refused(
+    expect_rejected("[3.0, 2.0]", "[3.0]", "a.json:4: expected a list of 2 numbers");
+    expect_rejected("[3.0, 2.0]", "[3.0, -2.0]", "a.json:4: expected a positive number");
+    expect_rejected("0.5, 3]", "\"x\", 3]", "a.json:9: expected a finite number");
+    expect_rejected(
         "0.5, 3]", "2.5, 3]", "a.json:9: this junction lies outside of the torus' own cell");
-    expect_refused("0.5, 3]", "0.5, 6]", "a.json:9: expected an integer from 0 to 5");
-    expect_refused(
+    expect_rejected("0.5, 3]", "0.5, 6]", "a.json:9: expected an integer from 0 to 5");
+    expect_rejected(
         "0.5, 3]", "0.5, 4]", "a.json:9: this junction is not where its half-edge begins");
-    expect_refused(
+    expect_rejected(
         "[1, 0, 0, 0, 5", "[1, 2, 0, 0, 5", "a.json:14: expected an integer from 0 to 1");
-    expect_refused("1, 1, 1],",
-                   "1, 0.5, 1],",
-                   "a.json:14: expected an integer from -1000000 to "
-                   "1000000");
-    expect_refused("[0, 0.0, 6.0", "[1, 0.0, 6.0", "a.json:18: expected an integer from 0 to 0");
-    expect_refused("\"films\": [", "\"films\": 3, \"old\": [", "a.json:12: expected a list");
+    expect_rejected("1, 1, 1],",
+                    "1, 0.5, 1],",
+                    "a.json:14: expected an integer from -1000000 to "
+                    "1000000");
+    expect_rejected("[0, 0.0, 6.0", "[1, 0.0, 6.0", "a.json:18: expected an integer from 0 to 0");
+    expect_rejected("\"films\": [", "\"films\": 3, \"old\": [", "a.json:12: expected a list");
 }
 
 TEST(FoamJsonReader, RefusesWhatIsNoFoam) {
-    expect_refused(
+    expect_rejected(
         "5, 4, 1, 1, 1]",
         "4, 4, 1, 1, 1]",
         "a.json:12: this is no valid foam: half-edge 2 ends where its successor does not "
         "begin");
-    expect_refused("6.0, 0, 6]",
-                   "6.0, 0, 5]",
-                   "a.json:12: this is no valid foam: bubble 0 has more sides than it counts");
-    expect_refused("6.0, 0, 6]",
-                   "6.1, 0, 6]",
-                   "a.json:17: the target areas do not add up to that of the torus");
+    expect_rejected("6.0, 0, 6]",
+                    "6.0, 0, 5]",
+                    "a.json:12: this is no valid foam: bubble 0 has more sides than it counts");
+    expect_rejected("6.0, 0, 6]",
+                    "6.1, 0, 6]",
+                    "a.json:17: the target areas do not add up to that of the torus");
     const std::string twice = "[0, 0.0, 6.0, 0, 6],\n[0, 0.0, 6.0, 0, 6]";
-    expect_refused("[0, 0.0, 6.0, 0, 6]", twice, "a.json:19: bubble 0 stands here a second time");
+    expect_rejected("[0, 0.0, 6.0, 0, 6]", twice, "a.json:19: bubble 0 stands here a second time");
 }
 
 TEST(FoamJsonReader, KeepsAPatch) {
@@ -115,11 +115,11 @@ TEST(FoamJsonReader, KeepsAPatch) {
 
 TEST(FoamJsonReader, RefusesPatchesThatAreNone) {
     const std::string text = write_foam_json(test::double_bubble(1.0, 2.0));
-    const auto refuse = [&](std::string_view old, std::string_view replacement, const char* what) {
+    const auto reject = [&](std::string_view old, std::string_view replacement, const char* what) {
         test::expect_format_error([&] { read(test::edited(text, old, replacement)); }, what);
     };
-    refuse("\"ghost\": [", "\"spirit\": [", "a.json:1: 'ghost' is missing");
-    refuse(
+    reject("\"ghost\": [", "\"spirit\": [", "a.json:1: 'ghost' is missing");
+    reject(
         "\"torus\": [0.0, 0.0]", "\"torus\": [0.0, 1.0]", "a.json:4: expected a positive number");
 }
 

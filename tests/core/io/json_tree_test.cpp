@@ -10,7 +10,7 @@
 namespace foam {
 namespace {
 
-void expect_refused(const std::string& text, const std::string& what) {
+void expect_rejected(const std::string& text, const std::string& what) {
     test::expect_format_error([&] { parse_json(text, "a.json"); }, what);
 }
 
@@ -48,18 +48,18 @@ TEST(JsonTree, KeepsEveryBitOfANumber) {
 }
 
 TEST(JsonTree, ErrorsNameTheLine) {
-    expect_refused("{\n\"a\": 1,\n}",
-                   "a.json:3: syntax error while parsing object key - unexpected '}'; expected "
-                   "string literal");
-    expect_refused("[1,\n1e999]", "a.json:2: number overflow parsing '1e999'");
-    expect_refused("",
-                   "a.json:1: syntax error while parsing value - unexpected end of input; "
-                   "expected '[', '{', or a literal");
-    expect_refused("{\"a\": 1,\n\"a\": 2}", "a.json:2: 'a' stands here a second time");
+    expect_rejected("{\n\"a\": 1,\n}",
+                    "a.json:3: syntax error while parsing object key - unexpected '}'; expected "
+                    "string literal");
+    expect_rejected("[1,\n1e999]", "a.json:2: number overflow parsing '1e999'");
+    expect_rejected("",
+                    "a.json:1: syntax error while parsing value - unexpected end of input; "
+                    "expected '[', '{', or a literal");
+    expect_rejected("{\"a\": 1,\n\"a\": 2}", "a.json:2: 'a' stands here a second time");
 }
 
 TEST(JsonTree, DeepNestingIsAnError) {
-    expect_refused(std::string(100000, '['), "a.json:1: nested too deeply");
+    expect_rejected(std::string(100000, '['), "a.json:1: nested too deeply");
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace {
 
 using test::is_valid;
 
-constexpr int kMostOperations = 200000;  // far more than any of these foams takes
+constexpr int kMaxOperations = 200000;  // far more than any of these foams takes
 
 template <class Id>
 Id any_of(const LiveRange<Id>& range, Random& random) {
@@ -59,7 +59,7 @@ void try_t2(Network& network, Random& random, Surgeries& done) {
 Surgeries wear_down(Network& network, std::uint64_t seed) {
     Random random(seed);
     Surgeries done;
-    for (int k = 0; k < kMostOperations && network.bubble_count() > 1; ++k) {
+    for (int k = 0; k < kMaxOperations && network.bubble_count() > 1; ++k) {
         if (random.below(4) == 0) {
             try_t2(network, random, done);
         } else {

@@ -26,13 +26,13 @@ class DenseKernelsTest : public testing::Test {
   public:
     using Index = std::ptrdiff_t;
     static constexpr Index kStride = 140;
-    static constexpr Index kMostCols = 64;
+    static constexpr Index kMaxCols = 64;
 
     // Returns the target after a product of numbers that do not depend on its shape.
     static std::vector<Real> product_of(Index rows, Index cols, Index depth) {
         const std::vector<Real> left = random_numbers<Real>(kStride * kLargestDepth);
-        const std::vector<Real> right = random_numbers<Real>(kMostCols * kLargestDepth);
-        std::vector<Real> target = random_numbers<Real>(kStride * kMostCols);
+        const std::vector<Real> right = random_numbers<Real>(kMaxCols * kLargestDepth);
+        std::vector<Real> target = random_numbers<Real>(kStride * kMaxCols);
         subtract_product<Real>({.rows = rows,
                                 .cols = cols,
                                 .depth = depth,
@@ -46,8 +46,8 @@ class DenseKernelsTest : public testing::Test {
 
     static std::vector<Real> plain_product(Index rows, Index cols, Index depth) {
         const std::vector<Real> left = random_numbers<Real>(kStride * kLargestDepth);
-        const std::vector<Real> right = random_numbers<Real>(kMostCols * kLargestDepth);
-        std::vector<Real> target = random_numbers<Real>(kStride * kMostCols);
+        const std::vector<Real> right = random_numbers<Real>(kMaxCols * kLargestDepth);
+        std::vector<Real> target = random_numbers<Real>(kStride * kMaxCols);
         for (Index col = 0; col < cols; ++col) {
             for (Index row = col; row < rows; ++row) {
                 Real sum = 0;

@@ -237,14 +237,14 @@ TEST(Dissection, IsTheSameForAnyNumberOfThreads) {
         }
     };
     expect_equal(orders({}));
-    expect_equal(orders({.least_refined_rows = 1}));
+    expect_equal(orders({.min_refined_rows = 1}));
     expect_equal(orders({.heaviest_separator = 0.0}));
 }
 
 TEST(Dissection, IsSoundIfTheGraphDecides) {
     CoupledNodes coupled = random_nodes(300, 1.0);
     for (const DissectionOptions& options :
-         {DissectionOptions{.least_refined_rows = 1}, {.heaviest_separator = 0.0}}) {
+         {DissectionOptions{.min_refined_rows = 1}, {.heaviest_separator = 0.0}}) {
         const Dissection dissection = dissect(coupled, options);
         EXPECT_TRUE(covers_every_node_once(dissection));
         EXPECT_EQ(couplings_across(coupled, dissection), 0);

@@ -66,7 +66,7 @@ TEST(FrontFactor, HasTheSameBitsOnAnyNumberOfThreads) {
     const test::PointSystem grid = test::torus_grid(30, 20);
     const FrontPlan plan = test::plan_of(grid);
     const std::vector<double> expected = lower_part(plan, factored(grid, plan, 1).factor);
-    for (const int threads : {2, 3, kMostThreads}) {
+    for (const int threads : {2, 3, kMaxWorkers}) {
         const Factored result = factored(grid, plan, static_cast<std::size_t>(threads));
         EXPECT_TRUE(result.succeeded);
         EXPECT_EQ(lower_part(plan, result.factor), expected) << threads << " threads";

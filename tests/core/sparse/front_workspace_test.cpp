@@ -94,7 +94,7 @@ TEST(FrontWorkspace, KeepsApartWhatIsFactoredAtTheSameTime) {
             ++forks;
         }
     }
-    EXPECT_EQ(forks, kMostThreads - 1);
+    EXPECT_EQ(forks, kMaxWorkers - 1);
 }
 
 TEST(FrontWorkspace, IsSmallerThanAllRemaindersTogether) {

@@ -66,8 +66,8 @@ TEST(PartDivider, RefinesTheSeparatorsOfLargeGraphs) {
         const bool is_shifted = static_cast<int>(node.position.y()) % 8 < 4;
         node.position.x() += is_shifted ? 8.0 : 0.0;
     }
-    const int rough = divide_all(system, {.least_refined_rows = 100000}).separator;
-    const int refined = divide_all(system, {.least_refined_rows = 1}).separator;
+    const int rough = divide_all(system, {.min_refined_rows = 100000}).separator;
+    const int refined = divide_all(system, {.min_refined_rows = 1}).separator;
     EXPECT_GT(rough, 60);
     EXPECT_LE(refined, 55);
 }

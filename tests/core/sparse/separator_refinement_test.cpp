@@ -12,7 +12,7 @@ namespace foam {
 namespace {
 
 constexpr int kSide = 20;
-constexpr int kMostWeight = kSide * kSide / 5 * 3;
+constexpr int kMaxWeight = kSide * kSide / 5 * 3;
 
 // The zones of a square grid in the plane: a separator of some columns left and right of the middle
 // one, Low to its left and High to its right.
@@ -31,7 +31,7 @@ std::vector<Zone> thick_separator(int columns_beside) {
 TEST(SeparatorRefinement, FindsTheLightestSeparatorOfAGrid) {
     const WeightedGraph graph = test::graph_of(test::plane_grid(kSide));
     std::vector<Zone> zones = thick_separator(3);
-    SeparatorRefinement refinement(graph, kMostWeight, zones);
+    SeparatorRefinement refinement(graph, kMaxWeight, zones);
     refinement.run();
     EXPECT_EQ(refinement.cost().first, kSide);
     EXPECT_EQ(test::edges_across(graph, zones), 0);
@@ -43,7 +43,7 @@ TEST(SeparatorRefinement, CountsTheWeightsOfTheZones) {
         graph.weights[node] = 1 + static_cast<int>(node % 3);
     }
     std::vector<Zone> zones = thick_separator(2);
-    SeparatorRefinement refinement(graph, kMostWeight * 2, zones);
+    SeparatorRefinement refinement(graph, kMaxWeight * 2, zones);
     refinement.run();
     const int low = test::weight_of(graph, zones, Zone::Low);
     const int high = test::weight_of(graph, zones, Zone::High);
@@ -54,7 +54,7 @@ TEST(SeparatorRefinement, CountsTheWeightsOfTheZones) {
 TEST(SeparatorRefinement, NeverMakesASeparatorHeavier) {
     const WeightedGraph graph = test::graph_of(test::plane_grid(kSide));
     std::vector<Zone> zones = thick_separator(0);
-    SeparatorRefinement refinement(graph, kMostWeight, zones);
+    SeparatorRefinement refinement(graph, kMaxWeight, zones);
     const std::pair<int, int> before = refinement.cost();
     refinement.run();
     EXPECT_LE(refinement.cost(), before);

@@ -36,10 +36,10 @@ TEST(BakeCommand, BakesAndMeasuresAPatch) {
     const Outcome measured = run_program("stats" + patch);
     EXPECT_EQ(measured.code, 0) << measured.err;
     EXPECT_GE(measured.written.size(), 3U);
-    expect_refused("bake soap_raft --set foam.outline=egg",
-                   "--set foam.outline=egg: key 'foam.outline' = \"egg\": must be \"disc\", "
-                   "\"rectangle\", or a polygon that does not cross itself as WKT, "
-                   "\"POLYGON((x y, ...), (x y of a hole, ...))\"");
+    expect_rejected("bake soap_raft --set foam.outline=egg",
+                    "--set foam.outline=egg: key 'foam.outline' = \"egg\": must be \"disc\", "
+                    "\"rectangle\", or a polygon that does not cross itself as WKT, "
+                    "\"POLYGON((x y, ...), (x y of a hole, ...))\"");
 }
 
 TEST(BakeCommand, QuietSaysNothingAndVerboseALinePerFrame) {

@@ -33,21 +33,21 @@ TEST(Main, SaysItsVersionAndLicenses) {
 }
 
 TEST(Main, ABadCommandLineIsOneLineAndCode2) {
-    expect_refused("", "A subcommand is required (see foamtex --help)");
-    expect_refused("bake", "PRESET is required (see foamtex --help)");
-    expect_refused("bake sea_foam --bogus",
-                   "The following argument was not expected: --bogus (see foamtex --help)");
-    expect_refused("bake sea_foam --threads -1",
-                   "--threads: Value -1 not in range 0 to 1024 (see foamtex --help)");
-    expect_refused("bake sea_foam -q -v", "--quiet excludes --verbose (see foamtex --help)");
+    expect_rejected("", "A subcommand is required (see foamtex --help)");
+    expect_rejected("bake", "PRESET is required (see foamtex --help)");
+    expect_rejected("bake sea_foam --bogus",
+                    "The following argument was not expected: --bogus (see foamtex --help)");
+    expect_rejected("bake sea_foam --threads -1",
+                    "--threads: Value -1 not in range 0 to 1024 (see foamtex --help)");
+    expect_rejected("bake sea_foam -q -v", "--quiet excludes --verbose (see foamtex --help)");
 }
 
 TEST(Main, AnUnknownCommandIsComparedWithThoseThatExist) {
-    expect_refused("bak sea_foam",
-                   "foamtex has no command 'bak'; did you mean 'bake'? (see foamtex --help)");
-    expect_refused("presets keyz",
-                   "presets has no command 'keyz'; did you mean 'keys'? (see foamtex --help)");
-    expect_refused("xyzzy", "foamtex has no command 'xyzzy' (see foamtex --help)");
+    expect_rejected("bak sea_foam",
+                    "foamtex has no command 'bak'; did you mean 'bake'? (see foamtex --help)");
+    expect_rejected("presets keyz",
+                    "presets has no command 'keyz'; did you mean 'keys'? (see foamtex --help)");
+    expect_rejected("xyzzy", "foamtex has no command 'xyzzy' (see foamtex --help)");
 }
 
 TEST(Main, AnUnknownSimdLevelIsOneLineAndCode2) {

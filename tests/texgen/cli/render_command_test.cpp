@@ -22,7 +22,7 @@ class RenderCommand : public testing::Test {
 
     std::string content(const std::string& name) { return file_content(work_.path() / name); }
 
-    void expect_refused(const std::string& arguments, ExitCode code, const std::string& line) {
+    void expect_rejected(const std::string& arguments, ExitCode code, const std::string& line) {
         const Outcome outcome = run("render " + arguments);
         EXPECT_EQ(outcome.code, static_cast<int>(code));
         EXPECT_EQ(outcome.err, "foamtex: " + line + "\n");
@@ -59,21 +59,21 @@ TEST_F(RenderCommand, TakesTheFramesOfTheCacheAndWhatChangesNoFoam) {
 }
 
 TEST_F(RenderCommand, WhatChangesTheFoamIsOneLineAndCode2) {
-    expect_refused("foam --set foam.seed=5",
-                   ExitCode::BadRequest,
-                   "key 'foam.seed' = 5: was 1 when the cache was simulated; of a cache, only "
-                   "image, output and map keys can be changed, and a patch's camera");
-    expect_refused("foam --size 32",
-                   ExitCode::BadRequest,
-                   "key 'image.size' = [32, 32]: the foam of the cache has the shape 2:1, "
-                   "as 32 x 16");
+    expect_rejected("foam --set foam.seed=5",
+                    ExitCode::BadRequest,
+                    "key 'foam.seed' = 5: was 1 when the cache was simulated; of a cache, only "
+                    "image, output and map keys can be changed, and a patch's camera");
+    expect_rejected("foam --size 32",
+                    ExitCode::BadRequest,
+                    "key 'image.size' = [32, 32]: the foam of the cache has the shape 2:1, "
+                    "as 32 x 16");
 }
 
 TEST_F(RenderCommand, WhatIsNotInTheCacheIsOneLineAndCode4) {
-    expect_refused("foam --frames 9",
-                   ExitCode::BadInput,
-                   "the cache 'foam' has no frame 9: it was made for frames 1-4");
-    expect_refused(
+    expect_rejected("foam --frames 9",
+                    ExitCode::BadInput,
+                    "the cache 'foam' has no frame 9: it was made for frames 1-4");
+    expect_rejected(
         "none", ExitCode::BadInput, "cannot read 'none/cache.json': No such file or directory");
 }
 

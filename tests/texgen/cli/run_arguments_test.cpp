@@ -15,33 +15,34 @@ namespace foam::texgen {
 namespace {
 
 TEST(RunArguments, ABadPresetIsOneLineAndCode2) {
-    expect_refused("bake none.toml", "cannot read 'none.toml': No such file or directory");
-    expect_refused("bake marzipan",
-                   "preset 'marzipan': must be a .toml file or a name; 'foamtex presets' lists all "
-                   "there are");
-    expect_refused("bake sea_foam --set foam.bubbles=-3",
-                   "--set foam.bubbles=-3: key 'foam.bubbles' = -3: "
-                   "must be an integer from 4 to 1000000");
-    expect_refused("bake sea_foam --set foam.bubbles",
-                   "--set foam.bubbles: must be KEY=VALUE, as in --set foam.bubbles=500");
+    expect_rejected("bake none.toml", "cannot read 'none.toml': No such file or directory");
+    expect_rejected(
+        "bake marzipan",
+        "preset 'marzipan': must be a .toml file or a name; 'foamtex presets' lists all "
+        "there are");
+    expect_rejected("bake sea_foam --set foam.bubbles=-3",
+                    "--set foam.bubbles=-3: key 'foam.bubbles' = -3: "
+                    "must be an integer from 4 to 1000000");
+    expect_rejected("bake sea_foam --set foam.bubbles",
+                    "--set foam.bubbles: must be KEY=VALUE, as in --set foam.bubbles=500");
 }
 
 TEST(RunArguments, ABadOptionIsOneLineAndCode2) {
-    expect_refused("bake sea_foam --size 0x4",
-                   "--size 0x4: key 'image.size' = [0, 4]: "
-                   "must be [width, height], each an integer from 1 to 16384");
-    expect_refused("bake sea_foam --seed -1",
-                   "--seed -1: key 'foam.seed' = -1: "
-                   "must be an integer from 0 to 9223372036854775807");
-    expect_refused("bake sea_foam --maps albedo,beer",
-                   "--maps albedo,beer: key 'image.maps' = [\"albedo\", \"beer\"]: must be " +
-                       find_key("image.maps")->allowed);
-    expect_refused("bake sea_foam --frames 3-",
-                   "frame range '3-': must be written as 5, 1-10, 1-10x2 or 1-10y3, "
-                   "with commas between");
-    expect_refused("bake sea_foam --out a.png",
-                   "output pattern 'a.png': must contain ####, @@@@ or %04d, "
-                   "to tell 48 frames apart");
+    expect_rejected("bake sea_foam --size 0x4",
+                    "--size 0x4: key 'image.size' = [0, 4]: "
+                    "must be [width, height], each an integer from 1 to 16384");
+    expect_rejected("bake sea_foam --seed -1",
+                    "--seed -1: key 'foam.seed' = -1: "
+                    "must be an integer from 0 to 9223372036854775807");
+    expect_rejected("bake sea_foam --maps albedo,beer",
+                    "--maps albedo,beer: key 'image.maps' = [\"albedo\", \"beer\"]: must be " +
+                        find_key("image.maps")->allowed);
+    expect_rejected("bake sea_foam --frames 3-",
+                    "frame range '3-': must be written as 5, 1-10, 1-10x2 or 1-10y3, "
+                    "with commas between");
+    expect_rejected("bake sea_foam --out a.png",
+                    "output pattern 'a.png': must contain ####, @@@@ or %04d, "
+                    "to tell 48 frames apart");
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ inline Outcome run_program(const std::string& arguments) {
 }
 
 /// Checks that a bad request is one line on stderr, nothing on stdout, and no file.
-inline void expect_refused(const std::string& arguments, const std::string& line) {
+inline void expect_rejected(const std::string& arguments, const std::string& line) {
     const Outcome outcome = run_program(arguments);
     EXPECT_EQ(outcome.code, static_cast<int>(ExitCode::BadRequest)) << arguments;
     EXPECT_EQ(outcome.err, "foamtex: " + line + "\n");

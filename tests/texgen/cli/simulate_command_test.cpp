@@ -21,7 +21,7 @@ TEST(SimulateCommand, FillsACache) {
 }
 
 TEST(SimulateCommand, NeedsAFolder) {
-    expect_refused(kSmall, "--cache is required (see foamtex --help)");
+    expect_rejected(kSmall, "--cache is required (see foamtex --help)");
 }
 
 }  // namespace

@@ -75,7 +75,7 @@ TEST(ColorMap, AnUnknownNameListsTheKnown) {
     } catch (const std::invalid_argument& error) {
         EXPECT_STREQ(error.what(),
                      "colormap 'jet': must be one of viridis, magma, inferno, plasma, cividis, "
-                     "gray, labyrinth_blue, sea_water");
+                     "grey, labyrinth_blue, sea_water");
     }
 }
 

@@ -12,17 +12,17 @@ namespace foam::texgen::test {
 namespace {
 
 constexpr double kTime = 2.0;
-constexpr std::size_t kMostIdentities = 1000;
+constexpr std::size_t kMaxIdentities = 1000;
 
 MapSubject subject_of(Foam foam) {
     MapSubject subject;
     subject.frame = snapshot(foam, 1);
     subject.record.first_pressures = pressures_of(subject.frame, PressureUnit::Current);
     std::sort(subject.record.first_pressures.begin(), subject.record.first_pressures.end());
-    for (std::size_t k = 0; k < kMostIdentities; ++k) {
+    for (std::size_t k = 0; k < kMaxIdentities; ++k) {
         subject.record.births.push_back(-2.0 * static_cast<double>(k % 25));
     }
-    subject.record.changes.assign(kMostIdentities, -1.5);
+    subject.record.changes.assign(kMaxIdentities, -1.5);
     subject.record.events = {{TopologyEventKind::T1, 1, {0.3, 0.2}},
                              {TopologyEventKind::T2, 0, {2.5, 2.9}},
                              {TopologyEventKind::Birth, -6, {0.5, 0.6}}};

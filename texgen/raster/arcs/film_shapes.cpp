@@ -47,9 +47,9 @@ inline double cosine_series(double z) {
 }  // namespace
 
 // Uses the formulas for double angles: cos a = 1 - 2 sin²(a / 2), sin a = 2 sin(a / 2) cos(a / 2).
-void find_turns(HalfTurns& turns) {
+void find_sines_and_cosines(HalfAngles& turns) {
     at_simd_level([&turns] {
-        for (std::size_t k = 0; k < HalfTurns::kLanes; ++k) {
+        for (std::size_t k = 0; k < HalfAngles::kLanes; ++k) {
             const double half = 0.5 * turns.angle[k];
             const double square = half * half;
             const double sine = half * sine_series(square);

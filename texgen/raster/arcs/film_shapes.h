@@ -14,7 +14,7 @@ namespace foam::texgen {
 
 /// Angles in [-pi, pi] with their cosines and sines. These are computed by IEEE operations alone,
 /// so that they are the same on every machine, with errors of up to 1e-14.
-struct HalfTurns {
+struct HalfAngles {
     static constexpr std::size_t kLanes = 8;
 
     std::array<double, kLanes> angle{};
@@ -23,10 +23,10 @@ struct HalfTurns {
 };
 
 /// Computes the cosines and sines of all lanes.
-void find_turns(HalfTurns& turns);
+void find_sines_and_cosines(HalfAngles& turns);
 
 /// The number of films whose shapes are computed at once.
-inline constexpr std::size_t kFilmsAtOnce = HalfTurns::kLanes;
+inline constexpr std::size_t kFilmsAtOnce = HalfAngles::kLanes;
 
 /// Calls take(index, arc) for up to kFilmsAtOnce films from index `first` on. `arc` is the arc of
 /// the forward side in pixels; `scale` is in pixels per foam unit.
@@ -36,11 +36,11 @@ void shape_some(const Frame& frame, double scale, std::size_t first, const Take&
     const auto arc_of = [&](std::size_t lane) -> const FilmArc& {
         return frame.arcs[id_at<FilmId>(first + lane)];
     };
-    HalfTurns turns;
+    HalfAngles turns;
     for (std::size_t lane = 0; lane < count; ++lane) {
         turns.angle[lane] = arc_of(lane).half_angle;
     }
-    find_turns(turns);
+    find_sines_and_cosines(turns);
     for (std::size_t lane = 0; lane < count; ++lane) {
         take(first + lane,
              PixelArc{scale * arc_of(lane).chord, turns.cosine[lane], turns.sine[lane]});

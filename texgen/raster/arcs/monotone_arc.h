@@ -18,8 +18,8 @@ namespace foam::texgen {
 /// Stands for films where a bubble's index could be.
 inline constexpr std::uint32_t kFilmSide = std::numeric_limits<std::uint32_t>::max();
 
-/// What an arc has on its two sides: a bubble's index or kFilmSide, and how many periods further
-/// right the arc lies in the closed, unwrapped outline of that bubble.
+/// The two sides of an arc. Each side has the index of a bubble, or kFilmSide, and the number of
+/// periods by which the arc is further right in the closed, unwrapped outline of that bubble.
 struct ArcSides {
     std::uint32_t left = kFilmSide;
     std::uint32_t right = kFilmSide;

@@ -49,7 +49,7 @@ struct Band {
     std::uint64_t* touched;
     std::size_t words;
 
-    // What a part leaves out of its pixel is added to the next one.
+    // Adds a part to its pixel, and the area on the left of the part to the next pixel.
     void add(std::size_t row,
              std::size_t column,
              const ArcWalk::Part& part,

@@ -152,7 +152,7 @@ class Filler {
     }
 
     // Returns the value of a side minus the value of films, which are the background.
-    typename BandCoverage::Sum over_film(std::uint32_t side) const {
+    typename BandCoverage::Sum difference_from_film(std::uint32_t side) const {
         typename BandCoverage::Sum value{};
         if (side != kFilmSide) {
             for (std::size_t c = 0; c < Channels; ++c) {
@@ -163,8 +163,8 @@ class Filler {
     }
 
     typename BandCoverage::Step step_across(const MonotoneArc& arc) const {
-        const typename BandCoverage::Sum left = over_film(arc.sides.left);
-        const typename BandCoverage::Sum right = over_film(arc.sides.right);
+        const typename BandCoverage::Sum left = difference_from_film(arc.sides.left);
+        const typename BandCoverage::Sum right = difference_from_film(arc.sides.right);
         typename BandCoverage::Step step;
         for (std::size_t c = 0; c < Channels; ++c) {
             step.across[c] = right[c] - left[c];

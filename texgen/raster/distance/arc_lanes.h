@@ -18,7 +18,7 @@ class ArcLanes {
 
     /// The smallest cosine of the half angle of an arc that bounds a region. Wider arcs are halved:
     /// the test by half planes whether a point faces an arc requires that the arc turns by less.
-    static constexpr double kLeastCosine = 0.5;
+    static constexpr double kMinCosine = 0.5;
 
     /// Eight arcs. Lanes beyond the last arc have unspecified values.
     struct alignas(64) Block {

@@ -21,7 +21,7 @@ struct Bounds {
 // times the tangent of a quarter of the angle by which the arc turns. For wide arcs the diameter of
 // the circle is used instead. The length of the chord is bounded by the sum of its components.
 [[gnu::always_inline]] inline void extend(const Boundary::Outline& arcs, Bounds& bounds) {
-    constexpr double kLeastCosine = 0.2;  // wider arcs use the diameter
+    constexpr double kMinCosine = 0.2;  // wider arcs use the diameter
     Bounds b = bounds;
     for (std::size_t k = 0; k < kLanes; ++k) {
         const double x = arcs.from_x[k];
@@ -30,7 +30,7 @@ struct Bounds {
         const double sine = std::abs(arcs.sine[k]);
         const double cosine = arcs.cosine[k];
         const double sagitta = 0.5 * length * sine / (1.0 + cosine);
-        const double beyond = cosine > kLeastCosine ? sagitta : length / sine;
+        const double beyond = cosine > kMinCosine ? sagitta : length / sine;
         b.left = min_value(x, b.left);
         b.right = max_value(x, b.right);
         b.bottom = min_value(y, b.bottom);
@@ -59,7 +59,7 @@ void Boundary::add_wide(const PixelArc& shape, const Vec2& tail, bool corner) {
 }
 
 void Boundary::add_halves(const PixelArc& shape, const Vec2& tail, bool corner) {
-    if (shape.cosine >= ArcLanes::kLeastCosine) {
+    if (shape.cosine >= ArcLanes::kMinCosine) {
         arcs_.add(shape, tail, corner);
         return;
     }

@@ -82,7 +82,7 @@ inline void Boundary::add_arc(const PixelArc& shape, const Vec2& tail) {
     }
     const bool corner = !is_first && cross(head_tangent_, tangent) < 0.0;
     head_tangent_ = head_tangent(shape);
-    if (has_wide_ || shape.cosine < ArcLanes::kLeastCosine) [[unlikely]] {
+    if (has_wide_ || shape.cosine < ArcLanes::kMinCosine) [[unlikely]] {
         add_wide(shape, tail, corner);
     } else {
         arcs_.add(shape, tail, corner);

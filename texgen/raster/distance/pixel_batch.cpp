@@ -25,11 +25,11 @@ constexpr float kFar = std::numeric_limits<float>::infinity();
 // Otherwise rounding could leave a gap between two arcs that continue each other smoothly.
 constexpr float kPastEnd = 1e-3F;
 // The smallest phi², in square pixels. It keeps the inverse within the range of floats.
-constexpr float kLeastSquare = 1e-12F;
+constexpr float kMinSquare = 1e-12F;
 // The smallest root, which avoids 0 / 0 at the ends of a film.
-constexpr float kLeastRoot = 1e-18F;
+constexpr float kMinRoot = 1e-18F;
 // A sum of 1/phi² below this counts as 0: it belongs to a smooth distance of a million pixels.
-constexpr float kLeastSum = 1e-12F;
+constexpr float kMinSum = 1e-12F;
 
 // One float for each of kLanes pixels.
 using Lanes = std::array<float, kLanes>;
@@ -186,20 +186,20 @@ struct SmoothSums {
                                             const float* xs,
                                             const float* ys,
                                             SmoothSums& sums) {
-    const float over_chord = 1.0F / film.chord;
+    const float inverse_chord = 1.0F / film.chord;
     for (std::size_t k = 0; k < kLanes; ++k) {
         const Seen across = seen_from(film.across, xs[k], ys[k]);
         const Seen along = seen_from(film.along, xs[k], ys[k]);
         const float f = 0.5F * across.twice;
         const float t = 0.5F * along.twice;
-        const float bend = f * f * over_chord;
-        const float root = max_value(std::sqrt(t * t + bend * bend), kLeastRoot);
+        const float bend = f * f * inverse_chord;
+        const float root = max_value(std::sqrt(t * t + bend * bend), kMinRoot);
         const float sum = root + std::abs(t);
         const float inside = 0.5F * bend * (bend / sum);
         const float r = t > 0.0F ? inside : 0.5F * sum;
-        const float weight = 1.0F / max_value(f * f + r * r, kLeastSquare);
+        const float weight = 1.0F / max_value(f * f + r * r, kMinSquare);
         const float part = r / root;  // at most 1
-        const float from_f = f + part * (f * over_chord) * bend;
+        const float from_f = f + part * (f * inverse_chord) * bend;
         const float from_t = -part * r;
         const float scale = weight * weight;
         sums.sum[k] += weight;
@@ -233,7 +233,7 @@ struct SmoothSums {
         const float sum = to.distance[k];
         const float s = 1.0F / std::sqrt(sum);
         const float scale = s * s * s;
-        const std::uint32_t is_lost = mask_if(!(sum > kLeastSum));
+        const std::uint32_t is_lost = mask_if(!(sum > kMinSum));
         to.distance[k] = chosen(is_lost, plain.distance[k], s);
         to.gradient_x[k] = chosen(is_lost, plain.gradient_x[k], scale * to.gradient_x[k]);
         to.gradient_y[k] = chosen(is_lost, plain.gradient_y[k], scale * to.gradient_y[k]);

@@ -20,7 +20,7 @@ constexpr int kSmall = 40;             // largest number of columns and rows of 
 constexpr std::size_t kFewSides = 24;  // up to this number, every batch tests all sides
 // A film whose chord is shorter than this fraction of its distance is ignored in smooth distances.
 // It would add less than 1e-8, and its functions could leave the range of floats.
-constexpr double kLeastChord = 1e-4;
+constexpr double kMinChord = 1e-4;
 constexpr float kNowhere = 1e15F;  // value of `along` for a circle, whose film has no end
 
 }  // namespace
@@ -171,7 +171,7 @@ void RegionField::measure_smooth(double reach) {
     for (std::size_t k = 0; k < films.size() && !(is_circle && k > 0); ++k) {
         const Vec2 chord = films.chord(k);
         const double far = (point - films.tail(k) - 0.5 * chord).norm() + reach;
-        if (chord.norm() > kLeastChord * far) {
+        if (chord.norm() > kMinChord * far) {
             films_.push_back(view_.film_functions(k));
             if (is_circle) {
                 films_.back().along = {kNowhere, 0.0F, 0.0F, 0.0F};

@@ -8,8 +8,9 @@
 
 namespace foam::texgen {
 
-/// What replaces a rising piece in a box: the part of it that is inside, and for the part to the
-/// left of the box the same heights on its border. What is below, above or to the right is dropped.
+/// The pieces that replace a rising piece in a box. The part inside the box stays, the part to the
+/// left of the box becomes a piece of the box's left border with the same heights, and all other
+/// parts are dropped.
 class ClippedPiece {
   public:
     /// `low` and `high` are the corners of the box. Precondition: the piece rises.

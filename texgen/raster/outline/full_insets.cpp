@@ -17,9 +17,9 @@ namespace {
 
 // Bounds within which the nearest points of two sides that meet lie on the sides themselves: of
 // half the angle that a side turns, and of the angle that they turn by where they meet.
-constexpr double kLeastSideCosine = 0.5;
-constexpr double kLeastCornerSine = 1e-3;
-constexpr double kLeastCornerCosine = -0.5;
+constexpr double kMinSideCosine = 0.5;
+constexpr double kMinCornerSine = 1e-3;
+constexpr double kMinCornerCosine = -0.5;
 
 constexpr std::size_t kFewestSides = 3;
 
@@ -63,7 +63,7 @@ struct FullInsets::Formulas {
             c.offset_curvature[k] = offset.curvature;
             c.offset_reach[k] = offset.reach;
             const bool fits = and_nonshort(
-                and_nonshort(chord.norm() > kShortestSide, side.cosine >= kLeastSideCosine),
+                and_nonshort(chord.norm() > kShortestSide, side.cosine >= kMinSideCosine),
                 shrinkage(side, distance) >= kSmallestShrinkage);
             c.fits[k] = fits ? 1.0 : 0.0;
         }
@@ -75,22 +75,23 @@ struct FullInsets::Formulas {
         for (std::size_t k = 0; k + 1 < count; ++k) {
             const OffsetArc first = offset(c, k);
             const OffsetArc second = offset(c, k + 1);
-            const Crossings there = crossings(first, second);
-            const Crossings back = crossings(second, first);
-            c.to[k] = there.leaving;
-            c.from[k + 1] = back.entering;
+            const Crossings ahead_crossings = crossings(first, second);
+            const Crossings back_crossings = crossings(second, first);
+            c.to[k] = ahead_crossings.leaving;
+            c.from[k + 1] = back_crossings.entering;
             const Point ahead = head_tangent(first);
             const Point behind = tail_tangent(second);
-            const bool turns_plainly = and_nonshort(cross(ahead, behind) > kLeastCornerSine,
-                                                    ahead.dot(behind) > kLeastCornerCosine);
-            const bool again_there =
-                and_nonshort(there.entering > there.leaving, there.entering <= first.reach);
-            const bool again_back =
-                and_nonshort(back.leaving < back.entering, back.leaving >= -second.reach);
-            const bool is_on_both = and_nonshort(std::abs(there.leaving) < first.reach,
-                                                 std::abs(back.entering) < second.reach);
+            const bool turns_plainly = and_nonshort(cross(ahead, behind) > kMinCornerSine,
+                                                    ahead.dot(behind) > kMinCornerCosine);
+            const bool again_ahead =
+                and_nonshort(ahead_crossings.entering > ahead_crossings.leaving,
+                             ahead_crossings.entering <= first.reach);
+            const bool again_back = and_nonshort(back_crossings.leaving < back_crossings.entering,
+                                                 back_crossings.leaving >= -second.reach);
+            const bool is_on_both = and_nonshort(std::abs(ahead_crossings.leaving) < first.reach,
+                                                 std::abs(back_crossings.entering) < second.reach);
             const bool fits = and_nonshort(and_nonshort(turns_plainly, is_on_both),
-                                           and_nonshort(!again_there, !again_back));
+                                           and_nonshort(!again_ahead, !again_back));
             c.fits[k] = fits ? c.fits[k] : 0.0;
         }
     }

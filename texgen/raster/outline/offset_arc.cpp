@@ -19,8 +19,9 @@ OffsetArc corner_arc(const OffsetArc& before, const OffsetArc& after, double dis
     return cap;
 }
 
-// With v the coordinate of the point along the normal in the middle, and d its distance from the
-// circle, the nearest point of the circle has the parameter 2 u / (2 - k v - k d).
+// The nearest point of the circle has the parameter 2 u / (2 - k v - k d). Here u and v are the
+// coordinates of the point along the tangent and the normal in the middle, and d is its distance
+// from the circle.
 double distance(const OffsetArc& arc, Point point) {
     const Point y = point - arc.middle;
     const double u = arc.direction.dot(y);

@@ -121,9 +121,12 @@ struct Crossings {
     double entering;
 };
 
-/// With y(s) = s / (1 + (k s / 2)²) (t + (k s / 2) n) the points of the one circle, relative to its
-/// middle, the equation of the other, n' (y - q) - k' / 2 |y - q|² = 0, becomes
-/// a s² + b s - e = 0. Each root is computed in the form that does not cancel.
+/// Returns where the circle of an arc crosses the circle of another.
+///
+/// The points of the first circle, relative to its middle, are
+/// y(s) = s / (1 + (k s / 2)²) (t + (k s / 2) n). Inserted into the equation of the second circle,
+/// n' (y - q) - k' / 2 |y - q|² = 0, they give a s² + b s - e = 0. Each root is computed in the
+/// form that does not cancel.
 inline Crossings crossings(const OffsetArc& arc, const OffsetArc& other) {
     const Point q = other.middle - arc.middle;
     const Point m = other.curvature * q + turned_left(other.direction);

@@ -27,7 +27,7 @@ double area_of(std::span<const ArcLoops::Side> loop) {
     return area;
 }
 
-// What films leave free of each bubble and of the ghost.
+// Makes the arcs that bound what films leave free of each bubble and of the ghost.
 class PatchArcs {
   public:
     PatchArcs(const PixelPatch& pixels, double film_width)

@@ -35,14 +35,14 @@ TEST(PixelArc, TurnsAsFarAsItsFilm) {
     }
 }
 
-TEST(HalfTurns, AreThoseOfTheLibraryToRounding) {
+TEST(HalfAngles, AreThoseOfTheLibraryToRounding) {
     constexpr int kSteps = 1000;
     at_every_simd_level([] {
         for (int step = -kSteps; step <= kSteps; ++step) {
-            HalfTurns turns;
+            HalfAngles turns;
             turns.angle.fill(std::numbers::pi * step / kSteps);
-            find_turns(turns);
-            for (std::size_t k = 0; k < HalfTurns::kLanes; ++k) {
+            find_sines_and_cosines(turns);
+            for (std::size_t k = 0; k < HalfAngles::kLanes; ++k) {
                 ASSERT_NEAR(turns.cosine[k], std::cos(turns.angle[k]), 2e-14);
                 ASSERT_NEAR(turns.sine[k], std::sin(turns.angle[k]), 2e-14);
             }
@@ -51,16 +51,16 @@ TEST(HalfTurns, AreThoseOfTheLibraryToRounding) {
 }
 
 // So that an arc is the same from both its sides.
-TEST(HalfTurns, AreEvenAndOdd) {
-    HalfTurns there;
-    HalfTurns back;
-    for (std::size_t k = 0; k < HalfTurns::kLanes; ++k) {
+TEST(HalfAngles, AreEvenAndOdd) {
+    HalfAngles there;
+    HalfAngles back;
+    for (std::size_t k = 0; k < HalfAngles::kLanes; ++k) {
         there.angle[k] = 0.19 * static_cast<double>(k);
         back.angle[k] = -there.angle[k];
     }
-    find_turns(there);
-    find_turns(back);
-    for (std::size_t k = 0; k < HalfTurns::kLanes; ++k) {
+    find_sines_and_cosines(there);
+    find_sines_and_cosines(back);
+    for (std::size_t k = 0; k < HalfAngles::kLanes; ++k) {
         EXPECT_EQ(there.cosine[k], back.cosine[k]);
         EXPECT_EQ(there.sine[k], -back.sine[k]);
     }

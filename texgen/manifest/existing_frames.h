@@ -12,9 +12,9 @@ namespace foam::texgen {
 
 /// Returns the frames of `frames` whose files all exist in the folder, were baked with the same
 /// parameters and version, and still have the pixels that the manifest records.
-std::set<int> present_frames(const Preset& preset,
-                             const std::vector<int>& frames,
-                             const std::filesystem::path& folder,
-                             const Manifest& manifest);
+std::set<int> existing_frames_of(const Preset& preset,
+                                 const std::vector<int>& frames,
+                                 const std::filesystem::path& folder,
+                                 const Manifest& manifest);
 
 }  // namespace foam::texgen

@@ -1,4 +1,4 @@
-#include "core/equilibrium/ranks.h"
+#include "core/equilibrium/rank_table.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ void expect_ranks(std::size_t slots, std::size_t spacing) {
     for (std::size_t k = 3; k < slots; k += spacing) {
         list.push_back(id_at<BubbleId>(k));
     }
-    const Ranks<BubbleId> ranks(list, slots);
+    const RankTable<BubbleId> ranks(list, slots);
     int next = 0;
     for (std::size_t k = 0; k < slots; ++k) {
         const bool is_in_list = k >= 3 && (k - 3) % spacing == 0;
@@ -23,20 +23,20 @@ void expect_ranks(std::size_t slots, std::size_t spacing) {
     EXPECT_EQ(static_cast<std::size_t>(next), list.size());
 }
 
-TEST(Ranks, ArePlacesInListsOfManyIds) {
+TEST(RankTable, ArePlacesInListsOfManyIds) {
     expect_ranks(1000, 1);
     expect_ranks(1000, 7);
 }
 
-TEST(Ranks, ArePlacesInListsOfFewIds) {
+TEST(RankTable, ArePlacesInListsOfFewIds) {
     expect_ranks(1000, 17);
     expect_ranks(1000, 64);  // ids that a hash by remainder would put in one place
     expect_ranks(1000, 999);
     expect_ranks(100000, 4096);
 }
 
-TEST(Ranks, AreNegativeWithoutAList) {
-    const Ranks<FilmId> ranks({}, 50);
+TEST(RankTable, AreNegativeWithoutAList) {
+    const RankTable<FilmId> ranks({}, 50);
     EXPECT_EQ(ranks[FilmId{0}], -1);
     EXPECT_EQ(ranks[FilmId{49}], -1);
 }

@@ -1,4 +1,4 @@
-#include "texgen/manifest/present_frames.h"
+#include "texgen/manifest/existing_frames.h"
 
 #include "texgen/image/file_io.h"
 #include "texgen/image/format.h"
@@ -30,10 +30,10 @@ bool has_its_pixels(const ManifestFile& file, const std::filesystem::path& folde
 
 }  // namespace
 
-std::set<int> present_frames(const Preset& preset,
-                             const std::vector<int>& frames,
-                             const std::filesystem::path& folder,
-                             const Manifest& manifest) {
+std::set<int> existing_frames_of(const Preset& preset,
+                                 const std::vector<int>& frames,
+                                 const std::filesystem::path& folder,
+                                 const Manifest& manifest) {
     const BakedSet* const set = find_same_set(manifest, describe(preset, frames));
     if (set == nullptr) {
         return {};

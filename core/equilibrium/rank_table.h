@@ -13,12 +13,12 @@ namespace foam {
 /// sixteenth of all ids, the ranks are a table with a slot per id. For a shorter list they are a
 /// hash table with linear probing, so that numbering a few bubbles is cheap in a large foam.
 template <class Id>
-class Ranks {
+class RankTable {
   public:
-    Ranks() = default;
+    RankTable() = default;
 
     /// Precondition: each id of the list is below `slots` and occurs once.
-    Ranks(std::span<const Id> list, std::size_t slots) {
+    RankTable(std::span<const Id> list, std::size_t slots) {
         is_direct_ = list.size() * kSparse >= slots;
         const std::size_t size =
             is_direct_ ? slots : std::bit_ceil(kRoom * std::max<std::size_t>(list.size(), 1));
