@@ -2,6 +2,7 @@
 
 #include "tests/support/sample_foams.h"
 #include "tests/support/simd_levels.h"
+#include "tests/texgen/raster/outline/polygons.h"
 #include "texgen/raster/outline/inset.h"
 
 #include <gtest/gtest.h>
@@ -11,20 +12,6 @@
 
 namespace foam::texgen {
 namespace {
-
-void add_polygon(const std::vector<Vec2>& corners, double half_angle, ArcLoops& to) {
-    for (std::size_t k = 0; k < corners.size(); ++k) {
-        const Vec2 chord = corners[(k + 1) % corners.size()] - corners[k];
-        to.sides.push_back({corners[k], pixel_arc({chord, half_angle})});
-    }
-    to.loop_ends.push_back(to.sides.size());
-}
-
-ArcLoops polygon(const std::vector<Vec2>& corners, double half_angle = 0.0) {
-    ArcLoops outlines;
-    add_polygon(corners, half_angle, outlines);
-    return outlines;
-}
 
 std::vector<Vec2> regular(int count, double radius) {
     std::vector<Vec2> corners;

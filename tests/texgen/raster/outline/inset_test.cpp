@@ -1,5 +1,7 @@
 #include "texgen/raster/outline/inset.h"
 
+#include "tests/texgen/raster/outline/polygons.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,20 +9,6 @@
 
 namespace foam::texgen {
 namespace {
-
-void add_polygon(const std::vector<Vec2>& corners, ArcLoops& to) {
-    for (std::size_t k = 0; k < corners.size(); ++k) {
-        const Vec2 chord = corners[(k + 1) % corners.size()] - corners[k];
-        to.sides.push_back({corners[k], pixel_arc({chord, 0.0})});
-    }
-    to.loop_ends.push_back(to.sides.size());
-}
-
-ArcLoops polygon(const std::vector<Vec2>& corners) {
-    ArcLoops region;
-    add_polygon(corners, region);
-    return region;
-}
 
 double loop_area(const ArcLoops& loops, std::size_t begin, std::size_t end) {
     double area = 0.0;
@@ -153,7 +141,7 @@ TEST(Inset, LeavesOutSidesWithoutALength) {
 
 TEST(Inset, TracesOneLoopOfSeveral) {
     ArcLoops region = polygon({{0.0, 0.0}, {4.0, 0.0}, {4.0, 4.0}, {0.0, 4.0}});
-    add_polygon({{20.0, 0.0}, {30.0, 0.0}, {30.0, 3.0}, {20.0, 3.0}}, region);
+    add_polygon({{20.0, 0.0}, {30.0, 0.0}, {30.0, 3.0}, {20.0, 3.0}}, 0.0, region);
     InsetTracer tracer;
     const ArcLoops& both = tracer.trace(region, 1.0);
     EXPECT_EQ(both.loop_ends.size(), 2U);
