@@ -1,4 +1,6 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+#
 # Builds foamtex and bakes the preset sea_foam into out/. A fresh Debian 12 is all it needs.
 #
 #     samples/quickstart.sh [OPTION OF foamtex bake]...

@@ -1,4 +1,6 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+#
 # Fails where a source differs from what clang-format would write.
 #
 #     tests/check_format.sh          only tells

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Checks the layout of core/ and texgen/, and prints its figures.
 
 Usage: tests/check_layout.py [--functions]
 
-Fails if modules include each other in a cycle, if a source has more than 300 lines, or if fewer than 85 % of the
-sources have a test file of the same name. A module is a header together with the source of the same name.
+Fails if modules include each other in a cycle, if a source has more than 300 lines, if fewer than 85 % of the
+sources have a test file of the same name, or if a source or script does not name its license. A module is a header together with the source of the same name.
 --functions also prints how long functions are; it needs Universal Ctags (Debian: universal-ctags).
 """
 import collections
@@ -16,12 +17,21 @@ import sys
 
 LARGEST_FILE = 300  # lines
 TESTED_SHARE = 0.85  # of the sources
+LICENSE_LINE = "SPDX-License-" "Identifier: Apache-2.0"  # in two parts, which reuse does not take for a license
+LICENSED = (".h", ".cpp", ".in", ".py", ".sh", ".gp", ".slurm", "CMakeLists.txt", ".ci/run")
 INCLUDE = re.compile(r'^#include "((?:core|texgen)/[^"]+)"', re.M)
 
 
 def source_files():
     names = subprocess.check_output(["git", "ls-files", "core", "texgen"], text=True).split()
     return [name for name in names if name.endswith((".h", ".cpp"))]
+
+
+def unlicensed_files():
+    """Returns the sources and scripts of the whole checkout whose first two lines do not name the license."""
+    names = subprocess.check_output(["git", "ls-files"], text=True).splitlines()
+    sources = [name for name in names if name.endswith(LICENSED)]
+    return [name for name in sources if not any(LICENSE_LINE in line for line in text_of(name).splitlines()[:2])]
 
 
 def text_of(name):
@@ -119,6 +129,9 @@ def main():
     if share < TESTED_SHARE:
         faults.append(f"fewer than {TESTED_SHARE:.0%} of the sources have a test file of the same name; without one: "
                       + ", ".join(untested))
+
+    for name in unlicensed_files():
+        faults.append(f"{name} does not begin with the line {LICENSE_LINE}")
 
     if "--functions" in sys.argv[1:]:
         print_functions(files)

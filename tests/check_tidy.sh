@@ -1,4 +1,6 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+#
 # Fails on any clang-tidy finding in the sources that CMake builds, tests included.
 #
 #     tests/check_tidy.sh                    all of them

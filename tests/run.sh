@@ -1,4 +1,6 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+#
 # Builds foamtex with all its tests and benchmarks, and runs every test.
 #
 #     tests/run.sh [OPTION OF ctest]...

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "core/dynamics/solver.h"
 
 #include "core/reference/equilibrate_by_sweeps.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "core/dynamics/target_course.h"
 
 #include <cmath>

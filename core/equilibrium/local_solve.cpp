@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "core/equilibrium/local_solve.h"
 
 #include "core/equilibrium/newton.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "core/equilibrium/newton.h"
 
 #include "core/equilibrium/moves.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "core/equilibrium/open_shut_bubbles.h"
 
 #include "core/foam/measure.h"

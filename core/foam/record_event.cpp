@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "core/foam/record_event.h"
 
 #include "core/network/t1.h"

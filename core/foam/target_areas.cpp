@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "core/foam/target_areas.h"
 
 #include <algorithm>

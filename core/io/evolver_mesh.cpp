@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "core/io/evolver_mesh.h"
 
 #include <fmt/core.h>

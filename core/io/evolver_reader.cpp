@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "core/io/evolver_file.h"
 #include "core/io/evolver_loops.h"
 #include "core/io/format_error.h"

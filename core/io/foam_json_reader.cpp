@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "core/io/foam_json.h"
 #include "core/io/format_error.h"
 #include "core/io/json_tree.h"

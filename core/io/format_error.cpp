@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "core/io/format_error.h"
 
 #include <fmt/core.h>

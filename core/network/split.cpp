@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "core/network/split.h"
 
 #include "core/network/t1.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "core/parallel/simd_level.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "core/reference/block_step.h"
 
 #include <Eigen/SVD>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "core/sparse/dense_kernels.h"
 
 #include "core/parallel/simd_level.h"

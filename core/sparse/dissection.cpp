@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "core/sparse/dissection.h"
 
 #include "core/parallel/parallel_for.h"

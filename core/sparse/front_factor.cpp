@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "core/sparse/front_factor.h"
 
 #include "core/parallel/parallel_for.h"

@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: Apache-2.0
+
 # Blender's side of run.sh: pictures of a baked foam, and of its flipbook.
 #
 #     blender -b -P foam.py -- FOLDER

@@ -1,4 +1,6 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+#
 # Bakes sea_foam, and has Blender render it: pictures in out/blender/, in two minutes. Blender's package is large.
 #
 #     samples/blender/run.sh

@@ -1,4 +1,6 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+#
 # Bakes a loop in one go, then from a cache as a Slurm array job and by GNU parallel, and compares
 # every file. Needs a cluster that sees this folder, as slurm_node.sh makes one.
 #

@@ -1,4 +1,6 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+#
 # Makes this machine a Slurm cluster of one node, to try bake.slurm on: installs Debian's slurm-wlm,
 # configures it for this host and starts its daemons. For a virtual machine or a container, as root;
 # a machine that has a slurm.conf of its own is left alone.

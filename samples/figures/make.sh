@@ -1,4 +1,6 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+#
 # Makes the pictures of this folder anew, with the program of samples/quickstart.sh: all of them, or those named.
 #
 #     samples/figures/make.sh

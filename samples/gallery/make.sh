@@ -1,4 +1,6 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+#
 # Makes the thumbnails of the README anew, one of each shipped preset, or of those named, with the program of
 # samples/quickstart.sh or the one that $FOAMTEX names.
 #

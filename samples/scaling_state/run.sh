@@ -1,4 +1,6 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+#
 # Follows a foam of 10,000 bubbles until ten are left: tables and charts in out/scaling_state/, which
 # takes minutes.
 #

@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: Apache-2.0
+
 # shellcheck shell=bash
 # The program that samples run, and how they build it. To be sourced at the top of the checkout.
 

@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: Apache-2.0
+
 # shellcheck shell=bash
 # shellcheck disable=SC2034  # the lists are used where this file is sourced
 # The Debian 12 packages foamtex needs, and how the scripts install them. To be sourced.
@@ -12,7 +14,7 @@ foam_test_packages=(
     libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev evolver gnuplot-nox
     pngcheck apngdis ffmpeg imagemagick openexr openimageio-tools python3 python3-jsonschema
 )
-foam_check_packages=(clang libclang-rt-14-dev clang-format clang-tidy ccache python3)
+foam_check_packages=(clang libclang-rt-14-dev clang-format clang-tidy ccache python3 reuse)
 
 say() {
     printf '==> %s\n' "$*" >&2

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 // The paper's solver beside the fast one:
 //
 //     gauss_seidel_bench [SECONDS] [--benchmark_filter=REGEX ...]

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 // Processor times of free patches beside those of tori, per bubble, by turns in one run:
 //
 //     patch_bench [LARGEST]

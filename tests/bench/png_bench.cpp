@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 // Our PNG writer beside libpng, in one run and on one thread unless it is said otherwise: frames of
 // a foam as an albedo, as a distance to the films (16 bits) and as normals.
 //

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "tests/bench/bench_foams.h"
 #include "texgen/maps/albedo.h"
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 // The solver's times beside their targets, as the table of the README.
 
 #include "tests/bench/bench_foams.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "tests/core/foams.h"
 
 #include "core/equilibrium/equilibrate.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "tests/core/patches.h"
 
 #include "core/foam/polygon_mesh.h"

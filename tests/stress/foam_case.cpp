@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "tests/stress/foam_case.h"
 
 #include "core/foam/patch.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "tests/stress/recovery.h"
 
 #include "tests/stress/soundness.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "tests/stress/soundness.h"
 
 #include "core/network/validate.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "tests/support/readme_table.h"
 
 #include "tests/support/places.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/animation/loop_pose.h"
 
 #include "core/dynamics/shear.h"

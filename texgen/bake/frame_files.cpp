@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/bake/frame_files.h"
 
 #include "texgen/image/file_io.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/bake/frame_range.h"
 
 #include <fmt/core.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/bake/written_file.h"
 
 #include "texgen/maps/number_channels.h"

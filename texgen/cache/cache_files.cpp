@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/cache/cache_files.h"
 
 #include "texgen/bake/frame_range.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/cache/packed_file.h"
 
 #include "texgen/cache/byte_stream.h"

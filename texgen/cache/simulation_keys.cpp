@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/cache/simulation_keys.h"
 
 #include "texgen/image/pixel_hash.h"

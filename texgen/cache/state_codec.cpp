@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/cache/state_codec.h"
 
 #include "texgen/cache/byte_stream.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/cli/command.h"
 #include "texgen/cli/image_run.h"
 #include "texgen/cli/run_arguments.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/bake/file_pattern.h"
 #include "texgen/bake/frame_range.h"
 #include "texgen/cli/command.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 // The command `completion` prints the completion script of a shell.
 #include "texgen/cli/command.h"
 #include "texgen/cli/completion.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/cli/foam_file.h"
 
 #include "core/io/evolver_file.h"

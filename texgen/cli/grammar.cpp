@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/cli/grammar.h"
 
 #include <CLI/CLI.hpp>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/cli/image_run.h"
 
 #include "texgen/bake/file_pattern.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "core/io/format_error.h"
 #include "core/parallel/simd_level.h"
 #include "texgen/cli/command.h"

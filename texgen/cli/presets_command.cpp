@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/cli/command.h"
 #include "texgen/cli/json_report.h"
 #include "texgen/preset/load_preset.h"

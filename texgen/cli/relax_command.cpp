@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "core/equilibrium/equilibrate_given.h"
 #include "texgen/cli/command.h"
 #include "texgen/cli/foam_file.h"

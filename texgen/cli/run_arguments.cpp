@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/cli/run_arguments.h"
 
 #include "texgen/bake/frame_range.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/bake/frame_range.h"
 #include "texgen/cache/cache.h"
 #include "texgen/cache/simulation_keys.h"

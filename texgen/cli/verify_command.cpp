@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/cli/command.h"
 #include "texgen/cli/options.h"
 #include "texgen/verify/verify.h"

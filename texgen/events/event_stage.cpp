@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/events/event_stage.h"
 
 namespace foam::texgen {

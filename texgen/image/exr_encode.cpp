@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "core/parallel/parallel_for.h"
 #include "texgen/image/exr.h"
 #include "texgen/image/exr_planes.h"

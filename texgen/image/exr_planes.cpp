@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/image/exr_planes.h"
 
 #include "texgen/image/mip_level.h"

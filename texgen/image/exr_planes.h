@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #pragma once
 
 // Used by exr_encode.cpp alone: converts samples to the layout that OpenEXR writes.

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #pragma once
 
 // OpenEXR streams in memory, shared by exr_encode.cpp and exr_decode.cpp.

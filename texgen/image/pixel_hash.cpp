@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/image/pixel_hash.h"
 
 #include <Imath/half.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/image/png_data.h"
 
 #include "core/parallel/parallel_for.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #pragma once
 
 // Shared by png_encode.cpp and png_decode.cpp. No other file uses libpng.

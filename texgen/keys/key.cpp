@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/keys/key.h"
 
 #include <fmt/core.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/bake/frame_range.h"
 #include "texgen/image/picture.h"
 #include "texgen/json/json_value.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/bake/frame_range.h"
 #include "texgen/json/json_writer.h"
 #include "texgen/manifest/manifest_json.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/manifest/recorded_bake.h"
 
 #include "texgen/bake/file_pattern.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/maps/age.h"
 
 #include "texgen/keys/value_kinds.h"

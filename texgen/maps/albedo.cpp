@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/maps/albedo.h"
 
 #include "texgen/image/color.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/maps/mean_bubble.h"
 
 #include "core/foam/statistics.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/preset/assignment.h"
 
 #include <fmt/core.h>

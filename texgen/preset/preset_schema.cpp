@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/preset/preset_schema.h"
 
 #include "texgen/events/all_events.h"

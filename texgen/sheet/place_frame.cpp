@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/sheet/place_frame.h"
 
 #include <algorithm>

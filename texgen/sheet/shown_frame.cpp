@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/sheet/shown_frame.h"
 
 #include "texgen/image/color.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/sheet/video.h"
 
 #include "texgen/image/external_program.h"

@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: Apache-2.0
+
 # Draws six charts of the tables stats.csv and sides.csv into the folder that holds them:
 #
 #     gnuplot charts.gp

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/stats/measure_run.h"
 
 namespace foam::texgen {

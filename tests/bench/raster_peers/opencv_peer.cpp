@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "tests/bench/raster_peers/peers.h"
 
 #include <opencv2/imgproc.hpp>

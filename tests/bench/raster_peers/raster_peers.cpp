@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 // Our rasterizer beside others, as a Markdown table: the least of several runs that take turns;
 // processor time on one thread but where it is said. Leaves out programs that were not there when
 // this was built.

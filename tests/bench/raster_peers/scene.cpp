@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "tests/bench/raster_peers/scene.h"
 
 #include "core/foam/random.h"

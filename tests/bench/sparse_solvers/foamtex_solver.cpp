@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "core/sparse/dissection.h"
 #include "core/sparse/sparse_ldlt.h"
 #include "tests/bench/sparse_solvers/peers.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 // Our sparse solver and its order of elimination beside others, as Markdown tables. Leaves out the
 // peers that were not installed when this was built.
 

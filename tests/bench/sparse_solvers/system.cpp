@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "tests/bench/sparse_solvers/system.h"
 
 #include "core/equilibrium/equilibrate.h"

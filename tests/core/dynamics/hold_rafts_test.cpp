@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "core/dynamics/hold_rafts.h"
 
 #include "core/dynamics/step.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 // Free patches that lose their gas to the atmosphere, to the last bubble.
 #include "core/dynamics/step.h"
 #include "core/foam/frame.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "core/dynamics/step.h"
 #include "core/foam/measure.h"
 #include "tests/core/foams.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "tests/core/equilibrium/crossing.h"
 
 #include "core/foam/honeycomb.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "tests/core/equilibrium/derivative_foams.h"
 
 #include "core/equilibrium/hessian.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 // Two bubbles by themselves, in closed form.
 #include "core/equilibrium/equilibrate.h"
 #include "core/foam/measure.h"

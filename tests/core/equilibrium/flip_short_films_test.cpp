@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "core/equilibrium/flip_short_films.h"
 
 #include "core/foam/t1_rule.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "core/equilibrium/global_relaxation.h"
 
 #include "core/equilibrium/defect_regions.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "core/equilibrium/hessian.h"
 
 #include "core/equilibrium/residual.h"

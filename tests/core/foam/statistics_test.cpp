@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "core/foam/statistics.h"
 
 #include "core/dynamics/step.h"

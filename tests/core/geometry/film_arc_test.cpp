@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "core/geometry/film_arc.h"
 
 #include <gtest/gtest.h>

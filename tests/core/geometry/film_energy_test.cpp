@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "core/geometry/film_energy.h"
 
 #include "core/foam/random.h"

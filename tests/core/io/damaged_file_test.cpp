@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 // Files with errors of every kind: each is read, or refused with one line; never more.
 #include "core/foam/random.h"
 #include "core/io/evolver_file.h"

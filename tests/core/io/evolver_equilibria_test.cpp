@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 // Foams that Surface Evolver brought to equilibrium; tests/data/evolver/README.md says how.
 #include "core/equilibrium/equilibrate_given.h"
 #include "core/foam/measure.h"

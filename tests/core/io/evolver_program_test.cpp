@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 // What we write, as Surface Evolver itself reads it. Skipped where it is not installed.
 #include "core/equilibrium/equilibrate_given.h"
 #include "core/foam/measure.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "core/foam/honeycomb.h"
 #include "core/foam/measure.h"
 #include "core/io/evolver_file.h"

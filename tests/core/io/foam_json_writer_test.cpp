@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "core/dynamics/collapse.h"
 #include "core/io/evolver_file.h"
 #include "core/io/foam_json.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "core/io/json_tree.h"
 
 #include "tests/core/io/small_torus.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "core/network/insertion.h"
 
 #include "core/foam/random.h"

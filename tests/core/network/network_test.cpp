@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "core/network/network.h"
 
 #include "core/foam/foam.h"

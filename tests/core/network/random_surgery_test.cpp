@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "core/foam/random.h"
 #include "core/network/t1.h"
 #include "core/network/t2.h"

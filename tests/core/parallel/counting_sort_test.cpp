@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "core/parallel/counting_sort.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "core/parallel/parallel_for.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "core/reference/equilibrate_by_sweeps.h"
 
 #include "core/foam/t1_rule.h"

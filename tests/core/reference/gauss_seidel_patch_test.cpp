@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 // The paper's solver in a patch (paper 4.2, eq. 15), beside Newton's method.
 #include "core/equilibrium/equilibrate.h"
 #include "core/equilibrium/newton.h"

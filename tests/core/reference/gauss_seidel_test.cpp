@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "core/reference/gauss_seidel.h"
 
 #include "core/equilibrium/newton.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "core/sparse/front_planner.h"
 
 #include "tests/core/sparse/grids.h"

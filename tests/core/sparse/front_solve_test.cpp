@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "core/sparse/front_solve.h"
 
 #include "core/sparse/front_factor.h"

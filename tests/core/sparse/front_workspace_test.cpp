@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "core/sparse/front_workspace.h"
 
 #include "core/equilibrium/hessian.h"

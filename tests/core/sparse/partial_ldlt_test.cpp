@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "core/sparse/partial_ldlt.h"
 
 #include <Eigen/Dense>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "core/sparse/vertex_cut.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/animation/history.h"
 
 #include "core/dynamics/nucleation.h"

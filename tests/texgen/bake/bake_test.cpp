@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/bake/bake.h"
 
 #include "tests/texgen/bake/baked_files.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "tests/support/places.h"
 #include "tests/texgen/pictures.h"
 #include "tests/texgen/temporary_folder.h"

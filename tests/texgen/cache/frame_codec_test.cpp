@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/cache/frame_codec.h"
 
 #include "texgen/animation/simulation.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "tests/texgen/cache/small_simulation.h"
 #include "tests/texgen/temporary_folder.h"
 #include "texgen/cache/cache.h"

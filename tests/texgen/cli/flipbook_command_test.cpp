@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "tests/texgen/cli/run_program.h"
 #include "tests/texgen/pictures.h"
 #include "texgen/image/png.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "tests/support/places.h"
 #include "tests/texgen/cli/run_program.h"
 #include "texgen/json/json_writer.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/events/collapse.h"
 
 #include "tests/texgen/events/event_subject.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/image/apng.h"
 
 #include "tests/texgen/image/png_chunks.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 // Our files, read by programs that share none of our code. Where one is not installed its test is
 // left out; tests/run.sh installs them all.
 #include "tests/texgen/cli/run_program.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "tests/support/sample_foams.h"
 #include "tests/texgen/image/numbered.h"
 #include "tests/texgen/image/png_chunks.h"

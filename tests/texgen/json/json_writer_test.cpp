@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/json/json_writer.h"
 
 #include <gtest/gtest.h>

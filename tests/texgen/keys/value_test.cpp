@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/keys/value.h"
 
 #include "texgen/preset/assignment.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "tests/texgen/small_preset.h"
 #include "tests/texgen/temporary_folder.h"
 #include "texgen/image/file_io.h"

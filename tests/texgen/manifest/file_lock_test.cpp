@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/manifest/file_lock.h"
 
 #include "tests/texgen/temporary_folder.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/manifest/manifest_file.h"
 
 #include "tests/texgen/manifest/small_set.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "tests/texgen/manifest/small_set.h"
 #include "texgen/image/file_io.h"
 #include "texgen/manifest/manifest_json.h"

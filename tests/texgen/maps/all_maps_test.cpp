@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 // What holds for every map alike.
 #include "texgen/maps/all_maps.h"
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/maps/cell_color.h"
 
 #include "core/foam/honeycomb.h"

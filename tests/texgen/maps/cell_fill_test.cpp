@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/maps/cell_fill.h"
 
 #include "tests/texgen/maps/lone_circle.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/maps/cross_fade.h"
 
 #include "texgen/maps/all_maps.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 // Albedo of patches: what is around them is transparent.
 #include "tests/support/sample_foams.h"
 #include "texgen/image/color.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/maps/event.h"
 
 #include "tests/texgen/keys/limits.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/maps/fade_order.h"
 
 #include "tests/texgen/maps/seam.h"

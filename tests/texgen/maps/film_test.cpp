@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/maps/film.h"
 
 #include "tests/texgen/maps/lone_circle.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/maps/frame_layers.h"
 
 #include "tests/texgen/maps/map_subjects.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/maps/identity_number.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/maps/lit.h"
 
 #include "tests/support/sample_foams.h"

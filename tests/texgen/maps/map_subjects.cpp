@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "tests/texgen/maps/map_subjects.h"
 
 #include "core/dynamics/step.h"

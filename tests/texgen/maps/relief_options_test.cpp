@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/maps/relief_options.h"
 
 #include "tests/texgen/keys/limits.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/preset/event_frames.h"
 
 #include "texgen/events/all_events.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/preset/shipped_presets.h"
 
 #include "tests/support/places.h"

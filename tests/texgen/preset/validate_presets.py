@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Validates presets in TOML by a JSON Schema. Prints a line for each that does not conform.
 
 Usage: validate_presets.py SCHEMA PRESET...

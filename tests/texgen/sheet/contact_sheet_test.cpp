@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/sheet/contact_sheet.h"
 
 #include "texgen/sheet/frame_number.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/sheet/flipbook.h"
 
 #include "tests/texgen/cli/run_program.h"

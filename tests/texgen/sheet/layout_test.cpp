@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/sheet/layout.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/sheet/map_frame.h"
 
 #include "tests/texgen/sheet/sheet_cells.h"

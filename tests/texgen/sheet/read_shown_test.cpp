@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "tests/texgen/pictures.h"
 #include "tests/texgen/sheet/shown_pictures.h"
 #include "tests/texgen/temporary_folder.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "tests/texgen/pictures.h"
 #include "tests/texgen/small_preset.h"
 #include "tests/texgen/temporary_folder.h"

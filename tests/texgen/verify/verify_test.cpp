@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/verify/verify.h"
 
 #include "tests/texgen/pictures.h"

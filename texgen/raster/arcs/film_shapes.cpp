@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/raster/arcs/film_shapes.h"
 
 #include "texgen/raster/simd/kernel.h"

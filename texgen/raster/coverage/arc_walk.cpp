@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/raster/coverage/arc_walk.h"
 
 #include "texgen/raster/arcs/pixel_arc.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/raster/coverage/coverage.h"
 
 #include "texgen/image/cache_line.h"

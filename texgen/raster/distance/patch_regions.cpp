@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/raster/distance/patch_regions.h"
 
 #include "core/parallel/parallel_map.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/raster/distance/pixel_mask.h"
 
 #include "texgen/raster/arcs/arc_crossings.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/raster/distance/region_field.h"
 
 #include "texgen/raster/simd/kernel.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/raster/distance/torus_regions.h"
 
 #include "core/parallel/parallel_for.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/raster/outline/full_insets.h"
 
 #include "texgen/raster/coords/raster_grid.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/raster/outline/offset_arc.h"
 
 #include <algorithm>

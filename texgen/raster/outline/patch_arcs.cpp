@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/raster/arcs/monotone_arc.h"
 #include "texgen/raster/arcs/patch_boundaries.h"
 #include "texgen/raster/arcs/pixel_arc.h"

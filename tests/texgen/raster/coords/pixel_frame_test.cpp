@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/raster/coords/pixel_frame.h"
 
 #include "core/dynamics/shear.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/raster/coverage/pixel_means.h"
 
 #include "tests/support/simd_levels.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/raster/distance/arc_chain.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "core/foam/frame.h"
 #include "tests/support/raster_reference.h"
 #include "tests/support/sample_foams.h"

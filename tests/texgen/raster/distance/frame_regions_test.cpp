@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/raster/distance/frame_regions.h"
 
 #include "core/dynamics/shear.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/raster/outline/cell_arcs.h"
 
 #include "core/foam/honeycomb.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 #include "texgen/raster/outline/inset.h"
 
 #include "tests/texgen/raster/outline/polygons.h"
