@@ -24,7 +24,7 @@ std::size_t matching_corner(const CellDiagram& cells, std::size_t cell, const Ce
             return k;
         }
     }
-    throw std::runtime_error("cell diagram: a side has no counterpart in the cell across it");
+    throw std::runtime_error("cell diagram: an edge of a cell is missing in the neighboring cell");
 }
 
 HalfEdgeTable add_films(const CellDiagram& cells, Network& network) {

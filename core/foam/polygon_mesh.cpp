@@ -46,7 +46,8 @@ class PatchBuilder {
             for (std::size_t k = 0; k < corners.size(); ++k) {
                 const Side side{corners[k], corners[(k + 1) % corners.size()]};
                 if (!sides_.insert(side).second) {
-                    throw std::runtime_error("polygon mesh: two cells lie on one side of a side");
+                    throw std::runtime_error(
+                        "polygon mesh: two cells share the same side of an edge");
                 }
                 neighbors[side.first].push_back(side.second);
                 neighbors[side.second].push_back(side.first);
@@ -62,7 +63,7 @@ class PatchBuilder {
         std::sort(neighbors.begin(), neighbors.end());
         neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
         if (neighbors.size() > kFilmsOfJunction || neighbors.size() == 1) {
-            throw std::runtime_error("polygon mesh: a point joins more than three sides");
+            throw std::runtime_error("polygon mesh: a point does not join two or three edges");
         }
         if (neighbors.size() == kFilmsOfJunction) {
             junctions_[point] = foam_.network.add_junction();
@@ -97,7 +98,8 @@ class PatchBuilder {
             const auto start = std::find_if(
                 corners.begin(), corners.end(), [this](Point point) { return is_junction(point); });
             if (start == corners.end()) {
-                throw std::runtime_error("polygon mesh: a cell has no corner of three sides");
+                throw std::runtime_error(
+                    "polygon mesh: a cell has no corner that joins three edges");
             }
             PolygonMesh::Cell turned(start, corners.end());
             turned.insert(turned.end(), corners.begin(), start);

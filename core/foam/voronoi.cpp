@@ -142,7 +142,7 @@ std::optional<CellDiagram> cells_within(const std::vector<GridPoint>& sites,
 void check_every_site_has_a_cell(const CellDiagram& cells) {
     for (const std::vector<CellCorner>& cell : cells) {
         if (cell.empty()) {
-            throw std::runtime_error("Voronoi diagram: two sites fall together");
+            throw std::runtime_error("Voronoi diagram: two sites coincide");
         }
     }
 }
@@ -166,7 +166,8 @@ CellDiagram voronoi_cells(const Domain& domain, const std::vector<Vec2>& sites) 
             return std::move(*cells);
         }
         if (margin >= most) {
-            throw std::runtime_error("Voronoi diagram: the sites leave a hole around the torus");
+            throw std::runtime_error(
+                "Voronoi diagram: the sites are too sparse to cover the torus");
         }
     }
 }

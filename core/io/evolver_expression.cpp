@@ -110,7 +110,7 @@ class Parser {
         const auto parameter = parameters_.find(name);
         const Function function = find_function(name);
         if (parameter == parameters_.end() && name != "pi" && name != "e" && function == nullptr) {
-            tokens_.fail_expecting("a number");
+            tokens_.fail_expecting("a number, a parameter or a function");
         }
         tokens_.take();
         if (parameter != parameters_.end()) {
@@ -128,7 +128,9 @@ class Parser {
     template <class Inner>
     double nested(Inner inner) {
         if (++depth_ > kDeepestNesting) {
-            tokens_.fail(tokens_.peek().line, "this expression is nested too deeply");
+            tokens_.fail(
+                tokens_.peek().line,
+                fmt::format("the expression is nested more than {} levels deep", kDeepestNesting));
         }
         const double value = inner();
         --depth_;
@@ -146,7 +148,7 @@ double take_expression(TokenReader& tokens, const Parameters& parameters) {
     const int line = tokens.peek().line;
     const double value = Parser(tokens, parameters).sum();
     if (!std::isfinite(value)) {
-        tokens.fail(line, "this number is not finite");
+        tokens.fail(line, "expected a finite number");
     }
     return value;
 }

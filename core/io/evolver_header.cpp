@@ -13,20 +13,22 @@ namespace {
 // Returns the keywords that are rejected, each with its message: most of them select a model that
 // is not supported.
 const std::map<std::string, const char*>& rejected_keywords() {
-    static constexpr const char* kEnergy = "adds an energy that a foam has not";
-    static constexpr const char* kModel = "is another model than the string model of a foam";
+    static constexpr const char* kEnergy =
+        "adds an energy that is not supported; the energy of a foam is the length of its films";
+    static constexpr const char* kModel =
+        "selects a model that is not supported; only STRING models with the Euclidean metric are";
     static const std::map<std::string, const char*> refused_words{
         {"soapfilm", kModel},
         {"simplex_representation", kModel},
-        {"lagrange", "is not supported; films are straight (LINEAR) or arcs (QUADRATIC)"},
-        {"lagrange_order", "is not supported; films are straight (LINEAR) or arcs (QUADRATIC)"},
+        {"lagrange", "is not supported; must be LINEAR (straight edges) or QUADRATIC (arcs)"},
+        {"lagrange_order", "is not supported; must be LINEAR (straight edges) or QUADRATIC (arcs)"},
         {"metric", kModel},
         {"conformal_metric", kModel},
         {"klein_metric", kModel},
-        {"optimizing_parameter", "is not supported; the torus keeps its shape"},
+        {"optimizing_parameter", "is not supported; the shape of the torus is fixed"},
         {"pressure", "makes the gas compressible, which is not supported"},
-        {"phasefile", "is not supported; all films have one tension"},
-        {"wulff", "is not supported; all films have one tension"},
+        {"phasefile", "is not supported; all films have the same tension"},
+        {"wulff", "is not supported; all films have the same tension"},
         {"square_curvature", kEnergy},
         {"mean_curvature_integral", kEnergy},
         {"gauss_curvature", kEnergy},
@@ -81,7 +83,8 @@ class HeaderReader {
         };
         line_ = tokens_.peek().line;
         if (tokens_.at_symbol('#')) {
-            tokens_.fail(line_, "lines such as #define and #include are not supported");
+            tokens_.fail(line_,
+                         "preprocessor lines such as #define and #include are not supported");
         }
         keyword_ = tokens_.take_word("a keyword of the top section");
         const auto refused = rejected_keywords().find(lower(keyword_));
@@ -133,10 +136,18 @@ class HeaderReader {
             period = take_expression(tokens_, header_.parameters);
         }
         if (periods[1] != 0.0) {
-            tokens_.fail(line_, "the first period has to lie along x");
+            tokens_.fail(
+                line_,
+                fmt::format(
+                    "the first period must be along the x axis: its y component is {}, must be 0",
+                    periods[1]));
         }
         if (periods[0] <= 0.0 || periods[3] <= 0.0) {
-            tokens_.fail(line_, "the periods have to be positive");
+            tokens_.fail(
+                line_,
+                fmt::format("the width and height of the torus must be positive, not {} and {}",
+                            periods[0],
+                            periods[3]));
         }
         header_.domain = {periods[0], periods[3], periods[2]};
     }
@@ -167,7 +178,7 @@ class HeaderReader {
             read_energy(name);
         } else if (tokens_.at_word("fixed") || tokens_.at_word("conserved")) {
             header_.notes.push_back(
-                fmt::format("line {}: quantity '{}' is not held fixed", line_, name));
+                fmt::format("line {}: quantity '{}' is not kept fixed", line_, name));
         }
         skip_statement();
     }
@@ -182,7 +193,7 @@ class HeaderReader {
             if (word == "modulus") {
                 modulus = take_expression(tokens_, header_.parameters);
             } else if (word == "method" || word == "global_method") {
-                const Method used = method_named(lower(tokens_.take_word("a method's name")));
+                const Method used = method_named(lower(tokens_.take_word("the name of a method")));
                 method = {used.name, method.global || used.global || word == "global_method"};
             } else if (word == "global") {
                 method.global = true;
@@ -190,7 +201,10 @@ class HeaderReader {
         }
         const bool length = method.name == "circular_arc_length" || method.name == "edge_length";
         if (modulus != 0.0 && !(length && method.global)) {
-            tokens_.fail(line_, fmt::format("quantity '{}' adds an energy a foam has not", name));
+            tokens_.fail(line_,
+                         fmt::format("quantity '{}' adds an energy that is not supported; only the "
+                                     "length of all edges is",
+                                     name));
         }
         header_.added_tension += modulus;
     }
@@ -208,10 +222,14 @@ class HeaderReader {
     void check_model() const {
         const int line = tokens_.peek().line;
         if (!is_string_) {
-            tokens_.fail(line, "the top section does not say STRING: this is no string model");
+            tokens_.fail(line,
+                         "the top section must contain STRING; only string models are supported");
         }
         if (dimension_ != 2) {
-            tokens_.fail(line, "the top section does not say SPACE_DIMENSION 2");
+            tokens_.fail(
+                line,
+                fmt::format("the top section must contain SPACE_DIMENSION 2; the dimension is {}",
+                            dimension_));
         }
     }
 

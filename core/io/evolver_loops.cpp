@@ -67,7 +67,11 @@ class LoopBuilder {
         for (const Vertex& vertex : mesh_.vertices) {
             if (std::abs(vertex.point.x()) > kFarthest * domain_.width ||
                 std::abs(vertex.point.y()) > kFarthest * domain_.height) {
-                fail(vertex.line, fmt::format("vertex {} lies too far away", vertex.id));
+                fail(vertex.line,
+                     fmt::format(
+                         "vertex {} is too far from the origin; must be within {:.0f} periods",
+                         vertex.id,
+                         kFarthest));
             }
         }
     }
@@ -125,7 +129,8 @@ class LoopBuilder {
             around = around + wrap(loop[k]);
         }
         if (around != LatticeOffset{}) {
-            fail(face.line, fmt::format("face {}: its wraps do not cancel out", face.id));
+            fail(face.line,
+                 fmt::format("face {}: the wraps of its edges must add up to zero", face.id));
         }
     }
 
@@ -137,7 +142,7 @@ class LoopBuilder {
             for (const EdgeSide& side : loops_[face]) {
                 if (faces[2 * side.edge + (side.forward ? 0 : 1)]++ > 0) {
                     fail(mesh_.faces[face].line,
-                         fmt::format("face {}: edge {} has a face on that side already",
+                         fmt::format("face {}: edge {} already has a face on that side",
                                      mesh_.faces[face].id,
                                      id(side)));
                 }
@@ -174,7 +179,7 @@ class LoopBuilder {
         }
         if (!domain_.is_plane() &&
             !(std::abs(std::abs(total) / domain_.area() - 1.0) < kCoverTolerance)) {
-            fail(mesh_.end_line, "the faces do not cover the torus once");
+            fail(mesh_.end_line, "the faces do not cover the torus exactly once");
         }
         if (total < 0.0) {
             std::for_each(loops_.begin(), loops_.end(), reverse);
@@ -191,7 +196,7 @@ class LoopBuilder {
             const int count = edge_counts_[k];
             if (count == 1 || count > 3) {
                 fail(mesh_.vertices[k].line,
-                     fmt::format("vertex {} joins {} edge{}; at a junction three films meet",
+                     fmt::format("vertex {} joins {} edge{}; must join two or three",
                                  mesh_.vertices[k].id,
                                  count,
                                  count == 1 ? "" : "s"));
@@ -213,7 +218,7 @@ class LoopBuilder {
         const auto first = std::find_if(
             loop.begin(), loop.end(), [this](EdgeSide side) { return begins_at_junction(side); });
         if (first == loop.end()) {
-            fail(face.line, fmt::format("face {} touches no junction of three films", face.id));
+            fail(face.line, fmt::format("face {} has no vertex that joins three edges", face.id));
         }
         std::rotate(loop.begin(), first, loop.end());
         FilmLoop films{{}, polygon_area(loop)};

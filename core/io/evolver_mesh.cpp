@@ -28,17 +28,17 @@ class IdTable {
 
     void add(int id, int line) {
         if (id < 1) {
-            tokens_.fail(line, fmt::format("the number of a {} has to be positive", kind_));
+            tokens_.fail(line, fmt::format("{} numbers must be at least 1, not {}", kind_, id));
         }
         if (!places_.emplace(id, places_.size()).second) {
-            tokens_.fail(line, fmt::format("{} {} stands here a second time", kind_, id));
+            tokens_.fail(line, fmt::format("duplicate {} {}", kind_, id));
         }
     }
 
     std::size_t place(int id, int line, const std::string& user) const {
         const auto found = places_.find(id);
         if (found == places_.end()) {
-            tokens_.fail(line, fmt::format("{}: {} {} is not there", user, kind_, id));
+            tokens_.fail(line, fmt::format("{}: {} {} does not exist", user, kind_, id));
         }
         return found->second;
     }
@@ -83,7 +83,7 @@ class MeshReader {
         tokens_.take();
         while (tokens_.at_line_start() && tokens_.at_integer()) {
             const int line = tokens_.peek().line;
-            const int id = tokens_.take_integer("the number of an element");
+            const int id = tokens_.take_integer("an element number");
             (this->*read_element)(id, line);
         }
     }
@@ -111,7 +111,7 @@ class MeshReader {
         Vertex vertex{id, line, {}};
         for (double* coordinate : {&vertex.point.x(), &vertex.point.y()}) {
             if (at_element_end()) {
-                tokens_.fail(line, fmt::format("vertex {} lacks a coordinate", id));
+                tokens_.fail(line, fmt::format("vertex {}: expected two coordinates", id));
             }
             *coordinate = take_expression(tokens_, parameters_);
         }
@@ -145,7 +145,7 @@ class MeshReader {
 
     std::size_t take_vertex(const std::string& user) {
         const int line = tokens_.peek().line;
-        return vertex_ids_.place(tokens_.take_integer("the number of a vertex"), line, user);
+        return vertex_ids_.place(tokens_.take_integer("a vertex number"), line, user);
     }
 
     bool at_wrap() const {
@@ -159,7 +159,7 @@ class MeshReader {
         LatticeOffset wrap;
         for (std::int32_t* periods : {&wrap.i, &wrap.j}) {
             if (tokens_.at_line_start() || !at_wrap()) {
-                tokens_.fail_expecting("a second wrap, '*', '+' or '-'");
+                tokens_.fail_expecting("a second wrap symbol, '*', '+' or '-'");
             }
             const Token token = tokens_.take();
             *periods = token.is_symbol('*') ? 0 : (token.is_symbol('+') ? 1 : -1);
@@ -168,7 +168,7 @@ class MeshReader {
     }
 
     LatticeOffset take_wrap_number() {
-        const auto bits = static_cast<unsigned>(tokens_.take_integer("the number of a wrap"));
+        const auto bits = static_cast<unsigned>(tokens_.take_integer("a wrap number"));
         return {decoded_wrap(bits), decoded_wrap(bits >> kWrapBits)};
     }
 
@@ -178,7 +178,7 @@ class MeshReader {
         const std::string name = fmt::format("face {}", id);
         while (at_integer_of_element()) {
             const int edge_line = tokens_.peek().line;
-            const int edge = tokens_.take_integer("the number of an edge");
+            const int edge = tokens_.take_integer("an edge number");
             face.sides.push_back({edge_ids_.place(std::abs(edge), edge_line, name), edge > 0});
         }
         if (face.sides.empty()) {
@@ -192,14 +192,14 @@ class MeshReader {
         body_ids_.add(id, line);
         const std::string name = fmt::format("body {}", id);
         Body body{id, line, 0, false, {}, {}};
-        const int face = tokens_.take_integer("the number of a face");
+        const int face = tokens_.take_integer("a face number");
         body.face = face_ids_.place(std::abs(face), line, name);
         body.reversed = face < 0;
         if (at_integer_of_element()) {
             tokens_.fail(line, fmt::format("{} has more than one face", name));
         }
         if (std::exchange(mesh_.faces[body.face].has_body, true)) {
-            tokens_.fail(line, fmt::format("{}: face {} has a body already", name, std::abs(face)));
+            tokens_.fail(line, fmt::format("{}: face {} already has a body", name, std::abs(face)));
         }
         bool prescribed = false;
         read_attributes([&](const std::string& word, int) {

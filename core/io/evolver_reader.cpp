@@ -47,7 +47,7 @@ class FoamBuilder {
             add_outside(foam_.network);
         }
         if (const auto fault = find_fault(foam_.network)) {
-            fail(mesh_.end_line, fmt::format("the faces make no foam: {}", *fault));
+            fail(mesh_.end_line, fmt::format("the faces do not form a valid foam: {}", *fault));
         }
         place_junctions();
         set_areas_and_pressures();
@@ -64,20 +64,23 @@ class FoamBuilder {
 
     double film_tension() const {
         if (mesh_.edges.empty()) {
-            fail(mesh_.end_line, "there are no edges");
+            fail(mesh_.end_line, "the file has no edges");
         }
         const Edge& first = mesh_.edges.front();
         for (const Edge& edge : mesh_.edges) {
             if (edge.tension != first.tension) {
                 fail(edge.line,
-                     fmt::format("edge {} has another tension than edge {}; a foam has one",
+                     fmt::format("edge {} has tension {}, but edge {} has {}; all films must have "
+                                 "the same tension",
                                  edge.id,
-                                 first.id));
+                                 edge.tension,
+                                 first.id,
+                                 first.tension));
             }
         }
         const double tension = first.tension + header_.added_tension;
         if (!(tension > 0.0)) {
-            fail(first.line, "the film tension has to be positive");
+            fail(first.line, fmt::format("the film tension must be positive, not {}", tension));
         }
         return tension;
     }
@@ -159,7 +162,9 @@ class FoamBuilder {
             return 0.0;
         }
         if (*body.volume <= 0.0) {
-            fail(body.line, fmt::format("body {}: its volume has to be positive", body.id));
+            fail(
+                body.line,
+                fmt::format("body {}: the volume must be positive, not {}", body.id, *body.volume));
         }
         return *body.volume;
     }
@@ -198,7 +203,11 @@ class FoamBuilder {
         for (const BubbleId bubble : foam_.network.bubbles()) {
             if (!(foam_.target_areas[bubble] > 0.0)) {
                 const Face& face = mesh_.faces[index_of(bubble)];
-                fail(face.line, fmt::format("face {}: no area is left for it", face.id));
+                fail(face.line,
+                     fmt::format("face {} has no volume; the area computed for it is {}, but must "
+                                 "be positive",
+                                 face.id,
+                                 foam_.target_areas[bubble]));
             }
             sum += foam_.target_areas[bubble];
         }
@@ -231,13 +240,15 @@ class FoamBuilder {
 std::vector<std::string> notes_of(const Header& header, const Mesh& mesh) {
     std::vector<std::string> notes = header.notes;
     if (mesh.held > 0) {
-        notes.push_back(
-            fmt::format("elements that are fixed or constrained ({}) move freely", mesh.held));
+        notes.push_back(fmt::format("fixed positions and constraints of {} element{} are ignored",
+                                    mesh.held,
+                                    mesh.held == 1 ? "" : "s"));
     }
     const bool measured = std::none_of(
         mesh.bodies.begin(), mesh.bodies.end(), [](const Body& b) { return b.volume.has_value(); });
     if (measured) {
-        notes.emplace_back("no body has a volume; each keeps the area within its straight edges");
+        notes.emplace_back(
+            "no body has a volume; each bubble keeps the area of its straight-edged polygon");
     }
     return notes;
 }

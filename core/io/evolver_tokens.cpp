@@ -180,7 +180,7 @@ void TokenReader::skip_comment() {
     }
     const std::size_t end = text_.find("*/", position_ + 2);
     if (end == std::string_view::npos) {
-        fail(line_, "this comment has no end");
+        fail(line_, "this comment has no closing */");
     }
     const std::string_view comment = text_.substr(position_, end - position_);
     line_ += static_cast<int>(std::count(comment.begin(), comment.end(), '\n'));
@@ -238,7 +238,7 @@ void TokenReader::lex_text() {
     const std::size_t start = position_ + 1;
     const std::size_t end = text_.find('"', start);
     if (end == std::string_view::npos) {
-        fail(line_, "this text has no closing quote");
+        fail(line_, "this string has no closing quote");
     }
     next_.text = text_.substr(start, end - start);
     line_ += static_cast<int>(std::count(next_.text.begin(), next_.text.end(), '\n'));

@@ -64,7 +64,7 @@ class Reader {
     const JsonTree::Array& array(const JsonTree& value) const {
         const auto* items = std::get_if<JsonTree::Array>(&value.data);
         if (items == nullptr) {
-            fail(value.line, "expected a list");
+            fail(value.line, "expected an array");
         }
         return *items;
     }
@@ -73,7 +73,8 @@ class Reader {
     const JsonTree::Array& row(const JsonTree& value, std::size_t size) const {
         const JsonTree::Array& items = array(value);
         if (items.size() != size) {
-            fail(value.line, fmt::format("expected a list of {} numbers", size));
+            fail(value.line,
+                 fmt::format("expected an array of {} numbers, not {}", size, items.size()));
         }
         return items;
     }
@@ -89,7 +90,7 @@ class Reader {
     double positive(const JsonTree& value) const {
         const double found = number(value);
         if (!(found > 0.0)) {
-            fail(value.line, "expected a positive number");
+            fail(value.line, fmt::format("expected a positive number, found {}", found));
         }
         return found;
     }
@@ -97,7 +98,8 @@ class Reader {
     double integer(const JsonTree& value, double least, double most) const {
         const double found = number(value);
         if (found != std::floor(found) || found < least || found > most) {
-            fail(value.line, fmt::format("expected an integer from {} to {}", least, most));
+            fail(value.line,
+                 fmt::format("expected an integer from {} to {}, found {}", least, most, found));
         }
         return found;
     }
@@ -113,14 +115,15 @@ class Reader {
     void check_format() const {
         const auto* format = std::get_if<std::string>(&member("format").data);
         if (format == nullptr || *format != "foamtex-foam") {
-            fail(member("format").line, "this is no state of a foam (\"foamtex-foam\")");
+            fail(member("format").line, "not a foam state: 'format' must be \"foamtex-foam\"");
         }
         const double version = integer(member("version"), 1.0, 1e9);
         if (version > kFoamJsonVersion) {
             fail(member("version").line,
-                 fmt::format("this state is of version {}; this program reads up to version {}",
-                             version,
-                             kFoamJsonVersion));
+                 fmt::format(
+                     "foam state version {} is not supported; this program reads versions 1 to {}",
+                     version,
+                     kFoamJsonVersion));
         }
     }
 
@@ -141,7 +144,10 @@ class Reader {
             foam_.domain.shear = number(domain[2]);
         }
         if (std::abs(foam_.domain.shear) > foam_.domain.width) {
-            fail(line.line, "the shear of a torus is at most its width");
+            fail(line.line,
+                 fmt::format("the shear of the torus must be from -{0} to {0}, its width, not {1}",
+                             foam_.domain.width,
+                             foam_.domain.shear));
         }
     }
 
@@ -150,7 +156,9 @@ class Reader {
         const Vec2 position(number(values[0]), number(values[1]));
         if (!foam_.domain.is_plane() && !(is_inside(position.x(), foam_.domain.width) &&
                                           is_inside(position.y(), foam_.domain.height))) {
-            fail(line.line, "this junction lies outside of the torus' own cell");
+            fail(line.line,
+                 fmt::format(
+                     "junction at ({}, {}) is outside of the torus", position.x(), position.y()));
         }
         foam_.network.add_junction();
         foam_.positions.push_back(position);
@@ -164,7 +172,7 @@ class Reader {
         films_ = array(member("films")).size();
         bubbles_ = array(member("bubbles")).size();
         if (films_ > std::numeric_limits<std::int32_t>::max() / 2) {
-            fail(member("films").line, "too many films");
+            fail(member("films").line, fmt::format("{} films are too many", films_));
         }
     }
 
@@ -201,7 +209,7 @@ class Reader {
     BubbleIdentity identity_in(const JsonTree& value) {
         const BubbleIdentity identity = index(value, foam_.next_identity);
         if (!identities_.insert(identity).second) {
-            fail(value.line, fmt::format("bubble {} stands here a second time", identity));
+            fail(value.line, fmt::format("duplicate bubble identity {}", identity));
         }
         return identity;
     }
@@ -228,7 +236,7 @@ class Reader {
     double half_angle(const JsonTree& value) const {
         const double angle = number(value);
         if (!(std::abs(angle) < std::numbers::pi)) {
-            fail(value.line, "expected an angle between -pi and pi");
+            fail(value.line, fmt::format("expected an angle between -pi and pi, found {}", angle));
         }
         return angle;
     }
@@ -241,7 +249,10 @@ class Reader {
             const JsonTree& line = rows[index_of(junction)];
             const HalfEdgeId h = half_edge(row(line, 3)[2]);
             if (foam_.network.tail(h) != junction) {
-                fail(line.line, "this junction is not where its half-edge begins");
+                fail(line.line,
+                     fmt::format("half-edge {} does not leave junction {}",
+                                 index_of(h),
+                                 index_of(junction)));
             }
             foam_.network.set_tail(h, junction);
         }
@@ -249,10 +260,10 @@ class Reader {
 
     void check_foam() const {
         if (films_ == 0 && foam_.lone_bubbles.empty()) {
-            fail(member("films").line, "there are no films");
+            fail(member("films").line, "the foam has no films and no lone bubbles");
         }
         if (const auto fault = find_fault(foam_.network)) {
-            fail(member("films").line, fmt::format("this is no valid foam: {}", *fault));
+            fail(member("films").line, fmt::format("the foam is not valid: {}", *fault));
         }
         if (foam_.domain.is_plane()) {
             return;
@@ -262,7 +273,10 @@ class Reader {
             sum += foam_.target_areas[bubble];
         }
         if (!(std::abs(sum / foam_.domain.area() - 1.0) < kAreaTolerance)) {
-            fail(member("bubbles").line, "the target areas do not add up to that of the torus");
+            fail(member("bubbles").line,
+                 fmt::format("the target areas add up to {}, but the torus has an area of {}",
+                             sum,
+                             foam_.domain.area()));
         }
     }
 

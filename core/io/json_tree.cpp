@@ -86,7 +86,7 @@ class TreeBuilder : public Json::json_sax_t {
     bool key(std::string& name) override {
         auto& members = std::get<JsonTree::Object>(open_.back()->data);
         if (open_.back()->find(name) != nullptr) {
-            fail(fmt::format("'{}' stands here a second time", name));
+            fail(fmt::format("duplicate key '{}'", name));
         }
         members.emplace_back(name, JsonTree());
         return true;
@@ -124,7 +124,7 @@ class TreeBuilder : public Json::json_sax_t {
     template <class Container>
     bool open(Container container) {
         if (open_.size() == kDeepest) {
-            fail("nested too deeply");
+            fail(fmt::format("nested more than {} levels deep", kDeepest));
         }
         JsonTree& place = next_place();
         place.data = std::move(container);

@@ -27,16 +27,16 @@ Fault fault(const char* kind, Id id, const char* what) {
 Fault half_edge_fault(const Network& network, HalfEdgeId h) {
     const HalfEdgeId next = network.next(h);
     if (index_of(next) >= 2 * network.film_slots() || !network.is_live(film_of(next))) {
-        return fault("half-edge", h, "is followed by a film that is not there");
+        return fault("half-edge", h, "is followed by a film that does not exist");
     }
     if (!network.is_live(network.tail(h)) || !network.is_live(network.left(h))) {
-        return fault("half-edge", h, "leaves a junction or borders a bubble that is not there");
+        return fault("half-edge", h, "leaves a junction or borders a bubble that does not exist");
     }
     if (network.tail(next) != network.head(h)) {
-        return fault("half-edge", h, "ends where its successor does not begin");
+        return fault("half-edge", h, "does not end where its successor begins");
     }
     if (network.left(next) != network.left(h)) {
-        return fault("half-edge", h, "has another bubble on its left than its successor");
+        return fault("half-edge", h, "and its successor have different bubbles on their left");
     }
     return std::nullopt;
 }
@@ -45,7 +45,7 @@ Fault junction_fault(const Network& network, JunctionId junction) {
     const HalfEdgeId out = network.outgoing(junction);
     if (index_of(out) >= 2 * network.film_slots() || !network.is_live(film_of(out)) ||
         network.tail(out) != junction) {
-        return fault("junction", junction, "has a representative that does not leave it");
+        return fault("junction", junction, "has an outgoing half-edge that does not leave it");
     }
     const std::array<HalfEdgeId, 3> leaving = network.leaving(junction);
     if (network.next(twin(leaving[2])) != leaving[0] || leaving[0] == leaving[1]) {
@@ -72,11 +72,11 @@ Fault loop_fault(const Network& network, BubbleId bubble) {
         at = to;
         h = network.next(h);
         if (h == network.first(bubble) && side + 1 < network.sides(bubble)) {
-            return fault("bubble", bubble, "has fewer sides than it counts");
+            return fault("bubble", bubble, "has fewer sides than its stored count");
         }
     }
     if (h != network.first(bubble)) {
-        return fault("bubble", bubble, "has more sides than it counts");
+        return fault("bubble", bubble, "has more sides than its stored count");
     }
     return at == LatticeOffset{} ? std::nullopt : fault("bubble", bubble, "winds around the torus");
 }
@@ -85,7 +85,7 @@ Fault bubble_fault(const Network& network, BubbleId bubble) {
     const HalfEdgeId first = network.first(bubble);
     if (index_of(first) >= 2 * network.film_slots() || !network.is_live(film_of(first)) ||
         network.left(first) != bubble) {
-        return fault("bubble", bubble, "has a representative that does not border it");
+        return fault("bubble", bubble, "has a first half-edge that does not border it");
     }
     if (network.sides(bubble) < 2) {
         return fault("bubble", bubble, "has fewer than two sides");
@@ -102,10 +102,10 @@ Fault count_fault(const Network& network) {
         sides += static_cast<std::size_t>(network.sides(network.ghost()));
     }
     if (sides != 2 * network.film_count()) {
-        return "the sides of the bubbles are not twice the films";
+        return "the number of sides is not twice the number of films";
     }
     if (3 * network.junction_count() != 2 * network.film_count()) {
-        return "the junctions are not two thirds of the films";
+        return "the number of junctions is not two thirds of the number of films";
     }
     return std::nullopt;
 }
@@ -129,7 +129,7 @@ class GhostBoundaries {
         }
         return films_ == network_.sides(network_.ghost())
                    ? std::nullopt
-                   : fault("bubble", network_.ghost(), "counts other sides than it has");
+                   : fault("bubble", network_.ghost(), "has a stored count of sides that is wrong");
     }
 
     std::size_t count() const { return count_; }
@@ -140,17 +140,17 @@ class GhostBoundaries {
         HalfEdgeId h = start;
         do {
             if (seen_[index_of(h)]) {
-                return fault("half-edge", h, "stands in two boundaries of the ghost");
+                return fault("half-edge", h, "is in two boundaries of the ghost bubble");
             }
             if (network_.right(h) == network_.ghost()) {
-                return fault("half-edge", h, "has the ghost on both sides");
+                return fault("half-edge", h, "has the ghost bubble on both sides");
             }
             seen_[index_of(h)] = true;
             ++films_;
             h = network_.next(h);
         } while (h != start);
         return network_.next(start) == start
-                   ? fault("half-edge", start, "is a whole boundary of the ghost")
+                   ? fault("half-edge", start, "forms a boundary of the ghost bubble by itself")
                    : std::nullopt;
     }
 
@@ -193,7 +193,9 @@ std::size_t raft_count(const Network& network) {
 Fault torus_fault(const Network& network) {
     return network.junction_count() + network.bubble_count() == network.film_count()
                ? std::nullopt
-               : Fault("Euler's relation of the torus is broken");
+               : Fault(
+                     "Euler's relation is violated: on a torus, junctions - films + bubbles must "
+                     "be 0");
 }
 
 Fault plane_fault(const Network& network) {
@@ -203,13 +205,15 @@ Fault plane_fault(const Network& network) {
     }
     for (const FilmId film : network.films()) {
         if (network.offset(forward_side(film)) != LatticeOffset{}) {
-            return fault("film", film, "wraps around the plane");
+            return fault("film", film, "has a lattice offset, which only a torus allows");
         }
     }
     return network.junction_count() + network.bubble_count() + boundaries.count() ==
                    network.film_count() + 2 * raft_count(network)
                ? std::nullopt
-               : Fault("Euler's relation of the plane is broken");
+               : Fault(
+                     "Euler's relation is violated: in the plane, junctions - films + bubbles + "
+                     "boundaries must be twice the rafts");
 }
 
 }  // namespace

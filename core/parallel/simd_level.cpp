@@ -45,8 +45,8 @@ SimdLevel level_named(std::string_view name) {
     const auto found = std::find_if(
         levels.begin(), levels.end(), [&](SimdLevel level) { return name_of(level) == name; });
     if (found == levels.end()) {
-        throw std::invalid_argument("FOAMTEX_SIMD is '" + std::string(name) +
-                                    "'; this machine has " + available_names());
+        throw std::invalid_argument("environment variable FOAMTEX_SIMD = '" + std::string(name) +
+                                    "': must be one of " + available_names());
     }
     return *found;
 }
@@ -77,7 +77,7 @@ std::string_view name_of(SimdLevel level) {
 
 void force_simd_level(SimdLevel level) {
     if (!is_available(level)) {
-        throw std::invalid_argument("this machine has no " + std::string(name_of(level)));
+        throw std::invalid_argument("this machine does not support " + std::string(name_of(level)));
     }
     detail::simd_level.store(static_cast<int>(level), std::memory_order_relaxed);
 }

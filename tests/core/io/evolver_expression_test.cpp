@@ -53,7 +53,7 @@ TEST(EvolverExpression, ASignBehindSpaceBeginsTheNext) {
 }
 
 TEST(EvolverExpression, RefusesWhatIsNone) {
-    expect_rejected("depth", "a.fe:1: expected a number, found 'depth'");
+    expect_rejected("depth", "a.fe:1: expected a number, a parameter or a function, found 'depth'");
     expect_rejected("(1", "a.fe:1: expected ')', found the end of the file");
     expect_rejected("sin 1", "a.fe:1: expected '(', found '1'");
     expect_rejected("2*", "a.fe:1: expected a number, found the end of the file");
@@ -61,7 +61,7 @@ TEST(EvolverExpression, RefusesWhatIsNone) {
 
 TEST(EvolverExpression, RefusesWhatIsNotFinite) {
     for (const char* text : {"1/0", "1e999", "log(-1)", "1e300*1e300", "0xffffffffffffffffff"}) {
-        expect_rejected(text, "a.fe:1: this number is not finite");
+        expect_rejected(text, "a.fe:1: expected a finite number");
     }
 }
 
@@ -71,7 +71,7 @@ TEST(EvolverExpression, DeepNestingIsAnError) {
         for (int k = 0; k < 100000; ++k) {
             text += opening;
         }
-        expect_rejected(text, "a.fe:1: this expression is nested too deeply");
+        expect_rejected(text, "a.fe:1: the expression is nested more than 100 levels deep");
     }
 }
 

@@ -93,18 +93,21 @@ TEST(EvolverHeader, AnEnergyOfAllLengthsAddsToTheTension) {
 
 TEST(EvolverHeader, RefusesOtherEnergies) {
     const std::string start = "STRING SPACE_DIMENSION 2 TORUS\n";
-    const std::string what = "a.fe:2: quantity 'q' adds an energy a foam has not";
+    const std::string what =
+        "a.fe:2: quantity 'q' adds an energy that is not supported; only the length of all edges "
+        "is";
     expect_rejected(start + "quantity q energy method circular_arc_length\nvertices", what);
     expect_rejected(start + "quantity q energy method vertex_scalar_integral global\nvertices",
                     what);
     expect_rejected(start + "square_curvature 0.1\nvertices",
-                    "a.fe:2: square_curvature adds an energy that a foam has not");
+                    "a.fe:2: square_curvature adds an energy that is not supported; the energy of "
+                    "a foam is the length of its films");
 }
 
 TEST(EvolverHeader, NotesWhatIsNotHeld) {
     const Header header = header_with("quantity q fixed = 3 method edge_length global");
     ASSERT_EQ(header.notes.size(), 1U);
-    EXPECT_EQ(header.notes[0], "line 4: quantity 'q' is not held fixed");
+    EXPECT_EQ(header.notes[0], "line 4: quantity 'q' is not kept fixed");
 }
 
 TEST(EvolverHeader, AFreeClusterLiesInThePlane) {
@@ -114,15 +117,17 @@ TEST(EvolverHeader, AFreeClusterLiesInThePlane) {
 }
 
 TEST(EvolverHeader, RefusesOtherModels) {
-    expect_rejected("SPACE_DIMENSION 2\nTORUS\nvertices",
-                    "a.fe:3: the top section does not say STRING: this is no string model");
+    expect_rejected(
+        "SPACE_DIMENSION 2\nTORUS\nvertices",
+        "a.fe:3: the top section must contain STRING; only string models are supported");
     expect_rejected("STRING\nTORUS\nvertices",
-                    "a.fe:3: the top section does not say SPACE_DIMENSION 2");
+                    "a.fe:3: the top section must contain SPACE_DIMENSION 2; the dimension is 3");
     expect_rejected("SOAPFILM\n",
-                    "a.fe:1: SOAPFILM is another model than the string model of a foam");
-    expect_rejected("STRING\nLAGRANGE 4\n",
-                    "a.fe:2: LAGRANGE is not supported; films are straight (LINEAR) or arcs "
-                    "(QUADRATIC)");
+                    "a.fe:1: SOAPFILM selects a model that is not supported; only STRING models "
+                    "with the Euclidean metric are");
+    expect_rejected(
+        "STRING\nLAGRANGE 4\n",
+        "a.fe:2: LAGRANGE is not supported; must be LINEAR (straight edges) or QUADRATIC (arcs)");
     expect_rejected("symmetry_group \"rotate\"",
                     "a.fe:1: the only symmetry group supported is \"torus\"");
     expect_rejected("PRESSURE 3",
@@ -131,14 +136,17 @@ TEST(EvolverHeader, RefusesOtherModels) {
 }
 
 TEST(EvolverHeader, RefusesOtherTori) {
-    expect_rejected("periods\n1 0.5\n0 1", "a.fe:1: the first period has to lie along x");
-    expect_rejected("periods 1 0 0 -1", "a.fe:1: the periods have to be positive");
+    expect_rejected(
+        "periods\n1 0.5\n0 1",
+        "a.fe:1: the first period must be along the x axis: its y component is 0.5, must be 0");
+    expect_rejected("periods 1 0 0 -1",
+                    "a.fe:1: the width and height of the torus must be positive, not 1 and -1");
 }
 
 TEST(EvolverHeader, RefusesWhatItCannotRead) {
     expect_rejected("", "a.fe:1: expected a section 'vertices', found the end of the file");
     expect_rejected("STRING\n#define X 3\n",
-                    "a.fe:2: lines such as #define and #include are not supported");
+                    "a.fe:2: preprocessor lines such as #define and #include are not supported");
     expect_rejected("STRING\n12\n", "a.fe:2: expected a keyword of the top section, found '12'");
 }
 

@@ -71,15 +71,16 @@ TEST(EvolverLoops, RefusesOpenLoops) {
                     "1 1 -3 2",
                     "a.fe:15: face 1: edge 3 does not begin where edge 1 "
                     "ends");
-    expect_rejected("+ *", "+ -", "a.fe:18: the faces do not cover the torus once");
-    expect_rejected(
-        "1 1 2 -3 -1 -2 3\n", "1 1 2\n", "a.fe:15: face 1: its wraps do not cancel out");
+    expect_rejected("+ *", "+ -", "a.fe:18: the faces do not cover the torus exactly once");
+    expect_rejected("1 1 2 -3 -1 -2 3\n",
+                    "1 1 2\n",
+                    "a.fe:15: face 1: the wraps of its edges must add up to zero");
 }
 
 TEST(EvolverLoops, RefusesEdgesThatAreNotBetweenTwoFaces) {
     expect_rejected("1 1 2 -3 -1 -2 3\n",
                     "1 1 3 -3 -1 1 3 -3 -1\n",
-                    "a.fe:15: face 1: edge 1 has a face on that side already");
+                    "a.fe:15: face 1: edge 1 already has a face on that side");
     expect_rejected(
         "1 1 2 -3 -1 -2 3\n", "1 1 2 -2 -1\n", "a.fe:13: edge 3 has no face on either side");
 }
@@ -90,22 +91,24 @@ TEST(EvolverLoops, RefusesJunctionsOfMoreOrFewerFilms) {
         "edges\n1 1 1 + *\n2 1 1 * +\nfaces\n1 1 2 -1 -2\n"
         "bodies\n1 1 volume 1\n";
     test::expect_format_error([&] { loops_of(squares); },
-                              "a.fe:3: vertex 1 joins 4 edges; at a junction three films meet");
+                              "a.fe:3: vertex 1 joins 4 edges; must join two or three");
     // An edge that ends inside the bubble.
     std::string text = test::edited(test::kSmallTorus, "2 1 1\n", "2 1 1\n3 1 1.5\n");
     text = test::edited(text, "3 2 1 + *", "3 2 1 + *\n4 2 3 * *");
     text = test::edited(text, "1 1 2 -3 -1 -2 3\n", "1 1 4 -4 2 -3 -1 -2 3\n");
     test::expect_format_error([&] { loops_of(text); },
-                              "a.fe:9: vertex 2 joins 4 edges; at a junction three films meet");
+                              "a.fe:9: vertex 2 joins 4 edges; must join two or three");
     text = test::edited(text, "4 2 3 * *", "4 3 3 * *");
     text = test::edited(text, "1 1 4 -4 2", "1 1 2");
     text = test::edited(text, "bodies", "2 4\n3 -4\nbodies");
     test::expect_format_error([&] { loops_of(text); },
-                              "a.fe:18: face 2 touches no junction of three films");
+                              "a.fe:18: face 2 has no vertex that joins three edges");
 }
 
 TEST(EvolverLoops, RefusesVerticesFarAway) {
-    expect_rejected("2 1 1\n", "2 1 1e99\n", "a.fe:9: vertex 2 lies too far away");
+    expect_rejected("2 1 1\n",
+                    "2 1 1e99\n",
+                    "a.fe:9: vertex 2 is too far from the origin; must be within 1000000 periods");
 }
 
 }  // namespace

@@ -99,21 +99,21 @@ TEST(EvolverMesh, RefusesMissingSections) {
 }
 
 TEST(EvolverMesh, RefusesBadNumbersOfElements) {
-    expect_rejected("2 1 1\n", "1 1 1\n", "a.fe:9: vertex 1 stands here a second time");
-    expect_rejected("2 1 1\n", "0 1 1\n", "a.fe:9: the number of a vertex has to be positive");
-    expect_rejected("2 2 1 + +", "2 2 9 + +", "a.fe:12: edge 2: vertex 9 is not there");
-    expect_rejected("1 1 2 -3", "1 1 2 -8", "a.fe:15: face 1: edge 8 is not there");
-    expect_rejected("1 1 volume", "1 4 volume", "a.fe:17: body 1: face 4 is not there");
-    expect_rejected("2 2 1 + +", "2 2 1 99 + +", "a.fe:12: edge 2: vertex 99 is not there");
+    expect_rejected("2 1 1\n", "1 1 1\n", "a.fe:9: duplicate vertex 1");
+    expect_rejected("2 1 1\n", "0 1 1\n", "a.fe:9: vertex numbers must be at least 1, not 0");
+    expect_rejected("2 2 1 + +", "2 2 9 + +", "a.fe:12: edge 2: vertex 9 does not exist");
+    expect_rejected("1 1 2 -3", "1 1 2 -8", "a.fe:15: face 1: edge 8 does not exist");
+    expect_rejected("1 1 volume", "1 4 volume", "a.fe:17: body 1: face 4 does not exist");
+    expect_rejected("2 2 1 + +", "2 2 1 99 + +", "a.fe:12: edge 2: vertex 99 does not exist");
 }
 
 TEST(EvolverMesh, RefusesIncompleteElements) {
-    expect_rejected("2 1 1\n", "2 1\n", "a.fe:9: vertex 2 lacks a coordinate");
+    expect_rejected("2 1 1\n", "2 1\n", "a.fe:9: vertex 2: expected two coordinates");
     expect_rejected(
         "2 1 1\n", "2 1 1 7\n", "a.fe:9: expected an attribute or the end of the line, found '7'");
     expect_rejected("2 2 1 + +",
                     "2 2 1 +",
-                    "a.fe:13: expected a second wrap, '*', '+' or '-', "
+                    "a.fe:13: expected a second wrap symbol, '*', '+' or '-', "
                     "found '3'");
     expect_rejected("1 1 2 -3 -1 -2 3\n", "1\n", "a.fe:15: face 1 has no edges");
     expect_rejected("volume 6", "volume", "a.fe:18: expected a number, found the end of the file");
@@ -121,7 +121,7 @@ TEST(EvolverMesh, RefusesIncompleteElements) {
 
 TEST(EvolverMesh, RefusesBodiesThatAreNoBubbles) {
     expect_rejected("1 1 volume 6", "1 1 1 volume 6", "a.fe:17: body 1 has more than one face");
-    expect_rejected("volume 6\n", "volume 6\n2 1\n", "a.fe:18: body 2: face 1 has a body already");
+    expect_rejected("volume 6\n", "volume 6\n2 1\n", "a.fe:18: body 2: face 1 already has a body");
     expect_rejected(
         "volume 6", "pressure 6", "a.fe:17: body 1: a pressure without a volume is not supported");
 }

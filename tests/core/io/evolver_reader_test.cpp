@@ -96,8 +96,9 @@ TEST(EvolverReader, PressuresAndTensions) {
     const EvolverFoam read = edited_foam("volume 6", "volume 6 lagrange_multiplier 0.75");
     EXPECT_EQ(read.foam.pressures[BubbleId{0}], 0.75);
     std::string text = test::edited(test::kSmallTorus, "1 1 2 * *", "1 1 2 * * tension 2");
-    test::expect_format_error([&] { read_evolver(text, "a.fe"); },
-                              "a.fe:12: edge 2 has another tension than edge 1; a foam has one");
+    test::expect_format_error(
+        [&] { read_evolver(text, "a.fe"); },
+        "a.fe:12: edge 2 has tension 2, but edge 1 has 1; all films must have the same tension");
     text = test::edited(text, "2 2 1 + +", "2 2 1 + + density 2");
     text = test::edited(text, "3 2 1 + *", "3 2 1 + * tension 1+1");
     EXPECT_EQ(read_evolver(text, "a.fe").foam.film_tension, 2.0);
@@ -109,15 +110,17 @@ TEST(EvolverReader, OneVolumeMayBeMissing) {
     const std::string text = test::edited(kLensTorus, "2 2 volume 0.25\n", "");
     EXPECT_EQ(read_evolver(text, "a.fe").foam.target_areas[BubbleId{1}], 0.25);
     const std::string full = test::edited(text, "volume 5.75", "volume 6");
-    test::expect_format_error([&] { read_evolver(full, "a.fe"); },
-                              "a.fe:21: face 2: no area is left for it");
+    test::expect_format_error(
+        [&] { read_evolver(full, "a.fe"); },
+        "a.fe:21: face 2 has no volume; the area computed for it is 0, but must be positive");
 }
 
 TEST(EvolverReader, WithoutVolumesBubblesKeepTheirAreas) {
     const EvolverFoam read = edited_foam(" volume 6", "");
     EXPECT_DOUBLE_EQ(read.foam.target_areas[BubbleId{0}], 6.0);
     ASSERT_EQ(read.notes.size(), 1U);
-    EXPECT_EQ(read.notes[0], "no body has a volume; each keeps the area within its straight edges");
+    EXPECT_EQ(read.notes[0],
+              "no body has a volume; each bubble keeps the area of its straight-edged polygon");
 }
 
 TEST(EvolverReader, RoundedVolumesAreBroughtToTheSum) {
@@ -127,14 +130,15 @@ TEST(EvolverReader, RoundedVolumesAreBroughtToTheSum) {
     expect_rejected("volume 6",
                     "volume 6.001",
                     "a.fe:18: the volumes add up to 6.001, but the torus has an area of 6");
-    expect_rejected("volume 6", "volume 0", "a.fe:17: body 1: its volume has to be positive");
-    expect_rejected("volume 6", "volume -6", "a.fe:17: body 1: its volume has to be positive");
+    expect_rejected("volume 6", "volume 0", "a.fe:17: body 1: the volume must be positive, not 0");
+    expect_rejected(
+        "volume 6", "volume -6", "a.fe:17: body 1: the volume must be positive, not -6");
 }
 
 TEST(EvolverReader, NotesWhatIsHeld) {
     const EvolverFoam read = edited_foam("2 1 1\n", "2 1 1 fixed\n");
     ASSERT_EQ(read.notes.size(), 1U);
-    EXPECT_EQ(read.notes[0], "elements that are fixed or constrained (1) move freely");
+    EXPECT_EQ(read.notes[0], "fixed positions and constraints of 1 element are ignored");
 }
 
 TEST(EvolverReader, RefusesFacesThatMakeNoFoam) {

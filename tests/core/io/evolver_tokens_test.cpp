@@ -97,9 +97,10 @@ TEST(EvolverTokens, AnErrorIsOneLine) {
 }
 
 TEST(EvolverTokens, WhatIsOpenHasToBeClosed) {
-    test::expect_format_error([] { tokens_of("a\n/* b\nc"); }, "a.fe:2: this comment has no end");
+    test::expect_format_error([] { tokens_of("a\n/* b\nc"); },
+                              "a.fe:2: this comment has no closing */");
     test::expect_format_error([] { tokens_of("a\n\n\"b"); },
-                              "a.fe:3: this text has no closing quote");
+                              "a.fe:3: this string has no closing quote");
 }
 
 }  // namespace

@@ -57,47 +57,46 @@ TEST(FoamJsonReader, PassesOverUnknownMembers) {
 
 TEST(FoamJsonReader, RefusesOtherFormats) {
     expect_rejected(
-        "foamtex-foam", "foam", "a.json:2: this is no state of a foam (\"foamtex-foam\")");
-    expect_rejected("1,\n\"torus\"",
-                    "3,\n\"torus\"",
-                    "a.json:3: this state is of version 3; this program reads up to version 2");
+        "foamtex-foam", "foam", "a.json:2: not a foam state: 'format' must be \"foamtex-foam\"");
+    expect_rejected(
+        "1,\n\"torus\"",
+        "3,\n\"torus\"",
+        "a.json:3: foam state version 3 is not supported; this program reads versions 1 to 2");
     expect_rejected("\"time\": 0.0,\n", "", "a.json:1: 'time' is missing");
     test::expect_format_error([] { read("[]"); }, "a.json:1: 'format' is missing");
 }
 
 TEST(FoamJsonReader, RefusesBadValues) {
-    expect_rejected("[3.0, 2.0]", "[3.0]", "a.json:4: expected a list of 2 numbers");
-    expect_rejected("[3.0, 2.0]", "[3.0, -2.0]", "a.json:4: expected a positive number");
+    expect_rejected("[3.0, 2.0]", "[3.0]", "a.json:4: expected an array of 2 numbers, not 1");
+    expect_rejected("[3.0, 2.0]", "[3.0, -2.0]", "a.json:4: expected a positive number, found -2");
     expect_rejected("0.5, 3]", "\"x\", 3]", "a.json:9: expected a finite number");
+    expect_rejected("0.5, 3]", "2.5, 3]", "a.json:9: junction at (0, 2.5) is outside of the torus");
+    expect_rejected("0.5, 3]", "0.5, 6]", "a.json:9: expected an integer from 0 to 5, found 6");
+    expect_rejected("0.5, 3]", "0.5, 4]", "a.json:9: half-edge 4 does not leave junction 0");
     expect_rejected(
-        "0.5, 3]", "2.5, 3]", "a.json:9: this junction lies outside of the torus' own cell");
-    expect_rejected("0.5, 3]", "0.5, 6]", "a.json:9: expected an integer from 0 to 5");
-    expect_rejected(
-        "0.5, 3]", "0.5, 4]", "a.json:9: this junction is not where its half-edge begins");
-    expect_rejected(
-        "[1, 0, 0, 0, 5", "[1, 2, 0, 0, 5", "a.json:14: expected an integer from 0 to 1");
+        "[1, 0, 0, 0, 5", "[1, 2, 0, 0, 5", "a.json:14: expected an integer from 0 to 1, found 2");
     expect_rejected("1, 1, 1],",
                     "1, 0.5, 1],",
-                    "a.json:14: expected an integer from -1000000 to "
-                    "1000000");
-    expect_rejected("[0, 0.0, 6.0", "[1, 0.0, 6.0", "a.json:18: expected an integer from 0 to 0");
-    expect_rejected("\"films\": [", "\"films\": 3, \"old\": [", "a.json:12: expected a list");
+                    "a.json:14: expected an integer from -1000000 to 1000000, found 0.5");
+    expect_rejected(
+        "[0, 0.0, 6.0", "[1, 0.0, 6.0", "a.json:18: expected an integer from 0 to 0, found 1");
+    expect_rejected("\"films\": [", "\"films\": 3, \"old\": [", "a.json:12: expected an array");
 }
 
 TEST(FoamJsonReader, RefusesWhatIsNoFoam) {
     expect_rejected(
         "5, 4, 1, 1, 1]",
         "4, 4, 1, 1, 1]",
-        "a.json:12: this is no valid foam: half-edge 2 ends where its successor does not "
-        "begin");
-    expect_rejected("6.0, 0, 6]",
-                    "6.0, 0, 5]",
-                    "a.json:12: this is no valid foam: bubble 0 has more sides than it counts");
+        "a.json:12: the foam is not valid: half-edge 2 does not end where its successor begins");
+    expect_rejected(
+        "6.0, 0, 6]",
+        "6.0, 0, 5]",
+        "a.json:12: the foam is not valid: bubble 0 has more sides than its stored count");
     expect_rejected("6.0, 0, 6]",
                     "6.1, 0, 6]",
-                    "a.json:17: the target areas do not add up to that of the torus");
+                    "a.json:17: the target areas add up to 6.1, but the torus has an area of 6");
     const std::string twice = "[0, 0.0, 6.0, 0, 6],\n[0, 0.0, 6.0, 0, 6]";
-    expect_rejected("[0, 0.0, 6.0, 0, 6]", twice, "a.json:19: bubble 0 stands here a second time");
+    expect_rejected("[0, 0.0, 6.0, 0, 6]", twice, "a.json:19: duplicate bubble identity 0");
 }
 
 TEST(FoamJsonReader, KeepsAPatch) {
@@ -121,8 +120,9 @@ TEST(FoamJsonReader, RefusesPatchesThatAreNone) {
         test::expect_format_error([&] { read(test::edited(text, old, replacement)); }, what);
     };
     reject("\"ghost\": [", "\"spirit\": [", "a.json:1: 'ghost' is missing");
-    reject(
-        "\"torus\": [0.0, 0.0]", "\"torus\": [0.0, 1.0]", "a.json:4: expected a positive number");
+    reject("\"torus\": [0.0, 0.0]",
+           "\"torus\": [0.0, 1.0]",
+           "a.json:4: expected a positive number, found 0");
 }
 
 }  // namespace

@@ -57,11 +57,11 @@ TEST(JsonTree, ErrorsNameTheLine) {
     expect_rejected("",
                     "a.json:1: syntax error while parsing value - unexpected end of input; "
                     "expected '[', '{', or a literal");
-    expect_rejected("{\"a\": 1,\n\"a\": 2}", "a.json:2: 'a' stands here a second time");
+    expect_rejected("{\"a\": 1,\n\"a\": 2}", "a.json:2: duplicate key 'a'");
 }
 
 TEST(JsonTree, DeepNestingIsAnError) {
-    expect_rejected(std::string(100000, '['), "a.json:1: nested too deeply");
+    expect_rejected(std::string(100000, '['), "a.json:1: nested more than 16 levels deep");
 }
 
 }  // namespace

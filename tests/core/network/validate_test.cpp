@@ -40,39 +40,40 @@ TEST(Validate, HoneycombsAreValid) {
 TEST(Validate, FindsASuccessorThatIsNotThere) {
     Network network = hexagons();
     network.set_next(kFirst, kNone<HalfEdgeId>);
-    EXPECT_EQ(find_fault(network), "half-edge 0 is followed by a film that is not there");
+    EXPECT_EQ(find_fault(network), "half-edge 0 is followed by a film that does not exist");
 }
 
 TEST(Validate, FindsADeadSuccessor) {
     Network network = hexagons();
     network.remove(film_of(network.next(kFirst)));
-    EXPECT_EQ(find_fault(network), "half-edge 0 is followed by a film that is not there");
+    EXPECT_EQ(find_fault(network), "half-edge 0 is followed by a film that does not exist");
 }
 
 TEST(Validate, FindsADeadBubble) {
     Network network = hexagons();
     network.remove(BubbleId{0});
     EXPECT_EQ(find_fault(network),
-              "half-edge 0 leaves a junction or borders a bubble that is not there");
+              "half-edge 0 leaves a junction or borders a bubble that does not exist");
 }
 
 TEST(Validate, FindsADeadJunction) {
     Network network = hexagons();
     network.remove(network.tail(kFirst));
     EXPECT_EQ(find_fault(network),
-              "half-edge 0 leaves a junction or borders a bubble that is not there");
+              "half-edge 0 leaves a junction or borders a bubble that does not exist");
 }
 
 TEST(Validate, FindsASuccessorThatBeginsElsewhere) {
     Network network = hexagons();
     network.set_next(kFirst, network.next(network.next(kFirst)));
-    EXPECT_EQ(find_fault(network), "half-edge 0 ends where its successor does not begin");
+    EXPECT_EQ(find_fault(network), "half-edge 0 does not end where its successor begins");
 }
 
 TEST(Validate, FindsASuccessorOfAnotherBubble) {
     Network network = hexagons();
     network.set_left(kFirst, BubbleId{9});
-    EXPECT_EQ(find_fault(network), "half-edge 0 has another bubble on its left than its successor");
+    EXPECT_EQ(find_fault(network),
+              "half-edge 0 and its successor have different bubbles on their left");
 }
 
 TEST(Validate, FindsARepresentativeThatDoesNotLeaveItsJunction) {
@@ -82,7 +83,7 @@ TEST(Validate, FindsARepresentativeThatDoesNotLeaveItsJunction) {
     network.set_tail(kFirst, tail);
     EXPECT_EQ(find_fault(network),
               "junction " + std::to_string(index_of(network.head(kFirst))) +
-                  " has a representative that does not leave it");
+                  " has an outgoing half-edge that does not leave it");
 }
 
 // A film drawn together to a point leaves a junction of four films.
@@ -104,7 +105,7 @@ TEST(Validate, FindsAFourfoldJunction) {
 TEST(Validate, FindsARepresentativeThatDoesNotBorderItsBubble) {
     Network network = hexagons();
     network.set_first(BubbleId{3}, network.first(BubbleId{4}));
-    EXPECT_EQ(find_fault(network), "bubble 3 has a representative that does not border it");
+    EXPECT_EQ(find_fault(network), "bubble 3 has a first half-edge that does not border it");
 }
 
 TEST(Validate, FindsABubbleOfOneSide) {
@@ -131,13 +132,13 @@ TEST(Validate, FindsABubbleThatTouchesItself) {
 TEST(Validate, FindsTooManySidesCounted) {
     Network network = hexagons();
     network.set_sides(BubbleId{3}, 7);
-    EXPECT_EQ(find_fault(network), "bubble 3 has fewer sides than it counts");
+    EXPECT_EQ(find_fault(network), "bubble 3 has fewer sides than its stored count");
 }
 
 TEST(Validate, FindsTooFewSidesCounted) {
     Network network = hexagons();
     network.set_sides(BubbleId{3}, 5);
-    EXPECT_EQ(find_fault(network), "bubble 3 has more sides than it counts");
+    EXPECT_EQ(find_fault(network), "bubble 3 has more sides than its stored count");
 }
 
 TEST(Validate, FindsABubbleThatWindsAroundTheTorus) {
@@ -153,7 +154,7 @@ TEST(Validate, FindsABubbleOfTwoLoops) {
         network.set_left(h, BubbleId{0});
     }
     network.remove(BubbleId{1});
-    EXPECT_EQ(find_fault(network), "the sides of the bubbles are not twice the films");
+    EXPECT_EQ(find_fault(network), "the number of sides is not twice the number of films");
 }
 
 // Two junctions made one that joins two times three films.
@@ -164,7 +165,8 @@ TEST(Validate, FindsTwoJunctionsInOne) {
         network.set_tail(h, network.tail(kFirst));
     }
     network.remove(gone);
-    EXPECT_EQ(find_fault(network), "the junctions are not two thirds of the films");
+    EXPECT_EQ(find_fault(network),
+              "the number of junctions is not two thirds of the number of films");
 }
 
 // Joins corner a to corner b of a tetrahedron; the half-edge from a to b has the face `left` on its
@@ -208,7 +210,8 @@ TEST(Validate, FindsAFoamThatIsNoTorus) {
     close_face(network, f[1], {e20, e03, twin(e23)});
     close_face(network, f[2], {e01, e13, twin(e03)});
     close_face(network, f[3], {twin(e01), twin(e20), twin(e12)});
-    EXPECT_EQ(find_fault(network), "Euler's relation of the torus is broken");
+    EXPECT_EQ(find_fault(network),
+              "Euler's relation is violated: on a torus, junctions - films + bubbles must be 0");
 }
 
 }  // namespace
