@@ -37,7 +37,7 @@ struct Chunk {
 };
 
 [[noreturn]] void reject_stream() {
-    throw std::invalid_argument("a frame is no PNG stream");
+    throw std::invalid_argument("a frame is not a PNG stream");
 }
 
 std::uint32_t number_at(Content bytes) {
@@ -105,7 +105,8 @@ std::vector<Chunk> chunks_of(Content png) {
         reject_stream();
     }
     if (std::ranges::find(chunks, "PLTE", &Chunk::type) != chunks.end()) {
-        throw std::invalid_argument("a frame of an animation has a palette of its own");
+        throw std::invalid_argument(
+            "a frame has a palette, which is not supported in an animation");
     }
     return chunks;
 }
@@ -118,8 +119,11 @@ bool is_delay(int number) {
 
 ApngMuxer::ApngMuxer(int frames, FrameRate rate) : frames_(frames), rate_(rate) {
     if (frames < 1 || !is_delay(rate.frames) || !is_delay(rate.seconds)) {
-        throw std::invalid_argument(fmt::format(
-            "no animation has {} frames, {} in {} s", frames, rate.frames, rate.seconds));
+        throw std::invalid_argument(
+            fmt::format("an animation cannot have {} frames at a rate of {} in {} s",
+                        frames,
+                        rate.frames,
+                        rate.seconds));
     }
     const Content signature = std::as_bytes(std::span(kSignature));
     stream_.assign(signature.begin(), signature.end());
@@ -127,7 +131,8 @@ ApngMuxer::ApngMuxer(int frames, FrameRate rate) : frames_(frames), rate_(rate) 
 
 void ApngMuxer::add(Content png) {
     if (added_ == frames_) {
-        throw std::invalid_argument(fmt::format("an animation has more than {} frames", frames_));
+        throw std::invalid_argument(
+            fmt::format("the animation already has all of its {} frames", frames_));
     }
     const std::vector<Chunk> chunks = chunks_of(png);
     check_header(chunks.front().content);
@@ -148,7 +153,7 @@ void ApngMuxer::add(Content png) {
 Bytes ApngMuxer::finish() {
     if (added_ != frames_) {
         throw std::invalid_argument(
-            fmt::format("an animation has {} of {} frames", added_, frames_));
+            fmt::format("the animation has only {} of {} frames", added_, frames_));
     }
     append_chunk(stream_, "IEND", {});
     return std::move(stream_);
@@ -158,7 +163,7 @@ void ApngMuxer::check_header(Content header) {
     if (added_ == 0) {
         header_.assign(header.begin(), header.end());
     } else if (!std::ranges::equal(header, header_)) {
-        throw std::invalid_argument("a frame has another size or kind than the first");
+        throw std::invalid_argument("a frame has a different size or color type than the first");
     }
 }
 

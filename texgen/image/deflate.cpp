@@ -87,7 +87,7 @@ void Deflater::feed(std::span<const std::byte> data, int flush) {
     stream_->avail_in = static_cast<std::uint32_t>(data.size());
     if (isal_deflate(stream_.get()) != COMP_OK || stream_->avail_in != 0 ||
         stream_->avail_out == 0) {
-        throw std::logic_error("the data did not deflate into the room for it");
+        throw std::logic_error("the compressed data does not fit into its buffer");
     }
 }
 

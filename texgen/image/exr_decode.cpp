@@ -51,16 +51,17 @@ Extent extent_of(const Imath::Box2i& window, const Imf::Header& header, std::siz
     for (auto channel = header.channels().begin(); channel != header.channels().end(); ++channel) {
         ++channels;
         if (channel.channel().xSampling != 1 || channel.channel().ySampling != 1) {
-            throw InputError(fmt::format("the channel '{}' is subsampled", channel.name()));
+            throw InputError(
+                fmt::format("channel '{}' is subsampled, which is not supported", channel.name()));
         }
     }
     if (channels == 0) {
-        throw InputError("there is no channel");
+        throw InputError("the file has no channels");
     }
     const auto area = static_cast<double>(width) * static_cast<double>(height);
     const auto most = static_cast<double>(bytes) * static_cast<double>(kLargestRatio);
     if (area * static_cast<double>(2 * channels) > most) {
-        throw InputError("the stream is too short for its pixels");
+        throw InputError("the data is too short for an image of this size");
     }
     return {static_cast<int>(width), static_cast<int>(height)};
 }
@@ -124,7 +125,7 @@ Groups read_tiles(std::span<const std::byte> content, int level) {
     ExrInput stream(content);
     Imf::TiledInputFile file(stream, 0);
     if (!file.isValidLevel(level, level)) {
-        throw InputError(fmt::format("there is no mip level {}", level));
+        throw InputError(fmt::format("mip level {} does not exist", level));
     }
     const Imath::Box2i window = file.dataWindowForLevel(level);
     return read_groups(file.header(), window, content.size(), [&](const Imf::FrameBuffer& buffer) {
@@ -155,10 +156,10 @@ Picture decode(std::span<const std::byte> content, int level) {
     Imf::InputFile file(stream, 0);
     const bool tiled = file.header().hasTileDescription();
     if (Imf::isMultiPart(file.version())) {
-        throw InputError("files of several parts are not supported");
+        throw InputError("multi-part files are not supported");
     }
     if (!tiled && level != 0) {
-        throw InputError(fmt::format("there is no mip level {}", level));
+        throw InputError(fmt::format("mip level {} does not exist", level));
     }
     return {tiled ? read_tiles(content, level) : read_rows(file, content.size()),
             metadata_of(file.header())};

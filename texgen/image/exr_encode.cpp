@@ -42,25 +42,28 @@ void check_channel(const ExrChannel& channel, const ExrSize& size) {
         reject_exr("a channel has no name");
     }
     if (size_of(channel) != size) {
-        reject_exr(fmt::format("channel '{}' has another size", channel.name));
+        reject_exr(
+            fmt::format("channel '{}' has a different size than the first channel", channel.name));
     }
     if (channel.channel < 0 || channel.channel >= channels_of(channel)) {
-        reject_exr(fmt::format("channel '{}' lies outside of its pixels", channel.name));
+        reject_exr(
+            fmt::format("channel '{}' is not one of the channels of its pixels", channel.name));
     }
     if (integers != (channel.type == SampleType::Uint32)) {
-        reject_exr(fmt::format("channel '{}' has samples of another type", channel.name));
+        reject_exr(
+            fmt::format("channel '{}' has a different sample type than its pixels", channel.name));
     }
 }
 
 void check_channels(std::span<const ExrChannel> channels) {
     if (channels.empty() || size_of(channels.front()).width < 1) {
-        reject_exr("there is no pixel");
+        reject_exr("an image needs at least one pixel");
     }
     std::set<std::string> names;
     for (const ExrChannel& channel : channels) {
         check_channel(channel, size_of(channels.front()));
         if (!names.insert(channel.name).second) {
-            reject_exr(fmt::format("two channels are named '{}'", channel.name));
+            reject_exr(fmt::format("duplicate channel '{}'", channel.name));
         }
     }
 }
@@ -82,7 +85,7 @@ bool is_text_name(const Imf::Header& header, const std::string& name) {
 void add_texts(Imf::Header& header, const ImageMetadata& metadata) {
     for (const auto& [name, text] : metadata.text) {
         if (!is_text_name(header, name)) {
-            reject_exr(fmt::format("'{}' is no name for a text", name));
+            reject_exr(fmt::format("'{}' cannot be the name of a text attribute", name));
         }
         header.insert(name, Imf::StringAttribute(text));
     }

@@ -22,7 +22,7 @@ template <class Stored>
 Stored stored_number(float number, const std::string& channel) {
     const Stored stored(number);
     if (!std::isfinite(static_cast<float>(stored))) {
-        reject_exr(fmt::format("channel '{}' cannot hold {}", channel, number));
+        reject_exr(fmt::format("channel '{}' cannot store the value {}", channel, number));
     }
     return stored;
 }
@@ -90,12 +90,12 @@ Imf::PixelType pixel_type(SampleType type) {
         case SampleType::Uint32:
             return Imf::UINT;
         default:
-            reject_exr(fmt::format("it does not hold {}", name_of(type)));
+            reject_exr(fmt::format("samples of type {} are not supported", name_of(type)));
     }
 }
 
 void reject_exr(const std::string& why) {
-    throw std::invalid_argument("cannot make an EXR: " + why);
+    throw std::invalid_argument("cannot encode an EXR: " + why);
 }
 
 std::vector<ExrChannel> exr_channels(const Picture& picture) {
@@ -110,7 +110,7 @@ std::vector<ExrChannel> exr_channels(const Picture& picture) {
         } else if (const auto* numbers = std::get_if<Image<float>>(&channel.group->samples)) {
             added.pixels = numbers->view();
         } else {
-            reject_exr(fmt::format("it does not hold {}", name_of(added.type)));
+            reject_exr(fmt::format("samples of type {} are not supported", name_of(added.type)));
         }
     }
     return channels;

@@ -42,7 +42,7 @@ class ExrInput : public Imf::IStream {
     bool read(char data[], int count) override {
         const auto size = static_cast<std::size_t>(count);
         if (count < 0 || at_ > bytes_.size() || size > bytes_.size() - at_) {
-            throw Iex::InputExc("the stream ends too early");
+            throw Iex::InputExc("unexpected end of the data");
         }
         std::copy_n(bytes_.begin() + static_cast<std::ptrdiff_t>(at_),
                     count,

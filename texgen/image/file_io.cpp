@@ -118,7 +118,7 @@ void make_folders(const std::filesystem::path& folder) {
     std::error_code error;
     if (!folder.empty() && !std::filesystem::create_directories(folder, error) && error) {
         throw OutputError(
-            fmt::format("{}: cannot make the folder: {}", folder.string(), error.message()));
+            fmt::format("cannot create the folder '{}': {}", folder.string(), error.message()));
     }
 }
 

@@ -19,7 +19,8 @@ namespace foam::texgen {
 
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "samples are hashed as they lie there");
+static_assert(std::endian::native == std::endian::little,
+              "samples are hashed in little-endian order");
 
 /// The XXH3-128 hash of everything that is added.
 class Hasher {

@@ -21,7 +21,7 @@ constexpr std::size_t kLargestRatio = 1032;
 void take(png_structp png, png_bytep data, std::size_t count) {
     auto& source = *static_cast<Source*>(png_get_io_ptr(png));
     if (count > source.size()) {
-        png_error(png, "the stream ends too early");
+        png_error(png, "unexpected end of the data");
     }
     std::memcpy(data, source.data(), count);
     source = source.subspan(count);
@@ -32,7 +32,7 @@ void check_stream_length(const PngSession& session, std::size_t left) {
     const std::size_t promised = png_get_rowbytes(session.png(), session.info()) *
                                  png_get_image_height(session.png(), session.info());
     if (promised / kLargestRatio > left) {
-        png_error(session.png(), "the stream is too short for its pixels");
+        png_error(session.png(), "the data is too short for an image of this size");
     }
 }
 

@@ -54,7 +54,7 @@ std::vector<png_text> text_chunks(const ImageMetadata& metadata) {
     std::vector<png_text> chunks;
     for (const auto& [key, text] : metadata.text) {
         if (!is_keyword(key)) {
-            throw std::invalid_argument(fmt::format("'{}' is no PNG keyword", key));
+            throw std::invalid_argument(fmt::format("'{}' is not a valid PNG keyword", key));
         }
         png_text chunk{};
         chunk.compression = text_kind(text);
@@ -142,7 +142,7 @@ void check_encodable(ImageView<const Sample> pixels) {
     }
     if (pixels.channels() < 1 || pixels.channels() > 4) {
         throw std::invalid_argument(
-            fmt::format("a PNG has 1 to 4 channels, not {}", pixels.channels()));
+            fmt::format("a PNG must have 1 to 4 channels, not {}", pixels.channels()));
     }
 }
 
@@ -184,7 +184,7 @@ Bytes encode_png(ImageView<const std::uint16_t> pixels,
 
 Bytes encode_png(const Picture& picture, const PngEncoding& encoding) {
     if (picture.groups.size() != 1 || !picture.groups.front().has_codes()) {
-        throw std::invalid_argument("a PNG holds one group of 8-bit or 16-bit codes");
+        throw std::invalid_argument("a PNG must have one group of 8-bit or 16-bit codes");
     }
     const ChannelGroup& group = picture.groups.front();
     if (const auto* bytes = std::get_if<Image<std::uint8_t>>(&group.samples)) {

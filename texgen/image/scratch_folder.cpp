@@ -27,7 +27,7 @@ ScratchFolder::ScratchFolder() {
     std::string name = (temporary_folder() / "foamtex-XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr) {
         throw OutputError(fmt::format(
-            "{}: cannot make the folder: {}", name, std::generic_category().message(errno)));
+            "cannot create the folder '{}': {}", name, std::generic_category().message(errno)));
     }
     path_ = name;
 }

@@ -15,7 +15,7 @@ constexpr double kLargestAnisotropy = 1e-6;
 
 void check_side(int side) {
     if (side < 1 || side > kLargestSide) {
-        throw std::invalid_argument("image width and height must lie in 1.." +
+        throw std::invalid_argument("image width and height must be from 1 to " +
                                     std::to_string(kLargestSide));
     }
 }
@@ -26,7 +26,7 @@ double pixels_per_unit(const RasterGrid& grid, const Domain& domain) {
     check_side(grid.width);
     check_side(grid.height);
     if (domain.is_plane() != grid.view.has_value()) {
-        throw std::invalid_argument("a grid must have a view of the plane, and of nothing else");
+        throw std::invalid_argument("a grid must have a view of a plane, and none of a torus");
     }
     if (grid.view) {
         return grid.view->pixels_per_unit;
@@ -34,7 +34,8 @@ double pixels_per_unit(const RasterGrid& grid, const Domain& domain) {
     const double across = grid.width / domain.width;
     const double up = grid.height / domain.height;
     if (!(std::abs(across / up - 1.0) <= kLargestAnisotropy)) {
-        throw std::invalid_argument("image and torus must have the same aspect: pixels are square");
+        throw std::invalid_argument(
+            "image and torus must have the same aspect ratio, because pixels are square");
     }
     return across;
 }

@@ -56,7 +56,8 @@ void check(const CellArcs& cells, const CellValues& values, ImageView<Sample> im
     }
     if (values.channels < 1 || values.channels > kMaxChannels ||
         values.channels != static_cast<std::size_t>(image.channels())) {
-        throw std::invalid_argument("the image must have the channels of the values, 1 to 4");
+        throw std::invalid_argument(
+            "the image must have as many channels as the values, from 1 to 4");
     }
     if (!have_values(cells, values.cells.size() / values.channels)) {
         throw std::invalid_argument("every bubble needs a value");
