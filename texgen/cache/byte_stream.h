@@ -75,7 +75,7 @@ class ByteReader {
   private:
     void check_left(std::size_t count, std::size_t bytes_each) const {
         if (count > rest_.size() / bytes_each) {
-            throw BadContent("it ends too early");
+            throw BadContent("unexpected end of the file");
         }
     }
 

@@ -61,10 +61,11 @@ CacheInfo read_info(const std::filesystem::path& folder) {
     document.check_format("a cache", kFormat, kVersion);
     const JsonValue root = document.root();
     const auto closing_error = root.find("closing_error");
-    return {.preset = preset_in(root, file),
-            .simulation = root["simulation"].text(),
-            .frames = root["frames"].parsed(parse_frame_range, "frames as 1-10 or 1-10x2"),
-            .closing_error = closing_error ? std::optional(closing_error->number()) : std::nullopt};
+    return {
+        .preset = preset_in(root, file),
+        .simulation = root["simulation"].text(),
+        .frames = root["frames"].parsed(parse_frame_range, "a frame range such as 1-10 or 1-10x2"),
+        .closing_error = closing_error ? std::optional(closing_error->number()) : std::nullopt};
 }
 
 }  // namespace foam::texgen

@@ -137,7 +137,7 @@ class FrameReader {
     HalfEdgeId take_side() {
         const HalfEdgeId h = read_half_edge();
         if (taken_[index_of(h)]) {
-            throw BadContent("a side leaves two junctions");
+            throw BadContent("a half-edge leaves two junctions");
         }
         taken_[index_of(h)] = true;
         return h;
@@ -178,7 +178,7 @@ class FrameReader {
         if (reader_.take<std::uint8_t>() != 0) {
             read_ghost();
         } else if (!unclaimed().empty()) {
-            throw BadContent("a side belongs to no bubble");
+            throw BadContent("a half-edge belongs to no bubble");
         }
     }
 
@@ -189,7 +189,7 @@ class FrameReader {
         HalfEdgeId h = first;
         do {
             if (network().left(h) != kNobody) {
-                throw BadContent("two bubbles share a side");
+                throw BadContent("two bubbles share a half-edge");
             }
             network().set_left(h, bubble);
             h = network().next(h);
@@ -207,7 +207,7 @@ class FrameReader {
         }
         const auto first = id_at<HalfEdgeId>(reader_.take<std::uint32_t>());
         if (std::ranges::find(sides, first) == sides.end() && !sides.empty()) {
-            throw BadContent("the ghost's side is another bubble's");
+            throw BadContent("the first half-edge of the ghost bubble belongs to another bubble");
         }
         network().set_first(ghost, sides.empty() ? kNone<HalfEdgeId> : first);
         network().set_sides(ghost, static_cast<int>(sides.size()));
@@ -227,7 +227,7 @@ class FrameReader {
 
     void check() {
         if (const auto fault = find_fault(foam_.network)) {
-            throw BadContent("it is no foam: " + *fault);
+            throw BadContent("the foam is not valid: " + *fault);
         }
     }
 

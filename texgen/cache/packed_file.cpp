@@ -66,7 +66,7 @@ Bytes compressed(std::span<const std::byte> content) {
 
 Bytes decompressed(std::span<const std::byte> packed, std::uint64_t size) {
     if (size / kLargestRatio > packed.size()) {
-        throw BadContent("its size cannot be true");
+        throw BadContent("the stored size is too large");
     }
     const std::unique_ptr<libdeflate_decompressor, FreeCompressor> decompressor(
         libdeflate_alloc_decompressor());
@@ -77,30 +77,30 @@ Bytes decompressed(std::span<const std::byte> packed, std::uint64_t size) {
     const libdeflate_result result = libdeflate_deflate_decompress(
         decompressor.get(), packed.data(), packed.size(), content.data(), size, nullptr);
     if (result != LIBDEFLATE_SUCCESS) {
-        throw BadContent("it does not decompress");
+        throw BadContent("the compressed data is damaged");
     }
     return content;
 }
 
 void check(const Header& header, const PackedLabel& label, std::span<const std::byte> packed) {
     if (header.magic != letters<8>(kMagic) || header.kind != letters<8>(label.kind)) {
-        throw BadContent(fmt::format("it is no {} of foamtex", label.kind));
+        throw BadContent(fmt::format("not a foamtex file of kind '{}'", label.kind));
     }
     if (header.version != kPackedVersion) {
         throw BadContent(fmt::format(
-            "it is of version {}, and has to be of {}", header.version, kPackedVersion));
+            "file version {} is not supported; must be {}", header.version, kPackedVersion));
     }
     if (header.sum != XXH3_64bits(packed.data(), packed.size())) {
-        throw BadContent("it is damaged: its check sum is another");
+        throw BadContent("the file is damaged: its checksum does not match");
     }
     if (header.belongs != letters<32>(label.belongs)) {
-        throw BadContent("it comes from another simulation than its cache");
+        throw BadContent("the file belongs to a different simulation than its cache");
     }
 }
 
 Bytes unpacked(std::span<const std::byte> file, const PackedLabel& label) {
     if (file.size() < sizeof(Header)) {
-        throw BadContent(fmt::format("it is no {} of foamtex", label.kind));
+        throw BadContent(fmt::format("not a foamtex file of kind '{}'", label.kind));
     }
     Header header;
     std::memcpy(&header, file.data(), sizeof(Header));

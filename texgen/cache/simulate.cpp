@@ -53,7 +53,8 @@ class CacheWriter {
 
 void check(const BakeOptions& options) {
     if (options.frames.empty() || std::ranges::min(options.frames) < 1) {
-        throw std::invalid_argument("a simulation needs frames, numbered from 1");
+        throw std::invalid_argument(
+            "at least one frame is needed, and frame numbers must be at least 1");
     }
 }
 

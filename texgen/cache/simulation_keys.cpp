@@ -45,7 +45,8 @@ std::string aspect_of(const ImageOptions& image) {
 }
 
 constexpr const char* kAllowed =
-    "of a cache, only image, output and map keys can be changed, and a patch's camera";
+    "with a cache, only keys of the image, the output, the maps and the camera of a patch can be "
+    "changed";
 
 }  // namespace
 
@@ -71,26 +72,24 @@ void check_same_simulation(const Preset& simulated, const Preset& changed) {
         const std::string was = to_toml(*key.write(simulated));
         const std::string is = to_toml(*key.write(changed));
         if (decides(key, simulated) && was != is) {
-            throw PresetError(fmt::format("key '{}' = {}: was {} when the cache was simulated; {}",
-                                          key.path,
-                                          is,
-                                          was,
-                                          kAllowed));
+            throw PresetError(fmt::format(
+                "key '{}' = {}: must be {}, as in the cache; {}", key.path, is, was, kAllowed));
         }
     }
     if (events_to_toml(simulated) != events_to_toml(changed)) {
-        throw PresetError(fmt::format(
-            "key 'event': was something else when the cache was simulated; {}", kAllowed));
+        throw PresetError(
+            fmt::format("key 'event': must be the same as in the cache; {}", kAllowed));
     }
     const std::string was = aspect_of(simulated.image);
     if (needs_aspect(simulated) && was != aspect_of(changed.image)) {
-        throw PresetError(fmt::format(
-            "key 'image.size' = [{}, {}]: the foam of the cache has the shape {}, as {} x {}",
-            changed.image.width,
-            changed.image.height,
-            was,
-            simulated.image.width,
-            simulated.image.height));
+        throw PresetError(
+            fmt::format("key 'image.size' = [{}, {}]: must have the aspect ratio {} of the cache, "
+                        "such as [{}, {}]",
+                        changed.image.width,
+                        changed.image.height,
+                        was,
+                        simulated.image.width,
+                        simulated.image.height));
     }
 }
 

@@ -77,7 +77,7 @@ void write_events(const std::vector<RecordedEvent>& events, ByteWriter& writer) 
 TopologyEventKind read_event_kind(ByteReader& reader) {
     const auto kind = reader.take<std::uint8_t>();
     if (kind > static_cast<std::uint8_t>(TopologyEventKind::Birth)) {
-        throw BadContent("there is no such event");
+        throw BadContent("unknown kind of topology event");
     }
     return static_cast<TopologyEventKind>(kind);
 }
@@ -134,7 +134,7 @@ FoamRecord read_record(const Frame& frame,
     record.events = read_events(reader);
     const bool known = reader.take<std::uint8_t>() != 0;
     if (known && first_pressures.empty()) {
-        throw BadContent("the pressures of its cache are missing");
+        throw BadContent("'pressures.foam' is missing in the cache");
     }
     record.first_pressures = known ? first_pressures : read_numbers(reader);
     return record;
@@ -159,7 +159,7 @@ SimulatedFrame unpack_state(std::span<const std::byte> content,
     state.record =
         std::make_shared<const FoamRecord>(read_record(*state.frame, first_pressures, reader));
     if (!reader.is_at_end()) {
-        throw BadContent("there is more than a state");
+        throw BadContent("unexpected data after the state");
     }
     return state;
 }

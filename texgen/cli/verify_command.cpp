@@ -19,7 +19,7 @@ constexpr const char* kExamples = R"(Examples:
   foamtex verify out --json > report.json
 Checks what the manifest says: every file has the pixels that were baked, images of a torus tile,
 and the last frame of a loop leads into the first.
-Exit codes: 0 all of it holds, 6 something does not, 4 the manifest cannot be read)";
+Exit codes: 0 all checks passed, 6 a check failed, 4 the manifest cannot be read)";
 
 struct VerifyArguments {
     std::string path;

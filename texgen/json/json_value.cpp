@@ -31,7 +31,7 @@ JsonValue::JsonValue(const nlohmann::json* json, std::string file, std::string p
 JsonValue JsonValue::operator[](std::string_view name) const {
     const auto found = find(name);
     if (!found) {
-        reject(fmt::format("an object with '{}'", name));
+        reject(fmt::format("an object with the key '{}'", name));
     }
     return *found;
 }
@@ -50,7 +50,7 @@ std::optional<JsonValue> JsonValue::find(std::string_view name) const {
 
 std::vector<JsonValue> JsonValue::items() const {
     if (!json_->is_array()) {
-        reject("a list");
+        reject("an array");
     }
     std::vector<JsonValue> items;
     for (const nlohmann::json& item : *json_) {
@@ -61,7 +61,7 @@ std::vector<JsonValue> JsonValue::items() const {
 
 const std::string& JsonValue::text() const {
     if (!json_->is_string()) {
-        reject("a text");
+        reject("a string");
     }
     return json_->get_ref<const std::string&>();
 }

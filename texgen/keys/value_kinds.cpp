@@ -115,7 +115,7 @@ bool Reals::read(const Value& value, double& member) const {
 }
 
 std::string Text::allowed() const {
-    return or_empty ? "a text" : "a text that is not empty";
+    return or_empty ? "a string" : "a non-empty string";
 }
 
 std::string Text::schema() const {
@@ -177,7 +177,7 @@ bool Words::read(const Value& value, std::string& member) const {
 }
 
 std::string WordLists::allowed() const {
-    return fmt::format("a list, each word once, of {}", quoted(words));
+    return fmt::format("a list, without duplicates, of {}", quoted(words));
 }
 
 std::string WordLists::schema() const {

@@ -116,7 +116,7 @@ struct WordLists {
 struct IntegerLists {
     Integers item;
 
-    std::string allowed() const { return item.allowed() + ", or a list of such"; }
+    std::string allowed() const { return item.allowed() + ", or a list of such values"; }
     std::string schema() const {
         return either_schema(item.schema(), list_schema(item.schema(), 1, 0));
     }

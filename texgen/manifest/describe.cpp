@@ -19,19 +19,20 @@ namespace {
 const char* called(LoopKind kind) {
     switch (kind) {
         case LoopKind::Breathe:
-            return "a loop of the foam itself: its bubbles swell and shrink, and all return";
+            return "a seamless loop: bubbles grow and shrink periodically";
         case LoopKind::Shear:
-            return "a loop of the foam itself: it shears to and fro, and returns";
+            return "a seamless loop: the foam is sheared to and fro";
         case LoopKind::Drift:
-            return "a loop of the foam itself: it travels by whole images";
+            return "a seamless loop: the foam moves by whole images";
         case LoopKind::Flow:
-            return "bubbles vanish and as many come to be; the last frames fade into the first";
+            return "bubbles vanish and as many new ones appear; the last frames fade into the "
+                   "first";
         case LoopKind::PingPong:
-            return "half of the frames, and the same backwards";
+            return "half of the frames, then the same frames backwards";
         case LoopKind::None:
             break;
     }
-    return "no loop: the foam ages";
+    return "no loop: the foam coarsens";
 }
 
 ManifestLoop loop_of(const Preset& preset) {

@@ -27,6 +27,25 @@ std::string line_of(const BakedSet& set) {
     return fmt::format("{} (seed {}, {} x {})", set.preset, set.seed, set.width, set.height);
 }
 
+// Explains why no set can be chosen if `count` of the sets, which are not one, are wanted.
+std::string choice_error(const std::string& file,
+                         std::string_view preset,
+                         int count,
+                         const std::string& sets) {
+    if (sets.empty()) {
+        return fmt::format("'{}' lists no images", file);
+    }
+    if (count == 0) {
+        return fmt::format(
+            "'{}' has no images of preset '{}'; must be one of: {}", file, preset, sets);
+    }
+    return fmt::format(
+        "'{}' has several sets of images: {}; {}",
+        file,
+        sets,
+        preset.empty() ? "choose one with --preset NAME" : "bake each into its own folder");
+}
+
 }  // namespace
 
 Manifest read_manifest(const std::filesystem::path& path) {
@@ -40,19 +59,15 @@ const BakedSet& choose_set(const Manifest& manifest,
                            std::string_view preset,
                            const std::filesystem::path& path) {
     const BakedSet* chosen = nullptr;
-    std::string there;
+    std::string sets;
     int count = 0;
     for (const BakedSet& set : manifest.sets) {
-        there += fmt::format("{}{}", there.empty() ? "" : ", ", line_of(set));
+        sets += fmt::format("{}{}", sets.empty() ? "" : ", ", line_of(set));
         chosen = is_wanted(set, preset) ? &set : chosen;
         count += is_wanted(set, preset) ? 1 : 0;
     }
     if (count != 1) {
-        throw InputError(fmt::format("'{}' has {} of {}; there are: {}",
-                                     file_of(path).string(),
-                                     count == 0 ? "no images" : "several sets",
-                                     preset.empty() ? "any preset" : preset,
-                                     there.empty() ? "none" : there));
+        throw InputError(choice_error(file_of(path).string(), preset, count, sets));
     }
     return *chosen;
 }

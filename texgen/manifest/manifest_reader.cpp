@@ -24,7 +24,8 @@ constexpr std::array<std::string_view, 2> kDirections = {"up", "down"};
 constexpr int kLargestExtent = 1 << 20;
 
 std::vector<int> frames_in(const JsonValue& value) {
-    std::vector<int> frames = value.parsed(parse_frame_range, "frames as 1-10 or 1-10x2");
+    std::vector<int> frames =
+        value.parsed(parse_frame_range, "a frame range such as 1-10 or 1-10x2");
     std::ranges::sort(frames);
     return frames;
 }
@@ -134,7 +135,7 @@ void check_maps(const BakedSet& set, const JsonValue& files) {
     for (std::size_t k = 0; k < set.files.size(); ++k) {
         for (const std::string& map : set.files[k].maps) {
             if (set.find_map(map) == nullptr) {
-                items[k]["maps"].reject("maps that are described in 'maps'");
+                items[k]["maps"].reject("names of maps that are listed in 'maps'");
             }
         }
     }

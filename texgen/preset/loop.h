@@ -10,7 +10,7 @@ namespace foam::texgen {
 
 /// The way in which the last frame leads back to the first.
 enum class LoopKind {
-    None,      // no loop: the foam ages
+    None,      // no loop: the foam coarsens
     Breathe,   // every bubble swells and shrinks, each with its own phase (E9)
     Shear,     // the torus shears to and fro; images move with it and remain tileable
     Drift,     // the foam does not change, but moves as a whole

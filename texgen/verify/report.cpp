@@ -28,11 +28,10 @@ std::string ratios(const VerifiedSet& found, SeamOf seam) {
 std::string tile_line(const VerifiedSet& found) {
     const std::string list = ratios(found, &VerifiedMap::tile);
     if (list.empty()) {
-        return "not checked: no frame tiles, or images are too small";
+        return "not checked: the frames do not tile, or are too small";
     }
-    return fmt::format("{}  (step across the border over the largest within, at most {})",
-                       list,
-                       kLargestTileRatio);
+    return fmt::format(
+        "{}  (step across the border / largest step inside, at most {})", list, kLargestTileRatio);
 }
 
 std::string loop_line(const VerifiedSet& found) {
@@ -42,14 +41,16 @@ std::string loop_line(const VerifiedSet& found) {
     }
     const std::string list = ratios(found, &VerifiedMap::loop);
     const std::string measured =
-        list.empty() ? fmt::format("not checked: that takes frames 1 to {}", loop.period)
-                     : fmt::format(
-                           "{}  (step from last to first frame over the largest from frame "
-                           "to frame, at most {})",
-                           list,
-                           kLargestLoopRatio);
+        list.empty()
+            ? fmt::format("not checked: needs frames 1 to {}", loop.period)
+            : fmt::format(
+                  "{}  (step from last to first frame / largest step between frames, at most {})",
+                  list,
+                  kLargestLoopRatio);
     const std::string closing =
-        loop.closing_error ? fmt::format("; closed to {:.1e} diameters", *loop.closing_error) : "";
+        loop.closing_error
+            ? fmt::format("; closing error {:.1e} bubble diameters", *loop.closing_error)
+            : "";
     return fmt::format("{}\n           {}{}{}",
                        measured,
                        loop.called,
@@ -65,7 +66,7 @@ std::string text_of(const VerifiedSet& found) {
                                    set.width,
                                    set.height,
                                    set.version);
-    text += fmt::format("  files    {} of {} have the pixels that were baked\n",
+    text += fmt::format("  files    {} of {} have the pixels in the manifest\n",
                         found.files_same,
                         set.files.size());
     text += "  tile     " + tile_line(found) + "\n";
@@ -73,7 +74,7 @@ std::string text_of(const VerifiedSet& found) {
     for (const std::string& problem : found.problems) {
         text += "  FAILED   " + problem + "\n";
     }
-    return text + (found.holds() ? "  all of it holds\n" : "");
+    return text + (found.holds() ? "  all checks passed\n" : "");
 }
 
 Json value_of(const std::optional<Seam>& seam) {
@@ -117,7 +118,7 @@ std::string to_text(const Verification& found) {
     for (const VerifiedSet& set : found.sets) {
         text += text_of(set);
     }
-    return text.empty() ? "no images\n" : text;
+    return text.empty() ? "the manifest lists no images\n" : text;
 }
 
 std::string to_json(const Verification& found) {

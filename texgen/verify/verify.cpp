@@ -119,7 +119,7 @@ File read_baked(const ManifestFile& file,
         if (pixel_hash(*read) == file.pixels) {
             return read;
         }
-        problems.push_back(fmt::format("{}: has other pixels than were baked", file.path));
+        problems.push_back(fmt::format("{}: pixels differ from the manifest", file.path));
     } catch (const InputError& error) {
         problems.emplace_back(error.what());
     }
@@ -139,7 +139,7 @@ void note_missing(const BakedSet& set, std::vector<std::string>& problems) {
     }
     maps_by_missing.erase(std::vector<int>());
     for (const auto& [missing, maps] : maps_by_missing) {
-        problems.push_back(fmt::format("{}: frames {} were not baked{}{}",
+        problems.push_back(fmt::format("{}: frames {} are missing{}{}",
                                        maps,
                                        format_frame_range(missing),
                                        set.failure.empty() ? "" : ": ",
@@ -151,7 +151,7 @@ void note_seams(const VerifiedMap& map, std::vector<std::string>& problems) {
     if (map.tile && map.tile->ratio() > kLargestTileRatio) {
         problems.push_back(
             fmt::format("{}: frame {} does not tile: the step across its border is {:.3g} times "
-                        "the largest within any frame",
+                        "the largest step inside any frame",
                         map.name,
                         map.tile_frame,
                         map.tile->ratio()));
@@ -159,7 +159,7 @@ void note_seams(const VerifiedMap& map, std::vector<std::string>& problems) {
     if (map.loop && map.loop->ratio() > kLargestLoopRatio) {
         problems.push_back(
             fmt::format("{}: does not loop: the step from its last frame to its first is {:.3g} "
-                        "times the largest from frame to frame",
+                        "times the largest step between frames",
                         map.name,
                         map.loop->ratio()));
     }

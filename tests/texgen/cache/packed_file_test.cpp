@@ -33,12 +33,13 @@ TEST(PackedFile, AStateThatIsMissingDamagedOrForeignIsRefused) {
         write_file(path, bad);
         return error_of(folder.path(), 2);
     };
-    EXPECT_EQ(error_with(good.size() - 1), place + "it is damaged: its check sum is another");
-    EXPECT_EQ(error_with(0), place + "it is no state of foamtex");
-    EXPECT_EQ(error_with(16), place + "it is of version 0, and has to be of 1");
-    EXPECT_EQ(error_with(30), place + "it comes from another simulation than its cache");
+    EXPECT_EQ(error_with(good.size() - 1),
+              place + "the file is damaged: its checksum does not match");
+    EXPECT_EQ(error_with(0), place + "not a foamtex file of kind 'state'");
+    EXPECT_EQ(error_with(16), place + "file version 0 is not supported; must be 1");
+    EXPECT_EQ(error_with(30), place + "the file belongs to a different simulation than its cache");
     write_file(path, std::span(good).first(20));
-    EXPECT_EQ(error_of(folder.path(), 2), place + "it is no state of foamtex");
+    EXPECT_EQ(error_of(folder.path(), 2), place + "not a foamtex file of kind 'state'");
 }
 
 }  // namespace

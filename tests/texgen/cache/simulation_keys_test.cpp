@@ -74,11 +74,11 @@ TEST(SimulationKeys, AChangedPresetNamesTheKey) {
     const Preset preset;
     EXPECT_EQ(rejection(preset, changed(preset, "albedo.film_width=4")), "no failure");
     EXPECT_EQ(rejection(preset, changed(preset, "frames.warm_up=2")),
-              "key 'frames.warm_up' = 2.0: was 0.0 when the cache was simulated; of a cache, only "
-              "image, output and map keys can be changed, and a patch's camera");
+              "key 'frames.warm_up' = 2.0: must be 0.0, as in the cache; with a cache, only keys "
+              "of the image, the output, the maps and the camera of a patch can be changed");
     EXPECT_EQ(rejection(preset, changed(preset, "image.size=[512, 256]")),
-              "key 'image.size' = [512, 256]: the foam of the cache has the shape 1:1, as 1024 x "
-              "1024");
+              "key 'image.size' = [512, 256]: must have the aspect ratio 1:1 of the cache, such as "
+              "[1024, 1024]");
     Preset with_event = preset;
     with_event.events.push_back({});
     EXPECT_EQ(rejection(preset, with_event).find("key 'event': was something else"), 0U);

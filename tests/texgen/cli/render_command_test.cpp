@@ -63,18 +63,18 @@ TEST_F(RenderCommand, TakesTheFramesOfTheCacheAndWhatChangesNoFoam) {
 TEST_F(RenderCommand, WhatChangesTheFoamIsOneLineAndCode2) {
     expect_rejected("foam --set foam.seed=5",
                     ExitCode::BadRequest,
-                    "key 'foam.seed' = 5: was 1 when the cache was simulated; of a cache, only "
-                    "image, output and map keys can be changed, and a patch's camera");
+                    "key 'foam.seed' = 5: must be 1, as in the cache; with a cache, only keys of "
+                    "the image, the output, the maps and the camera of a patch can be changed");
     expect_rejected("foam --size 32",
                     ExitCode::BadRequest,
-                    "key 'image.size' = [32, 32]: the foam of the cache has the shape 2:1, "
-                    "as 32 x 16");
+                    "key 'image.size' = [32, 32]: must have the aspect ratio 2:1 of the cache, "
+                    "such as [32, 16]");
 }
 
 TEST_F(RenderCommand, WhatIsNotInTheCacheIsOneLineAndCode4) {
     expect_rejected("foam --frames 9",
                     ExitCode::BadInput,
-                    "the cache 'foam' has no frame 9: it was made for frames 1-4");
+                    "the cache 'foam' has no frame 9; it was simulated for frames 1-4");
     expect_rejected(
         "none", ExitCode::BadInput, "cannot read 'none/cache.json': No such file or directory");
 }

@@ -15,7 +15,7 @@ TEST(VerifyCommand, TellsByItsExitCodeWhetherAllOfItHolds) {
     const Outcome good = run_program("verify out", work);
     EXPECT_EQ(good.code, 0) << good.err;
     EXPECT_NE(good.out.find("sea_foam: seed 1, 32 x 32"), std::string::npos);
-    EXPECT_NE(good.out.find("all of it holds"), std::string::npos);
+    EXPECT_NE(good.out.find("all checks passed"), std::string::npos);
     const Outcome json = run_program("verify out/manifest.json --json", work);
     EXPECT_EQ(nlohmann::json::parse(json.out)["status"], "holds");
     std::filesystem::remove(work.path() / "out" / "sea_foam_albedo.0002.png");

@@ -59,8 +59,9 @@ TEST(JsonValue, AnErrorNamesFilePositionValueAndWhatIsAllowed) {
               "cannot read 'a.json': format = \"tea\": must be one of \"a\", \"b\"");
     EXPECT_EQ(error_of([&] { root["half"]["x"].text(); }),
               "cannot read 'a.json': half = 0.5: must be an object");
-    EXPECT_NE(error_of([&] { root["missing"].text(); }).find("must be an object with 'missing'"),
-              std::string::npos);
+    EXPECT_NE(
+        error_of([&] { root["missing"].text(); }).find("must be an object with the key 'missing'"),
+        std::string::npos);
 }
 
 TEST(JsonValue, ATextThatCannotBeParsedIsAnError) {

@@ -95,8 +95,9 @@ TEST(Key, IsDescribedByDefaultMeaningAndAllowedValues) {
     const Keys<Lamp> keys = lamp_keys();
     EXPECT_EQ(describe(keys[0]),
               "power = 40\n    of the lamp, watts\n    an integer from 1 to 100\n");
-    EXPECT_EQ(describe(keys[2]),
-              "hours\n    in which it is on\n    an integer from 0 to 23, or a list of such\n");
+    EXPECT_EQ(
+        describe(keys[2]),
+        "hours\n    in which it is on\n    an integer from 0 to 23, or a list of such values\n");
 }
 
 TEST(Key, IsFoundByItsPath) {

@@ -73,8 +73,8 @@ TEST(ManifestFile, ASetIsChosenByItsPresetWhereThereAreSeveral) {
         FAIL();
     } catch (const InputError& error) {
         EXPECT_STREQ(error.what(),
-                     "'out' has several sets of any preset; there are: "
-                     "a (seed 12, 64 x 32), b (seed 12, 64 x 32)");
+                     "'out' has several sets of images: "
+                     "a (seed 12, 64 x 32), b (seed 12, 64 x 32); choose one with --preset NAME");
     }
     EXPECT_THROW(choose_set(manifest, "c", "out"), InputError);
     EXPECT_THROW(choose_set({}, "", "out"), InputError);

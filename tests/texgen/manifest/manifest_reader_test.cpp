@@ -36,10 +36,10 @@ TEST(ManifestReader, AnErrorNamesTheFileThePlaceAndWhatIsAllowed) {
               "must be one of \"color\", \"number\", \"id\"");
     EXPECT_EQ(error_of("\"frames\":\"1-3,5\"", "\"frames\":\"x\""),
               "cannot read 'm.json': sets[0].maps[0].frames = \"x\": "
-              "must be frames as 1-10 or 1-10x2");
+              "must be a frame range such as 1-10 or 1-10x2");
     EXPECT_EQ(error_of("[\"height\"]", "[\"egg\"]"),
               "cannot read 'm.json': sets[0].files[0].maps = [\"egg\"]: "
-              "must be maps that are described in 'maps'");
+              "must be names of maps that are listed in 'maps'");
     EXPECT_EQ(error_of("\"seed\": 12", "\"seed\": 18446744073709551615"),
               "cannot read 'm.json': sets[0].seed = 18446744073709551615: "
               "must be an integer from 0 to 9223372036854775807");
@@ -48,7 +48,7 @@ TEST(ManifestReader, AnErrorNamesTheFileThePlaceAndWhatIsAllowed) {
 }
 
 TEST(ManifestReader, WhatIsNoManifestIsRefused) {
-    EXPECT_NE(error_of("\"pixels\":", "\"pixel\":").find("an object with 'pixels'"),
+    EXPECT_NE(error_of("\"pixels\":", "\"pixel\":").find("an object with the key 'pixels'"),
               std::string::npos);
     EXPECT_THROW(parse_manifest("", "m.json"), InputError);
     EXPECT_THROW(parse_manifest("{", "m.json"), InputError);

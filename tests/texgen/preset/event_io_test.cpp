@@ -74,10 +74,10 @@ TEST(EventIo, AValueThatIsNotAllowedNamesPlaceKeyValueAndLimits) {
         "a.toml:2: key 'event[1].at' = [0.5, 1.5]: must be [x, y], each a number from 0 to 1");
     EXPECT_EQ(failure("[[event]]\nbubble = [3, -1]\n"),
               "a.toml:2: key 'event[1].bubble' = [3, -1]: must be an integer from 0 to 4294967294, "
-              "or a list of such");
+              "or a list of such values");
     EXPECT_EQ(failure("[[event]]\nsides = []\n"),
               "a.toml:2: key 'event[1].sides' = []: must be an integer from 2 to 100, or a list of "
-              "such");
+              "such values");
 }
 
 TEST(EventIo, AnUnknownKeySuggestsTheNearest) {

@@ -104,7 +104,7 @@ TEST(Verify, SaysWhichFilesAreGoneDamagedOrChanged) {
     ASSERT_EQ(found.problems.size(), 3U);
     EXPECT_NE(found.problems[0].find("id.0001.png': No such file"), std::string::npos);
     EXPECT_NE(found.problems[1].find("id.0002.png': malformed PNG"), std::string::npos);
-    EXPECT_EQ(found.problems[2], "albedo.0003.png: has other pixels than were baked");
+    EXPECT_EQ(found.problems[2], "albedo.0003.png: pixels differ from the manifest");
 }
 
 // Packed anew, with other texts, the pixels are those that were baked.
@@ -158,7 +158,7 @@ TEST(Verify, ALoopIsCheckedOnlyAsAWhole) {
     const VerifiedSet found = verified(folder.path());
     EXPECT_TRUE(found.holds());
     EXPECT_FALSE(found.maps.front().loop);
-    EXPECT_NE(to_text(verify(folder.path())).find("not checked: that takes frames 1 to 8"),
+    EXPECT_NE(to_text(verify(folder.path())).find("not checked: needs frames 1 to 8"),
               std::string::npos);
 }
 
@@ -172,7 +172,7 @@ TEST(Verify, SaysWhatABakeLeftOut) {
     });
     EXPECT_EQ(
         verified(folder.path()).problems,
-        std::vector<std::string>{"albedo, height, id: frames 2-3 were not baked: no space left"});
+        std::vector<std::string>{"albedo, height, id: frames 2-3 are missing: no space left"});
 }
 
 TEST(Verify, APatchIsNoTile) {
