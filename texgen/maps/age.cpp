@@ -14,12 +14,12 @@ Keys<AgeOptions> age_keys() {
         {{{"birth", AgeSince::Birth}, {"change", AgeSince::Change}}}};
     return {key("since",
                 kSince,
-                "a bubble's birth, of the seeded ones at time 0, or when its neighbors last "
-                "changed",
+                "start of the age: birth of the bubble (time 0 for seeded ones), or the last "
+                "change of its neighbors",
                 &AgeOptions::since),
             key("full",
                 Reals{1e-6, 1e9},
-                "age that a PNG has as its largest code, foam time",
+                "age that a PNG stores as its largest code, in foam time",
                 &AgeOptions::full)};
 }
 

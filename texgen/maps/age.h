@@ -9,7 +9,7 @@ namespace foam::texgen {
 
 inline constexpr MapTraits kAgeMap = {
     .name = "age",
-    .meaning = "time since a bubble was born, or its neighbors changed",
+    .meaning = "time since a bubble was created, or since its neighbors changed",
     .unit = "foam time; PNG: 0 to age.full",
     .channels = "Y",
     .png_bits = 16};

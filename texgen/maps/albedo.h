@@ -14,7 +14,7 @@ namespace foam::texgen {
 
 inline constexpr MapTraits kAlbedoMap = {
     .name = "albedo",
-    .meaning = "colors of bubbles by their pressure, and of films",
+    .meaning = "color of bubbles, by pressure or another property, and of films",
     .unit = "light",
     .channels = "R G B",
     .smooth_distance = SmoothDistance::UsedByFilms};

@@ -43,7 +43,7 @@ const Map& find_map(std::string_view name) {
         std::find_if(kMaps.begin(), kMaps.end(), [&](const Map& map) { return map.name == name; });
     if (found == kMaps.end()) {
         throw std::invalid_argument(
-            fmt::format("there is no map '{}'; there are {}", name, fmt::join(map_names(), ", ")));
+            fmt::format("unknown map '{}'; must be one of {}", name, fmt::join(map_names(), ", ")));
     }
     return *found;
 }

@@ -10,11 +10,11 @@ namespace foam::texgen {
 Keys<AreaOptions> area_keys() {
     return {key("unit",
                 kMeanBubbles,
-                "mean area of the seeded foam or of this frame",
+                "unit of areas: mean area of the seeded foam or of this frame",
                 &AreaOptions::unit),
             key("full",
                 Reals{1e-3, 1e6},
-                "area that a PNG has as its largest code, in the unit",
+                "area that a PNG stores as its largest code, in this unit",
                 &AreaOptions::full)};
 }
 

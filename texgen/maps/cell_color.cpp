@@ -23,7 +23,7 @@ constexpr double kMaxSides = 9.0;
 
 PerBubble<double> tones_by_pressure(const Frame& frame, const AlbedoOptions& options) {
     if (!(options.pressure_low < options.pressure_high)) {
-        throw std::invalid_argument("the low end of the pressures must lie below the high end");
+        throw std::invalid_argument("the low end of the pressures must be below the high end");
     }
     PerBubble<double> tones = pressures_of(frame, options.pressure_unit);
     const double range = options.pressure_high - options.pressure_low;

@@ -25,11 +25,11 @@ double bend(const ReliefSection& section, double smooth, double radius) {
 Keys<CurvatureOptions> curvature_keys() {
     return {key("radius",
                 Reals{0.001, 10.0},
-                "over which it is felt, in bubble diameters",
+                "distance over which the curvature is measured, in bubble diameters",
                 &CurvatureOptions::radius),
             key("full",
                 Reals{1e-6, 1e6},
-                "that a PNG has as its largest code; its negative is 0",
+                "curvature that a PNG stores as its largest code; the negative of it is code 0",
                 &CurvatureOptions::full)};
 }
 

@@ -10,8 +10,8 @@ namespace foam::texgen {
 
 inline constexpr MapTraits kCurvatureMap = {
     .name = "curvature",
-    .meaning = "how the relief bends: above 0 on crests, below in furrows",
-    .unit = "per bubble diameter; PNG: 0.5 is 0, ends at curvature.full",
+    .meaning = "curvature of the relief: above 0 on crests, below 0 in furrows",
+    .unit = "per bubble diameter; PNG: 0.5 is 0, 1 is curvature.full",
     .channels = "Y",
     .png_bits = 16,
     .png_filter = PngFilter::Up,

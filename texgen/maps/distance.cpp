@@ -17,13 +17,13 @@ Keys<DistanceOptions> distance_keys() {
         {{{"foam", DistanceUnit::Foam}, {"px", DistanceUnit::Pixels}}}};
     return {key("kind",
                 kKinds,
-                "from the middle of films, or from their edges: negative in films and around a "
-                "patch",
+                "plain: from the center line of films; signed: from their edges, negative inside "
+                "films and around a patch",
                 &DistanceOptions::kind),
             key("unit", kUnits, "foam units or pixels", &DistanceOptions::unit),
             key("full",
                 Reals{1e-6, 1e6},
-                "distance that a PNG has as its largest code, in the unit",
+                "distance that a PNG stores as its largest code, in this unit",
                 &DistanceOptions::full)};
 }
 

@@ -11,7 +11,9 @@ namespace foam::texgen {
 inline constexpr MapTraits kDistanceMap = {
     .name = "distance",
     .meaning = "distance to the nearest film, plain or signed",
-    .unit = "foam units or pixels; PNG: 0 to distance.full, signed from its negative",
+    .unit =
+        "foam units or pixels; PNG: 0 to distance.full, or -distance.full to distance.full if "
+        "signed",
     .channels = "Y",
     .png_bits = 16,
     .png_filter = PngFilter::Up};

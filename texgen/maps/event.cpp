@@ -46,14 +46,15 @@ void paint_copy(const EventDisk& disk, SubpixelPoint middle, ImageView<float> im
 }  // namespace
 
 Keys<EventMapOptions> event_map_keys() {
-    return {key("radius",
-                Reals{0.01, 100.0},
-                "of the spots of map event, in diameters of a mean bubble of the seeded foam",
-                &EventMapOptions::radius),
-            key("fade",
-                Integers{1, kRecordedFrames},
-                "frames until a disk is gone",
-                &EventMapOptions::fade)};
+    return {
+        key("radius",
+            Reals{0.01, 100.0},
+            "radius of the disks of map event, in diameters of a mean bubble of the seeded foam",
+            &EventMapOptions::radius),
+        key("fade",
+            Integers{1, kRecordedFrames},
+            "number of frames until a disk has faded out",
+            &EventMapOptions::fade)};
 }
 
 NumberPixels draw_event(FrameLayers& layers, const EventMapOptions& options) {

@@ -9,7 +9,7 @@ namespace foam::texgen {
 
 inline constexpr MapTraits kEventMap = {
     .name = "event",
-    .meaning = "spots where T1 (red), T2 (green) and births (blue) just happened, fading",
+    .meaning = "fading disks at recent T1 (red), T2 (green) and births (blue)",
     .unit = "0 to 1",
     .channels = "R G B",
     .png_filter = PngFilter::Up};

@@ -7,11 +7,12 @@
 
 namespace foam::texgen {
 
-inline constexpr MapTraits kFilmMap = {.name = "film",
-                                       .meaning = "mask of the films, as wide as those of albedo",
-                                       .unit = "part of the pixel, 0 to 1",
-                                       .channels = "Y",
-                                       .smooth_distance = SmoothDistance::UsedByFilms};
+inline constexpr MapTraits kFilmMap = {
+    .name = "film",
+    .meaning = "mask of the films, with the film width of albedo",
+    .unit = "fraction of the pixel, 0 to 1",
+    .channels = "Y",
+    .smooth_distance = SmoothDistance::UsedByFilms};
 
 /// Draws the fraction of every pixel that films cover. Films are as wide as in albedo. One channel,
 /// 0 to 1; 0 around a patch.

@@ -13,7 +13,7 @@ FrameLayers::FrameLayers(const FrameInput& input, const RasterGrid& grid, int th
 
 const Frame& FrameLayers::next() const {
     if (input_.next == nullptr) {
-        throw std::invalid_argument("the map needs the next frame");
+        throw std::invalid_argument("this map needs the next frame");
     }
     return *input_.next;
 }

@@ -29,7 +29,8 @@ std::unordered_map<BubbleIdentity, double> areas_of(const Frame& frame) {
 Keys<GrowthOptions> growth_keys() {
     return {key("full",
                 Reals{1e-9, 1e6},
-                "growth that a PNG has as its largest code, area per foam time; its negative is 0",
+                "growth that a PNG stores as its largest code, in area per foam time; the negative "
+                "of it is code 0",
                 &GrowthOptions::full)};
 }
 

@@ -9,8 +9,8 @@ namespace foam::texgen {
 
 inline constexpr MapTraits kGrowthMap = {
     .name = "growth",
-    .meaning = "how fast bubbles grow, to the next frame",
-    .unit = "area per foam time; PNG: 0.5 is 0, ends at growth.full",
+    .meaning = "growth rate of bubbles, to the next frame",
+    .unit = "area per foam time; PNG: 0.5 is 0, 1 is growth.full",
     .channels = "Y",
     .png_bits = 16,
     .needs_next = true};

@@ -12,7 +12,7 @@ namespace foam::texgen {
 Keys<HeightOptions> height_keys() {
     return {key("full",
                 Reals{1e-6, 1e6},
-                "height that a PNG has as its largest code, in bubble diameters",
+                "height that a PNG stores as its largest code, in bubble diameters",
                 &HeightOptions::full)};
 }
 

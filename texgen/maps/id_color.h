@@ -8,10 +8,11 @@
 
 namespace foam::texgen {
 
-inline constexpr MapTraits kIdColorMap = {.name = "id_color",
-                                          .meaning = "a color for every bubble, its own for life",
-                                          .unit = "light",
-                                          .channels = "R G B"};
+inline constexpr MapTraits kIdColorMap = {
+    .name = "id_color",
+    .meaning = "a distinct color for every bubble, constant for its life",
+    .unit = "light",
+    .channels = "R G B"};
 
 /// Returns the color that a bubble has for life. Consecutive identities have distant hues and
 /// different lightnesses: a low-discrepancy sequence in OKLCh (Ottosson 2020) within sRGB.

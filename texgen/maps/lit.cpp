@@ -179,27 +179,28 @@ Keys<LitOptions> lit_keys() {
         key("colors", kColors, "the map that is lit", &Options::colors),
         key("azimuth",
             Reals{-360.0, 360.0},
-            "where the light comes from: degrees from the right, counterclockwise",
+            "direction of the light: degrees counterclockwise from the right",
             &Options::azimuth),
         key("elevation",
             Reals{1.0, 90.0},
-            "its height, degrees; flat ground keeps its color under any",
+            "angle of the light above the ground, degrees; does not change the color of flat "
+            "ground",
             &Options::elevation),
-        key("ambient", kFractions, "the part of the light that the sky gives", &Options::ambient),
+        key("ambient",
+            kFractions,
+            "fraction of the light that comes from the sky",
+            &Options::ambient),
         key("gloss", Reals{0.0, 1000.0}, "brightness of highlights", &Options::gloss),
         key("shininess",
             Reals{1.0, 10000.0},
-            "the larger, the smaller highlights are",
+            "larger values make smaller highlights",
             &Options::shininess),
-        key("rim", Reals{0.0, 1000.0}, "brightness of what is steep", &Options::rim),
+        key("rim", Reals{0.0, 1000.0}, "brightness of steep slopes", &Options::rim),
         key("glow",
             kFractions,
-            "the part of films and of the shade beside them that shines by itself",
+            "fraction of the color of films, and of the shade beside them, that is emitted light",
             &Options::glow),
-        key("samples",
-            Integers{1, 8},
-            "a pixel is the mean of so many in either direction",
-            &Options::samples)};
+        key("samples", Integers{1, 8}, "samples per pixel in each direction", &Options::samples)};
 }
 
 ColorPixels draw_lit(FrameLayers& layers, const LitOptions& options, const LitSurface& surface) {

@@ -11,11 +11,12 @@
 
 namespace foam::texgen {
 
-inline constexpr MapTraits kLitMap = {.name = "lit",
-                                      .meaning = "albedo or thin_film on the relief, under a light",
-                                      .unit = "light",
-                                      .channels = "R G B",
-                                      .png_filter = PngFilter::Up};
+inline constexpr MapTraits kLitMap = {
+    .name = "lit",
+    .meaning = "albedo or thin_film, shaded by a light on the relief",
+    .unit = "light",
+    .channels = "R G B",
+    .png_filter = PngFilter::Up};
 
 /// The map that is lit.
 enum class LitColors { Albedo, ThinFilm };

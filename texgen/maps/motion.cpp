@@ -184,13 +184,14 @@ Keys<MotionOptions> motion_keys() {
     constexpr Choices<MotionY> kDirections = {{{{"up", MotionY::Up}, {"down", MotionY::Down}}}};
     return {key("unit",
                 kUnits,
-                "of floats: parts of the image's width, or pixels; a PNG is the same for both",
+                "unit of floating-point values: fractions of the image width, or pixels; does not "
+                "change a PNG",
                 &MotionOptions::unit),
-            key("y", kDirections, "where a positive second number points", &MotionOptions::y),
+            key("y", kDirections, "direction of positive y", &MotionOptions::y),
             key("multiplier",
                 Reals{1e-6, 10.0},
-                "of a PNG: motion at its largest code, in parts of the image's width; 0 is its "
-                "negative",
+                "motion that a PNG stores as its largest code, as a fraction of the image width; "
+                "the negative of it is code 0",
                 &MotionOptions::multiplier)};
 }
 
@@ -202,7 +203,7 @@ NumberPixels draw_motion(FrameLayers& layers, const MotionOptions& options) {
 }
 
 std::string note_on_motion(const MotionOptions& options) {
-    return fmt::format("y {}; a PNG's largest code is {} of the image's width",
+    return fmt::format("y {}; the largest code of a PNG is {} of the image width",
                        options.y == MotionY::Up ? "up" : "down",
                        options.multiplier);
 }

@@ -11,8 +11,9 @@ namespace foam::texgen {
 
 inline constexpr MapTraits kMotionMap = {
     .name = "motion",
-    .meaning = "where every place goes, to the next frame",
-    .unit = "parts of the width, or pixels; PNG: 0.5 is still, ends at motion.multiplier",
+    .meaning = "motion vector of every point, to the next frame",
+    .unit =
+        "fractions of the image width, or pixels; PNG: 0.5 is no motion, 1 is motion.multiplier",
     .channels = "X Y",
     .png_bits = 16,
     .png_filter = PngFilter::Up,
@@ -44,7 +45,7 @@ Keys<MotionOptions> motion_keys();
 /// motion: copies one period up move farther. Throws std::invalid_argument without a next frame.
 NumberPixels draw_motion(FrameLayers& layers, const MotionOptions& options);
 
-/// Returns a text for files, such as "y up; a PNG's largest code is 0.005 of the image's width".
+/// Returns a text for files, such as "y up; the largest code of a PNG is 0.005 of the image width".
 std::string note_on_motion(const MotionOptions& options);
 
 }  // namespace foam::texgen

@@ -14,7 +14,7 @@ Keys<NormalOptions> normal_keys() {
     constexpr Choices<NormalY> kDirections = {{{{"gl", NormalY::Up}, {"dx", NormalY::Down}}}};
     return {key("y",
                 kDirections,
-                "the way that green points: gl is up (Blender, Godot, Unity), dx down (Unreal)",
+                "direction of green: gl is up (Blender, Godot, Unity), dx is down (Unreal)",
                 &NormalOptions::y)};
 }
 

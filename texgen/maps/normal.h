@@ -12,7 +12,7 @@ namespace foam::texgen {
 
 inline constexpr MapTraits kNormalMap = {
     .name = "normal",
-    .meaning = "the relief's normals, y up (OpenGL) or down (DirectX)",
+    .meaning = "normals of the relief, y up (OpenGL) or down (DirectX)",
     .unit = "-1 to 1; PNG: 0.5 is 0",
     .channels = "X Y Z",
     .png_filter = PngFilter::Up,

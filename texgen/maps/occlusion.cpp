@@ -86,7 +86,7 @@ class VisibleSky {
 Keys<OcclusionOptions> occlusion_keys() {
     return {key("strength",
                 Reals{0.0, 100.0},
-                "power of the part of the sky that is seen",
+                "exponent of the visible fraction of the sky; larger values are darker",
                 &OcclusionOptions::strength)};
 }
 

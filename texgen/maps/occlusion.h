@@ -10,7 +10,7 @@ namespace foam::texgen {
 
 inline constexpr MapTraits kOcclusionMap = {
     .name = "occlusion",
-    .meaning = "the part of an even sky that the relief sees",
+    .meaning = "ambient occlusion: fraction of a uniform sky that is visible from the relief",
     .unit = "0 to 1",
     .channels = "Y",
     .png_filter = PngFilter::Up,

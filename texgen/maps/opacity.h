@@ -9,8 +9,8 @@ namespace foam::texgen {
 
 inline constexpr MapTraits kOpacityMap = {
     .name = "opacity",
-    .meaning = "what foam covers, albedo's alpha; all of a torus",
-    .unit = "part of the pixel, 0 to 1",
+    .meaning = "coverage by foam, the alpha channel of albedo; 1 everywhere on a torus",
+    .unit = "fraction of the pixel, 0 to 1",
     .channels = "Y",
     .smooth_distance = SmoothDistance::UsedByFilms};
 

@@ -92,32 +92,35 @@ Keys<PressureOptions> pressure_keys() {
         {{{"range", PressureScaling::Range},
           {"percentile", PressureScaling::Percentile},
           {"rank", PressureScaling::Rank}}}};
-    return {key("scaling",
-                kScalings,
-                "tones by a range of pressures, by the range of most bubbles of the first frame, "
-                "or by the share of its bubbles with a lower pressure",
-                &Options::scaling),
-            key("percentile",
-                Reals{0.0, 49.0},
-                "of \"percentile\": percentage of the bubbles left out at either end",
-                &Options::percentile),
-            key("low", kPressures, "of \"range\": pressure of tone 0", &Options::low).below("high"),
-            key("high", kPressures, "of \"range\": pressure of tone 1; above low", &Options::high),
-            key("unit", kPressureUnits, "of low and high: as albedo.pressure_unit", &Options::unit),
-            key("exaggeration",
-                Reals{0.0, 1000.0},
-                "factor on what differs from the middle tone: a large one leaves only walls and "
-                "passages",
-                &Options::exaggeration),
-            key("colormap",
-                Words{colormaps_and_none()},
-                "colors of the tones; none leaves gray numbers",
-                &Options::colormap)};
+    return {
+        key("scaling",
+            kScalings,
+            "how pressures become tones: by a fixed range, by a percentile range of the first "
+            "frame, or by rank among the bubbles of the first frame",
+            &Options::scaling),
+        key("percentile",
+            Reals{0.0, 49.0},
+            "for \"percentile\": percentage of bubbles excluded at each end",
+            &Options::percentile),
+        key("low", kPressures, "for \"range\": pressure of tone 0", &Options::low).below("high"),
+        key("high", kPressures, "for \"range\": pressure of tone 1; above low", &Options::high),
+        key("unit",
+            kPressureUnits,
+            "unit of low and high, as albedo.pressure_unit",
+            &Options::unit),
+        key("exaggeration",
+            Reals{0.0, 1000.0},
+            "factor on the contrast around the middle tone; a large factor leaves only two tones",
+            &Options::exaggeration),
+        key("colormap",
+            Words{colormaps_and_none()},
+            "colors of the tones; none writes gray numbers",
+            &Options::colormap)};
 }
 
 MapImage draw_pressure(FrameLayers& layers, const PressureOptions& options) {
     if (!(options.low < options.high)) {
-        throw std::invalid_argument("the low end of the pressures must lie below the high end");
+        throw std::invalid_argument("the low end of the pressures must be below the high end");
     }
     const PerBubble<double> tones = tones_of(layers, options);
     if (options.colormap == "none") {

@@ -12,7 +12,7 @@ namespace foam::texgen {
 
 inline constexpr MapTraits kPressureMap = {
     .name = "pressure",
-    .meaning = "pressure of bubbles, scaled alike in all frames",
+    .meaning = "pressure of bubbles, with the same scale in all frames",
     .unit = "0 to 1",
     .channels = "Y",
     .png_bits = 16};

@@ -11,22 +11,22 @@ Keys<ReliefOptions> relief_keys() {
     constexpr Choices<ReliefProfile, 3> kProfiles = {{{{"dome", ReliefProfile::Dome},
                                                        {"ridge", ReliefProfile::Ridge},
                                                        {"wet", ReliefProfile::Wet}}}};
-    return {key("profile",
-                kProfiles,
-                "of height, normal, occlusion, curvature: domes, rounded ridges on films, or wet "
-                "films with the fillets of Plateau borders",
-                &Options::profile),
-            key("angle", Reals{1.0, 85.0}, "of domes at films, degrees", &Options::angle),
-            key("width",
-                Reals{0.001, 10.0},
-                "from a film to the foot of its ridge, or the radius of borders, in bubble "
-                "diameters",
-                &Options::width),
-            key("strength", Reals{0.0, 100.0}, "factor on heights", &Options::strength),
-            key("mean_bubble",
-                kMeanBubbles,
-                "whose diameter that is: of the seeded foam or of this frame",
-                &Options::mean_bubble)};
+    return {
+        key("profile",
+            kProfiles,
+            "shape of the surface of height, normal, occlusion, curvature and lit: domes, rounded "
+            "ridges on films, or wet films with Plateau borders",
+            &Options::profile),
+        key("angle", Reals{1.0, 85.0}, "slope of domes at films, degrees", &Options::angle),
+        key("width",
+            Reals{0.001, 10.0},
+            "width of a ridge from film to foot, or radius of Plateau borders, in bubble diameters",
+            &Options::width),
+        key("strength", Reals{0.0, 100.0}, "factor that scales all heights", &Options::strength),
+        key("mean_bubble",
+            kMeanBubbles,
+            "mean bubble whose diameter is the unit: of the seeded foam or of this frame",
+            &Options::mean_bubble)};
 }
 
 }  // namespace foam::texgen

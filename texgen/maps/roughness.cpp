@@ -15,13 +15,15 @@
 namespace foam::texgen {
 
 Keys<RoughnessOptions> roughness_keys() {
-    return {
-        key("cell", kFractions, "of bubbles; 0 is a mirror", &RoughnessOptions::cell),
-        key("film", kFractions, "of films, as wide as albedo.film_width", &RoughnessOptions::film),
-        key("variation",
-            kFractions,
-            "width of the range around roughness.cell that bubbles have",
-            &RoughnessOptions::variation)};
+    return {key("cell", kFractions, "roughness of bubbles; 0 is a mirror", &RoughnessOptions::cell),
+            key("film",
+                kFractions,
+                "roughness of films, whose width is albedo.film_width",
+                &RoughnessOptions::film),
+            key("variation",
+                kFractions,
+                "width of the range around roughness.cell in which bubbles vary",
+                &RoughnessOptions::variation)};
 }
 
 NumberPixels draw_roughness(FrameLayers& layers,

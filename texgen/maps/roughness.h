@@ -10,7 +10,7 @@ namespace foam::texgen {
 
 inline constexpr MapTraits kRoughnessMap = {
     .name = "roughness",
-    .meaning = "of a surface: bubbles are smoother than films, and differ a little",
+    .meaning = "surface roughness: bubbles are smoother than films and vary slightly",
     .unit = "0 to 1",
     .channels = "Y",
     .smooth_distance = SmoothDistance::UsedByFilms};

@@ -8,7 +8,7 @@ namespace foam::texgen {
 
 inline constexpr MapTraits kSidesMap = {.name = "sides",
                                         .meaning = "number of films around a bubble, exact",
-                                        .unit = "films; PNG: as it is",
+                                        .unit = "films; PNG: the number itself",
                                         .channels = "Y"};
 
 /// Draws the number of films around the bubble at the center of every pixel. Numbers are never

@@ -175,19 +175,19 @@ class FilmColors {
 Keys<ThinFilmOptions> thin_film_keys() {
     return {key("thickness",
                 Reals{0.0, 3000.0},
-                "of soap films in the middle of bubbles, nanometers",
+                "thickness of the soap film in the middle of a bubble, nanometers",
                 &ThinFilmOptions::thickness),
             key("variation",
                 Reals{0.0, 2.0},
-                "by so much of it bubbles differ at most",
+                "range of the thickness among bubbles, as a fraction of the thickness",
                 &ThinFilmOptions::variation),
             key("drainage",
                 Reals{0.0, 10.0},
-                "by so much of it a film is thicker at the rim of its bubble",
+                "added thickness at the rim of a bubble, as a fraction of the thickness",
                 &ThinFilmOptions::drainage),
             key("exposure",
                 Reals{0.0, 100.0},
-                "factor on the light, of which a soap film reflects 8 % at most",
+                "factor on the reflected light; a soap film reflects at most 8 % of the light",
                 &ThinFilmOptions::exposure)};
 }
 
