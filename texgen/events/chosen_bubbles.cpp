@@ -98,13 +98,13 @@ void check_choice(const EventCheck& check, bool may_choose_all) {
         (event.bubbles.empty() ? 0 : 1) + (event.at ? 1 : 0) + (event.sides.empty() ? 0 : 1);
     check.require(ways <= 1,
                   event.sides.empty() ? "at" : "sides",
-                  "bubbles are chosen by one of bubble, at, sides");
+                  "only one of bubble, at and sides may be given");
     check.require(may_choose_all || ways == 1,
                   "kind",
-                  "the event must choose bubbles by bubble, at or sides");
+                  "the event must have one of the keys bubble, at and sides, which choose bubbles");
     check.require(!check.is_given("count") || !event.sides.empty(),
                   "count",
-                  "counts bubbles that are chosen by sides");
+                  "only allowed together with sides");
 }
 
 }  // namespace foam::texgen

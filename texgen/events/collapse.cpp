@@ -14,7 +14,7 @@ Keys<CollapseOptions> collapse_keys() {
         {{{"at-once", EventOrder::AtOnce}, {"in-turn", EventOrder::InTurn}}}};
     return {key("order",
                 kOrders,
-                "whether several bubbles collapse together or one after the other, in equal parts "
+                "several bubbles collapse at the same time, or one after the other in equal parts "
                 "of the frames",
                 &CollapseOptions::order)};
 }
@@ -26,7 +26,10 @@ void check_collapse(const EventCheck& check, const CollapseOptions& options) {
     check.require(
         options.order == EventOrder::AtOnce || bubbles <= frames,
         "order",
-        fmt::format("{} bubbles in turn need as many frames, there are {}", bubbles, frames));
+        fmt::format(
+            "{} bubbles that collapse in turn need at least as many frames; the event has {}",
+            bubbles,
+            frames));
 }
 
 void advance_collapse(const EventBase& event, const CollapseOptions& options, EventStage& stage) {

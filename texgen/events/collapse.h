@@ -10,8 +10,8 @@ namespace foam::texgen {
 inline constexpr EventTraits kCollapseEvent = {
     .name = "collapse",
     .meaning =
-        "bubbles shrink to nothing, `at-once` or `in-turn`; all others share their gas in "
-        "proportion",
+        "bubbles shrink and vanish, `at-once` or `in-turn`; the others take up their gas in "
+        "proportion to their areas",
     .takes_bubbles = true,
     .takes_position = true,
     .takes_count = true};

@@ -12,17 +12,20 @@ Keys<DriveOptions> drive_keys() {
     constexpr Choices<Phases> kPhases = {{{{"same", Phases::Same}, {"random", Phases::Random}}}};
     return {key("scale",
                 Reals{0.01, 100.0},
-                "factor of the target area, reached evenly at the last frame",
+                "factor on the target area, reached linearly at the last frame",
                 &Options::scale),
             key("amplitude",
                 Reals{0.0, 0.9},
-                "of a swing of the target area, a part of it",
+                "amplitude of the oscillation of the target area, as a fraction of it",
                 &Options::amplitude),
-            key("period", Reals{1.0, 1e5}, "frames of a swing", &Options::period),
-            key("phase", Reals{-1.0, 1.0}, "of the swing at the start, in turns", &Options::phase),
+            key("period", Reals{1.0, 1e5}, "frames per oscillation", &Options::period),
+            key("phase",
+                Reals{-1.0, 1.0},
+                "phase of the oscillation at its start, in cycles",
+                &Options::phase),
             key("phases",
                 kPhases,
-                "whether all bubbles swing together or each from a random phase",
+                "all bubbles oscillate in phase, or each with a random phase",
                 &Options::phases)};
 }
 

@@ -10,8 +10,8 @@ namespace foam::texgen {
 inline constexpr EventTraits kDriveEvent = {
     .name = "drive",
     .meaning =
-        "the area of bubbles follows a ramp (`scale`) and a swing (`amplitude`, `period`, "
-        "`phase`)",
+        "the target area of bubbles follows a ramp (`scale`) and an oscillation (`amplitude`, "
+        "`period`, `phase`)",
     .takes_bubbles = true,
     .takes_position = true,
     .takes_count = true};

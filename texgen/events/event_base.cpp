@@ -38,7 +38,7 @@ struct FrameSpans {
     Integers frame{2, kLastEventFrame};
 
     std::string allowed() const {
-        return fmt::format("[first, last], each {}, in this order", frame.allowed());
+        return fmt::format("[first, last], each {}, first not above last", frame.allowed());
     }
     std::string schema() const { return list_schema(frame.schema(), 2, 2); }
     bool read(const Value& value, FrameSpan& member) const {
@@ -63,7 +63,7 @@ struct Times {
     Reals time{0.0, 1e12};
 
     std::string allowed() const {
-        return fmt::format("{}, or [from, to] of such, in this order", time.allowed());
+        return fmt::format("{}, or [from, to] with from not above to", time.allowed());
     }
     std::string schema() const {
         return either_schema(time.schema(), list_schema(time.schema(), 2, 2));
@@ -132,18 +132,22 @@ Keys<EventBase> time_keys() {
     const auto forget_time = [](EventBase& event) { event.time.reset(); };
     const auto forget_frames = [](EventBase& event) { event.frames = {}; };
     return {
-        replacing(key("frame", SingleFrames{}, "the frame that shows it done", &EventBase::frames),
+        replacing(key("frame",
+                      SingleFrames{},
+                      "frame at which the event is complete",
+                      &EventBase::frames),
                   forget_time),
         replacing(key("frames",
                       FrameSpans{},
-                      "instead of frame: it goes on from the first of these frames to the last",
+                      "instead of frame: first and last frame of the event",
                       &EventBase::frames),
                   forget_time),
-        replacing(key("time",
-                      Maybe<Times>{},
-                      "instead of frames: the foam time at which it happens, or from and to when",
-                      &EventBase::time),
-                  forget_frames)};
+        replacing(
+            key("time",
+                Maybe<Times>{},
+                "instead of frames: foam time at which the event is complete, or its start and end",
+                &EventBase::time),
+            forget_frames)};
 }
 
 Keys<EventBase> choice_keys(const std::vector<EventTraits>& kinds) {
@@ -158,21 +162,21 @@ Keys<EventBase> choice_keys(const std::vector<EventTraits>& kinds) {
                      &Traits::takes_position,
                      key("at",
                          Maybe<Points>{{{0.0, 1.0}}},
-                         "the bubble, junction or film at this place, in parts of the image from "
-                         "its lower left; where there is no foam nothing happens",
+                         "position of the bubble, junction or film, in fractions of the image from "
+                         "its lower left corner; without foam there, nothing happens",
                          &EventBase::at)),
             taken_by(kinds,
                      &Traits::takes_bubbles,
                      key("sides",
                          IntegerLists{{2, 100}},
-                         "the smallest bubbles of so many sides when it begins; of several numbers "
-                         "each in turn",
+                         "number of sides: chooses the smallest bubbles with so many sides when "
+                         "the event begins; several numbers take turns",
                          &EventBase::sides)),
             taken_by(kinds,
                      &Traits::takes_count,
                      key("count",
                          Integers{1, kMaxBubbles},
-                         "how many bubbles of so many sides, or how many new ones",
+                         "number of bubbles that sides chooses, or number of new bubbles",
                          &EventBase::count))};
 }
 

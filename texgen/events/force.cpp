@@ -11,24 +11,26 @@ namespace foam::texgen {
 Keys<ForceOptions> force_keys() {
     return {key("radius",
                 Reals{0.1, 500.0},
-                "of the part that is pushed, in foam units; at most half of a torus' shorter side",
+                "radius of the region that is pushed, in foam units; at most half of the shorter "
+                "side of a torus",
                 &ForceOptions::radius),
             key("push",
                 Points{{-100.0, 100.0}},
-                "how far its middle is moved, in foam units, in all; then the foam settles, and "
-                "only what has swapped neighbors stays changed",
+                "total displacement of its center, in foam units; afterwards the foam relaxes, and "
+                "only swaps of neighbors remain",
                 &ForceOptions::push)};
 }
 
 void check_force(const EventCheck& check, const ForceOptions& options) {
-    check.require(check.event.at.has_value(), "kind", "the event must have a place, at");
+    check.require(check.event.at.has_value(), "kind", "the event must have a position, at");
     const double largest = 0.5 * check.setting.shorter_side;
-    check.require(check.setting.is_patch || options.radius <= largest,
-                  "radius",
-                  check.about("radius",
-                              " ",
-                              fmt::format("must be at most half of the torus' shorter side, {:.3g}",
-                                          largest)));
+    check.require(
+        check.setting.is_patch || options.radius <= largest,
+        "radius",
+        check.about(
+            "radius",
+            " ",
+            fmt::format("must be at most {:.3g}, half of the shorter side of the torus", largest)));
 }
 
 void advance_force(const EventBase& event, const ForceOptions& options, EventStage& stage) {

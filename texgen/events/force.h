@@ -9,12 +9,11 @@
 
 namespace foam::texgen {
 
-inline constexpr EventTraits kForceEvent = {
-    .name = "force",
-    .meaning =
-        "junctions around a place are pushed; the foam settles, and what has swapped "
-        "neighbors stays",
-    .takes_position = true};
+inline constexpr EventTraits kForceEvent = {.name = "force",
+                                            .meaning =
+                                                "junctions around a position are pushed; the foam "
+                                                "relaxes, and only swaps of neighbors remain",
+                                            .takes_position = true};
 
 struct ForceOptions {
     double radius = 2.0;                   // foam units

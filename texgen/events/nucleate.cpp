@@ -14,7 +14,7 @@ Keys<NucleateOptions> nucleate_keys() {
         {{{"junction", NucleationSite::Junction}, {"film", NucleationSite::Film}}}};
     return {key("on",
                 kSites,
-                "where a new bubble begins: three-sided at a junction, two-sided on a film",
+                "origin of a new bubble: a junction (three sides) or a film (two sides)",
                 &Options::on),
             key("area",
                 Reals{0.0002, 100.0},
@@ -22,8 +22,8 @@ Keys<NucleateOptions> nucleate_keys() {
                 &Options::area),
             key("growth",
                 Integers{1, kLastEventFrame},
-                "frames in which a new bubble grows to its area; several begin evenly over the "
-                "event's frames",
+                "number of frames in which a new bubble grows to its area; several bubbles start "
+                "evenly over the frames of the event",
                 &Options::growth)};
 }
 
@@ -36,7 +36,7 @@ void check_nucleate(const EventCheck& check, const NucleateOptions& options) {
                       : fmt::format("must be below {}.area = {}", check.name, options.area));
     check.require(!check.event.at || check.event.count == 1,
                   "count",
-                  "must be 1 where the event has a place");
+                  "must be 1 if the event has a position, at");
 }
 
 void advance_nucleate(const EventBase& event, const NucleateOptions& options, EventStage& stage) {

@@ -8,13 +8,12 @@
 
 namespace foam::texgen {
 
-inline constexpr EventTraits kNucleateEvent = {
-    .name = "nucleate",
-    .meaning =
-        "`count` new bubbles of an `area` begin on a junction or a film, evenly over the "
-        "frames",
-    .takes_position = true,
-    .takes_count = true};
+inline constexpr EventTraits kNucleateEvent = {.name = "nucleate",
+                                               .meaning =
+                                                   "`count` new bubbles of a given `area` appear "
+                                                   "on junctions or films, evenly over the frames",
+                                               .takes_position = true,
+                                               .takes_count = true};
 
 struct NucleateOptions {
     NucleationSite on = NucleationSite::Junction;

@@ -9,8 +9,8 @@ namespace foam::texgen {
 Keys<ShearOptions> shear_keys() {
     return {key("strain",
                 Reals{-100.0, 100.0},
-                "how far the foam is sheared, evenly over the frames: the shift along x over the "
-                "height; images of a sheared foam tile in rows that are shifted as far",
+                "shear strain, shift along x / height, applied evenly over the frames; images of a "
+                "sheared foam tile in rows with the same shift",
                 &ShearOptions::strain)};
 }
 

@@ -10,8 +10,8 @@ namespace foam::texgen {
 inline constexpr EventTraits kShearEvent = {
     .name = "shear",
     .meaning =
-        "the whole foam flows along x by a `strain`; after a whole width over the height "
-        "its images tile again"};
+        "the whole foam is sheared along x by a `strain`; its images tile again when the shift is "
+        "a whole width"};
 
 struct ShearOptions {
     double strain = 1.0;  // over all frames together

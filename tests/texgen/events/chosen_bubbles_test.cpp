@@ -56,13 +56,15 @@ TEST(ChosenBubbles, AreChosenInOneWay) {
     };
     EventBase event;
     EXPECT_EQ(message(event, true), "accepted");
-    EXPECT_EQ(message(event, false), "kind: the event must choose bubbles by bubble, at or sides");
+    EXPECT_EQ(
+        message(event, false),
+        "kind: the event must have one of the keys bubble, at and sides, which choose bubbles");
     event.bubbles = {3};
     EXPECT_EQ(message(event, false), "accepted");
     event.at = {0.0, 0.0};
-    EXPECT_EQ(message(event, false), "at: bubbles are chosen by one of bubble, at, sides");
+    EXPECT_EQ(message(event, false), "at: only one of bubble, at and sides may be given");
     event.sides = {5};
-    EXPECT_EQ(message(event, false), "sides: bubbles are chosen by one of bubble, at, sides");
+    EXPECT_EQ(message(event, false), "sides: only one of bubble, at and sides may be given");
 }
 
 }  // namespace

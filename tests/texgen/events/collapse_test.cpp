@@ -49,10 +49,12 @@ TEST(Collapse, InTurnBubblesShareTheFrames) {
 TEST(Collapse, InTurnEveryBubbleNeedsAFrame) {
     const CollapseOptions in_turn{.order = EventOrder::InTurn};
     EXPECT_EQ(test::checked(collapse_of({1, 2, 3}, {2, 4}), in_turn, check_collapse), "accepted");
-    EXPECT_EQ(test::checked(collapse_of({1, 2, 3}, {2, 3}), in_turn, check_collapse),
-              "order: 3 bubbles in turn need as many frames, there are 2");
-    EXPECT_EQ(test::checked(collapse_of({}, {2, 3}), CollapseOptions{}, check_collapse),
-              "kind: the event must choose bubbles by bubble, at or sides");
+    EXPECT_EQ(
+        test::checked(collapse_of({1, 2, 3}, {2, 3}), in_turn, check_collapse),
+        "order: 3 bubbles that collapse in turn need at least as many frames; the event has 2");
+    EXPECT_EQ(
+        test::checked(collapse_of({}, {2, 3}), CollapseOptions{}, check_collapse),
+        "kind: the event must have one of the keys bubble, at and sides, which choose bubbles");
 }
 
 TEST(Collapse, ChoicesHaveTheirWords) {

@@ -43,9 +43,9 @@ TEST(Force, FitsTheTorus) {
     const ForceOptions large{.radius = 2.1};
     EXPECT_EQ(test::checked(event, ForceOptions{.radius = 2.0}, check_force, torus), "accepted");
     EXPECT_EQ(test::checked(event, large, check_force, torus),
-              "radius: must be at most half of the torus' shorter side, 2");
+              "radius: must be at most 2, half of the shorter side of the torus");
     EXPECT_EQ(test::checked(event, large, check_force, torus, false),
-              "radius: event[1].radius must be at most half of the torus' shorter side, 2");
+              "radius: event[1].radius must be at most 2, half of the shorter side of the torus");
     EXPECT_EQ(test::checked(event, large, check_force, patch), "accepted");
 }
 
@@ -53,7 +53,7 @@ TEST(Force, NeedsAPosition) {
     EventBase event = force_at(0.0, 0.0);
     event.at.reset();
     EXPECT_EQ(test::checked(event, ForceOptions{}, check_force),
-              "kind: the event must have a place, at");
+              "kind: the event must have a position, at");
 }
 
 TEST(Force, LimitsHoldOnBothSides) {
