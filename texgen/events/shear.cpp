@@ -15,9 +15,10 @@ Keys<ShearOptions> shear_keys() {
 }
 
 void check_shear(const EventCheck& check, const ShearOptions& /*options*/) {
-    check.require(!check.setting.is_patch,
-                  "kind",
-                  check.about("kind", " = ", "\"shear\" is only for foam.domain = \"torus\""));
+    check.require(
+        !check.setting.is_patch,
+        "kind",
+        check.about("kind", " = ", "\"shear\" is only allowed with foam.domain = \"torus\""));
 }
 
 void advance_shear(const EventBase& event, const ShearOptions& options, EventStage& stage) {

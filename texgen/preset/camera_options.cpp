@@ -9,18 +9,19 @@ namespace foam::texgen {
 Keys<CameraOptions> camera_keys() {
     return {key("zoom",
                 Reals{0.01, 1000.0},
-                "1 fits the patch of the first frame into the image; larger is closer",
+                "magnification; 1 fits the patch of the first frame into the image",
                 &CameraOptions::zoom)
                 .only_for("foam.domain", {"patch"}),
             key("center",
                 Points{{-10.0, 10.0}},
-                "what comes to the middle: a place in the image of zoom 1, in parts of it from "
-                "its lower left",
+                "position in the image at zoom 1 that becomes the center, in fractions of the "
+                "image from its lower left corner",
                 &CameraOptions::center)
                 .only_for("foam.domain", {"patch"}),
             key("margin",
                 Reals{0.0, 0.45},
-                "left free around the patch at zoom 1, in parts of the image's shorter side",
+                "free margin around the patch at zoom 1, as a fraction of the shorter side of the "
+                "image",
                 &CameraOptions::margin)
                 .only_for("foam.domain", {"patch"})};
 }

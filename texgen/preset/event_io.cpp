@@ -102,7 +102,8 @@ void check_keys_of_kind(const EventCheck& check, const Event& event) {
         check.require(
             !is_set || !key.condition || key.condition->allows(event.kind),
             key.path,
-            fmt::format("no key of kind \"{}\", which takes {}", event.kind, keys_of(event.kind)));
+            fmt::format(
+                "not a key of kind \"{}\"; must be one of {}", event.kind, keys_of(event.kind)));
     }
 }
 
@@ -111,10 +112,10 @@ void check_frames(const EventCheck& check) {
                      (check.is_given("time") ? 1 : 0);
     check.require(ways <= 1,
                   check.is_given("frames") ? "frames" : "time",
-                  "one of frame, frames and time says when");
+                  "only one of frame, frames and time may be given");
     check.require(check.event.frames.first != 0 || check.event.time,
                   "kind",
-                  "the event must have a frame, frames or a time");
+                  "the event must have one of the keys frame, frames and time");
 }
 
 EventSetting setting_of(const Preset& preset) {
@@ -151,7 +152,8 @@ void check_event(EventCheck check, const Event& event, const Preset& preset) {
     check.require(
         frames.has_value(),
         "time",
-        fmt::format("must come before frame {}, as frames.time_step has it", kLastEventFrame));
+        fmt::format("must be before frame {}; frames.time_step decides which frame shows a time",
+                    kLastEventFrame));
     check.frames = *frames;
     find_event_kind(event.kind).check(check, event);
 }
@@ -166,14 +168,16 @@ void assign_event(Preset& preset, const Assignment& assignment) {
     const EventPath path = parse_path(assignment.key);
     const bool is_table = std::holds_alternative<Value::Table>(assignment.value.data);
     if (path.number == 0) {
-        reject(assignment, "events are tables of a list: each begins with [[event]]");
+        reject(assignment,
+               "an event must be a table in an array of tables, which begins with [[event]]");
     }
     if (path.name.empty() && is_table && path.number == preset.events.size() + 1) {
         preset.events.emplace_back();
         return;
     }
     if (path.number > preset.events.size()) {
-        reject(assignment, fmt::format("there are {} events", preset.events.size()));
+        reject(assignment,
+               fmt::format("event does not exist; the preset has {} events", preset.events.size()));
     }
     const Key<Event>* key = find_key(event_keys(), path.name);
     if (key == nullptr) {
@@ -206,7 +210,7 @@ std::string events_to_toml(const Preset& preset) {
 std::string describe_event_keys() {
     std::string text = "[[event]]\n";
     for (const KeyInfo& key : event_keys()) {
-        text += describe(key) + fmt::format("    of {}\n", kinds_of(key));
+        text += describe(key) + fmt::format("    for kinds: {}\n", kinds_of(key));
     }
     return text;
 }

@@ -33,7 +33,7 @@ bool is_outline(const std::string& text) {
 // The kind of values of foam.outline: "disc", "rectangle", or a polygon as WKT.
 struct Outlines {
     std::string allowed() const {
-        return "\"disc\", \"rectangle\", or a polygon that does not cross itself as WKT, "
+        return "\"disc\", \"rectangle\", or a polygon in WKT that does not cross itself, "
                "\"POLYGON((x y, ...), (x y of a hole, ...))\"";
     }
     std::string schema() const {
@@ -61,17 +61,17 @@ Keys<FoamShape> shape_keys() {
         {{{"torus", FoamKind::Torus}, {"patch", FoamKind::Patch}}}};
     return {key("domain",
                 kKinds,
-                "a torus, which tiles, or a patch with a free surface, on a transparent ground",
+                "a torus, which tiles, or a patch with a free surface on a transparent background",
                 &FoamShape::kind),
             key("outline",
                 Outlines{},
-                "where a patch is seeded, scaled to an area of one per bubble; it then finds "
-                "its own shape",
+                "initial outline of a patch, scaled to an area of one per bubble; its equilibrium "
+                "has another shape",
                 &FoamShape::outline)
                 .only_for("foam.domain", {"patch"}),
             key("outline_aspect",
                 Reals{1.0 / 16.0, 16.0},
-                "stretches the outline in x: width over height of a disc or a rectangle",
+                "stretches the outline in x; for a disc or a rectangle, width / height",
                 &FoamShape::outline_aspect)
                 .only_for("foam.domain", {"patch"})};
 }

@@ -40,10 +40,10 @@ struct Sizes {
 }  // namespace
 
 Keys<ImageOptions> image_keys() {
-    return {key_by<ImageOptions>("size", Sizes{}, "pixels", std::identity()),
+    return {key_by<ImageOptions>("size", Sizes{}, "image size in pixels", std::identity()),
             key("maps",
                 WordLists{map_names()},
-                "the images drawn of every frame",
+                "maps that are drawn of every frame",
                 &ImageOptions::maps)};
 }
 

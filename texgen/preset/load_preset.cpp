@@ -90,7 +90,8 @@ class Loader {
         const Document other = find_extended(*name, extends, document);
         if (std::find(sources_.begin(), sources_.end(), other.source) != sources_.end()) {
             reject(extends,
-                   fmt::format("a circle: {} -> {}", fmt::join(sources_, " -> "), other.source));
+                   fmt::format(
+                       "circular extends: {} -> {}", fmt::join(sources_, " -> "), other.source));
         }
         return load(other);
     }

@@ -19,13 +19,15 @@ void check_torus(const Preset& preset, std::span<const Assignment> assignments) 
         return;
     }
     if (loop.kind == LoopKind::Shear || loop.kind == LoopKind::Drift) {
-        reject_last(
-            assignments, {"loop.kind", "foam.domain"}, "a patch has no torus to shear or travel");
+        reject_last(assignments,
+                    {"loop.kind", "foam.domain"},
+                    "the loops \"shear\" and \"drift\" need foam.domain = \"torus\"");
     }
     if (loop.kind == LoopKind::Flow) {
         reject_last(assignments,
                     {"loop.kind", "foam.domain"},
-                    "a patch loses its gas, and so has no steady state to flow in");
+                    "the loop \"flow\" needs foam.domain = \"torus\": a patch loses gas and has no "
+                    "steady state");
     }
 }
 
@@ -33,13 +35,15 @@ void check_drift(const Preset& preset, std::span<const Assignment> assignments) 
     const LoopOptions& loop = preset.loop;
     const bool drifts = loop.drift != std::array{0, 0};
     if (loop.kind == LoopKind::Drift && !drifts) {
-        reject_last(
-            assignments, {"loop.kind", "loop.drift"}, "loop.drift says how far: [0, 1] is one up");
+        reject_last(assignments,
+                    {"loop.kind", "loop.drift"},
+                    "the loop \"drift\" needs loop.drift, such as [0, 1] for one image up");
     }
     if (drifts && !loop.closes_itself() && !loop.is_cross_faded()) {
         reject_last(assignments,
                     {"loop.drift", "loop.kind"},
-                    "loop.drift is for loop.kind \"drift\", \"breathe\", \"shear\" and \"flow\"");
+                    "loop.drift is only allowed with loop.kind = \"drift\", \"breathe\", \"shear\" "
+                    "or \"flow\"");
     }
 }
 
@@ -48,14 +52,18 @@ void check_frames(const Preset& preset, std::span<const Assignment> assignments)
     if (is_pingpong && (preset.frames.count < 2 || preset.frames.count % 2 != 0)) {
         reject_last(assignments,
                     {"frames.count", "loop.kind"},
-                    "of a pingpong, frames.count must be even: both ends are shown once");
+                    "the loop \"pingpong\" needs an even frames.count: both ends are shown once");
     }
     if (!is_pingpong && preset.frames.first == FirstFrame::Diagram) {
         reject_last(
-            assignments, {"frames.first", "loop.kind"}, "a loop has no frame of the diagram");
+            assignments,
+            {"frames.first", "loop.kind"},
+            "frames.first = \"diagram\" is only allowed with loop.kind = \"none\" or \"pingpong\"");
     }
     if (!is_pingpong && !preset.events.empty()) {
-        reject_last(assignments, {"loop.kind"}, "but for a pingpong, a loop has no events");
+        reject_last(assignments,
+                    {"loop.kind"},
+                    "events are only allowed with loop.kind = \"none\" or \"pingpong\"");
     }
 }
 
@@ -67,12 +75,13 @@ void check_flow(const Preset& preset, std::span<const Assignment> assignments) {
     if (preset.frames.time_step == 0.0) {
         reject_last(assignments,
                     {"frames.time_step", "loop.kind"},
-                    "of a flow, frames.time_step must be above 0: bubbles vanish as gas diffuses");
+                    "the loop \"flow\" needs frames.time_step above 0: bubbles vanish because gas "
+                    "diffuses");
     }
     if (preset.frames.step_growth != 1.0) {
         reject_last(assignments,
                     {"frames.step_growth", "loop.kind"},
-                    "of a flow, frames.step_growth must be 1: it is as fast at all times");
+                    "the loop \"flow\" needs frames.step_growth = 1: its speed is constant");
     }
 }
 
@@ -87,7 +96,9 @@ void check_loop(const Preset& preset, std::span<const Assignment> assignments) {
     check_frames(preset, assignments);
     check_flow(preset, assignments);
     if (preset.loop.kind == LoopKind::Shear && preset.loop.amplitude > kLargestStrain) {
-        reject_last(assignments, {"loop.amplitude", "loop.kind"}, "of a shear, at most 0.4");
+        reject_last(assignments,
+                    {"loop.amplitude", "loop.kind"},
+                    "must be at most 0.4 with loop.kind = \"shear\"");
     }
 }
 

@@ -18,20 +18,20 @@ Keys<OutputOptions> file_keys() {
                                                          {"none", Compression::None}}}};
     return {key("pattern",
                 Text{},
-                "file names: {preset} and {map} are filled in, #### is the frame, and the suffix "
-                "decides the format; an EXR without {map} holds all maps",
+                "file names: {preset} and {map} are replaced, #### is the frame number, and the "
+                "suffix decides the format; an EXR without {map} has all maps as layers",
                 &Options::pattern),
             key("texts",
                 kTexts,
-                "whether files tell of their version, seed and preset",
+                "whether files contain the program version, seed and preset as text",
                 &Options::texts),
             key("frames_per_second",
                 Integers{1, 1000},
-                "what EXR says of the speed",
+                "frame rate of the animation, which EXR files store",
                 &Options::frames_per_second),
             key("png_compression",
                 kCompressions,
-                "of PNG; small takes ten times as long for a tenth less",
+                "compression of PNG files; small takes ten times as long and saves a tenth",
                 &Options::png_compression)};
 }
 
@@ -47,19 +47,19 @@ Keys<OutputOptions> exr_keys() {
         {{{"rows", ExrLayout::Rows}, {"mip-levels", ExrLayout::MipLevels}}}};
     return {key("exr_compression",
                 kCompressions,
-                "of EXR; all of these keep every bit",
+                "compression of EXR files; all choices are lossless",
                 &Options::exr_compression),
             key("exr_level",
                 Integers{1, 9},
-                "how hard zip and zips try; 1 is fast, 9 small",
+                "compression level of zip and zips; 1 is fastest, 9 is smallest",
                 &Options::exr_level),
             key("exr_numbers",
                 kNumbers,
-                "what EXR stores numbers as; half holds up to 65504, to 11 bits",
+                "type of numbers in EXR files; half has 11 bits of precision, up to 65504",
                 &Options::exr_numbers),
             key("exr_layout",
                 kLayouts,
-                "rows, or tiles of 64 x 64 in mip levels",
+                "layout of EXR files: rows, or tiles of 64 x 64 pixels with mip levels",
                 &Options::exr_layout)};
 }
 

@@ -93,7 +93,7 @@ void check_conditions(const Preset& preset, std::span<const Assignment> assignme
     for (const Key<Preset>& key : preset_keys()) {
         if (key.condition && !holds(*key.condition, preset) && !key.is_default(preset)) {
             reject(blamed(assignments, key.path, key.condition->key),
-                   fmt::format("{} is only for {} = \"{}\"",
+                   fmt::format("{} is only allowed with {} = \"{}\"",
                                key.path,
                                key.condition->key,
                                fmt::join(key.condition->values, "\" or \"")));
@@ -143,7 +143,8 @@ void check_aspect(const Preset& preset, std::span<const Assignment> assignments)
     if (longer > kLargestAspect * shorter) {
         reject_last(assignments,
                     {"image.size"},
-                    fmt::format("one side must be at most {} times the other", kLargestAspect));
+                    fmt::format("the longer side must be at most {} times the shorter side",
+                                kLargestAspect));
     }
 }
 
@@ -200,16 +201,17 @@ std::string describe_table(std::string_view table) {
         if (key.table() == table) {
             text += text.empty() ? fmt::format("[{}]\n", table) : "";
             text += describe(key);
-            text += key.condition
-                        ? fmt::format("    of a {}\n", fmt::join(key.condition->values, ", "))
-                        : "";
+            text += key.condition ? fmt::format("    only with {} = \"{}\"\n",
+                                                key.condition->key,
+                                                fmt::join(key.condition->values, "\" or \""))
+                                  : "";
         }
     }
     if (text.empty()) {
         const std::vector<std::string_view> tables = preset_tables();
         const std::string_view meant = nearest(table, tables);
         throw PresetError(
-            fmt::format("there is no table [{}]; {}",
+            fmt::format("unknown table [{}]; {}",
                         table,
                         meant.empty() ? fmt::format("must be one of {}", fmt::join(tables, ", "))
                                       : fmt::format("did you mean [{}]?", meant)));

@@ -17,26 +17,28 @@ constexpr std::int64_t kLargestSeed = std::numeric_limits<std::int64_t>::max();
 
 Keys<SeedingOptions> seeding_keys() {
     using Options = SeedingOptions;
-    return {key("bubbles",
-                Integers{4, 1'000'000},
-                "bubbles of the seeded foam, whose mean area is 1; of a patch about so many",
-                &Options::bubbles),
-            key("seed",
-                Integers{0, kLargestSeed},
-                "another seed, another foam of the same kind",
-                &Options::seed),
-            key("lloyd",
-                Integers{0, 1000},
-                "rounds of Lloyd relaxation: 0 is wild, 10 and more nearly regular",
-                &Options::lloyd_iterations),
-            key("area_ratio",
-                Reals{.low = 1.0, .high = 100.0, .or_zero = true},
-                "largest over smallest bubble area; 0 leaves the areas as they fall",
-                &Options::area_ratio),
-            key("surface_tension",
-                Reals{1e-6, 1e3},
-                "gamma; a film pulls with twice this",
-                &Options::surface_tension)};
+    return {
+        key("bubbles",
+            Integers{4, 1'000'000},
+            "number of bubbles of the seeded foam, whose mean area is 1; approximate for a patch",
+            &Options::bubbles),
+        key("seed",
+            Integers{0, kLargestSeed},
+            "seed of the random numbers; each seed gives a different foam of the same kind",
+            &Options::seed),
+        key("lloyd",
+            Integers{0, 1000},
+            "rounds of Lloyd relaxation: 0 is irregular, 10 and more is nearly regular",
+            &Options::lloyd_iterations),
+        key("area_ratio",
+            Reals{.low = 1.0, .high = 100.0, .or_zero = true},
+            "ratio of the largest to the smallest bubble area; 0 keeps the areas of the random "
+            "diagram",
+            &Options::area_ratio),
+        key("surface_tension",
+            Reals{1e-6, 1e3},
+            "surface tension gamma; the tension of a film is twice this",
+            &Options::surface_tension)};
 }
 
 Keys<SolverOptions> solver_keys() {
@@ -46,31 +48,31 @@ Keys<SolverOptions> solver_keys() {
           {"gauss-seidel-colored", Solver::ColoredGaussSeidel}}}};
     return {key("solver",
                 kSolvers,
-                "what finds equilibrium: Newton's method, or the paper's own, in turn or on all "
-                "threads, hundreds of times slower",
+                "solver of the equilibrium: Newton's method, or the solver of the paper, "
+                "sequential or on all threads, which is hundreds of times slower",
                 &SolverOptions::solver),
             key("tolerance",
                 Reals{1e-9, 1e-2},
-                "largest error of areas, relative, and of angles, in radians; 1e-4 for "
-                "gauss-seidel",
+                "largest relative error of areas and largest error of angles, in radians; use 1e-4 "
+                "for gauss-seidel",
                 &SolverOptions::tolerance)};
 }
 
 Keys<CoarseningOptions> coarsening_keys() {
     return {key("kappa",
                 Reals{0.0, 1000.0},
-                "diffusion: dA/dt = (2 pi / 3) surface_tension kappa (sides - 6)",
+                "diffusion constant: dA/dt = (2 pi / 3) surface_tension kappa (sides - 6)",
                 &CoarseningOptions::kappa)};
 }
 
 Keys<TopologyThresholds> threshold_keys() {
     return {key("t1_distance",
                 Reals{0.001, 0.25},
-                "a film shorter than this may swap neighbors, in foam units",
+                "length below which a film may swap neighbors, in foam units",
                 &TopologyThresholds::t1_distance),
             key("t2_area",
                 Reals{0.0001, 0.25},
-                "a three-sided bubble no larger than this vanishes, in foam units",
+                "area at or below which a three-sided bubble vanishes, in foam units",
                 &TopologyThresholds::t2_area)};
 }
 

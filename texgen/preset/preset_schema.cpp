@@ -76,7 +76,7 @@ Json events_schema() {
         kinds.push_back(event_schema(kind));
     }
     return {{"type", "array"},
-            {"description", "what happens to the foam, and when; in any order"},
+            {"description", "events that change the foam, in any order"},
             {"items", {{"anyOf", kinds}}}};
 }
 
@@ -89,7 +89,8 @@ std::string preset_schema() {
     tables["extends"] = {
         {"type", "string"},
         {"minLength", 1},
-        {"description", "a shipped preset or a file beside this one, whose keys this one changes"}};
+        {"description",
+         "shipped preset, or file relative to this one, whose keys this preset changes"}};
     for (const KeyInfo& key : preset_keys()) {
         const std::string table(key.table());
         if (!tables.contains(table)) {

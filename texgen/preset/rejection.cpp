@@ -52,7 +52,7 @@ void reject_unknown(const Assignment& assignment, std::string_view meant) {
     reject(assignment,
            fmt::format("unknown {}; {}",
                        table ? "table" : "key",
-                       meant.empty() ? "'foamtex presets keys' lists all there are"
+                       meant.empty() ? "'foamtex presets keys' lists all keys"
                                      : fmt::format("did you mean '{}'?", meant)));
 }
 

@@ -22,7 +22,7 @@ std::string unknown_preset(std::string_view name) {
     const std::string_view meant = nearest(name, names);
     return fmt::format("preset '{}': must be a .toml file or a name; {}",
                        name,
-                       meant.empty() ? "'foamtex presets' lists all there are"
+                       meant.empty() ? "'foamtex presets' lists all presets"
                                      : fmt::format("did you mean '{}'?", meant));
 }
 

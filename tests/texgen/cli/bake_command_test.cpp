@@ -40,8 +40,8 @@ TEST(BakeCommand, BakesAndMeasuresAPatch) {
     EXPECT_GE(measured.written.size(), 3U);
     expect_rejected("bake soap_raft --set foam.outline=egg",
                     "--set foam.outline=egg: key 'foam.outline' = \"egg\": must be \"disc\", "
-                    "\"rectangle\", or a polygon that does not cross itself as WKT, "
-                    "\"POLYGON((x y, ...), (x y of a hole, ...))\"");
+                    "\"rectangle\", or a polygon in WKT that does not cross itself, \"POLYGON((x "
+                    "y, ...), (x y of a hole, ...))\"");
 }
 
 TEST(BakeCommand, QuietSaysNothingAndVerboseALinePerFrame) {

@@ -36,7 +36,7 @@ TEST(PresetsCommand, PrintsOneTableOfKeys) {
     EXPECT_EQ(loop.out.rfind("[loop]\n", 0), 0U);
     EXPECT_EQ(loop.out.find("[image]"), std::string::npos);
     EXPECT_EQ(run_program("presets keys event").out.rfind("[[event]]\n", 0), 0U);
-    expect_rejected("presets keys lop", "there is no table [lop]; did you mean [loop]?");
+    expect_rejected("presets keys lop", "unknown table [lop]; did you mean [loop]?");
 }
 
 TEST(PresetsCommand, PrintsJson) {

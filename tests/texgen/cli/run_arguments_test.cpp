@@ -20,8 +20,7 @@ TEST(RunArguments, ABadPresetIsOneLineAndCode2) {
     expect_rejected("bake none.toml", "cannot read 'none.toml': No such file or directory");
     expect_rejected(
         "bake marzipan",
-        "preset 'marzipan': must be a .toml file or a name; 'foamtex presets' lists all "
-        "there are");
+        "preset 'marzipan': must be a .toml file or a name; 'foamtex presets' lists all presets");
     expect_rejected("bake sea_foam --set foam.bubbles=-3",
                     "--set foam.bubbles=-3: key 'foam.bubbles' = -3: "
                     "must be an integer from 4 to 1000000");

@@ -85,11 +85,12 @@ TEST(EventIo, AnUnknownKeySuggestsTheNearest) {
               "a.toml:3: key 'event[2].frmaes' = [2, 3]: unknown key; did you mean 'frames'?");
     EXPECT_EQ(failure("[[event]]\nwhatever = 2\n"),
               "a.toml:2: key 'event[1].whatever' = 2: unknown key; "
-              "'foamtex presets keys' lists all there are");
+              "'foamtex presets keys' lists all keys");
 }
 
 TEST(EventIo, AnEventMustBeATableOfAList) {
-    const std::string reason = "events are tables of a list: each begins with [[event]]";
+    const std::string reason =
+        "an event must be a table in an array of tables, which begins with [[event]]";
     EXPECT_EQ(failure("[event]\nkind = \"drive\"\n"), "a.toml:1: key 'event' = {...}: " + reason);
     EXPECT_EQ(failure("event = 3\n"), "a.toml:1: key 'event' = 3: " + reason);
     EXPECT_EQ(failure("event = []\n"), "a.toml:1: key 'event' = []: " + reason);
@@ -98,11 +99,12 @@ TEST(EventIo, AnEventMustBeATableOfAList) {
 TEST(EventIo, AnEventNeedsAKindAndFrames) {
     EXPECT_EQ(failure("[foam]\n[[event]]\n"),
               "a.toml:2: key 'event[1]' = {...}: the event must have a kind, " + allowed_kinds());
-    EXPECT_EQ(
-        failure("[[event]]\nkind = \"drive\"\nscale = 2\n"),
-        "a.toml:2: key 'event[1].kind' = \"drive\": the event must have a frame, frames or a time");
+    EXPECT_EQ(failure("[[event]]\nkind = \"drive\"\nscale = 2\n"),
+              "a.toml:2: key 'event[1].kind' = \"drive\": the event must have one of the keys "
+              "frame, frames and time");
     EXPECT_EQ(failure("[[event]]\nkind = \"drive\"\nframe = 3\nframes = [3, 4]\n"),
-              "a.toml:4: key 'event[1].frames' = [3, 4]: one of frame, frames and time says when");
+              "a.toml:4: key 'event[1].frames' = [3, 4]: only one of frame, frames and time may be "
+              "given");
 }
 
 TEST(EventIo, ATimeStandsForFrames) {
@@ -113,10 +115,10 @@ TEST(EventIo, ATimeStandsForFrames) {
               "a.toml:3: key 'event[1].time' = [4, 3]: must be a number from 0 to 1000000000000, "
               "or [from, to] with from not above to");
     EXPECT_EQ(failure(toml + "3\nframe = 4\n"),
-              "a.toml:3: key 'event[1].time' = 3: one of frame, frames and time says when");
+              "a.toml:3: key 'event[1].time' = 3: only one of frame, frames and time may be given");
     EXPECT_EQ(failure(toml + "1e9\n"),
-              "a.toml:3: key 'event[1].time' = 1000000000.0: must come before frame 100000, as "
-              "frames.time_step has it");
+              "a.toml:3: key 'event[1].time' = 1000000000.0: must be before frame 100000; "
+              "frames.time_step decides which frame shows a time");
 }
 
 // What is said last holds, as with every other key.
@@ -139,13 +141,14 @@ TEST(EventIo, WhatNoLongerFitsAnEventIsToBlame) {
                                      read_set_argument("output.pattern=b.png")});
               }),
               "--set foam.domain=patch: key 'foam.domain' = \"patch\": event[1].kind = "
-              "\"shear\" is only for foam.domain = \"torus\"");
+              "\"shear\" is only allowed with foam.domain = \"torus\"");
 }
 
 TEST(EventIo, AKeyOfAnotherKindIsRefused) {
-    EXPECT_EQ(failure("[[event]]\narea = 0.5\nkind = \"collapse\"\nframe = 3\nbubble = 4\n"),
-              "a.toml:2: key 'event[1].area' = 0.5: no key of kind \"collapse\", which takes kind, "
-              "frame, frames, time, bubble, at, sides, count, order");
+    EXPECT_EQ(
+        failure("[[event]]\narea = 0.5\nkind = \"collapse\"\nframe = 3\nbubble = 4\n"),
+        "a.toml:2: key 'event[1].area' = 0.5: not a key of kind \"collapse\"; must be one of kind, "
+        "frame, frames, time, bubble, at, sides, count, order");
     EXPECT_EQ(failure("[[event]]\nkind = \"nucleate\"\nframe = 3\nbubble = 4\n")
                   .find("a.toml:4: key 'event[1].bubble' = 4: no key of kind \"nucleate\""),
               0U);
@@ -212,7 +215,8 @@ TEST(EventIo, SetChangesAnEventThatIsThere) {
     assign(preset, std::vector{read_set_argument("event[1].frames=[7, 9]")});
     EXPECT_EQ(preset.events[0].frames, (FrameSpan{7, 9}));
     EXPECT_EQ(failure(toml, {"event[2].frame=4"}),
-              "--set event[2].frame=4: key 'event[2].frame' = 4: there are 1 events");
+              "--set event[2].frame=4: key 'event[2].frame' = 4: event does not exist; the preset "
+              "has 1 events");
     EXPECT_EQ(failure(toml, {"event[1].kind=nucleate"})
                   .find("--set event[1].kind=nucleate: key 'event[1].kind' = \"nucleate\": "
                         "no key of kind \"nucleate\""),
@@ -247,12 +251,11 @@ TEST(EventIo, TheReferenceHasMeaningAndLimitsOfEveryKey) {
 TEST(EventIo, APatchIsNotSheared) {
     const std::string shear = "[[event]]\nkind = \"shear\"\nframe = 5\n";
     EXPECT_EQ(failure("[foam]\ndomain = \"patch\"\n" + shear),
-              "a.toml:4: key 'event[1].kind' = \"shear\": \"shear\" is only for foam.domain = "
-              "\"torus\"");
-    EXPECT_EQ(
-        failure(shear, {"foam.domain=patch"}),
-        "--set foam.domain=patch: key 'foam.domain' = \"patch\": event[1].kind = \"shear\" is "
-        "only for foam.domain = \"torus\"");
+              "a.toml:4: key 'event[1].kind' = \"shear\": \"shear\" is only allowed with "
+              "foam.domain = \"torus\"");
+    EXPECT_EQ(failure(shear, {"foam.domain=patch"}),
+              "--set foam.domain=patch: key 'foam.domain' = \"patch\": event[1].kind = \"shear\" "
+              "is only allowed with foam.domain = \"torus\"");
 }
 
 TEST(EventIo, APushOfAPatchMayBeOfAnySize) {

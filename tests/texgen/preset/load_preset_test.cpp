@@ -38,8 +38,7 @@ TEST(ShippedPresets, OfAnUnknownNameTheNearestIsSuggested) {
               "preset 'sea_form': must be a .toml file or a name; did you mean 'sea_foam'?");
     EXPECT_EQ(
         failure("marzipan"),
-        "preset 'marzipan': must be a .toml file or a name; 'foamtex presets' lists all there "
-        "are");
+        "preset 'marzipan': must be a .toml file or a name; 'foamtex presets' lists all presets");
 }
 
 TEST(LoadPreset, APathIsAFileAndItsStemTheName) {
@@ -83,8 +82,8 @@ TEST(LoadPreset, ABadExtensionNamesTheLineThatSaysIt) {
     write_text(mine, "extends = 'yours.toml'\n");
     write_text(yours, "extends = 'mine.toml'\n");
     EXPECT_EQ(failure(mine),
-              yours + ":1: key 'extends' = \"mine.toml\": a circle: " + mine + " -> " + yours +
-                  " -> " + mine);
+              yours + ":1: key 'extends' = \"mine.toml\": circular extends: " + mine + " -> " +
+                  yours + " -> " + mine);
     write_text(mine, "extends = 'none.toml'\n");
     EXPECT_EQ(failure(mine),
               mine + ":1: key 'extends' = \"none.toml\": cannot read '" +

@@ -29,36 +29,37 @@ TEST(LoopCheck, LoopsThatCloseAreAccepted) {
 }
 
 TEST(LoopCheck, WhatCannotCloseIsRefused) {
-    EXPECT_EQ(
-        failure("[loop]\nkind = 'drift'\n"),
-        "test.toml:2: key 'loop.kind' = \"drift\": loop.drift says how far: [0, 1] is one up");
+    EXPECT_EQ(failure("[loop]\nkind = 'drift'\n"),
+              "test.toml:2: key 'loop.kind' = \"drift\": the loop \"drift\" needs loop.drift, such "
+              "as [0, 1] for one image up");
     EXPECT_EQ(failure("[loop]\ndrift = [0, 1]\n"),
-              "test.toml:2: key 'loop.drift' = [0, 1]: loop.drift is for loop.kind \"drift\", "
-              "\"breathe\", \"shear\" and \"flow\"");
+              "test.toml:2: key 'loop.drift' = [0, 1]: loop.drift is only allowed with loop.kind = "
+              "\"drift\", \"breathe\", \"shear\" or \"flow\"");
+    EXPECT_EQ(failure("[frames]\ncount = 25\n[loop]\nkind = 'pingpong'\n"),
+              "test.toml:4: key 'loop.kind' = \"pingpong\": the loop \"pingpong\" needs an even "
+              "frames.count: both ends are shown once");
     EXPECT_EQ(
-        failure("[frames]\ncount = 25\n[loop]\nkind = 'pingpong'\n"),
-        "test.toml:4: key 'loop.kind' = \"pingpong\": of a pingpong, frames.count must be even: "
-        "both ends are shown once");
-    EXPECT_EQ(failure("[loop]\nkind = 'shear'\namplitude = 0.5\n"),
-              "test.toml:3: key 'loop.amplitude' = 0.5: of a shear, at most 0.4");
+        failure("[loop]\nkind = 'shear'\namplitude = 0.5\n"),
+        "test.toml:3: key 'loop.amplitude' = 0.5: must be at most 0.4 with loop.kind = \"shear\"");
     EXPECT_EQ(failure("[foam]\ndomain = 'patch'\n[loop]\nkind = 'shear'\n"),
-              "test.toml:4: key 'loop.kind' = \"shear\": a patch has no torus to shear or travel");
+              "test.toml:4: key 'loop.kind' = \"shear\": the loops \"shear\" and \"drift\" need "
+              "foam.domain = \"torus\"");
     EXPECT_EQ(failure("[frames]\nfirst = 'diagram'\n[loop]\nkind = 'breathe'\n"),
-              "test.toml:4: key 'loop.kind' = \"breathe\": a loop has no frame of the diagram");
-    EXPECT_EQ(
-        failure("[loop]\nkind = 'breathe'\n[[event]]\nkind = 'collapse'\nsides = 5\n"
-                "frame = 3\n"),
-        "test.toml:2: key 'loop.kind' = \"breathe\": but for a pingpong, a loop has no events");
-    EXPECT_EQ(
-        failure("[foam]\ndomain = 'patch'\n[loop]\nkind = 'flow'\n"),
-        "test.toml:4: key 'loop.kind' = \"flow\": a patch loses its gas, and so has no steady "
-        "state to flow in");
+              "test.toml:4: key 'loop.kind' = \"breathe\": frames.first = \"diagram\" is only "
+              "allowed with loop.kind = \"none\" or \"pingpong\"");
+    EXPECT_EQ(failure("[loop]\nkind = 'breathe'\n[[event]]\nkind = 'collapse'\nsides = 5\n"
+                      "frame = 3\n"),
+              "test.toml:2: key 'loop.kind' = \"breathe\": events are only allowed with loop.kind "
+              "= \"none\" or \"pingpong\"");
+    EXPECT_EQ(failure("[foam]\ndomain = 'patch'\n[loop]\nkind = 'flow'\n"),
+              "test.toml:4: key 'loop.kind' = \"flow\": the loop \"flow\" needs foam.domain = "
+              "\"torus\": a patch loses gas and has no steady state");
     EXPECT_EQ(failure("[frames]\ntime_step = 0\n[loop]\nkind = 'flow'\n"),
-              "test.toml:4: key 'loop.kind' = \"flow\": of a flow, frames.time_step must be above "
-              "0: bubbles vanish as gas diffuses");
+              "test.toml:4: key 'loop.kind' = \"flow\": the loop \"flow\" needs frames.time_step "
+              "above 0: bubbles vanish because gas diffuses");
     EXPECT_EQ(failure("[loop]\nkind = 'flow'\n[frames]\nstep_growth = 1.1\n"),
-              "test.toml:4: key 'frames.step_growth' = 1.1: of a flow, frames.step_growth must be "
-              "1: it is as fast at all times");
+              "test.toml:4: key 'frames.step_growth' = 1.1: the loop \"flow\" needs "
+              "frames.step_growth = 1: its speed is constant");
     EXPECT_EQ(failure("[loop]\nkind = 'flow'\nfade = 0\n"),
               "test.toml:3: key 'loop.fade' = 0: must be a number from 0.01 to 1");
     EXPECT_EQ(failure("[loop]\ndrift = [0.5, 1]\n"),

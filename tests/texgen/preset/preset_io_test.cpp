@@ -64,13 +64,13 @@ TEST(PresetIo, AnUnknownKeySuggestsTheNearest) {
               "a.toml:1: key 'kappa' = 3: unknown key; did you mean 'dynamics.kappa'?");
     EXPECT_EQ(failure("[foam]\nzzzzzz = 3\n"),
               "a.toml:2: key 'foam.zzzzzz' = 3: unknown key; "
-              "'foamtex presets keys' lists all there are");
+              "'foamtex presets keys' lists all keys");
 }
 
 TEST(PresetIo, AnUnknownTableIsRefusedEvenEmpty) {
     EXPECT_EQ(failure("[foam]\n[beer]\n"),
               "a.toml:2: key 'beer' = {...}: unknown table; "
-              "'foamtex presets keys' lists all there are");
+              "'foamtex presets keys' lists all keys");
     EXPECT_EQ(failure("[foam]\n"), "no failure");
 }
 
@@ -90,7 +90,7 @@ TEST(PresetIo, RefusesAnImageMuchLongerThanWide) {
     EXPECT_EQ(set_failure({"image.size=[1024,64]"}), "no failure");
     EXPECT_EQ(set_failure({"image.size=[64,1025]"}),
               "--set image.size=[64,1025]: key 'image.size' = [64, 1025]: "
-              "one side must be at most 16 times the other");
+              "the longer side must be at most 16 times the shorter side");
 }
 
 TEST(PresetIo, ThePressureRangeIsCheckedOnceAllValuesAreIn) {
@@ -106,7 +106,7 @@ TEST(PresetIo, ThePressureRangeIsCheckedOnceAllValuesAreIn) {
 TEST(PresetIo, KeysOfTheOtherKindOfFoamAreRefused) {
     EXPECT_EQ(set_failure({"foam.outline=rectangle"}),
               "--set foam.outline=rectangle: key 'foam.outline' = \"rectangle\": "
-              "foam.outline is only for foam.domain = \"patch\"");
+              "foam.outline is only allowed with foam.domain = \"patch\"");
     EXPECT_EQ(set_failure({"foam.outline=rectangle", "foam.domain=patch"}), "no failure");
     EXPECT_EQ(set_failure({"foam.outline=disc"}), "no failure");
     EXPECT_NE(set_failure({"camera.zoom=2"}), "no failure");
@@ -118,7 +118,7 @@ TEST(PresetIo, AKindThatDoesNotFitTheRestIsToBlameItself) {
     EXPECT_EQ(test::rejection_of(
                   [&] { assign(preset, std::vector{read_set_argument("foam.domain=torus")}); }),
               "--set foam.domain=torus: key 'foam.domain' = \"torus\": "
-              "camera.zoom is only for foam.domain = \"patch\"");
+              "camera.zoom is only allowed with foam.domain = \"patch\"");
 }
 
 TEST(PresetIo, TheLaterAssignmentWins) {
@@ -163,7 +163,7 @@ TEST(PresetIo, TheReferenceHasDefaultMeaningAndLimitsOfEveryKey) {
     }
     EXPECT_NE(reference.find("[foam]\ndomain = \"torus\"\n"), std::string::npos);
     EXPECT_NE(reference.find("outline = \"disc\"\n"), std::string::npos);
-    EXPECT_NE(reference.find("    of a patch\n"), std::string::npos);
+    EXPECT_NE(reference.find("    only with foam.domain = \"patch\"\n"), std::string::npos);
 }
 
 }  // namespace

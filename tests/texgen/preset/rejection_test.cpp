@@ -42,7 +42,7 @@ TEST(Rejection, SuggestsTheKeyThatWasMeant) {
     EXPECT_EQ(test::rejection_of([] {
                   reject_unknown({"a", "beer", {Value::Table{}}}, "");
               }),
-              "a: key 'beer' = {...}: unknown table; 'foamtex presets keys' lists all there are");
+              "a: key 'beer' = {...}: unknown table; 'foamtex presets keys' lists all keys");
 }
 
 }  // namespace
