@@ -35,11 +35,11 @@ Foam seeded_foam(const Preset& preset) {
     try {
         return seed_patch(outline_of(preset.shape), patch_options_of(preset.seeding));
     } catch (const std::runtime_error& error) {
-        throw std::invalid_argument(
-            fmt::format("foam.outline: no {} bubbles can be seeded in it with foam.seed = {}: {}",
-                        preset.seeding.bubbles,
-                        preset.seeding.seed,
-                        error.what()));
+        throw std::invalid_argument(fmt::format(
+            "foam.outline: cannot seed {} bubbles in this outline with foam.seed = {}: {}",
+            preset.seeding.bubbles,
+            preset.seeding.seed,
+            error.what()));
     }
 }
 

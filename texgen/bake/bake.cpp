@@ -113,7 +113,8 @@ class FrameWriter {
 void check_bake(const Preset& preset, const BakeOptions& options) {
     if (options.frames.empty() ||
         *std::min_element(options.frames.begin(), options.frames.end()) < 1) {
-        throw std::invalid_argument("a bake needs frames, numbered from 1");
+        throw std::invalid_argument(
+            "at least one frame is needed, and frame numbers must be at least 1");
     }
     FilePattern(preset.output.pattern)
         .check_distinct(options.frames.size(), preset.image.maps.size());

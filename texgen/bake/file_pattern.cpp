@@ -72,7 +72,7 @@ FilePattern::Piece FilePattern::take_word(std::string_view& rest) const {
     if (word == "{map}") {
         return MapName{};
     }
-    reject(fmt::format("'{}' must be {{preset}} or {{map}}", word));
+    reject(fmt::format("unknown field '{}'; must be {{preset}} or {{map}}", word));
 }
 
 FilePattern::Piece FilePattern::take_format(std::string_view& rest) const {
@@ -83,7 +83,7 @@ FilePattern::Piece FilePattern::take_format(std::string_view& rest) const {
     const bool padded = format.size() == 4 && format[1] == '0' &&
                         std::isdigit(static_cast<unsigned char>(format[2])) != 0;
     if (!padded) {
-        reject("after '%' must stand d or a width as in %04d");
+        reject("'%' must be followed by d or a width and d, as in %04d");
     }
     return FrameNumber{format[2] - '0', std::string(format)};
 }
@@ -105,10 +105,11 @@ bool FilePattern::joins_maps() const {
 
 void FilePattern::check_distinct(std::size_t frames, std::size_t maps) const {
     if (frames > 1 && !has<FrameNumber>()) {
-        reject(fmt::format("must contain ####, @@@@ or %04d, to tell {} frames apart", frames));
+        reject(
+            fmt::format("must contain a frame number (####, @@@@ or %04d) for {} frames", frames));
     }
     if (maps > 1 && !has<MapName>() && !joins_maps()) {
-        reject(fmt::format("must contain {{map}}, to tell {} maps apart", maps));
+        reject(fmt::format("must contain {{map}} for {} maps", maps));
     }
 }
 

@@ -43,10 +43,12 @@ class Scanner {
         int value = 0;
         const auto [end, error] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), value);
         if (end == rest_.data() || rest_.front() == '-') {
-            reject(text_, "must be written as 5, 1-10, 1-10x2 or 1-10y3, with commas between");
+            reject(
+                text_,
+                "must be a list of ranges such as 5, 1-10, 1-10x2 or 1-10y3, separated by commas");
         }
         if (error != std::errc{} || value < 1 || value > kLastFrame) {
-            reject(text_, fmt::format("frames and steps go from 1 to {}", kLastFrame));
+            reject(text_, fmt::format("frames and steps must be from 1 to {}", kLastFrame));
         }
         rest_.remove_prefix(static_cast<std::size_t>(end - rest_.data()));
         return value;
@@ -106,10 +108,11 @@ std::vector<int> parse_frame_range(std::string_view text) {
         expand(scanner.range(), seen, frames);
     } while (scanner.take(','));
     if (!scanner.at_end()) {
-        reject(text, "must be written as 5, 1-10, 1-10x2 or 1-10y3, with commas between");
+        reject(text,
+               "must be a list of ranges such as 5, 1-10, 1-10x2 or 1-10y3, separated by commas");
     }
     if (frames.empty()) {
-        reject(text, "leaves no frame");
+        reject(text, "contains no frame");
     }
     return frames;
 }

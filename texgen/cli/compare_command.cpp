@@ -28,8 +28,8 @@ namespace {
 constexpr const char* kExamples = R"(Examples:
   foamtex compare golden.png out/sea_foam_albedo.0001.png
   foamtex compare 'old/a.####.exr' 'new/a.####.exr' --frames 1-48 --warn 1e-4 --fail 1e-3
-Samples of a PNG count from 0 to 1, those of an EXR as they are.
-Exit codes: 0 same, 1 warning, 2 failure, 3 other size or channels, 4 unreadable)";
+Samples of a PNG are compared as numbers from 0 to 1, samples of an EXR as stored.
+Exit codes: 0 same, 1 warning, 2 failure, 3 different size or channels, 4 unreadable)";
 
 struct CompareArguments {
     std::string a;
@@ -73,13 +73,14 @@ const char* word_of(Verdict verdict) {
 void print_line(const Paths& paths, const Comparison& found) {
     fmt::print("{}: {}", paths.second.string(), word_of(found.verdict));
     if (found.largest > 0.0) {
-        fmt::print(", largest {:.6g} in {} at {},{}, mean {:.3g}, {} samples beyond the limits",
-                   found.largest,
-                   found.channel,
-                   found.x,
-                   found.y,
-                   found.mean,
-                   std::max(found.warnings, found.failures));
+        fmt::print(
+            ", largest difference {:.6g} in {} at {},{}, mean {:.3g}, {} samples above the limits",
+            found.largest,
+            found.channel,
+            found.x,
+            found.y,
+            found.mean,
+            std::max(found.warnings, found.failures));
     }
     fmt::print("\n");
 }
@@ -135,23 +136,30 @@ void add_compare_command(CLI::App& app, Action& action) {
     command
         ->add_option("A",
                      arguments->a,
-                     "An image, " + format_suffixes() + ", or with --frames their pattern")
+                     "An image, " + format_suffixes() +
+                         ", or with --frames the file name pattern of a sequence")
         ->required()
         ->option_text(" ");
-    command->add_option("B", arguments->b, "What is compared with it")
+    command->add_option("B", arguments->b, "The image or sequence that is compared with A")
         ->required()
         ->option_text(" ");
-    command->add_option("--fail", arguments->limits.fail, "Fails beyond this difference (1e-6)")
+    command
+        ->add_option("--fail",
+                     arguments->limits.fail,
+                     "Difference above which the result is a failure (default 1e-6)")
         ->check(any_distance)
         ->option_text("T");
-    command->add_option("--warn", arguments->limits.warn, "Warns beyond this difference (1e-6)")
+    command
+        ->add_option("--warn",
+                     arguments->limits.warn,
+                     "Difference above which the result is a warning (default 1e-6)")
         ->check(any_distance)
         ->option_text("T");
-    add_frames_option(*command, arguments->frames, "Frames of the sequences, as 1-10x2");
-    command->add_option("--diff", arguments->difference, "A gray PNG of where they differ")
+    add_frames_option(*command, arguments->frames, "Frames of the sequences, such as 1-10x2");
+    command->add_option("--diff", arguments->difference, "Write the differences as a gray PNG")
         ->excludes("--frames")
         ->option_text("FILE");
-    add_quiet_option(*command, arguments->quiet, "Say nothing; only the exit code tells");
+    add_quiet_option(*command, arguments->quiet, "Print nothing; the exit code is the result");
     add_json_option(*command, arguments->json);
     command->footer(kExamples);
     command->callback(

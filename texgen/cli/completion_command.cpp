@@ -37,7 +37,7 @@ using Script = std::string (*)(const CommandGrammar& program, const CompletionWo
 
 void add_shell(
     CLI::App& completion, const char* shell, Script script, const CLI::App& app, Action& action) {
-    completion.add_subcommand(shell, fmt::format("For {}", shell))
+    completion.add_subcommand(shell, fmt::format("Script for {}", shell))
         ->callback([&action, &app, script] {
             action = [&app, script] {
                 fmt::print("{}", script(grammar_of(app), completion_words()));
@@ -49,7 +49,7 @@ void add_shell(
 }  // namespace
 
 void add_completion_command(CLI::App& app, Action& action) {
-    CLI::App* command = app.add_subcommand("completion", "Print a script that completes commands");
+    CLI::App* command = app.add_subcommand("completion", "Print a completion script for a shell");
     command->require_subcommand(1);
     command->footer(kExamples);
     add_shell(*command, "bash", bash_completion, app, action);

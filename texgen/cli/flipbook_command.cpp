@@ -25,7 +25,7 @@ namespace {
 
 constexpr const char* kExamples = R"(Examples:
   foamtex bake sea_foam --size 256 --maps albedo,normal
-  foamtex flipbook out                          a sheet of each map, and sea_foam_sheet.json
+  foamtex flipbook out                          one sheet per map, and sea_foam_sheet.json
   foamtex flipbook out --maps albedo --gutter 4 --columns 6
   foamtex flipbook out --strip --frames 1-48x2  for texture arrays
   foamtex flipbook out --out sheets             into another folder)";
@@ -48,8 +48,8 @@ struct FlipbookArguments {
 void warn_of_size(const SheetLayout& layout) {
     if (layout.width() > kLargestTexture || layout.height() > kLargestTexture) {
         fmt::print(stderr,
-                   "foamtex: warning: {} x {} pixels are more than the {} of a side that graphics "
-                   "hardware takes\n",
+                   "foamtex: warning: the sheet is {} x {} pixels; graphics hardware supports at "
+                   "most {} per side\n",
                    layout.width(),
                    layout.height(),
                    kLargestTexture);
@@ -88,31 +88,34 @@ ExitCode run_flipbook(const FlipbookArguments& arguments) {
 }
 
 void add_choices(CLI::App& command, FlipbookArguments& arguments) {
-    command.add_option("DIR", arguments.given, "A folder with a manifest.json, as bake leaves it")
+    command.add_option("DIR", arguments.given, "Folder with the manifest.json of a bake")
         ->required()
         ->option_text(" ");
     add_set_option(command, arguments.preset);
-    add_maps_option(command, arguments.maps, "Maps, with commas; all without it");
-    add_frames_option(command, arguments.frames, "As 1-48 or 1-48x2; all without it");
+    add_maps_option(command, arguments.maps, "Maps, separated by commas (default: all)");
+    add_frames_option(command, arguments.frames, "Frames, such as 1-48 or 1-48x2 (default: all)");
 }
 
 void add_layout(CLI::App& command, FlipbookArguments& arguments) {
-    CLI::Option* columns =
-        command.add_option("--columns", arguments.options.columns, "Near a square without it")
-            ->check(CLI::Range(1, kLastFrame))
-            ->option_text("N");
-    CLI::Option* gutter = command
-                              .add_option("--gutter",
-                                          arguments.options.gutter,
-                                          "Pixels around each frame: the tile goes on there")
-                              ->check(CLI::Range(0, kLargestGutter))
-                              ->option_text("PX");
-    command.add_flag("--strip", arguments.options.strip, "One column, for texture arrays")
+    CLI::Option* columns = command
+                               .add_option("--columns",
+                                           arguments.options.columns,
+                                           "Frames per row (default: a nearly square sheet)")
+                               ->check(CLI::Range(1, kLastFrame))
+                               ->option_text("N");
+    CLI::Option* gutter =
+        command
+            .add_option("--gutter",
+                        arguments.options.gutter,
+                        "Pixels around each frame, which continue its tile (default: 0)")
+            ->check(CLI::Range(0, kLargestGutter))
+            ->option_text("PX");
+    command.add_flag("--strip", arguments.options.strip, "Use one column, for texture arrays")
         ->excludes(columns)
         ->excludes(gutter)
         ->option_text(" ");
-    add_out_folder_option(command, arguments.out, "Where the sheets go; into DIR without it");
-    add_quiet_option(command, arguments.quiet, "Say nothing but errors (and --json)");
+    add_out_folder_option(command, arguments.out, "Folder for the sheets (default: DIR)");
+    add_quiet_option(command, arguments.quiet, "Print only errors (and --json)");
     add_json_option(command, arguments.json);
 }
 

@@ -29,7 +29,7 @@ FoamFormat format_of(const std::filesystem::path& path) {
     }
     if (extension != ".fe" && extension != ".dmp") {
         throw std::invalid_argument(fmt::format(
-            "'{}': the name of a foam has to end in .fe, .dmp or .json", path.string()));
+            "'{}': the name of a foam file must end in .fe, .dmp or .json", path.string()));
     }
     return FoamFormat::Evolver;
 }

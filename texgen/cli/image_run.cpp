@@ -62,17 +62,24 @@ std::filesystem::path statistics_folder(const Preset& preset, const FilePattern&
 }  // namespace
 
 void add_image_options(CLI::App& command, ImageArguments& arguments) {
-    add_maps_option(command, arguments.maps, "Maps to draw, with commas");
-    command.add_option("--normal-y", arguments.normal_y, "Green of normals: gl (up), dx (down)")
+    add_maps_option(command, arguments.maps, "Maps to draw, separated by commas");
+    command
+        .add_option(
+            "--normal-y", arguments.normal_y, "Direction of green in normals: gl (up) or dx (down)")
         ->option_text("gl|dx");
     command
         .add_option("--out",
                     arguments.out,
-                    "File names, " + format_suffixes() + "; {preset} {map} #### are filled in")
+                    "File names, " + format_suffixes() + "; {preset}, {map} and #### are replaced")
         ->option_text("PATTERN");
-    command.add_flag("--stats", arguments.stats, "Statistics too, in {preset}_stats beside")
+    command
+        .add_flag(
+            "--stats", arguments.stats, "Also write statistics to {preset}_stats beside the images")
         ->option_text(" ");
-    command.add_flag("--resume", arguments.resume, "Keep the frames that are there, if made alike")
+    command
+        .add_flag("--resume",
+                  arguments.resume,
+                  "Keep existing frames that were made with the same settings")
         ->option_text(" ");
     add_json_option(command, arguments.json);
 }

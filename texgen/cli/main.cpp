@@ -27,12 +27,12 @@ License: Apache-2.0. Presets, and the images that they make: CC0-1.0 (public dom
 
 constexpr const char* kFooter = R"(Examples:
   foamtex bake sea_foam                        48 frames of a tile into out/
-  foamtex presets show sea_foam > my.toml      a preset to start your own from
+  foamtex presets show sea_foam > my.toml      a starting point for a preset of your own
   foamtex bake my.toml --frames 1-120
 
 Exit codes: 0 success, 1 unexpected internal failure, 2 bad command line or preset,
-  3 the foam could not be brought to equilibrium, or its loop not be closed, 4 an input file
-  is unreadable or malformed, 5 an output could not be written, 6 verify: something does not hold)";
+  3 the foam did not reach equilibrium, or its loop does not close, 4 an input file
+  is unreadable or malformed, 5 an output could not be written, 6 a check of verify failed)";
 
 /// Prints a message on stderr as one line and returns the code. Newlines in the message become
 /// blanks.

@@ -17,9 +17,9 @@ namespace foam::texgen {
 namespace {
 
 constexpr const char* kNotes =
-    R"(Every map is written as {}, as the end of --out says. In a PNG colors are 8-bit sRGB,
-with an opacity in a patch; all else is data, 0 around a patch, where normals point up and occlusion
-is 1. Their options are keys of the preset: foamtex presets keys)";
+    R"(The suffix of --out decides whether maps are written as {}. In a PNG, colors are 8-bit sRGB,
+with an alpha channel for a patch. All other maps are data; around a patch they are 0, except that
+normals point up and occlusion is 1. The options of maps are keys of the preset: foamtex presets keys)";
 
 ExitCode list_maps() {
     std::size_t name_width = 0;
@@ -67,10 +67,10 @@ void add_maps_command(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand(
         "maps", "List the maps: name, channels, bits in a PNG, unit and range, meaning");
     const auto markdown = std::make_shared<bool>(false);
-    command->add_flag("--markdown", *markdown, "As a table in Markdown")->option_text(" ");
+    command->add_flag("--markdown", *markdown, "Print a table in Markdown")->option_text(" ");
     command->footer(fmt::format(kNotes, format_names()));
     const auto json = std::make_shared<bool>(false);
-    command->add_flag("--json", *json, "One JSON object with all maps")->option_text(" ");
+    command->add_flag("--json", *json, "Print one JSON object with all maps")->option_text(" ");
     command->callback([&action, markdown, json] {
         action = *json ? print_maps_as_json : *markdown ? print_markdown : list_maps;
     });

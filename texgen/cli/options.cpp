@@ -13,7 +13,7 @@ constexpr int kMaxThreads = 1024;
 }  // namespace
 
 void add_json_option(CLI::App& command, bool& json) {
-    command.add_flag("--json", json, "Print one JSON object of the results")->option_text(" ");
+    command.add_flag("--json", json, "Print the results as one JSON object")->option_text(" ");
 }
 
 CLI::Option* add_quiet_option(CLI::App& command, bool& quiet, const char* meaning) {
@@ -21,7 +21,9 @@ CLI::Option* add_quiet_option(CLI::App& command, bool& quiet, const char* meanin
 }
 
 void add_threads_option(CLI::App& command, int& threads) {
-    command.add_option("--threads", threads, "0: one per hardware thread (the default)")
+    command
+        .add_option(
+            "--threads", threads, "Number of threads; 0, the default, uses all hardware threads")
         ->check(CLI::Range(0, kMaxThreads))
         ->option_text("N");
 }
@@ -35,7 +37,8 @@ void add_maps_option(CLI::App& command, std::optional<std::string>& maps, const 
 }
 
 void add_set_option(CLI::App& command, std::string& preset) {
-    command.add_option("--preset", preset, "Which, where the folder has several sets")
+    command
+        .add_option("--preset", preset, "Preset to use if the folder has images of several presets")
         ->option_text("NAME");
 }
 

@@ -22,7 +22,7 @@ void add_json_option(CLI::App& command, bool& json);
 /// Adds -q, --quiet. `meaning` is its line in the help.
 CLI::Option* add_quiet_option(CLI::App& command,
                               bool& quiet,
-                              const char* meaning = "Say nothing but errors");
+                              const char* meaning = "Print only errors");
 
 /// Adds --threads, where 0 means one per hardware thread.
 void add_threads_option(CLI::App& command, int& threads);
@@ -30,7 +30,7 @@ void add_threads_option(CLI::App& command, int& threads);
 /// Adds --frames, a range in the notation of parse_frame_range.
 void add_frames_option(CLI::App& command,
                        std::optional<std::string>& frames,
-                       const char* meaning = "As 5, 1-10, 1-10x2, 1-10y3 or 1-3,7");
+                       const char* meaning = "Frames, such as 5, 1-10, 1-10x2, 1-10y3 or 1-3,7");
 
 /// Adds --maps, names separated by commas.
 void add_maps_option(CLI::App& command, std::optional<std::string>& maps, const char* meaning);

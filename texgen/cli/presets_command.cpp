@@ -64,21 +64,22 @@ ExitCode print_schema() {
 
 void add_list(CLI::App& presets, Action& action) {
     const auto json = std::make_shared<bool>(false);
-    presets.add_flag("--json", *json, "One JSON object with all presets")->option_text(" ");
+    presets.add_flag("--json", *json, "Print one JSON object with all presets")->option_text(" ");
     presets.preparse_callback([&action, json](std::size_t) {
         action = [json] { return *json ? print_presets_as_json() : list_presets(); };
     });
-    presets.add_subcommand("list", "The presets that are part of the program (the default)")
-        ->fallthrough();
+    presets.add_subcommand("list", "List the shipped presets (the default)")->fallthrough();
 }
 
 void add_keys(CLI::App& presets, Action& action) {
     CLI::App* keys = presets.add_subcommand(
-        "keys", "Every key a preset may set: default, meaning, allowed values");
+        "keys", "List the keys of presets: default, meaning, allowed values");
     const auto table = std::make_shared<std::string>();
     const auto schema = std::make_shared<bool>(false);
-    CLI::Option* name = keys->add_option("TABLE", *table, "One table alone, as foam or event");
-    keys->add_flag("--json-schema", *schema, "As a JSON Schema, by which editors complete presets")
+    CLI::Option* name =
+        keys->add_option("TABLE", *table, "Only the keys of one table, such as foam or event");
+    keys->add_flag(
+            "--json-schema", *schema, "Print a JSON Schema, with which editors complete presets")
         ->option_text(" ")
         ->excludes(name);
     keys->callback([&action, table, schema] {
@@ -94,7 +95,8 @@ void add_presets_command(CLI::App& app, Action& action) {
     add_list(*presets, action);
     add_keys(*presets, action);
 
-    CLI::App* show = presets->add_subcommand("show", "Print a preset, to start your own from");
+    CLI::App* show =
+        presets->add_subcommand("show", "Print a preset, as a starting point for your own");
     const auto name = std::make_shared<std::string>();
     show->add_option("NAME", *name, "Name of a shipped preset")->required();
     show->callback([&action, name] { action = [name] { return show_preset(*name); }; });

@@ -27,12 +27,12 @@ namespace foam::texgen {
 namespace {
 
 constexpr const char* kExamples = R"(Examples:
-  foamtex preview sea_foam                    bakes it, and shows what came out in out/
-  foamtex preview lava --size 512             the same faster, from smaller images
-  foamtex preview out                         of images that are there already
+  foamtex preview sea_foam                    bakes the preset and writes previews to out/
+  foamtex preview lava --size 512             faster, from smaller images
+  foamtex preview out                         of existing images
   foamtex preview labyrinth --frames 1 --as tiling --set pressure.exaggeration=4
   foamtex preview out --maps albedo,normal --as loop --width 256
-  foamtex preview out --as mp4,gif            by ffmpeg, where it is installed)";
+  foamtex preview out --as mp4,gif            with ffmpeg, if it is installed)";
 
 constexpr int kLargestLoop = 4096;
 
@@ -87,7 +87,8 @@ void print(const PreviewArguments& arguments, const Shown& shown, Json report) {
 ExitCode preview_folder(const PreviewArguments& arguments) {
     const std::filesystem::path folder = arguments.run.preset;
     if (!arguments.run.sets.empty() || arguments.run.size || arguments.run.seed) {
-        throw std::invalid_argument("--set, --size and --seed are for a preset, not for a folder");
+        throw std::invalid_argument(
+            "--set, --size and --seed are only allowed with a preset, not with a folder");
     }
     PreviewOptions options = options_of(arguments);
     const Manifest manifest = read_manifest(folder);
@@ -138,19 +139,24 @@ ExitCode run_preview(const PreviewArguments& arguments) {
 }
 
 void add_choices(CLI::App& command, PreviewArguments& arguments) {
-    command.get_option("PRESET")->description("A preset; or a folder that bake has left");
-    add_maps_option(command, arguments.maps, "Maps, with commas; one without it");
-    command.add_option("--as", arguments.kinds, "Any, with commas; the first three without it")
+    command.get_option("PRESET")->description(
+        "Name of a shipped preset, a .toml file, or a folder with baked images");
+    add_maps_option(command, arguments.maps, "Maps, separated by commas (default: the first one)");
+    command
+        .add_option("--as",
+                    arguments.kinds,
+                    "Kinds of previews, separated by commas (default: contact,tiling,loop)")
         ->delimiter(',')
         ->allow_extra_args(false)
         ->check(CLI::IsMember(std::vector<std::string>(kPreviewNames.begin(), kPreviewNames.end())))
         ->option_text("contact|tiling|loop|mp4|gif");
-    command.add_option("--width", arguments.size, "Of what moves, on its longer side: 384")
+    command
+        .add_option("--width", arguments.size, "Longer side of animations in pixels (default: 384)")
         ->check(CLI::Range(1, kLargestLoop))
         ->option_text("PX");
     add_set_option(command, arguments.which);
     add_out_folder_option(
-        command, arguments.out, "Into this folder; else out, or the folder given");
+        command, arguments.out, "Folder for the previews (default: out, or the given folder)");
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ namespace {
 constexpr const char* kExamples = R"(Examples:
   foamtex relax torus.fe -o relaxed.fe
   foamtex relax torus.fe -o state.json --json
-Files: .fe and .dmp are Surface Evolver's, .json is foamtex's own state of a foam.)";
+Files: .fe and .dmp are data files of Surface Evolver, .json is a foam state of foamtex.)";
 
 struct RelaxArguments {
     std::string in;
@@ -99,7 +99,7 @@ ExitCode run_relax(const RelaxArguments& arguments) {
     if (converged) {
         save_foam(arguments.out, loaded.foam);
     } else {
-        fmt::print(stderr, "foamtex: {}: the foam found no equilibrium\n", arguments.in);
+        fmt::print(stderr, "foamtex: {}: the foam did not reach equilibrium\n", arguments.in);
     }
     if (arguments.json) {
         print_report(report);
@@ -112,18 +112,19 @@ ExitCode run_relax(const RelaxArguments& arguments) {
 }  // namespace
 
 void add_relax_command(CLI::App& app, Action& action) {
-    CLI::App* command =
-        app.add_subcommand("relax", "Bring the foam of a file to mechanical equilibrium");
+    CLI::App* command = app.add_subcommand("relax", "Compute the equilibrium of a foam in a file");
     const auto arguments = std::make_shared<RelaxArguments>();
-    command->add_option("IN", arguments->in, "The foam: a .fe, .dmp or .json file")
+    command->add_option("IN", arguments->in, "File of the foam: .fe, .dmp or .json")
         ->required()
         ->option_text(" ");
-    command->add_option("-o,--out", arguments->out, "Where its equilibrium goes, as such a file")
+    command
+        ->add_option(
+            "-o,--out", arguments->out, "File for the foam in equilibrium: .fe, .dmp or .json")
         ->required()
         ->option_text("OUT");
     add_threads_option(*command, arguments->threads);
     add_json_option(*command, arguments->json);
-    add_quiet_option(*command, arguments->quiet, "Say nothing but errors (and --json)");
+    add_quiet_option(*command, arguments->quiet, "Print only errors (and --json)");
     command->footer(kExamples);
     command->callback(
         [&action, arguments] { action = [arguments] { return run_relax(*arguments); }; });

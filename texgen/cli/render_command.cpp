@@ -17,8 +17,8 @@ namespace {
 constexpr const char* kExamples = R"(Examples:
   foamtex render foam --frames 1-100x2
   foamtex render foam --size 4096 --maps albedo,height,normal --out 'out/{map}.####.exr'
-Frames have the pixels of a bake, to the last bit. Keys of image, output and maps may be set, and
-the camera of a patch; a torus keeps its shape.)";
+Frames are identical to those of a bake. Keys of image, output and maps can be set, and those of
+the camera of a patch; the aspect ratio of a torus is fixed.)";
 
 struct RenderArguments {
     RunArguments run;
@@ -40,9 +40,9 @@ ExitCode run_render(const RenderArguments& arguments) {
 }  // namespace
 
 void add_render_command(CLI::App& app, Action& action) {
-    CLI::App* command = app.add_subcommand("render", "Draw frames of states that were kept");
+    CLI::App* command = app.add_subcommand("render", "Draw frames from simulated states");
     const auto arguments = std::make_shared<RenderArguments>();
-    command->add_option("CACHE", arguments->run.preset, "Folder that simulate has filled")
+    command->add_option("CACHE", arguments->run.preset, "Folder that simulate has written")
         ->required()
         ->option_text(" ");
     add_frame_options(*command, arguments->run);

@@ -22,7 +22,8 @@ void note_missing_charts(const StatisticsFiles& statistics) {
     }
     const bool missing = statistics.charts == ChartStatus::NoGnuplot;
     fmt::print(stderr,
-               "foamtex: note: charts are drawn by gnuplot, which {}; in '{}', run: gnuplot {}\n",
+               "foamtex: note: charts are missing, because gnuplot {}; to draw them, run in '{}': "
+               "gnuplot {}\n",
                missing ? "is not installed" : "failed",
                statistics.paths.front().parent_path().string(),
                kChartsScriptName);
@@ -31,17 +32,18 @@ void note_missing_charts(const StatisticsFiles& statistics) {
 ExitCode report_failure(const RunOutcome& outcome) {
     if (outcome.status == RunStatus::OpenLoop) {
         const double error = *outcome.closing_error;
-        const std::string apart = std::isfinite(error)
-                                      ? fmt::format("lie {:.2g} mean diameters elsewhere", error)
-                                      : "have other neighbors";
-        fmt::print(
-            stderr,
-            "foamtex: the loop does not close: bubbles at the end of its last cycle {} than at "
-            "its start; take a smaller loop.amplitude, or more loop.cycles\n",
-            apart);
+        const std::string apart =
+            std::isfinite(error)
+                ? fmt::format("are {:.2g} mean diameters away from those at its start", error)
+                : "have different neighbors than at its start";
+        fmt::print(stderr,
+                   "foamtex: the loop does not close: bubbles at the end of its last cycle {}; "
+                   "use a smaller loop.amplitude or more loop.cycles\n",
+                   apart);
     } else {
-        fmt::print(
-            stderr, "foamtex: frame {}: the foam found no equilibrium\n", outcome.failed_frame);
+        fmt::print(stderr,
+                   "foamtex: frame {}: the foam did not reach equilibrium\n",
+                   outcome.failed_frame);
     }
     return ExitCode::NoEquilibrium;
 }

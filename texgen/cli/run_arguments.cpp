@@ -59,11 +59,15 @@ void add_preset_options(CLI::App& command, RunArguments& arguments) {
         ->required()
         ->option_text(" ");
     add_frame_options(command, arguments);
-    command.add_option("--seed", arguments.seed, "Another foam of the same kind")->option_text("N");
+    command
+        .add_option("--seed",
+                    arguments.seed,
+                    "Seed of the random numbers, for a different foam of the same kind")
+        ->option_text("N");
 }
 
 void add_frame_options(CLI::App& command, RunArguments& arguments) {
-    command.add_option("--set", arguments.sets, "Change one key of the preset; may be repeated")
+    command.add_option("--set", arguments.sets, "Set one key of the preset; may be repeated")
         ->allow_extra_args(false)
         ->option_text("KEY=VALUE");
     add_frames_option(command, arguments.frames);
@@ -73,7 +77,7 @@ void add_frame_options(CLI::App& command, RunArguments& arguments) {
 void add_run_options(CLI::App& command, RunArguments& arguments) {
     add_threads_option(command, arguments.threads);
     CLI::Option* const quiet = add_quiet_option(command, arguments.quiet);
-    command.add_flag("-v,--verbose", arguments.verbose, "Say a line per frame")
+    command.add_flag("-v,--verbose", arguments.verbose, "Print one line per frame")
         ->excludes(quiet)
         ->option_text(" ");
 }

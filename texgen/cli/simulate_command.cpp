@@ -23,7 +23,7 @@ constexpr const char* kExamples = R"(Examples:
   foamtex render foam --frames 1-24 --size 2048
   foamtex render foam --frames 25-48 --size 2048      on another machine, at the same time
   foamtex stats foam
-Only the foam is computed: what decides pixels alone may be chosen at each render.)";
+Only the foam is simulated; keys that affect only images can be changed at each render.)";
 
 struct SimulateArguments {
     RunArguments run;
@@ -57,10 +57,11 @@ ExitCode run_simulate(const SimulateArguments& arguments) {
 }  // namespace
 
 void add_simulate_command(CLI::App& app, Action& action) {
-    CLI::App* command = app.add_subcommand("simulate", "Keep the states of a preset's foam");
+    CLI::App* command =
+        app.add_subcommand("simulate", "Simulate the foam of a preset and store its states");
     const auto arguments = std::make_shared<SimulateArguments>();
     add_preset_options(*command, arguments->run);
-    command->add_option("--cache", arguments->cache, "Folder of the states")
+    command->add_option("--cache", arguments->cache, "Folder for the states")
         ->required()
         ->option_text("DIR");
     add_json_option(*command, arguments->json);

@@ -27,8 +27,8 @@ constexpr const char* kExamples = R"(Examples:
   foamtex stats coarsening
   foamtex stats sea_foam --frames 1-200 --seed 7 --out sea_stats
   foamtex stats my.toml --set foam.bubbles=2000
-  foamtex stats foam                     a cache that simulate has filled
-A torus has the shape of the image; its size in pixels does not matter.)";
+  foamtex stats foam                     a folder that simulate has written
+A torus has the aspect ratio of the image; the image size in pixels does not matter.)";
 
 struct StatsArguments {
     RunArguments run;
@@ -85,8 +85,7 @@ void add_stats_command(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<StatsArguments>();
     add_preset_options(*command, arguments->run);
     command
-        ->add_option(
-            "--out", arguments->out, "Folder of the files; out/{preset}_stats if not given")
+        ->add_option("--out", arguments->out, "Folder for the files (default: out/{preset}_stats)")
         ->option_text("DIR");
     add_json_option(*command, arguments->json);
     add_run_options(*command, arguments->run);

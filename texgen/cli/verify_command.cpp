@@ -17,7 +17,7 @@ namespace {
 constexpr const char* kExamples = R"(Examples:
   foamtex verify out
   foamtex verify out --json > report.json
-Checks what the manifest says: every file has the pixels that were baked, images of a torus tile,
+Checks against the manifest that every file has the pixels that were baked, images of a torus tile,
 and the last frame of a loop leads into the first.
 Exit codes: 0 all checks passed, 6 a check failed, 4 the manifest cannot be read)";
 
@@ -43,11 +43,11 @@ void add_verify_command(CLI::App& app, Action& action) {
     CLI::App* command =
         app.add_subcommand("verify", "Check baked images: pixels, tiling, the loop");
     const auto arguments = std::make_shared<VerifyArguments>();
-    command->add_option("DIR", arguments->path, "The folder with manifest.json, or the file")
+    command->add_option("DIR", arguments->path, "Folder with a manifest.json, or the file itself")
         ->required()
         ->option_text(" ");
     add_json_option(*command, arguments->json);
-    add_quiet_option(*command, arguments->quiet, "Say nothing; only the exit code tells");
+    add_quiet_option(*command, arguments->quiet, "Print nothing; the exit code is the result");
     command->footer(kExamples);
     command->callback(
         [&action, arguments] { action = [arguments] { return run_verify(*arguments); }; });

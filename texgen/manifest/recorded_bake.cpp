@@ -94,7 +94,8 @@ class ManifestWriter {
 std::string failure_of(const RunOutcome& outcome) {
     switch (outcome.status) {
         case RunStatus::NoEquilibrium:
-            return fmt::format("frame {}: the foam found no equilibrium", outcome.failed_frame);
+            return fmt::format("frame {}: the foam did not reach equilibrium",
+                               outcome.failed_frame);
         case RunStatus::OpenLoop:
             return "the loop does not close";
         case RunStatus::Complete:

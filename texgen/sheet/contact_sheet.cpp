@@ -34,7 +34,7 @@ void copy(const Image<std::uint8_t>& from, ImageView<std::uint8_t> to, int left,
 
 Image<std::uint8_t> contact_sheet(std::span<const Thumbnail> thumbnails) {
     if (thumbnails.empty()) {
-        throw std::invalid_argument("a contact sheet needs frames");
+        throw std::invalid_argument("a contact sheet needs at least one frame");
     }
     const Image<std::uint8_t>& first = thumbnails.front().pixels;
     const auto count = static_cast<int>(thumbnails.size());

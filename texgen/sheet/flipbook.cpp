@@ -28,7 +28,7 @@ std::vector<std::string> maps_of(const BakedSet& set, const FlipbookOptions& opt
 
 SheetLayout layout_of(const BakedSet& set, const FlipbookOptions& options, std::size_t frames) {
     if (options.strip && (options.gutter != 0 || options.columns > 1)) {
-        throw std::invalid_argument("a strip has one column and no gutter");
+        throw std::invalid_argument("a strip must have one column and no gutter");
     }
     SheetLayout layout{.frames = static_cast<int>(frames),
                        .frame_width = set.width,

@@ -39,12 +39,13 @@ void check_layout(const SheetLayout& layout) {
         std::min({layout.frames, layout.columns, layout.frame_width, layout.frame_height});
     if (least < 1 || layout.gutter < 0) {
         throw std::invalid_argument(
-            "a sheet needs frames of at least a pixel, columns, and a gutter of 0 or more");
+            "a sheet needs at least one frame, one column and one pixel per frame, and a gutter of "
+            "0 or more");
     }
     constexpr std::int64_t kLargest = std::numeric_limits<std::int32_t>::max();
     if (layout.gutter > kLargest / 4 || layout.width() > kLargest || layout.height() > kLargest) {
         throw std::invalid_argument(
-            fmt::format("a sheet of {} x {} pixels is larger than a file allows",
+            fmt::format("a sheet of {} x {} pixels is too large for an image file",
                         layout.width(),
                         layout.height()));
     }

@@ -33,7 +33,7 @@ Picture read_map_frame(const MapFile& file, std::string_view map) {
         keep_layer(picture.groups, std::string(map) + '.');
     }
     if (picture.groups.empty()) {
-        throw InputError(fmt::format("'{}' has no layer {}", file.path.string(), map));
+        throw InputError(fmt::format("'{}' has no layer '{}'", file.path.string(), map));
     }
     return picture;
 }

@@ -24,8 +24,8 @@ const ManifestMap& known_map(const BakedSet& set, std::string_view name) {
     for (const ManifestMap& other : set.maps) {
         there += (there.empty() ? "" : ", ") + other.name;
     }
-    throw std::invalid_argument(
-        fmt::format("map '{}' was not baked; there are: {}", name, there.empty() ? "none" : there));
+    throw std::invalid_argument(fmt::format(
+        "map '{}' was not baked; must be one of: {}", name, there.empty() ? "none" : there));
 }
 
 MapFile file_of(const BakedSet& set,
@@ -35,8 +35,11 @@ MapFile file_of(const BakedSet& set,
     const ManifestFile* const file = set.find_file(map, frame);
     const ManifestFrame* const foam = set.find_frame(frame);
     if (file == nullptr || foam == nullptr) {
-        throw InputError(fmt::format(
-            "'{}' has no {} of frame {} of {}", folder.string(), map, frame, set.preset));
+        throw InputError(fmt::format("'{}' has no file of map '{}' and frame {} of preset '{}'",
+                                     folder.string(),
+                                     map,
+                                     frame,
+                                     set.preset));
     }
     return {folder / file->path, frame, foam->tiles, file->maps.size() > 1};
 }

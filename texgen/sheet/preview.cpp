@@ -97,7 +97,7 @@ std::string map_for_the_eye(const BakedSet& set) {
             }
         }
     }
-    throw std::invalid_argument("no map can be seen; id_color shows ids");
+    throw std::invalid_argument("no baked map can be shown; bake id_color to show ids");
 }
 
 // Makes the previews of one map. The animation is made once for all kinds that need it.
@@ -110,7 +110,7 @@ class Previews {
         : set_(set), options_(options), sequence_(map_sequence(set, folder, map, options.frames)) {
         if (sequence_.map.samples->kind == "id") {
             throw std::invalid_argument(
-                fmt::format("nothing can be seen of {}; id_color shows ids", map));
+                fmt::format("map '{}' cannot be shown; bake id_color to show ids", map));
         }
     }
 
@@ -171,7 +171,7 @@ class Previews {
         const MapFile& file = sequence_.files.front();
         if (!file.tiles) {
             throw std::invalid_argument(
-                fmt::format("frame {} of {} does not tile", file.frame, set_.preset));
+                fmt::format("frame {} of preset '{}' does not tile", file.frame, set_.preset));
         }
         const Codes tile = codes_within(read_shown(file, sequence_.map), kTileSize);
         return encoded(tiled(tile));

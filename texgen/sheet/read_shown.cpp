@@ -111,7 +111,7 @@ void add_ground(Image<float>& pixels, const PictureChannel& opacity) {
 }
 
 [[noreturn]] void reject(const MapFile& file, std::string_view reason) {
-    throw InputError(fmt::format("'{}' cannot be shown: {}", file.path.string(), reason));
+    throw InputError(fmt::format("cannot show '{}': {}", file.path.string(), reason));
 }
 
 ShownFrame shown_numbers(const Picture& picture, const MapFile& file, const ManifestMap& map) {
@@ -119,10 +119,10 @@ ShownFrame shown_numbers(const Picture& picture, const MapFile& file, const Mani
     const std::array<const PictureChannel*, kColors> colors = channels_shown(channels);
     const bool is_light = is_light_in(map);
     if (colors.front() == nullptr) {
-        reject(file, "it has neither Y, nor R, nor X");
+        reject(file, "it has none of the channels Y, R and X");
     }
     if (!is_light && !map.samples->range) {
-        reject(file, "the manifest does not tell the range of its numbers");
+        reject(file, "the manifest does not give the range of its numbers");
     }
     const auto [low, high] = map.samples->range.value_or(std::array{0.0, 1.0});
     const double scale = 1.0 / (high - low);

@@ -61,10 +61,10 @@ void check_frame(const Picture& frame,
         });
     if (!same_channels) {
         throw InputError(
-            fmt::format("'{}' has other channels than the first frame", path.string()));
+            fmt::format("'{}' has different channels than the first frame", path.string()));
     }
     if (frame.width() != layout.frame_width || frame.height() != layout.frame_height) {
-        throw InputError(fmt::format("'{}' is {} x {}, not {} x {}",
+        throw InputError(fmt::format("'{}' is {} x {} pixels, but the manifest says {} x {}",
                                      path.string(),
                                      frame.width(),
                                      frame.height(),

@@ -22,7 +22,7 @@ void run_ffmpeg(Arguments arguments) {
     arguments.insert(arguments.begin(), {"ffmpeg", "-loglevel", "error", "-nostdin", "-y"});
     const std::optional<int> code = run_external(std::move(arguments));
     if (!code) {
-        throw OutputError("MP4 and GIF are made by ffmpeg, which is not installed");
+        throw OutputError("MP4 and GIF need ffmpeg, which is not installed");
     }
     if (*code != 0) {
         throw OutputError(fmt::format("ffmpeg failed with exit code {}", *code));

@@ -58,7 +58,7 @@ TEST(FilePattern, NamesWithPlaceholdersInThemAreTakenAsTheyAre) {
 
 TEST(FilePattern, RefusesUnknownPlaceholdersAndOtherFormats) {
     EXPECT_EQ(failure("{mpa}.#.png"),
-              "output pattern '{mpa}.#.png': '{mpa}' must be {preset} or {map}");
+              "output pattern '{mpa}.#.png': unknown field '{mpa}'; must be {preset} or {map}");
     EXPECT_NE(failure("{map.png"), "no failure");
     for (const char* pattern : {"%s.png", "%4d.png", "%.png", "%012d.png", "a%.png", "%0xd.png"}) {
         EXPECT_NE(failure(pattern), "no failure") << pattern;
@@ -68,11 +68,11 @@ TEST(FilePattern, RefusesUnknownPlaceholdersAndOtherFormats) {
 
 TEST(FilePattern, TwoImagesMayNotShareAFile) {
     EXPECT_EQ(failure("a.png"), "no failure");
-    EXPECT_EQ(
-        failure("{map}.png", 48),
-        "output pattern '{map}.png': must contain ####, @@@@ or %04d, to tell 48 frames apart");
+    EXPECT_EQ(failure("{map}.png", 48),
+              "output pattern '{map}.png': must contain a frame number (####, @@@@ or %04d) for 48 "
+              "frames");
     EXPECT_EQ(failure("####.png", 48, 2),
-              "output pattern '####.png': must contain {map}, to tell 2 maps apart");
+              "output pattern '####.png': must contain {map} for 2 maps");
     EXPECT_EQ(failure("{map}.@.png", 48, 2), "no failure");
 }
 

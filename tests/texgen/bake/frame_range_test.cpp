@@ -47,8 +47,8 @@ TEST(FrameRange, ErrorsNameTheRange) {
         FAIL();
     } catch (const std::invalid_argument& error) {
         EXPECT_STREQ(error.what(),
-                     "frame range '1-3z': must be written as 5, 1-10, 1-10x2 or 1-10y3, "
-                     "with commas between");
+                     "frame range '1-3z': must be a list of ranges such as 5, 1-10, 1-10x2 or "
+                     "1-10y3, separated by commas");
     }
 }
 

@@ -53,8 +53,8 @@ TEST_F(CompareCommand, ExitCodesAreThoseOfIdiff) {
 
 TEST_F(CompareCommand, OneLineSaysWhatIsApart) {
     EXPECT_EQ(compare("a.0002.png b.0002.png").out,
-              "b.0002.png: failure, largest 0.2 in Y at 0,1, mean 0.025, 1 samples beyond the "
-              "limits\n");
+              "b.0002.png: failure, largest difference 0.2 in Y at 0,1, mean 0.025, 1 samples "
+              "above the limits\n");
     EXPECT_EQ(compare("a.0001.png b.0001.png").out, "b.0001.png: same\n");
     EXPECT_EQ(compare("a.0001.png wide.png").out, "wide.png: other size or channels\n");
     EXPECT_EQ(compare("-q a.0002.png b.0002.png").out, "");

@@ -47,8 +47,8 @@ TEST(FlipbookCommand, WarnsOfWhatHardwareDoesNotTake) {
     const Outcome large = run_program("flipbook out --columns 16 --gutter 1000 -q", folder);
     EXPECT_EQ(large.code, 0);
     EXPECT_EQ(large.err,
-              "foamtex: warning: 32768 x 2032 pixels are more than the 16384 of a side that "
-              "graphics hardware takes\n");
+              "foamtex: warning: the sheet is 32768 x 2032 pixels; graphics hardware supports at "
+              "most 16384 per side\n");
 }
 
 TEST(FlipbookCommand, ABadRequestIsOneLine) {
@@ -58,10 +58,11 @@ TEST(FlipbookCommand, ABadRequestIsOneLine) {
     bake(folder);
     const Outcome map = run_program("flipbook out --maps normal", folder);
     EXPECT_EQ(map.code, static_cast<int>(ExitCode::BadRequest));
-    EXPECT_EQ(map.err, "foamtex: map 'normal' was not baked; there are: albedo\n");
+    EXPECT_EQ(map.err, "foamtex: map 'normal' was not baked; must be one of: albedo\n");
     const Outcome frame = run_program("flipbook out --frames 3-4", folder);
     EXPECT_EQ(frame.code, static_cast<int>(ExitCode::BadInput));
-    EXPECT_EQ(frame.err, "foamtex: 'out' has no albedo of frame 4 of sea_foam\n");
+    EXPECT_EQ(frame.err,
+              "foamtex: 'out' has no file of map 'albedo' and frame 4 of preset 'sea_foam'\n");
     const Outcome strip = run_program("flipbook out --strip --gutter 2", folder);
     EXPECT_EQ(strip.code, static_cast<int>(ExitCode::BadRequest));
 }

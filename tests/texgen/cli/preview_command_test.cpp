@@ -58,7 +58,9 @@ TEST(PreviewCommand, ABadRequestIsOneLine) {
     ASSERT_EQ(run_program(std::string("bake sea_foam -q ") + kSmall, folder).code, 0);
     const Outcome seed = run_program("preview out --seed 3", folder);
     EXPECT_EQ(seed.code, static_cast<int>(ExitCode::BadRequest));
-    EXPECT_EQ(seed.err, "foamtex: --set, --size and --seed are for a preset, not for a folder\n");
+    EXPECT_EQ(
+        seed.err,
+        "foamtex: --set, --size and --seed are only allowed with a preset, not with a folder\n");
     EXPECT_EQ(run_program("preview out --as film", folder).code,
               static_cast<int>(ExitCode::BadRequest));
     EXPECT_EQ(run_program("preview beer", folder).code, static_cast<int>(ExitCode::BadRequest));
@@ -73,7 +75,7 @@ TEST(PreviewCommand, SaysWhereThereIsNoFfmpeg) {
     const int status = std::system(command.c_str());
     EXPECT_EQ(WEXITSTATUS(status), static_cast<int>(ExitCode::OutputFailed));
     EXPECT_EQ(file_content(folder.path() / "err"),
-              "foamtex: MP4 and GIF are made by ffmpeg, which is not installed\n");
+              "foamtex: MP4 and GIF need ffmpeg, which is not installed\n");
 }
 
 TEST(PreviewCommand, MakesVideos) {

@@ -109,7 +109,7 @@ TEST(RelaxCommand, UnknownExtensionsAreCode2) {
         const Outcome outcome = run_program(arguments);
         EXPECT_EQ(outcome.code, static_cast<int>(ExitCode::BadRequest));
         EXPECT_EQ(outcome.err,
-                  "foamtex: 'in.txt': the name of a foam has to end in .fe, .dmp or .json\n");
+                  "foamtex: 'in.txt': the name of a foam file must end in .fe, .dmp or .json\n");
     }
     EXPECT_EQ(run_program("relax in.fe").err, "foamtex: --out is required (see foamtex --help)\n");
 }
@@ -123,7 +123,7 @@ TEST(RelaxCommand, WithoutEquilibriumNothingIsWritten) {
     write_text(work, "in.json", write_foam_json(foam));
     const Outcome outcome = run_program("relax in.json -o out.json --json", work);
     EXPECT_EQ(outcome.code, static_cast<int>(ExitCode::NoEquilibrium)) << outcome.out;
-    EXPECT_EQ(outcome.err, "foamtex: in.json: the foam found no equilibrium\n");
+    EXPECT_EQ(outcome.err, "foamtex: in.json: the foam did not reach equilibrium\n");
     EXPECT_NE(Json::parse(outcome.out).at("status"), "converged");
     EXPECT_EQ(work.files(), std::vector<std::string>{"in.json"});
 }

@@ -39,11 +39,11 @@ TEST(RunArguments, ABadOptionIsOneLineAndCode2) {
                     "--maps albedo,beer: key 'image.maps' = [\"albedo\", \"beer\"]: must be " +
                         find_key("image.maps")->allowed);
     expect_rejected("bake sea_foam --frames 3-",
-                    "frame range '3-': must be written as 5, 1-10, 1-10x2 or 1-10y3, "
-                    "with commas between");
-    expect_rejected("bake sea_foam --out a.png",
-                    "output pattern 'a.png': must contain ####, @@@@ or %04d, "
-                    "to tell 48 frames apart");
+                    "frame range '3-': must be a list of ranges such as 5, 1-10, 1-10x2 or 1-10y3, "
+                    "separated by commas");
+    expect_rejected(
+        "bake sea_foam --out a.png",
+        "output pattern 'a.png': must contain a frame number (####, @@@@ or %04d) for 48 frames");
 }
 
 }  // namespace

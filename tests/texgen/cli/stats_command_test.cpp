@@ -28,8 +28,8 @@ TEST(StatsCommand, StatsWritesTablesAndCharts) {
         names.insert(names.end(), {"pressures.svg", "growth_rates.svg", "seconds.svg"});
     } else {
         EXPECT_EQ(outcome.err,
-                  "foamtex: note: charts are drawn by gnuplot, which is not installed; in "
-                  "'out/sea_foam_stats', run: gnuplot charts.gp\n");
+                  "foamtex: note: charts are missing, because gnuplot is not installed; to draw "
+                  "them, run in 'out/sea_foam_stats': gnuplot charts.gp\n");
     }
     std::string listed;
     for (const std::string& name : names) {
@@ -49,8 +49,8 @@ TEST(StatsCommand, StatsSaysWhyThereAreNoCharts) {
     setenv("PATH", path.c_str(), 1);
     EXPECT_EQ(outcome.code, 0);
     EXPECT_EQ(outcome.err,
-              "foamtex: note: charts are drawn by gnuplot, which is not installed; in "
-              "'out/sea_foam_stats', run: gnuplot charts.gp\n");
+              "foamtex: note: charts are missing, because gnuplot is not installed; to draw them, "
+              "run in 'out/sea_foam_stats': gnuplot charts.gp\n");
     EXPECT_EQ(outcome.written.size(), 3U);
 }
 

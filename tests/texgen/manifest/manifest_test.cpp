@@ -71,7 +71,7 @@ TEST(Manifest, FilesBelongToWhoWroteThemLast) {
 TEST(Manifest, AFailureStandsUntilTheSetIsComplete) {
     Manifest manifest;
     BakedSet broken = small_set("a", {1, 2}, {1});
-    broken.failure = "frame 2: the foam found no equilibrium";
+    broken.failure = "frame 2: the foam did not reach equilibrium";
     merge(manifest, broken);
     EXPECT_EQ(manifest.sets.front().failure, broken.failure);
     merge(manifest, small_set("a", {2}, {2}));
