@@ -55,7 +55,7 @@ TEST(Seed, AnOutlineThatHoldsNoFoamIsABadRequest) {
         seeded_foam(preset);
         FAIL();
     } catch (const std::invalid_argument& error) {
-        EXPECT_EQ(std::string(error.what()).find("foam.outline: no 2 bubbles can be seeded"), 0U);
+        EXPECT_EQ(std::string(error.what()).find("foam.outline: cannot seed 2 bubbles"), 0U);
     }
 }
 

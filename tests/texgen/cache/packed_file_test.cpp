@@ -22,7 +22,7 @@ TEST(PackedFile, AStateThatIsMissingDamagedOrForeignIsRefused) {
     EXPECT_EQ(error_of(folder.path(), 2), "");
     EXPECT_EQ(error_of(folder.path(), 7),
               "the cache '" + folder.path().string() +
-                  "' has no frame 7: it was made for "
+                  "' has no frame 7; it was simulated for "
                   "frames 1-2");
     const std::filesystem::path path = folder.path() / "state.000002.foam";
     const std::string place = "cannot read '" + path.string() + "': ";

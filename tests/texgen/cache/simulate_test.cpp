@@ -20,7 +20,7 @@ TEST(SimulateIntoCache, StatesOfAnotherSimulationAreNotTaken) {
     preset.seeding.seed = 13;
     simulate_into_cache(preset, {.frames = {1}, .threads = 1}, folder.path(), {});
     EXPECT_EQ(error_of(folder.path(), 2), "");  // the one after 1
-    EXPECT_NE(error_of(folder.path(), 4).find("another simulation"), std::string::npos);
+    EXPECT_NE(error_of(folder.path(), 4).find("different simulation"), std::string::npos);
 }
 
 TEST(SimulateIntoCache, ASimulationThatIsRefusedWritesNothing) {

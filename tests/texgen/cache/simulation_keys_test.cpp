@@ -81,7 +81,8 @@ TEST(SimulationKeys, AChangedPresetNamesTheKey) {
               "[1024, 1024]");
     Preset with_event = preset;
     with_event.events.push_back({});
-    EXPECT_EQ(rejection(preset, with_event).find("key 'event': was something else"), 0U);
+    EXPECT_EQ(rejection(preset, with_event).find("key 'event': must be the same as in the cache"),
+              0U);
 }
 
 }  // namespace

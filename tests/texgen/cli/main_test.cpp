@@ -23,7 +23,7 @@ TEST(Main, HelpFitsOneScreenAndNamesTheExitCodes) {
         EXPECT_LE(std::count(help.out.begin(), help.out.end(), '\n'), 30) << arguments;
         EXPECT_NE(help.out.find("Examples:"), std::string::npos) << arguments;
     }
-    EXPECT_NE(run_program("--help").out.find("3 the foam could not be brought to equilibrium"),
+    EXPECT_NE(run_program("--help").out.find("3 the foam did not reach equilibrium"),
               std::string::npos);
 }
 

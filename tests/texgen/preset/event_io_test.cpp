@@ -150,10 +150,10 @@ TEST(EventIo, AKeyOfAnotherKindIsRefused) {
         "a.toml:2: key 'event[1].area' = 0.5: not a key of kind \"collapse\"; must be one of kind, "
         "frame, frames, time, bubble, at, sides, count, order");
     EXPECT_EQ(failure("[[event]]\nkind = \"nucleate\"\nframe = 3\nbubble = 4\n")
-                  .find("a.toml:4: key 'event[1].bubble' = 4: no key of kind \"nucleate\""),
+                  .find("a.toml:4: key 'event[1].bubble' = 4: not a key of kind \"nucleate\""),
               0U);
     EXPECT_EQ(failure("[[event]]\nkind = \"drive\"\nframe = 3\ngrowth = 4\n")
-                  .find("a.toml:4: key 'event[1].growth' = 4: no key of kind \"drive\""),
+                  .find("a.toml:4: key 'event[1].growth' = 4: not a key of kind \"drive\""),
               0U);
 }
 
@@ -219,7 +219,7 @@ TEST(EventIo, SetChangesAnEventThatIsThere) {
               "has 1 events");
     EXPECT_EQ(failure(toml, {"event[1].kind=nucleate"})
                   .find("--set event[1].kind=nucleate: key 'event[1].kind' = \"nucleate\": "
-                        "no key of kind \"nucleate\""),
+                        "not a key of kind \"nucleate\""),
               0U);
     EXPECT_NE(failure(toml, {"event[x].frame=4"}), "no failure");
     EXPECT_NE(failure(toml, {"event[0].frame=4"}), "no failure");
