@@ -4,7 +4,7 @@
 # Builds foamtex with all its tests and benchmarks, and runs every test.
 #
 #     tests/run.sh [OPTION OF ctest]...
-#     tests/run.sh -R t1                   only the tests whose name contains t1
+#     tests/run.sh -R T1                   only the tests whose name contains T1
 #     FOAM_PRESET=asan tests/run.sh        another CMake preset than release
 set -euo pipefail
 
