@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// The solver's times beside their targets, as the table of the README.
+// The solver's times beside their targets, as a Markdown table.
 
 #include "tests/bench/bench_foams.h"
 #include "tests/bench/largest_argument.h"
