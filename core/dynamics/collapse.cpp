@@ -38,20 +38,20 @@ void move_to_mean(Foam& foam, BubbleId bubble) {
     place_junction(foam, junction, foam.positions[junction] + sum / 3.0);
 }
 
-void share_out(Foam& foam, double gas, const std::vector<BubbleId>& neighbors) {
+void distribute_gas(Foam& foam, double gas, const std::vector<BubbleId>& neighbors) {
     for (const BubbleId neighbor : neighbors) {
         foam.target_areas[neighbor] += gas / static_cast<double>(neighbors.size());
     }
 }
 
 // Records the event at the middle of the first side: the bubble is small, so any side will do.
-void note_t2(Foam& foam, BubbleId bubble) {
+void record_t2(Foam& foam, BubbleId bubble) {
     std::vector<BubbleId> bubbles{bubble};
     for (const HalfEdgeId h : foam.network.around(bubble)) {
         bubbles.push_back(foam.network.right(h));
     }
     const FilmId film = film_of(foam.network.first(bubble));
-    note_event(foam, TopologyEventKind::T2, middle_of(foam, film), bubbles);
+    record_event(foam, TopologyEventKind::T2, middle_of(foam, film), bubbles);
 }
 
 void apply_t2(Foam& foam, BubbleId bubble) {
@@ -59,9 +59,9 @@ void apply_t2(Foam& foam, BubbleId bubble) {
         move_to_mean(foam, bubble);
     }
     const double gas = foam.target_areas[bubble];
-    note_t2(foam, bubble);
+    record_t2(foam, bubble);
     const Vanished vanished = vanish(foam.network, bubble);
-    share_out(foam, gas, vanished.neighbors);
+    distribute_gas(foam, gas, vanished.neighbors);
     if (vanished.film != kNone<FilmId>) {
         foam.t1_armed[vanished.film] = 1;
         fit_half_angle(foam, vanished.film);
@@ -85,7 +85,7 @@ void vanish_from_raft_of_two(Foam& foam, BubbleId bubble, FilmId film) {
     const bool is_left = foam.network.left(h) == bubble;
     const BubbleId other = is_left ? foam.network.right(h) : foam.network.left(h);
     const BubbleIdentity gone = foam.identities[bubble];
-    note_t2(foam, bubble);
+    record_t2(foam, bubble);
     foam.target_areas[other] += 0.5 * foam.target_areas[bubble];
     tear_film(foam, film);
     std::erase_if(foam.lone_bubbles, [&](const LoneBubble& b) { return b.identity == gone; });
@@ -117,19 +117,19 @@ BubbleId largest_neighbor(const Foam& foam, BubbleId bubble) {
     return largest;
 }
 
-// Raises the target area of a bubble that cannot vanish to at least `least`, at the cost of its
+// Raises the target area of a bubble that cannot vanish to at least `min_area`, at the cost of its
 // largest neighbor.
-void keep_alive(Foam& foam, BubbleId bubble, double least) {
-    const double lacking = least - foam.target_areas[bubble];
-    if (lacking > 0.0) {
-        foam.target_areas[largest_neighbor(foam, bubble)] -= lacking;
-        foam.target_areas[bubble] += lacking;
+void keep_alive(Foam& foam, BubbleId bubble, double min_area) {
+    const double deficit = min_area - foam.target_areas[bubble];
+    if (deficit > 0.0) {
+        foam.target_areas[largest_neighbor(foam, bubble)] -= deficit;
+        foam.target_areas[bubble] += deficit;
     }
 }
 
-void collapse_or_keep(Foam& foam, BubbleId bubble, double least, TopologyCounts& counts) {
+void collapse_or_keep(Foam& foam, BubbleId bubble, double min_area, TopologyCounts& counts) {
     if (!collapse(foam, bubble, counts)) {
-        keep_alive(foam, bubble, least);
+        keep_alive(foam, bubble, min_area);
     }
 }
 
@@ -151,8 +151,8 @@ bool collapse(Foam& foam, BubbleId bubble, TopologyCounts& counts) {
         ++counts.t2;
         return true;
     }
-    const int most_flips = 2 * foam.network.sides(bubble);
-    for (int flips = 0; flips < most_flips; ++flips) {
+    const int max_flips = 2 * foam.network.sides(bubble);
+    for (int flips = 0; flips < max_flips; ++flips) {
         if (can_vanish(foam.network, bubble)) {
             apply_t2(foam, bubble);
             ++counts.t2;
@@ -168,10 +168,10 @@ bool collapse(Foam& foam, BubbleId bubble, TopologyCounts& counts) {
 
 TopologyCounts collapse_due(Foam& foam, const TopologyThresholds& thresholds) {
     TopologyCounts counts;
-    const double least = kMinFraction * thresholds.t2_area;
+    const double min_area = kMinFraction * thresholds.t2_area;
     for (const BubbleId bubble : foam.network.bubbles()) {
         if (is_due_to_vanish(foam, bubble, thresholds)) {
-            collapse_or_keep(foam, bubble, least, counts);
+            collapse_or_keep(foam, bubble, min_area, counts);
         }
     }
     counts.t2 += collapse_lone(
@@ -181,8 +181,8 @@ TopologyCounts collapse_due(Foam& foam, const TopologyThresholds& thresholds) {
     for (int before = -1; counts.t2 != before;) {
         before = counts.t2;
         for (const BubbleId bubble : foam.network.bubbles()) {
-            if (foam.target_areas[bubble] < least) {
-                collapse_or_keep(foam, bubble, least, counts);
+            if (foam.target_areas[bubble] < min_area) {
+                collapse_or_keep(foam, bubble, min_area, counts);
             }
         }
     }

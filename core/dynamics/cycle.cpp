@@ -56,11 +56,11 @@ std::map<BubbleIdentity, Vec2> centers(const Foam& foam) {
 double farthest(const Domain& domain, const std::vector<Vec2>& from, const std::vector<Vec2>& to) {
     double largest = 0.0;
     for (const Vec2& a : from) {
-        double least = std::numeric_limits<double>::infinity();
+        double min_distance = std::numeric_limits<double>::infinity();
         for (const Vec2& b : to) {
-            least = std::min(least, domain.nearest_copy(a - b).norm());
+            min_distance = std::min(min_distance, domain.nearest_copy(a - b).norm());
         }
-        largest = std::max(largest, least);
+        largest = std::max(largest, min_distance);
     }
     return largest;
 }
@@ -87,18 +87,22 @@ Cycle::Cycle(const Foam& foam, const CycleOptions& options)
     }
 }
 
-StepSummary Cycle::step_to(int place, Foam& foam, double time, const StepOptions& options) const {
+StepSummary Cycle::step_to(int position,
+                           Foam& foam,
+                           double time,
+                           const StepOptions& options) const {
     StepOptions without_diffusion = options;
     without_diffusion.coarsening.kappa = 0.0;
-    const StepSummary summary = step(foam, time, change_to(place, foam.domain), without_diffusion);
+    const StepSummary summary =
+        step(foam, time, change_to(position, foam.domain), without_diffusion);
     hold(foam);
     return summary;
 }
 
 // The position is taken modulo the length of a cycle, so that every cycle computes the same bits.
-StateChange Cycle::change_to(int place, const Domain& domain) const {
+StateChange Cycle::change_to(int position, const Domain& domain) const {
     const auto swing = [&](double phase) {
-        const double turns = static_cast<double>(place % options_.steps) / options_.steps;
+        const double turns = static_cast<double>(position % options_.steps) / options_.steps;
         return std::sin(2.0 * std::numbers::pi * (turns + phase));
     };
     StateChange change;
@@ -133,22 +137,22 @@ void Cycle::hold(Foam& foam) const {
 }
 
 double closing_error(const Foam& one, const Foam& other) {
-    constexpr double kApart = std::numeric_limits<double>::infinity();
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
     std::map<BubbleIdentity, std::vector<Vec2>> bubbles;
     for (const BubbleId bubble : other.network.bubbles()) {
         bubbles[other.identities[bubble]] = corners(other, bubble);
     }
     if (bubbles.size() != one.network.bubble_count()) {
-        return kApart;
+        return kInfinity;
     }
     double largest = 0.0;
     for (const BubbleId bubble : one.network.bubbles()) {
         const auto found = bubbles.find(one.identities[bubble]);
-        const std::vector<Vec2> here = corners(one, bubble);
-        if (found == bubbles.end() || found->second.size() != here.size()) {
-            return kApart;
+        const std::vector<Vec2> current = corners(one, bubble);
+        if (found == bubbles.end() || found->second.size() != current.size()) {
+            return kInfinity;
         }
-        largest = std::max(largest, farthest(one.domain, here, found->second));
+        largest = std::max(largest, farthest(one.domain, current, found->second));
     }
     return largest / mean_diameter(one);
 }

@@ -28,10 +28,11 @@ class Cycle {
     /// present position as the one to keep.
     Cycle(const Foam& foam, const CycleOptions& options);
 
-    /// Steps the foam from position `place` - 1 of the cycle, or from a state near it, to position
-    /// `place`. Position 0 is the start of a cycle; positions may go on beyond one cycle. If the
-    /// summary is not converged, the foam is left between the two positions, as after any step.
-    StepSummary step_to(int place, Foam& foam, double time, const StepOptions& options) const;
+    /// Steps the foam from position `position` - 1 of the cycle, or from a state near it, to
+    /// position `position`. Position 0 is the start of a cycle; positions may go on beyond one
+    /// cycle. If the summary is not converged, the foam is left between the two positions, as after
+    /// any step.
+    StepSummary step_to(int position, Foam& foam, double time, const StepOptions& options) const;
 
   private:
     struct Swing {
@@ -40,7 +41,7 @@ class Cycle {
         double phase = 0.0;  // in turns
     };
 
-    StateChange change_to(int place, const Domain& domain) const;
+    StateChange change_to(int position, const Domain& domain) const;
     void hold(Foam& foam) const;
 
     CycleOptions options_;

@@ -53,8 +53,8 @@ int flip_shortened(Foam& foam, TopologyThresholds thresholds, Indexed<FilmId, do
 }  // namespace
 
 int displace(Foam& foam, const Displacement& displacement, const TopologyThresholds& thresholds) {
-    const double way = displacement.by.norm() / (kLargestStep * displacement.radius);
-    const int steps = std::max(1, static_cast<int>(std::ceil(way)));
+    const double ratio = displacement.by.norm() / (kLargestStep * displacement.radius);
+    const int steps = std::max(1, static_cast<int>(std::ceil(ratio)));
     Displacement step = displacement;
     step.by /= steps;
     Indexed<FilmId, double> lengths(foam.network.film_slots(), 0.0);

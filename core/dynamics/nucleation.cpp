@@ -27,9 +27,9 @@ namespace foam {
 namespace {
 
 // Largest fraction of the gas of the surrounding bubbles that a new bubble may take.
-constexpr double kLargestShare = 0.5;
+constexpr double kLargestGasFraction = 0.5;
 // Largest fraction of a film, from one end or its middle, that a new bubble may cover at first.
-constexpr double kFarthest = 0.45;
+constexpr double kLargestFilmFraction = 0.45;
 
 // Returns the side of the triangle of a regular three-sided bubble.
 double triangle_side(double area) {
@@ -49,7 +49,7 @@ bool take_gas(Foam& foam, const std::set<BubbleId>& bubbles, double area) {
     for (const BubbleId bubble : bubbles) {
         sum += foam.target_areas[bubble];
     }
-    if (area > kLargestShare * sum) {
+    if (area > kLargestGasFraction * sum) {
         return false;
     }
     for (const BubbleId bubble : bubbles) {
@@ -79,9 +79,10 @@ void complete(Foam& foam, double area, double pressure) {
     }
 }
 
-// Returns the fraction of the length of the arc that the distance covers, at most kFarthest.
+// Returns the fraction of the length of the arc that the distance covers, at most
+// kLargestFilmFraction.
 double fraction_of(const FilmArc& arc, double distance) {
-    return std::min(distance / arc_length(arc), kFarthest);
+    return std::min(distance / arc_length(arc), kLargestFilmFraction);
 }
 
 // Sets the half angle of a film of which only the given part of its arc is left. Does nothing if
@@ -93,10 +94,13 @@ void cut_film(Foam& foam, HalfEdgeId h, double whole_half_angle, double part_lef
 }
 
 // Records the birth of a bubble, with the bubbles around it as those whose neighbors change.
-void note_birth(Foam& foam, BubbleId bubble, const Vec2& place, const std::set<BubbleId>& around) {
+void record_birth(Foam& foam,
+                  BubbleId bubble,
+                  const Vec2& position,
+                  const std::set<BubbleId>& around) {
     std::vector<BubbleId> bubbles{bubble};
     bubbles.insert(bubbles.end(), around.begin(), around.end());
-    note_event(foam, TopologyEventKind::Birth, place, bubbles);
+    record_event(foam, TopologyEventKind::Birth, position, bubbles);
 }
 
 void fit_films_around(Foam& foam, BubbleId bubble) {
@@ -128,7 +132,7 @@ std::optional<BubbleId> nucleate_at_junction(Foam& foam, JunctionId junction, do
     const Vec2 middle = foam.positions[junction];
     const BubbleId bubble = insert_triangle(foam.network, junction);
     complete(foam, area, pressure);
-    note_birth(foam, bubble, middle, around);
+    record_birth(foam, bubble, middle, around);
     const std::vector<HalfEdgeId> loop = foam.network.around(bubble);
     for (std::size_t k = 0; k < 3; ++k) {
         place_junction(foam, foam.network.tail(loop[k]), corners[k]);
@@ -146,13 +150,13 @@ std::optional<BubbleId> nucleate_on_film(Foam& foam, FilmId film, double area) {
     }
     const FilmArc arc = film_arc(foam, h);
     const double chord_length = lens_chord(area);
-    const double half = std::min(0.5 * chord_length / arc_length(arc), kFarthest);
+    const double half = std::min(0.5 * chord_length / arc_length(arc), kLargestFilmFraction);
     const Vec2 tail = foam.positions[foam.network.tail(h)];
     const double pressure =
         mean_pressure(foam, beside) + std::numbers::sqrt3 * foam.film_tension / chord_length;
     const BubbleId bubble = insert_lens(foam.network, h);
     complete(foam, area, pressure);
-    note_birth(foam, bubble, tail + point_at(arc, 0.5), beside);
+    record_birth(foam, bubble, tail + point_at(arc, 0.5), beside);
     const HalfEdgeId first = foam.network.first(bubble);
     place_junction(foam, foam.network.head(first), tail + point_at(arc, 0.5 - half));
     place_junction(foam, foam.network.tail(first), tail + point_at(arc, 0.5 + half));

@@ -11,17 +11,17 @@ namespace foam {
 namespace {
 
 // Largest fraction of a torus that driven bubbles may take if there are other bubbles.
-constexpr double kLargestDrivenShare = 0.9;
+constexpr double kLargestDrivenFraction = 0.9;
 // Largest gain of a driven bubble at once, in units of its area.
 constexpr double kLargestGain = 3.0;
 
-struct LiveDriven {
+struct LiveDrivenBubble {
     BubbleId bubble;
     DrivenBubble driven;
 };
 
 // Returns the driven bubbles of the network that have not vanished, in the order of the change.
-std::vector<LiveDriven> live_driven(const Foam& foam, const StateChange& change) {
+std::vector<LiveDrivenBubble> live_driven_bubbles(const Foam& foam, const StateChange& change) {
     if (change.empty()) {
         return {};
     }
@@ -29,7 +29,7 @@ std::vector<LiveDriven> live_driven(const Foam& foam, const StateChange& change)
     for (const BubbleId bubble : foam.network.bubbles()) {
         bubbles[foam.identities[bubble]] = bubble;
     }
-    std::vector<LiveDriven> live;
+    std::vector<LiveDrivenBubble> live;
     for (const DrivenBubble& driven : change.driven) {
         if (const auto found = bubbles.find(driven.bubble); found != bubbles.end()) {
             live.push_back({found->second, driven});
@@ -56,7 +56,7 @@ void drive_lone(Foam& foam, const StateChange& change, double part) {
 
 // Scales the target areas of a torus so that their sum is its area: driven bubbles keep theirs, up
 // to the largest share, and the others fill the rest.
-void share_torus(Foam& foam, const Indexed<BubbleId, char>& is_driven) {
+void scale_targets_to_torus(Foam& foam, const Indexed<BubbleId, char>& is_driven) {
     double driven = 0.0;
     double others = 0.0;
     for (const BubbleId bubble : foam.network.bubbles()) {
@@ -66,7 +66,7 @@ void share_torus(Foam& foam, const Indexed<BubbleId, char>& is_driven) {
         return;
     }
     const double area = foam.domain.area();
-    const double to_driven = others == 0.0 ? area : std::min(driven, kLargestDrivenShare * area);
+    const double to_driven = others == 0.0 ? area : std::min(driven, kLargestDrivenFraction * area);
     for (const BubbleId bubble : foam.network.bubbles()) {
         foam.target_areas[bubble] *=
             is_driven[bubble] != 0 ? to_driven / driven : (area - to_driven) / others;
@@ -81,7 +81,7 @@ DrivenBubble forced_collapse(BubbleIdentity bubble, const TopologyThresholds& th
 
 void drive(Foam& foam, const StateChange& change, double part) {
     Indexed<BubbleId, char> is_driven(foam.network.bubble_slots(), 0);
-    for (const LiveDriven& live : live_driven(foam, change)) {
+    for (const LiveDrivenBubble& live : live_driven_bubbles(foam, change)) {
         double& target = foam.target_areas[live.bubble];
         target += part * (live.driven.target_area - target);
         is_driven[live.bubble] = 1;
@@ -89,7 +89,7 @@ void drive(Foam& foam, const StateChange& change, double part) {
     if (foam.domain.is_plane()) {
         drive_lone(foam, change, part);
     } else {
-        share_torus(foam, is_driven);
+        scale_targets_to_torus(foam, is_driven);
     }
 }
 
@@ -98,7 +98,7 @@ double safe_part(const Foam& foam,
                  double largest_loss,
                  double vanishing_area) {
     double part = 1.0;
-    for (const LiveDriven& live : live_driven(foam, change)) {
+    for (const LiveDrivenBubble& live : live_driven_bubbles(foam, change)) {
         const double area = foam.target_areas[live.bubble];
         const double gain = live.driven.target_area - area;
         if (gain > 0.0) {
@@ -112,7 +112,7 @@ double safe_part(const Foam& foam,
 
 TopologyCounts collapse_forced(Foam& foam, const StateChange& change) {
     TopologyCounts counts;
-    for (const LiveDriven& live : live_driven(foam, change)) {
+    for (const LiveDrivenBubble& live : live_driven_bubbles(foam, change)) {
         if (live.driven.vanishes) {
             collapse(foam, live.bubble, counts);
         }

@@ -24,9 +24,9 @@ namespace {
 
 // A bubble of up to this many T2 areas may lose all its area in one substep.
 constexpr double kVanishingAreas = 4.0;
-// Smallest share of a driven step that one substep may cover. It bounds the number of substeps if
-// the change is impossible, for example if every bubble is to shrink.
-constexpr double kMinShare = 0.01;
+// Smallest fraction of a driven step that one substep may cover. It bounds the number of substeps
+// if the change is impossible, for example if every bubble is to shrink.
+constexpr double kMinSubstepFraction = 0.01;
 constexpr double kLargestStrain = 0.05;  // largest strain of one substep
 
 // Returns the longest time in which a bubble loses at most the fraction `largest_loss` of its area;
@@ -66,14 +66,14 @@ void restore_total(Foam& foam) {
     }
 }
 
-// Moves every push by a share of its displacement. Returns the number of T1s.
+// Moves every push by a fraction of its displacement. Returns the number of T1s.
 int push(Foam& foam,
          const StateChange& change,
-         double share,
+         double fraction,
          const TopologyThresholds& thresholds) {
     int flips = 0;
     for (Displacement part : change.pushes) {
-        part.by *= share;
+        part.by *= fraction;
         flips += displace(foam, part, thresholds);
     }
     return flips;
@@ -98,8 +98,8 @@ EquilibriumSummary equilibrate_in_place(Foam& foam, const StepOptions& step_opti
 // The extent of a substep.
 struct Extent {
     double time = 0.0;
-    double share = 1.0;  // fraction of the whole change
-    double part = 1.0;   // fraction of the remaining change
+    double fraction = 1.0;  // fraction of the whole change
+    double part = 1.0;      // fraction of the remaining change
 };
 
 EquilibriumSummary substep(Foam& foam,
@@ -109,10 +109,10 @@ EquilibriumSummary substep(Foam& foam,
     diffuse(foam, extent.time, options.coarsening);
     drive(foam, change, extent.part);
     if (change.strain != 0.0) {
-        shear(foam, extent.share * change.strain);
+        shear(foam, extent.fraction * change.strain);
     }
     TopologyCounts counts = collapse_due(foam, options.equilibrium.thresholds);
-    counts.t1 += push(foam, change, extent.share, options.equilibrium.thresholds);
+    counts.t1 += push(foam, change, extent.fraction, options.equilibrium.thresholds);
     if (extent.part == 1.0) {
         const TopologyCounts forced = collapse_forced(foam, change);
         counts.t1 += forced.t1;
@@ -164,17 +164,17 @@ double advance(Foam& foam,
     }
 }
 
-// Returns the largest share of a step that one substep may cover, up to the share `left`.
-double safe_share(const Foam& foam,
-                  double time,
-                  const StateChange& change,
-                  double left,
-                  const StepOptions& options) {
+// Returns the largest fraction of a step that one substep may cover, at most `left`.
+double safe_fraction(const Foam& foam,
+                     double time,
+                     const StateChange& change,
+                     double left,
+                     const StepOptions& options) {
     const double vanishing = kVanishingAreas * options.equilibrium.thresholds.t2_area;
     const double part = safe_part(foam, change, options.largest_loss, vanishing);
     const double strained = change.strain == 0.0 ? left : kLargestStrain / std::abs(change.strain);
-    const double share = std::min({left, strained, std::max(part * left, kMinShare)});
-    return time > 0.0 ? std::min(share, safe_time(foam, options) / time) : share;
+    const double fraction = std::min({left, strained, std::max(part * left, kMinSubstepFraction)});
+    return time > 0.0 ? std::min(fraction, safe_time(foam, options) / time) : fraction;
 }
 
 }  // namespace
@@ -203,14 +203,15 @@ StepSummary step(Foam& foam, double time, const StateChange& change, const StepO
     }
     StepSummary summary;
     for (double left = 1.0; left > 0.0;) {
-        const double used = advance(foam,
-                                    safe_share(foam, time, change, left, options),
-                                    options,
-                                    summary,
-                                    [&](Foam& next, double share) {
-                                        const Extent extent{share * time, share, share / left};
-                                        return substep(next, extent, change, options);
-                                    });
+        const double used =
+            advance(foam,
+                    safe_fraction(foam, time, change, left, options),
+                    options,
+                    summary,
+                    [&](Foam& next, double fraction) {
+                        const Extent extent{fraction * time, fraction, fraction / left};
+                        return substep(next, extent, change, options);
+                    });
         if (used == 0.0) {
             break;
         }

@@ -110,7 +110,7 @@ std::vector<DefectRegion> find_defect_regions(const Foam& foam,
     for (int ring = 0; ring < options.rings; ++ring) {
         set.add_ring();
     }
-    const double limit = options.largest_share * static_cast<double>(unknowns.bubbles.size());
+    const double limit = options.largest_fraction * static_cast<double>(unknowns.bubbles.size());
     return static_cast<double>(set.size()) > limit ? std::vector<DefectRegion>{} : set.take_parts();
 }
 

@@ -19,7 +19,7 @@ struct DefectOptions {
     double area = 0.3;
     int rings = 1;  // rings of neighbors that are added around the defects
     // If the regions hold more than this share of all bubbles, no region is returned.
-    double largest_share = 0.3;
+    double largest_fraction = 0.3;
 };
 
 /// A connected set of bubbles, in increasing order. Outside of all such regions the foam is near
@@ -27,8 +27,8 @@ struct DefectOptions {
 using DefectRegion = std::vector<BubbleId>;
 
 /// Returns the connected regions around all defects, in the order of their first bubbles. Returns
-/// none if there is no defect, or if the regions would hold more than `largest_share` of the foam.
-/// Precondition: `unknowns` are all unknowns of the foam, and `residual` is their residual.
+/// none if there is no defect, or if the regions would hold more than `largest_fraction` of the
+/// foam. Precondition: `unknowns` are all unknowns of the foam, and `residual` is their residual.
 std::vector<DefectRegion> find_defect_regions(const Foam& foam,
                                               const Unknowns& unknowns,
                                               const Eigen::VectorXd& residual,

@@ -6,7 +6,7 @@
 #include "core/equilibrium/global_relaxation.h"
 #include "core/equilibrium/local_solve.h"
 #include "core/equilibrium/newton.h"
-#include "core/equilibrium/open_shut_bubbles.h"
+#include "core/equilibrium/reopen_collapsed_bubbles.h"
 #include "core/equilibrium/untangle.h"
 #include "core/foam/measure.h"
 #include "core/foam/t1_rule.h"
@@ -43,7 +43,7 @@ struct Work {
     Foam& foam;
     const EquilibriumOptions& options;
     NewtonSystem whole;  // system of all unknowns of the foam
-    LocalMemory local;
+    RegionBuffers local;
 };
 
 // The state that is passed from one round to the next.
@@ -73,11 +73,11 @@ int next_sweeps(int sweeps, Progress& progress) {
     return std::max(1, sweeps >> (2 * quarterings));
 }
 
-void relax_all(Work& work, bool begins_anew, Progress& progress) {
+void relax_all(Work& work, bool restarts, Progress& progress) {
     const GlobalRelaxationOptions options{
         .sweeps = next_sweeps(work.options.relaxation_sweeps, progress),
         .further_sweeps = work.options.relaxation_sweeps,
-        .begins_anew = begins_anew,
+        .restarts = restarts,
         .thresholds = work.options.thresholds,
         .threads = work.options.threads};
     const RelaxationSummary relaxation = relax_globally(work.foam, options, work.local.soft);
@@ -102,7 +102,7 @@ std::size_t solve_regions(Work& work, Progress& progress) {
 // on their own.
 void relax_where_stalled(Work& work, Progress& progress) {
     untangle(work.foam);  // a step of the whole foam may have tangled some junctions
-    open_shut_bubbles(work.foam);
+    reopen_collapsed_bubbles(work.foam);
     std::vector<DefectRegion> regions = worst_regions(work.foam, work.options.threads);
     if (!progress.solves_regions || regions.empty() ||
         ++progress.stalls_in_regions % kGlobalRelaxationPeriod == 0) {
@@ -114,8 +114,8 @@ void relax_where_stalled(Work& work, Progress& progress) {
 
 Progress first_phase(Work& work) {
     Progress progress;
-    // Relaxation cannot open shut bubbles; it would raise their pressures without bound.
-    open_shut_bubbles(work.foam);
+    // Relaxation cannot reopen collapsed bubbles; it would raise their pressures without bound.
+    reopen_collapsed_bubbles(work.foam);
     // Newton's method must not start from a tangled foam: the T1s that it asks for there are
     // arbitrary.
     if (untangle(work.foam) > 0 || work.options.relaxes_first) {

@@ -23,7 +23,7 @@ bool is_within(const Foam& foam, const Unknowns& part, FilmId film) {
 }
 
 // Erases dead ids: a film that tears takes its junctions with it, and sometimes a bubble.
-void drop_dead(const Network& network, Unknowns& part) {
+void remove_dead(const Network& network, Unknowns& part) {
     const auto is_dead = [&](auto id) { return !network.is_live(id); };
     std::erase_if(part.junctions, is_dead);
     std::erase_if(part.films, is_dead);
@@ -49,7 +49,7 @@ int flip_short_films(Foam& foam,
         }
     }
     if (changes > 0) {
-        drop_dead(foam.network, part);
+        remove_dead(foam.network, part);
     }
     return changes;
 }

@@ -16,7 +16,7 @@ constexpr int kMaxFurtherPasses = 10;  // of relaxation after the first pass
 
 // Returns true if the foam is a patch and is far from equilibrium in more than a few regions.
 // Always returns false for a torus, which cannot come apart: resetting the pressures in one
-// relaxation after another would shut its two-sided bubbles.
+// relaxation after another would collapse its two-sided bubbles.
 bool is_far_all_over(const Foam& foam, int threads) {
     if (!foam.domain.is_plane()) {
         return false;
@@ -33,13 +33,13 @@ bool is_far_all_over(const Foam& foam, int threads) {
 RelaxationSummary relax_globally(Foam& foam,
                                  const GlobalRelaxationOptions& options,
                                  SoftFoam& memory) {
-    const bool begins_anew = untangle(foam) > 0 || options.begins_anew ||
-                             films_at_limit(foam) > 0 || is_far_all_over(foam, options.threads);
+    const bool restarts = untangle(foam) > 0 || options.restarts || films_at_limit(foam) > 0 ||
+                          is_far_all_over(foam, options.threads);
     RelaxationOptions pass{
-        .sweeps = options.sweeps, .begins_anew = begins_anew, .thresholds = options.thresholds};
+        .sweeps = options.sweeps, .restarts = restarts, .thresholds = options.thresholds};
     RelaxationSummary sum = relax(foam, all_unknowns(foam.network), pass, memory);
     pass.sweeps = options.further_sweeps;
-    pass.begins_anew = false;
+    pass.restarts = false;
     const bool has_many_at_limit = films_at_limit(foam) > kFewAtLimit;
     const auto goes_on = [&] {
         return is_far_all_over(foam, options.threads) ||

@@ -14,7 +14,7 @@ struct GlobalRelaxationOptions {
     // The first pass resets pressures and half angles (RelaxationOptions). It always does so if the
     // foam is tangled, has films at the limit of their half angle, or is far from equilibrium all
     // over.
-    bool begins_anew = false;
+    bool restarts = false;
     TopologyThresholds thresholds{};
     int threads = 0;  // as in parallel_for
 };

@@ -21,10 +21,10 @@ constexpr int kMaxRounds = 5;  // rounds of Newton's method, each followed by T1
 constexpr int kRelaxationSweeps = 30;  // of a region in which Newton's method stalls
 constexpr int kWorstRings = 3;         // rings of neighbors around the worst defects
 // A defect is among the worst if its residual is at least this share of the largest.
-constexpr double kWorstShare = 0.2;
+constexpr double kWorstFraction = 0.2;
 
 // Erases bubbles that left their raft when a film of an earlier region tore.
-void drop_dead(const Network& network, DefectRegion& region) {
+void remove_dead(const Network& network, DefectRegion& region) {
     std::erase_if(region, [&](BubbleId bubble) { return !network.is_live(bubble); });
 }
 
@@ -33,7 +33,7 @@ void drop_dead(const Network& network, DefectRegion& region) {
 int solve_region(Foam& foam,
                  DefectRegion region,
                  const TopologyThresholds& thresholds,
-                 LocalMemory& memory) {
+                 RegionBuffers& buffers) {
     const NewtonOptions options{.max_iterations = kMaxIterations,
                                 .force_tolerance = kTolerance,
                                 .area_tolerance = kTolerance,
@@ -41,20 +41,20 @@ int solve_region(Foam& foam,
     int t1 = 0;
     bool was_relaxed = false;
     for (int round = 0; round < kMaxRounds; ++round) {
-        drop_dead(foam.network, region);
+        remove_dead(foam.network, region);
         if (region.empty()) {
             break;
         }
-        memory.system.start(foam, unknowns_around(foam.network, region), 1);
-        const NewtonSummary summary = newton(foam, memory.system, options);
+        buffers.system.start(foam, unknowns_around(foam.network, region), 1);
+        const NewtonSummary summary = newton(foam, buffers.system, options);
         if (summary.status == NewtonStatus::FilmsCollapse) {
             t1 += apply_t1_rule(foam, summary.collapsing, thresholds);
         } else if (summary.status == NewtonStatus::Converged || was_relaxed) {
             break;
         } else {
             const RelaxationOptions relaxation{
-                .sweeps = kRelaxationSweeps, .begins_anew = false, .thresholds = thresholds};
-            t1 += relax(foam, memory.system.unknowns(), relaxation, memory.soft).t1;
+                .sweeps = kRelaxationSweeps, .restarts = false, .thresholds = thresholds};
+            t1 += relax(foam, buffers.system.unknowns(), relaxation, buffers.soft).t1;
             was_relaxed = true;
         }
     }
@@ -65,13 +65,13 @@ int solve_region(Foam& foam,
 
 LocalSummary solve_defect_regions(Foam& foam,
                                   const EquilibriumOptions& options,
-                                  LocalMemory& memory) {
+                                  RegionBuffers& buffers) {
     const Unknowns all = all_unknowns(foam.network);
     const std::vector<DefectRegion> regions =
         find_defect_regions(foam, all, residual(foam, all, options.threads), {});
     LocalSummary summary{.regions = regions.size()};
     for (const DefectRegion& region : regions) {
-        summary.t1 += solve_region(foam, region, options.thresholds, memory);
+        summary.t1 += solve_region(foam, region, options.thresholds, buffers);
     }
     return summary;
 }
@@ -81,8 +81,8 @@ std::vector<DefectRegion> worst_regions(const Foam& foam, int threads) {
     const Eigen::VectorXd r = residual(foam, all, threads);
     const ResidualNorms worst = norms(foam, all, r);
     DefectOptions options;
-    options.force = std::max(options.force, kWorstShare * worst.force);
-    options.area = std::max(options.area, kWorstShare * worst.area);
+    options.force = std::max(options.force, kWorstFraction * worst.force);
+    options.area = std::max(options.area, kWorstFraction * worst.area);
     options.rings = kWorstRings;
     return find_defect_regions(foam, all, r, options);
 }
@@ -90,15 +90,14 @@ std::vector<DefectRegion> worst_regions(const Foam& foam, int threads) {
 int relax_regions(Foam& foam,
                   std::vector<DefectRegion> regions,
                   const EquilibriumOptions& options,
-                  LocalMemory& memory) {
-    const RelaxationOptions relaxation{.sweeps = options.relaxation_sweeps,
-                                       .begins_anew = false,
-                                       .thresholds = options.thresholds};
+                  RegionBuffers& buffers) {
+    const RelaxationOptions relaxation{
+        .sweeps = options.relaxation_sweeps, .restarts = false, .thresholds = options.thresholds};
     int t1 = 0;
     for (DefectRegion& region : regions) {
-        drop_dead(foam.network, region);
+        remove_dead(foam.network, region);
         if (!region.empty()) {
-            t1 += relax(foam, unknowns_around(foam.network, region), relaxation, memory.soft).t1;
+            t1 += relax(foam, unknowns_around(foam.network, region), relaxation, buffers.soft).t1;
         }
     }
     return t1;

@@ -14,8 +14,8 @@ namespace foam {
 
 /// Buffers that are reused from region to region. Allocating them for each region would be costly,
 /// since SoftFoam has a slot for every bubble and film of the whole foam.
-struct LocalMemory {
-    explicit LocalMemory(Foam& foam) : soft(foam) {}
+struct RegionBuffers {
+    explicit RegionBuffers(Foam& foam) : soft(foam) {}
 
     NewtonSystem system;
     SoftFoam soft;
@@ -33,7 +33,7 @@ struct LocalSummary {
 /// Does nothing if there are no regions (find_defect_regions).
 LocalSummary solve_defect_regions(Foam& foam,
                                   const EquilibriumOptions& options,
-                                  LocalMemory& memory);
+                                  RegionBuffers& buffers);
 
 /// Returns the regions around defects whose residual is at least a fifth of the largest residual of
 /// the foam. Returns none if they would hold too large a share of the foam.
@@ -43,6 +43,6 @@ std::vector<DefectRegion> worst_regions(const Foam& foam, int threads);
 int relax_regions(Foam& foam,
                   std::vector<DefectRegion> regions,
                   const EquilibriumOptions& options,
-                  LocalMemory& memory);
+                  RegionBuffers& buffers);
 
 }  // namespace foam

@@ -71,8 +71,8 @@ void add_move(const Unknowns& unknowns,
     }
 }
 
-// Reduces the relative motion of the film's ends to its allowed share. Each end takes half of the
-// cut, or all of it if the other end is held. Returns true if the step was changed.
+// Reduces the relative motion of the film's ends to its allowed fraction. Each end takes half of
+// the cut, or all of it if the other end is held. Returns true if the step was changed.
 bool limit_film(const Foam& foam,
                 const Unknowns& unknowns,
                 FilmId film,
@@ -86,12 +86,12 @@ bool limit_film(const Foam& foam,
     if (growth.squaredNorm() <= largest * largest * d.squaredNorm()) {
         return false;
     }
-    const double share = allowed_share(d, growth, largest);
-    if (share >= 1.0 || tail == head) {
+    const double fraction = allowed_fraction(d, growth, largest);
+    if (fraction >= 1.0 || tail == head) {
         return false;
     }
     const bool both_free = unknowns.position_row(tail) >= 0 && unknowns.position_row(head) >= 0;
-    const Vec2 cut = (both_free ? 0.5 : 1.0) * (1.0 - share) * growth;
+    const Vec2 cut = (both_free ? 0.5 : 1.0) * (1.0 - fraction) * growth;
     add_move(unknowns, step, tail, cut);
     add_move(unknowns, step, head, -cut);
     return true;
@@ -104,8 +104,8 @@ bool limit_half_angle(const Foam& foam,
                       Eigen::VectorXd& step) {
     double& change = step[unknowns.angle_row(film)];
     const double angle = foam.half_angles[film];
-    const double room = std::numbers::pi - std::copysign(angle, angle * change);
-    const double limit = largest * std::min(1.0, room);
+    const double margin = std::numbers::pi - std::copysign(angle, angle * change);
+    const double limit = largest * std::min(1.0, margin);
     const bool cut = std::abs(change) > limit;
     change = std::clamp(change, -limit, limit);
     return cut;
@@ -113,7 +113,7 @@ bool limit_half_angle(const Foam& foam,
 
 }  // namespace
 
-double allowed_share(const Vec2& chord, const Vec2& change, double largest) {
+double allowed_fraction(const Vec2& chord, const Vec2& change, double largest) {
     const double c = chord.norm();
     if (c == 0.0) {
         return 1.0;
@@ -121,8 +121,8 @@ double allowed_share(const Vec2& chord, const Vec2& change, double largest) {
     const double along = change.dot(chord) / c;
     const double across = std::abs(cross(chord, change)) / c;
     const double shrinking = along < 0.0 ? largest * c / -along : 1.0;
-    const double room = largest * (c + std::max(along, 0.0));
-    const double turning = across > room ? room / across : 1.0;
+    const double limit = largest * (c + std::max(along, 0.0));
+    const double turning = across > limit ? limit / across : 1.0;
     return std::min({1.0, shrinking, turning});
 }
 

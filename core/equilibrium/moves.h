@@ -37,7 +37,7 @@ void wrap(Foam& foam, const Unknowns& unknowns);
 /// ends relative to each other across the chord by more than `largest` times the length, which is
 /// the new length if the whole change would lengthen the chord. Growth is not limited. Returns 1
 /// for a chord of no length.
-double allowed_share(const Vec2& chord, const Vec2& change, double largest);
+double allowed_fraction(const Vec2& chord, const Vec2& change, double largest);
 
 /// Limits the relative motion of the two ends of each film to its allowed share, by a few sweeps
 /// over the films. The common motion of the two ends is kept, so that a short film can travel far.

@@ -44,10 +44,10 @@ struct Advance {
 };
 
 Evaluation evaluate(const Foam& foam, const NewtonSystem& system) {
-    Evaluation here;
-    here.residual = residual(foam, system.unknowns(), system.threads());
-    here.norms = norms(foam, system.unknowns(), here.residual);
-    return here;
+    Evaluation current;
+    current.residual = residual(foam, system.unknowns(), system.threads());
+    current.norms = norms(foam, system.unknowns(), current.residual);
+    return current;
 }
 
 // Returns the status if the method ends here, or nothing if it continues.
@@ -81,13 +81,13 @@ std::vector<FilmId> films_for_t1(const Foam& foam,
 bool backtrack(Foam& foam,
                const NewtonSystem& system,
                const Eigen::VectorXd& step,
-               Evaluation& here) {
+               Evaluation& current) {
     const State start = state_of(foam, system.unknowns());
     for (double fraction = 1.0; fraction >= kSmallestStep; fraction *= 0.5) {
         set_state(foam, system.unknowns(), start, step, fraction);
         Evaluation trial = evaluate(foam, system);
-        if (trial.norms.squares < (1.0 - kSufficientDecrease * fraction) * here.norms.squares) {
-            here = std::move(trial);
+        if (trial.norms.squares < (1.0 - kSufficientDecrease * fraction) * current.norms.squares) {
+            current = std::move(trial);
             return true;
         }
     }
@@ -101,14 +101,14 @@ Advance line_search(Foam& foam,
                     const NewtonSystem& system,
                     const Eigen::VectorXd& step,
                     double largest_move,
-                    Evaluation& here) {
-    const double before = here.norms.squares;
+                    Evaluation& current) {
+    const double before = current.norms.squares;
     Advance advance;
     Eigen::VectorXd limited = step;
     advance.was_limited = limit_moves(foam, system.unknowns(), largest_move, limited);
-    advance.moved = backtrack(foam, system, limited, here) ||
-                    (advance.was_limited && backtrack(foam, system, step, here));
-    advance.ratio = std::sqrt(here.norms.squares / before);
+    advance.moved = backtrack(foam, system, limited, current) ||
+                    (advance.was_limited && backtrack(foam, system, step, current));
+    advance.ratio = std::sqrt(current.norms.squares / before);
     return advance;
 }
 
@@ -134,19 +134,19 @@ bool is_worth_keeping(const Advance& advance,
 
 NewtonSummary newton(Foam& foam, NewtonSystem& system, const NewtonOptions& options) {
     NewtonSummary summary;
-    Evaluation here = evaluate(foam, system);
-    std::optional<NewtonStatus> end = ending(here.norms, 0, false, options);
+    Evaluation current = evaluate(foam, system);
+    std::optional<NewtonStatus> end = ending(current.norms, 0, false, options);
     while (!end) {
         const bool is_chord_step = system.has_factor();
-        const Eigen::VectorXd step = system.step(foam, here.residual);
-        summary.collapsing = films_for_t1(foam, system.unknowns(), step, here.norms, options);
+        const Eigen::VectorXd step = system.step(foam, current.residual);
+        summary.collapsing = films_for_t1(foam, system.unknowns(), step, current.norms, options);
         if (!summary.collapsing.empty()) {
             end = NewtonStatus::FilmsCollapse;
             break;
         }
-        const Advance advance = line_search(foam, system, step, options.largest_move, here);
+        const Advance advance = line_search(foam, system, step, options.largest_move, current);
         summary.iterations += advance.moved ? 1 : 0;
-        if (!is_worth_keeping(advance, is_chord_step, here.norms, options)) {
+        if (!is_worth_keeping(advance, is_chord_step, current.norms, options)) {
             system.drop_factor();
         }
         // If a step with a new factor makes no progress, the precision of the factor may be the
@@ -156,11 +156,11 @@ NewtonSummary newton(Foam& foam, NewtonSystem& system, const NewtonOptions& opti
             break;
         }
         const bool is_slow = advance.moved && !is_chord_step && advance.ratio > options.slow_ratio;
-        end = ending(here.norms, summary.iterations, is_slow, options);
+        end = ending(current.norms, summary.iterations, is_slow, options);
     }
     wrap(foam, system.unknowns());
     summary.status = *end;
-    summary.residual = std::max(here.norms.force, here.norms.area);
+    summary.residual = std::max(current.norms.force, current.norms.area);
     return summary;
 }
 

@@ -23,7 +23,7 @@ class RankTable {
     RankTable(std::span<const Id> list, std::size_t slots) {
         is_direct_ = list.size() * kSparse >= slots;
         const std::size_t size =
-            is_direct_ ? slots : std::bit_ceil(kRoom * std::max<std::size_t>(list.size(), 1));
+            is_direct_ ? slots : std::bit_ceil(kSlotsPerId * std::max<std::size_t>(list.size(), 1));
         shift_ = 32 - std::countr_zero(size);
         entries_.assign(is_direct_ ? 0 : size, Entry{});
         direct_.assign(is_direct_ ? size : 0, -1);
@@ -40,7 +40,7 @@ class RankTable {
   private:
     // A list is short if it holds fewer than one in this many ids.
     static constexpr std::size_t kSparse = 16;
-    static constexpr std::size_t kRoom = 2;  // least number of hash table slots per id
+    static constexpr std::size_t kSlotsPerId = 2;  // least number of hash table slots per id
 
     struct Entry {
         Id id = kNone<Id>;

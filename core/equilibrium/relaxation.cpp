@@ -67,8 +67,8 @@ class Relaxation {
 
   private:
     void begin() {
-        if (options_.begins_anew) {
-            begin_anew();
+        if (options_.restarts) {
+            restart();
         }
         soft_.begin(options_.stiffness);
         for (const FilmId film : part_.films) {  // this includes the bubbles around the part
@@ -79,7 +79,7 @@ class Relaxation {
 
     // Resets the pressures to a common value near those of equilibrium, which makes inner films
     // straight. Outer films get arcs that hold the missing areas of their bubbles.
-    void begin_anew() {
+    void restart() {
         const double pressure = mean_pressure();
         for (const BubbleId bubble : part_.bubbles) {
             bulge_outer_films(foam_, bubble);
@@ -108,11 +108,11 @@ class Relaxation {
             chords[k] = chord(foam_, leaving[k]);
         }
         Vec2 step = newton_step(leaving, chords);
-        double share = 1.0;
+        double fraction = 1.0;
         for (const Vec2& d : chords) {
-            share = std::min(share, allowed_share(d, -step, options_.largest_move));
+            fraction = std::min(fraction, allowed_fraction(d, -step, options_.largest_move));
         }
-        step *= share;
+        step *= fraction;
         foam_.positions[junction] += step;
         for (std::size_t k = 0; k < 3; ++k) {
             const Vec2 across = 0.5 * turned_left(chords[k] - chords[(k + 2) % 3]);

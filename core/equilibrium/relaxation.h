@@ -14,11 +14,11 @@ struct RelaxationOptions {
     int sweeps = 60;
     double stiffness = 10.0;  // resistance of a bubble to a change of its area, in film tensions
     // Largest relative motion of the two ends of a film in one move of a junction, in film lengths
-    // (allowed_share).
+    // (allowed_fraction).
     double largest_move = 0.33;
     // Starts from pressures and half angles that are estimated from target areas and film lengths,
     // instead of those of the foam.
-    bool begins_anew = true;
+    bool restarts = true;
     TopologyThresholds thresholds{};
 };
 

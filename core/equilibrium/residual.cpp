@@ -28,14 +28,14 @@ void for_each_index(std::size_t count, int threads, const Body& body) {
 
 // The derivatives of one film's term in L with respect to its tail, its head, the pressure on its
 // right, and its half angle. The derivative with respect to the pressure on its left is -right.
-struct FilmPart {
+struct FilmGradient {
     Vec2 tail = Vec2::Zero();
     Vec2 head = Vec2::Zero();
     double right = 0.0;
     double angle = 0.0;  // only used for an outer film
 };
 
-FilmPart film_part(const Foam& foam, FilmId film) {
+FilmGradient film_gradient(const Foam& foam, FilmId film) {
     const HalfEdgeId h = forward_side(film);
     const Vec2 d = chord(foam, h);
     const double delta = pressure_difference(foam, h);
@@ -66,15 +66,15 @@ void add(Eigen::VectorXd& r, int row, double area) {
 void add_part(const Network& network,
               const Unknowns& unknowns,
               FilmId film,
-              const FilmPart& part,
+              const FilmGradient& gradient,
               Eigen::VectorXd& r) {
     const HalfEdgeId h = forward_side(film);
-    add(r, unknowns.position_row(network.tail(h)), part.tail);
-    add(r, unknowns.position_row(network.head(h)), part.head);
-    add(r, unknowns.pressure_row(network.left(h)), -part.right);
-    add(r, unknowns.pressure_row(network.right(h)), part.right);
+    add(r, unknowns.position_row(network.tail(h)), gradient.tail);
+    add(r, unknowns.position_row(network.head(h)), gradient.head);
+    add(r, unknowns.pressure_row(network.left(h)), -gradient.right);
+    add(r, unknowns.pressure_row(network.right(h)), gradient.right);
     if (network.is_outer(film)) {
-        r[unknowns.angle_row(film)] = part.angle;
+        r[unknowns.angle_row(film)] = gradient.angle;
     }
 }
 
@@ -104,12 +104,12 @@ Eigen::VectorXd residual(const Foam& foam, const Unknowns& unknowns, int threads
         areas[static_cast<Eigen::Index>(k)] =
             foam.target_areas[bubble] - polygon_area(foam, bubble);
     });
-    std::vector<FilmPart> parts(unknowns.films.size());
-    for_each_index(parts.size(), threads, [&](std::size_t k) {
-        parts[k] = film_part(foam, unknowns.films[k]);
+    std::vector<FilmGradient> gradients(unknowns.films.size());
+    for_each_index(gradients.size(), threads, [&](std::size_t k) {
+        gradients[k] = film_gradient(foam, unknowns.films[k]);
     });
-    for (std::size_t k = 0; k < parts.size(); ++k) {
-        add_part(foam.network, unknowns, unknowns.films[k], parts[k], r);
+    for (std::size_t k = 0; k < gradients.size(); ++k) {
+        add_part(foam.network, unknowns, unknowns.films[k], gradients[k], r);
     }
     return r;
 }

@@ -10,7 +10,7 @@ namespace foam {
 
 namespace {
 
-constexpr double kEmptyShare = 0.5;  // a bubble with less of its target area counts as empty
+constexpr double kEmptyFraction = 0.5;  // a bubble with less of its target area counts as empty
 
 SoftFoam::Arc arc_of(double half_angle) {
     return {half_angle, std::sin(half_angle), std::cos(half_angle), arc_shape(half_angle)};
@@ -85,7 +85,7 @@ void SoftFoam::bend_to(FilmId film, double half_angle) {
 void SoftFoam::renew(BubbleId bubble, bool may_be_empty) {
     load_outer_arcs(bubble);
     measure(bubble);
-    if (may_be_empty && bubbles_[bubble].area < kEmptyShare * bubbles_[bubble].target) {
+    if (may_be_empty && bubbles_[bubble].area < kEmptyFraction * bubbles_[bubble].target) {
         bulge_outer_films(foam_, bubble);
         load_outer_arcs(bubble);
         measure(bubble);

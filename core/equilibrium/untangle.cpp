@@ -36,15 +36,15 @@ std::vector<JunctionId> tangled_junctions(const Foam& foam) {
     return tangled;
 }
 
-// Appends the neighbors of a junction that are not yet taken, and takes them.
+// Appends the neighbors of a junction that are not yet visited, and marks them as visited.
 void take_neighbors(const Network& network,
                     JunctionId junction,
-                    Indexed<JunctionId, std::uint8_t>& taken,
+                    Indexed<JunctionId, std::uint8_t>& visited,
                     std::vector<JunctionId>& junctions) {
     for (const HalfEdgeId h : network.leaving(junction)) {
         const JunctionId neighbor = network.head(h);
-        if (taken[neighbor] == 0) {
-            taken[neighbor] = 1;
+        if (visited[neighbor] == 0) {
+            visited[neighbor] = 1;
             junctions.push_back(neighbor);
         }
     }
@@ -52,14 +52,14 @@ void take_neighbors(const Network& network,
 
 // Returns the given junctions, followed by the junctions up to kReach films away.
 std::vector<JunctionId> within_reach(const Network& network, std::vector<JunctionId> junctions) {
-    Indexed<JunctionId, std::uint8_t> taken(network.junction_slots(), 0);
+    Indexed<JunctionId, std::uint8_t> visited(network.junction_slots(), 0);
     for (const JunctionId junction : junctions) {
-        taken[junction] = 1;
+        visited[junction] = 1;
     }
     std::size_t next = 0;
     for (int films = 0; films < kReach; ++films) {
         for (const std::size_t end = junctions.size(); next < end; ++next) {
-            take_neighbors(network, junctions[next], taken, junctions);
+            take_neighbors(network, junctions[next], visited, junctions);
         }
     }
     return junctions;

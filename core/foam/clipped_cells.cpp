@@ -231,9 +231,9 @@ ClippedCells clip_cells(const Outline& outline, const CellDiagram& diagram) {
 }
 
 void merge_slivers(PolygonMesh& mesh) {
-    const double least = kSliverArea * mean_area(mesh);
+    const double min_area = kSliverArea * mean_area(mesh);
     for (std::size_t cell = 0; cell < mesh.cells.size();) {
-        if (polygon_area(mesh, mesh.cells[cell]) < least) {
+        if (polygon_area(mesh, mesh.cells[cell]) < min_area) {
             merge_or_drop(mesh, cell);
         } else {
             ++cell;

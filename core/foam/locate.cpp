@@ -20,7 +20,7 @@ namespace foam {
 namespace {
 
 // Step by which bubble_at moves a point that no bubble contains, in square roots of the mean area.
-constexpr double kAside = 1e-7;
+constexpr double kNudge = 1e-7;
 
 // Returns the contribution of a chord to the winding number around the origin: 1 if it crosses the
 // ray to the right upwards, -1 if downwards, otherwise 0.
@@ -39,8 +39,8 @@ int ray_crossings(const Vec2& from, const Vec2& to) {
 bool is_in_segment(const Vec2& from, const FilmArc& arc) {
     const Vec2 to = from + arc.chord;
     const double side = cross(from, to);  // positive if the origin is on the left
-    const double lacking = std::atan2(std::abs(side), -from.dot(to));
-    return lacking < std::abs(arc.half_angle) && (arc.half_angle > 0.0) == (side < 0.0);
+    const double angle = std::atan2(std::abs(side), -from.dot(to));
+    return angle < std::abs(arc.half_angle) && (arc.half_angle > 0.0) == (side < 0.0);
 }
 
 struct Outline {
@@ -104,22 +104,22 @@ double distance_to_chord(const Foam& foam, FilmId film, const Vec2& point) {
     const HalfEdgeId h = forward_side(film);
     const Vec2 along = chord(foam, h);
     const Vec2 from = foam.domain.nearest_copy(foam.positions[foam.network.tail(h)] - point);
-    double least = std::numeric_limits<double>::infinity();
+    double min_distance = std::numeric_limits<double>::infinity();
     for (const LatticeOffset offset : foam.domain.offsets_near(Vec2::Zero(), along.norm())) {
         const Vec2 copy = from + foam.domain.translation(offset);
-        least = std::min(least, distance_to_segment(copy, along));
+        min_distance = std::min(min_distance, distance_to_segment(copy, along));
     }
-    return least;
+    return min_distance;
 }
 
 template <class Id>
-Id least_of(const LiveRange<Id>& ids, const auto& distance) {
+Id argmin(const LiveRange<Id>& ids, const auto& distance) {
     Id nearest = *ids.begin();
-    double least = std::numeric_limits<double>::infinity();
+    double min_distance = std::numeric_limits<double>::infinity();
     for (const Id id : ids) {
-        const double here = distance(id);
-        nearest = here < least ? id : nearest;
-        least = std::min(least, here);
+        const double current = distance(id);
+        nearest = current < min_distance ? id : nearest;
+        min_distance = std::min(min_distance, current);
     }
     return nearest;
 }
@@ -146,10 +146,10 @@ int winding_number(const Foam& foam, BubbleId bubble, const Vec2& point) {
 }
 
 std::optional<BubbleId> bubble_at(const Foam& foam, const Vec2& point) {
-    const double aside = kAside * std::sqrt(mean_target_area(foam));
+    const double nudge = kNudge * std::sqrt(mean_target_area(foam));
     for (int k = 0; k < 8; ++k) {
         const Vec2 direction(std::cos(k), std::sin(k));
-        if (const auto bubble = bubble_around(foam, point + k * aside * direction)) {
+        if (const auto bubble = bubble_around(foam, point + k * nudge * direction)) {
             return bubble;
         }
     }
@@ -183,14 +183,14 @@ std::vector<BubbleId> bubbles_of_sides(const Foam& foam, int sides) {
 }
 
 JunctionId nearest_junction(const Foam& foam, const Vec2& point) {
-    return least_of(foam.network.junctions(), [&](JunctionId junction) {
+    return argmin(foam.network.junctions(), [&](JunctionId junction) {
         return foam.domain.nearest_copy(foam.positions[junction] - point).norm();
     });
 }
 
 FilmId nearest_film(const Foam& foam, const Vec2& point) {
-    return least_of(foam.network.films(),
-                    [&](FilmId film) { return distance_to_chord(foam, film, point); });
+    return argmin(foam.network.films(),
+                  [&](FilmId film) { return distance_to_chord(foam, film, point); });
 }
 
 }  // namespace foam

@@ -67,12 +67,12 @@ Outline moved_and_scaled(Outline outline, const Vec2& by, double scale) {
 
 // The outline, scaled to an area of 1 per bubble, in the middle half of a torus. It is so far from
 // its own copies that their sites do not affect the cells within it.
-struct Site {
+struct PreparedOutline {
     Outline outline;
     Domain domain;
 };
 
-Site prepared(const Outline& outline, int bubbles) {
+PreparedOutline prepare(const Outline& outline, int bubbles) {
     const Box box = box_of(outline);
     const Vec2 size = box.high - box.low;
     const double scale = std::sqrt(bubbles / outline_area(outline));
@@ -94,19 +94,21 @@ std::vector<Vec2> random_sites(const Outline& outline, int count, Random& random
     return sites;
 }
 
-ClippedCells cells_of(const Site& place, const std::vector<Vec2>& sites) {
-    return clip_cells(place.outline, voronoi_cells(place.domain, sites));
+ClippedCells cells_of(const PreparedOutline& prepared, const std::vector<Vec2>& sites) {
+    return clip_cells(prepared.outline, voronoi_cells(prepared.domain, sites));
 }
 
-ClippedCells draw_cells(const Site& place, const PatchOptions& options, Random& random) {
-    std::vector<Vec2> sites = random_sites(place.outline, options.bubbles, random);
-    ClippedCells cells = cells_of(place, sites);
+ClippedCells draw_cells(const PreparedOutline& prepared,
+                        const PatchOptions& options,
+                        Random& random) {
+    std::vector<Vec2> sites = random_sites(prepared.outline, options.bubbles, random);
+    ClippedCells cells = cells_of(prepared, sites);
     for (int k = 0; k < options.lloyd_iterations; ++k) {
         for (std::size_t cell = 0; cell < sites.size(); ++cell) {
             const Vec2 center = cells.centers[cell];
-            sites[cell] = is_inside(place.outline, center) ? center : sites[cell];
+            sites[cell] = is_inside(prepared.outline, center) ? center : sites[cell];
         }
-        cells = cells_of(place, sites);
+        cells = cells_of(prepared, sites);
     }
     return cells;
 }
@@ -149,10 +151,10 @@ void spread_targets(Foam& foam, double ratio) {
 Foam seed_patch(const Outline& outline, const PatchOptions& options) {
     check(outline, options);
     Random random(options.seed);
-    const Site place = prepared(outline, options.bubbles);
+    const PreparedOutline prepared = prepare(outline, options.bubbles);
     for (int draw = 1;; ++draw) {
         try {
-            Foam foam = foam_of(draw_cells(place, options, random));
+            Foam foam = foam_of(draw_cells(prepared, options, random));
             foam.film_tension = 2.0 * options.surface_tension;
             spread_targets(foam, options.area_ratio);
             return foam;

@@ -27,7 +27,7 @@ namespace {
 constexpr std::size_t kMaxSidesOfSmallHole = 3;
 // Fraction of the areas of the bubbles along a boundary; the outer boundary of a raft encloses
 // more.
-constexpr double kRaftShare = 0.5;
+constexpr double kRaftAreaFraction = 0.5;
 
 // One of the bubbles beside a film that tears.
 struct TornSide {
@@ -65,11 +65,11 @@ void fit_joined(Foam& foam, const TornSide& side) {
 }
 
 void add_lone(Foam& foam, const LoneBubble& bubble) {
-    const auto place =
+    const auto position =
         std::find_if(foam.lone_bubbles.begin(), foam.lone_bubbles.end(), [&](const LoneBubble& b) {
             return b.identity > bubble.identity;
         });
-    foam.lone_bubbles.insert(place, bubble);
+    foam.lone_bubbles.insert(position, bubble);
 }
 
 std::vector<HalfEdgeId> boundary_at(const Network& network, FilmId film) {
@@ -115,7 +115,7 @@ double enclosed_area(const Foam& foam, const std::vector<HalfEdgeId>& boundary) 
 // runs clockwise and encloses at least all bubbles along it. The bubbles around a hole may overlap,
 // but by less than half of their total area.
 bool is_around_hole(const Foam& foam, const std::vector<HalfEdgeId>& boundary, double enclosed) {
-    return enclosed > -kRaftShare * area_along(foam, boundary);
+    return enclosed > -kRaftAreaFraction * area_along(foam, boundary);
 }
 
 }  // namespace
@@ -132,7 +132,7 @@ void tear_film(Foam& foam, FilmId film) {
                                         torn_side(foam, site.before_right, site.after_right)};
     const std::array<BubbleId, 2> bubbles{foam.network.left(site.film),
                                           foam.network.right(site.film)};
-    note_t1(foam, film);
+    record_t1(foam, film);
     split(foam.network, film);
     for (std::size_t k = 0; k < 2; ++k) {
         if (foam.network.is_live(bubbles[k])) {
@@ -172,7 +172,7 @@ bool close_hole(Foam& foam, FilmId film) {
     for (const HalfEdgeId h : boundary) {
         bubbles.push_back(foam.network.right(h));
     }
-    note_event(foam, TopologyEventKind::T1, mean, bubbles);
+    record_event(foam, TopologyEventKind::T1, mean, bubbles);
     const Vanished vanished = close(foam.network, boundary);
     if (vanished.junction != kNone<JunctionId>) {
         place_junction(foam, vanished.junction, mean);

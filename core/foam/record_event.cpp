@@ -8,11 +8,11 @@
 
 namespace foam {
 
-void note_event(Foam& foam,
-                TopologyEventKind kind,
-                const Vec2& place,
-                const std::vector<BubbleId>& bubbles) {
-    TopologyEvent event{kind, foam.time, place};
+void record_event(Foam& foam,
+                  TopologyEventKind kind,
+                  const Vec2& position,
+                  const std::vector<BubbleId>& bubbles) {
+    TopologyEvent event{kind, foam.time, position};
     for (const BubbleId bubble : bubbles) {
         if (bubble != foam.network.ghost()) {
             event.bubbles.push_back(foam.identities[bubble]);
@@ -21,15 +21,15 @@ void note_event(Foam& foam,
     foam.events.push_back(std::move(event));
 }
 
-void note_t1(Foam& foam, FilmId film) {
+void record_t1(Foam& foam, FilmId film) {
     const T1Site site = t1_site(foam.network, film);
-    note_event(foam,
-               TopologyEventKind::T1,
-               middle_of(foam, film),
-               {foam.network.left(site.film),
-                foam.network.right(site.film),
-                site.end_tail,
-                site.end_head});
+    record_event(foam,
+                 TopologyEventKind::T1,
+                 middle_of(foam, film),
+                 {foam.network.left(site.film),
+                  foam.network.right(site.film),
+                  site.end_tail,
+                  site.end_head});
 }
 
 }  // namespace foam

@@ -10,12 +10,12 @@ namespace foam {
 
 /// Appends an event at the present time to the events of the foam. The ghost is left out of its
 /// bubbles.
-void note_event(Foam& foam,
-                TopologyEventKind kind,
-                const Vec2& place,
-                const std::vector<BubbleId>& bubbles);
+void record_event(Foam& foam,
+                  TopologyEventKind kind,
+                  const Vec2& position,
+                  const std::vector<BubbleId>& bubbles);
 
 /// Appends the event of a T1 at a film. To be called before the T1 changes the network.
-void note_t1(Foam& foam, FilmId film);
+void record_t1(Foam& foam, FilmId film);
 
 }  // namespace foam

@@ -144,12 +144,12 @@ std::vector<SidesGrowth> growth_by_sides(const Frame& before, const Frame& after
     }
     const std::map<BubbleIdentity, Neighborhood> earlier = neighborhoods(before);
     std::map<int, SidesGrowth> sums;
-    for (const auto& [identity, now] : neighborhoods(after)) {
+    for (const auto& [identity, current] : neighborhoods(after)) {
         const auto then = earlier.find(identity);
-        if (then != earlier.end() && then->second.neighbors == now.neighbors) {
-            SidesGrowth& sum = sums[static_cast<int>(now.neighbors.size())];
+        if (then != earlier.end() && then->second.neighbors == current.neighbors) {
+            SidesGrowth& sum = sums[static_cast<int>(current.neighbors.size())];
             ++sum.bubbles;
-            sum.mean_rate += (now.area - then->second.area) / time;
+            sum.mean_rate += (current.area - then->second.area) / time;
         }
     }
     std::vector<SidesGrowth> means;

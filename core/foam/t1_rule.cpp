@@ -46,12 +46,12 @@ Vec2 tangent(const Foam& foam, HalfEdgeId h) {
 
 // The pull by which the four neighboring films stretch a film, mean over its two ends, in units of
 // the film tension.
-struct OuterPull {
+struct NeighborPull {
     Vec2 present;  // for the film in its present state, from its tail to its head
     Vec2 flipped;  // for the flipped film, from its right end to its left end
 };
 
-OuterPull outer_pull(const Foam& foam, FilmId film) {
+NeighborPull neighbor_pull(const Foam& foam, FilmId film) {
     const T1Site site = t1_site(foam.network, film);
     const Vec2 tail_left = tangent(foam, twin(site.before_left));
     const Vec2 tail_right = tangent(foam, site.after_right);
@@ -63,7 +63,7 @@ OuterPull outer_pull(const Foam& foam, FilmId film) {
 
 // Places the film by its middle and the vector from its tail to its head; both are given in the
 // frame of the tail.
-void lay_film(Foam& foam, FilmId film, const Vec2& middle, const Vec2& tail_to_head) {
+void place_film(Foam& foam, FilmId film, const Vec2& middle, const Vec2& tail_to_head) {
     const HalfEdgeId h = forward_side(film);
     const Vec2 to_frame_of_head = foam.domain.translation(foam.network.offset(h));
     const JunctionId tail = foam.network.tail(h);
@@ -81,7 +81,7 @@ bool is_short_and_flips(const Foam& foam, FilmId film, const TopologyThresholds&
 // Returns true if the neighboring films of a film that can tear pull harder across it than along
 // it, where the tension of the film itself is subtracted.
 bool tears_apart(const Foam& foam, FilmId film) {
-    const OuterPull pull = outer_pull(foam, film);
+    const NeighborPull pull = neighbor_pull(foam, film);
     return pull.flipped.norm() > pull.present.norm() - 1.0;
 }
 
@@ -110,7 +110,7 @@ double collapsed_length(const Foam& foam, FilmId film, const TopologyThresholds&
 }
 
 bool flipped_pulls_apart(const Foam& foam, FilmId film) {
-    const Vec2 pull = outer_pull(foam, film).flipped;
+    const Vec2 pull = neighbor_pull(foam, film).flipped;
     const Vec2 d = chord(foam, forward_side(film));
     const double apart = d == Vec2::Zero() ? pull.norm() : pull.dot(turned_left(d).normalized());
     return apart > (can_tear(foam.network, film) ? 0.0 : 1.0);
@@ -119,27 +119,27 @@ bool flipped_pulls_apart(const Foam& foam, FilmId film) {
 void flip_film(Foam& foam, FilmId film) {
     const Vec2 right_to_left = turned_left(chord(foam, forward_side(film)));
     const Vec2 middle = middle_of(foam, film);
-    note_t1(foam, film);
+    record_t1(foam, film);
     flip(foam.network, film);
-    lay_film(foam, film, middle,
-             -right_to_left);  // the tail is now on the left side
+    place_film(foam, film, middle,
+               -right_to_left);  // the tail is now on the left side
     fit_half_angle(foam, film);
     foam.t1_armed[film] = 0;
 }
 
 bool reopen_film(Foam& foam, FilmId film, double length) {
-    const OuterPull pull = outer_pull(foam, film);
+    const NeighborPull pull = neighbor_pull(foam, film);
     const Vec2 middle = middle_of(foam, film);
     const bool flips =
         pull.flipped.squaredNorm() > pull.present.squaredNorm() && can_flip(foam.network, film);
     if (flips) {
-        note_t1(foam, film);
+        record_t1(foam, film);
         flip(foam.network, film);
         foam.t1_armed[film] = 0;
     }
     const Vec2 along = flips ? Vec2(-pull.flipped) : pull.present;
     const Vec2 direction = along == Vec2::Zero() ? Vec2(1.0, 0.0) : Vec2(along.normalized());
-    lay_film(foam, film, middle, length * direction);
+    place_film(foam, film, middle, length * direction);
     fit_half_angle(foam, film);
     return flips;
 }

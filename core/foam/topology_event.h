@@ -23,8 +23,8 @@ enum class TopologyEventKind {
 /// The record of one topology change.
 struct TopologyEvent {
     TopologyEventKind kind = TopologyEventKind::T1;
-    double time = 0.0;     // foam time at the start of the substep
-    Vec2 place{0.0, 0.0};  // position at the time of the change; not wrapped to the torus' cell
+    double time = 0.0;        // foam time at the start of the substep
+    Vec2 position{0.0, 0.0};  // position at the time of the change; not wrapped to the torus' cell
     // The bubbles whose neighbors changed, including one that vanished.
     std::vector<BubbleIdentity> bubbles{};
 

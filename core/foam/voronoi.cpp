@@ -159,13 +159,14 @@ CellDiagram voronoi_cells(const Domain& domain, const std::vector<Vec2>& sites) 
     }
     const double mean_spacing = std::sqrt(static_cast<double>(grid.width) * grid.height /
                                           static_cast<double>(sites.size()));
-    const double most = static_cast<double>(kMaxRings) * std::min(grid.width, grid.height);
+    const double max_margin = static_cast<double>(kMaxRings) * std::min(grid.width, grid.height);
     for (double margin = 8.0 * mean_spacing;; margin *= 2.0) {
-        if (std::optional<CellDiagram> cells = cells_within(points, grid, std::min(margin, most))) {
+        if (std::optional<CellDiagram> cells =
+                cells_within(points, grid, std::min(margin, max_margin))) {
             check_every_site_has_a_cell(*cells);
             return std::move(*cells);
         }
-        if (margin >= most) {
+        if (margin >= max_margin) {
             throw std::runtime_error(
                 "Voronoi diagram: the sites are too sparse to cover the torus");
         }

@@ -18,8 +18,8 @@ std::int32_t periods_below(double x, double period) {
     } else if (x - k * period >= period) {
         k += 1.0;
     }
-    constexpr double kMost = std::numeric_limits<std::int32_t>::max();
-    return std::abs(k) <= kMost ? static_cast<std::int32_t>(k) : 0;
+    constexpr double kMax = std::numeric_limits<std::int32_t>::max();
+    return std::abs(k) <= kMax ? static_cast<std::int32_t>(k) : 0;
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ const std::map<std::string, const char*>& rejected_keywords() {
         "adds an energy that is not supported; the energy of a foam is the length of its films";
     static constexpr const char* kModel =
         "selects a model that is not supported; only STRING models with the Euclidean metric are";
-    static const std::map<std::string, const char*> refused_words{
+    static const std::map<std::string, const char*> rejected_words{
         {"soapfilm", kModel},
         {"simplex_representation", kModel},
         {"lagrange", "is not supported; must be LINEAR (straight edges) or QUADRATIC (arcs)"},
@@ -36,7 +36,7 @@ const std::map<std::string, const char*>& rejected_keywords() {
         {"conducting_knot_energy", kEnergy},
         {"insulating_knot_energy", kEnergy},
     };
-    return refused_words;
+    return rejected_words;
 }
 
 struct Method {
@@ -87,9 +87,9 @@ class HeaderReader {
                          "preprocessor lines such as #define and #include are not supported");
         }
         keyword_ = tokens_.take_word("a keyword of the top section");
-        const auto refused = rejected_keywords().find(lower(keyword_));
-        if (refused != rejected_keywords().end()) {
-            tokens_.fail(line_, fmt::format("{} {}", keyword_, refused->second));
+        const auto rejected = rejected_keywords().find(lower(keyword_));
+        if (rejected != rejected_keywords().end()) {
+            tokens_.fail(line_, fmt::format("{} {}", keyword_, rejected->second));
         }
         const auto handler = handlers.find(lower(keyword_));
         (this->*(handler == handlers.end() ? &HeaderReader::skip_statement : handler->second))();

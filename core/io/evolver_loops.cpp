@@ -10,16 +10,16 @@
 #include <cmath>
 #include <cstdlib>
 
-// Turns faces into loops of films in three steps: take the loop of edges of each face, reversed if
-// its body is on the other side; check that loops are closed and that each side of an edge has at
-// most one face; reverse all loops if they are clockwise, as the sign of their total area tells.
-// Each loop is then split into films at the vertices of three edges.
+// Permutation faces into loops of films in three steps: take the loop of edges of each face,
+// reversed if its body is on the other side; check that loops are closed and that each side of an
+// edge has at most one face; reverse all loops if they are clockwise, as the sign of their total
+// area tells. Each loop is then split into films at the vertices of three edges.
 
 namespace foam::evolver {
 
 namespace {
 
-constexpr double kFarthest = 1e6;         // largest coordinate of a vertex, in periods
+constexpr double kMaxCoordinate = 1e6;    // largest coordinate of a vertex, in periods
 constexpr double kCoverTolerance = 1e-6;  // relative tolerance for the sum of the areas of faces
 
 using Loop = std::vector<EdgeSide>;
@@ -65,13 +65,13 @@ class LoopBuilder {
             return;
         }
         for (const Vertex& vertex : mesh_.vertices) {
-            if (std::abs(vertex.point.x()) > kFarthest * domain_.width ||
-                std::abs(vertex.point.y()) > kFarthest * domain_.height) {
+            if (std::abs(vertex.point.x()) > kMaxCoordinate * domain_.width ||
+                std::abs(vertex.point.y()) > kMaxCoordinate * domain_.height) {
                 fail(vertex.line,
                      fmt::format(
                          "vertex {} is too far from the origin; must be within {:.0f} periods",
                          vertex.id,
-                         kFarthest));
+                         kMaxCoordinate));
             }
         }
     }

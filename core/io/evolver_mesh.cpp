@@ -30,14 +30,14 @@ class IdTable {
         if (id < 1) {
             tokens_.fail(line, fmt::format("{} numbers must be at least 1, not {}", kind_, id));
         }
-        if (!places_.emplace(id, places_.size()).second) {
+        if (!indices_.emplace(id, indices_.size()).second) {
             tokens_.fail(line, fmt::format("duplicate {} {}", kind_, id));
         }
     }
 
-    std::size_t place(int id, int line, const std::string& user) const {
-        const auto found = places_.find(id);
-        if (found == places_.end()) {
+    std::size_t index_of(int id, int line, const std::string& user) const {
+        const auto found = indices_.find(id);
+        if (found == indices_.end()) {
             tokens_.fail(line, fmt::format("{}: {} {} does not exist", user, kind_, id));
         }
         return found->second;
@@ -46,7 +46,7 @@ class IdTable {
   private:
     const TokenReader& tokens_;
     const char* kind_;
-    std::unordered_map<int, std::size_t> places_;
+    std::unordered_map<int, std::size_t> indices_;
 };
 
 struct Section {
@@ -145,7 +145,7 @@ class MeshReader {
 
     std::size_t take_vertex(const std::string& user) {
         const int line = tokens_.peek().line;
-        return vertex_ids_.place(tokens_.take_integer("a vertex number"), line, user);
+        return vertex_ids_.index_of(tokens_.take_integer("a vertex number"), line, user);
     }
 
     bool at_wrap() const {
@@ -179,7 +179,7 @@ class MeshReader {
         while (at_integer_of_element()) {
             const int edge_line = tokens_.peek().line;
             const int edge = tokens_.take_integer("an edge number");
-            face.sides.push_back({edge_ids_.place(std::abs(edge), edge_line, name), edge > 0});
+            face.sides.push_back({edge_ids_.index_of(std::abs(edge), edge_line, name), edge > 0});
         }
         if (face.sides.empty()) {
             tokens_.fail(line, fmt::format("{} has no edges", name));
@@ -193,7 +193,7 @@ class MeshReader {
         const std::string name = fmt::format("body {}", id);
         Body body{id, line, 0, false, {}, {}};
         const int face = tokens_.take_integer("a face number");
-        body.face = face_ids_.place(std::abs(face), line, name);
+        body.face = face_ids_.index_of(std::abs(face), line, name);
         body.reversed = face < 0;
         if (at_integer_of_element()) {
             tokens_.fail(line, fmt::format("{} has more than one face", name));

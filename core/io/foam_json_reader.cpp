@@ -95,11 +95,11 @@ class Reader {
         return found;
     }
 
-    double integer(const JsonTree& value, double least, double most) const {
+    double integer(const JsonTree& value, double min, double max) const {
         const double found = number(value);
-        if (found != std::floor(found) || found < least || found > most) {
+        if (found != std::floor(found) || found < min || found > max) {
             fail(value.line,
-                 fmt::format("expected an integer from {} to {}, found {}", least, most, found));
+                 fmt::format("expected an integer from {} to {}, found {}", min, max, found));
         }
         return found;
     }

@@ -103,7 +103,7 @@ class TreeBuilder : public Json::json_sax_t {
 
     // Returns the node for the next value. Pointers in open_ stay valid: nothing is appended to the
     // container of an open node until that node is closed.
-    JsonTree& next_place() {
+    JsonTree& next_node() {
         if (open_.empty()) {
             return root_;
         }
@@ -115,9 +115,9 @@ class TreeBuilder : public Json::json_sax_t {
 
     template <class Value>
     bool add(Value value) {
-        JsonTree& place = next_place();
-        place.data = std::move(value);
-        place.line = progress_.token_line();
+        JsonTree& node = next_node();
+        node.data = std::move(value);
+        node.line = progress_.token_line();
         return true;
     }
 
@@ -126,10 +126,10 @@ class TreeBuilder : public Json::json_sax_t {
         if (open_.size() == kDeepest) {
             fail(fmt::format("nested more than {} levels deep", kDeepest));
         }
-        JsonTree& place = next_place();
-        place.data = std::move(container);
-        place.line = progress_.token_line();
-        open_.push_back(&place);
+        JsonTree& node = next_node();
+        node.data = std::move(container);
+        node.line = progress_.token_line();
+        open_.push_back(&node);
         return true;
     }
 

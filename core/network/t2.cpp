@@ -31,14 +31,14 @@ std::vector<BubbleId> neighbors_of(const Network& network, const std::vector<Hal
     return neighbors;
 }
 
-void lose_side(Network& network, BubbleId bubble, int count) {
+void subtract_sides(Network& network, BubbleId bubble, int count) {
     network.set_sides(bubble, network.sides(bubble) - count);
 }
 
 // Removes the bubble inside the loop; if it is the ghost, only subtracts the sides of the hole.
 void remove_inside(Network& network, BubbleId inside, int sides) {
     if (inside == network.ghost()) {
-        lose_side(network, inside, sides);
+        subtract_sides(network, inside, sides);
     } else {
         network.remove(inside);
     }
@@ -60,7 +60,7 @@ Vanished vanish_three_sided(Network& network, const std::vector<HalfEdgeId>& loo
         network.set_next(twin(outer[(i + 1) % 3]), outer[i]);
         network.set_tail(outer[i], vanished.junction);
         network.set_first(neighbor, outer[i]);
-        lose_side(network, neighbor, 1);
+        subtract_sides(network, neighbor, 1);
     }
     for (const HalfEdgeId h : loop) {
         network.remove(film_of(h));
@@ -77,8 +77,8 @@ Vanished vanish_two_sided(Network& network, const std::vector<HalfEdgeId>& loop)
     const HalfEdgeId kept = outer_film(network, loop[0]);
     const HalfEdgeId dropped = outer_film(network, loop[1]);
     Vanished vanished{kNone<JunctionId>, film_of(kept), neighbors_of(network, loop)};
-    const JunctionId gone_0 = network.tail(loop[0]);
-    const JunctionId gone_1 = network.tail(loop[1]);
+    const JunctionId removed_0 = network.tail(loop[0]);
+    const JunctionId removed_1 = network.tail(loop[1]);
 
     network.set_offset(kept,
                        network.offset(kept) - network.offset(loop[0]) - network.offset(dropped));
@@ -87,13 +87,13 @@ Vanished vanish_two_sided(Network& network, const std::vector<HalfEdgeId>& loop)
     network.set_tail(kept, network.head(dropped));
     for (const HalfEdgeId side : {kept, twin(kept)}) {
         network.set_first(network.left(side), side);
-        lose_side(network, network.left(side), 2);
+        subtract_sides(network, network.left(side), 2);
     }
     for (const HalfEdgeId h : {loop[0], loop[1], dropped}) {
         network.remove(film_of(h));
     }
-    network.remove(gone_0);
-    network.remove(gone_1);
+    network.remove(removed_0);
+    network.remove(removed_1);
     remove_inside(network, inside, 2);
     return vanished;
 }

@@ -8,9 +8,9 @@
 
 namespace foam {
 
-// The caller of run() puts an offer on a list and works itself. Idle threads of the pool claim the
-// last offer of the list, call its work(), and report when they have left it. The caller withdraws
-// the offer when its own call has returned, and waits for the helpers that are inside work().
+// The caller of run() adds a task to a list and works itself. Idle threads of the pool claim the
+// last task of the list, call its work(), and report when they have left it. The caller removes
+// the task when its own call has returned, and waits for the helpers that are inside work().
 // Caller and helpers spin for a short time before they sleep on a condition variable.
 
 namespace {
@@ -47,29 +47,29 @@ void WorkerPool::run(int helpers, const std::function<void()>& work) {
         work();
         return;
     }
-    Offer offer;
-    offer.work = &work;
-    offer.unclaimed = helpers;
+    Task task;
+    task.work = &work;
+    task.unclaimed = helpers;
     {
         const std::scoped_lock lock(mutex_);
         start_threads(helpers);
-        offers_.push_back(&offer);
-        offered_ = offers_.size();
+        tasks_.push_back(&task);
+        task_count_ = tasks_.size();
     }
     for (int k = 0; k < helpers; ++k) {
         changed_.notify_one();
     }
     work();
-    withdraw(offer);
-    spin_until([&] { return offer.running == 0; });
+    remove(task);
+    spin_until([&] { return task.running == 0; });
     std::unique_lock lock(mutex_);
-    finished_.wait(lock, [&] { return offer.running == 0; });
+    finished_.wait(lock, [&] { return task.running == 0; });
 }
 
-void WorkerPool::withdraw(Offer& offer) {
+void WorkerPool::remove(Task& task) {
     const std::scoped_lock lock(mutex_);
-    offers_.erase(std::remove(offers_.begin(), offers_.end(), &offer), offers_.end());
-    offered_ = offers_.size();
+    tasks_.erase(std::remove(tasks_.begin(), tasks_.end(), &task), tasks_.end());
+    task_count_ = tasks_.size();
 }
 
 void WorkerPool::start_threads(int count) {
@@ -80,29 +80,29 @@ void WorkerPool::start_threads(int count) {
 
 void WorkerPool::serve() {
     while (true) {
-        spin_until([this] { return offered_ > 0; });
+        spin_until([this] { return task_count_ > 0; });
         std::unique_lock lock(mutex_);
-        changed_.wait(lock, [this] { return closing_ || !offers_.empty(); });
+        changed_.wait(lock, [this] { return closing_ || !tasks_.empty(); });
         if (closing_) {
             return;
         }
-        Offer* offer = claim();
+        Task* task = claim();
         lock.unlock();
-        (*offer->work)();
+        (*task->work)();
         lock.lock();
-        --offer->running;
-        finished_.notify_all();  // under the lock, since the offer may be destroyed right after it
+        --task->running;
+        finished_.notify_all();  // under the lock, since the task may be destroyed right after it
     }
 }
 
-WorkerPool::Offer* WorkerPool::claim() {
-    Offer* offer = offers_.back();
-    ++offer->running;
-    if (--offer->unclaimed == 0) {
-        offers_.pop_back();
-        offered_ = offers_.size();
+WorkerPool::Task* WorkerPool::claim() {
+    Task* task = tasks_.back();
+    ++task->running;
+    if (--task->unclaimed == 0) {
+        tasks_.pop_back();
+        task_count_ = tasks_.size();
     }
-    return offer;
+    return task;
 }
 
 }  // namespace foam

@@ -35,7 +35,7 @@ class WorkerPool {
     void run(int helpers, const std::function<void()>& work);
 
   private:
-    struct Offer {
+    struct Task {
         const std::function<void()>* work = nullptr;
         int unclaimed = 0;            // helpers that may still join
         std::atomic<int> running{0};  // helpers that are inside work()
@@ -43,14 +43,14 @@ class WorkerPool {
 
     void start_threads(int count);
     void serve();
-    Offer* claim();
-    void withdraw(Offer& offer);
+    Task* claim();
+    void remove(Task& task);
 
     std::mutex mutex_;
-    std::condition_variable changed_;   // signals a new offer or the closing of the pool
+    std::condition_variable changed_;   // signals a new task or the closing of the pool
     std::condition_variable finished_;  // signals that a helper has left work()
-    std::vector<Offer*> offers_;
-    std::atomic<std::size_t> offered_{0};  // offers_.size(), readable without the lock
+    std::vector<Task*> tasks_;
+    std::atomic<std::size_t> task_count_{0};  // tasks_.size(), readable without the lock
     bool closing_ = false;
     std::vector<std::jthread> threads_;
 };

@@ -21,7 +21,7 @@ RelaxationSummary relax_first(Foam& foam, const EquilibriumOptions& options) {
     return relax_globally(foam,
                           {.sweeps = std::max(1, options.relaxation_sweeps),
                            .further_sweeps = options.relaxation_sweeps,
-                           .begins_anew = true,
+                           .restarts = true,
                            .thresholds = options.thresholds,
                            .threads = options.threads},
                           memory);

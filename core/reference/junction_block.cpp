@@ -106,11 +106,11 @@ JunctionBlock::Side JunctionBlock::side_of(const Foam& foam, HalfEdgeId h) const
     side.outer = find(film_of(h));
     if (side.outer != kHeld) {
         side.half_angle = film_arc(foam, h).half_angle;
-        side.forward_share = is_forward(h) ? 1.0 : -1.0;
+        side.forward_sign = is_forward(h) ? 1.0 : -1.0;
     }
     side.segment = segment_of(side);
-    side.start_share = foam.network.tail(h) == junction_ ? 1.0 : 0.0;
-    side.chord_share = (foam.network.head(h) == junction_ ? 1.0 : 0.0) - side.start_share;
+    side.start_weight = foam.network.tail(h) == junction_ ? 1.0 : 0.0;
+    side.chord_weight = (foam.network.head(h) == junction_ ? 1.0 : 0.0) - side.start_weight;
     side.left = find(foam.network.left(h));
     side.right = find(foam.network.right(h));
     return side;
@@ -143,13 +143,13 @@ double JunctionBlock::pressure_change(const BlockVector& change, std::size_t bub
 
 JunctionBlock::Side JunctionBlock::changed(const Side& side, const BlockVector& change) const {
     Side result = side;
-    result.start += side.start_share * move(change);
-    result.chord += side.chord_share * move(change);
+    result.start += side.start_weight * move(change);
+    result.chord += side.chord_weight * move(change);
     result.pressure +=
         pressure_change_at(change, side.left) - pressure_change_at(change, side.right);
     if (side.outer != kHeld) {
         result.half_angle +=
-            side.forward_share * half_angle_change(change, static_cast<std::size_t>(side.outer));
+            side.forward_sign * half_angle_change(change, static_cast<std::size_t>(side.outer));
     }
     if (result.chord != side.chord || result.pressure != side.pressure ||
         result.half_angle != side.half_angle) {
@@ -166,7 +166,7 @@ BlockVector JunctionBlock::constraint_errors(const BlockVector& change) const {
         errors[side.left] -= area / targets_[static_cast<std::size_t>(side.left)];
         if (side.outer != kHeld) {
             errors[static_cast<Index>(bubble_count_) + side.outer] =
-                -side.forward_share * laplace_young_error(arc_of(now), now.pressure, 1.0);
+                -side.forward_sign * laplace_young_error(arc_of(now), now.pressure, 1.0);
         }
     }
     std::array<double, 3> directions{};

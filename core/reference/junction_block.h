@@ -79,15 +79,15 @@ class JunctionBlock {
     struct Side {
         Vec2 start{0.0, 0.0};  // tail, relative to the start of the traversal of the bubble
         Vec2 chord{0.0, 0.0};
-        double pressure = 0.0;     // left minus right, in film tensions per length
-        double segment = 0.0;      // area between arc and chord, counted for the left side
-        double half_angle = 0.0;   // only used for an outer film
-        double start_share = 0.0;  // 1 if the tail moves with the junction, else 0
-        double chord_share = 0.0;  // 1 if only the head moves with it, -1 if only the tail does
-        int left = kHeld;          // index in bubbles_ of the bubble on the left
+        double pressure = 0.0;      // left minus right, in film tensions per length
+        double segment = 0.0;       // area between arc and chord, counted for the left side
+        double half_angle = 0.0;    // only used for an outer film
+        double start_weight = 0.0;  // 1 if the tail moves with the junction, else 0
+        double chord_weight = 0.0;  // 1 if only the head moves with it, -1 if only the tail does
+        int left = kHeld;           // index in bubbles_ of the bubble on the left
         int right = kHeld;
-        int outer = kHeld;           // index in outer_films_
-        double forward_share = 1.0;  // 1 along the film's forward side, -1 against it
+        int outer = kHeld;          // index in outer_films_
+        double forward_sign = 1.0;  // 1 along the film's forward side, -1 against it
     };
     static constexpr int kHeld = -1;  // index of a bubble outside of the block, or of an inner film
 

@@ -11,7 +11,8 @@ namespace {
 
 class Coloring {
   public:
-    explicit Coloring(const Network& network) : network_(network), taken_(network.bubble_slots()) {}
+    explicit Coloring(const Network& network)
+        : network_(network), used_colors_(network.bubble_slots()) {}
 
     // Returns the first color that no other junction of the junction's bubbles has, and marks it as
     // taken.
@@ -19,8 +20,8 @@ class Coloring {
         const std::array<HalfEdgeId, 3> leaving = network_.leaving(junction);
         std::size_t color = 0;
         while (std::any_of(leaving.begin(), leaving.end(), [&](HalfEdgeId h) {
-            const std::vector<bool>& taken = taken_[network_.left(h)];
-            return color < taken.size() && taken[color];
+            const std::vector<bool>& used_colors = used_colors_[network_.left(h)];
+            return color < used_colors.size() && used_colors[color];
         })) {
             ++color;
         }
@@ -34,13 +35,13 @@ class Coloring {
 
   private:
     void take(BubbleId bubble, std::size_t color) {
-        std::vector<bool>& taken = taken_[bubble];
-        taken.resize(std::max(taken.size(), color + 1));
-        taken[color] = true;
+        std::vector<bool>& used_colors = used_colors_[bubble];
+        used_colors.resize(std::max(used_colors.size(), color + 1));
+        used_colors[color] = true;
     }
 
     const Network& network_;
-    Indexed<BubbleId, std::vector<bool>> taken_;  // by color
+    Indexed<BubbleId, std::vector<bool>> used_colors_;  // by color
 };
 
 }  // namespace

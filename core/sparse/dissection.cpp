@@ -60,7 +60,7 @@ class Dissector {
         std::size_t end = 0;
         std::optional<PartBox> box;
     };
-    using BothParts = std::pair<std::size_t, std::size_t>;
+    using PartIndices = std::pair<std::size_t, std::size_t>;
 
     // Dissects a range and returns the index of its part in `parts`.
     std::size_t dissect(const Range& range, int threads) {
@@ -78,17 +78,17 @@ class Dissector {
         const Range low_range{begin, begin + low, boxes.low};
         const Range high_range{begin + low, begin + low + high, boxes.high};
         const auto [left, right] = threads > 1 && rows >= kMinParallelRows
-                                       ? dissect_at_once(low_range, high_range, threads)
-                                       : dissect_in_turn(low_range, high_range);
+                                       ? dissect_concurrently(low_range, high_range, threads)
+                                       : dissect_sequentially(low_range, high_range);
         return add_part({begin + low + high, end, left, right});
     }
 
-    BothParts dissect_in_turn(const Range& low, const Range& high) {
+    PartIndices dissect_sequentially(const Range& low, const Range& high) {
         const std::size_t left = dissect(low, 1);
         return {left, dissect(high, 1)};
     }
 
-    BothParts dissect_at_once(const Range& low, const Range& high, int threads) {
+    PartIndices dissect_concurrently(const Range& low, const Range& high, int threads) {
         Dissector other(*this);
         other.parts.clear();
         const int half = threads / 2;

@@ -24,7 +24,7 @@ constexpr std::uint32_t kCoarsestNodes = 100;
 constexpr double kMinShrinkage = 0.9;
 
 // The number of breadth-first searches, which start at evenly spaced nodes of the coarsest graph.
-constexpr std::uint32_t kSearches = 4;
+constexpr std::uint32_t kMaxSearches = 4;
 
 int total_weight(const WeightedGraph& graph) {
     return std::accumulate(graph.weights.begin(), graph.weights.end(), 0);
@@ -90,7 +90,7 @@ std::pair<int, int> refine(const WeightedGraph& graph, std::vector<Zone>& zones)
 std::vector<Zone> bisect_coarsest(const WeightedGraph& graph) {
     std::vector<Zone> best;
     std::pair<int, int> best_cost;
-    const std::uint32_t searches = std::min(kSearches, graph.size());
+    const std::uint32_t searches = std::min(kMaxSearches, graph.size());
     for (std::uint32_t search = 0; search < searches; ++search) {
         std::vector<Zone> zones = grow(graph, search * graph.size() / searches);
         const std::pair cost = refine(graph, zones);
@@ -112,8 +112,8 @@ std::vector<Zone> bisect(const WeightedGraph& graph) {
     if (graph.size() <= kCoarsestNodes) {
         return bisect_coarsest(graph);
     }
-    const int most = 3 * total_weight(graph) / (2 * static_cast<int>(kCoarsestNodes));
-    const CoarseGraph coarse = coarsen(graph, most);
+    const int max_weight = 3 * total_weight(graph) / (2 * static_cast<int>(kCoarsestNodes));
+    const CoarseGraph coarse = coarsen(graph, max_weight);
     if (coarse.graph.size() > kMinShrinkage * graph.size()) {
         return bisect_coarsest(graph);
     }

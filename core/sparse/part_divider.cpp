@@ -78,8 +78,8 @@ ZoneBoxes PartDivider::divide(Nodes part, int rows, const std::optional<PartBox>
         if (is_refined) {
             refine(part, rows);
         }
-        const double most = is_refined ? options_.heaviest_refined : options_.heaviest_separator;
-        if (rows_of(part, Zone::Outside) <= most * std::sqrt(rows)) {
+        const double limit = is_refined ? options_.heaviest_refined : options_.heaviest_separator;
+        if (rows_of(part, Zone::Outside) <= limit * std::sqrt(rows)) {
             return boxes;
         }
     }
@@ -89,7 +89,7 @@ ZoneBoxes PartDivider::divide(Nodes part, int rows, const std::optional<PartBox>
 
 ZoneBoxes PartDivider::divide_by_position(Nodes part, const PartBox& box) {
     const Eigen::Index axis = box.high.x() - box.low.x() < box.high.y() - box.low.y() ? 1 : 0;
-    const double cut = halve(part, box, axis);
+    const double cut = split_at_median(part, box, axis);
     separator_.separate(part);
     PartBox low_box = box;
     PartBox high_box = box;
@@ -100,7 +100,7 @@ ZoneBoxes PartDivider::divide_by_position(Nodes part, const PartBox& box) {
 // Assigns the two halves to the zones and returns the coordinate between them. Coordinates are
 // taken relative to the middle of the box and wrapped to half a period, so that a node slightly
 // beyond an edge stays near it. Coordinates that are not finite count as the middle.
-double PartDivider::halve(Nodes part, const PartBox& box, Eigen::Index axis) {
+double PartDivider::split_at_median(Nodes part, const PartBox& box, Eigen::Index axis) {
     std::vector<double>& keys = memory_.keys;
     const double middle = 0.5 * (box.low[axis] + box.high[axis]);
     for (const std::uint32_t node : part) {

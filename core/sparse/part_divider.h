@@ -73,7 +73,7 @@ class PartDivider {
     using Nodes = std::span<std::uint32_t>;
 
     ZoneBoxes divide_by_position(Nodes part, const PartBox& box);
-    double halve(Nodes part, const PartBox& box, Eigen::Index axis);
+    double split_at_median(Nodes part, const PartBox& box, Eigen::Index axis);
     void refine(Nodes part, int rows);
     std::vector<std::uint32_t> nodes_near_separator(Nodes part);
     void add_unnumbered_neighbors(std::uint32_t node, std::vector<std::uint32_t>& nodes);

@@ -31,12 +31,12 @@ std::size_t SeparatorSearch::grow_band(std::span<const std::uint32_t> part, Zone
     const std::size_t begin = band_.size();
     add_border(part, zone);
     const auto zone_size = static_cast<double>(part.size()) / 2.0;
-    const auto most = begin + static_cast<std::size_t>(options_.band_share * zone_size);
+    const auto max_size = begin + static_cast<std::size_t>(options_.band_fraction * zone_size);
     std::size_t rim = begin;
     for (int layer = 0; layer < options_.band_layers; ++layer) {
         const std::size_t end = band_.size();
         add_layer(rim, zone);
-        if (band_.size() > most || band_.size() == end) {
+        if (band_.size() > max_size || band_.size() == end) {
             drop_from(end);
             break;
         }

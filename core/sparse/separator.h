@@ -20,7 +20,7 @@ struct SeparatorOptions {
     // other zone and of this many more layers.
     int band_layers = 1;
     // A layer is not added if the band would then hold more than this share of its zone.
-    double band_share = 0.4;
+    double band_fraction = 0.4;
 };
 
 /// Finds the lightest separator near the common border of two zones.

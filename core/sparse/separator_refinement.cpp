@@ -24,9 +24,9 @@ constexpr std::size_t kMaxFutileMoves = 300;
 }  // namespace
 
 SeparatorRefinement::SeparatorRefinement(const WeightedGraph& graph,
-                                         int most_weight,
+                                         int max_weight,
                                          std::span<Zone> zones)
-    : graph_(graph), most_weight_(most_weight), zones_(zones), pulled_(graph.size()) {
+    : graph_(graph), max_weight_(max_weight), zones_(zones), pulled_(graph.size()) {
     for (std::uint32_t node = 0; node < graph.size(); ++node) {
         weight(zones[node]) += graph.weights[node];
         if (zones[node] == Zone::Outside) {
@@ -56,9 +56,9 @@ bool SeparatorRefinement::sweep(Zone into) {
     const std::pair<int, int> first_cost = cost();
     std::pair<int, int> best_cost = first_cost;
     std::size_t best_changes = 0;
-    const std::size_t most_futile =
+    const std::size_t max_futile =
         std::min(kFutileMovesPerNode * separator_.size(), kMaxFutileMoves);
-    for (std::size_t futile = 0; futile < most_futile && make_best_move(into); ++futile) {
+    for (std::size_t futile = 0; futile < max_futile && make_best_move(into); ++futile) {
         if (cost() < best_cost) {
             best_cost = cost();
             best_changes = changes_.size();
@@ -92,7 +92,7 @@ bool SeparatorRefinement::make_best_move(Zone into) {
         return false;
     }
     const std::uint32_t node = moves_.top().node;
-    if (weight(into) + graph_.weights[node] > most_weight_) {
+    if (weight(into) + graph_.weights[node] > max_weight_) {
         return false;
     }
     change(node, into);

@@ -28,8 +28,8 @@ namespace foam {
 class SeparatorRefinement {
   public:
     /// Precondition: `zones` has one element per node, and no edge between Low and High. No move
-    /// makes a zone heavier than `most_weight`.
-    SeparatorRefinement(const WeightedGraph& graph, int most_weight, std::span<Zone> zones);
+    /// makes a zone heavier than `max_weight`.
+    SeparatorRefinement(const WeightedGraph& graph, int max_weight, std::span<Zone> zones);
 
     /// Sweeps until neither direction gains anything; the zones are changed in place.
     void run();
@@ -65,7 +65,7 @@ class SeparatorRefinement {
     int weight_of_neighbors(std::uint32_t node, Zone zone) const;
 
     const WeightedGraph& graph_;
-    int most_weight_;
+    int max_weight_;
     std::span<Zone> zones_;
     std::array<int, 3> weights_{};          // of each zone
     std::vector<std::uint32_t> separator_;  // its nodes, and some that have left it

@@ -11,7 +11,7 @@ namespace {
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 // Returns the partner with which each node is merged, or the node itself if it stays alone.
-std::vector<std::uint32_t> match(const WeightedGraph& graph, int most_weight) {
+std::vector<std::uint32_t> match(const WeightedGraph& graph, int max_weight) {
     std::vector<std::uint32_t> partners(graph.size(), kNone);
     for (std::uint32_t node = 0; node < graph.size(); ++node) {
         if (partners[node] != kNone) {
@@ -21,7 +21,7 @@ std::vector<std::uint32_t> match(const WeightedGraph& graph, int most_weight) {
         int best_weight = 0;
         for (const auto& [to, weight] : graph.of(node)) {
             if (partners[to] == kNone && weight > best_weight &&
-                graph.weights[node] + graph.weights[to] <= most_weight) {
+                graph.weights[node] + graph.weights[to] <= max_weight) {
                 best = to;
                 best_weight = weight;
             }
@@ -32,13 +32,13 @@ std::vector<std::uint32_t> match(const WeightedGraph& graph, int most_weight) {
     return partners;
 }
 
-// Appends the edges of one coarse node, which consists of the given fine nodes. `places` holds the
-// index of the edge to each coarse node; it is valid only if it is at least `begin` and that edge
-// exists.
+// Appends the edges of one coarse node, which consists of the given fine nodes. `edge_indices`
+// holds the index of the edge to each coarse node; it is valid only if it is at least `begin` and
+// that edge exists.
 void append_edges(const WeightedGraph& fine,
                   std::span<const std::uint32_t> members,
                   CoarseGraph& coarse,
-                  std::vector<std::uint32_t>& places) {
+                  std::vector<std::uint32_t>& edge_indices) {
     WeightedGraph& graph = coarse.graph;
     const std::uint32_t begin = graph.begins.back();
     const std::uint32_t own = coarse.coarse_of[members.front()];
@@ -48,12 +48,12 @@ void append_edges(const WeightedGraph& fine,
             if (other == own) {
                 continue;
             }
-            std::uint32_t& place = places[other];
-            if (place < begin || place >= graph.edges.size() || graph.edges[place].to != other) {
-                place = static_cast<std::uint32_t>(graph.edges.size());
+            std::uint32_t& index = edge_indices[other];
+            if (index < begin || index >= graph.edges.size() || graph.edges[index].to != other) {
+                index = static_cast<std::uint32_t>(graph.edges.size());
                 graph.edges.push_back({other, 0});
             }
-            graph.edges[place].weight += weight;
+            graph.edges[index].weight += weight;
         }
     }
     graph.begins.push_back(static_cast<std::uint32_t>(graph.edges.size()));
@@ -61,8 +61,8 @@ void append_edges(const WeightedGraph& fine,
 
 }  // namespace
 
-CoarseGraph coarsen(const WeightedGraph& fine, int most_weight) {
-    const std::vector<std::uint32_t> partners = match(fine, most_weight);
+CoarseGraph coarsen(const WeightedGraph& fine, int max_weight) {
+    const std::vector<std::uint32_t> partners = match(fine, max_weight);
     CoarseGraph coarse;
     coarse.coarse_of.resize(fine.size());
     for (std::uint32_t node = 0; node < fine.size(); ++node) {
@@ -75,14 +75,15 @@ CoarseGraph coarsen(const WeightedGraph& fine, int most_weight) {
         coarse.graph.weights.push_back(fine.weights[node] +
                                        (partner > node ? fine.weights[partner] : 0));
     }
-    std::vector<std::uint32_t> places(coarse.graph.size(), kNone);
+    std::vector<std::uint32_t> edge_indices(coarse.graph.size(), kNone);
     coarse.graph.begins.push_back(0);
     coarse.graph.edges.reserve(fine.edges.size() / 2);
     for (std::uint32_t node = 0; node < fine.size(); ++node) {
         const std::uint32_t partner = partners[node];
         if (partner >= node) {
             const std::uint32_t members[] = {node, partner};
-            append_edges(fine, std::span(members).first(partner > node ? 2 : 1), coarse, places);
+            append_edges(
+                fine, std::span(members).first(partner > node ? 2 : 1), coarse, edge_indices);
         }
     }
     return coarse;

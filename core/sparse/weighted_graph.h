@@ -35,7 +35,7 @@ struct CoarseGraph {
 
 /// Merges pairs of neighbors: each node is merged with the unmerged neighbor to which its edge is
 /// heaviest ("heavy-edge matching", Karypis and Kumar 1998). The weights of merged nodes and of
-/// parallel edges are added up. No merged pair is heavier than `most_weight`.
-CoarseGraph coarsen(const WeightedGraph& fine, int most_weight);
+/// parallel edges are added up. No merged pair is heavier than `max_weight`.
+CoarseGraph coarsen(const WeightedGraph& fine, int max_weight);
 
 }  // namespace foam

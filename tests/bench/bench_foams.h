@@ -19,7 +19,7 @@ inline Foam raw_foam(int bubbles) {
 }
 
 /// The same foam in equilibrium, made once for each number of bubbles.
-inline const Foam& settled_foam(int bubbles) {
+inline const Foam& equilibrated_foam(int bubbles) {
     static std::map<int, Foam> foams;
     const auto [entry, is_new] = foams.try_emplace(bubbles);
     if (is_new) {

@@ -55,7 +55,7 @@ class Stopwatch {
 
 // What a step hands to the solver: a foam in equilibrium whose targets are an ordinary frame on.
 Foam frame(int bubbles) {
-    Foam foam = settled_foam(bubbles);
+    Foam foam = equilibrated_foam(bubbles);
     diffuse(foam, ordinary_frame_time(foam, {}), {});
     collapse_due(foam, {});
     compact(foam);

@@ -41,14 +41,14 @@ void demand(const EquilibriumSummary& summary) {
 }
 
 void add(Times& times, Foam foam, int seeds) {
-    const double share = static_cast<double>(foam.network.bubble_count()) * seeds;
-    times.raw += microseconds([&] { demand(equilibrate(foam, {})); }) / share;
+    const double count = static_cast<double>(foam.network.bubble_count()) * seeds;
+    times.raw += microseconds([&] { demand(equilibrate(foam, {})); }) / count;
     times.frame += microseconds([&] {
                        for (int frame = 0; frame < kFrames; ++frame) {
                            demand(step(foam, ordinary_frame_time(foam, {}), {}).equilibrium);
                        }
                    }) /
-                   (share * kFrames);
+                   (count * kFrames);
 }
 
 void print_rows(int bubbles) {

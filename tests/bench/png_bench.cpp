@@ -37,7 +37,7 @@ struct Cost {
     std::size_t bytes = 0;
 };
 
-Cost least_cost(const std::function<std::size_t()>& encode) {
+Cost min_cost(const std::function<std::size_t()>& encode) {
     using Clock = std::chrono::steady_clock;
     Cost cost;
     for (int k = 0; k < kRepeats; ++k) {
@@ -142,10 +142,10 @@ void print_map(const std::string& name, const Image<Sample>& image, PngFilter fi
         name);
     std::vector<png_byte> stream;
     const auto libpng = [&](int level) {
-        return least_cost([&] { return libpng_encode(image.view(), filter, level, stream); });
+        return min_cost([&] { return libpng_encode(image.view(), filter, level, stream); });
     };
     const auto ours = [&](Compression compression, int threads) {
-        return least_cost([&] {
+        return min_cost([&] {
             const texgen::PngEncoding encoding{
                 .filter = filter, .compression = compression, .threads = threads};
             return texgen::encode_png(image.view(), {}, encoding).size();
@@ -161,7 +161,7 @@ void print_map(const std::string& name, const Image<Sample>& image, PngFilter fi
 }
 
 void run(int side, int bubbles) {
-    const Frame frame = snapshot(settled_foam(bubbles), 1);
+    const Frame frame = snapshot(equilibrated_foam(bubbles), 1);
     const Image<std::uint16_t> distance = distance_map(frame, side);
     fmt::print("{} x {} pixels, {} bubbles; least of {} runs\n", side, side, bubbles, kRepeats);
     print_map("albedo", texgen::albedo(frame, {side, side}, {}, 1), PngFilter::None);

@@ -11,7 +11,7 @@ namespace {
 
 // Cells and films of 2 pixels into an sRGB image, on one thread.
 void rasterized_frame(benchmark::State& state) {
-    const Frame frame = snapshot(settled_foam(static_cast<int>(state.range(0))), 1);
+    const Frame frame = snapshot(equilibrated_foam(static_cast<int>(state.range(0))), 1);
     const int side = static_cast<int>(state.range(1));
     const texgen::RasterGrid grid{side, side};
     const texgen::AlbedoOptions options;

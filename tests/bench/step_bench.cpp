@@ -10,7 +10,7 @@ namespace {
 
 // One frame after another of a coarsening foam: diffusion, T1, T2, equilibrium to 1e-9.
 void coarsening_frame(benchmark::State& state) {
-    Foam foam = settled_foam(static_cast<int>(state.range(0)));
+    Foam foam = equilibrated_foam(static_cast<int>(state.range(0)));
     const StepOptions options;
     StepSummary total;
     int frames = 0;

@@ -107,7 +107,7 @@ Foam raw_foam(int bubbles, std::uint64_t seed) {
     return seed_foam(options);
 }
 
-Foam settled_foam(int bubbles, std::uint64_t seed) {
+Foam equilibrated_foam(int bubbles, std::uint64_t seed) {
     Foam foam = raw_foam(bubbles, seed);
     EXPECT_TRUE(equilibrate(foam, {}).converged());
     return foam;

@@ -23,7 +23,7 @@ namespace foam::test {
 Foam raw_foam(int bubbles, std::uint64_t seed);
 
 /// The same foam brought to equilibrium.
-Foam settled_foam(int bubbles, std::uint64_t seed);
+Foam equilibrated_foam(int bubbles, std::uint64_t seed);
 
 /// The side of a bubble across which a neighbor lies: the first one, if there are several.
 /// Precondition: the bubbles are neighbors.

@@ -92,9 +92,9 @@ FoamCase draw_case(std::uint64_t seed) {
     thresholds.t2_area = log_uniform(random, 0.01, 0.25);
     drawn.step.coarsening.kappa = log_uniform(random, 1e-3, 1e3);
     // Shorter frames of large foams would take most of the time of a run.
-    const double least_share = seeding.bubbles > kManyBubbles ? 0.01 : 0.003;
-    const double share = log_uniform(random, least_share, 0.05);
-    drawn.frame_share = random.below(10) == 0 ? 0.5 : share;
+    const double min_fraction = seeding.bubbles > kManyBubbles ? 0.01 : 0.003;
+    const double fraction = log_uniform(random, min_fraction, 0.05);
+    drawn.frame_fraction = random.below(10) == 0 ? 0.5 : fraction;
     drawn.step.equilibrium.threads = 1;
     return drawn;
 }
@@ -126,7 +126,7 @@ double frame_time(const Foam& foam, const FoamCase& foam_case) {
     const double mean_area = total_area(foam) / static_cast<double>(bubbles_of(foam));
     const double gamma = 0.5 * foam.film_tension;
     const double rate = 2.0 * std::numbers::pi / 3.0 * gamma * foam_case.step.coarsening.kappa;
-    return foam_case.frame_share * mean_area / rate;
+    return foam_case.frame_fraction * mean_area / rate;
 }
 
 std::string describe(const FoamCase& foam_case) {
@@ -144,7 +144,7 @@ std::string describe(const FoamCase& foam_case) {
         thresholds.t1_distance,
         thresholds.t2_area,
         foam_case.step.coarsening.kappa,
-        foam_case.frame_share);
+        foam_case.frame_fraction);
 }
 
 }  // namespace foam::stress

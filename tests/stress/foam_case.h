@@ -18,7 +18,8 @@ struct FoamCase {
     SeedingOptions seeding;          // seeding.seed is the seed of the whole case
     std::optional<Outline> outline;  // of a patch, which has no aspect
     StepOptions step;
-    double frame_share = 0.01;  // what a five-sided bubble loses in a frame, in present mean areas
+    double frame_fraction =
+        0.01;  // what a five-sided bubble loses in a frame, in present mean areas
 };
 
 /// Uniform in [low, high).

@@ -16,23 +16,23 @@ namespace foam::stress {
 
 namespace {
 
-constexpr double kThrownShare = 1.0 / 3.0;  // of the junctions
-constexpr double kDamagedShare = 0.1;       // of films or of bubbles
+constexpr double kPerturbedFraction = 1.0 / 3.0;  // of the junctions
+constexpr double kDamagedFraction = 0.1;          // of films or of bubbles
 
 double mean_film_length(const Foam& foam) {
     return energy(foam) / foam.film_tension / static_cast<double>(foam.network.film_count());
 }
 
-bool happens(Random& random, double share) {
-    return random.uniform() < share;
+bool happens(Random& random, double probability) {
+    return random.uniform() < probability;
 }
 
-void throw_junctions(Foam& foam, Random& random, double share, double farthest) {
+void perturb_junctions(Foam& foam, Random& random, double probability, double farthest) {
     const double length = farthest * mean_film_length(foam);
     for (const JunctionId junction : foam.network.junctions()) {
         const double distance = uniform(random, 0.0, length);
         const double angle = uniform(random, 0.0, 2.0 * std::numbers::pi);
-        if (happens(random, share)) {
+        if (happens(random, probability)) {
             const Vec2 by = distance * Vec2(std::cos(angle), std::sin(angle));
             place_junction(foam, junction, foam.positions[junction] + by);
         }
@@ -41,9 +41,9 @@ void throw_junctions(Foam& foam, Random& random, double share, double farthest) 
 
 // |s| = |difference| c / 2T of a film of mean length comes to 10 at the most.
 void change_pressures(Foam& foam, Random& random) {
-    const double most = 10.0 * foam.film_tension / mean_film_length(foam);
+    const double largest = 10.0 * foam.film_tension / mean_film_length(foam);
     for (const BubbleId bubble : foam.network.bubbles()) {
-        foam.pressures[bubble] += uniform(random, -most, most);
+        foam.pressures[bubble] += uniform(random, -largest, largest);
     }
 }
 
@@ -55,7 +55,7 @@ void pull_head_to_tail(Foam& foam, HalfEdgeId h) {
 
 void collapse_films(Foam& foam, Random& random) {
     for (const FilmId film : foam.network.films()) {
-        if (happens(random, kDamagedShare)) {
+        if (happens(random, kDamagedFraction)) {
             pull_head_to_tail(foam, forward_side(film));
         }
     }
@@ -63,7 +63,7 @@ void collapse_films(Foam& foam, Random& random) {
 
 void collapse_bubbles(Foam& foam, Random& random) {
     for (const BubbleId bubble : foam.network.bubbles()) {
-        if (happens(random, kDamagedShare)) {
+        if (happens(random, kDamagedFraction)) {
             for (const HalfEdgeId h : foam.network.around(bubble)) {
                 pull_head_to_tail(foam, h);
             }
@@ -90,9 +90,9 @@ void mirror(Foam& foam, BubbleId bubble) {
     }
 }
 
-void turn_bubbles_inside_out(Foam& foam, Random& random) {
+void invert_bubbles(Foam& foam, Random& random) {
     for (const BubbleId bubble : foam.network.bubbles()) {
-        if (happens(random, kDamagedShare)) {
+        if (happens(random, kDamagedFraction)) {
             mirror(foam, bubble);
         }
     }
@@ -102,9 +102,9 @@ void turn_bubbles_inside_out(Foam& foam, Random& random) {
 
 const char* name_of(Damage damage) {
     switch (damage) {
-        case Damage::HalfThrown:
+        case Damage::PartlyPerturbed:
             return "half thrown";
-        case Damage::Thrown:
+        case Damage::Perturbed:
             return "thrown";
         case Damage::Pressures:
             return "pressures";
@@ -112,7 +112,7 @@ const char* name_of(Damage damage) {
             return "zero films";
         case Damage::Coincident:
             return "coincident";
-        case Damage::InsideOut:
+        case Damage::Inverted:
             return "inside out";
         case Damage::All:
             return "all";
@@ -122,11 +122,11 @@ const char* name_of(Damage damage) {
 
 void apply(Damage damage, Foam& foam, Random& random) {
     const bool all = damage == Damage::All;
-    if (damage == Damage::HalfThrown) {
-        throw_junctions(foam, random, kThrownShare, 0.5);
+    if (damage == Damage::PartlyPerturbed) {
+        perturb_junctions(foam, random, kPerturbedFraction, 0.5);
     }
-    if (all || damage == Damage::Thrown) {
-        throw_junctions(foam, random, 1.0, 1.0);
+    if (all || damage == Damage::Perturbed) {
+        perturb_junctions(foam, random, 1.0, 1.0);
     }
     if (all || damage == Damage::Pressures) {
         change_pressures(foam, random);
@@ -137,8 +137,8 @@ void apply(Damage damage, Foam& foam, Random& random) {
     if (all || damage == Damage::Coincident) {
         collapse_bubbles(foam, random);
     }
-    if (all || damage == Damage::InsideOut) {
-        turn_bubbles_inside_out(foam, random);
+    if (all || damage == Damage::Inverted) {
+        invert_bubbles(foam, random);
     }
 }
 
@@ -152,7 +152,7 @@ IllDefined count_ill_defined(const Foam& foam) {
         counts.tangled_junctions += is_tangled(foam, junction) ? 1 : 0;
     }
     for (const BubbleId bubble : foam.network.bubbles()) {
-        counts.bubbles_inside_out += polygon_area(foam, bubble) < 0.0 ? 1 : 0;
+        counts.inverted_bubbles += polygon_area(foam, bubble) < 0.0 ? 1 : 0;
     }
     return counts;
 }
@@ -163,7 +163,7 @@ std::string describe(const IllDefined& counts) {
         counts.films_at_limit,
         counts.zero_films,
         counts.tangled_junctions,
-        counts.bubbles_inside_out);
+        counts.inverted_bubbles);
 }
 
 }  // namespace foam::stress

@@ -11,13 +11,13 @@ namespace foam::stress {
 
 /// Ways to make a foam in equilibrium locally ill-defined.
 enum class Damage {
-    HalfThrown,  // a third of the junctions thrown by up to half the mean film length: tangles
-    Thrown,      // every junction thrown by up to the mean film length
-    Pressures,   // pressures so far off that |s| >= 1 on many films (E1)
-    ZeroFilms,   // a tenth of the films without length
-    Coincident,  // every junction of a bubble in one point, for a tenth of the bubbles
-    InsideOut,   // a tenth of the bubbles mirrored in a line through their middle
-    All,         // but HalfThrown
+    PartlyPerturbed,  // a third of the junctions moved by up to half the mean film length: tangles
+    Perturbed,        // every junction moved by up to the mean film length
+    Pressures,        // pressures so far off that |s| >= 1 on many films (E1)
+    ZeroFilms,        // a tenth of the films without length
+    Coincident,       // every junction of a bubble in one point, for a tenth of the bubbles
+    Inverted,         // a tenth of the bubbles mirrored in a line through their middle
+    All,              // except PartlyPerturbed
 };
 
 inline constexpr int kDamages = 7;
@@ -30,10 +30,10 @@ void apply(Damage damage, Foam& foam, Random& random);
 
 /// How bad a state is.
 struct IllDefined {
-    int films_at_limit = 0;      // |s| above kLargestSine: most of them have no arc (E1)
-    int zero_films = 0;          // of no length
-    int tangled_junctions = 0;   // as is_tangled says (untangle.h)
-    int bubbles_inside_out = 0;  // of negative area within the chords
+    int films_at_limit = 0;     // |s| above kLargestSine: most of them have no arc (E1)
+    int zero_films = 0;         // of no length
+    int tangled_junctions = 0;  // as is_tangled says (untangle.h)
+    int inverted_bubbles = 0;   // of negative area within the chords
 };
 
 IllDefined count_ill_defined(const Foam& foam);

@@ -16,8 +16,8 @@ namespace foam::stress {
 
 namespace {
 
-constexpr std::size_t kFewestBubbles = 4;  // of a torus
-constexpr double kPatience = 100.0;        // mean areas diffused since the last bubble vanished
+constexpr std::size_t kFewestBubbles = 4;     // of a torus
+constexpr double kMaxAreasWithoutT2 = 100.0;  // mean areas diffused since the last bubble vanished
 
 bool is_honeycomb(const Network& network) {
     int others = 0;
@@ -35,7 +35,7 @@ class Life {
     LifeSummary run() {
         const std::clock_t start = std::clock();
         try {
-            settle();
+            seed_and_equilibrate();
             while (!summary_.failure && !at_end()) {
                 advance();
             }
@@ -47,7 +47,7 @@ class Life {
     }
 
   private:
-    void settle() {
+    void seed_and_equilibrate() {
         before_ = foam_ = seed_case(case_);
         summary_.bubbles_left = bubbles_of(foam_);
         examine(equilibrate(foam_, case_.step.equilibrium));
@@ -56,16 +56,16 @@ class Life {
     void advance() {
         ++summary_.frames;
         before_ = foam_;
-        const StepSummary taken = step(foam_, frame_time(foam_, case_), case_.step);
-        summary_.substeps += taken.substeps;
-        const auto vanished = static_cast<std::size_t>(taken.equilibrium.t2);
+        const StepSummary result = step(foam_, frame_time(foam_, case_), case_.step);
+        summary_.substeps += result.substeps;
+        const auto vanished = static_cast<std::size_t>(result.equilibrium.t2);
         if (bubbles_of(foam_) + vanished != summary_.bubbles_left) {
             fail("the number of bubbles does not fit the number of T2");
         }
-        share_since_t2_ = vanished > 0 ? 0.0 : share_since_t2_ + case_.frame_share;
+        areas_since_t2_ = vanished > 0 ? 0.0 : areas_since_t2_ + case_.frame_fraction;
         summary_.bubbles_left = bubbles_of(foam_);
-        examine(taken.equilibrium);
-        if (share_since_t2_ > kPatience) {
+        examine(result.equilibrium);
+        if (areas_since_t2_ > kMaxAreasWithoutT2) {
             fail("no bubble vanishes any more");
         }
     }
@@ -90,7 +90,7 @@ class Life {
         const bool is_over = case_.outline ? bubbles_of(foam_) == 0
                                            : foam_.network.bubble_count() <= kFewestBubbles ||
                                                  is_honeycomb(foam_.network);
-        return is_over || (options_.most_frames > 0 && summary_.frames >= options_.most_frames);
+        return is_over || (options_.max_frames > 0 && summary_.frames >= options_.max_frames);
     }
 
     // The first reason stands. A writer of foam states would take `before_` here.
@@ -119,7 +119,7 @@ class Life {
     const LifeOptions& options_;
     Foam foam_;
     Foam before_;
-    double share_since_t2_ = 0.0;
+    double areas_since_t2_ = 0.0;
     LifeSummary summary_;
 };
 

@@ -12,7 +12,7 @@
 namespace foam::stress {
 
 struct LifeOptions {
-    int most_frames = 0;      // ends the life early; 0: no limit
+    int max_frames = 0;       // ends the life early; 0: no limit
     double tolerance = 1e-6;  // largest area (relative) and angle (radians) error of a frame
     bool verbose = false;     // a line per frame on stderr
 };

@@ -15,7 +15,7 @@ namespace foam::stress {
 
 namespace {
 
-constexpr const char* kAbout =
+constexpr const char* kDescription =
     "Random foams over the ranges of the paper, tori and free patches, each from a raw diagram to "
     "its end, and random ill-defined states, each brought back to equilibrium. A seed stands for "
     "the same torus, patch or state in every run.";
@@ -154,7 +154,7 @@ void add_options(CLI::App& app, Arguments& arguments) {
         ->check(CLI::Validator(check_shard, "I/N"));
     app.add_option("--max-bubbles", arguments.max_bubbles, "Passes over seeds of larger foams")
         ->check(CLI::Range(50, 5000));
-    app.add_option("--frames", arguments.life.most_frames, "Ends each life early; 0 does not")
+    app.add_option("--frames", arguments.life.max_frames, "Ends each life early; 0 does not")
         ->check(CLI::NonNegativeNumber);
     app.add_option("--tolerance", arguments.life.tolerance, "Largest error of a frame")
         ->check(CLI::PositiveNumber);
@@ -165,7 +165,7 @@ void add_options(CLI::App& app, Arguments& arguments) {
 }
 
 int parse_and_run(int argc, char** argv) {
-    CLI::App app(kAbout, "foam_stress");
+    CLI::App app(kDescription, "foam_stress");
     Arguments arguments;
     add_options(app, arguments);
     app.footer(kFooter);

@@ -65,7 +65,7 @@ void RecoveryTally::add(std::uint64_t seed, const RecoverySummary& summary) {
     damage.films_at_limit += summary.damage.films_at_limit;
     damage.zero_films += summary.damage.zero_films;
     damage.tangled_junctions += summary.damage.tangled_junctions;
-    damage.bubbles_inside_out += summary.damage.bubbles_inside_out;
+    damage.inverted_bubbles += summary.damage.inverted_bubbles;
     area.take(summary.equilibrium.area_error, seed);
     angle.take(summary.equilibrium.angle_error, seed);
     add_common(*this, seed, summary.seconds, summary.failure.has_value());

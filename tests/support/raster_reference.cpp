@@ -130,13 +130,13 @@ Vec2 origin_of(const texgen::View& view, int width, int height) {
 // Those that can be nearest to some point of the pixel.
 std::vector<FilmCopy> candidates(const std::vector<FilmCopy>& films, const Vec2& center) {
     constexpr double kPixelDiameter = std::numbers::sqrt2;
-    double least = std::numeric_limits<double>::infinity();
+    double nearest_distance = std::numeric_limits<double>::infinity();
     for (const FilmCopy& film : films) {
-        least = std::min(least, to_film(film, center).distance);
+        nearest_distance = std::min(nearest_distance, to_film(film, center).distance);
     }
     std::vector<FilmCopy> near;
     for (const FilmCopy& film : films) {
-        if (to_film(film, center).distance <= least + kPixelDiameter) {
+        if (to_film(film, center).distance <= nearest_distance + kPixelDiameter) {
             near.push_back(film);
         }
     }
@@ -171,7 +171,7 @@ Vec2 sample_point(Samples samples, int k) {
 
 void sample_pixel(const std::vector<FilmCopy>& films,
                   const Vec2& corner,
-                  double least_distance,
+                  double min_distance,
                   Samples kind,
                   std::vector<double>& parts) {
     constexpr double kPixelRadius = 0.5 * std::numbers::sqrt2;
@@ -179,12 +179,12 @@ void sample_pixel(const std::vector<FilmCopy>& films,
     const std::vector<FilmCopy> near = candidates(films, center);
     const Nearest at_center = nearest(near, center);
     const bool uniform = at_center.distance > kPixelRadius &&
-                         std::abs(at_center.distance - least_distance) > kPixelRadius;
+                         std::abs(at_center.distance - min_distance) > kPixelRadius;
     const int samples = uniform ? 1 : sample_count(kind);
     for (int k = 0; k < samples; ++k) {
         const Vec2 at = uniform ? center : Vec2(corner + sample_point(kind, k));
         const Nearest found = nearest(near, at);
-        if (found.distance >= least_distance) {
+        if (found.distance >= min_distance) {
             parts[index_of(found.bubble)] += 1.0 / samples;
         }
     }

@@ -119,15 +119,15 @@ void FrameAssembly::release(const Request& request) {
 // shown again. Errors are those of the state itself.
 FrameEffort FrameAssembly::effort_since_last(const FrameEffort& total) {
     FrameEffort effort = total;
-    if (total.seconds < told_.seconds) {
+    if (total.seconds < reported_.seconds) {
         effort.t1 = effort.t2 = 0;
         effort.seconds = 0.0;
         return effort;
     }
-    effort.t1 -= told_.t1;
-    effort.t2 -= told_.t2;
-    effort.seconds -= told_.seconds;
-    told_ = total;
+    effort.t1 -= reported_.t1;
+    effort.t2 -= reported_.t2;
+    effort.seconds -= reported_.seconds;
+    reported_ = total;
     return effort;
 }
 

@@ -54,7 +54,7 @@ class FrameAssembly {
     std::map<int, int> uses_;             // state number to number of open requests that need it
     std::map<int, SimulatedFrame> kept_;  // by state number; efforts are totals since the seed
     FrameEffort total_;                   // effort from the seed to the last added state
-    FrameEffort told_;                    // part of it that handed-out frames have reported
+    FrameEffort reported_;                // part of it that handed-out frames have reported
 };
 
 }  // namespace foam::texgen

@@ -19,7 +19,7 @@ void History::take_events(Foam& foam, int frame) {
         for (const BubbleIdentity bubble : event.bubbles) {
             record_.changes[bubble] = event.time;
         }
-        record_.events.push_back({event.kind, frame, event.place});
+        record_.events.push_back({event.kind, frame, event.position});
     }
     foam.events.clear();
     record_.frame = frame;

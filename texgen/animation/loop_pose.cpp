@@ -9,7 +9,7 @@ namespace foam::texgen {
 namespace {
 
 // Returns the displacement by the drift after a fraction of the loop.
-Vec2 way(const Domain& domain, const LoopOptions& loop, double passed) {
+Vec2 drift_displacement(const Domain& domain, const LoopOptions& loop, double passed) {
     return {passed * loop.drift[0] * domain.width, passed * loop.drift[1] * domain.height};
 }
 
@@ -25,7 +25,7 @@ Foam posed(Foam foam, const LoopOptions& loop, double passed) {
         foam.domain.shear = 0.0;  // removes the rounding error
     }
     if (loop.drift != std::array{0, 0}) {
-        translate(foam, way(foam.domain, loop, passed));
+        translate(foam, drift_displacement(foam.domain, loop, passed));
     }
     return foam;
 }
@@ -33,7 +33,7 @@ Foam posed(Foam foam, const LoopOptions& loop, double passed) {
 Vec2 posed(const Vec2& point, const Domain& domain, const LoopOptions& loop, double passed) {
     const double sheared =
         loop.kind == LoopKind::Shear ? domain.shear * point.y() / domain.height : 0.0;
-    return point - Vec2(sheared, 0.0) + way(domain, loop, passed);
+    return point - Vec2(sheared, 0.0) + drift_displacement(domain, loop, passed);
 }
 
 }  // namespace foam::texgen

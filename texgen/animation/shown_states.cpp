@@ -17,14 +17,14 @@ namespace foam::texgen {
 namespace {
 
 int shown_in_pingpong(int number, int count) {
-    const int place = (number - 1) % count;
-    return 1 + (2 * place <= count ? place : count - place);
+    const int index = (number - 1) % count;
+    return 1 + (2 * index <= count ? index : count - index);
 }
 
 ShownStates shown_in_flow(int number, const LoopOptions& loop, int count) {
     const int ahead = states_ahead(loop, count);
-    const int place = (number - 1) % count;
-    const int state = ahead + 1 + place;
+    const int index = (number - 1) % count;
+    const int state = ahead + 1 + index;
     const int rising = state - count;
     if (rising < 1) {
         return {.state = state, .next = state + 1};

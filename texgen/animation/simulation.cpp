@@ -138,9 +138,9 @@ bool Simulation::close_loop() {
     for (int cycle = 0; cycle < loop_.cycles && found; ++cycle) {
         const Foam start = foam_;
         history_.renumber(-frames_.count);
-        for (int place = 1; place <= frames_.count && found; ++place) {
-            found = step_cycle(place);
-            history_.take_events(foam_, 1 + place - frames_.count);
+        for (int position = 1; position <= frames_.count && found; ++position) {
+            found = step_cycle(position);
+            history_.take_events(foam_, 1 + position - frames_.count);
         }
         closing_error_ = foam::closing_error(start, foam_);
         if (found && *closing_error_ < kClosed) {
@@ -150,9 +150,9 @@ bool Simulation::close_loop() {
     return false;
 }
 
-bool Simulation::step_cycle(int place) {
+bool Simulation::step_cycle(int position) {
     const EquilibriumSummary before = equilibrium_;
-    equilibrium_ = cycle_->step_to(place, foam_, frames_.time_step, options_).equilibrium;
+    equilibrium_ = cycle_->step_to(position, foam_, frames_.time_step, options_).equilibrium;
     add_effort(before);
     return equilibrium_.converged();
 }

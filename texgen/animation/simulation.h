@@ -54,7 +54,7 @@ class Simulation {
     bool equilibrate_and_warm_up();  // equilibrium and the warm-up
     bool warm_up();
     bool close_loop();
-    bool step_cycle(int place);
+    bool step_cycle(int position);
     double passed() const;  // fraction of the loop before the frame that was reached
     void add_effort(const EquilibriumSummary& before);
     bool step_by(double time, const StateChange& change);  // adds its effort to equilibrium_

@@ -80,7 +80,7 @@ class FrameWriter {
         ShownLayers layers{.layers = FrameLayers(input_of(shown), grid, 1)};
         if (shown.rising.frame) {
             layers.rising.emplace(input_of(shown.rising), grid, 1);
-            layers.shares = fade_order_->shares(shown.faded);
+            layers.weights = fade_order_->weights(shown.faded);
         }
         BakedFrame baked{shown, files_.write(layers), 0.0};
         baked.seconds = seconds_since(begin);

@@ -92,10 +92,10 @@ void FilePattern::reject(std::string_view reason) const {
     throw std::invalid_argument(fmt::format("output pattern '{}': {}", pattern_, reason));
 }
 
-template <class Wanted>
+template <class Alternative>
 bool FilePattern::has() const {
     return std::any_of(pieces_.begin(), pieces_.end(), [](const Piece& piece) {
-        return std::holds_alternative<Wanted>(piece);
+        return std::holds_alternative<Alternative>(piece);
     });
 }
 

@@ -62,7 +62,7 @@ class FilePattern {
     Piece take_word(std::string_view& rest) const;
     Piece take_format(std::string_view& rest) const;
     [[noreturn]] void reject(std::string_view reason) const;
-    template <class Wanted>
+    template <class Alternative>
     bool has() const;
     std::string fill(std::string_view preset, std::string_view map, std::optional<int> frame) const;
 

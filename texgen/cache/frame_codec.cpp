@@ -22,7 +22,7 @@ namespace foam::texgen {
 namespace {
 
 constexpr std::size_t kPerJunction = 2;  // three films have the ends of two junctions
-constexpr BubbleId kNobody = kNone<BubbleId>;
+constexpr BubbleId kNoBubble = kNone<BubbleId>;
 
 std::uint32_t number_of(HalfEdgeId h) {
     return static_cast<std::uint32_t>(h);
@@ -66,8 +66,8 @@ void write_topology(const Network& network, ByteWriter& writer) {
         writer.put(number_of(network.first(bubble)));
     }
     const BubbleId ghost = network.ghost();
-    writer.put(static_cast<std::uint8_t>(ghost != kNobody));
-    if (ghost != kNobody) {
+    writer.put(static_cast<std::uint8_t>(ghost != kNoBubble));
+    if (ghost != kNoBubble) {
         writer.put(number_of(network.first(ghost)));
     }
 }
@@ -121,7 +121,7 @@ class FrameReader {
         read_bubbles();
         check();
         read_values();
-        if (network().ghost() != kNobody) {
+        if (network().ghost() != kNoBubble) {
             read_patch();
         }
         return snapshot(foam_, number);
@@ -188,7 +188,7 @@ class FrameReader {
         int sides = 0;
         HalfEdgeId h = first;
         do {
-            if (network().left(h) != kNobody) {
+            if (network().left(h) != kNoBubble) {
                 throw BadContent("two bubbles share a half-edge");
             }
             network().set_left(h, bubble);
@@ -218,7 +218,7 @@ class FrameReader {
         std::vector<HalfEdgeId> sides;
         for (std::size_t k = 0; k < half_edges(); ++k) {
             const auto h = id_at<HalfEdgeId>(k);
-            if (network().left(h) == kNobody) {
+            if (network().left(h) == kNoBubble) {
                 sides.push_back(h);
             }
         }
@@ -274,7 +274,7 @@ void write_frame(const Frame& frame, ByteWriter& writer) {
     write_torus(frame, writer);
     write_topology(frame.network, writer);
     write_values(frame, writer);
-    if (frame.network.ghost() != kNobody) {
+    if (frame.network.ghost() != kNoBubble) {
         write_patch(frame, writer);
     }
 }

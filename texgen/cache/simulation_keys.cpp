@@ -20,7 +20,8 @@ namespace foam::texgen {
 namespace {
 
 // The tables that only influence how states are drawn, in addition to those of maps.
-constexpr std::array<std::string_view, 4> kLooks = {"preset", "image", "camera", "output"};
+constexpr std::array<std::string_view, 4> kAppearanceTables = {
+    "preset", "image", "camera", "output"};
 
 // Returns true if the camera influences the states: positions of events in a patch are fractions of
 // the image.
@@ -34,8 +35,9 @@ bool needs_aspect(const Preset& preset) {
     return preset.shape.kind == FoamKind::Torus || needs_camera(preset);
 }
 
-bool decides(const KeyInfo& key, const Preset& preset) {
-    return decides_simulation(key.table()) || (key.table() == "camera" && needs_camera(preset));
+bool affects_simulation(const KeyInfo& key, const Preset& preset) {
+    return table_affects_simulation(key.table()) ||
+           (key.table() == "camera" && needs_camera(preset));
 }
 
 // Returns the aspect ratio in lowest terms, such as "4:3".
@@ -50,16 +52,16 @@ constexpr const char* kAllowed =
 
 }  // namespace
 
-bool decides_simulation(std::string_view table) {
+bool table_affects_simulation(std::string_view table) {
     static const Keys<MapOptions> of_maps = map_keys();
-    return std::ranges::find(kLooks, table) == kLooks.end() &&
+    return std::ranges::find(kAppearanceTables, table) == kAppearanceTables.end() &&
            std::ranges::none_of(of_maps, [&](const KeyInfo& key) { return key.table() == table; });
 }
 
 std::string simulation_hash(const Preset& preset) {
     std::string text = FOAMTEX_VERSION "\n";
     for (const Key<Preset>& key : preset_keys()) {
-        if (decides(key, preset)) {
+        if (affects_simulation(key, preset)) {
             text += fmt::format("{} = {}\n", key.path, to_toml(*key.write(preset)));
         }
     }
@@ -71,7 +73,7 @@ void check_same_simulation(const Preset& simulated, const Preset& changed) {
     for (const Key<Preset>& key : preset_keys()) {
         const std::string was = to_toml(*key.write(simulated));
         const std::string is = to_toml(*key.write(changed));
-        if (decides(key, simulated) && was != is) {
+        if (affects_simulation(key, simulated) && was != is) {
             throw PresetError(fmt::format(
                 "key '{}' = {}: must be {}, as in the cache; {}", key.path, is, was, kAllowed));
         }

@@ -12,7 +12,7 @@ namespace foam::texgen {
 /// Returns true if the keys of a table of presets influence the states of a simulation. Every table
 /// does, unless it is listed as one that only influences how states are drawn. Therefore a new
 /// table cannot be changed by `render` until it is listed.
-bool decides_simulation(std::string_view table);
+bool table_affects_simulation(std::string_view table);
 
 /// Returns a hash of everything that influences the states of a simulation, and of the version of
 /// foamtex. It is written into every file of a cache. A reader rejects files whose hash differs

@@ -40,7 +40,7 @@ std::string argument_entry(const ArgumentGrammar& argument) {
                        escaped(argument.meaning));
 }
 
-std::string as_it_is(std::string_view text) {
+std::string verbatim(std::string_view text) {
     return text.empty() ? "" : fmt::format(".nf\n{}\n.fi\n", escaped(text));
 }
 
@@ -56,7 +56,7 @@ std::string command_section(const CommandGrammar& command, const std::string& pa
             text += argument_entry(argument);
         }
     }
-    text += command.notes.empty() ? "" : ".PP\n" + as_it_is(command.notes);
+    text += command.notes.empty() ? "" : ".PP\n" + verbatim(command.notes);
     for (const CommandGrammar& inner : command.commands) {
         text += command_section(inner, path + " " + inner.name);
     }
@@ -78,7 +78,7 @@ std::string manual_page(const CommandGrammar& program, std::string_view version)
     for (const CommandGrammar& command : program.commands) {
         page += command_section(command, program.name + " " + command.name);
     }
-    return page + ".SH NOTES\n" + as_it_is(program.notes);
+    return page + ".SH NOTES\n" + verbatim(program.notes);
 }
 
 }  // namespace foam::texgen

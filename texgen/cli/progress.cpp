@@ -19,8 +19,8 @@ constexpr int kBarWidth = 24;  // characters between the brackets
 /// Returns the estimated time left in minutes and seconds. Precondition: at least one frame is
 /// done. The remaining frames are assumed to take as long as the frames so far.
 std::string time_left(const RunProgress& progress) {
-    const double share = static_cast<double>(progress.total - progress.done) / progress.done;
-    const auto seconds = static_cast<long>(std::ceil(progress.seconds * share));
+    const double ratio = static_cast<double>(progress.total - progress.done) / progress.done;
+    const auto seconds = static_cast<long>(std::ceil(progress.seconds * ratio));
     return fmt::format("{}:{:02} left", seconds / 60, seconds % 60);
 }
 

@@ -94,12 +94,12 @@ std::vector<ChosenBubble> choose_bubbles(const EventBase& event,
 
 void check_choice(const EventCheck& check, bool may_choose_all) {
     const EventBase& event = check.event;
-    const int ways =
+    const int given_count =
         (event.bubbles.empty() ? 0 : 1) + (event.at ? 1 : 0) + (event.sides.empty() ? 0 : 1);
-    check.require(ways <= 1,
+    check.require(given_count <= 1,
                   event.sides.empty() ? "at" : "sides",
                   "only one of bubble, at and sides may be given");
-    check.require(may_choose_all || ways == 1,
+    check.require(may_choose_all || given_count == 1,
                   "kind",
                   "the event must have one of the keys bubble, at and sides, which choose bubbles");
     check.require(!check.is_given("count") || !event.sides.empty(),

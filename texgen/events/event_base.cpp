@@ -66,7 +66,7 @@ struct Times {
         return fmt::format("{}, or [from, to] with from not above to", time.allowed());
     }
     std::string schema() const {
-        return either_schema(time.schema(), list_schema(time.schema(), 2, 2));
+        return any_of_schema(time.schema(), list_schema(time.schema(), 2, 2));
     }
     bool read(const Value& value, std::array<double, 2>& member) const {
         std::array<double, 2> span{};

@@ -27,7 +27,7 @@ constexpr std::array<unsigned char, 8> kSignature = {0x89, 'P', 'N', 'G', '\r', 
 constexpr std::size_t kWord = 4;           // a length, a type or a check sum
 constexpr std::size_t kExtents = 8;        // width and height, which begin the content of an IHDR
 constexpr std::size_t kFrameControl = 26;  // the content of an fcTL
-constexpr std::uint32_t kEndless = 0;      // number of plays that means endless
+constexpr std::uint32_t kPlayForever = 0;  // number of plays that means endless
 
 using Content = std::span<const std::byte>;
 
@@ -170,7 +170,7 @@ void ApngMuxer::check_header(Content header) {
 void ApngMuxer::append_animation() {
     Bytes control;
     append_number(control, static_cast<std::uint32_t>(frames_));
-    append_number(control, kEndless);
+    append_number(control, kPlayForever);
     append_chunk(stream_, "acTL", control);
 }
 

@@ -57,9 +57,9 @@ Srgb8 ColorMap::entry(int i) const {
 }
 
 LinearRgb ColorMap::at(double t) const {
-    const double place = kLastEntry * std::clamp(std::isnan(t) ? 0.0 : t, 0.0, 1.0);
-    const int below = std::min(static_cast<int>(place), kLastEntry - 1);
-    const double weight = place - below;
+    const double position = kLastEntry * std::clamp(std::isnan(t) ? 0.0 : t, 0.0, 1.0);
+    const int below = std::min(static_cast<int>(position), kLastEntry - 1);
+    const double weight = position - below;
     const Srgb8 a = entry(below);
     const Srgb8 b = entry(below + 1);
     return {mixed(a.r, b.r, weight), mixed(a.g, b.g, weight), mixed(a.b, b.b, weight)};

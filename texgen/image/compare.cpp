@@ -85,15 +85,15 @@ Comparison compare(const Picture& a, const Picture& b, const CompareLimits& limi
 
 Image<std::uint16_t> difference_picture(const Picture& a, const Picture& b) {
     assert(have_one_form(a, b));
-    Image<double> most(a.width(), a.height(), 1);
+    Image<double> maxima(a.width(), a.height(), 1);
     double largest = 0.0;
     visit_differences(a, b, [&](std::string_view, int x, int y, double apart) {
         const double finite = std::min(apart, std::numeric_limits<double>::max());
-        most.pixel(x, y)[0] = std::max(most.pixel(x, y)[0], finite);
+        maxima.pixel(x, y)[0] = std::max(maxima.pixel(x, y)[0], finite);
         largest = std::max(largest, finite);
     });
     Image<std::uint16_t> picture(a.width(), a.height(), 1);
-    std::ranges::transform(most.samples(), picture.samples().begin(), [&](double apart) {
+    std::ranges::transform(maxima.samples(), picture.samples().begin(), [&](double apart) {
         return static_cast<std::uint16_t>(largest > 0.0 ? apart / largest * kWhite + 0.5 : 0.0);
     });
     return picture;

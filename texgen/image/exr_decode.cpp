@@ -59,8 +59,8 @@ Extent extent_of(const Imath::Box2i& window, const Imf::Header& header, std::siz
         throw InputError("the file has no channels");
     }
     const auto area = static_cast<double>(width) * static_cast<double>(height);
-    const auto most = static_cast<double>(bytes) * static_cast<double>(kLargestRatio);
-    if (area * static_cast<double>(2 * channels) > most) {
+    const auto max_bytes = static_cast<double>(bytes) * static_cast<double>(kLargestRatio);
+    if (area * static_cast<double>(2 * channels) > max_bytes) {
         throw InputError("the data is too short for an image of this size");
     }
     return {static_cast<int>(width), static_cast<int>(height)};

@@ -27,7 +27,7 @@ class ExrOutput : public Imf::OStream {
         at_ = end;
     }
     std::uint64_t tellp() override { return at_; }
-    void seekp(std::uint64_t place) override { at_ = place; }
+    void seekp(std::uint64_t position) override { at_ = position; }
 
   private:
     Bytes& bytes_;
@@ -51,7 +51,7 @@ class ExrInput : public Imf::IStream {
         return at_ < bytes_.size();
     }
     std::uint64_t tellg() override { return at_; }
-    void seekg(std::uint64_t place) override { at_ = place; }
+    void seekg(std::uint64_t position) override { at_ = position; }
 
   private:
     std::span<const std::byte> bytes_;

@@ -43,8 +43,8 @@ std::array<std::byte, 4> big_endian(std::uint32_t number) {
 PngData::PngData(const PngRows& rows, const PngEncoding& encoding)
     : rows_(rows), encoding_(encoding), rows_per_part_(rows_per_part(rows, encoding.compression)) {
     const int count = (rows.height() + rows_per_part_ - 1) / rows_per_part_;
-    const int at_once = std::min(thread_count(encoding.threads), count);
-    chunks_.resize(static_cast<std::size_t>(at_once));
+    const int batch_size = std::min(thread_count(encoding.threads), count);
+    chunks_.resize(static_cast<std::size_t>(batch_size));
     parts_.resize(chunks_.size());
 }
 

@@ -25,8 +25,8 @@ std::string shown(const nlohmann::json& json) {
 
 }  // namespace
 
-JsonValue::JsonValue(const nlohmann::json* json, std::string file, std::string place)
-    : json_(json), file_(std::move(file)), place_(std::move(place)) {}
+JsonValue::JsonValue(const nlohmann::json* json, std::string file, std::string path)
+    : json_(json), file_(std::move(file)), path_(std::move(path)) {}
 
 JsonValue JsonValue::operator[](std::string_view name) const {
     const auto found = find(name);
@@ -44,8 +44,7 @@ std::optional<JsonValue> JsonValue::find(std::string_view name) const {
     if (found == json_->end() || found->is_null()) {
         return std::nullopt;
     }
-    return JsonValue(
-        &*found, file_, fmt::format("{}{}{}", place_, place_.empty() ? "" : ".", name));
+    return JsonValue(&*found, file_, fmt::format("{}{}{}", path_, path_.empty() ? "" : ".", name));
 }
 
 std::vector<JsonValue> JsonValue::items() const {
@@ -54,7 +53,7 @@ std::vector<JsonValue> JsonValue::items() const {
     }
     std::vector<JsonValue> items;
     for (const nlohmann::json& item : *json_) {
-        items.push_back(JsonValue(&item, file_, fmt::format("{}[{}]", place_, items.size())));
+        items.push_back(JsonValue(&item, file_, fmt::format("{}[{}]", path_, items.size())));
     }
     return items;
 }
@@ -111,8 +110,8 @@ bool JsonValue::flag() const {
 void JsonValue::reject(std::string_view must_be) const {
     throw InputError(fmt::format("cannot read '{}': {}{}{}: must be {}",
                                  file_,
-                                 place_,
-                                 place_.empty() ? "" : " = ",
+                                 path_,
+                                 path_.empty() ? "" : " = ",
                                  shown(*json_),
                                  must_be));
 }

@@ -53,11 +53,11 @@ class JsonValue {
 
   private:
     friend class JsonDocument;
-    JsonValue(const nlohmann::json* json, std::string file, std::string place);
+    JsonValue(const nlohmann::json* json, std::string file, std::string path);
 
     const nlohmann::json* json_;
     std::string file_;
-    std::string place_;
+    std::string path_;
 };
 
 /// The content of a JSON file.

@@ -67,18 +67,18 @@ Value list_of(const std::vector<std::string>& words) {
 
 }  // namespace
 
-std::string list_schema(const std::string& item, std::size_t least, std::size_t most) {
+std::string list_schema(const std::string& item, std::size_t min_items, std::size_t max_items) {
     std::string schema = fmt::format(R"({{"type": "array", "items": {})", item);
-    if (least > 0) {
-        schema += fmt::format(R"(, "minItems": {})", least);
+    if (min_items > 0) {
+        schema += fmt::format(R"(, "minItems": {})", min_items);
     }
-    if (most > 0) {
-        schema += fmt::format(R"(, "maxItems": {})", most);
+    if (max_items > 0) {
+        schema += fmt::format(R"(, "maxItems": {})", max_items);
     }
     return schema + "}";
 }
 
-std::string either_schema(const std::string& one, const std::string& other) {
+std::string any_of_schema(const std::string& one, const std::string& other) {
     return fmt::format(R"({{"anyOf": [{}, {}]}})", one, other);
 }
 
@@ -103,7 +103,7 @@ std::string Reals::allowed() const {
 std::string Reals::schema() const {
     const std::string range =
         fmt::format(R"({{"type": "number", "minimum": {}, "maximum": {}}})", low, high);
-    return or_zero ? either_schema(R"({"const": 0})", range) : range;
+    return or_zero ? any_of_schema(R"({"const": 0})", range) : range;
 }
 
 bool Reals::read(const Value& value, double& member) const {
@@ -144,7 +144,7 @@ std::string ColorLists::allowed() const {
 }
 
 std::string ColorLists::schema() const {
-    return either_schema(Colors().schema(), list_schema(Colors().schema(), 0, 0));
+    return any_of_schema(Colors().schema(), list_schema(Colors().schema(), 0, 0));
 }
 
 bool ColorLists::read(const Value& value, std::vector<std::string>& member) const {
@@ -182,7 +182,7 @@ std::string WordLists::allowed() const {
 
 std::string WordLists::schema() const {
     const std::string word = Words{words}.schema();
-    return either_schema(
+    return any_of_schema(
         word,
         fmt::format(R"({{"type": "array", "items": {}, "minItems": 1, "uniqueItems": true}})",
                     word));

@@ -22,11 +22,12 @@ namespace foam::texgen {
 // if it is not allowed; write() turns the member back into a value, or returns nothing if the
 // member is unset.
 
-/// Returns the schema of a list of `least` to `most` items; 0 means that there is no limit.
-std::string list_schema(const std::string& item, std::size_t least, std::size_t most);
+/// Returns the schema of a list of `min_items` to `max_items` items; 0 means that there is no
+/// limit.
+std::string list_schema(const std::string& item, std::size_t min_items, std::size_t max_items);
 
 /// Returns the schema of values that either schema allows.
-std::string either_schema(const std::string& one, const std::string& other);
+std::string any_of_schema(const std::string& one, const std::string& other);
 
 /// Integers from low to high, stored in any integer type.
 struct Integers {
@@ -118,7 +119,7 @@ struct IntegerLists {
 
     std::string allowed() const { return item.allowed() + ", or a list of such values"; }
     std::string schema() const {
-        return either_schema(item.schema(), list_schema(item.schema(), 1, 0));
+        return any_of_schema(item.schema(), list_schema(item.schema(), 1, 0));
     }
 
     template <class Integer>

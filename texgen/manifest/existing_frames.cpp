@@ -17,7 +17,7 @@ namespace foam::texgen {
 namespace {
 
 // Compares the size first, which is cheap and differs for most damaged files.
-bool has_its_pixels(const ManifestFile& file, const std::filesystem::path& folder) {
+bool has_recorded_pixels(const ManifestFile& file, const std::filesystem::path& folder) {
     const std::filesystem::path path = folder / file.path;
     std::error_code error;
     if (std::filesystem::file_size(path, error) != file.bytes || error) {
@@ -44,7 +44,7 @@ std::set<int> existing_frames_of(const Preset& preset,
     std::ranges::copy_if(frames, std::inserter(present, present.end()), [&](int frame) {
         return std::ranges::all_of(preset.image.maps, [&](const std::string& map) {
             const ManifestFile* const file = set->find_file(map, frame);
-            return file != nullptr && has_its_pixels(*file, folder);
+            return file != nullptr && has_recorded_pixels(*file, folder);
         });
     });
     return present;

@@ -39,7 +39,7 @@ void merge_maps(BakedSet& into, const std::vector<ManifestMap>& more) {
 
 // Returns the sort key of a file: its frame, then the position of its first map in the list of
 // maps.
-auto place_of(const BakedSet& set, const ManifestFile& file) {
+auto sort_key_of(const BakedSet& set, const ManifestFile& file) {
     const auto map = std::ranges::find(set.maps, file.maps.front(), &ManifestMap::name);
     return std::pair(file.frame, map - set.maps.begin());
 }
@@ -56,7 +56,7 @@ void merge_into(BakedSet& into, const BakedSet& more) {
     into.foam.insert(into.foam.end(), more.foam.begin(), more.foam.end());
     into.files.insert(into.files.end(), more.files.begin(), more.files.end());
     std::ranges::sort(into.foam, {}, &ManifestFrame::frame);
-    std::ranges::sort(into.files, {}, [&](const auto& file) { return place_of(into, file); });
+    std::ranges::sort(into.files, {}, [&](const auto& file) { return sort_key_of(into, file); });
     into.failure = into.complete() ? "" : more.failure;
 }
 

@@ -19,7 +19,7 @@ std::filesystem::path file_of(const std::filesystem::path& path) {
     return std::filesystem::is_directory(path) ? path / kManifestName : path;
 }
 
-bool is_wanted(const BakedSet& set, std::string_view preset) {
+bool matches(const BakedSet& set, std::string_view preset) {
     return preset.empty() || set.preset == preset;
 }
 
@@ -63,8 +63,8 @@ const BakedSet& choose_set(const Manifest& manifest,
     int count = 0;
     for (const BakedSet& set : manifest.sets) {
         sets += fmt::format("{}{}", sets.empty() ? "" : ", ", line_of(set));
-        chosen = is_wanted(set, preset) ? &set : chosen;
-        count += is_wanted(set, preset) ? 1 : 0;
+        chosen = matches(set, preset) ? &set : chosen;
+        count += matches(set, preset) ? 1 : 0;
     }
     if (count != 1) {
         throw InputError(choice_error(file_of(path).string(), preset, count, sets));

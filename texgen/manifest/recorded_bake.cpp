@@ -106,7 +106,7 @@ std::string failure_of(const RunOutcome& outcome) {
 
 // Records the failure of a bake that ends with an exception, unless no frame has been simulated.
 // Ignores exceptions of its own, so that the caller can rethrow the first one.
-void close_anyway(ManifestWriter& writer, const std::string& failure) {
+void close_after_failure(ManifestWriter& writer, const std::string& failure) {
     try {
         if (writer.begun()) {
             writer.close(failure);
@@ -184,7 +184,7 @@ BakeSummary bake_recorded(const Preset& preset,
         writer.close(failure_of(summary.outcome));
         return summary;
     } catch (const std::exception& error) {
-        close_anyway(writer, error.what());
+        close_after_failure(writer, error.what());
         throw;
     }
 }

@@ -22,18 +22,18 @@ Vec2 motion_at(const BoundaryMotion& boundary, const Vec2& point) {
         const Vec2 to = boundary.points[next] - point;
         const double to_length = to.norm();
         if (to_length == 0.0) {
-            return boundary.ways[next];
+            return boundary.motions[next];
         }
         const double twice_area = cross(from, to);
         const double lengths = from_length * to_length;
         if (twice_area == 0.0 && from.dot(to) < 0.0) {  // the point is on this side
-            return (to_length * boundary.ways[k] + from_length * boundary.ways[next]) /
+            return (to_length * boundary.motions[k] + from_length * boundary.motions[next]) /
                    (from_length + to_length);
         }
         if (twice_area != 0.0) {
             const double tangent = (lengths - from.dot(to)) / twice_area;  // tan(angle / 2)
-            sum += tangent / from_length * boundary.ways[k] +
-                   tangent / to_length * boundary.ways[next];
+            sum += tangent / from_length * boundary.motions[k] +
+                   tangent / to_length * boundary.motions[next];
             weights += tangent / from_length + tangent / to_length;
         }
         from = to;

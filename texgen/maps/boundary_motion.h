@@ -10,8 +10,8 @@ namespace foam::texgen {
 
 /// A closed polygon whose corners move.
 struct BoundaryMotion {
-    std::vector<Vec2> points{};  // corners, counter-clockwise
-    std::vector<Vec2> ways{};    // the motion of each corner
+    std::vector<Vec2> points{};   // corners, counter-clockwise
+    std::vector<Vec2> motions{};  // the motion of each corner
 };
 
 /// Returns the motion of a point within or just outside the polygon, interpolated between the

@@ -14,19 +14,19 @@ namespace foam::texgen {
 struct ShownLayers {
     FrameLayers layers;
     std::optional<FrameLayers> rising = {};
-    Image<float> shares = {};  // weight of `rising` in every pixel, from 0 to 1
+    Image<float> weights = {};  // weight of `rising` in every pixel, from 0 to 1
 };
 
 /// Draws a map of a frame, and cross-fades the maps of both foams if there are two.
 MapImage draw(const Map& map, ShownLayers& shown, const MapOptions& options);
 
-/// Fades an image into a rising one of the same size and kind. `shares` holds the weight of the
+/// Fades an image into a rising one of the same size and kind. `weights` holds the weight of the
 /// rising image in every pixel, from 0 to 1. Colors are mixed as light, without regard to opacity.
 /// Numbers are mixed by value or by slope. Ids are not mixed: each pixel takes the id of the image
 /// with the larger share.
 MapImage cross_fade(MapImage falling,
                     const MapImage& rising,
-                    const Image<float>& shares,
+                    const Image<float>& weights,
                     Mixing mixing);
 
 }  // namespace foam::texgen

@@ -15,9 +15,10 @@ namespace {
 // Returns the curvature of a section, as a difference over a radius. All lengths are in the
 // section's unit.
 double bend(const ReliefSection& section, double smooth, double radius) {
-    const double way = section.way(smooth);
-    const double outside = section.height_along(way - radius) + section.height_along(way + radius);
-    return (2.0 * section.height_along(way) - outside) / (radius * radius);
+    const double distance = section.distance(smooth);
+    const double outside =
+        section.height_along(distance - radius) + section.height_along(distance + radius);
+    return (2.0 * section.height_along(distance) - outside) / (radius * radius);
 }
 
 }  // namespace

@@ -37,10 +37,10 @@ std::vector<Wave> random_waves(const FadeOrder::Options& options) {
     const double mean = std::sqrt(options.bubbles) / kBubblesInWave;  // waves per tile of area 1
     std::vector<Wave> waves;
     for (int k = 0; k < kWaves; ++k) {
-        const double way = 2.0 * std::numbers::pi * random.uniform();
+        const double direction = 2.0 * std::numbers::pi * random.uniform();
         const double number = mean * (0.5 + random.uniform());
-        Wave wave{static_cast<int>(std::lround(number * aspect * std::cos(way))),
-                  static_cast<int>(std::lround(number / aspect * std::sin(way))),
+        Wave wave{static_cast<int>(std::lround(number * aspect * std::cos(direction))),
+                  static_cast<int>(std::lround(number / aspect * std::sin(direction))),
                   2.0 * std::numbers::pi * random.uniform()};
         if (wave.across == 0 && wave.up == 0) {
             (options.width >= options.height ? wave.across : wave.up) = 1;
@@ -53,8 +53,8 @@ std::vector<Wave> random_waves(const FadeOrder::Options& options) {
 // Adds cos(2 pi (across x + up y) + phase) at the center of every pixel; x and y are in fractions
 // of the tile.
 void add(const Wave& wave, Image<float>& sum) {
-    const auto angle = [](int times, int place, int places) {
-        return 2.0 * std::numbers::pi * times * (place + 0.5) / places;
+    const auto angle = [](int times, int index, int count) {
+        return 2.0 * std::numbers::pi * times * (index + 0.5) / count;
     };
     std::vector<float> cosines;
     std::vector<float> sines;
@@ -89,16 +89,16 @@ FadeOrder::FadeOrder(const Options& options)
     }
 }
 
-Image<float> FadeOrder::shares(double passed) const {
+Image<float> FadeOrder::weights(double passed) const {
     const auto begun = static_cast<float>(passed / (1.0 - spread_));
     const auto later = static_cast<float>(spread_ / (1.0 - spread_));
-    Image<float> shares(turns_.width(), turns_.height(), 1);
+    Image<float> weights(turns_.width(), turns_.height(), 1);
     const auto turns = turns_.samples();
-    const auto to = shares.samples();
+    const auto to = weights.samples();
     for (std::size_t k = 0; k < to.size(); ++k) {
         to[k] = smooth_step(std::clamp(begun - later * turns[k], 0.0F, 1.0F));
     }
-    return shares;
+    return weights;
 }
 
 }  // namespace foam::texgen

@@ -27,7 +27,7 @@ class FadeOrder {
     /// Returns the weight of the rising image in every pixel, from 0 to 1, after a fraction of the
     /// fade, from 0 to 1. All weights are 0 at the start and 1 at the end of the fade, and each has
     /// the slope 0 in time where it leaves 0 and reaches 1.
-    Image<float> shares(double passed) const;
+    Image<float> weights(double passed) const;
 
   private:
     double spread_;

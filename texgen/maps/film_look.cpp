@@ -88,8 +88,8 @@ Image<float> film_shade(FrameLayers& layers, const AlbedoOptions& options) {
                    field.smooth.samples().end(),
                    shade.samples().begin(),
                    [&](float smooth) {
-                       const double way = std::min(static_cast<double>(smooth) / width, 1.0);
-                       return static_cast<float>(options.shade * (1.0 - smooth_step(way)));
+                       const double fraction = std::min(static_cast<double>(smooth) / width, 1.0);
+                       return static_cast<float>(options.shade * (1.0 - smooth_step(fraction)));
                    });
     return shade;
 }

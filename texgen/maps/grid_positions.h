@@ -36,12 +36,12 @@ void for_each_copy(const RasterGrid& grid,
         }
         return;
     }
-    const Vec2 home = point - domain.translation(domain.cell_of(point));
+    const Vec2 wrapped = point - domain.translation(domain.cell_of(point));
     const SubpixelPoint shift{grid.shift_x * kSubpixel, grid.shift_y * kSubpixel};
-    const SubpixelPoint first = Snap(grid, domain)(home) - shift;
+    const SubpixelPoint first = Snap(grid, domain)(wrapped) - shift;
     const Vec2 scale(size.x() / domain.width, size.y() / domain.height);
     const Vec2 middle = 0.5 * size + Vec2(grid.shift_x, grid.shift_y);
-    const Vec2 from_middle = middle.cwiseQuotient(scale) - home;
+    const Vec2 from_middle = middle.cwiseQuotient(scale) - wrapped;
     const double far = reach + 0.5 * size.maxCoeff() + 1.0;
     for (const LatticeOffset offset : domain.offsets_near(from_middle, far / scale.minCoeff())) {
         const SubpixelPoint copy =

@@ -37,34 +37,34 @@ Corner corner_at(const Frame& frame, JunctionId junction) {
     return corner;
 }
 
-std::map<Corner, std::vector<Vec2>> places_of(const Frame& frame) {
-    std::map<Corner, std::vector<Vec2>> places;
+std::map<Corner, std::vector<Vec2>> positions_by_corner(const Frame& frame) {
+    std::map<Corner, std::vector<Vec2>> positions;
     for (const JunctionId junction : frame.network.junctions()) {
-        places[corner_at(frame, junction)].push_back(frame.positions[junction]);
+        positions[corner_at(frame, junction)].push_back(frame.positions[junction]);
     }
-    return places;
+    return positions;
 }
 
 std::optional<Vec2> shortest_motion(const Domain& domain,
                                     const Vec2& from,
-                                    const std::vector<Vec2>& places) {
+                                    const std::vector<Vec2>& positions) {
     std::optional<Vec2> shortest;
-    for (const Vec2& place : places) {
-        const Vec2 way = domain.nearest_copy(place - from);
-        if (!shortest || way.squaredNorm() < shortest->squaredNorm()) {
-            shortest = way;
+    for (const Vec2& position : positions) {
+        const Vec2 displacement = domain.nearest_copy(position - from);
+        if (!shortest || displacement.squaredNorm() < shortest->squaredNorm()) {
+            shortest = displacement;
         }
     }
     return shortest;
 }
 
 Motion motion_of_kept(const Frame& frame, const Frame& next) {
-    const std::map<Corner, std::vector<Vec2>> places = places_of(next);
+    const std::map<Corner, std::vector<Vec2>> positions = positions_by_corner(next);
     Motion motion;
     for (const JunctionId junction : frame.network.junctions()) {
-        const auto found = places.find(corner_at(frame, junction));
+        const auto found = positions.find(corner_at(frame, junction));
         motion.push_back(
-            found == places.end()
+            found == positions.end()
                 ? std::nullopt
                 : shortest_motion(next.domain, frame.positions[junction], found->second));
     }
@@ -105,11 +105,11 @@ Indexed<JunctionId, Vec2> junction_motion(const Frame& frame, const Frame& next)
     Motion motion = motion_of_kept(frame, next);
     while (spread(frame.network, motion)) {
     }
-    Indexed<JunctionId, Vec2> ways;
-    for (const std::optional<Vec2>& way : motion) {
-        ways.push_back(way.value_or(Vec2::Zero()));
+    Indexed<JunctionId, Vec2> motions;
+    for (const std::optional<Vec2>& displacement : motion) {
+        motions.push_back(displacement.value_or(Vec2::Zero()));
     }
-    return ways;
+    return motions;
 }
 
 }  // namespace foam::texgen

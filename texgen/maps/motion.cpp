@@ -55,7 +55,7 @@ class FoamMotion {
                 const double part = static_cast<double>(k) / pieces;
                 const Vec2 at = part > 0.0 ? Vec2(tail + point_at(arc, part)) : tail;
                 boundary.points.push_back(scale_ * at);
-                boundary.ways.push_back(scale_ * (from + part * (to - from)));
+                boundary.motions.push_back(scale_ * (from + part * (to - from)));
             }
             tail += arc.chord;
         }
@@ -80,18 +80,20 @@ class CircleMotion {
     CircleMotion(const LoneBubble& bubble, const Frame& next, double scale) : scale_(scale) {
         for (const LoneBubble& later : next.lone_bubbles) {
             if (later.identity == bubble.identity) {
-                way_ = later.center - bubble.center;
+                displacement_ = later.center - bubble.center;
                 growth_ = lone_radius(later) / lone_radius(bubble) - 1.0;
             }
         }
     }
 
     // Returns the motion at a position relative to the center, both in pixels.
-    Vec2 at(const Vec2& from_center) const { return scale_ * way_ + growth_ * from_center; }
+    Vec2 at(const Vec2& from_center) const {
+        return scale_ * displacement_ + growth_ * from_center;
+    }
 
   private:
     double scale_;
-    Vec2 way_{0.0, 0.0};
+    Vec2 displacement_{0.0, 0.0};
     double growth_ = 0.0;  // growth of the radius, as a fraction of the radius
 };
 

@@ -36,38 +36,38 @@ class VisibleSky {
         const int end = reach + kSteps;
         std::vector<double> heights;  // at the samples from -end to end
         for (int k = -end; k <= end; ++k) {
-            heights.push_back(strength * section.height_along(place(k)));
+            heights.push_back(strength * section.height_along(distance_at(k)));
         }
         for (int k = 0; k <= reach; ++k) {
-            sky_.push_back(visible(heights, k + end, strength * slope_at(section, place(k))));
+            sky_.push_back(visible(heights, k + end, strength * slope_at(section, distance_at(k))));
         }
     }
 
     // Returns the visible fraction at a distance from the film, interpolated between samples.
-    double at(double way) const {
+    double at(double distance) const {
         const double last = static_cast<double>(sky_.size() - 1);
-        const double step = std::min(way * kSteps, last);
+        const double step = std::min(distance * kSteps, last);
         const auto below = std::min(static_cast<std::size_t>(step), sky_.size() - 2);
         return std::lerp(sky_[below], sky_[below + 1], step - static_cast<double>(below));
     }
 
   private:
-    static double slope_at(const ReliefSection& section, double way) {
-        const double smooth = section.smooth(way);
-        const double ways_of_smooth = section.smooth(1.0) < 1.0 ? 1.0 - way : 1.0;  // ds/dx
-        return section.slope(smooth) * ways_of_smooth;
+    static double slope_at(const ReliefSection& section, double distance) {
+        const double smooth = section.smooth(distance);
+        const double slope_of_smooth = section.smooth(1.0) < 1.0 ? 1.0 - distance : 1.0;  // ds/dx
+        return section.slope(smooth) * slope_of_smooth;
     }
 
-    static double place(int step) { return static_cast<double>(step) / kSteps; }
+    static double distance_at(int step) { return static_cast<double>(step) / kSteps; }
 
     // Returns (sin a + sin b) / 2, where a and b are the angles from the normal to both horizons.
-    static double visible(std::span<const double> heights, int here, double slope) {
+    static double visible(std::span<const double> heights, int current, double slope) {
         const auto steepest = [&](int step) {
             double steepness = step * slope;
-            const double height = heights[static_cast<std::size_t>(here)];
-            for (int k = here + step; k >= 0 && k < std::ssize(heights); k += step) {
+            const double height = heights[static_cast<std::size_t>(current)];
+            for (int k = current + step; k >= 0 && k < std::ssize(heights); k += step) {
                 const double rise = heights[static_cast<std::size_t>(k)] - height;
-                steepness = std::max(steepness, rise / place(std::abs(k - here)));
+                steepness = std::max(steepness, rise / distance_at(std::abs(k - current)));
             }
             return steepness;
         };
@@ -98,7 +98,7 @@ NumberPixels draw_occlusion(FrameLayers& layers,
     Image<float> image(layers.grid().width, layers.grid().height, 1);
     for (std::size_t k = 0; k < image.samples().size(); ++k) {
         const double visible =
-            relief.unit(k) > 0.0 ? sky.at(relief.section().way(relief.smooth(k))) : 1.0;
+            relief.unit(k) > 0.0 ? sky.at(relief.section().distance(relief.smooth(k))) : 1.0;
         image.samples()[k] = static_cast<float>(std::pow(visible, options.strength));
     }
     return {std::move(image), 0.0, 1.0};

@@ -59,13 +59,13 @@ double ReliefSection::slope(double smooth) const {
     }
 }
 
-double ReliefSection::way(double smooth) const {
+double ReliefSection::distance(double smooth) const {
     const bool dome = profile_ == ReliefProfile::Dome;
     return dome ? 1.0 - std::sqrt(std::max(1.0 - 2.0 * smooth, 0.0)) : smooth;
 }
 
-double ReliefSection::smooth(double way) const {
-    return profile_ == ReliefProfile::Dome ? way - 0.5 * way * way : way;
+double ReliefSection::smooth(double distance) const {
+    return profile_ == ReliefProfile::Dome ? distance - 0.5 * distance * distance : distance;
 }
 
 double ReliefSection::height_along(double x) const {

@@ -27,8 +27,8 @@ class ReliefSection {
 
     /// Convert a smooth distance to the distance x from the film, and back. A dome has its middle
     /// at x = 1, which is the largest x.
-    double way(double smooth) const;
-    double smooth(double way) const;
+    double distance(double smooth) const;
+    double smooth(double distance) const;
 
     /// Returns the distance beyond which the film has no effect.
     double reach() const { return profile_ == ReliefProfile::Dome ? 1.0 : 4.0; }

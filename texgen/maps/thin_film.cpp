@@ -96,9 +96,9 @@ std::vector<LinearRgb> make_reflectances() {
 
 LinearRgb tabled_reflectance(double thickness) {
     static const std::vector<LinearRgb> table = make_reflectances();
-    const double place = std::clamp(thickness, 0.0, static_cast<double>(kThickest));
-    const std::size_t below = std::min(static_cast<std::size_t>(place), table.size() - 2);
-    const double part = place - static_cast<double>(below);
+    const double position = std::clamp(thickness, 0.0, static_cast<double>(kThickest));
+    const std::size_t below = std::min(static_cast<std::size_t>(position), table.size() - 2);
+    const double part = position - static_cast<double>(below);
     return mixed(table[below], table[below + 1], part);
 }
 

@@ -108,9 +108,9 @@ void check_keys_of_kind(const EventCheck& check, const Event& event) {
 }
 
 void check_frames(const EventCheck& check) {
-    const int ways = (check.is_given("frame") ? 1 : 0) + (check.is_given("frames") ? 1 : 0) +
-                     (check.is_given("time") ? 1 : 0);
-    check.require(ways <= 1,
+    const int given_count = (check.is_given("frame") ? 1 : 0) + (check.is_given("frames") ? 1 : 0) +
+                            (check.is_given("time") ? 1 : 0);
+    check.require(given_count <= 1,
                   check.is_given("frames") ? "frames" : "time",
                   "only one of frame, frames and time may be given");
     check.require(check.event.frames.first != 0 || check.event.time,

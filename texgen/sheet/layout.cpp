@@ -23,21 +23,21 @@ double distance_from_square(int frames, int columns, double cell_width, double c
 
 int near_square_columns(int frames, int cell_width, int cell_height) {
     int best = 1;
-    double least = distance_from_square(frames, best, cell_width, cell_height);
+    double smallest = distance_from_square(frames, best, cell_width, cell_height);
     for (int columns = 2; columns / 2 < frames; columns *= 2) {
         const double distance = distance_from_square(frames, columns, cell_width, cell_height);
-        if (distance <= least) {
+        if (distance <= smallest) {
             best = columns;
-            least = distance;
+            smallest = distance;
         }
     }
     return best;
 }
 
 void check_layout(const SheetLayout& layout) {
-    const int least =
+    const int smallest =
         std::min({layout.frames, layout.columns, layout.frame_width, layout.frame_height});
-    if (least < 1 || layout.gutter < 0) {
+    if (smallest < 1 || layout.gutter < 0) {
         throw std::invalid_argument(
             "a sheet needs at least one frame, one column and one pixel per frame, and a gutter of "
             "0 or more");

@@ -11,11 +11,11 @@ namespace foam::texgen {
 namespace {
 
 // Returns the position in [0, extent) from which a pixel at any position is copied.
-int source_of(int place, int extent, Gutter gutter) {
+int source_of(int position, int extent, Gutter gutter) {
     if (gutter == Gutter::Edge) {
-        return std::clamp(place, 0, extent - 1);
+        return std::clamp(position, 0, extent - 1);
     }
-    const int rest = place % extent;
+    const int rest = position % extent;
     return rest < 0 ? rest + extent : rest;
 }
 

@@ -66,9 +66,9 @@ Bytes encoded(const Codes& codes) {
         codes.view(), {.color = true, .text = {}}, {.compression = Compression::Small});
 }
 
-// Returns at most `most` files, evenly spread. The first file is always included.
-std::vector<MapFile> spread(const std::vector<MapFile>& files, std::size_t most) {
-    const std::size_t count = std::min(files.size(), most);
+// Returns at most `max_count` files, evenly spread. The first file is always included.
+std::vector<MapFile> spread(const std::vector<MapFile>& files, std::size_t max_count) {
+    const std::size_t count = std::min(files.size(), max_count);
     std::vector<MapFile> chosen;
     for (std::size_t k = 0; k < count; ++k) {
         chosen.push_back(files[k * files.size() / count]);

@@ -11,7 +11,7 @@ namespace foam::bench {
 
 namespace {
 
-constexpr int kRunsInARow = 4;
+constexpr int kRunsPerRound = 4;
 
 double now(Clock clock) {
     if (clock == Clock::Processor) {
@@ -29,7 +29,7 @@ void race(std::vector<Contender>& contenders, int rounds, Clock clock) {
     }
     for (int round = 0; round < rounds; ++round) {
         for (Contender& contender : contenders) {
-            for (int run = 0; run < kRunsInARow; ++run) {
+            for (int run = 0; run < kRunsPerRound; ++run) {
                 const double begin = now(clock);
                 contender.run();
                 contender.seconds = std::min(contender.seconds, now(clock) - begin);

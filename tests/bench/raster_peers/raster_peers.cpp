@@ -95,7 +95,7 @@ std::string name_of(const std::string& work, int side, int bubbles) {
 }
 
 void compare_fills(int side, int bubbles) {
-    const Frame frame = snapshot(settled_foam(bubbles), 1);
+    const Frame frame = snapshot(equilibrated_foam(bubbles), 1);
     const Scene scene = scene_of(frame, side);
     Foamtex ours(frame, scene);
     std::vector<Contender> contenders{{"foamtex", [&] { ours.fill(0.0, 1); }}};
@@ -107,7 +107,7 @@ void compare_fills(int side, int bubbles) {
 }
 
 void compare_strokes(int side, int bubbles, bool with_distance) {
-    const Frame frame = snapshot(settled_foam(bubbles), 1);
+    const Frame frame = snapshot(equilibrated_foam(bubbles), 1);
     const Scene scene = scene_of(frame, side);
     Foamtex ours(frame, scene);
     const auto draw = [&] {
@@ -158,7 +158,7 @@ void compare_distances(const Frame& frame, int side, double target) {
 }
 
 void compare_threads(int side, int bubbles) {
-    const Frame frame = snapshot(settled_foam(bubbles), 1);
+    const Frame frame = snapshot(equilibrated_foam(bubbles), 1);
     Foamtex ours(frame, scene_of(frame, side));
     struct Work {
         std::string name;
@@ -184,7 +184,7 @@ void compare_threads(int side, int bubbles) {
 }
 
 void compare_with_writing(int side, int bubbles) {
-    const Frame frame = snapshot(settled_foam(bubbles), 1);
+    const Frame frame = snapshot(equilibrated_foam(bubbles), 1);
     Foamtex ours(frame, scene_of(frame, side));
     Image<std::uint8_t> image(side, side, 3);
     std::uint8_t level = 0;
@@ -280,7 +280,7 @@ void run() {
     compare_strokes(kSide, 10000, true);
     compare_strokes(kSide, 1000, false);
     compare_strokes(kLargeSide, 1000, false);
-    compare_distances(snapshot(settled_foam(10000), 1), kSide, 3.5);
+    compare_distances(snapshot(equilibrated_foam(10000), 1), kSide, 3.5);
     compare_distances(snapshot(test::bent_foam(100000, 0.3, 1), 1), kSide, 1.0);
     compare_threads(kSide, 10000);
     compare_with_writing(kLargeSide, 1000);

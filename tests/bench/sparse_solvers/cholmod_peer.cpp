@@ -47,21 +47,21 @@ class Cholmod {
     Result run(const Eigen::SparseMatrix<double>& lower, Eigen::VectorXd b) {
         cholmod_sparse matrix = view(lower);
         Result result;
-        result.analysis_seconds = least_seconds([&] {
+        result.analysis_seconds = min_seconds([&] {
             cholmod_free_factor(&factor_, &common_);
             factor_ = cholmod_analyze(&matrix, &common_);
         });
         demand_success();
         common_.memory_usage = common_.memory_inuse;  // drops the peak of the analysis
-        result.factor_seconds =
-            least_seconds([&] { cholmod_factorize(&matrix, factor_, &common_); });
+        result.factor_seconds = min_seconds([&] { cholmod_factorize(&matrix, factor_, &common_); });
         demand_success();
         result.bytes = static_cast<double>(common_.memory_usage);
         result.numbers =
             static_cast<double>(factor_->is_super != 0 ? factor_->xsize : factor_->nzmax);
-        result.turns = inverse(Turns::Map(static_cast<const int*>(factor_->Perm), b.size()));
+        result.positions =
+            inverse(Permutation::Map(static_cast<const int*>(factor_->Perm), b.size()));
         Eigen::VectorXd x;
-        result.solve_seconds = least_seconds([&] { x = solve(b); });
+        result.solve_seconds = min_seconds([&] { x = solve(b); });
         result.residual = residual(lower, x, b);
         return result;
     }

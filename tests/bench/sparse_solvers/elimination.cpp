@@ -6,10 +6,11 @@
 
 namespace foam::bench {
 
-Elimination count_elimination(const Eigen::SparseMatrix<double>& lower, const Turns& turns) {
+Elimination count_elimination(const Eigen::SparseMatrix<double>& lower,
+                              const Permutation& positions) {
     Eigen::SparseMatrix<double> upper(lower.rows(), lower.cols());
     upper.selfadjointView<Eigen::Upper>() = lower.selfadjointView<Eigen::Lower>().twistedBy(
-        Eigen::PermutationMatrix<Eigen::Dynamic>(turns));
+        Eigen::PermutationMatrix<Eigen::Dynamic>(positions));
     Eigen::VectorXi parents = Eigen::VectorXi::Constant(lower.cols(), -1);
     Eigen::VectorXi last_rows = parents;
     Eigen::VectorXi counts = Eigen::VectorXi::Ones(lower.cols());
@@ -31,25 +32,27 @@ Elimination count_elimination(const Eigen::SparseMatrix<double>& lower, const Tu
     return {numbers.sum(), numbers.squaredNorm()};
 }
 
-Turns inverse(const Turns& order) {
+Permutation inverse(const Permutation& order) {
     return Eigen::PermutationMatrix<Eigen::Dynamic>(order).transpose().eval().indices();
 }
 
-Turns turns_of_rows(std::span<const SolverNode> nodes, const Turns& node_turns) {
-    const Turns order = inverse(node_turns);
-    Turns first_turns(order.size());
+Permutation positions_of_rows(std::span<const SolverNode> nodes,
+                              const Permutation& node_positions) {
+    const Permutation order = inverse(node_positions);
+    Permutation first_positions(order.size());
     int next = 0;
     for (const int node : order) {
-        first_turns[node] = std::exchange(next, next + nodes[static_cast<std::size_t>(node)].rows);
+        first_positions[node] =
+            std::exchange(next, next + nodes[static_cast<std::size_t>(node)].rows);
     }
-    Turns turns(next);
+    Permutation positions(next);
     Eigen::Index row = 0;
     for (Eigen::Index node = 0; node < order.size(); ++node) {
         for (int k = 0; k < nodes[static_cast<std::size_t>(node)].rows; ++k) {
-            turns[row++] = first_turns[node] + k;
+            positions[row++] = first_positions[node] + k;
         }
     }
-    return turns;
+    return positions;
 }
 
 }  // namespace foam::bench

@@ -11,8 +11,8 @@
 
 namespace foam::bench {
 
-/// An order of elimination: for each row, when it is eliminated.
-using Turns = Eigen::VectorXi;
+/// The position of each row in the order of elimination.
+using Permutation = Eigen::VectorXi;
 
 /// The size of L and the work of the factorization if rows are eliminated one by one, without any
 /// zeros that a solver keeps for its own sake. It depends on the order of elimination alone.
@@ -22,12 +22,14 @@ struct Elimination {
 };
 
 /// Counts the entries of each column of L by traversals of the elimination tree (Liu 1990).
-Elimination count_elimination(const Eigen::SparseMatrix<double>& lower, const Turns& turns);
+Elimination count_elimination(const Eigen::SparseMatrix<double>& lower,
+                              const Permutation& positions);
 
-/// Returns the inverse of a permutation: the turns of an order, or the order of turns.
-Turns inverse(const Turns& order);
+/// Returns the inverse of a permutation: the positions of an order, or the order of positions.
+Permutation inverse(const Permutation& order);
 
-/// Returns the turn of each row from the turn of each node. The nodes own the rows in turn.
-Turns turns_of_rows(std::span<const SolverNode> nodes, const Turns& node_turns);
+/// Returns the position of each row from the position of each node. The nodes own the rows in
+/// order.
+Permutation positions_of_rows(std::span<const SolverNode> nodes, const Permutation& node_positions);
 
 }  // namespace foam::bench

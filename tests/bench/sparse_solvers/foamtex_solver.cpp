@@ -19,7 +19,7 @@ Result run(const System& system, const std::string& name) {
     result.solver = name;
     SparseLdlt<Real> solver;
     LdltAnalysis analysis = LdltAnalysis::TooLarge;
-    result.analysis_seconds = least_seconds([&] {
+    result.analysis_seconds = min_seconds([&] {
         const LdltOptions options{.max_bytes = kMaxBytes};
         analysis = solver.analyze(system.lower, system.nodes, system.domain, options);
     });
@@ -30,13 +30,13 @@ Result run(const System& system, const std::string& name) {
     result.bytes = static_cast<double>(solver.memory_bytes(1));
     result.numbers = static_cast<double>(solver.nonzeros());
     bool has_factor = false;
-    result.factor_seconds = least_seconds([&] { has_factor = solver.factor(system.lower, 1); });
+    result.factor_seconds = min_seconds([&] { has_factor = solver.factor(system.lower, 1); });
     if (!has_factor) {
         result.solver += ": no factor, a pivot vanished";
         return result;
     }
     Eigen::VectorXd x;
-    result.solve_seconds = least_seconds([&] { x = solver.solve(system.right_side); });
+    result.solve_seconds = min_seconds([&] { x = solver.solve(system.right_side); });
     result.residual = residual(system.lower, x, system.right_side);
     return result;
 }
@@ -54,9 +54,10 @@ Result foamtex_order(const System& system) {
     const auto count = static_cast<Eigen::Index>(system.nodes.size());
     const NodeGraph graph = coupling(system.lower, system.nodes);
     result.analysis_seconds =
-        least_seconds([&] { dissection = dissect(graph, system.nodes, system.domain, {}); });
+        min_seconds([&] { dissection = dissect(graph, system.nodes, system.domain, {}); });
     const std::vector<int> order(dissection.order.begin(), dissection.order.end());
-    result.turns = turns_of_rows(system.nodes, inverse(Turns::Map(order.data(), count)));
+    result.positions =
+        positions_of_rows(system.nodes, inverse(Permutation::Map(order.data(), count)));
     return result;
 }
 

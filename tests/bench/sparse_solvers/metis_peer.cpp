@@ -17,21 +17,21 @@ std::optional<Result> metis_order(const System& system) {
         weights.push_back(node.rows);
     }
     auto count = static_cast<idx_t>(system.nodes.size());
-    Turns order(count);
-    Turns turns(count);
+    Permutation order(count);
+    Permutation positions(count);
     Result result{.solver = "METIS"};
-    result.analysis_seconds = least_seconds([&] {
+    result.analysis_seconds = min_seconds([&] {
         if (METIS_NodeND(&count,
                          begins.data(),
                          neighbors.data(),
                          weights.data(),
                          nullptr,
                          order.data(),
-                         turns.data()) != METIS_OK) {
+                         positions.data()) != METIS_OK) {
             throw std::runtime_error("METIS failed");
         }
     });
-    result.turns = turns_of_rows(system.nodes, turns);
+    result.positions = positions_of_rows(system.nodes, positions);
     return result;
 }
 

@@ -70,7 +70,7 @@ class Mumps {
     }
 
     int infog(std::size_t number) const { return id_.infog[number - 1]; }
-    Turns turns() const { return Turns::Map(id_.sym_perm, id_.n).array() - 1; }
+    Permutation positions() const { return Permutation::Map(id_.sym_perm, id_.n).array() - 1; }
 
   private:
     Eigen::SparseMatrix<double> values_;
@@ -84,14 +84,14 @@ class Mumps {
 Result mumps_result(const System& system) {
     Mumps solver(system.lower);
     Result result;
-    result.analysis_seconds = least_seconds([&] { solver.run(Analyze); });
-    result.factor_seconds = least_seconds([&] { solver.run(Factor); });
+    result.analysis_seconds = min_seconds([&] { solver.run(Analyze); });
+    result.factor_seconds = min_seconds([&] { solver.run(Factor); });
     Eigen::VectorXd x;
-    result.solve_seconds = least_seconds([&] { x = solver.solve(system.right_side); });
+    result.solve_seconds = min_seconds([&] { x = solver.solve(system.right_side); });
     result.residual = residual(system.lower, x, system.right_side);
     result.solver =
         fmt::format("MUMPS LDLᵀ, {}", kOrderings.at(static_cast<std::size_t>(solver.infog(7))));
-    result.turns = solver.turns();
+    result.positions = solver.positions();
     const double numbers = solver.infog(29);
     result.numbers = numbers < 0.0 ? -1e6 * numbers : numbers;  // negative: in millions
     result.bytes = 1e6 * solver.infog(22);

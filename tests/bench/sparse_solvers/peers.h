@@ -19,7 +19,7 @@ inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 /// The cost of one solver for one system, on one thread. Unknown values are NaN.
 struct Result {
     std::string solver;
-    Turns turns{};
+    Permutation positions{};
     double analysis_seconds = kUnknown;
     double factor_seconds = kUnknown;
     double solve_seconds = kUnknown;
@@ -31,17 +31,17 @@ struct Result {
 /// Returns the least processor time of up to five runs, which end after the first that brings their
 /// sum to a second.
 template <class Work>
-double least_seconds(const Work& work) {
-    double least = std::numeric_limits<double>::infinity();
+double min_seconds(const Work& work) {
+    double best = std::numeric_limits<double>::infinity();
     double total = 0.0;
     for (int run = 0; run < 5 && total < 1.0; ++run) {
         const std::clock_t start = std::clock();
         work();
         const double time = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-        least = std::min(least, time);
+        best = std::min(best, time);
         total += time;
     }
-    return least;
+    return best;
 }
 
 /// Our own solver, in double and in single precision.

@@ -68,7 +68,7 @@ std::string cell(double value, int decimals) {
 }
 
 void print_result(const Result& result, const System& system) {
-    const Elimination elimination = count_elimination(system.lower, result.turns);
+    const Elimination elimination = count_elimination(system.lower, result.positions);
     fmt::print("| {} | {} | {} | {} | {} | {} | {:.2f} | {:.3f} | {} |\n",
                result.solver,
                cell(1e3 * result.analysis_seconds, 1),
@@ -114,8 +114,8 @@ class OrderTally {
         const Result ours = foamtex_order(system);
         milliseconds_.push_back(1e3 * ours.analysis_seconds);
         metis_milliseconds_.push_back(1e3 * metis->analysis_seconds);
-        work_.push_back(count_elimination(system.lower, ours.turns).operations);
-        metis_work_.push_back(count_elimination(system.lower, metis->turns).operations);
+        work_.push_back(count_elimination(system.lower, ours.positions).operations);
+        metis_work_.push_back(count_elimination(system.lower, metis->positions).operations);
         ratios_.push_back(work_.back() / metis_work_.back());
     }
 

@@ -108,10 +108,10 @@ TEST(Collapse, ArmsTheFilmThatALensLeaves) {
     EXPECT_EQ(std::count(foam.t1_armed.begin(), foam.t1_armed.end(), std::uint8_t{1}), 1);
 }
 
-TEST(Collapse, FromAnyBubbleOfASettledFoamLeadsToAnEquilibrium) {
-    const Foam settled = test::settled_foam(40, 3);
-    for (const BubbleId bubble : settled.network.bubbles()) {
-        Foam foam = settled;
+TEST(Collapse, OfAnyBubbleLeadsToAnEquilibrium) {
+    const Foam equilibrated = test::equilibrated_foam(40, 3);
+    for (const BubbleId bubble : equilibrated.network.bubbles()) {
+        Foam foam = equilibrated;
         TopologyCounts counts;
         ASSERT_TRUE(collapse(foam, bubble, counts));
         ASSERT_TRUE(is_valid(foam.network));
@@ -121,7 +121,7 @@ TEST(Collapse, FromAnyBubbleOfASettledFoamLeadsToAnEquilibrium) {
     }
 }
 
-TEST(Collapse, LeavesTheOnlyOtherBubbleAlone) {
+TEST(Collapse, KeepsTheOnlyOtherBubble) {
     Foam foam = honeycomb(1, 2);
     TopologyCounts counts;
     ASSERT_TRUE(collapse(foam, BubbleId{0}, counts));
@@ -141,7 +141,7 @@ TEST(Collapse, DoesNotTakeTheLastBubble) {
     EXPECT_EQ(foam.target_areas[BubbleId{0}], 1.0);
 }
 
-TEST(CollapseDue, TakesTheDueAndNoOthers) {
+TEST(CollapseDue, RemovesOnlyDueBubbles) {
     Foam foam = honeycomb_around(3);
     foam.target_areas[kDying] = 0.005;
     foam.target_areas[BubbleId{10}] = 0.005;  // five-sided: not yet
@@ -154,7 +154,7 @@ TEST(CollapseDue, TakesTheDueAndNoOthers) {
     EXPECT_NEAR(total_target(foam), total, 1e-13);
 }
 
-TEST(CollapseDue, TakesNeighborsInOneGo) {
+TEST(CollapseDue, RemovesNeighborsInOneCall) {
     Foam foam = honeycomb_around(3);
     for (const BubbleId bubble : {kDying, BubbleId{10}, BubbleId{4}}) {
         foam.target_areas[bubble] = 0.0005;
@@ -168,7 +168,7 @@ TEST(CollapseDue, TakesNeighborsInOneGo) {
 }
 
 // A step in which the large bubbles change little can take a small one far below zero.
-TEST(CollapseDue, TakesWhomADebtStarves) {
+TEST(CollapseDue, RemovesNeighborsWhoseGasIsUsedUp) {
     for (const BubbleId neighbor : {BubbleId{1}, BubbleId{6}, BubbleId{9}}) {
         Foam foam = honeycomb_around(3);
         foam.target_areas[kDying] = -0.3;
@@ -184,7 +184,7 @@ TEST(CollapseDue, TakesWhomADebtStarves) {
     }
 }
 
-TEST(CollapseDue, LeavesAFoamWithoutDueBubblesAlone) {
+TEST(CollapseDue, KeepsAFoamWithoutDueBubbles) {
     Foam foam = honeycomb(4, 4);
     const Foam before = foam;
     const TopologyCounts counts = collapse_due(foam, {});

@@ -18,7 +18,7 @@ namespace {
 constexpr double kClosed = 1e-9;  // mean diameters
 constexpr int kSteps = 24;
 
-Foam settled_patch() {
+Foam equilibrated_patch() {
     Foam patch = seed_patch(disc_outline(), {.bubbles = 40, .seed = 1});
     EXPECT_TRUE(equilibrate(patch, {}).converged());
     return patch;
@@ -26,9 +26,9 @@ Foam settled_patch() {
 
 // The foam at the start of a cycle, after so many of them.
 Foam after_cycles(const Cycle& cycle, Foam foam, int cycles) {
-    for (int place = 0; place <= cycles * kSteps; ++place) {
-        const StepSummary summary = cycle.step_to(place, foam, 0.0, {});
-        EXPECT_TRUE(summary.equilibrium.converged()) << place;
+    for (int position = 0; position <= cycles * kSteps; ++position) {
+        const StepSummary summary = cycle.step_to(position, foam, 0.0, {});
+        EXPECT_TRUE(summary.equilibrium.converged()) << position;
     }
     return foam;
 }
@@ -38,8 +38,8 @@ void expect_closes(const Foam& start, const CycleOptions& options, int cycles) {
     const Foam before = after_cycles(cycle, start, cycles);
     Foam foam = before;
     double largest = 0.0;
-    for (int place = 1; place <= kSteps; ++place) {
-        ASSERT_TRUE(cycle.step_to(place, foam, 0.0, {}).equilibrium.converged());
+    for (int position = 1; position <= kSteps; ++position) {
+        ASSERT_TRUE(cycle.step_to(position, foam, 0.0, {}).equilibrium.converged());
         largest = std::max(largest, closing_error(before, foam));
     }
     EXPECT_LT(closing_error(before, foam), kClosed);
@@ -47,23 +47,23 @@ void expect_closes(const Foam& start, const CycleOptions& options, int cycles) {
 }
 
 TEST(Cycle, BreathClosesFromTheFirstOn) {
-    expect_closes(test::settled_foam(60, 1), {.steps = kSteps, .breath = 0.1}, 0);
+    expect_closes(test::equilibrated_foam(60, 1), {.steps = kSteps, .breath = 0.1}, 0);
 }
 
 TEST(Cycle, DeepBreathClosesOnceItsT1AreThrough) {
-    expect_closes(test::settled_foam(60, 1), {.steps = kSteps, .breath = 0.35}, 3);
+    expect_closes(test::equilibrated_foam(60, 1), {.steps = kSteps, .breath = 0.35}, 3);
 }
 
 TEST(Cycle, ShearCloses) {
-    expect_closes(test::settled_foam(60, 1), {.steps = kSteps, .strain = 0.05}, 1);
+    expect_closes(test::equilibrated_foam(60, 1), {.steps = kSteps, .strain = 0.05}, 1);
 }
 
 TEST(Cycle, PatchCloses) {
-    expect_closes(settled_patch(), {.steps = kSteps, .breath = 0.1}, 1);
+    expect_closes(equilibrated_patch(), {.steps = kSteps, .breath = 0.1}, 1);
 }
 
-TEST(Cycle, ForgetsWhereItCameFrom) {
-    const Foam start = test::settled_foam(60, 1);
+TEST(Cycle, ConvergesAfterOneCycle) {
+    const Foam start = test::equilibrated_foam(60, 1);
     const Cycle cycle(start, {.steps = kSteps, .breath = 0.1});
     const Foam once = after_cycles(cycle, start, 1);
     EXPECT_LT(closing_error(once, after_cycles(cycle, once, 1)), kClosed);
@@ -72,18 +72,18 @@ TEST(Cycle, ForgetsWhereItCameFrom) {
 }
 
 TEST(Cycle, NoGasDiffuses) {
-    const Foam start = test::settled_foam(60, 1);
+    const Foam start = test::equilibrated_foam(60, 1);
     const Cycle cycle(start, {.steps = kSteps, .breath = 0.0, .strain = 0.02});
     Foam foam = start;
-    for (int place = 1; place <= kSteps; ++place) {
-        cycle.step_to(place, foam, 1.0, {.coarsening = {.kappa = 1.0}});
+    for (int position = 1; position <= kSteps; ++position) {
+        cycle.step_to(position, foam, 1.0, {.coarsening = {.kappa = 1.0}});
     }
     EXPECT_LT(closing_error(start, foam), kClosed);
     EXPECT_EQ(foam.time, start.time + kSteps);
 }
 
 // A regular honeycomb moved by a little: every corner has gone that far.
-TEST(ClosingError, IsTheFarthestWayOfACorner) {
+TEST(ClosingError, IsTheLargestDistanceOfACorner) {
     const Foam one = honeycomb(4, 4);
     Foam other = one;
     const Vec2 by(0.03, -0.04);
@@ -94,7 +94,7 @@ TEST(ClosingError, IsTheFarthestWayOfACorner) {
     EXPECT_EQ(closing_error(one, one), 0.0);
 }
 
-TEST(ClosingError, IsInfiniteWhereABubbleIsAnother) {
+TEST(ClosingError, IsInfiniteIfBubblesDiffer) {
     const Foam one = honeycomb(4, 4);
     Foam other = one;
     other.identities[BubbleId{3}] = 99;

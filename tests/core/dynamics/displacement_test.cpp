@@ -14,8 +14,8 @@
 namespace foam {
 namespace {
 
+using test::equilibrated_foam;
 using test::is_valid;
-using test::settled_foam;
 
 StateChange push_of(const Vec2& center, double radius, const Vec2& by) {
     StateChange change;
@@ -43,8 +43,8 @@ TEST(Displacement, FadesOutTowardsItsEdge) {
 }
 
 // With no T1 the foam has one equilibrium, and springs back to it.
-TEST(Displacement, ASmallPushLeavesNothing) {
-    Foam foam = settled_foam(60, 4);
+TEST(Displacement, ASmallPushIsReversibleWithoutT1) {
+    Foam foam = equilibrated_foam(60, 4);
     const Foam before = foam;
     const StepSummary summary = step(foam, 0.0, push_of({2.0, 3.0}, 2.0, {0.05, 0.02}), {});
     ASSERT_TRUE(summary.equilibrium.converged());
@@ -56,7 +56,7 @@ TEST(Displacement, ASmallPushLeavesNothing) {
 
 TEST(Displacement, ALargePushRearrangesTheFoam) {
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-        Foam foam = settled_foam(60, seed);
+        Foam foam = equilibrated_foam(60, seed);
         int flips = 0;
         for (int k = 0; k < 4; ++k) {
             const double angle = 0.5 * std::numbers::pi * k;

@@ -14,8 +14,8 @@
 namespace foam {
 namespace {
 
+using test::equilibrated_foam;
 using test::is_valid;
-using test::settled_foam;
 using test::total_target;
 
 // The smallest bubble of four, five or six sides, in turn, or else of the next number that is
@@ -60,7 +60,7 @@ void expect_collapse(Foam& foam, BubbleId target, int steps) {
 // Paper Figure 7, on a torus: one after the other, until one bubble is left that meets itself.
 void expect_collapse_to_the_last(std::uint64_t seed, int steps) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    Foam foam = settled_foam(66, seed);
+    Foam foam = equilibrated_foam(66, seed);
     for (int turn = 0; foam.network.bubble_count() > 1; ++turn) {
         const std::optional<BubbleId> target = next_target(foam, turn);
         ASSERT_TRUE(target.has_value());
@@ -69,13 +69,13 @@ void expect_collapse_to_the_last(std::uint64_t seed, int steps) {
     }
 }
 
-TEST(ForcedCollapse, TakesFourFiveAndSixSidedBubblesToTheLast) {
+TEST(ForcedCollapse, CollapsesBubblesOfFourFiveAndSixSides) {
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {
         expect_collapse_to_the_last(seed, 1);
     }
 }
 
-TEST(ForcedCollapse, TakesThemSlowlyToo) {
+TEST(ForcedCollapse, CollapsesThemSlowlyToo) {
     for (std::uint64_t seed = 7; seed <= 9; ++seed) {
         expect_collapse_to_the_last(seed, 8);
     }
@@ -83,7 +83,7 @@ TEST(ForcedCollapse, TakesThemSlowlyToo) {
 
 // Every other bubble gains the same share, but for the T2 area that its last neighbors take.
 TEST(ForcedCollapse, OthersShareTheGasInProportion) {
-    Foam foam = settled_foam(66, 1);
+    Foam foam = equilibrated_foam(66, 1);
     const Foam before = foam;
     const BubbleId target{20};
     const double area = before.target_areas[target];
@@ -102,7 +102,7 @@ TEST(ForcedCollapse, OthersShareTheGasInProportion) {
 
 // Diffusion may go on meanwhile.
 TEST(ForcedCollapse, WorksWhileGasDiffuses) {
-    Foam foam = settled_foam(66, 2);
+    Foam foam = equilibrated_foam(66, 2);
     const StepSummary summary =
         step(foam, 5.0, {{forced_collapse(12, {}), forced_collapse(13, {})}}, {});
     expect_exact(foam, summary);
@@ -111,8 +111,8 @@ TEST(ForcedCollapse, WorksWhileGasDiffuses) {
     EXPECT_EQ(find_bubble(foam, 13), std::nullopt);
 }
 
-TEST(ForcedCollapse, LeavesTheLastBubbleThere) {
-    Foam foam = settled_foam(66, 3);
+TEST(ForcedCollapse, KeepsTheLastBubble) {
+    Foam foam = equilibrated_foam(66, 3);
     StateChange change;
     for (BubbleIdentity identity = 0; identity < 66; ++identity) {
         change.driven.push_back(forced_collapse(identity, {}));

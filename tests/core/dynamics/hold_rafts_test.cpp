@@ -22,13 +22,13 @@ void move(Foam& foam, double angle, const Vec2& by) {
     }
 }
 
-Foam settled(Foam foam) {
+Foam equilibrated(Foam foam) {
     EXPECT_TRUE(equilibrate(foam, {}).converged());
     return foam;
 }
 
 TEST(HoldRafts, CentersAreMeansOfArcs) {
-    const Foam foam = settled(test::double_bubble(1.0, 1.0));
+    const Foam foam = equilibrated(test::double_bubble(1.0, 1.0));
     // By hand: an outer arc of radius r, 240 degrees, mean (sin 120 / (2 pi / 3)) r from its
     // middle; the film between them is a chord of sqrt(3) r, half r from the middle, on the other
     // side.
@@ -42,10 +42,10 @@ TEST(HoldRafts, CentersAreMeansOfArcs) {
     EXPECT_NEAR((centers.at(0) - centers.at(1)).norm(), 2.0 * from_film, 1e-9);
 }
 
-TEST(HoldRafts, TakesMotionBackExactly) {
-    for (const Foam& foam : {settled(test::double_bubble(1.0, 2.0)),
-                             settled(test::flower(1.0)),
-                             settled(test::chain())}) {
+TEST(HoldRafts, UndoesMotionExactly) {
+    for (const Foam& foam : {equilibrated(test::double_bubble(1.0, 2.0)),
+                             equilibrated(test::flower(1.0)),
+                             equilibrated(test::chain())}) {
         for (const double angle : {0.0, 1e-3, 2.5, -3.0}) {
             Foam moved = foam;
             move(moved, angle, {30.0, -7.0});
@@ -59,8 +59,8 @@ TEST(HoldRafts, TakesMotionBackExactly) {
 }
 
 // A raft and a circle, each back to its own place.
-TEST(HoldRafts, EachForItself) {
-    Foam foam = settled(test::double_bubble(1.0, 2.0));
+TEST(HoldRafts, HoldsEachRaftSeparately) {
+    Foam foam = equilibrated(test::double_bubble(1.0, 2.0));
     foam.lone_bubbles.push_back({9, {4.0, 0.0}, 1.0});
     const std::map<BubbleIdentity, Vec2> before = bubble_centers(foam);
     Foam moved = foam;
@@ -94,12 +94,12 @@ double turn_since(const std::map<BubbleIdentity, Vec2>& before, const Foam& foam
 
 // From 60 bubbles to a few, through T1s and T2s: what is left lies where the raft was, and bubbles
 // stay on their side of it. Left to themselves, such rafts turn by up to 0.8 in a step.
-TEST(HoldRafts, ACoarseningRaftStaysInItsPlace) {
+TEST(HoldRafts, ACoarseningRaftKeepsItsPosition) {
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
         PatchOptions options;
         options.bubbles = 60;
         options.seed = seed;
-        Foam foam = settled(seed_patch(disc_outline(), options));
+        Foam foam = equilibrated(seed_patch(disc_outline(), options));
         const Vec2 first = middle_of(foam);
         StepOptions step_options;
         step_options.coarsening.kappa = 0.02;

@@ -19,8 +19,8 @@
 namespace foam {
 namespace {
 
+using test::equilibrated_foam;
 using test::is_valid;
-using test::settled_foam;
 using test::total_target;
 
 constexpr double kPi = std::numbers::pi;
@@ -65,7 +65,7 @@ TEST(Nucleation, OnAFilmOfAHoneycombIsExactAtOnce) {
 }
 
 TEST(Nucleation, TakesItsGasInProportion) {
-    Foam foam = settled_foam(40, 1);
+    Foam foam = equilibrated_foam(40, 1);
     const Foam before = foam;
     const JunctionId junction{12};
     const BubbleId bubble = *nucleate_at_junction(foam, junction, 0.1);
@@ -83,7 +83,7 @@ TEST(Nucleation, TakesItsGasInProportion) {
 }
 
 TEST(Nucleation, HasAnIdentityOfItsOwn) {
-    Foam foam = settled_foam(40, 1);
+    Foam foam = equilibrated_foam(40, 1);
     const BubbleId first = *nucleate_at_junction(foam, JunctionId{3}, 0.02);
     const BubbleId second = *nucleate_on_film(foam, FilmId{50}, 0.02);
     EXPECT_EQ(foam.identities[first], 40U);
@@ -91,7 +91,7 @@ TEST(Nucleation, HasAnIdentityOfItsOwn) {
     EXPECT_EQ(foam.next_identity, 42U);
 }
 
-TEST(Nucleation, IsRefusedWhereThereIsTooLittleGas) {
+TEST(Nucleation, IsRejectedIfThereIsTooLittleGas) {
     Foam foam = honeycomb(4, 4);
     const Foam before = foam;
     EXPECT_FALSE(nucleate_at_junction(foam, JunctionId{3}, 1.51));
@@ -108,14 +108,14 @@ void expect_equilibrium(Foam& foam) {
 }
 
 TEST(Nucleation, LeadsToAnEquilibriumAtEveryJunctionAndFilm) {
-    const Foam settled = settled_foam(30, 3);
-    for (const JunctionId junction : settled.network.junctions()) {
-        Foam foam = settled;
+    const Foam equilibrated = equilibrated_foam(30, 3);
+    for (const JunctionId junction : equilibrated.network.junctions()) {
+        Foam foam = equilibrated;
         ASSERT_TRUE(nucleate_at_junction(foam, junction, 0.03)) << index_of(junction);
         ASSERT_NO_FATAL_FAILURE(expect_equilibrium(foam)) << "junction " << index_of(junction);
     }
-    for (const FilmId film : settled.network.films()) {
-        Foam foam = settled;
+    for (const FilmId film : equilibrated.network.films()) {
+        Foam foam = equilibrated;
         ASSERT_TRUE(nucleate_on_film(foam, film, 0.03)) << index_of(film);
         ASSERT_NO_FATAL_FAILURE(expect_equilibrium(foam)) << "film " << index_of(film);
     }
@@ -123,10 +123,10 @@ TEST(Nucleation, LeadsToAnEquilibriumAtEveryJunctionAndFilm) {
 
 // A new bubble that is given gas pushes its neighbors aside and gains sides by T1.
 TEST(Nucleation, GrowsToAWholeBubble) {
-    const Foam settled = settled_foam(30, 3);
+    const Foam equilibrated = equilibrated_foam(30, 3);
     int gained = 0;
     for (std::size_t k = 0; k < 60; k += 4) {
-        Foam foam = settled;
+        Foam foam = equilibrated;
         nucleate_at_junction(foam, id_at<JunctionId>(k), 0.02);
         const StepSummary summary = step(foam, 0.0, {{{30, 1.5, false}}}, {});
         ASSERT_TRUE(summary.equilibrium.converged()) << k;
@@ -140,19 +140,19 @@ TEST(Nucleation, GrowsToAWholeBubble) {
 
 // The inverse: nucleation, then T2 of the new bubble.
 TEST(Nucleation, IsUndoneByT2) {
-    const Foam settled = settled_foam(30, 3);
-    for (const JunctionId junction : settled.network.junctions()) {
-        Foam foam = settled;
+    const Foam equilibrated = equilibrated_foam(30, 3);
+    for (const JunctionId junction : equilibrated.network.junctions()) {
+        Foam foam = equilibrated;
         const BubbleId bubble = *nucleate_at_junction(foam, junction, 0.03);
         TopologyCounts counts;
         ASSERT_TRUE(collapse(foam, bubble, counts));
         EXPECT_EQ(counts.t1, 0);
         compact(foam);
-        for (const FilmId film : settled.network.films()) {
+        for (const FilmId film : equilibrated.network.films()) {
             const HalfEdgeId h = forward_side(film);
-            EXPECT_EQ(foam.network.tail(h), settled.network.tail(h));
-            EXPECT_EQ(foam.network.head(h), settled.network.head(h));
-            EXPECT_LT((chord(foam, h) - chord(settled, h)).norm(), 0.1);
+            EXPECT_EQ(foam.network.tail(h), equilibrated.network.tail(h));
+            EXPECT_EQ(foam.network.head(h), equilibrated.network.head(h));
+            EXPECT_LT((chord(foam, h) - chord(equilibrated, h)).norm(), 0.1);
         }
     }
 }

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-Foam settled(Foam foam) {
+Foam equilibrated(Foam foam) {
     EXPECT_TRUE(equilibrate(foam, {}).converged());
     return foam;
 }
@@ -27,9 +27,9 @@ Foam settled(Foam foam) {
 // turn by 2 pi - n pi / 3, and the pressure difference is the tension times the curvature.
 TEST(PatchStep, GasThroughTheFilmsIsVonNeumannsLaw) {
     const CoarseningOptions options{.kappa = 0.03};
-    for (const Foam& foam : {settled(test::double_bubble(1.0, 2.0)),
-                             settled(test::flower(1.0)),
-                             settled(test::chain())}) {
+    for (const Foam& foam : {equilibrated(test::double_bubble(1.0, 2.0)),
+                             equilibrated(test::flower(1.0)),
+                             equilibrated(test::chain())}) {
         for (const BubbleId bubble : foam.network.bubbles()) {
             double inflow = 0.0;
             for (const HalfEdgeId h : foam.network.around(bubble)) {
@@ -42,15 +42,15 @@ TEST(PatchStep, GasThroughTheFilmsIsVonNeumannsLaw) {
 
 // One circle, p = T / r, loses kappa p 2 pi r = 2 pi T kappa, whatever its radius.
 TEST(PatchStep, ALoneBubbleLosesGasAtAConstantRate) {
-    Foam foam = settled(test::double_bubble(1.0, 1.0));
+    Foam foam = equilibrated(test::double_bubble(1.0, 1.0));
     foam.film_tension = 0.8;
     const CoarseningOptions options{.kappa = 0.03};
     EXPECT_NEAR(lone_growth_rate(foam, options), -2.0 * kPi * 0.8 * 0.03, 1e-15);
 }
 
 // The total falls at the sum of the rates; what remains is in equilibrium.
-TEST(PatchStep, LosesWhatGoesThroughTheOuterFilms) {
-    Foam foam = settled(test::flower(1.0));
+TEST(PatchStep, LosesTheGasThatFlowsThroughOuterFilms) {
+    Foam foam = equilibrated(test::flower(1.0));
     const StepOptions options;
     double rate = 0.0;
     for (const BubbleId bubble : foam.network.bubbles()) {
@@ -68,11 +68,11 @@ std::size_t bubbles_of(const Foam& foam) {
 }
 
 // Until there is nothing left, and beyond.
-TEST(PatchStep, GoesOnToTheLastBubble) {
-    for (Foam foam : {settled(test::double_bubble(1.0, 2.0)),
-                      settled(test::triple_bubble(1.0)),
-                      settled(test::flower(1.0)),
-                      settled(test::chain())}) {
+TEST(PatchStep, RunsUntilTheLastBubble) {
+    for (Foam foam : {equilibrated(test::double_bubble(1.0, 2.0)),
+                      equilibrated(test::triple_bubble(1.0)),
+                      equilibrated(test::flower(1.0)),
+                      equilibrated(test::chain())}) {
         StepOptions options;
         options.coarsening.kappa = 1.0;
         for (int k = 0; k < 400 && bubbles_of(foam) > 0; ++k) {
@@ -92,7 +92,7 @@ TEST(PatchStep, GoesOnToTheLastBubble) {
 
 // The smaller of two vanishes as a lens at the side of the larger one, which is left as a circle.
 TEST(PatchStep, TheLastOfTwoIsALoneBubble) {
-    Foam foam = settled(test::double_bubble(0.1, 2.0));
+    Foam foam = equilibrated(test::double_bubble(0.1, 2.0));
     StepOptions options;
     options.coarsening.kappa = 0.1;
     while (foam.network.bubble_count() > 0) {
@@ -106,7 +106,7 @@ TEST(PatchStep, TheLastOfTwoIsALoneBubble) {
 }
 
 TEST(PatchStep, StatisticsCountLoneBubbles) {
-    Foam foam = settled(test::double_bubble(1.0, 2.0));
+    Foam foam = equilibrated(test::double_bubble(1.0, 2.0));
     foam.lone_bubbles.push_back({7, {5.0, 5.0}, 3.0});
     const FoamStatistics all = statistics(snapshot(foam, 1));
     EXPECT_EQ(all.bubbles, 3);
@@ -119,8 +119,8 @@ TEST(PatchStep, StatisticsCountLoneBubbles) {
 }
 
 // All gas has gone to the atmosphere.
-TEST(PatchStep, StatisticsOfNothingAreZero) {
-    Foam foam = settled(test::double_bubble(1.0, 1.0));
+TEST(PatchStep, StatisticsWithoutBubblesAreZero) {
+    Foam foam = equilibrated(test::double_bubble(1.0, 1.0));
     StepOptions options;
     options.coarsening.kappa = 1.0;
     ASSERT_TRUE(step(foam, 2.0, options).equilibrium.converged());

@@ -19,8 +19,8 @@
 namespace foam {
 namespace {
 
+using test::equilibrated_foam;
 using test::is_valid;
-using test::settled_foam;
 using test::total_target;
 
 StateChange strain_of(double strain) {
@@ -32,7 +32,7 @@ StateChange strain_of(double strain) {
 // Every chord (x, y) becomes (x + strain y, y), also across the seams and where the lattice is
 // reduced: at 0.5 of a square torus it just is not, at 0.7 and 3.2 it is.
 TEST(Shear, IsAffine) {
-    const Foam before = settled_foam(40, 1);
+    const Foam before = equilibrated_foam(40, 1);
     for (const double strain : {0.1, -0.3, 0.5, 0.7, -0.9, 3.2}) {
         Foam foam = before;
         shear(foam, strain);
@@ -48,7 +48,7 @@ TEST(Shear, IsAffine) {
 
 // The lattice spanned by (w, 0) and (s, h) holds (s - w, h) as well.
 TEST(Shear, TheReducedLatticeIsTheSame) {
-    Foam foam = settled_foam(40, 1);
+    Foam foam = equilibrated_foam(40, 1);
     const double width = foam.domain.width;
     shear(foam, 0.45);
     const Foam before = foam;
@@ -75,8 +75,8 @@ TEST(Shear, OfAWholePeriodGivesTheSameLattice) {
 }
 
 // Within the elastic range the way back leads to where it came from: no T1, the same pressures.
-TEST(Shear, BackAndForthIsNothingWithoutT1) {
-    Foam foam = settled_foam(60, 4);
+TEST(Shear, BackAndForthIsReversibleWithoutT1) {
+    Foam foam = equilibrated_foam(60, 4);
     const Foam before = foam;
     for (const double strain : {0.001, 0.001, -0.001, -0.001}) {
         const StepSummary summary = step(foam, 0.0, strain_of(strain), {});
@@ -106,7 +106,7 @@ TEST(Shear, EnergyOfAHoneycombGrowsByItsModulus) {
 // Far beyond the elastic range, through several periods: films swap without end, and every step is
 // an equilibrium.
 TEST(Shear, FlowsThroughSeveralPeriods) {
-    Foam foam = settled_foam(60, 2);
+    Foam foam = equilibrated_foam(60, 2);
     int flips = 0;
     for (int k = 0; k < 100; ++k) {
         const StepSummary summary = step(foam, 0.0, strain_of(0.03), {});
@@ -143,7 +143,7 @@ Vec2 median_motion(const Foam& before, const Foam& after, double strain) {
 // Nothing holds a foam where it is, and an ill-conditioned step of Newton's method may carry all of
 // it away.
 TEST(Shear, TheFoamAsAWholeStaysWhereItIs) {
-    Foam foam = settled_foam(200, 3);
+    Foam foam = equilibrated_foam(200, 3);
     const double strain = 0.02;
     for (int k = 0; k < 50; ++k) {
         const Foam before = foam;
@@ -153,7 +153,7 @@ TEST(Shear, TheFoamAsAWholeStaysWhereItIs) {
 }
 
 TEST(Shear, ASteppedFoamCoarsensAsWell) {
-    Foam foam = settled_foam(60, 2);
+    Foam foam = equilibrated_foam(60, 2);
     ASSERT_TRUE(step(foam, 0.0, strain_of(0.4), {}).equilibrium.converged());
     for (int k = 0; k < 20; ++k) {
         ASSERT_TRUE(step(foam, 3.0, {}).equilibrium.converged()) << k;
@@ -163,7 +163,7 @@ TEST(Shear, ASteppedFoamCoarsensAsWell) {
 }
 
 TEST(Shear, PointsAreFoundInAShearedFoam) {
-    Foam foam = settled_foam(30, 3);
+    Foam foam = equilibrated_foam(30, 3);
     ASSERT_TRUE(step(foam, 0.0, strain_of(0.37), {}).equilibrium.converged());
     for (int k = 0; k < 300; ++k) {
         const Vec2 point(0.013 + foam.domain.width * std::fmod(0.618 * k, 1.0),
@@ -183,13 +183,13 @@ TEST(Shear, PointsAreFoundInAShearedFoam) {
 }
 
 TEST(Shear, AStateKeepsIt) {
-    Foam foam = settled_foam(30, 3);
+    Foam foam = equilibrated_foam(30, 3);
     ASSERT_TRUE(step(foam, 0.0, strain_of(0.37), {}).equilibrium.converged());
     EXPECT_TRUE(test::are_same(read_foam_json(write_foam_json(foam), "a.json"), foam));
 }
 
 TEST(Shear, ADataFileKeepsIt) {
-    Foam foam = settled_foam(30, 3);
+    Foam foam = equilibrated_foam(30, 3);
     ASSERT_TRUE(step(foam, 0.0, strain_of(0.37), {}).equilibrium.converged());
     const Foam back = read_evolver(write_evolver(foam, EvolverEdges::Arcs), "a.fe").foam;
     EXPECT_EQ(back.domain.shear, foam.domain.shear);

@@ -11,7 +11,7 @@
 namespace foam {
 namespace {
 
-TEST(Solver, IsTheOneThatIsAskedFor) {
+TEST(Solver, IsTheSelectedOne) {
     const EquilibriumOptions options{.tolerance = 1e-3};
     const Foam start = test::raw_foam(30, 2);
     Foam newton = start;

@@ -16,10 +16,10 @@
 namespace foam {
 namespace {
 
-using test::settled_foam;
+using test::equilibrated_foam;
 using test::total_target;
 
-TEST(Drive, GoesAPartOfTheWayAndOthersGiveInProportion) {
+TEST(Drive, MovesTowardsTheTargetAndOthersGiveInProportion) {
     Foam foam = honeycomb(4, 4);
     foam.target_areas[BubbleId{0}] = 2.0;  // the others have 14 of 16: 1 and 2 have 1 and 3
     foam.target_areas[BubbleId{1}] = 1.0;
@@ -43,14 +43,14 @@ TEST(Drive, LeavesATenthOfTheTorusToOthers) {
     EXPECT_NEAR(total_target(foam), 16.0, 1e-13);
 }
 
-TEST(Drive, WhereNoneIsLeftTheDrivenShareTheTorus) {
+TEST(Drive, DrivenBubblesFillTheTorusIfAllAreDriven) {
     Foam foam = honeycomb(2, 2);
     drive(foam, {{{0, 1.0, false}, {1, 1.0, false}, {2, 1.0, false}, {3, 5.0, false}}}, 1.0);
     EXPECT_NEAR(foam.target_areas[BubbleId{0}], 0.5, 1e-14);
     EXPECT_NEAR(foam.target_areas[BubbleId{3}], 2.5, 1e-14);
 }
 
-TEST(Drive, PassesOverTheVanished) {
+TEST(Drive, IgnoresVanishedBubbles) {
     Foam foam = honeycomb(4, 4);
     const Foam before = foam;
     drive(foam, {{{77, 3.0, false}}}, 1.0);
@@ -72,7 +72,7 @@ TEST(SafePart, HoldsLossAndGainDown) {
 
 // The driven bubble has the area it is given, whatever diffuses, and the step its time.
 TEST(StateChange, IsImposedInTheCourseOfAStep) {
-    Foam foam = settled_foam(60, 2);
+    Foam foam = equilibrated_foam(60, 2);
     const StepSummary summary = step(foam, 2.0, {{{5, 3.0, false}, {9, 0.2, false}}}, {});
     EXPECT_TRUE(summary.equilibrium.converged());
     EXPECT_GT(summary.substeps, 1);
@@ -83,8 +83,8 @@ TEST(StateChange, IsImposedInTheCourseOfAStep) {
     EXPECT_LT(summary.equilibrium.area_error, 1e-9);
 }
 
-TEST(StateChange, OfNothingIsAStep) {
-    Foam a = settled_foam(60, 2);
+TEST(StateChange, AnEmptyChangeIsAPlainStep) {
+    Foam a = equilibrated_foam(60, 2);
     Foam b = a;
     step(a, 3.0, StateChange{}, {});
     step(b, 3.0, {});
@@ -92,8 +92,8 @@ TEST(StateChange, OfNothingIsAStep) {
 }
 
 // Areas that swing and come back (E9): with no T1 the foam is what it was, up to a translation.
-TEST(StateChange, AreasThatComeBackBringTheFoamBack) {
-    Foam foam = settled_foam(60, 4);
+TEST(StateChange, RestoredAreasRestoreTheFoam) {
+    Foam foam = equilibrated_foam(60, 4);
     const Foam before = foam;
     int flips = 0;
     for (int k = 1; k <= 12; ++k) {
@@ -115,7 +115,7 @@ TEST(StateChange, AreasThatComeBackBringTheFoamBack) {
 }
 
 // The atmosphere gives and takes: others, lone or not, keep what they have.
-TEST(Drive, InAPatchLeavesOthersAlone) {
+TEST(Drive, KeepsOtherBubblesOfAPatch) {
     Foam foam = test::flower(1.0);
     foam.lone_bubbles = {{20, {9.0, 0.0}, 0.5}, {21, {9.0, 9.0}, 0.7}};
     drive(foam, {{{2, 3.0, false}, {21, 0.3, false}}}, 0.25);

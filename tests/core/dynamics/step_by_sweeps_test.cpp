@@ -11,7 +11,7 @@
 namespace foam {
 namespace {
 
-using test::settled_foam;
+using test::equilibrated_foam;
 
 // (2 pi/3) gamma kappa (n - 6) for n = 7, T = 1 and the default kappa of 0.01, by hand.
 constexpr double kGrowthOfSeven = std::numbers::pi / 300.0;
@@ -32,7 +32,7 @@ void expect_same_foam(const Foam& a, const Foam& b, double tolerance) {
 // Frames of about 1 % of the mean area. Errors below 1e-4 leave some times that in a small bubble's
 // pressure.
 void expect_the_life_of_newton(int bubbles, int frames, Solver solver) {
-    Foam by_newton = settled_foam(bubbles, 1);
+    Foam by_newton = equilibrated_foam(bubbles, 1);
     Foam foam = by_newton;
     StepOptions options;
     options.solver = solver;

@@ -20,8 +20,8 @@ namespace foam {
 namespace {
 
 using test::are_same;
+using test::equilibrated_foam;
 using test::is_valid;
-using test::settled_foam;
 using test::total_target;
 
 double mean_area(const Foam& foam) {
@@ -59,7 +59,7 @@ void record_growth(Foam& foam, double time, std::map<int, int>& seen) {
 // occurs.
 TEST(Step, MeasuredAreasFollowVonNeumann) {
     std::map<int, int> seen;
-    Foam foam = settled_foam(300, 1);
+    Foam foam = equilibrated_foam(300, 1);
     for (int age = 0; age < 40; ++age) {
         record_growth(foam, 0.05, seen);
         step(foam, mean_area(foam), {});
@@ -70,7 +70,7 @@ TEST(Step, MeasuredAreasFollowVonNeumann) {
     EXPECT_GT(seen[6], 100);  // of which the law says that they keep their area
 }
 
-TEST(Step, LeavesTheHoneycombAlone) {
+TEST(Step, KeepsAHoneycomb) {
     Foam foam = honeycomb(4, 4);
     const StepSummary summary = step(foam, 10.0, {});
     EXPECT_TRUE(summary.equilibrium.converged());
@@ -82,15 +82,15 @@ TEST(Step, LeavesTheHoneycombAlone) {
     }
 }
 
-TEST(Step, TakesNoTimeForNoTime) {
-    Foam foam = settled_foam(30, 1);
+TEST(Step, AStepOfNoTimeTakesNoTime) {
+    Foam foam = equilibrated_foam(30, 1);
     const Foam before = foam;
     EXPECT_EQ(step(foam, 0.0, {}).substeps, 0);
     EXPECT_TRUE(are_same(foam, before));
 }
 
 TEST(Step, AdvancesTheTimeExactly) {
-    Foam foam = settled_foam(100, 1);
+    Foam foam = equilibrated_foam(100, 1);
     foam.time = 2.0;
     StepSummary summary = step(foam, 0.25, {});
     EXPECT_EQ(summary.substeps, 1);
@@ -114,7 +114,7 @@ double time_to_lose(const Foam& foam, double part) {
 }
 
 TEST(Step, IsCutWhereABubbleWouldLoseTooMuch) {
-    const Foam foam = settled_foam(60, 2);
+    const Foam foam = equilibrated_foam(60, 2);
     const double time = time_to_lose(foam, 0.2);
     StepOptions options;
     options.largest_loss = 0.2;
@@ -125,7 +125,7 @@ TEST(Step, IsCutWhereABubbleWouldLoseTooMuch) {
 }
 
 TEST(Step, IsCutWhereKappaIsLarge) {
-    Foam foam = settled_foam(60, 2);
+    Foam foam = equilibrated_foam(60, 2);
     StepOptions options;
     options.coarsening.kappa = 10.0;
     const StepSummary summary = step(foam, 1.0, options);
@@ -137,7 +137,7 @@ TEST(Step, IsCutWhereKappaIsLarge) {
 
 // Only the product of kappa and time counts.
 TEST(Step, TwiceTheKappaIsTwiceTheTime) {
-    Foam slow = settled_foam(60, 2);
+    Foam slow = equilibrated_foam(60, 2);
     Foam fast = slow;
     StepOptions options;
     options.coarsening.kappa = 0.02;
@@ -150,8 +150,8 @@ TEST(Step, TwiceTheKappaIsTwiceTheTime) {
     }
 }
 
-TEST(Step, LeavesTheLastEquilibriumWhereItFindsNoOther) {
-    Foam foam = settled_foam(60, 2);
+TEST(Step, KeepsTheLastEquilibriumIfNoneFollows) {
+    Foam foam = equilibrated_foam(60, 2);
     const Foam before = foam;
     StepOptions options;
     options.equilibrium.max_rounds = 0;
@@ -163,7 +163,7 @@ TEST(Step, LeavesTheLastEquilibriumWhereItFindsNoOther) {
 }
 
 TEST(Step, SumsUpItsSubsteps) {
-    Foam foam = settled_foam(200, 3);
+    Foam foam = equilibrated_foam(200, 3);
     const StepSummary summary = step(foam, 60.0, {});
     EXPECT_GT(summary.substeps, 1);
     EXPECT_EQ(summary.equilibrium.t2, 200 - static_cast<int>(foam.network.bubble_count()));
@@ -175,7 +175,7 @@ TEST(Step, SumsUpItsSubsteps) {
 }
 
 TEST(Step, LeavesNoDeadSlots) {
-    Foam foam = settled_foam(100, 3);
+    Foam foam = equilibrated_foam(100, 3);
     step(foam, 60.0, {});
     ASSERT_LT(foam.network.bubble_count(), 100U);
     EXPECT_EQ(foam.network.bubble_slots(), foam.network.bubble_count());
@@ -231,8 +231,8 @@ void expect_sound_life(Foam foam, double part) {
 }
 
 TEST(Step, CoarsensTwoHundredBubblesToFour) {
-    expect_sound_life(settled_foam(200, 1), 1.0);
-    expect_sound_life(settled_foam(200, 3), 5.0);
+    expect_sound_life(equilibrated_foam(200, 1), 1.0);
+    expect_sound_life(equilibrated_foam(200, 3), 5.0);
 }
 
 TEST(Step, CoarsensPolydisperseFoamsToFour) {
@@ -249,13 +249,13 @@ TEST(Step, CoarsensPolydisperseFoamsToFour) {
 }
 
 TEST(LongStep, CoarsensAThousandBubblesToFour) {
-    expect_sound_life(settled_foam(1000, 1), 2.0);
+    expect_sound_life(equilibrated_foam(1000, 1), 2.0);
 }
 
 // A bubble moves and grows little in a short step: it is known by its identity wherever its slot
 // has gone.
 TEST(Step, IdentitiesStayWithTheirBubbles) {
-    Foam foam = settled_foam(200, 4);
+    Foam foam = equilibrated_foam(200, 4);
     for (int k = 0; k < 40; ++k) {
         std::map<BubbleIdentity, double> before;
         for (const BubbleId bubble : foam.network.bubbles()) {
@@ -271,8 +271,8 @@ TEST(Step, IdentitiesStayWithTheirBubbles) {
 }
 
 TEST(Step, TwoRunsGiveTheSameBits) {
-    Foam a = settled_foam(200, 6);
-    Foam b = settled_foam(200, 6);
+    Foam a = equilibrated_foam(200, 6);
+    Foam b = equilibrated_foam(200, 6);
     for (int k = 0; k < 20; ++k) {
         step(a, 3.0, {});
         step(b, 3.0, {});
@@ -294,7 +294,7 @@ double second_moment_of_sides(const Foam& foam) {
 // froths find 1.4 +- 0.1. Here its mean over the life from 500 to 100 bubbles; a moment of a few
 // hundred bubbles fluctuates by a tenth, and successive ones are alike.
 TEST(LongStep, TheScalingStateHasTheSidesOfSoapFroths) {
-    Foam foam = settled_foam(1000, 2);
+    Foam foam = equilibrated_foam(1000, 2);
     std::vector<double> moments;
     while (foam.network.bubble_count() > 100) {
         ASSERT_TRUE(step(foam, mean_area(foam), {}).equilibrium.converged());

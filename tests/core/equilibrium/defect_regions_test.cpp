@@ -121,21 +121,21 @@ TEST(DefectRegions, AreJoinedWhereTheyTouch) {
 }
 
 // Seven of 24 bubbles are 29 %, seven of 16 are 44 %.
-TEST(DefectRegions, NoneIfTheyHoldTooLargeAShare) {
+TEST(DefectRegions, NoneIfTheyCoverTooMuchOfTheFoam) {
     Case many(honeycomb(6, 4));
     many.set_area_error(BubbleId{9}, 0.5);
     EXPECT_EQ(many.regions().size(), 1U);
     Case few(honeycomb(4, 4));
     few.set_area_error(BubbleId{9}, 0.5);
     EXPECT_TRUE(few.regions().empty());
-    EXPECT_EQ(few.regions({.largest_share = 0.44}).size(), 1U);
+    EXPECT_EQ(few.regions({.largest_fraction = 0.44}).size(), 1U);
 }
 
 // An outer bubble of the flower touches the middle one, two outer ones, and the ghost.
 TEST(DefectRegions, NeverHoldTheGhost) {
     Case c(test::flower(1.0));
     c.set_area_error(BubbleId{1}, 0.5);
-    const std::vector<DefectRegion> regions = c.regions({.largest_share = 1.0});
+    const std::vector<DefectRegion> regions = c.regions({.largest_fraction = 1.0});
     ASSERT_EQ(regions.size(), 1U);
     EXPECT_EQ(regions.front(), with_neighbors(c.foam.network, {BubbleId{1}}));
     EXPECT_EQ(regions.front().size(), 4U);

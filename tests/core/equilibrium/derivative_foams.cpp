@@ -18,7 +18,7 @@ namespace foam::test {
 namespace {
 
 // Every junction moved at random by up to `largest` in x and in y.
-Foam shaken(Foam foam, double largest) {
+Foam perturbed(Foam foam, double largest) {
     Random random(17);
     for (const JunctionId junction : foam.network.junctions()) {
         const double x = largest * (2.0 * random.uniform() - 1.0);
@@ -49,7 +49,7 @@ Foam bent_foam_of_long_films(int bubbles, double pressure) {
 }  // namespace
 
 std::vector<Foam> derivative_foams() {
-    std::vector<Foam> foams{shaken(single_bubble(), 0.05), shaken(honeycomb(1, 2), 0.1)};
+    std::vector<Foam> foams{perturbed(single_bubble(), 0.05), perturbed(honeycomb(1, 2), 0.1)};
     for (const int bubbles : {2, 3, 4, 12}) {
         for (const double pressure : {0.5, 10.0}) {
             foams.push_back(bent_foam_of_long_films(bubbles, pressure));
@@ -65,7 +65,7 @@ std::vector<Foam> derivative_patches() {
     Random random(5);
     for (Foam& foam : foams) {
         foam.film_tension = 1.6;
-        foam = shaken(std::move(foam), 0.1);
+        foam = perturbed(std::move(foam), 0.1);
         for (const BubbleId bubble : foam.network.bubbles()) {
             foam.pressures[bubble] = 4.0 * random.uniform() - 1.0;
         }

@@ -16,7 +16,7 @@ namespace foam {
 namespace {
 
 constexpr double kThird = 2.0 * std::numbers::pi / 3.0;  // 120 degrees
-constexpr int kHalvings = 60;                            // of the range of beta, down to rounding
+constexpr int kBisectionSteps = 60;                      // of the range of beta, down to rounding
 
 double segment(double half_angle) {
     return arc_shape(half_angle).segment;
@@ -34,7 +34,7 @@ double large_area(double beta) {
 double inner_half_angle(double ratio) {
     double low = 0.0;
     double high = 0.5 * kThird;
-    for (int k = 0; k < kHalvings; ++k) {
+    for (int k = 0; k < kBisectionSteps; ++k) {
         const double middle = 0.5 * (low + high);
         (small_area(middle) > ratio * large_area(middle) ? low : high) = middle;
     }
@@ -64,7 +64,7 @@ void set_bubble(Foam& foam, HalfEdgeId inner, double half_angle, double chord_le
 // bulges into the larger bubble, 120 degrees at the ends ask for outer half angles of 120 degrees
 // - beta and + beta; the ratio of the areas tells beta (E1: h is ArcShape::segment):
 //     4 A_small / c² = h(120 - beta) + h(beta),   4 A_large / c² = h(120 + beta) - h(beta).
-void settle_double_bubble(Foam& foam, FilmId film) {
+void equilibrate_double_bubble(Foam& foam, FilmId film) {
     HalfEdgeId h = forward_side(film);
     if (foam.target_areas[foam.network.left(h)] > foam.target_areas[foam.network.right(h)]) {
         h = twin(h);
@@ -95,11 +95,11 @@ TEST(DoubleBubble, IsARaftOfTwo) {
 
 // All errors of an equilibrium are rounding, whichever of the two is the larger one. Where the
 // outer film is nearly a full circle, its area amplifies the rounding of its half angle.
-TEST(DoubleBubble, SettlesToEquilibriumInClosedForm) {
+TEST(DoubleBubble, ReachesEquilibriumInClosedForm) {
     for (const double ratio : {1.0, 0.5, 3.0, 100.0, 0.001}) {
         Foam foam = test::double_bubble(0.7, 0.7 * ratio);
         foam.film_tension = 1.3;
-        settle_double_bubble(foam, inner_film(foam));
+        equilibrate_double_bubble(foam, inner_film(foam));
         const EquilibriumErrors errors = equilibrium_errors(foam);
         EXPECT_LT(errors.area, 1e-12) << ratio;
         EXPECT_LT(errors.angle, 1e-13) << ratio;
@@ -107,10 +107,10 @@ TEST(DoubleBubble, SettlesToEquilibriumInClosedForm) {
     }
 }
 
-TEST(DoubleBubble, IsWhatTheSolverFinds) {
+TEST(DoubleBubble, AgreesWithTheSolver) {
     for (const double ratio : {1.0, 0.3, 30.0}) {
         Foam closed = test::double_bubble(1.0, ratio);
-        settle_double_bubble(closed, inner_film(closed));
+        equilibrate_double_bubble(closed, inner_film(closed));
         Foam solved = closed;
         for (Vec2& position : solved.positions) {
             position *= 1.02;

@@ -35,7 +35,7 @@ TEST(Drift, OfTheWholeFoamIsUndone) {
 }
 
 // Most junctions have not moved, so the median is zero, and nothing moves, to the last bit.
-TEST(Drift, IsNoneWhereOnlySomeJunctionsMove) {
+TEST(Drift, IsZeroIfOnlySomeJunctionsMove) {
     Foam foam = honeycomb(4, 6);
     const Positions before = foam.positions;
     for (const HalfEdgeId h : foam.network.around(BubbleId{7})) {
@@ -80,7 +80,7 @@ TEST(Drift, IsTheMedianAlongEachAxis) {
     }
 }
 
-TEST(Drift, OfAFoamWithoutJunctionsIsNone) {
+TEST(Drift, IsZeroWithoutJunctions) {
     Foam foam;
     undo_drift(foam, {});
     EXPECT_EQ(foam.network.junction_count(), 0U);

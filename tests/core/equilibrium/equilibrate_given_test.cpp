@@ -28,8 +28,8 @@ Foam scaled(Foam foam, double length, double tension) {
 }
 
 // An equilibrium whose junctions have been moved by up to so much.
-Foam shaken_foam(double by) {
-    Foam foam = test::settled_foam(60, 8);
+Foam perturbed_foam(double by) {
+    Foam foam = test::equilibrated_foam(60, 8);
     Random random(3);
     for (const JunctionId junction : foam.network.junctions()) {
         const Vec2 move(2.0 * random.uniform() - 1.0, 2.0 * random.uniform() - 1.0);
@@ -39,18 +39,18 @@ Foam shaken_foam(double by) {
 }
 
 TEST(EquilibrateGiven, KeepsTheTopology) {
-    Foam foam = shaken_foam(0.05);
+    Foam foam = perturbed_foam(0.05);
     const EquilibriumSummary summary = equilibrate_given(foam, 1);
     EXPECT_TRUE(summary.converged());
     EXPECT_EQ(summary.t1, 0);
     EXPECT_EQ(summary.sweeps, 0);
     EXPECT_LT(equilibrium_errors(foam).area, 1e-9);
-    EXPECT_NEAR(energy(foam), energy(test::settled_foam(60, 8)), 1e-9 * energy(foam));
+    EXPECT_NEAR(energy(foam), energy(test::equilibrated_foam(60, 8)), 1e-9 * energy(foam));
 }
 
 // With pressures that Newton's method cannot begin with, relaxation helps, without T1.
 TEST(EquilibrateGiven, RelaxesWithoutT1WhereNewtonFails) {
-    Foam foam = shaken_foam(0.05);
+    Foam foam = perturbed_foam(0.05);
     Random random(4);
     for (double& pressure : foam.pressures) {
         pressure = 20.0 * random.uniform();
@@ -59,11 +59,11 @@ TEST(EquilibrateGiven, RelaxesWithoutT1WhereNewtonFails) {
     EXPECT_TRUE(summary.converged());
     EXPECT_GT(summary.sweeps, 0);
     EXPECT_EQ(summary.t1, 0);
-    EXPECT_NEAR(energy(foam), energy(test::settled_foam(60, 8)), 1e-9 * energy(foam));
+    EXPECT_NEAR(energy(foam), energy(test::equilibrated_foam(60, 8)), 1e-9 * energy(foam));
 }
 
 // A raw diagram has films that no equilibrium of its topology has.
-TEST(EquilibrateGiven, TakesT1WhereNothingElseHelps) {
+TEST(EquilibrateGiven, MakesT1sAsALastResort) {
     Foam foam = test::raw_foam(200, 1);
     const EquilibriumSummary summary = equilibrate_given(foam, 1);
     EXPECT_TRUE(summary.converged());
@@ -73,11 +73,11 @@ TEST(EquilibrateGiven, TakesT1WhereNothingElseHelps) {
 }
 
 TEST(EquilibrateGiven, UnitsDoNotMatter) {
-    Foam foam = shaken_foam(0.05);
+    Foam foam = perturbed_foam(0.05);
     ASSERT_TRUE(equilibrate_given(foam, 1).converged());
     for (const double length : {1e-3, 0.3, 1e4}) {
         for (const double tension : {1e-3, 2.5, 1e5}) {
-            Foam given = scaled(shaken_foam(0.05), length, tension);
+            Foam given = scaled(perturbed_foam(0.05), length, tension);
             const EquilibriumSummary summary = equilibrate_given(given, 1);
             ASSERT_TRUE(summary.converged());
             EXPECT_EQ(summary.energy, energy(given));
@@ -91,8 +91,8 @@ TEST(EquilibrateGiven, UnitsDoNotMatter) {
     }
 }
 
-TEST(EquilibrateGiven, LeavesWhatIsGivenToTheLastBit) {
-    const Foam given = scaled(shaken_foam(0.05), 0.37, 3.1);
+TEST(EquilibrateGiven, KeepsGivenValuesBitForBit) {
+    const Foam given = scaled(perturbed_foam(0.05), 0.37, 3.1);
     Foam foam = given;
     foam.time = 0.7;
     ASSERT_TRUE(equilibrate_given(foam, 1).converged());
@@ -107,8 +107,8 @@ TEST(EquilibrateGiven, LeavesWhatIsGivenToTheLastBit) {
 }
 
 // A film that has flipped stays disarmed until it has grown, as between the steps of a foam.
-TEST(EquilibrateGiven, AnEquilibriumIsLeftAlone) {
-    Foam foam = test::settled_foam(60, 8);
+TEST(EquilibrateGiven, KeepsAnEquilibrium) {
+    Foam foam = test::equilibrated_foam(60, 8);
     FilmId shortest{};
     for (const FilmId film : foam.network.films()) {
         const auto length = [&](FilmId f) { return chord(foam, forward_side(f)).norm(); };
@@ -125,8 +125,8 @@ TEST(EquilibrateGiven, AnEquilibriumIsLeftAlone) {
     EXPECT_TRUE(test::are_same(foam, before));
 }
 
-TEST(EquilibrateGiven, AFoamWithoutEquilibriumIsLeftAlone) {
-    Foam foam = test::settled_foam(6, 1);
+TEST(EquilibrateGiven, KeepsAFoamWithoutEquilibrium) {
+    Foam foam = test::equilibrated_foam(6, 1);
     // Targets that do not add up to the torus have no solution.
     foam.target_areas[BubbleId{0}] *= 3.0;
     const Foam before = foam;

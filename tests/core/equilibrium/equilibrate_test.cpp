@@ -22,8 +22,8 @@ namespace foam {
 namespace {
 
 using test::are_same;
+using test::equilibrated_foam;
 using test::is_valid;
-using test::settled_foam;
 
 constexpr double kPi = std::numbers::pi;
 
@@ -52,7 +52,7 @@ void expect_equilibrium(const SeedingOptions& seeding, const TopologyThresholds&
     EXPECT_EQ(errors.films_at_limit, 0);
 }
 
-TEST(Equilibrate, SettlesRawDiagrams) {
+TEST(Equilibrate, EquilibratesRawDiagrams) {
     SeedingOptions seeding;
     seeding.bubbles = 100;
     for (seeding.seed = 1; seeding.seed <= 20; ++seeding.seed) {
@@ -60,7 +60,7 @@ TEST(Equilibrate, SettlesRawDiagrams) {
     }
 }
 
-TEST(LongEquilibrate, SettlesRawDiagramsOfAThousandBubbles) {
+TEST(LongEquilibrate, EquilibratesRawDiagramsOfAThousandBubbles) {
     SeedingOptions seeding;
     seeding.bubbles = 1000;
     for (seeding.seed = 1; seeding.seed <= 20; ++seeding.seed) {
@@ -68,7 +68,7 @@ TEST(LongEquilibrate, SettlesRawDiagramsOfAThousandBubbles) {
     }
 }
 
-TEST(Equilibrate, SettlesAreasSpreadByAHundred) {
+TEST(Equilibrate, EquilibratesAreasSpreadByAHundred) {
     SeedingOptions seeding;
     seeding.area_ratio = 100.0;
     for (const int bubbles : {20, 100, 300}) {
@@ -81,13 +81,13 @@ TEST(Equilibrate, SettlesAreasSpreadByAHundred) {
 
 // Equal cells are to differ a hundredfold: films are at the limit of their arcs after all sweeps of
 // one relaxation, and to begin anew each time leads nowhere.
-TEST(Equilibrate, SettlesEqualCellsWhoseAreasAreToSpread) {
+TEST(Equilibrate, EquilibratesEqualCellsWithUnequalTargets) {
     Foam foam =
         seed_foam({.bubbles = 1000, .lloyd_iterations = 5, .area_ratio = 100.0, .seed = 19});
     EXPECT_TRUE(equilibrate(foam, {}).converged());
 }
 
-TEST(Equilibrate, SettlesEqualAreas) {
+TEST(Equilibrate, EquilibratesEqualAreas) {
     SeedingOptions seeding;
     seeding.area_ratio = 1.0;
     seeding.bubbles = 100;
@@ -96,7 +96,7 @@ TEST(Equilibrate, SettlesEqualAreas) {
     }
 }
 
-TEST(Equilibrate, SettlesSlenderTori) {
+TEST(Equilibrate, EquilibratesSlenderTori) {
     SeedingOptions seeding;
     seeding.bubbles = 100;
     for (const double aspect : {4.0, 0.25}) {
@@ -107,7 +107,7 @@ TEST(Equilibrate, SettlesSlenderTori) {
     }
 }
 
-TEST(Equilibrate, SettlesAtAnyT1Distance) {
+TEST(Equilibrate, EquilibratesAtAnyT1Distance) {
     SeedingOptions seeding;
     seeding.bubbles = 100;
     for (const double distance : {0.01, 0.25}) {
@@ -118,7 +118,7 @@ TEST(Equilibrate, SettlesAtAnyT1Distance) {
 }
 
 // Where bubbles meet themselves around the torus.
-TEST(Equilibrate, SettlesTinyTori) {
+TEST(Equilibrate, EquilibratesTinyTori) {
     SeedingOptions seeding;
     for (seeding.bubbles = 2; seeding.bubbles <= 12; ++seeding.bubbles) {
         for (seeding.seed = 1; seeding.seed <= 20; ++seeding.seed) {
@@ -129,7 +129,7 @@ TEST(Equilibrate, SettlesTinyTori) {
 
 // From the relaxed state the residual grows along the step with its moves limited; it shrinks along
 // the step as it is.
-TEST(Equilibrate, SettlesWhereLimitedMovesLeadNowhere) {
+TEST(Equilibrate, EquilibratesWhereLimitedMovesStall) {
     SeedingOptions seeding;
     seeding.bubbles = 10;
     seeding.seed = 153;
@@ -137,10 +137,10 @@ TEST(Equilibrate, SettlesWhereLimitedMovesLeadNowhere) {
 }
 
 // Straight films leave a bubble of two sides no area: relaxation must not lose it.
-TEST(Equilibrate, SettlesBubblesOfTwoSides) {
+TEST(Equilibrate, EquilibratesBubblesOfTwoSides) {
     for (const double area : {0.02, 0.2, 0.8}) {
         for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-            Foam foam = settled_foam(30, seed);
+            Foam foam = equilibrated_foam(30, seed);
             const BubbleId lens = test::insert_lens(foam, FilmId{7}, 0.5);
             foam.target_areas[lens] = area;
             scale_targets(foam);
@@ -151,7 +151,7 @@ TEST(Equilibrate, SettlesBubblesOfTwoSides) {
     }
 }
 
-TEST(Equilibrate, LeavesTheHoneycombAlone) {
+TEST(Equilibrate, KeepsAHoneycomb) {
     Foam foam = honeycomb(4, 4);
     const EquilibriumSummary summary = equilibrate(foam, {.relaxes_first = false});
     EXPECT_TRUE(summary.converged());
@@ -161,7 +161,7 @@ TEST(Equilibrate, LeavesTheHoneycombAlone) {
     EXPECT_TRUE(are_same(foam, honeycomb(4, 4)));
 }
 
-TEST(Equilibrate, SummaryTellsWhatMeasuringDoes) {
+TEST(Equilibrate, SummaryAgreesWithMeasuredErrors) {
     Foam foam = test::raw_foam(80, 4);
     const EquilibriumSummary summary = equilibrate(foam, {.relaxation_sweeps = 40});
     const EquilibriumErrors errors = equilibrium_errors(foam);
@@ -176,7 +176,7 @@ TEST(Equilibrate, SummaryTellsWhatMeasuringDoes) {
     EXPECT_EQ(summary.t2, 0);
 }
 
-TEST(Equilibrate, SaysWhenItsRoundsAreUsedUp) {
+TEST(Equilibrate, ReportsTheRoundLimit) {
     Foam foam = test::raw_foam(80, 4);
     const EquilibriumSummary summary = equilibrate(foam, {.max_rounds = 0});
     EXPECT_EQ(summary.status, EquilibriumStatus::RoundLimit);
@@ -185,7 +185,7 @@ TEST(Equilibrate, SaysWhenItsRoundsAreUsedUp) {
     EXPECT_TRUE(is_valid(foam.network));
 }
 
-TEST(Equilibrate, SaysWhenItsToleranceIsMissed) {
+TEST(Equilibrate, ReportsAMissedTolerance) {
     Foam foam = test::raw_foam(80, 4);
     const EquilibriumSummary summary = equilibrate(foam, {.tolerance = 1e-30});
     EXPECT_EQ(summary.status, EquilibriumStatus::ToleranceMissed);
@@ -193,7 +193,7 @@ TEST(Equilibrate, SaysWhenItsToleranceIsMissed) {
 }
 
 TEST(Equilibrate, CentersThePressures) {
-    const Foam foam = settled_foam(50, 1);
+    const Foam foam = equilibrated_foam(50, 1);
     double weighted = 0.0;
     for (const BubbleId bubble : foam.network.bubbles()) {
         weighted += foam.target_areas[bubble] * foam.pressures[bubble];
@@ -201,8 +201,8 @@ TEST(Equilibrate, CentersThePressures) {
     EXPECT_NEAR(weighted, 0.0, 1e-12);
 }
 
-TEST(Equilibrate, OfAnEquilibriumChangesNothingToSpeakOf) {
-    Foam foam = settled_foam(50, 1);
+TEST(Equilibrate, ChangesAnEquilibriumOnlyByRounding) {
+    Foam foam = equilibrated_foam(50, 1);
     const Foam before = foam;
     const EquilibriumSummary summary = equilibrate(foam, {.relaxes_first = false});
     EXPECT_TRUE(summary.converged());
@@ -213,7 +213,7 @@ TEST(Equilibrate, OfAnEquilibriumChangesNothingToSpeakOf) {
 }
 
 TEST(Equilibrate, GivesTheSameBitsTwice) {
-    EXPECT_TRUE(are_same(settled_foam(200, 5), settled_foam(200, 5)));
+    EXPECT_TRUE(are_same(equilibrated_foam(200, 5), equilibrated_foam(200, 5)));
 }
 
 // Every length follows from the areas, every pressure is a tension over a length.
@@ -265,7 +265,7 @@ double curvature_through(const Vec2& a, const Vec2& b, const Vec2& c) {
 
 // Laplace and Young (E1), told from points of the films alone.
 TEST(Equilibrate, FilmsAreCurvedByThePressureDifference) {
-    Foam foam = settled_foam(100, 6);
+    Foam foam = equilibrated_foam(100, 6);
     foam.film_tension = 1.0;
     for (const FilmId film : foam.network.films()) {
         const HalfEdgeId h = forward_side(film);
@@ -299,7 +299,7 @@ double area_under(const FilmArc& arc, const Vec2& tail) {
 
 // Green's theorem on points of the films: shares no formula with the segments of E1.
 TEST(Equilibrate, AreasAreTheirTargetsByQuadrature) {
-    const Foam foam = settled_foam(60, 6);
+    const Foam foam = equilibrated_foam(60, 6);
     for (const BubbleId bubble : foam.network.bubbles()) {
         Vec2 at = Vec2::Zero();
         double area = 0.0;
@@ -314,7 +314,7 @@ TEST(Equilibrate, AreasAreTheirTargetsByQuadrature) {
 // Around a bubble the tangent turns by 360 degrees: by 60 at each of its n corners and by the rest
 // along its films. This is what makes von Neumann's law (E6) of the diffusion through each film.
 TEST(Equilibrate, FilmsOfABubbleTurnBySixtyDegreesASideFewerThanSix) {
-    const Foam foam = settled_foam(200, 7);
+    const Foam foam = equilibrated_foam(200, 7);
     for (const BubbleId bubble : foam.network.bubbles()) {
         double turn = 0.0;
         for (const HalfEdgeId h : foam.network.around(bubble)) {
@@ -328,7 +328,7 @@ TEST(Equilibrate, FilmsOfABubbleTurnBySixtyDegreesASideFewerThanSix) {
 // Pressures are the multipliers of the areas (E3), so that the energies of neighboring equilibria
 // differ by the sum of p dA: work done on the gas.
 TEST(Equilibrate, EnergyGrowsByThePressureTimesTheArea) {
-    const Foam foam = settled_foam(30, 2);
+    const Foam foam = equilibrated_foam(30, 2);
     const double step = 1e-4;
     const BubbleId a{3};
     const BubbleId b{17};

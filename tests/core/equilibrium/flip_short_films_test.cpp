@@ -39,7 +39,7 @@ Outcome run(Foam& foam, Unknowns& part) {
 }
 
 // The film of a crossing parts bubbles 5 and 6, between 2 and 10.
-TEST(FlipShortFilms, FlipsAFilmThatStaysOpenAndTellsOfIt) {
+TEST(FlipShortFilms, FlipsAndReportsAFilmThatStaysOpen) {
     Crossing c = crossing(60.0, 0.04);
     Foam expected = c.foam;
     ASSERT_TRUE(apply_t1_rule(expected, c.film, {}));
@@ -55,7 +55,7 @@ TEST(FlipShortFilms, FlipsAFilmThatStaysOpenAndTellsOfIt) {
     EXPECT_TRUE(test::are_same(c.foam, expected));
 }
 
-TEST(FlipShortFilms, TellsOfAShortFilmThatDoesNotFlip) {
+TEST(FlipShortFilms, ReportsAShortFilmThatDoesNotFlip) {
     Crossing c = crossing(25.0, 0.04);
     const Foam before = c.foam;
     Unknowns part = all_unknowns(c.foam.network);
@@ -66,14 +66,14 @@ TEST(FlipShortFilms, TellsOfAShortFilmThatDoesNotFlip) {
     EXPECT_TRUE(test::are_same(c.foam, before));
 }
 
-TEST(FlipShortFilms, PassesOverLongFilms) {
+TEST(FlipShortFilms, IgnoresLongFilms) {
     Crossing c = crossing(60.0, 0.06);
     Unknowns part = all_unknowns(c.foam.network);
     EXPECT_TRUE(run(c.foam, part).calls.empty());
 }
 
 // Bubble 2 has one end of the film; 5 has both.
-TEST(FlipShortFilms, PassesOverFilmsThatLeaveThePart) {
+TEST(FlipShortFilms, IgnoresFilmsThatLeaveThePart) {
     for (const BubbleId bubble : {BubbleId{2}, BubbleId{5}}) {
         Crossing c = crossing(60.0, 0.04);
         const std::vector<BubbleId> bubbles{bubble};
@@ -85,7 +85,7 @@ TEST(FlipShortFilms, PassesOverFilmsThatLeaveThePart) {
 
 // The middle film of a row of four bubbles tears, and takes its two junctions with it; the two
 // outer films on each side become one.
-TEST(FlipShortFilms, RemovesFromThePartWhatHasGone) {
+TEST(FlipShortFilms, RemovesVanishedElementsFromThePart) {
     Foam foam = test::chain();
     const FilmId film = film_of(test::side_between(foam.network, BubbleId{1}, BubbleId{2}));
     const HalfEdgeId h = forward_side(film);

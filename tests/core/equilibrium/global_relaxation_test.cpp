@@ -29,7 +29,7 @@ TEST(GlobalRelaxation, OfATorusIsOnePass) {
         Foam expected = foam;
         SoftFoam memory(foam);
         const RelaxationSummary summary =
-            relax_globally(foam, {.sweeps = 40, .begins_anew = true}, memory);
+            relax_globally(foam, {.sweeps = 40, .restarts = true}, memory);
         EXPECT_EQ(summary.sweeps, 40);
         const RelaxationSummary alone = relax(expected, {.sweeps = 40});
         EXPECT_EQ(summary.t1, alone.t1);
@@ -39,7 +39,7 @@ TEST(GlobalRelaxation, OfATorusIsOnePass) {
 
 // After one sweep a raw patch is far from equilibrium, so that further passes follow, until it is
 // near or its defects are in a few regions.
-TEST(GlobalRelaxation, OfAPatchGoesOnWhileItIsFar) {
+TEST(GlobalRelaxation, RepeatsForAPatchFarFromEquilibrium) {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
         Foam foam = seed_patch(disc_outline(), {.bubbles = 30, .seed = seed});
         SoftFoam memory(foam);
@@ -55,8 +55,8 @@ TEST(GlobalRelaxation, OfAPatchGoesOnWhileItIsFar) {
     }
 }
 
-TEST(GlobalRelaxation, TakesTanglesApart) {
-    Foam foam = test::settled_foam(60, 4);
+TEST(GlobalRelaxation, ResolvesTangles) {
+    Foam foam = test::equilibrated_foam(60, 4);
     const std::vector<HalfEdgeId> loop = foam.network.around(BubbleId{8});
     const JunctionId one = foam.network.tail(loop[0]);
     const JunctionId other = foam.network.tail(loop[2]);

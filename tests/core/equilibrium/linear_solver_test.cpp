@@ -63,7 +63,7 @@ TEST(LinearSolver, NeedsNoPositions) {
     EXPECT_LT((back - right).norm(), 1e-9 * right.norm());
 }
 
-TEST(LinearSolver, StaysGoodWhileTheFoamMoves) {
+TEST(LinearSolver, StaysValidWhileTheFoamMoves) {
     const Foam foam = test::bent_foam(100, 0.2, 6);
     Foam moved = foam;
     for (double& pressure : moved.pressures) {
@@ -100,7 +100,7 @@ TEST(LinearSolver, GivesTheSameBitsOnAnyNumberOfThreads) {
 
 // Two unknowns for each junction, where it stands, then one for each bubble, in its middle: in the
 // cell of the torus too.
-TEST(LinearSolver, NodesStandWhereTheUnknownsDo) {
+TEST(LinearSolver, NodesHaveThePositionsOfTheUnknowns) {
     const Foam foam = honeycomb(4, 4);
     const Unknowns unknowns = all_unknowns(foam.network);
     const std::vector<SolverNode> nodes = solver_nodes(foam, unknowns);

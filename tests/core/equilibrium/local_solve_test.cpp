@@ -51,10 +51,10 @@ void expect_held_outside(const Foam& foam, const Foam& before, const Unknowns& p
 }
 
 TEST(LocalSolve, LeavesAFoamInEquilibriumAsItIs) {
-    Foam foam = test::settled_foam(60, 2);
+    Foam foam = test::equilibrated_foam(60, 2);
     const Foam before = foam;
-    LocalMemory memory(foam);
-    const LocalSummary summary = solve_defect_regions(foam, {}, memory);
+    RegionBuffers buffers(foam);
+    const LocalSummary summary = solve_defect_regions(foam, {}, buffers);
     EXPECT_EQ(summary.regions, 0U);
     EXPECT_EQ(summary.t1, 0);
     EXPECT_TRUE(test::are_same(foam, before));
@@ -67,8 +67,8 @@ TEST(LocalSolve, BringsARegionToEquilibriumWithAllElseHeld) {
     const Foam before = foam;
     const Unknowns part = unknowns_around(foam.network, with_neighbors(foam.network, kBubble));
     ASSERT_GE(norms_of(foam, part).area, 0.3);
-    LocalMemory memory(foam);
-    const LocalSummary summary = solve_defect_regions(foam, {.threads = 1}, memory);
+    RegionBuffers buffers(foam);
+    const LocalSummary summary = solve_defect_regions(foam, {.threads = 1}, buffers);
     EXPECT_EQ(summary.regions, 1U);
     EXPECT_EQ(summary.t1, 0);
     const ResidualNorms after = norms_of(foam, part);
@@ -98,8 +98,8 @@ TEST(LocalSolve, RelaxesRegionsWithAllElseHeld) {
     ASSERT_EQ(regions.size(), 1U);
     const Unknowns part = unknowns_around(foam.network, regions.front());
     const double squares = norms_of(foam, part).squares;
-    LocalMemory memory(foam);
-    EXPECT_EQ(relax_regions(foam, regions, {.relaxation_sweeps = 30}, memory), 0);
+    RegionBuffers buffers(foam);
+    EXPECT_EQ(relax_regions(foam, regions, {.relaxation_sweeps = 30}, buffers), 0);
     EXPECT_LT(norms_of(foam, part).squares, squares);
     expect_held_outside(foam, before, part);
 }

@@ -19,29 +19,29 @@ namespace {
 using test::Crossing;
 using test::crossing;
 
-TEST(AllowedShare, OfAFilmThatShrinks) {
-    EXPECT_DOUBLE_EQ(allowed_share({2.0, 0.0}, {-0.7, 0.0}, 0.4), 1.0);
-    EXPECT_DOUBLE_EQ(allowed_share({2.0, 0.0}, {-1.0, 0.0}, 0.4), 0.8);
-    EXPECT_DOUBLE_EQ(allowed_share({2.0, 0.0}, {-8.0, 0.0}, 0.4), 0.1);
+TEST(AllowedFraction, OfAFilmThatShrinks) {
+    EXPECT_DOUBLE_EQ(allowed_fraction({2.0, 0.0}, {-0.7, 0.0}, 0.4), 1.0);
+    EXPECT_DOUBLE_EQ(allowed_fraction({2.0, 0.0}, {-1.0, 0.0}, 0.4), 0.8);
+    EXPECT_DOUBLE_EQ(allowed_fraction({2.0, 0.0}, {-8.0, 0.0}, 0.4), 0.1);
 }
 
-TEST(AllowedShare, OfAFilmThatGrowsIsAll) {
-    EXPECT_EQ(allowed_share({0.1, 0.0}, {50.0, 0.0}, 0.4), 1.0);
+TEST(AllowedFraction, OfAFilmThatGrowsIsAll) {
+    EXPECT_EQ(allowed_fraction({0.1, 0.0}, {50.0, 0.0}, 0.4), 1.0);
 }
 
-TEST(AllowedShare, OfAFilmThatTurns) {
-    EXPECT_DOUBLE_EQ(allowed_share({0.0, 1.0}, {0.3, 0.0}, 0.4), 1.0);
-    EXPECT_DOUBLE_EQ(allowed_share({0.0, 1.0}, {0.8, 0.0}, 0.4), 0.5);
-    EXPECT_DOUBLE_EQ(allowed_share({0.0, 1.0}, {-0.8, 0.0}, 0.4), 0.5);
+TEST(AllowedFraction, OfAFilmThatTurns) {
+    EXPECT_DOUBLE_EQ(allowed_fraction({0.0, 1.0}, {0.3, 0.0}, 0.4), 1.0);
+    EXPECT_DOUBLE_EQ(allowed_fraction({0.0, 1.0}, {0.8, 0.0}, 0.4), 0.5);
+    EXPECT_DOUBLE_EQ(allowed_fraction({0.0, 1.0}, {-0.8, 0.0}, 0.4), 0.5);
 }
 
 // One that grows as it turns has room in proportion to its new length: 0.4 (1 + 1) of 1.
-TEST(AllowedShare, OfAFilmThatTurnsAndGrows) {
-    EXPECT_DOUBLE_EQ(allowed_share({1.0, 0.0}, {1.0, 1.0}, 0.4), 0.8);
+TEST(AllowedFraction, OfAFilmThatTurnsAndGrows) {
+    EXPECT_DOUBLE_EQ(allowed_fraction({1.0, 0.0}, {1.0, 1.0}, 0.4), 0.8);
 }
 
-TEST(AllowedShare, OfAFilmWithoutLengthIsAll) {
-    EXPECT_EQ(allowed_share({0.0, 0.0}, {5.0, 1.0}, 0.4), 1.0);
+TEST(AllowedFraction, OfAFilmWithoutLengthIsAll) {
+    EXPECT_EQ(allowed_fraction({0.0, 0.0}, {5.0, 1.0}, 0.4), 1.0);
 }
 
 double any_real() {
@@ -53,29 +53,29 @@ Vec2 any_chord() {
     return chord.norm() < 1e-3 ? Vec2(1.0, 0.0) : chord;
 }
 
-RC_GTEST_PROP(AllowedShare, KeepsTheLengthAboveItsLimit, ()) {
+RC_GTEST_PROP(AllowedFraction, KeepsTheLengthAboveItsLimit, ()) {
     const Vec2 chord = any_chord();
     const Vec2 change(4.0 * any_real(), 4.0 * any_real());
-    const double share = allowed_share(chord, change, 0.4);
-    RC_ASSERT(share > 0.0);
-    RC_ASSERT(share <= 1.0);
-    const double along = (chord + share * change).dot(chord) / chord.squaredNorm();
+    const double fraction = allowed_fraction(chord, change, 0.4);
+    RC_ASSERT(fraction > 0.0);
+    RC_ASSERT(fraction <= 1.0);
+    const double along = (chord + fraction * change).dot(chord) / chord.squaredNorm();
     RC_ASSERT(along >= 0.6 - 1e-12);
 }
 
-// Neither limit is passed and, where the share is not all, one of them is met.
-RC_GTEST_PROP(AllowedShare, GoesJustAsFarAsTheLimits, ()) {
+// Neither limit is passed and, where the fraction is below 1, one of them is met.
+RC_GTEST_PROP(AllowedFraction, GoesJustAsFarAsTheLimits, ()) {
     const Vec2 chord = any_chord();
     const Vec2 change(4.0 * any_real(), 4.0 * any_real());
-    const double share = allowed_share(chord, change, 0.4);
+    const double fraction = allowed_fraction(chord, change, 0.4);
     const double c = chord.norm();
     const double along = change.dot(chord) / c;
     const double across = std::abs(cross(chord, change)) / c;
-    const double room_along = 0.4 * c + share * along;
-    const double room_across = 0.4 * (c + std::max(along, 0.0)) - share * across;
-    RC_ASSERT(room_along >= -1e-12);
-    RC_ASSERT(room_across >= -1e-12);
-    RC_ASSERT(share == 1.0 || std::min(room_along, room_across) <= 1e-12);
+    const double margin_along = 0.4 * c + fraction * along;
+    const double margin_across = 0.4 * (c + std::max(along, 0.0)) - fraction * across;
+    RC_ASSERT(margin_along >= -1e-12);
+    RC_ASSERT(margin_across >= -1e-12);
+    RC_ASSERT(fraction == 1.0 || std::min(margin_along, margin_across) <= 1e-12);
 }
 
 TEST(State, ComesBackAtFractionZeroAndMovesInProportion) {
@@ -113,7 +113,7 @@ TEST(State, WrapsIntoTheTorusAndKeepsChords) {
     }
 }
 
-TEST(LimitMoves, LeavesCommonMotionAlone) {
+TEST(LimitMoves, KeepsCommonMotion) {
     const Foam foam = test::raw_foam(30, 2);
     const Unknowns unknowns = all_unknowns(foam.network);
     Eigen::VectorXd step(unknowns.size());
@@ -145,7 +145,7 @@ TEST(LimitMoves, SharesTheCutBetweenBothEnds) {
     EXPECT_LT(tail.norm(), 0.8 * push.norm());
 }
 
-TEST(LimitMoves, LeavesSmallStepsAndPressuresAlone) {
+TEST(LimitMoves, KeepsSmallStepsAndPressures) {
     const Foam foam = honeycomb(4, 4);
     const Unknowns unknowns = all_unknowns(foam.network);
     Eigen::VectorXd step = Eigen::VectorXd::Constant(unknowns.size(), 1e3);
@@ -161,7 +161,7 @@ TEST(LimitMoves, LeavesSmallStepsAndPressuresAlone) {
 }
 
 // Four sweeps do not settle every film at once, but no film is led through zero.
-TEST(LimitMoves, LeadsNoFilmThroughZero) {
+TEST(LimitMoves, ReversesNoFilm) {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         Foam foam = test::raw_foam(50, seed);
         const Unknowns unknowns = all_unknowns(foam.network);

@@ -12,7 +12,7 @@ namespace foam {
 namespace {
 
 // A honeycomb whose junctions are moved by up to 0.05 in x and y.
-Foam shaken_honeycomb(int side) {
+Foam perturbed_honeycomb(int side) {
     Foam foam = honeycomb(side, side);
     Random random(3);
     for (Vec2& position : foam.positions) {
@@ -25,7 +25,7 @@ Foam shaken_honeycomb(int side) {
 
 struct Case {
     explicit Case(int side)
-        : foam(shaken_honeycomb(side)),
+        : foam(perturbed_honeycomb(side)),
           unknowns(all_unknowns(foam.network)),
           r(residual(foam, unknowns)) {}
 

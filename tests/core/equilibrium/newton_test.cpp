@@ -23,7 +23,7 @@ using test::are_same;
 using test::is_valid;
 
 // A honeycomb whose junctions are moved by up to `largest` in x and y.
-Foam shaken_honeycomb(double largest) {
+Foam perturbed_honeycomb(double largest) {
     Foam foam = honeycomb(6, 6);
     Random random(3);
     for (Vec2& position : foam.positions) {
@@ -44,7 +44,7 @@ double residual_of(const Foam& foam) {
     return std::max(n.force, n.area);
 }
 
-TEST(Newton, HasNothingToDoInTheHoneycomb) {
+TEST(Newton, DoesNothingInAHoneycomb) {
     Foam foam = honeycomb(4, 4);
     const Foam before = foam;
     const NewtonSummary summary = run(foam, {});
@@ -58,7 +58,7 @@ TEST(Newton, HasNothingToDoInTheHoneycomb) {
 TEST(Newton, ConvergesQuadratically) {
     constexpr double kRoundingFloor =
         1e-13;  // some hundred units of the last place of a film's length
-    Foam foam = shaken_honeycomb(0.025);
+    Foam foam = perturbed_honeycomb(0.025);
     double before = residual_of(foam);
     ASSERT_GT(before, 0.02);
     for (int k = 0; k < 4; ++k) {
@@ -72,7 +72,7 @@ TEST(Newton, ConvergesQuadratically) {
 }
 
 TEST(Newton, FindsTheHoneycombAgain) {
-    Foam foam = shaken_honeycomb(0.1);
+    Foam foam = perturbed_honeycomb(0.1);
     EXPECT_EQ(run(foam, {}).status, NewtonStatus::Converged);
     const EquilibriumErrors errors = equilibrium_errors(foam);
     EXPECT_LT(errors.area, 1e-10);
@@ -81,7 +81,7 @@ TEST(Newton, FindsTheHoneycombAgain) {
 }
 
 TEST(Newton, ReportsItsResidual) {
-    Foam foam = shaken_honeycomb(0.1);
+    Foam foam = perturbed_honeycomb(0.1);
     const NewtonSummary cut = run(foam, {.max_iterations = 2});
     EXPECT_EQ(cut.status, NewtonStatus::IterationLimit);
     EXPECT_EQ(cut.iterations, 2);
@@ -90,7 +90,7 @@ TEST(Newton, ReportsItsResidual) {
 
 TEST(Newton, StopsWhenBothTolerancesAreMet) {
     for (const double tolerance : {1e-3, 1e-6}) {
-        Foam foam = shaken_honeycomb(0.05);
+        Foam foam = perturbed_honeycomb(0.05);
         const NewtonSummary summary =
             run(foam, {.force_tolerance = tolerance, .area_tolerance = tolerance});
         EXPECT_EQ(summary.status, NewtonStatus::Converged);
@@ -99,8 +99,8 @@ TEST(Newton, StopsWhenBothTolerancesAreMet) {
     }
 }
 
-TEST(Newton, DoesNothingInNoIterations) {
-    Foam foam = shaken_honeycomb(0.05);
+TEST(Newton, DoesNothingWithoutIterations) {
+    Foam foam = perturbed_honeycomb(0.05);
     const NewtonSummary summary = run(foam, {.max_iterations = 0});
     EXPECT_EQ(summary.status, NewtonStatus::IterationLimit);
     EXPECT_EQ(summary.iterations, 0);
@@ -137,7 +137,7 @@ TEST(Newton, NeverRaisesTheSumOfSquares) {
 }
 
 TEST(Newton, LeavesJunctionsInTheTorusOwnCell) {
-    Foam foam = shaken_honeycomb(0.2);
+    Foam foam = perturbed_honeycomb(0.2);
     run(foam, {});
     EXPECT_TRUE(is_valid(foam.network));
     for (const Vec2& position : foam.positions) {

@@ -81,10 +81,10 @@ TEST(PatchRelaxation, ComesToEquilibriumByItself) {
 }
 
 // 0 pressures and straight films would have to be found anew.
-TEST(PatchRelaxation, GoesOnFromWhatItHas) {
+TEST(PatchRelaxation, ContinuesFromThePresentState) {
     Foam foam = test::flower(1.0);
     ASSERT_TRUE(equilibrate(foam, {}).converged());
-    relax(foam, {.sweeps = 1, .begins_anew = false});
+    relax(foam, {.sweeps = 1, .restarts = false});
     EXPECT_TRUE(equilibrium_errors(foam).are_below(1e-9));
     relax(foam, {.sweeps = 1});
     EXPECT_FALSE(equilibrium_errors(foam).are_below(1e-2));
@@ -97,7 +97,7 @@ TEST(PatchRelaxation, OfAPartHoldsAllElse) {
     const Unknowns part = unknowns_around(foam.network, bubbles);
     foam.target_areas[BubbleId{2}] = 1.1;
     const Foam before = foam;
-    relax(foam, part, {.begins_anew = false});
+    relax(foam, part, {.restarts = false});
     EXPECT_NEAR(bubble_area(foam, BubbleId{2}), 1.1, 0.01);
     for (const JunctionId junction : foam.network.junctions()) {
         EXPECT_TRUE(part.junction_rank[junction] >= 0 ||

@@ -25,19 +25,19 @@ void expect_ranks(std::size_t slots, std::size_t spacing) {
     EXPECT_EQ(static_cast<std::size_t>(next), list.size());
 }
 
-TEST(RankTable, ArePlacesInListsOfManyIds) {
+TEST(RankTable, ReturnsIndicesInListsOfManyIds) {
     expect_ranks(1000, 1);
     expect_ranks(1000, 7);
 }
 
-TEST(RankTable, ArePlacesInListsOfFewIds) {
+TEST(RankTable, ReturnsIndicesInListsOfFewIds) {
     expect_ranks(1000, 17);
     expect_ranks(1000, 64);  // ids that a hash by remainder would put in one place
     expect_ranks(1000, 999);
     expect_ranks(100000, 4096);
 }
 
-TEST(RankTable, AreNegativeWithoutAList) {
+TEST(RankTable, ReturnsNegativeIndicesWithoutAList) {
     const RankTable<FilmId> ranks({}, 50);
     EXPECT_EQ(ranks[FilmId{0}], -1);
     EXPECT_EQ(ranks[FilmId{49}], -1);

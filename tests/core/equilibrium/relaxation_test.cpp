@@ -59,7 +59,7 @@ double mean_pressure(const Foam& foam, const std::vector<BubbleId>& bubbles) {
 }
 
 TEST(Relaxation, OfAPartHoldsAllElse) {
-    Foam foam = test::settled_foam(100, 4);
+    Foam foam = test::equilibrated_foam(100, 4);
     const BubbleId middle = id_at<BubbleId>(50);
     std::vector<BubbleId> bubbles{middle};
     for (const HalfEdgeId h : foam.network.around(middle)) {
@@ -85,7 +85,7 @@ TEST(Relaxation, OfAPartHoldsAllElse) {
     }
 }
 
-TEST(Relaxation, LeavesTheHoneycombAlone) {
+TEST(Relaxation, KeepsAHoneycomb) {
     Foam foam = honeycomb(4, 4);
     const Foam before = foam;
     const RelaxationSummary summary = relax(foam, {});
@@ -115,7 +115,7 @@ TEST(Relaxation, FlipsFilmsAndCountsThem) {
     EXPECT_TRUE(is_valid(foam.network));
 }
 
-TEST(Relaxation, ComesThroughUnequalAreas) {
+TEST(Relaxation, HandlesUnequalAreas) {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
         SeedingOptions seeding;
         seeding.bubbles = 100;
@@ -131,7 +131,7 @@ TEST(Relaxation, ComesThroughUnequalAreas) {
 
 // Before any sweep the pressures are those of the areas alone, B (1 - A / A_target) /
 // sqrt(A_target) with B = 10 T (E4), above a common one.
-TEST(Relaxation, PressuresTellTheMissingArea) {
+TEST(Relaxation, PressuresFollowTheMissingArea) {
     Foam foam = honeycomb(4, 4);
     foam.film_tension = 2.0;
     foam.target_areas[BubbleId{5}] = 1.21;

@@ -86,7 +86,7 @@ TEST(Residual, VanishesInTheHoneycomb) {
 }
 
 // A common pressure pushes on nothing.
-TEST(Residual, KnowsPressuresUpToAConstant) {
+TEST(Residual, DoesNotDependOnTheMeanPressure) {
     const Foam foam = test::bent_foam(30, 1.0, 8);
     Foam raised = foam;
     for (double& pressure : raised.pressures) {

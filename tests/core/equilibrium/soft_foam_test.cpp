@@ -28,7 +28,7 @@ Foam with_target(double target) {
 }
 
 // B (1 - A / A_target) / sqrt(A_target) with B = 10 T.
-TEST(SoftFoam, PressureRisesWithWhatABubbleLacks) {
+TEST(SoftFoam, PressureRisesWithTheMissingArea) {
     Foam foam = with_target(4.0);
     foam.pressures[kBubble] = 0.5;
     for (const HalfEdgeId h : foam.network.around(kBubble)) {
@@ -74,7 +74,7 @@ TEST(SoftFoam, KeepPressureRaisesTheOneAtTheTarget) {
     EXPECT_NEAR(soft.pressure(kBubble), 3.75, kRounding);
 }
 
-TEST(SoftFoam, BeginForgetsAllBubbles) {
+TEST(SoftFoam, BeginRemovesAllBubbles) {
     Foam foam = with_target(4.0);
     SoftFoam soft(foam);
     soft.begin(kStiffness);

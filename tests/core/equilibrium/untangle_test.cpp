@@ -16,8 +16,8 @@ namespace foam {
 namespace {
 
 using test::are_same;
+using test::equilibrated_foam;
 using test::is_valid;
-using test::settled_foam;
 
 int count_tangled(const Foam& foam) {
     int tangled = 0;
@@ -58,8 +58,8 @@ void shrink_to_a_point(Foam& foam, BubbleId bubble) {
     scale_bubble(foam, bubble, 0.0, 0.0);
 }
 
-TEST(Untangle, LeavesAFoamWithoutTanglesAlone) {
-    Foam foam = settled_foam(100, 1);
+TEST(Untangle, KeepsAFoamWithoutTangles) {
+    Foam foam = equilibrated_foam(100, 1);
     const Foam before = foam;
     EXPECT_EQ(count_tangled(foam), 0);
     EXPECT_EQ(untangle(foam), 0);
@@ -67,14 +67,14 @@ TEST(Untangle, LeavesAFoamWithoutTanglesAlone) {
 }
 
 // The chords of its films have one direction.
-TEST(Untangle, TakesATwoSidedBubbleForNoTangle) {
+TEST(Untangle, DoesNotCountATwoSidedBubbleAsATangle) {
     Foam foam = honeycomb(4, 4);
     test::insert_lens(foam, FilmId{7}, 0.5);
     EXPECT_EQ(untangle(foam), 0);
 }
 
-TEST(Untangle, TurnsABubbleOutsideOut) {
-    Foam foam = settled_foam(100, 1);
+TEST(Untangle, RestoresAnInvertedBubble) {
+    Foam foam = equilibrated_foam(100, 1);
     mirror(foam, BubbleId{3});
     ASSERT_LT(polygon_area(foam, BubbleId{3}), 0.0);
     ASSERT_GT(count_tangled(foam), 0);
@@ -94,7 +94,7 @@ TEST(Untangle, OpensABubbleThatIsAPoint) {
 }
 
 // Three films away from all six junctions of bubble 5 of honeycomb(8, 8) a junction stays.
-TEST(Untangle, MovesOnlyWhatIsNear) {
+TEST(Untangle, MovesOnlyNearbyJunctions) {
     Foam foam = honeycomb(8, 8);
     shrink_to_a_point(foam, BubbleId{27});
     const Foam before = foam;
@@ -111,7 +111,7 @@ TEST(Untangle, MovesOnlyWhatIsNear) {
 // Left to relaxation and to the T1 of Newton's method, some of these find no equilibrium.
 TEST(Equilibrate, RecoversFromTangles) {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-        Foam foam = settled_foam(60, seed);
+        Foam foam = equilibrated_foam(60, seed);
         for (std::size_t k = 0; k < 56; k += 8) {
             mirror(foam, id_at<BubbleId>(k));
             shrink_to_a_point(foam, id_at<BubbleId>(k + 4));

@@ -70,7 +70,7 @@ TEST(CellDiagram, JunctionsLieInTheTorusOwnCell) {
 }
 
 // Squares in straight rows and columns, the four sides of each towards itself.
-TEST(CellDiagram, RefusesACornerOfFourCells) {
+TEST(CellDiagram, RejectsACornerOfFourCells) {
     const CellDiagram squares{{{{1.0, 0.0}, 0, {1, 0}},
                                {{1.0, 1.0}, 0, {0, 1}},
                                {{0.0, 1.0}, 0, {-1, 0}},
@@ -78,7 +78,7 @@ TEST(CellDiagram, RefusesACornerOfFourCells) {
     EXPECT_THROW(foam_from_cells({1.0, 1.0}, squares), std::runtime_error);
 }
 
-TEST(CellDiagram, RefusesASideWithoutACounterpart) {
+TEST(CellDiagram, RejectsASideWithoutACounterpart) {
     CellDiagram cells = bricks(4.0, 1.0);
     cells[0][1].offset = {0, 7};
     EXPECT_THROW(foam_from_cells({4.0, 2.0}, cells), std::runtime_error);

@@ -83,7 +83,7 @@ TEST(MergeSlivers, DropsASliverWithoutNeighbors) {
     EXPECT_EQ(mesh.cells.size(), 2U);
 }
 
-TEST(MergeSlivers, LeavesCellsOfLikeSizesAlone) {
+TEST(MergeSlivers, KeepsCellsOfSimilarSize) {
     PolygonMesh mesh{{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {2, 0}, {2, 1}},
                      {{0, 1, 2, 3}, {1, 4, 5, 2}}};
     merge_slivers(mesh);

@@ -58,7 +58,7 @@ TEST(Honeycomb, IsInEquilibriumWithTheLeastEnergy) {
     }
 }
 
-TEST(Honeycomb, RefusesTornRows) {
+TEST(Honeycomb, RejectsTornRows) {
     EXPECT_THROW(honeycomb(0, 2), std::invalid_argument);
     EXPECT_THROW(honeycomb(-1, 2), std::invalid_argument);
     EXPECT_THROW(honeycomb(4, 0), std::invalid_argument);

@@ -15,7 +15,7 @@
 namespace foam {
 namespace {
 
-using test::settled_foam;
+using test::equilibrated_foam;
 
 Vec2 middle_of(const Foam& foam, BubbleId bubble) {
     Vec2 at = foam.positions[foam.network.tail(foam.network.first(bubble))];
@@ -27,8 +27,8 @@ Vec2 middle_of(const Foam& foam, BubbleId bubble) {
     return sum / foam.network.sides(bubble);
 }
 
-TEST(Locate, KnowsTheLivingByTheirIdentity) {
-    Foam foam = settled_foam(20, 1);
+TEST(Locate, FindsLiveBubblesByIdentity) {
+    Foam foam = equilibrated_foam(20, 1);
     foam.identities[BubbleId{7}] = 99;
     EXPECT_EQ(find_bubble(foam, 99), BubbleId{7});
     EXPECT_EQ(find_bubble(foam, 7), std::nullopt);
@@ -36,7 +36,7 @@ TEST(Locate, KnowsTheLivingByTheirIdentity) {
 }
 
 TEST(Locate, HoldsItsMiddleAndAllCopiesOfIt) {
-    const Foam foam = settled_foam(40, 2);
+    const Foam foam = equilibrated_foam(40, 2);
     for (const BubbleId bubble : foam.network.bubbles()) {
         for (const LatticeOffset copy : {LatticeOffset{0, 0}, {3, -2}, {-5, 4}}) {
             const Vec2 point = middle_of(foam, bubble) + foam.domain.translation(copy);
@@ -49,7 +49,7 @@ TEST(Locate, HoldsItsMiddleAndAllCopiesOfIt) {
 // Every point lies in one bubble, also of few that wind around the torus; films are strongly bent.
 TEST(Locate, BubblesCoverTheTorusOnce) {
     for (const int bubbles : {1, 2, 3, 12, 60}) {
-        const Foam foam = bubbles == 1 ? test::single_bubble() : settled_foam(bubbles, 3);
+        const Foam foam = bubbles == 1 ? test::single_bubble() : equilibrated_foam(bubbles, 3);
         for (int k = 0; k < 400; ++k) {
             const Vec2 point(0.013 + foam.domain.width * std::fmod(0.618 * k, 1.0),
                              foam.domain.height * (k + 0.5) / 400.0);
@@ -76,8 +76,8 @@ TEST(Locate, FollowsTheArcsNotTheChords) {
     EXPECT_EQ(bubble_at(foam, middle - 0.2 * outwards), BubbleId{5});
 }
 
-TEST(Locate, OnAFilmOneOfThoseBesideIt) {
-    const Foam foam = settled_foam(40, 2);
+TEST(Locate, FindsABubbleBesideAPointOnAFilm) {
+    const Foam foam = equilibrated_foam(40, 2);
     for (const JunctionId junction : foam.network.junctions()) {
         const BubbleId found = bubble_at(foam, foam.positions[junction]).value();
         bool is_beside = false;
@@ -89,7 +89,7 @@ TEST(Locate, OnAFilmOneOfThoseBesideIt) {
 }
 
 TEST(Locate, ListsThoseOfANumberOfSidesSmallestFirst) {
-    const Foam foam = settled_foam(60, 1);
+    const Foam foam = equilibrated_foam(60, 1);
     std::size_t found = 0;
     for (int sides = 2; sides <= 12; ++sides) {
         double last = 0.0;
@@ -105,7 +105,7 @@ TEST(Locate, ListsThoseOfANumberOfSidesSmallestFirst) {
 
 // Points a little beside each, seen from another copy of the torus.
 TEST(Locate, FindsTheNearestJunctionAndFilm) {
-    const Foam foam = settled_foam(40, 2);
+    const Foam foam = equilibrated_foam(40, 2);
     const Vec2 far = foam.domain.translation({-2, 3});
     for (const JunctionId junction : foam.network.junctions()) {
         const Vec2 point = foam.positions[junction] + Vec2(0.01, -0.004);
@@ -129,7 +129,7 @@ TEST(Locate, FindsFilmsThatReachAroundTheTorus) {
 }
 
 // Three bubbles around a point, and a circle far away.
-TEST(Locate, OutsideOfAPatchThereIsNothing) {
+TEST(Locate, FindsNothingOutsideOfAPatch) {
     Foam foam = test::triple_bubble(1.0);
     ASSERT_TRUE(equilibrate(foam, {}).converged());
     foam.lone_bubbles.push_back({9, {5.0, 5.0}, 3.0});  // of radius 0.98

@@ -93,7 +93,7 @@ TEST(Measure, AreaErrorIsRelativeToTheTarget) {
 }
 
 // Turned over, left for right, around its middle: the loop runs clockwise.
-TEST(Measure, ABubbleTurnedInsideOutHasANegativeArea) {
+TEST(Measure, AnInvertedBubbleHasANegativeArea) {
     Foam foam = honeycomb(4, 4);
     const double middle = 2.0 * kRoot3 * kSide;  // of bubble 5, second in a row that is shifted
     for (const HalfEdgeId h : foam.network.around(BubbleId{5})) {

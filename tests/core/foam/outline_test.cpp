@@ -22,13 +22,13 @@ TEST(Outline, IsReadFromWkt) {
     EXPECT_FALSE(is_inside(frame, {-0.5, 0.5}));
 }
 
-TEST(Outline, RefusesWhatIsNoPolygon) {
+TEST(Outline, RejectsInvalidPolygons) {
     EXPECT_THROW(outline_from_wkt("CIRCLE(1)"), std::invalid_argument);
     EXPECT_THROW(outline_from_wkt("POLYGON((0 0, 1 1, 1 0, 0 1))"), std::invalid_argument);
     EXPECT_THROW(outline_from_wkt(""), std::invalid_argument);
 }
 
-TEST(Outline, KnowsDiscsAndRectangles) {
+TEST(Outline, MakesDiscsAndRectangles) {
     EXPECT_NEAR(outline_area(disc_outline()), std::numbers::pi, 1e-3);
     EXPECT_DOUBLE_EQ(outline_area(rectangle_outline(2.5)), 2.5);
 }

@@ -103,7 +103,7 @@ TEST(SeedPatch, SpreadsAreasOverTheRatio) {
     EXPECT_NEAR(test::total_target(foam), static_cast<double>(foam.network.bubble_count()), 1e-9);
 }
 
-TEST(SeedPatch, RefusesOptionsOutOfRange) {
+TEST(SeedPatch, RejectsOptionsOutOfRange) {
     EXPECT_THROW(seed_patch(disc_outline(), options_for(1, 1)), std::invalid_argument);
     PatchOptions options;
     options.area_ratio = 0.5;

@@ -63,7 +63,7 @@ TEST(PolygonMesh, DissolvesPointsOfTwoSides) {
     EXPECT_EQ(foam.network.sides(foam.network.ghost()), 2);
 }
 
-TEST(PolygonMesh, RefusesWhatIsNoFoam) {
+TEST(PolygonMesh, RejectsInvalidFoams) {
     const std::vector<Vec2> points{
         {0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}, {-1.0, 0.0}, {0.0, -1.0}, {1.0, 1.0}};
     // Four cells around a point.

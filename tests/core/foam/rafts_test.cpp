@@ -21,14 +21,14 @@ FilmId film_between(const Foam& foam, std::size_t a, std::size_t b) {
     return film_of(test::side_between(foam.network, id_at<BubbleId>(a), id_at<BubbleId>(b)));
 }
 
-Foam settled(Foam foam) {
+Foam equilibrated(Foam foam) {
     EXPECT_TRUE(equilibrate(foam, {}).converged());
     return foam;
 }
 
 // Two rafts of two equal bubbles, each with the energy of E1.
 TEST(Rafts, ATornChainIsTwoRaftsOfTwo) {
-    Foam foam = settled(test::chain());
+    Foam foam = equilibrated(test::chain());
     tear_film(foam, film_between(foam, 1, 2));
     EXPECT_TRUE(test::is_valid(foam.network));
     EquilibriumOptions options;
@@ -40,7 +40,7 @@ TEST(Rafts, ATornChainIsTwoRaftsOfTwo) {
 
 // Where the film was, a bubble that comes loose is a circle of its area: energy 2 sqrt(pi A).
 TEST(Rafts, ABubbleThatComesLooseIsACircle) {
-    Foam foam = settled(test::chain());
+    Foam foam = equilibrated(test::chain());
     const Vec2 before = point_at(
         film_arc(foam, test::side_between(foam.network, BubbleId{0}, foam.network.ghost())), 0.5);
     const HalfEdgeId outer = test::side_between(foam.network, BubbleId{0}, foam.network.ghost());
@@ -54,14 +54,14 @@ TEST(Rafts, ABubbleThatComesLooseIsACircle) {
     EXPECT_NEAR((lone.center - far_end).norm(), lone_radius(lone), 0.2);
     EXPECT_TRUE(test::is_valid(foam.network));
     EXPECT_EQ(foam.network.bubble_count(), 3U);
-    const double rest = energy(settled(foam));
+    const double rest = energy(equilibrated(foam));
     Foam others = foam;
     others.lone_bubbles.clear();
-    EXPECT_NEAR(rest - energy(settled(others)), 2.0 * std::sqrt(std::numbers::pi), 1e-9);
+    EXPECT_NEAR(rest - energy(equilibrated(others)), 2.0 * std::sqrt(std::numbers::pi), 1e-9);
 }
 
 TEST(Rafts, TheLastTwoComeLooseTogether) {
-    Foam foam = settled(test::double_bubble(1.0, 2.0));
+    Foam foam = equilibrated(test::double_bubble(1.0, 2.0));
     tear_film(foam, film_between(foam, 0, 1));
     EXPECT_EQ(foam.lone_bubbles.size(), 2U);
     EXPECT_LT(foam.lone_bubbles[0].identity, foam.lone_bubbles[1].identity);
@@ -73,7 +73,7 @@ TEST(Rafts, TheLastTwoComeLooseTogether) {
 
 // A film between two bubbles of a row that is shorter than the T1 distance tears; a long one stays.
 TEST(Rafts, AShortFilmBetweenTwoGhostsTears) {
-    Foam foam = settled(test::chain());
+    Foam foam = equilibrated(test::chain());
     const FilmId film = film_between(foam, 1, 2);
     EXPECT_FALSE(apply_t1_rule(foam, film, {}));
     EXPECT_TRUE(short_films(foam, {}).empty());
@@ -120,7 +120,7 @@ TEST(Rafts, BubblesOverlapInAHole) {
 }
 
 TEST(Rafts, ASmallHoleIsOneOfThreeShortFilms) {
-    const Foam foam = settled(test::triple_bubble(1.0));
+    const Foam foam = equilibrated(test::triple_bubble(1.0));
     for (const FilmId film : foam.network.films()) {
         if (foam.network.is_outer(film)) {
             EXPECT_FALSE(is_small_hole(foam, film, 100.0));  // it goes around the raft

@@ -34,7 +34,7 @@ TEST(TopologyEvent, AFlipIsNotedAtTheMiddleWithItsFourBubbles) {
     TopologyEvent& event = c.foam.events.front();
     EXPECT_EQ(event.kind, TopologyEventKind::T1);
     EXPECT_EQ(event.time, 3.5);
-    EXPECT_EQ(event.place, middle);
+    EXPECT_EQ(event.position, middle);
     std::sort(event.bubbles.begin(), event.bubbles.end());
     EXPECT_EQ(event.bubbles, (std::vector<BubbleIdentity>{2, 5, 6, 10}));
 }
@@ -44,7 +44,7 @@ TEST(TopologyEvent, AFlipIsNotedAtTheMiddleWithItsFourBubbles) {
 TEST(TopologyEvent, ABirthAndAnEndAreNotedWithTheThreeAround) {
     Foam foam = honeycomb(4, 4);
     const JunctionId junction{7};
-    const Vec2 place = foam.positions[junction];
+    const Vec2 position = foam.positions[junction];
     std::vector<BubbleIdentity> expected{16};
     for (const HalfEdgeId h : foam.network.leaving(junction)) {
         expected.push_back(foam.identities[foam.network.left(h)]);
@@ -55,9 +55,9 @@ TEST(TopologyEvent, ABirthAndAnEndAreNotedWithTheThreeAround) {
     ASSERT_TRUE(collapse(foam, *bubble, counts));
     ASSERT_EQ(foam.events.size(), 2U);
     EXPECT_EQ(foam.events[0].kind, TopologyEventKind::Birth);
-    EXPECT_EQ(foam.events[0].place, place);
+    EXPECT_EQ(foam.events[0].position, position);
     EXPECT_EQ(foam.events[1].kind, TopologyEventKind::T2);
-    EXPECT_LT(foam.domain.nearest_copy(foam.events[1].place - place).norm(), 0.1);
+    EXPECT_LT(foam.domain.nearest_copy(foam.events[1].position - position).norm(), 0.1);
     for (TopologyEvent& event : foam.events) {
         std::sort(event.bubbles.begin(), event.bubbles.end());
         EXPECT_EQ(event.bubbles, expected);

@@ -163,23 +163,23 @@ TEST(Seeding, RawDiagramsArePoissonVoronoi) {
     EXPECT_NEAR(sum / 20.0, 0.2802, 0.02);
 }
 
-TEST(Seeding, RefusesOptionsOutOfRange) {
+TEST(Seeding, RejectsOptionsOutOfRange) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    const auto refuses = [](auto change) {
+    const auto expect_rejected = [](auto change) {
         SeedingOptions options;
         options.bubbles = 10;
         change(options);
         EXPECT_THROW(seed_foam(options), std::invalid_argument);
     };
     for (const int bubbles : {0, -5}) {
-        refuses([&](SeedingOptions& o) { o.bubbles = bubbles; });
+        expect_rejected([&](SeedingOptions& o) { o.bubbles = bubbles; });
     }
     for (const double value : {0.0, -1.0, nan}) {
-        refuses([&](SeedingOptions& o) { o.aspect = value; });
-        refuses([&](SeedingOptions& o) { o.surface_tension = value; });
+        expect_rejected([&](SeedingOptions& o) { o.aspect = value; });
+        expect_rejected([&](SeedingOptions& o) { o.surface_tension = value; });
     }
     for (const double ratio : {0.5, -2.0, nan}) {
-        refuses([&](SeedingOptions& o) { o.area_ratio = ratio; });
+        expect_rejected([&](SeedingOptions& o) { o.area_ratio = ratio; });
     }
 }
 

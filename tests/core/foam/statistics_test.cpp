@@ -65,7 +65,7 @@ TEST(Statistics, MeansAreOfTheBubblesOfThatManySides) {
 }
 
 TEST(Statistics, EnergyIsThatOfTheFoam) {
-    Foam foam = test::settled_foam(60, 2);
+    Foam foam = test::equilibrated_foam(60, 2);
     EXPECT_NEAR(statistics(snapshot(foam, 1)).energy, energy(foam), 1e-10);
 }
 
@@ -106,7 +106,7 @@ RC_GTEST_PROP(StatisticsProperty, CountsAndMeansAddUp, ()) {
 
 // (2 pi/3) gamma kappa (n - 6) for T = 1 and the default kappa of 0.01: (pi/300) (n - 6).
 TEST(Growth, MeasuredBetweenEventsIsVonNeumanns) {
-    Foam foam = test::settled_foam(200, 1);
+    Foam foam = test::equilibrated_foam(200, 1);
     int measured = 0;
     for (int number = 1; number <= 10; ++number) {
         const Frame before = snapshot(foam, number);

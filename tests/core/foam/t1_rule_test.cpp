@@ -58,14 +58,14 @@ TEST(T1Length, IsATenthForADisarmedFilm) {
 }
 
 // 2 sin(angle) > 1 from 30 degrees on; the film of 1e-6 turns the outer films by no more than that.
-TEST(FlippedPullsApart, FromThirtyDegreesOn) {
+TEST(FlippedPullsApart, IsTrueFromThirtyDegreesOn) {
     const Crossing below = crossing(29.99, 1e-6);
     const Crossing above = crossing(30.01, 1e-6);
     EXPECT_FALSE(flipped_pulls_apart(below.foam, below.film));
     EXPECT_TRUE(flipped_pulls_apart(above.foam, above.film));
 }
 
-TEST(FlippedPullsApart, OfAPointFromThirtyDegreesOn) {
+TEST(FlippedPullsApart, IsTrueForAPointFromThirtyDegreesOn) {
     const Crossing below = crossing(29.99, 0.0);
     const Crossing above = crossing(30.01, 0.0);
     EXPECT_FALSE(flipped_pulls_apart(below.foam, below.film));
@@ -174,7 +174,7 @@ TEST(ReopenFilm, KeepsTheMiddleAndTheNetworkValid) {
 // The films of a lens make 60 degrees with its chord, as its other film and the outer one pull on
 // each. Along the chord that leaves 1 - cos 60 = 0.5, across it sin 60 = 0.87; but the flip would
 // leave the lens one side.
-TEST(ReopenFilm, OpensAlongItselfWhereAFlipIsRefused) {
+TEST(ReopenFilm, OpensAlongItselfIfItCannotFlip) {
     Foam foam = honeycomb(4, 4);
     const BubbleId lens = test::insert_lens(foam, FilmId{0}, 0.5);
     const FilmId film = film_of(foam.network.first(lens));
@@ -187,7 +187,7 @@ TEST(ReopenFilm, OpensAlongItselfWhereAFlipIsRefused) {
 
 // With straight films the other film of the lens pulls back as hard as the outer one pulls: in no
 // direction is there a pull to follow.
-TEST(ReopenFilm, HasTheGivenLengthWhereNothingPulls) {
+TEST(ReopenFilm, HasTheGivenLengthWithoutPulls) {
     Foam foam = honeycomb(4, 4);
     const BubbleId lens = test::insert_lens(foam, FilmId{0}, 0.5);
     foam.pressures[lens] = 0.0;  // that of all others

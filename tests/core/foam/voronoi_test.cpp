@@ -43,22 +43,22 @@ double distance_to_site(const Domain& domain, const Vec2& site, const Vec2& poin
 double distance_to_nearest(const Domain& domain,
                            const std::vector<Vec2>& sites,
                            const Vec2& point) {
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     for (const Vec2& site : sites) {
-        least = std::min(least, distance_to_site(domain, site, point));
+        minimum = std::min(minimum, distance_to_site(domain, site, point));
     }
-    return least;
+    return minimum;
 }
 
 // How far a point lies inside a convex cell: its least distance from the lines of the sides.
 double depth_in(const std::vector<CellCorner>& cell, const Vec2& point) {
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < cell.size(); ++k) {
         const Vec2& a = cell[k].point;
         const Vec2 along = (cell[(k + 1) % cell.size()].point - a).normalized();
-        least = std::min(least, cross(along, point - a));
+        minimum = std::min(minimum, cross(along, point - a));
     }
-    return least;
+    return minimum;
 }
 
 // The copy of a point that lies the nearest to a site.
@@ -147,7 +147,7 @@ TEST(Voronoi, CellsAreConvexAndFillTheTorus) {
     }
 }
 
-TEST(Voronoi, RefusesSitesThatFallTogether) {
+TEST(Voronoi, RejectsCoincidentSites) {
     const Domain domain{3.0, 3.0};
     EXPECT_THROW(
         voronoi_cells(domain, {{0.1, 0.2}, {1.5, 1.1}, {1.5, 1.1}, {2.2, 0.7}, {0.9, 2.5}}),
@@ -167,7 +167,7 @@ TEST(Voronoi, FourSitesOnACircleMakeNoFoam) {
 
 // Copies of the sites are looked for 15 periods around; those of one site on a torus a hundred
 // times as wide as high leave its neighbors farther away.
-TEST(Voronoi, RefusesATorusThatIsTooSlender) {
+TEST(Voronoi, RejectsATorusThatIsTooSlender) {
     const Domain domain{100.0, 1.0};
     EXPECT_THROW(voronoi_cells(domain, {{20.0, 0.5}, {70.0, 0.3}}), std::runtime_error);
 }

@@ -47,7 +47,7 @@ TEST(Domain, CellOfPointsInEachDirection) {
     EXPECT_TRUE(kTorus.cell_of({-6.1, 1.5}) == (LatticeOffset{-3, 2}));
 }
 
-TEST(Domain, WhatIsInNoCellIsMovedByNothing) {
+TEST(Domain, PointsWithoutACellAreNotMoved) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_TRUE(kTorus.cell_of({nan, 0.1}) == (LatticeOffset{0, 0}));
     EXPECT_TRUE(kTorus.cell_of({0.1, nan}) == (LatticeOffset{0, 0}));

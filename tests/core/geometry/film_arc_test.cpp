@@ -293,9 +293,10 @@ TEST(FilmArc, HalfAngleOfSegmentIsTheInverseOfTheShape) {
         const double angle = 0.1 * k;
         EXPECT_NEAR(half_angle_of_segment(arc_shape(angle).segment), angle, 1e-14);
     }
-    for (const double short_of_pi : {1e-2, 1e-4, 1e-6}) {
-        const double angle = std::numbers::pi - short_of_pi;
-        EXPECT_NEAR(half_angle_of_segment(arc_shape(angle).segment), angle, 1e-8 * short_of_pi);
+    for (const double distance_from_pi : {1e-2, 1e-4, 1e-6}) {
+        const double angle = std::numbers::pi - distance_from_pi;
+        EXPECT_NEAR(
+            half_angle_of_segment(arc_shape(angle).segment), angle, 1e-8 * distance_from_pi);
     }
     EXPECT_EQ(half_angle_of_segment(0.0), 0.0);
 }

@@ -257,12 +257,12 @@ RC_GTEST_PROP(FilmEnergy, IsFiniteForAnyInput, ()) {
 RC_GTEST_PROP(FilmEnergy, IsTheSameFromBothSides, ()) {
     const Vec2 chord(any_real(), any_real());
     const double delta = any_real();
-    const FilmEnergy there = film_energy(chord, delta, 1.0);
-    const FilmEnergy back = film_energy(-chord, -delta, 1.0);
-    RC_ASSERT(there.value == back.value);
-    RC_ASSERT(there.gradient == -back.gradient);
-    RC_ASSERT(there.segment_area == -back.segment_area);
-    RC_ASSERT(there.half_angle == -back.half_angle);
+    const FilmEnergy forward = film_energy(chord, delta, 1.0);
+    const FilmEnergy backward = film_energy(-chord, -delta, 1.0);
+    RC_ASSERT(forward.value == backward.value);
+    RC_ASSERT(forward.gradient == -backward.gradient);
+    RC_ASSERT(forward.segment_area == -backward.segment_area);
+    RC_ASSERT(forward.half_angle == -backward.half_angle);
 }
 
 }  // namespace

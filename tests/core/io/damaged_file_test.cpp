@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// Files with errors of every kind: each is read, or refused with one line; never more.
+// Files with errors of every kind: each is read, or rejected with one line; never more.
 #include "core/foam/random.h"
 #include "core/io/evolver_file.h"
 #include "core/io/foam_json.h"
@@ -95,13 +95,13 @@ TEST(DamagedFile, EveryTruncationIsAnError) {
     }
 }
 
-TEST(DamagedFile, EvolverFilesAreReadOrRefused) {
+TEST(DamagedFile, EvolverFilesAreReadOrRejected) {
     try_damages(read_fe, test::data_file("evolver/torus64.fe"), 1000);
     try_damages(read_fe, test::data_file("evolver/torus64.dmp"), 1000);
     try_damages(read_fe, test::kSmallTorus, 5000);
 }
 
-TEST(DamagedFile, StatesAreReadOrRefused) {
+TEST(DamagedFile, StatesAreReadOrRejected) {
     try_damages(read_json, write_foam_json(read_fe(test::kSmallTorus)), 5000);
     try_damages(read_json, write_foam_json(test::raw_foam(12, 1)), 3000);
 }

@@ -47,7 +47,7 @@ double largest_pressure_difference(const Foam& a, const Foam& b) {
     return largest;
 }
 
-TEST_P(EvolverEquilibria, ADumpIsReadAsTheEquilibriumItIs) {
+TEST_P(EvolverEquilibria, ADumpIsReadInEquilibrium) {
     const Foam foam = read(".dmp");
     EXPECT_TRUE(test::is_valid(foam.network));
     EXPECT_EQ(foam.network.bubble_count(), GetParam().bubbles);
@@ -56,7 +56,7 @@ TEST_P(EvolverEquilibria, ADumpIsReadAsTheEquilibriumItIs) {
     EXPECT_LT(equilibrium_errors(foam).angle, 1e-11);
 }
 
-TEST_P(EvolverEquilibria, OursIsTheSame) {
+TEST_P(EvolverEquilibria, AgreeWithOurs) {
     const Foam reference = read(".dmp");
     Foam foam = read(".fe");
     const EquilibriumSummary summary = equilibrate_given(foam, 0);
@@ -68,7 +68,7 @@ TEST_P(EvolverEquilibria, OursIsTheSame) {
     EXPECT_LT(largest_pressure_difference(foam, reference), kPressureTolerance);
 }
 
-TEST_P(EvolverEquilibria, OursIsWrittenAsTheEquilibriumItIs) {
+TEST_P(EvolverEquilibria, OursIsWrittenInEquilibrium) {
     Foam foam = read(".fe");
     ASSERT_TRUE(equilibrate_given(foam, 0).converged());
     const Foam again = read_evolver(write_evolver(foam), "again.fe").foam;

@@ -24,7 +24,7 @@ void expect_rejected(std::string_view text, const std::string& what) {
     test::expect_format_error([&] { value_of(text); }, what);
 }
 
-TEST(EvolverExpression, KnowsPrecedence) {
+TEST(EvolverExpression, ObeysPrecedence) {
     EXPECT_EQ(value_of("1 + 2*3"), 7.0);
     EXPECT_EQ(value_of("12/2/3"), 2.0);
     EXPECT_EQ(value_of("2^3^2"), 512.0);
@@ -34,7 +34,7 @@ TEST(EvolverExpression, KnowsPrecedence) {
     EXPECT_EQ(value_of("(1 -2)*(3+1)"), -4.0);
 }
 
-TEST(EvolverExpression, KnowsParametersConstantsAndFunctions) {
+TEST(EvolverExpression, ReadsParametersConstantsAndFunctions) {
     EXPECT_EQ(value_of("2*WIDTH + e1"), 6.25);
     EXPECT_EQ(value_of("cos(pi)"), -1.0);
     EXPECT_EQ(value_of("log(e)"), 1.0);
@@ -52,14 +52,14 @@ TEST(EvolverExpression, ASignBehindSpaceBeginsTheNext) {
     EXPECT_TRUE(reader.at_end());
 }
 
-TEST(EvolverExpression, RefusesWhatIsNone) {
+TEST(EvolverExpression, RejectsMalformedExpressions) {
     expect_rejected("depth", "a.fe:1: expected a number, a parameter or a function, found 'depth'");
     expect_rejected("(1", "a.fe:1: expected ')', found the end of the file");
     expect_rejected("sin 1", "a.fe:1: expected '(', found '1'");
     expect_rejected("2*", "a.fe:1: expected a number, found the end of the file");
 }
 
-TEST(EvolverExpression, RefusesWhatIsNotFinite) {
+TEST(EvolverExpression, RejectsValuesThatAreNotFinite) {
     for (const char* text : {"1/0", "1e999", "log(-1)", "1e300*1e300", "0xffffffffffffffffff"}) {
         expect_rejected(text, "a.fe:1: expected a finite number");
     }

@@ -38,7 +38,7 @@ TEST(EvolverHeader, ReadsTheTorus) {
     EXPECT_EQ(header_with("").domain.width, 1.0);  // as Evolver has it
 }
 
-TEST(EvolverHeader, KnowsEveryWayToSayTorus) {
+TEST(EvolverHeader, ReadsEveryFormOfATorus) {
     for (const char* text :
          {"surface_dimension 1 space_dimension 2 torus torus_periods 3 0 0 2 vertices",
           "string Space_Dimension 2 Torus_Filled periods 3 0 0 2 Vertices",
@@ -48,7 +48,7 @@ TEST(EvolverHeader, KnowsEveryWayToSayTorus) {
     }
 }
 
-TEST(EvolverHeader, PassesOverWhatDoesNotBearOnEquilibrium) {
+TEST(EvolverHeader, IgnoresStatementsWithoutEffectOnEquilibrium) {
     const Header header = header_with(R"(
 vertices_predicted       321
 // Total energy: 120.765667254535
@@ -91,7 +91,7 @@ TEST(EvolverHeader, AnEnergyOfAllLengthsAddsToTheTension) {
     EXPECT_EQ(header_with("quantity q energy modulus 0 method gravity_method").added_tension, 0.0);
 }
 
-TEST(EvolverHeader, RefusesOtherEnergies) {
+TEST(EvolverHeader, RejectsOtherEnergies) {
     const std::string start = "STRING SPACE_DIMENSION 2 TORUS\n";
     const std::string what =
         "a.fe:2: quantity 'q' adds an energy that is not supported; only the length of all edges "
@@ -104,7 +104,7 @@ TEST(EvolverHeader, RefusesOtherEnergies) {
                     "a foam is the length of its films");
 }
 
-TEST(EvolverHeader, NotesWhatIsNotHeld) {
+TEST(EvolverHeader, NotesQuantitiesThatAreNotHeldFixed) {
     const Header header = header_with("quantity q fixed = 3 method edge_length global");
     ASSERT_EQ(header.notes.size(), 1U);
     EXPECT_EQ(header.notes[0], "line 4: quantity 'q' is not kept fixed");
@@ -116,7 +116,7 @@ TEST(EvolverHeader, AFreeClusterLiesInThePlane) {
     EXPECT_FALSE(header_with("").domain.is_plane());
 }
 
-TEST(EvolverHeader, RefusesOtherModels) {
+TEST(EvolverHeader, RejectsOtherModels) {
     expect_rejected(
         "SPACE_DIMENSION 2\nTORUS\nvertices",
         "a.fe:3: the top section must contain STRING; only string models are supported");
@@ -135,7 +135,7 @@ TEST(EvolverHeader, RefusesOtherModels) {
                     "supported");
 }
 
-TEST(EvolverHeader, RefusesOtherTori) {
+TEST(EvolverHeader, RejectsOtherTori) {
     expect_rejected(
         "periods\n1 0.5\n0 1",
         "a.fe:1: the first period must be along the x axis: its y component is 0.5, must be 0");
@@ -143,7 +143,7 @@ TEST(EvolverHeader, RefusesOtherTori) {
                     "a.fe:1: the width and height of the torus must be positive, not 1 and -1");
 }
 
-TEST(EvolverHeader, RefusesWhatItCannotRead) {
+TEST(EvolverHeader, RejectsUnreadableStatements) {
     expect_rejected("", "a.fe:1: expected a section 'vertices', found the end of the file");
     expect_rejected("STRING\n#define X 3\n",
                     "a.fe:2: preprocessor lines such as #define and #include are not supported");

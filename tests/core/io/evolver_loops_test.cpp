@@ -66,7 +66,7 @@ TEST(EvolverLoops, VerticesOfTwoEdgesAreDissolved) {
     EXPECT_TRUE(loops[0].films[5].offset == (LatticeOffset{1, 1}));
 }
 
-TEST(EvolverLoops, RefusesOpenLoops) {
+TEST(EvolverLoops, RejectsOpenLoops) {
     expect_rejected("1 1 2 -3",
                     "1 1 -3 2",
                     "a.fe:15: face 1: edge 3 does not begin where edge 1 "
@@ -77,7 +77,7 @@ TEST(EvolverLoops, RefusesOpenLoops) {
                     "a.fe:15: face 1: the wraps of its edges must add up to zero");
 }
 
-TEST(EvolverLoops, RefusesEdgesThatAreNotBetweenTwoFaces) {
+TEST(EvolverLoops, RejectsEdgesThatAreNotBetweenTwoFaces) {
     expect_rejected("1 1 2 -3 -1 -2 3\n",
                     "1 1 3 -3 -1 1 3 -3 -1\n",
                     "a.fe:15: face 1: edge 1 already has a face on that side");
@@ -85,7 +85,7 @@ TEST(EvolverLoops, RefusesEdgesThatAreNotBetweenTwoFaces) {
         "1 1 2 -3 -1 -2 3\n", "1 1 2 -2 -1\n", "a.fe:13: edge 3 has no face on either side");
 }
 
-TEST(EvolverLoops, RefusesJunctionsOfMoreOrFewerFilms) {
+TEST(EvolverLoops, RejectsJunctionsOfMoreOrFewerFilms) {
     const std::string squares =
         "STRING SPACE_DIMENSION 2 TORUS\nvertices\n1 0 0\n"
         "edges\n1 1 1 + *\n2 1 1 * +\nfaces\n1 1 2 -1 -2\n"
@@ -105,7 +105,7 @@ TEST(EvolverLoops, RefusesJunctionsOfMoreOrFewerFilms) {
                               "a.fe:18: face 2 has no vertex that joins three edges");
 }
 
-TEST(EvolverLoops, RefusesVerticesFarAway) {
+TEST(EvolverLoops, RejectsVerticesFarAway) {
     expect_rejected("2 1 1\n",
                     "2 1 1e99\n",
                     "a.fe:9: vertex 2 is too far from the origin; must be within 1000000 periods");

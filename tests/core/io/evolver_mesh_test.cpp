@@ -53,7 +53,7 @@ TEST(EvolverMesh, IdsNeedNotBeContiguous) {
     EXPECT_EQ(mesh_of(text).edges[2].tail, 1U);
 }
 
-TEST(EvolverMesh, KnowsEveryFormOfAWrap) {
+TEST(EvolverMesh, ReadsEveryFormOfAWrap) {
     for (const char* wrap :
          {"+-", "+ -", "* * wrap 1985", "wrap 1985", "wrap 0x0007c1\n  color 3"}) {
         const Mesh mesh = edited_mesh("2 2 1 + +", std::string("2 2 1 ") + wrap);
@@ -63,7 +63,7 @@ TEST(EvolverMesh, KnowsEveryFormOfAWrap) {
     EXPECT_FALSE(edited_mesh("+ +", "").edges[1].wrap.has_value());
 }
 
-TEST(EvolverMesh, PassesOverMidpointsAndAttributes) {
+TEST(EvolverMesh, IgnoresMidpointsAndAttributes) {
     const Mesh mesh = edited_mesh("2 2 1 + +", "2 2 1 /*midpt*/ 2 + + original 7 color red fixed");
     EXPECT_TRUE(mesh.edges[1].wrap == (LatticeOffset{1, 1}));
     EXPECT_EQ(mesh.held, 1);
@@ -79,7 +79,7 @@ TEST(EvolverMesh, ReadsTensionsAndPressures) {
     EXPECT_EQ(mesh.bodies[0].pressure, -2e-319);
 }
 
-TEST(EvolverMesh, LongFacesContinueBehindABackslash) {
+TEST(EvolverMesh, LongFacesContinueAfterABackslash) {
     EXPECT_EQ(edited_mesh("-3 -1 -2", "-3 -1 \\\n -2").faces[0].sides.size(), 6U);
 }
 
@@ -88,7 +88,7 @@ TEST(EvolverMesh, EndsAtRead) {
     EXPECT_EQ(mesh_of(text).end_line, 18);
 }
 
-TEST(EvolverMesh, RefusesMissingSections) {
+TEST(EvolverMesh, RejectsMissingSections) {
     expect_rejected("faces     // 14\n1 1 2 -3 -1 -2 3\n",
                     "",
                     "a.fe:14: expected a section 'faces', found 'bodies'");
@@ -98,7 +98,7 @@ TEST(EvolverMesh, RefusesMissingSections) {
                               "a.fe:18: expected 'read' or the end of the file, found 'edges'");
 }
 
-TEST(EvolverMesh, RefusesBadNumbersOfElements) {
+TEST(EvolverMesh, RejectsBadNumbersOfElements) {
     expect_rejected("2 1 1\n", "1 1 1\n", "a.fe:9: duplicate vertex 1");
     expect_rejected("2 1 1\n", "0 1 1\n", "a.fe:9: vertex numbers must be at least 1, not 0");
     expect_rejected("2 2 1 + +", "2 2 9 + +", "a.fe:12: edge 2: vertex 9 does not exist");
@@ -107,7 +107,7 @@ TEST(EvolverMesh, RefusesBadNumbersOfElements) {
     expect_rejected("2 2 1 + +", "2 2 1 99 + +", "a.fe:12: edge 2: vertex 99 does not exist");
 }
 
-TEST(EvolverMesh, RefusesIncompleteElements) {
+TEST(EvolverMesh, RejectsIncompleteElements) {
     expect_rejected("2 1 1\n", "2 1\n", "a.fe:9: vertex 2: expected two coordinates");
     expect_rejected(
         "2 1 1\n", "2 1 1 7\n", "a.fe:9: expected an attribute or the end of the line, found '7'");
@@ -119,14 +119,14 @@ TEST(EvolverMesh, RefusesIncompleteElements) {
     expect_rejected("volume 6", "volume", "a.fe:18: expected a number, found the end of the file");
 }
 
-TEST(EvolverMesh, RefusesBodiesThatAreNoBubbles) {
+TEST(EvolverMesh, RejectsBodiesThatAreNoBubbles) {
     expect_rejected("1 1 volume 6", "1 1 1 volume 6", "a.fe:17: body 1 has more than one face");
     expect_rejected("volume 6\n", "volume 6\n2 1\n", "a.fe:18: body 2: face 1 already has a body");
     expect_rejected(
         "volume 6", "pressure 6", "a.fe:17: body 1: a pressure without a volume is not supported");
 }
 
-TEST(EvolverMesh, RefusesBoundaries) {
+TEST(EvolverMesh, RejectsBoundaries) {
     expect_rejected(
         "2 1 1\n", "2 1 1 boundary 1\n", "a.fe:9: vertex 2: boundaries are not supported");
     expect_rejected("+ +", "+ + boundary 1", "a.fe:12: edge 2: boundary is not supported");

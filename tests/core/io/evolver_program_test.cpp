@@ -119,7 +119,7 @@ class EvolverProgram : public testing::Test {
     }
 };
 
-TEST_F(EvolverProgram, FindsOurEquilibriumInWhatWeWrite) {
+TEST_F(EvolverProgram, AgreesWithOurEquilibriumOfAWrittenFile) {
     for (const char* name : {"evolver/torus64.fe", "evolver/torus1024.fe"}) {
         Foam foam = read_evolver(test::data_file(name), name).foam;
         ASSERT_TRUE(equilibrate_given(foam, 0).converged());
@@ -128,7 +128,7 @@ TEST_F(EvolverProgram, FindsOurEquilibriumInWhatWeWrite) {
 }
 
 // Nothing holds a cluster: `hessian` alone would be singular.
-TEST_F(EvolverProgram, FindsOurEquilibriumInAFreeCluster) {
+TEST_F(EvolverProgram, AgreesWithOurEquilibriumOfAFreeCluster) {
     const std::string commands = [] {
         std::string text = kCommands;
         return text.replace(text.find("hessian\n"), 8, "hessian_seek\n");
@@ -144,7 +144,7 @@ TEST_F(EvolverProgram, FindsOurEquilibriumInAFreeCluster) {
 }
 
 TEST_F(EvolverProgram, TakesOtherUnitsAndAreas) {
-    Foam foam = test::settled_foam(100, 7);
+    Foam foam = test::equilibrated_foam(100, 7);
     foam.domain = {3.0 * foam.domain.width, 3.0 * foam.domain.height};
     foam.film_tension = 0.25;
     for (Vec2& position : foam.positions) {
@@ -162,7 +162,7 @@ TEST_F(EvolverProgram, TakesTheSmallestFoams) {
     Foam one = read_evolver(test::kSmallTorus, "a.fe").foam;
     ASSERT_TRUE(equilibrate_given(one, 0).converged());
     expect_same(one, run_evolver(write_evolver(one), kCommands));
-    const Foam few = test::settled_foam(3, 2);
+    const Foam few = test::equilibrated_foam(3, 2);
     expect_same(few, run_evolver(write_evolver(few), kCommands));
 }
 
@@ -176,8 +176,8 @@ TEST_F(EvolverProgram, TakesStraightFilms) {
 
 // With what users add: fixed vertices, constraints, colors, attributes and quantities of their
 // own.
-TEST_F(EvolverProgram, WhatItDumpsWeRead) {
-    const Foam foam = test::settled_foam(30, 6);
+TEST_F(EvolverProgram, ItsDumpsCanBeRead) {
+    const Foam foam = test::equilibrated_foam(30, 6);
     std::ostringstream formula;  // which vertex 4 fulfils
     formula << std::setprecision(17) << "formula: x = " << foam.positions[JunctionId{3}].x();
     std::string text = test::edited(write_evolver(foam),

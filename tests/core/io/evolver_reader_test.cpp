@@ -135,13 +135,13 @@ TEST(EvolverReader, RoundedVolumesAreBroughtToTheSum) {
         "volume 6", "volume -6", "a.fe:17: body 1: the volume must be positive, not -6");
 }
 
-TEST(EvolverReader, NotesWhatIsHeld) {
+TEST(EvolverReader, NotesFixedElements) {
     const EvolverFoam read = edited_foam("2 1 1\n", "2 1 1 fixed\n");
     ASSERT_EQ(read.notes.size(), 1U);
     EXPECT_EQ(read.notes[0], "fixed positions and constraints of 1 element are ignored");
 }
 
-TEST(EvolverReader, RefusesFacesThatMakeNoFoam) {
+TEST(EvolverReader, RejectsFacesThatMakeNoFoam) {
     EXPECT_THROW(edited_foam("1 1 2 -3 -1 -2 3\n", "1 1 2 1\n"), FormatError);
     EXPECT_THROW(edited_foam("1 1 2 -3 -1 -2 3\n", "1 1 3 -3 -1\n2 2 -2\n"), FormatError);
 }

@@ -23,7 +23,7 @@ std::vector<Token> tokens_of(std::string_view text) {
     return tokens;
 }
 
-TEST(EvolverTokens, KnowsFiveKinds) {
+TEST(EvolverTokens, ReadsFiveKindsOfTokens) {
     const std::vector<Token> tokens = tokens_of("Word_1 -2.5e-3 \"a text\" 7");
     ASSERT_EQ(tokens.size(), 5U);
     EXPECT_EQ(tokens[0].kind, TokenKind::Word);
@@ -63,7 +63,7 @@ TEST(EvolverTokens, ABackslashContinuesALine) {
     EXPECT_TRUE(tokens_of("a \\b")[1].is_symbol('\\'));
 }
 
-TEST(EvolverTokens, TellsWhereWhiteSpaceIs) {
+TEST(EvolverTokens, ReportsPrecedingWhiteSpace) {
     const std::vector<Token> tokens = tokens_of("1 -2 - 3-4");
     EXPECT_TRUE(tokens[1].follows_space && !tokens[1].precedes_space);
     EXPECT_TRUE(tokens[3].follows_space && tokens[3].precedes_space);
@@ -78,7 +78,7 @@ TEST(EvolverTokens, TakesSignedIntegers) {
     EXPECT_FALSE(reader.at_integer());
 }
 
-TEST(EvolverTokens, AnErrorNamesFileLineAndWhatWasFound) {
+TEST(EvolverTokens, ErrorNamesFileLineAndToken) {
     TokenReader reader("\nlength", file_name);
     test::expect_format_error([&] { reader.take_integer("a number"); },
                               "a.fe:2: expected a number, found 'length'");
@@ -96,7 +96,7 @@ TEST(EvolverTokens, AnErrorIsOneLine) {
                               "a.fe:1: expected a number, found 'a?'");
 }
 
-TEST(EvolverTokens, WhatIsOpenHasToBeClosed) {
+TEST(EvolverTokens, RejectsUnclosedCommentsAndStrings) {
     test::expect_format_error([] { tokens_of("a\n/* b\nc"); },
                               "a.fe:2: this comment has no closing */");
     test::expect_format_error([] { tokens_of("a\n\n\"b"); },

@@ -67,9 +67,9 @@ void expect_kept(const Foam& a, const Foam& b) {
     }
 }
 
-TEST(EvolverWriter, WhatIsWrittenReadsBackToTheSameBits) {
+TEST(EvolverWriter, RoundTripsBitForBit) {
     for (const Foam& foam :
-         {test::settled_foam(60, 3), test::settled_foam(2, 1), honeycomb(1, 2)}) {
+         {test::equilibrated_foam(60, 3), test::equilibrated_foam(2, 1), honeycomb(1, 2)}) {
         for (const EvolverEdges edges : {EvolverEdges::Arcs, EvolverEdges::Straight}) {
             expect_kept(foam, read_evolver(write_evolver(foam, edges), "a.fe").foam);
         }

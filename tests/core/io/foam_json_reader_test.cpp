@@ -23,7 +23,7 @@ void expect_rejected(std::string_view old, std::string_view replacement, const s
 }
 
 TEST(FoamJsonReader, ReadsBackToTheSameBits) {
-    Foam foam = test::settled_foam(50, 4);
+    Foam foam = test::equilibrated_foam(50, 4);
     foam.time = 0.1;
     foam.pressures[BubbleId{3}] = -0.0;
     foam.t1_armed[FilmId{7}] = 0;
@@ -34,7 +34,7 @@ TEST(FoamJsonReader, ReadsBackToTheSameBits) {
 
 // Through T1s and T2s, and wherever it is interrupted.
 TEST(FoamJsonReader, AnInterruptedFoamStepsToTheSameBits) {
-    Foam foam = test::settled_foam(80, 9);
+    Foam foam = test::equilibrated_foam(80, 9);
     EquilibriumSummary events;
     for (int k = 0; k < 8; ++k) {
         Foam interrupted = read(write_foam_json(foam));
@@ -49,13 +49,13 @@ TEST(FoamJsonReader, AnInterruptedFoamStepsToTheSameBits) {
     EXPECT_GT(events.t2, 0);
 }
 
-TEST(FoamJsonReader, PassesOverUnknownMembers) {
+TEST(FoamJsonReader, IgnoresUnknownMembers) {
     const std::string text =
         test::edited(kSmallState, "\"torus\"", "\"note\": {\"by\": [\"me\"]},\n\"torus\"");
     EXPECT_TRUE(test::are_same(read(text), read(kSmallState)));
 }
 
-TEST(FoamJsonReader, RefusesOtherFormats) {
+TEST(FoamJsonReader, RejectsOtherFormats) {
     expect_rejected(
         "foamtex-foam", "foam", "a.json:2: not a foam state: 'format' must be \"foamtex-foam\"");
     expect_rejected(
@@ -66,7 +66,7 @@ TEST(FoamJsonReader, RefusesOtherFormats) {
     test::expect_format_error([] { read("[]"); }, "a.json:1: 'format' is missing");
 }
 
-TEST(FoamJsonReader, RefusesBadValues) {
+TEST(FoamJsonReader, RejectsBadValues) {
     expect_rejected("[3.0, 2.0]", "[3.0]", "a.json:4: expected an array of 2 numbers, not 1");
     expect_rejected("[3.0, 2.0]", "[3.0, -2.0]", "a.json:4: expected a positive number, found -2");
     expect_rejected("0.5, 3]", "\"x\", 3]", "a.json:9: expected a finite number");
@@ -83,7 +83,7 @@ TEST(FoamJsonReader, RefusesBadValues) {
     expect_rejected("\"films\": [", "\"films\": 3, \"old\": [", "a.json:12: expected an array");
 }
 
-TEST(FoamJsonReader, RefusesWhatIsNoFoam) {
+TEST(FoamJsonReader, RejectsInvalidFoams) {
     expect_rejected(
         "5, 4, 1, 1, 1]",
         "4, 4, 1, 1, 1]",
@@ -114,7 +114,7 @@ TEST(FoamJsonReader, KeepsAPatch) {
     }
 }
 
-TEST(FoamJsonReader, RefusesPatchesThatAreNone) {
+TEST(FoamJsonReader, RejectsInvalidPatches) {
     const std::string text = write_foam_json(test::double_bubble(1.0, 2.0));
     const auto reject = [&](std::string_view old, std::string_view replacement, const char* what) {
         test::expect_format_error([&] { read(test::edited(text, old, replacement)); }, what);

@@ -17,7 +17,7 @@ TEST(FormatError, NamesFileAndLine) {
 
 // A message may quote the file: control characters would forge lines, or change the terminal's
 // state.
-TEST(FormatError, ReplacesWhatATerminalCannotPrint) {
+TEST(FormatError, ReplacesUnprintableCharacters) {
     EXPECT_STREQ(FormatError("a", 1, "got '\n\x1b[31m\xff'").what(), "a:1: got '??[31m?'");
 }
 

@@ -28,7 +28,7 @@ TEST(JsonTree, HoldsEveryKindOfValue) {
     EXPECT_EQ(list[0].find("none"), nullptr);
 }
 
-TEST(JsonTree, KnowsTheLines) {
+TEST(JsonTree, RecordsLines) {
     const JsonTree tree = parse_json("\n{\n\"a\": 1\n,\"b\":\n[\n2,\n\"c\"\n]\n}\n", "");
     EXPECT_EQ(tree.line, 2);
     EXPECT_EQ(tree.find("a")->line, 3);

@@ -104,7 +104,7 @@ TEST(InsertLens, OnAnyFilmIsUndoneByT2) {
 }
 
 // Insertions among T1 and T2, in the dead slots' midst.
-TEST(Insertion, KeepsTheNetworkValidWhateverElseHappens) {
+TEST(Insertion, KeepsTheNetworkValidAmongOtherSurgery) {
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
         Network network = test::raw_foam(6, seed).network;
         Random random(seed);

@@ -54,7 +54,7 @@ TEST(LiveRange, SkipsTheDead) {
     EXPECT_FALSE(network.is_live(BubbleId{4}));
 }
 
-TEST(LiveRange, IsEmptyWhereNothingLives) {
+TEST(LiveRange, IsEmptyWithoutLiveSlots) {
     Network network;
     EXPECT_TRUE(listed(network.films()).empty());
     network.remove(network.add_film());

@@ -30,7 +30,7 @@ Id any_of(const LiveRange<Id>& range, Random& random) {
 
 struct Surgeries {
     int t1 = 0;
-    int refused_t1 = 0;
+    int rejected_t1 = 0;
     int t2_of_two = 0;
     int t2_of_three = 0;
 };
@@ -41,7 +41,7 @@ void try_t1(Network& network, Random& random, Surgeries& done) {
         flip(network, film);
         ++done.t1;
     } else {
-        ++done.refused_t1;
+        ++done.rejected_t1;
     }
 }
 
@@ -58,7 +58,7 @@ void try_t2(Network& network, Random& random, Surgeries& done) {
 
 // T1 anywhere, and now and then a T2, until one bubble is left, which meets itself in all its six
 // sides. The network is validated after each one.
-Surgeries wear_down(Network& network, std::uint64_t seed) {
+Surgeries remove_all_but_one(Network& network, std::uint64_t seed) {
     Random random(seed);
     Surgeries done;
     for (int k = 0; k < kMaxOperations && network.bubble_count() > 1; ++k) {
@@ -75,10 +75,10 @@ Surgeries wear_down(Network& network, std::uint64_t seed) {
     return done;
 }
 
-void expect_worn_down(int bubbles, std::uint64_t seed) {
+void expect_one_bubble_left(int bubbles, std::uint64_t seed) {
     SCOPED_TRACE(std::to_string(bubbles) + " bubbles, seed " + std::to_string(seed));
     Network network = test::raw_foam(bubbles, seed).network;
-    const Surgeries done = wear_down(network, seed);
+    const Surgeries done = remove_all_but_one(network, seed);
     EXPECT_EQ(network.bubble_count(), 1U);
     EXPECT_EQ(done.t2_of_two + done.t2_of_three, bubbles - 1);
     EXPECT_EQ(network.sides(*network.bubbles().begin()), 6);
@@ -87,23 +87,23 @@ void expect_worn_down(int bubbles, std::uint64_t seed) {
 TEST(RandomSurgery, KeepsSmallFoamsValidDownToTheLastBubble) {
     for (int bubbles = 2; bubbles <= 12; ++bubbles) {
         for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-            expect_worn_down(bubbles, seed);
+            expect_one_bubble_left(bubbles, seed);
         }
     }
 }
 
 TEST(RandomSurgery, KeepsLargerFoamsValidDownToTheLastBubble) {
     for (const int bubbles : {30, 80, 200}) {
-        expect_worn_down(bubbles, 1);
+        expect_one_bubble_left(bubbles, 1);
     }
 }
 
 // The two T2 and the refusal, which the foams above are here to exercise, all occur.
-TEST(RandomSurgery, MeetsEveryCase) {
+TEST(RandomSurgery, CoversEveryCase) {
     Network network = test::raw_foam(80, 2).network;
-    const Surgeries done = wear_down(network, 2);
+    const Surgeries done = remove_all_but_one(network, 2);
     EXPECT_GT(done.t1, 500);
-    EXPECT_GT(done.refused_t1, 10);
+    EXPECT_GT(done.rejected_t1, 10);
     EXPECT_GT(done.t2_of_two, 5);
     EXPECT_GT(done.t2_of_three, 5);
 }

@@ -125,7 +125,7 @@ TEST(T1, TakesATriangleToTwoSidesAndNoFurther) {
 // A lens on a film between P and Q, and on its film with Q a second lens: the first one's sides are
 // then P, Q, the second lens and Q again. Its film with P has the same copy of Q at both ends, and
 // the flip would lay it between Q and itself.
-TEST(T1, RefusesEndsThatAreOneCopyOfABubble) {
+TEST(T1, RejectsEndsThatAreOneCopyOfABubble) {
     Foam foam = honeycomb(4, 4);
     const BubbleId outer = insert_lens(foam, film_between(foam.network, 5, 6), 0.5);
     const FilmId with_q = film_of(side_between(foam.network, outer, BubbleId{6}));

@@ -139,7 +139,7 @@ TEST(T2, OuterFilmsKeepTheirFarEnds) {
     }
 }
 
-TEST(T2, RefusesBubblesOfFourSidesAndMore) {
+TEST(T2, RejectsBubblesOfFourSidesAndMore) {
     Network network = honeycomb(4, 4).network;
     for (int sides = 6; sides >= 4; --sides) {
         EXPECT_FALSE(can_vanish(network, kTriangle)) << sides;

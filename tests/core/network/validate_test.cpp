@@ -37,7 +37,7 @@ TEST(Validate, HoneycombsAreValid) {
 
 // One plant per fault, in the order in which they are looked for.
 
-TEST(Validate, FindsASuccessorThatIsNotThere) {
+TEST(Validate, FindsAMissingSuccessor) {
     Network network = hexagons();
     network.set_next(kFirst, kNone<HalfEdgeId>);
     EXPECT_EQ(find_fault(network), "half-edge 0 is followed by a film that does not exist");

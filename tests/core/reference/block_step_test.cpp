@@ -23,38 +23,40 @@ using Eigen::Index;
 using test::full_hessian;
 
 // The block's unknowns among those of the foam, and the size of their units.
-struct Place {
+struct BlockIndices {
     std::vector<int> rows;
     std::vector<double> units;
 };
 
-Place place_of(const JunctionBlock& block, const Unknowns& unknowns, JunctionId junction) {
-    Place place;
+BlockIndices block_indices(const JunctionBlock& block,
+                           const Unknowns& unknowns,
+                           JunctionId junction) {
+    BlockIndices indices;
     const BlockVector one = BlockVector::Ones(block.size());
     for (std::size_t k = 0; k < block.bubbles().size(); ++k) {
-        place.rows.push_back(unknowns.pressure_row(block.bubbles()[k]));
-        place.units.push_back(block.pressure_change(one, k));
+        indices.rows.push_back(unknowns.pressure_row(block.bubbles()[k]));
+        indices.units.push_back(block.pressure_change(one, k));
     }
     for (const FilmId film : block.outer_films()) {
-        place.rows.push_back(unknowns.angle_row(film));
-        place.units.push_back(1.0);
+        indices.rows.push_back(unknowns.angle_row(film));
+        indices.units.push_back(1.0);
     }
     for (int axis = 0; axis < 2; ++axis) {
-        place.rows.push_back(unknowns.position_row(junction) + axis);
-        place.units.push_back(block.move(one)[axis]);
+        indices.rows.push_back(unknowns.position_row(junction) + axis);
+        indices.units.push_back(block.move(one)[axis]);
     }
-    return place;
+    return indices;
 }
 
 // The Hessian's entries of these unknowns, in the units of the block.
-BlockMatrix entries(const Eigen::MatrixXd& hessian, const Place& place) {
-    const auto size = static_cast<Index>(place.rows.size());
+BlockMatrix entries(const Eigen::MatrixXd& hessian, const BlockIndices& indices) {
+    const auto size = static_cast<Index>(indices.rows.size());
     BlockMatrix part(size, size);
     for (Index column = 0; column < size; ++column) {
         for (Index row = 0; row < size; ++row) {
-            part(row, column) = hessian(place.rows.at(static_cast<std::size_t>(row)),
-                                        place.rows.at(static_cast<std::size_t>(column))) *
-                                place.units.at(static_cast<std::size_t>(column));
+            part(row, column) = hessian(indices.rows.at(static_cast<std::size_t>(row)),
+                                        indices.rows.at(static_cast<std::size_t>(column))) *
+                                indices.units.at(static_cast<std::size_t>(column));
         }
     }
     return part;
@@ -69,7 +71,7 @@ void expect_areas_of_the_hessian(const std::vector<Foam>& foams) {
         const Eigen::MatrixXd h = full_hessian(foam, unknowns);
         for (const JunctionId junction : foam.network.junctions()) {
             block.load(foam, junction);
-            const BlockMatrix closed = entries(h, place_of(block, unknowns, junction));
+            const BlockMatrix closed = entries(h, block_indices(block, unknowns, junction));
             const BlockMatrix slopes = block_slopes(block, {});
             for (std::size_t k = 0; k < block.bubbles().size(); ++k) {
                 const auto row = static_cast<Index>(k);
@@ -90,13 +92,13 @@ TEST(BlockStep, SlopesOfTheAreasAreThoseOfTheHessian) {
 // block has e_0 = theta_0 - theta_2 and e_1 = theta_1 - theta_0 but for constants, so that the
 // force changes by -T (n_1 de_1 - n_2 de_0).
 TEST(BlockStep, SlopesOfTheAnglesAreThoseOfTheForces) {
-    const Foam foam = test::settled_foam(30, 2);
+    const Foam foam = test::equilibrated_foam(30, 2);
     const Unknowns unknowns = all_unknowns(foam.network);
     const Eigen::MatrixXd h = full_hessian(foam, unknowns);
     JunctionBlock block;
     for (const JunctionId junction : foam.network.junctions()) {
         block.load(foam, junction);
-        const BlockMatrix closed = entries(h, place_of(block, unknowns, junction));
+        const BlockMatrix closed = entries(h, block_indices(block, unknowns, junction));
         const BlockMatrix slopes = block_slopes(block, {});
         const std::array<HalfEdgeId, 3> leaving = foam.network.leaving(junction);
         const Vec2 n1 = turned_left(tangent_at_tail(film_arc(foam, leaving[1])));
@@ -108,7 +110,7 @@ TEST(BlockStep, SlopesOfTheAnglesAreThoseOfTheForces) {
 }
 
 // Central differences over steps of 0.2 are off by far more than the threshold: halving mends them.
-TEST(BlockStep, HalvesStepsUntilTheDifferencesSettle) {
+TEST(BlockStep, HalvesStepsUntilTheDifferencesConverge) {
     const Foam foam = test::bent_foam(12, 0.5, 1);
     JunctionBlock block;
     block.load(foam, JunctionId{4});
@@ -124,7 +126,7 @@ TEST(BlockStep, HalvesStepsUntilTheDifferencesSettle) {
 
 // Of a block that lacks e the step leaves half the second derivatives, here of the order of one,
 // times its own square; it is up to twice as large as e.
-TEST(BlockStep, LeavesTheSquareOfWhatTheBlockLacks) {
+TEST(BlockStep, LeavesTheSquareOfTheBlockErrors) {
     Foam foam = honeycomb(4, 4);
     Random random(3);
     for (Vec2& position : foam.positions) {

@@ -12,10 +12,10 @@
 namespace foam {
 namespace {
 
+using test::equilibrated_foam;
 using test::is_valid;
-using test::settled_foam;
 
-TEST(EquilibrateBySweeps, SettlesRawDiagrams) {
+TEST(EquilibrateBySweeps, EquilibratesRawDiagrams) {
     for (const SweepOrder order : {SweepOrder::Sequential, SweepOrder::Colored}) {
         for (std::uint64_t seed = 1; seed <= 3; ++seed) {
             Foam foam = test::raw_foam(50, seed);
@@ -32,11 +32,11 @@ TEST(EquilibrateBySweeps, SettlesRawDiagrams) {
 }
 
 // Films at rest below their T1 distance flip after Gauss-Seidel, as they do after Newton's method.
-TEST(EquilibrateBySweeps, LeavesNoFilmThatWaitsForAT1) {
+TEST(EquilibrateBySweeps, LeavesNoPendingT1) {
     const TopologyThresholds thresholds{.t1_distance = 0.2};
     int t1 = 0;
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-        Foam foam = settled_foam(30, seed);
+        Foam foam = equilibrated_foam(30, seed);
         const EquilibriumSummary summary = equilibrate_by_sweeps(
             foam,
             SweepOrder::Sequential,

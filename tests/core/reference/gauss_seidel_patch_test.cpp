@@ -26,23 +26,23 @@ INSTANTIATE_TEST_SUITE_P(Orders,
                          PatchGaussSeidelIn,
                          testing::Values(SweepOrder::Sequential, SweepOrder::Colored));
 
-Foam settled(Foam foam) {
+Foam equilibrated(Foam foam) {
     EXPECT_TRUE(equilibrate(foam, {}).converged());
     return foam;
 }
 
-Foam settled_disc(int bubbles) {
+Foam equilibrated_disc(int bubbles) {
     PatchOptions options;
     options.bubbles = bubbles;
     options.lloyd_iterations = 3;
-    return settled(seed_patch(disc_outline(), options));
+    return equilibrated(seed_patch(disc_outline(), options));
 }
 
 // Targets change by up to so much of themselves.
-Foam disturbed(Foam foam, double share) {
+Foam perturbed(Foam foam, double fraction) {
     Random random(5);
     for (const BubbleId bubble : foam.network.bubbles()) {
-        foam.target_areas[bubble] *= 1.0 + share * (2.0 * random.uniform() - 1.0);
+        foam.target_areas[bubble] *= 1.0 + fraction * (2.0 * random.uniform() - 1.0);
     }
     return foam;
 }
@@ -84,8 +84,8 @@ double largest_half_angle(const Foam& foam) {
 }
 
 TEST_P(PatchGaussSeidelIn, FindsTheSolutionOfNewtonsMethod) {
-    expect_the_solution_of_newton(disturbed(settled(test::flower(1.0)), 0.05), GetParam());
-    expect_the_solution_of_newton(disturbed(settled_disc(37), 0.02), GetParam());
+    expect_the_solution_of_newton(perturbed(equilibrated(test::flower(1.0)), 0.05), GetParam());
+    expect_the_solution_of_newton(perturbed(equilibrated_disc(37), 0.02), GetParam());
 }
 
 class LongPatchGaussSeidelIn : public PatchGaussSeidelIn {};
@@ -95,14 +95,14 @@ INSTANTIATE_TEST_SUITE_P(Orders,
                          testing::Values(SweepOrder::Sequential, SweepOrder::Colored));
 
 TEST_P(LongPatchGaussSeidelIn, FindsTheSolutionOfNewtonsMethodForAHundredBubbles) {
-    expect_the_solution_of_newton(disturbed(settled_disc(100), 0.02), GetParam());
+    expect_the_solution_of_newton(perturbed(equilibrated_disc(100), 0.02), GetParam());
 }
 
 // Of two bubbles outer arcs of 240 degrees, of three 180: Laplace-Young's law alone does not tell
 // them.
 TEST_P(PatchGaussSeidelIn, FindsHalfAnglesOfNinetyDegreesAndBeyond) {
-    const Foam two = disturbed(settled(test::double_bubble(1.0, 1.2)), 0.05);
-    const Foam three = disturbed(settled(test::triple_bubble(1.0)), 0.05);
+    const Foam two = perturbed(equilibrated(test::double_bubble(1.0, 1.2)), 0.05);
+    const Foam three = perturbed(equilibrated(test::triple_bubble(1.0)), 0.05);
     EXPECT_GT(largest_half_angle(two), 1.9);
     EXPECT_NEAR(largest_half_angle(three), 1.57, 0.01);
     expect_the_solution_of_newton(two, GetParam());
@@ -111,7 +111,7 @@ TEST_P(PatchGaussSeidelIn, FindsHalfAnglesOfNinetyDegreesAndBeyond) {
 
 // A row bends freely: only energy and pressures are determined.
 TEST_P(PatchGaussSeidelIn, FindsTheEnergyOfARow) {
-    Foam foam = disturbed(settled(test::chain()), 0.05);
+    Foam foam = perturbed(equilibrated(test::chain()), 0.05);
     EXPECT_GT(largest_half_angle(foam), 1.7);
     Foam by_newton = foam;
     ASSERT_EQ(newton(by_newton, all_unknowns(foam.network), {}).status, NewtonStatus::Converged);
@@ -124,7 +124,7 @@ TEST_P(PatchGaussSeidelIn, FindsTheEnergyOfARow) {
 }
 
 // From the diagram to the end of the policy, T1s at the rim included.
-TEST_P(PatchGaussSeidelIn, SettlesRawDiagrams) {
+TEST_P(PatchGaussSeidelIn, EquilibratesRawDiagrams) {
     int t1 = 0;
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
         Foam foam = seed_patch(disc_outline(), {.bubbles = 40, .seed = seed});

@@ -38,8 +38,8 @@ void expect_errors_below(const Foam& foam, double tolerance) {
 }
 
 // A foam in equilibrium whose targets then change by up to 5 %.
-Foam disturbed_foam(int bubbles, std::uint64_t seed) {
-    Foam foam = test::settled_foam(bubbles, seed);
+Foam perturbed_foam(int bubbles, std::uint64_t seed) {
+    Foam foam = test::equilibrated_foam(bubbles, seed);
     Random random(seed);
     for (double& area : foam.target_areas) {
         area *= 0.95 + 0.1 * random.uniform();
@@ -60,7 +60,7 @@ void expect_same_shape(const Foam& a, const Foam& b, double tolerance) {
     }
 }
 
-TEST_P(GaussSeidelIn, HasNothingToDoInTheHoneycomb) {
+TEST_P(GaussSeidelIn, DoesNothingInAHoneycomb) {
     Foam foam = honeycomb(4, 4);
     const GaussSeidelSummary summary = gauss_seidel(foam, {.order = GetParam()});
     EXPECT_EQ(summary.status, GaussSeidelStatus::Converged);
@@ -73,7 +73,7 @@ TEST_P(GaussSeidelIn, HasNothingToDoInTheHoneycomb) {
 // times the error that is left.
 TEST_P(GaussSeidelIn, FindsTheSolutionOfNewtonsMethod) {
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-        Foam foam = disturbed_foam(30, seed);
+        Foam foam = perturbed_foam(30, seed);
         Foam by_newton = foam;
         const NewtonSummary newton_summary = newton(by_newton, all_unknowns(foam.network), {});
         ASSERT_EQ(newton_summary.status, NewtonStatus::Converged);
@@ -88,7 +88,7 @@ TEST_P(GaussSeidelIn, FindsTheSolutionOfNewtonsMethod) {
 }
 
 // The paper starts from raw diagrams as well (its Figure 4).
-TEST_P(GaussSeidelIn, SettlesRawDiagrams) {
+TEST_P(GaussSeidelIn, EquilibratesRawDiagrams) {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
         Foam foam = test::raw_foam(40, seed);
         const GaussSeidelSummary summary =
@@ -99,7 +99,7 @@ TEST_P(GaussSeidelIn, SettlesRawDiagrams) {
 }
 
 // Where bubbles meet themselves around the torus.
-TEST_P(GaussSeidelIn, SettlesTinyTori) {
+TEST_P(GaussSeidelIn, EquilibratesTinyTori) {
     for (int bubbles = 2; bubbles <= 12; ++bubbles) {
         for (std::uint64_t seed = 1; seed <= 5; ++seed) {
             Foam foam = test::raw_foam(bubbles, seed);
@@ -110,7 +110,7 @@ TEST_P(GaussSeidelIn, SettlesTinyTori) {
     }
 }
 
-TEST_P(GaussSeidelIn, SettlesASingleBubble) {
+TEST_P(GaussSeidelIn, EquilibratesASingleBubble) {
     Foam foam = test::single_bubble();
     foam.positions[JunctionId{0}] += Vec2(0.05, -0.03);
     EXPECT_EQ(gauss_seidel(foam, {.order = GetParam()}).status, GaussSeidelStatus::Converged);
@@ -138,7 +138,7 @@ TEST_P(GaussSeidelIn, OpensAFilmWithoutLength) {
 }
 
 TEST_P(GaussSeidelIn, StopsAtTheToleranceOrTheLimit) {
-    const Foam start = disturbed_foam(30, 1);
+    const Foam start = perturbed_foam(30, 1);
     Foam foam = start;
     const GaussSeidelSummary loose = gauss_seidel(foam, {.tolerance = 1e-2, .order = GetParam()});
     expect_errors_below(foam, 1e-2);
@@ -156,21 +156,21 @@ TEST_P(GaussSeidelIn, StopsAtTheToleranceOrTheLimit) {
 
 // However far from equilibrium: a junction moves once in a sweep, and a pressure as often as its
 // bubble has sides.
-TEST_P(GaussSeidelIn, LimitsWhatABlockChanges) {
+TEST_P(GaussSeidelIn, LimitsTheChangeOfABlock) {
     constexpr double kLargest = 1e-3;
     const Foam before = test::raw_foam(60, 2);
     Foam foam = before;
     gauss_seidel(foam, {.max_sweeps = 1, .order = GetParam(), .largest_change = kLargest});
-    const double share = 1.01 * kLargest;  // films and units change within the sweep
+    const double fraction = 1.01 * kLargest;  // films and units change within the sweep
     for (const FilmId film : before.network.films()) {
         const HalfEdgeId h = forward_side(film);
         const double length = chord(before, h).norm();
-        EXPECT_LT((chord(foam, h) - chord(before, h)).norm(), 2.0 * share * length);
+        EXPECT_LT((chord(foam, h) - chord(before, h)).norm(), 2.0 * fraction * length);
     }
     for (const BubbleId bubble : before.network.bubbles()) {
         const double unit = before.film_tension / std::sqrt(before.target_areas[bubble]);
         EXPECT_LT(std::abs(foam.pressures[bubble] - before.pressures[bubble]),
-                  before.network.sides(bubble) * share * unit);
+                  before.network.sides(bubble) * fraction * unit);
     }
 }
 
@@ -217,8 +217,8 @@ TEST(GaussSeidel, ColoredSweepsGiveTheSameBitsForAnyNumberOfThreads) {
     }
 }
 
-TEST(GaussSeidel, OrdersDifferButInTheWayToTheSolution) {
-    Foam sequential = disturbed_foam(30, 4);
+TEST(GaussSeidel, OrdersReachTheSameSolution) {
+    Foam sequential = perturbed_foam(30, 4);
     Foam colored = sequential;
     gauss_seidel(sequential, {.max_sweeps = 1});
     gauss_seidel(colored, {.max_sweeps = 1, .order = SweepOrder::Colored});

@@ -95,7 +95,7 @@ TEST(JunctionBlock, LeavesTheGhostOut) {
     }
 }
 
-TEST(JunctionBlock, LacksNothingInTheHoneycomb) {
+TEST(JunctionBlock, HasNoErrorsInAHoneycomb) {
     const Foam foam = honeycomb(4, 4);
     JunctionBlock block;
     for (const JunctionId junction : foam.network.junctions()) {
@@ -106,7 +106,7 @@ TEST(JunctionBlock, LacksNothingInTheHoneycomb) {
 
 // By its own bookkeeping the block says what measuring says, before and after a change of each of
 // its unknowns; also where films are held at the limit and where bubbles meet themselves.
-void expect_what_measuring_says(const std::vector<Foam>& foams) {
+void expect_measured_errors(const std::vector<Foam>& foams) {
     JunctionBlock block;
     for (const Foam& foam : foams) {
         for (const JunctionId junction : foam.network.junctions()) {
@@ -125,16 +125,16 @@ void expect_what_measuring_says(const std::vector<Foam>& foams) {
     }
 }
 
-TEST(JunctionBlock, LacksWhatMeasuringSays) {
-    expect_what_measuring_says(derivative_foams());
+TEST(JunctionBlock, ErrorsAgreeWithMeasuredOnes) {
+    expect_measured_errors(derivative_foams());
 }
 
 // With half angles on both sides of 90 degrees.
-TEST(JunctionBlock, LacksWhatMeasuringSaysInAPatch) {
-    expect_what_measuring_says(test::derivative_patches());
+TEST(JunctionBlock, ErrorsAgreeWithMeasuredOnesInAPatch) {
+    expect_measured_errors(test::derivative_patches());
 }
 
-TEST(JunctionBlock, ForgetsTheJunctionBefore) {
+TEST(JunctionBlock, DoesNotDependOnThePreviousJunction) {
     const Foam foam = test::bent_foam(12, 0.5, 1);
     JunctionBlock used;
     used.load(foam, JunctionId{5});

@@ -50,9 +50,9 @@ void expect_no_shared_bubble(const Network& network, const std::vector<JunctionI
 void expect_valid(const Network& network) {
     const Colors colors = color_junctions(network);
     std::set<JunctionId> seen;
-    std::size_t most = 0;
+    std::size_t largest = 0;
     for (const BubbleId bubble : network.bubbles()) {
-        most = std::max(most, junctions_of(network, bubble).size());
+        largest = std::max(largest, junctions_of(network, bubble).size());
     }
     for (const std::vector<JunctionId>& color : colors) {
         EXPECT_FALSE(color.empty());
@@ -60,7 +60,7 @@ void expect_valid(const Network& network) {
         expect_no_shared_bubble(network, color);
         seen.insert(color.begin(), color.end());
     }
-    EXPECT_GE(colors.size(), most);
+    EXPECT_GE(colors.size(), largest);
     EXPECT_EQ(seen.size(), network.junction_count());
     for (const JunctionId junction : network.junctions()) {
         EXPECT_EQ(seen.count(junction), 1U);
@@ -71,7 +71,7 @@ TEST(JunctionColoring, SharesNoBubbleInAColor) {
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
         expect_valid(test::raw_foam(200, seed).network);
     }
-    expect_valid(test::settled_foam(200, 1).network);
+    expect_valid(test::equilibrated_foam(200, 1).network);
 }
 
 TEST(JunctionColoring, SharesNoBubbleOnTinyTori) {

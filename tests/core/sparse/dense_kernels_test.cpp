@@ -84,7 +84,7 @@ class DenseKernelsTest : public testing::Test {
         return numbers;
     }
 
-    static std::vector<Real> plainly_eliminated(Index rows, Index pivots) {
+    static std::vector<Real> eliminated_by_loop(Index rows, Index pivots) {
         std::vector<Real> numbers = random_numbers<Real>(kStride * kNarrow);
         for (Index row = pivots; row < pivots + rows; ++row) {
             std::vector<Real> y;
@@ -125,7 +125,7 @@ TYPED_TEST(DenseKernelsTest, MultiplyAsAPlainLoopDoesToTheBit) {
 TYPED_TEST(DenseKernelsTest, EliminateAsAPlainLoopDoesToTheBit) {
     for (const std::ptrdiff_t rows : {0, 1, 4, 7, 8, 29, 120}) {
         for (const std::ptrdiff_t pivots : {1, 2, 9, 16}) {
-            const auto expected = this->plainly_eliminated(rows, pivots);
+            const auto expected = this->eliminated_by_loop(rows, pivots);
             for (const SimdLevel level : available_simd_levels()) {
                 const ForcedSimdLevel forced(level);
                 EXPECT_EQ(this->eliminated(rows, pivots), expected)

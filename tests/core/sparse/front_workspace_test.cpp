@@ -77,7 +77,7 @@ class Playback {
     std::vector<std::size_t> owners_;
 };
 
-TEST(FrontWorkspace, KeepsRemaindersUntilTheyAreTakenUp) {
+TEST(FrontWorkspace, KeepsRemaindersUntilTheyAreUsed) {
     for (const int bubbles : {2, 30, 300}) {
         const FrontPlan plan = plan_of(bubbles);
         Playback playback(plan);
@@ -87,7 +87,7 @@ TEST(FrontWorkspace, KeepsRemaindersUntilTheyAreTakenUp) {
     }
 }
 
-TEST(FrontWorkspace, KeepsApartWhatIsFactoredAtTheSameTime) {
+TEST(FrontWorkspace, SeparatesFrontsFactoredConcurrently) {
     const FrontPlan plan = plan_of(300);
     int forks = 0;
     for (std::size_t k = 0; k < plan.fronts.size(); ++k) {

@@ -12,19 +12,19 @@ namespace foam {
 namespace {
 
 // The zones of a graph, after a check that nothing joins them and that both are of fair size.
-std::vector<Zone> fair_zones(const WeightedGraph& graph) {
+std::vector<Zone> balanced_zones(const WeightedGraph& graph) {
     const std::vector<Zone> zones = bisect(graph);
     EXPECT_EQ(test::edges_across(graph, zones), 0);
     const int low = test::weight_of(graph, zones, Zone::Low);
     const int high = test::weight_of(graph, zones, Zone::High);
-    const int most = heaviest_zone(low + high + test::weight_of(graph, zones, Zone::Outside));
-    EXPECT_LE(low, most);
-    EXPECT_LE(high, most);
+    const int limit = heaviest_zone(low + high + test::weight_of(graph, zones, Zone::Outside));
+    EXPECT_LE(low, limit);
+    EXPECT_LE(high, limit);
     return zones;
 }
 
 int separator_weight(const WeightedGraph& graph) {
-    return test::weight_of(graph, fair_zones(graph), Zone::Outside);
+    return test::weight_of(graph, balanced_zones(graph), Zone::Outside);
 }
 
 // A square of side n is cut apart by n points, and a torus by 2 n. A multilevel method promises no
@@ -61,7 +61,7 @@ TEST(GraphBisection, FindsTheOnePointThatJoinsTwoParts) {
         std::vector<SolverNode>(2 * kPoints - 1, SolverNode{Vec2::Zero(), 1}),
         test::coupled_matrix(2 * kPoints - 1, pairs)};
     const WeightedGraph graph = test::graph_of(system);
-    const std::vector<Zone> zones = fair_zones(graph);
+    const std::vector<Zone> zones = balanced_zones(graph);
     EXPECT_EQ(test::weight_of(graph, zones, Zone::Outside), 1);
     EXPECT_EQ(zones[kPoints - 1], Zone::Outside);
 }
@@ -75,7 +75,7 @@ TEST(GraphBisection, TakesASingleNode) {
     EXPECT_EQ(bisect({{3}, {}, {0, 0}}).size(), 1U);
 }
 
-TEST(GraphBisection, LeavesNothingAcrossInACompleteGraph) {
+TEST(GraphBisection, LeavesNoEdgesAcrossTheSeparatorOfACompleteGraph) {
     const WeightedGraph graph = test::graph_of(test::complete_system(30));
     EXPECT_EQ(test::edges_across(graph, bisect(graph)), 0);
 }

@@ -49,16 +49,16 @@ std::vector<Zone> separated_chain(const SeparatorOptions& options) {
 
 // The third node is in the first layer beside the border.
 TEST(Separator, TakesTheLightestNodeOfTheBand) {
-    EXPECT_EQ(separated_chain({.band_layers = 1, .band_share = 1.0}),
+    EXPECT_EQ(separated_chain({.band_layers = 1, .band_fraction = 1.0}),
               (std::vector{kLow, kLow, kOutside, kHigh, kHigh, kHigh, kHigh, kHigh}));
 }
 
 // Of the two nodes at the border, which are equally light, the cut takes the one in the zone Low.
 TEST(Separator, StaysAtTheBorderIfTheBandHasNoLayers) {
     const std::vector expected{kLow, kLow, kLow, kOutside, kHigh, kHigh, kHigh, kHigh};
-    EXPECT_EQ(separated_chain({.band_layers = 0, .band_share = 1.0}), expected);
+    EXPECT_EQ(separated_chain({.band_layers = 0, .band_fraction = 1.0}), expected);
     // A layer would make the band hold two of four nodes of the zone.
-    EXPECT_EQ(separated_chain({.band_layers = 1, .band_share = 0.4}), expected);
+    EXPECT_EQ(separated_chain({.band_layers = 1, .band_fraction = 0.4}), expected);
 }
 
 // A torus whose left half is in the zone Low; in odd rows, both borders are three columns further
@@ -79,8 +79,10 @@ TEST(Separator, StraightensTheBorderWithinTheBand) {
     const test::PointSystem torus = test::torus_grid(20, 10);
     const NodeGraph graph = coupling(torus.matrix, torus.nodes);
     for (const auto& [layers, size] : {std::pair(0, 30), std::pair(1, 20)}) {
-        const std::vector<Zone> zones = separated(
-            graph, torus.nodes, toothed_zones(torus), {.band_layers = layers, .band_share = 1.0});
+        const std::vector<Zone> zones = separated(graph,
+                                                  torus.nodes,
+                                                  toothed_zones(torus),
+                                                  {.band_layers = layers, .band_fraction = 1.0});
         EXPECT_EQ(std::count(zones.begin(), zones.end(), kOutside), size) << layers << " layers";
         for (std::size_t node = 0; node < zones.size(); ++node) {
             for (const std::uint32_t neighbor : graph.of(node)) {

@@ -127,7 +127,7 @@ TEST(VertexCut, MayRunThroughSourcesAndSinks) {
     EXPECT_EQ(weight_of_cut(columns, sides), 4);
 }
 
-TEST(VertexCut, NeedsNoNodeWhereNothingIsConnected) {
+TEST(VertexCut, NeedsNoNodeBetweenComponents) {
     VertexCut cut;
     const CutProblem apart{{1, 1}, {}, {0}, {1}};
     EXPECT_EQ(solve(cut, apart), (std::vector{CutSide::Source, CutSide::Sink}));

@@ -81,7 +81,7 @@ TEST(WeightedGraph, KeepsWeightsOverManyRoundsOfMerging) {
     }
 }
 
-TEST(WeightedGraph, LeavesNodesWithoutNeighborsAlone) {
+TEST(WeightedGraph, KeepsNodesWithoutNeighbors) {
     const CoarseGraph coarse = coarsen({{1, 1, 1}, {}, {0, 0, 0, 0}}, kAnyWeight);
     EXPECT_EQ(coarse.graph.weights, (std::vector{1, 1, 1}));
 }

@@ -28,7 +28,7 @@ TEST(Camera, FitsThePatchWithItsMargin) {
 }
 
 // Three quarters to the right in 400 pixels of 50 a unit are 2 units, one quarter up in 200 is 1.
-TEST(Camera, ZoomsInOnAPlaceOfTheFittedImage) {
+TEST(Camera, ZoomsInOnAPositionInTheFittedImage) {
     const View view =
         camera_view(circle(), kWide, {.zoom = 3.0, .margin = 0.0, .center = {0.75, 0.25}});
     EXPECT_NEAR(view.pixels_per_unit, 150.0, 1e-12);
@@ -57,7 +57,7 @@ TEST(Camera, SeesHowFarArcsBulge) {
     EXPECT_NEAR((0.5 * (low + high) - Vec2(50.0, 50.0)).norm(), 0.0, 1e-4);
 }
 
-TEST(Camera, OfNothingStandsStill) {
+TEST(Camera, IsFiniteWithoutBubbles) {
     const View view = camera_view(snapshot(test::circles({}), 1), kWide, {.zoom = 2.0});
     EXPECT_TRUE(std::isfinite(view.pixels_per_unit));
     EXPECT_TRUE(view.center.allFinite());

@@ -11,8 +11,10 @@
 namespace foam::texgen {
 namespace {
 
-TopologyEvent event_at(double time, const Vec2& place, std::vector<BubbleIdentity> bubbles = {}) {
-    return {TopologyEventKind::T1, time, place, std::move(bubbles)};
+TopologyEvent event_at(double time,
+                       const Vec2& position,
+                       std::vector<BubbleIdentity> bubbles = {}) {
+    return {TopologyEventKind::T1, time, position, std::move(bubbles)};
 }
 
 TEST(History, EventsBelongToTheFrameThatShowsThemFirst) {
@@ -47,7 +49,7 @@ TEST(History, RenumbersTheFramesOfACycle) {
     EXPECT_EQ(history.record().events.front().frame, -1);
 }
 
-TEST(History, KnowsWhenBubblesWereBornAndWhenTheyChanged) {
+TEST(History, RecordsBirthsAndChangesOfBubbles) {
     Foam foam = honeycomb(4, 4);
     History history(foam);
     foam.events = {event_at(0.25, {0.0, 0.0}, {3, 5})};

@@ -20,12 +20,12 @@ TEST(LoopPose, OnlyShearAndDriftPose) {
 TEST(LoopPose, DriftIsInPartsOfTheTorus) {
     const Foam foam = honeycomb(4, 4);
     const LoopOptions loop{.kind = LoopKind::Drift, .drift = {2, -1}};
-    const Vec2 way(0.5 * foam.domain.width, -0.25 * foam.domain.height);
+    const Vec2 displacement(0.5 * foam.domain.width, -0.25 * foam.domain.height);
     const Vec2 point(0.3, 0.4);
-    EXPECT_LT((posed(point, foam.domain, loop, 0.25) - (point + way)).norm(), 1e-12);
+    EXPECT_LT((posed(point, foam.domain, loop, 0.25) - (point + displacement)).norm(), 1e-12);
     const Foam moved = posed(foam, loop, 0.25);
     for (const JunctionId junction : foam.network.junctions()) {
-        const Vec2 off = moved.positions[junction] - foam.positions[junction] - way;
+        const Vec2 off = moved.positions[junction] - foam.positions[junction] - displacement;
         EXPECT_LT(foam.domain.nearest_copy(off).norm(), 1e-12);
     }
 }

@@ -15,7 +15,7 @@ TEST(ShownStates, MostAnimationsShowTheStatesInOrder) {
 }
 
 // Of 1 2 3 4 3 2, and so on.
-TEST(ShownStates, APingpongComesBackFromItsMiddle) {
+TEST(ShownStates, APingpongReversesAtItsMiddle) {
     const LoopOptions loop{.kind = LoopKind::PingPong};
     EXPECT_EQ(shown_states(4, loop, 6), (ShownStates{.state = 4, .next = 3}));
     EXPECT_EQ(shown_states(6, loop, 6), (ShownStates{.state = 2, .next = 1}));

@@ -88,7 +88,7 @@ TEST(SimulateFrames, EffortsDoNotDependOnWhetherNextFramesAreHandedOut) {
 }
 
 // Six frames: 1 2 3 4 3 2 of the foam, each with the one that is shown after it.
-TEST(SimulateFrames, APingpongComesBackFromItsMiddle) {
+TEST(SimulateFrames, APingpongReversesAtItsMiddle) {
     Preset preset = small_preset();
     preset.loop.kind = LoopKind::PingPong;
     preset.frames.count = 6;
@@ -152,7 +152,7 @@ TEST(SimulateFrames, AFlowFadesIntoItsBeginning) {
     EXPECT_EQ(first->positions, last_next->positions);
 }
 
-TEST(SimulateFrames, SaysHowFarALoopIsFromClosing) {
+TEST(SimulateFrames, ReportsTheClosingErrorOfALoop) {
     Preset preset = small_preset();
     preset.loop = {.kind = LoopKind::Breathe, .amplitude = 0.8, .cycles = 1};
     preset.frames.count = 6;

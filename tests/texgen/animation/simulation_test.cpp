@@ -135,10 +135,10 @@ TEST(Simulation, BeginsWithTheDiagramWhereAsked) {
     EXPECT_GT(simulation.equilibrium().angle_error, 0.1);
     ASSERT_TRUE(simulation.advance());
     EXPECT_LT(simulation.equilibrium().angle_error, 1e-9);
-    const Frame settled = simulation.frame();
+    const Frame equilibrated = simulation.frame();
     const Frame expected = usual.frame();
     for (const JunctionId junction : expected.network.junctions()) {
-        EXPECT_EQ(settled.positions[junction], expected.positions[junction]);
+        EXPECT_EQ(equilibrated.positions[junction], expected.positions[junction]);
     }
 }
 
@@ -182,7 +182,7 @@ TEST(Simulation, TakesSolverAndToleranceFromThePreset) {
     }
 }
 
-TEST(Simulation, StandsStillWithoutTime) {
+TEST(Simulation, DoesNotChangeWithoutTime) {
     Preset preset = small_preset();
     preset.frames.time_step = 0.0;
     Simulation simulation(preset);
@@ -280,9 +280,9 @@ std::vector<std::tuple<TopologyEventKind, int, double, double>> recent(const Foa
                                                                        int frames) {
     std::vector<std::tuple<TopologyEventKind, int, double, double>> events;
     for (const RecordedEvent& event : record.events) {
-        const int ago = record.frame - event.frame;
-        if (ago < frames) {
-            events.emplace_back(event.kind, ago, event.position.x(), event.position.y());
+        const int frames_since = record.frame - event.frame;
+        if (frames_since < frames) {
+            events.emplace_back(event.kind, frames_since, event.position.x(), event.position.y());
         }
     }
     return events;

@@ -61,17 +61,17 @@ TEST(Timeline, ACollapseIsARampToTheT2Area) {
     EXPECT_TRUE(timeline.changes_to(7, foam).empty());
 }
 
-TEST(Timeline, BubblesAreChosenByPlaceOrSides) {
+TEST(Timeline, BubblesAreChosenByPositionOrSides) {
     const Preset preset = preset_with(
         "[[event]]\nkind = \"drive\"\nframe = 2\nat = [0.25, 0.75]\n"
         "[[event]]\nkind = \"drive\"\nframe = 3\nsides = [4, 6]\ncount = 3\n"
         "[[event]]\nkind = \"drive\"\nframe = 4\n");
     Timeline timeline(preset);
     Foam foam = foam_of(preset);
-    const Vec2 place(0.25 * foam.domain.width, 0.75 * foam.domain.height);
+    const Vec2 position(0.25 * foam.domain.width, 0.75 * foam.domain.height);
     StateChange change = timeline.changes_to(2, foam);
     ASSERT_EQ(change.driven.size(), 1U);
-    EXPECT_EQ(change.driven[0].bubble, identity_at(foam, place));
+    EXPECT_EQ(change.driven[0].bubble, identity_at(foam, position));
     std::set<BubbleIdentity>
         expected;  // the smallest and second of four sides, the smallest of six
     for (const std::size_t rank : {0U, 1U}) {
@@ -99,7 +99,7 @@ TEST(Timeline, ADriveSwingsWithItsPeriodInFrames) {
     }
 }
 
-TEST(Timeline, WhoeverDrivesABubbleLastHasIt) {
+TEST(Timeline, TheLastEventOverridesEarlierOnes) {
     const Preset preset = preset_with(
         "[[event]]\nkind = \"drive\"\nframes = [2, 9]\nbubble = [4, 5]\nscale = 2\n"
         "[[event]]\nkind = \"collapse\"\nframes = [4, 4]\nbubble = 5\n");
@@ -206,7 +206,7 @@ std::size_t bubbles_after(const Preset& preset, int frames) {
     return simulation.frame().bubbles.size() + simulation.frame().lone_bubbles.size();
 }
 
-TEST(TimelineInPatch, PlacesAreInPartsOfTheView) {
+TEST(TimelineInPatch, PositionsAreFractionsOfTheView) {
     const std::string collapse = "[[event]]\nkind = \"collapse\"\nframe = 3\nat = ";
     const std::size_t all = bubbles_after(patch_preset_with(""), 1);
     EXPECT_EQ(bubbles_after(patch_preset_with(collapse + "[0.5, 0.5]\n"), 3), all - 1);
@@ -216,7 +216,7 @@ TEST(TimelineInPatch, PlacesAreInPartsOfTheView) {
     EXPECT_EQ(bubbles_after(close, 3), all - 1);
 }
 
-TEST(TimelineInPatch, TheBubbleAtThePlaceIsTheOneThatIsSeenThere) {
+TEST(TimelineInPatch, DrivesTheBubbleSeenAtThePosition) {
     const Preset preset =
         patch_preset_with("[[event]]\nkind = \"drive\"\nframe = 2\nat = [0.4, 0.6]\n");
     Simulation simulation(preset);
@@ -227,10 +227,10 @@ TEST(TimelineInPatch, TheBubbleAtThePlaceIsTheOneThatIsSeenThere) {
     Foam foam = seeded_foam(preset);
     ASSERT_TRUE(equilibrate(foam, {}).converged());
     // A tenth of the image's 1024 pixels to the left of its middle, and a tenth up.
-    const Vec2 place = view.center + Vec2(-102.4, 102.4) / view.pixels_per_unit;
+    const Vec2 position = view.center + Vec2(-102.4, 102.4) / view.pixels_per_unit;
     const StateChange change = timeline.changes_to(2, foam);
     ASSERT_EQ(change.driven.size(), 1U);
-    EXPECT_EQ(change.driven[0].bubble, identity_at(foam, place));
+    EXPECT_EQ(change.driven[0].bubble, identity_at(foam, position));
 }
 
 TEST(TimelineInPatch, NewBubblesBeginWithinIt) {

@@ -44,7 +44,7 @@ TEST(Bake, GivesTheSameBytesForAnyNumberOfThreads) {
     EXPECT_EQ(differences(one, baked_files(preset, 3)), "");
 }
 
-TEST(Bake, AFrameIsTheSameWhetherOthersAreBakedOrNot) {
+TEST(Bake, FramesDoNotDependOnTheOtherFramesBaked) {
     const TemporaryFolder folder;
     const Preset preset = small_preset(folder.path() / kPattern);
     const std::vector<Bytes> all = baked_files(preset, 2);
@@ -102,7 +102,7 @@ TEST(Bake, WritesEveryMapOfAFrame) {
 }
 
 // The scale of pressures is frame 1's, drawn or not.
-TEST(Bake, EveryMapOfAFrameIsTheSameWhetherOthersAreBakedOrNot) {
+TEST(Bake, MapsDoNotDependOnTheOtherMapsBaked) {
     const TemporaryFolder folder;
     Preset preset = small_preset(folder.path() / kPattern);
     const auto names = map_names();
@@ -137,7 +137,7 @@ TEST(Bake, CompressionChangesNoPixel) {
     EXPECT_EQ(pictures[0], pictures[2]);
 }
 
-TEST(Bake, TellsItsProgressOnceAFrame) {
+TEST(Bake, ReportsProgressOncePerFrame) {
     const TemporaryFolder folder;
     std::vector<int> done;
     bake(small_preset(folder.path() / kPattern),
@@ -150,7 +150,7 @@ TEST(Bake, TellsItsProgressOnceAFrame) {
     EXPECT_EQ(done, (std::vector<int>{1, 2, 3}));
 }
 
-TEST(Bake, RefusesFramesThatAreNone) {
+TEST(Bake, RejectsInvalidFrames) {
     const TemporaryFolder folder;
     const Preset preset = small_preset(folder.path() / kPattern);
     EXPECT_THROW(bake(preset, {.frames = {}, .threads = 1}, {}), std::invalid_argument);
@@ -158,7 +158,7 @@ TEST(Bake, RefusesFramesThatAreNone) {
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "deep"));
 }
 
-TEST(Bake, SaysWhichFolderCannotBeMade) {
+TEST(Bake, ReportsTheFolderThatCannotBeCreated) {
     const TemporaryFolder folder;
     write_file(folder.path() / "deep", {});  // a file stands where the folder should be
     const auto run = [&] {

@@ -49,7 +49,7 @@ INSTANTIATE_TEST_SUITE_P(Threads, BoundedWorkersTest, testing::Values(0, 1, 2, 5
 TEST(BoundedWorkers, HoldsNoMoreJobsThanItsThreadsRunAndAwait) {
     constexpr int kThreads = 2;
     std::atomic<int> alive{0};
-    std::atomic<int> most{0};
+    std::atomic<int> max_alive{0};
     struct Load {
         std::atomic<int>& alive;
         explicit Load(std::atomic<int>& counter) : alive(counter) { ++alive; }
@@ -60,20 +60,20 @@ TEST(BoundedWorkers, HoldsNoMoreJobsThanItsThreadsRunAndAwait) {
     BoundedWorkers workers(kThreads);
     for (int k = 0; k < 50; ++k) {
         const auto load = std::make_shared<Load>(alive);
-        workers.submit([load, &alive, &most] {
-            int seen = most;
-            while (seen < alive && !most.compare_exchange_weak(seen, alive)) {
+        workers.submit([load, &alive, &max_alive] {
+            int seen = max_alive;
+            while (seen < alive && !max_alive.compare_exchange_weak(seen, alive)) {
             }
         });
     }
     workers.finish();
     // As many as run, twice as many that wait, and the one in the caller's hand.
-    EXPECT_LE(most, 3 * kThreads + 1);
-    EXPECT_GT(most, 0);
+    EXPECT_LE(max_alive, 3 * kThreads + 1);
+    EXPECT_GT(max_alive, 0);
 }
 
 // Were the caller to wait for room, nobody would ever let the one worker go on.
-TEST(BoundedWorkers, TheCallerLendsAHand) {
+TEST(BoundedWorkers, TheCallerWorksToo) {
     const std::thread::id caller = std::this_thread::get_id();
     std::atomic<bool> helped{false};
     BoundedWorkers workers(1);

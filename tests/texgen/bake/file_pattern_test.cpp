@@ -52,11 +52,11 @@ TEST(FilePattern, ASequenceKeepsThePlaceholder) {
               "sea/%04d_height.@@.png");
 }
 
-TEST(FilePattern, NamesWithPlaceholdersInThemAreTakenAsTheyAre) {
+TEST(FilePattern, NamesThatContainPlaceholdersAreNotExpanded) {
     EXPECT_EQ(FilePattern("{preset}.#.png").path("a{map}#", "m", 1).string(), "a{map}#.0001.png");
 }
 
-TEST(FilePattern, RefusesUnknownPlaceholdersAndOtherFormats) {
+TEST(FilePattern, RejectsUnknownPlaceholdersAndOtherFormats) {
     EXPECT_EQ(failure("{mpa}.#.png"),
               "output pattern '{mpa}.#.png': unknown field '{mpa}'; must be {preset} or {map}");
     EXPECT_NE(failure("{map.png"), "no failure");

@@ -67,7 +67,7 @@ TEST(FrameFiles, AMapAloneIsAnExrWithoutLayers) {
     }
 }
 
-TEST(FrameFiles, FilesTellNothingWhereTextsAreLeftOut) {
+TEST(FrameFiles, FilesHaveNoTextsIfTheyAreLeftOut) {
     const TemporaryFolder folder;
     Preset preset = small_preset(folder.path() / kPattern);
     preset.output.texts = FileTexts::LeftOut;
@@ -75,7 +75,7 @@ TEST(FrameFiles, FilesTellNothingWhereTextsAreLeftOut) {
     EXPECT_TRUE(read_picture(summary.files.front()).metadata.text.empty());
 }
 
-TEST(FrameFiles, FilesTellHowTheyWereMade) {
+TEST(FrameFiles, FilesRecordHowTheyWereMade) {
     const TemporaryFolder folder;
     const BakeSummary summary =
         bake(small_preset(folder.path() / kPattern), {.frames = {1}, .threads = 1}, {});
@@ -94,7 +94,7 @@ TEST(FrameFiles, FilesTellHowTheyWereMade) {
     EXPECT_NE(text("Preset").find("bubbles = 40"), std::string::npos);
 }
 
-TEST(FrameFiles, FilesOfMapsTellWhatTheirNumbersAre) {
+TEST(FrameFiles, FilesOfMapsDescribeTheirNumbers) {
     const TemporaryFolder folder;
     Preset preset = small_preset(folder.path() / kPattern);
     preset.image.maps = {"normal", "height"};

@@ -28,11 +28,11 @@ TEST(FrameRange, ReadsEveryForm) {
     EXPECT_EQ(parse_frame_range("1-3x100"), (Frames{1}));
 }
 
-TEST(FrameRange, ARepeatedFrameKeepsItsFirstPlace) {
+TEST(FrameRange, ARepeatedFrameKeepsItsFirstPosition) {
     EXPECT_EQ(parse_frame_range("3,1-5,3"), (Frames{3, 1, 2, 4, 5}));
 }
 
-TEST(FrameRange, RefusesEverythingElse) {
+TEST(FrameRange, RejectsEverythingElse) {
     for (const char* text :
          {"",     ",",     "1,",    ",1",      "0",           "-1",        "1-",    "1-0",
           "1--3", "a",     "1-10x", "1x2",     "1-9x0",       "1-9x-1",    "1-9z2", "1 - 3",
@@ -62,12 +62,12 @@ TEST(FrameRange, IsWrittenShort) {
     EXPECT_EQ(format_frame_range(Frames{}), "");
 }
 
-RC_GTEST_PROP(FrameRange, WhatIsWrittenReadsBack, ()) {
+RC_GTEST_PROP(FrameRange, RoundTrips, ()) {
     const auto frames = *rc::gen::nonEmpty(rc::gen::unique<Frames>(rc::gen::inRange(1, 40)));
     RC_ASSERT(parse_frame_range(format_frame_range(frames)) == frames);
 }
 
-RC_GTEST_PROP(FrameRange, XAndYShareOutTheRange, ()) {
+RC_GTEST_PROP(FrameRange, XAndYPartitionTheRange, ()) {
     const int last = *rc::gen::inRange(2, 60);
     const int step = *rc::gen::inRange(2, 9);
     const std::string range = "1-" + std::to_string(last);

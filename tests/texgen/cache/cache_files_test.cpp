@@ -18,7 +18,7 @@
 namespace foam::texgen {
 namespace {
 
-TEST(CacheFiles, AFolderThatIsNoneIsRefused) {
+TEST(CacheFiles, RejectsAFolderThatIsNoCache) {
     const TemporaryFolder folder;
     EXPECT_FALSE(is_cache(folder.path()));
     EXPECT_THROW(Cache(folder.path()), InputError);

@@ -90,12 +90,12 @@ void expect_all_same(FoamKind kind, int frames) {
     }
 }
 
-TEST(FrameCodec, ATorusComesBackToTheLastBit) {
+TEST(FrameCodec, ATorusRoundTripsBitForBit) {
     expect_all_same(FoamKind::Torus, 8);
 }
 
 // Down to lone bubbles, and to nothing.
-TEST(FrameCodec, APatchComesBackToTheLastBit) {
+TEST(FrameCodec, APatchRoundTripsBitForBit) {
     expect_all_same(FoamKind::Patch, 40);
 }
 
@@ -109,7 +109,7 @@ TEST(FrameCodec, TakesAboutAHundredBytesABubble) {
 }
 
 // Whatever is in it, what is no foam is told, and never read beyond its end.
-TEST(FrameCodec, WhatIsNoFoamIsRefused) {
+TEST(FrameCodec, RejectsInvalidFoams) {
     Simulation simulation(small_preset(FoamKind::Patch), 1);
     ASSERT_TRUE(simulation.advance());
     const Bytes good = written(simulation.frame());
@@ -118,11 +118,11 @@ TEST(FrameCodec, WhatIsNoFoamIsRefused) {
         EXPECT_THROW(read_frame(reader), BadContent) << size;
     }
     constexpr std::size_t kTopology = 4 + 5 * sizeof(double);
-    for (std::size_t place = kTopology; place < kTopology + 200; ++place) {
+    for (std::size_t offset = kTopology; offset < kTopology + 200; ++offset) {
         Bytes bad = good;
-        bad[place] ^= std::byte{0x11};
+        bad[offset] ^= std::byte{0x11};
         ByteReader reader(bad);
-        EXPECT_THROW(read_frame(reader), BadContent) << place;
+        EXPECT_THROW(read_frame(reader), BadContent) << offset;
     }
 }
 

@@ -16,7 +16,7 @@
 namespace foam::texgen {
 namespace {
 
-TEST(PackedFile, AStateThatIsMissingDamagedOrForeignIsRefused) {
+TEST(PackedFile, AStateThatIsMissingDamagedOrForeignIsRejected) {
     const TemporaryFolder folder;
     simulate_into_cache(all_maps_of_a_foam(), {.frames = {1, 2}, .threads = 1}, folder.path(), {});
     EXPECT_EQ(error_of(folder.path(), 2), "");
@@ -25,7 +25,7 @@ TEST(PackedFile, AStateThatIsMissingDamagedOrForeignIsRefused) {
                   "' has no frame 7; it was simulated for "
                   "frames 1-2");
     const std::filesystem::path path = folder.path() / "state.000002.foam";
-    const std::string place = "cannot read '" + path.string() + "': ";
+    const std::string prefix = "cannot read '" + path.string() + "': ";
     const Bytes good = read_file(path);
     const auto error_with = [&](std::size_t place_of_byte) {
         Bytes bad = good;
@@ -34,12 +34,12 @@ TEST(PackedFile, AStateThatIsMissingDamagedOrForeignIsRefused) {
         return error_of(folder.path(), 2);
     };
     EXPECT_EQ(error_with(good.size() - 1),
-              place + "the file is damaged: its checksum does not match");
-    EXPECT_EQ(error_with(0), place + "not a foamtex file of kind 'state'");
-    EXPECT_EQ(error_with(16), place + "file version 0 is not supported; must be 1");
-    EXPECT_EQ(error_with(30), place + "the file belongs to a different simulation than its cache");
+              prefix + "the file is damaged: its checksum does not match");
+    EXPECT_EQ(error_with(0), prefix + "not a foamtex file of kind 'state'");
+    EXPECT_EQ(error_with(16), prefix + "file version 0 is not supported; must be 1");
+    EXPECT_EQ(error_with(30), prefix + "the file belongs to a different simulation than its cache");
     write_file(path, std::span(good).first(20));
-    EXPECT_EQ(error_of(folder.path(), 2), place + "not a foamtex file of kind 'state'");
+    EXPECT_EQ(error_of(folder.path(), 2), prefix + "not a foamtex file of kind 'state'");
 }
 
 }  // namespace

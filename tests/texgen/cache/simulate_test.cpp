@@ -13,7 +13,7 @@ namespace foam::texgen {
 namespace {
 
 // What an earlier simulation left must not slip in.
-TEST(SimulateIntoCache, StatesOfAnotherSimulationAreNotTaken) {
+TEST(SimulateIntoCache, DoesNotReuseStatesOfAnotherSimulation) {
     const TemporaryFolder folder;
     Preset preset = all_maps_of_a_foam();
     simulate_into_cache(preset, {.frames = {1, 2, 3, 4}, .threads = 1}, folder.path(), {});
@@ -23,7 +23,7 @@ TEST(SimulateIntoCache, StatesOfAnotherSimulationAreNotTaken) {
     EXPECT_NE(error_of(folder.path(), 4).find("different simulation"), std::string::npos);
 }
 
-TEST(SimulateIntoCache, ASimulationThatIsRefusedWritesNothing) {
+TEST(SimulateIntoCache, ARejectedSimulationWritesNothing) {
     const TemporaryFolder folder;
     const std::filesystem::path deep = folder.path() / "deep";
     EXPECT_THROW(simulate_into_cache(all_maps_of_a_foam(), {.frames = {}, .threads = 1}, deep, {}),

@@ -14,18 +14,18 @@
 namespace foam::texgen {
 namespace {
 
-TEST(SimulationKeys, AnUnknownTableDecides) {
-    EXPECT_TRUE(decides_simulation("gravity"));
-    EXPECT_TRUE(decides_simulation(""));
+TEST(SimulationKeys, AnUnknownTableAffectsTheSimulation) {
+    EXPECT_TRUE(table_affects_simulation("gravity"));
+    EXPECT_TRUE(table_affects_simulation(""));
 }
 
-TEST(SimulationKeys, LooksDoNotDecide) {
+TEST(SimulationKeys, AppearanceTablesDoNotAffectTheSimulation) {
     for (const char* table : {"foam", "dynamics", "frames", "loop"}) {
-        EXPECT_TRUE(decides_simulation(table)) << table;
+        EXPECT_TRUE(table_affects_simulation(table)) << table;
     }
     for (const char* table :
          {"preset", "image", "camera", "output", "albedo", "relief", "height", "event_map"}) {
-        EXPECT_FALSE(decides_simulation(table)) << table;
+        EXPECT_FALSE(table_affects_simulation(table)) << table;
     }
 }
 
@@ -34,7 +34,7 @@ Preset changed(Preset preset, const std::string& argument) {
     return preset;
 }
 
-TEST(SimulationKeys, TheHashChangesWithWhatDecides) {
+TEST(SimulationKeys, TheHashDependsOnKeysThatAffectTheSimulation) {
     const Preset preset;
     const std::string hash = simulation_hash(preset);
     for (const char* argument : {"foam.seed=2",
@@ -57,7 +57,7 @@ Preset patch_with(const std::string& events) {
     return parse_preset("[foam]\ndomain = \"patch\"\n" + events, "a", "a.toml");
 }
 
-TEST(SimulationKeys, TheCameraDecidesIfEventsHavePositions) {
+TEST(SimulationKeys, TheCameraAffectsTheSimulationIfEventsHavePositions) {
     const Preset without = patch_with("[[event]]\nkind = \"collapse\"\nframe = 3\nbubble = 4\n");
     const Preset with = patch_with("[[event]]\nkind = \"collapse\"\nframe = 3\nat = [0, 0]\n");
     EXPECT_EQ(simulation_hash(changed(without, "camera.zoom=2")), simulation_hash(without));

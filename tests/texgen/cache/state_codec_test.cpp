@@ -12,13 +12,13 @@
 namespace foam::texgen {
 namespace {
 
-TEST(StateCodec, NumbersComeBack) {
+TEST(StateCodec, NumbersRoundTrip) {
     const std::vector<double> numbers = {0.0, -1.5, 1e300};
     EXPECT_EQ(unpack_numbers(pack_numbers(numbers)), numbers);
     EXPECT_TRUE(unpack_numbers(pack_numbers({})).empty());
 }
 
-TEST(StateCodec, WhatEndsTooEarlyIsBadContent) {
+TEST(StateCodec, ATruncatedStateIsBadContent) {
     const Bytes packed = pack_numbers({1.0, 2.0});
     for (std::size_t size = 0; size < packed.size(); ++size) {
         EXPECT_THROW(unpack_numbers(std::span(packed).first(size)), BadContent) << size;

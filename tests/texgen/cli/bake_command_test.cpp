@@ -44,7 +44,7 @@ TEST(BakeCommand, BakesAndMeasuresAPatch) {
                     "y, ...), (x y of a hole, ...))\"");
 }
 
-TEST(BakeCommand, QuietSaysNothingAndVerboseALinePerFrame) {
+TEST(BakeCommand, QuietPrintsNothingAndVerboseALinePerFrame) {
     const std::string small = "bake sea_foam --set foam.bubbles=16 --frames 1 --size 8 --out a.png";
     const Outcome quiet = run_program(small + " -q");
     EXPECT_EQ(quiet.code, 0);

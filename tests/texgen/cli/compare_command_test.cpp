@@ -51,7 +51,7 @@ TEST_F(CompareCommand, ExitCodesAreThoseOfIdiff) {
     EXPECT_EQ(compare("a.0001.png none.png").code, 4);
 }
 
-TEST_F(CompareCommand, OneLineSaysWhatIsApart) {
+TEST_F(CompareCommand, PrintsTheDifferenceOnOneLine) {
     EXPECT_EQ(compare("a.0002.png b.0002.png").out,
               "b.0002.png: failure, largest difference 0.2 in Y at 0,1, mean 0.025, 1 samples "
               "above the limits\n");

@@ -37,7 +37,7 @@ TEST(FlipbookCommand, NamesItsFiles) {
     EXPECT_EQ(strip.height(), 3 * 32);
 }
 
-TEST(FlipbookCommand, WarnsOfWhatHardwareDoesNotTake) {
+TEST(FlipbookCommand, WarnsOfSizesThatHardwareDoesNotSupport) {
     const TemporaryFolder folder;
     bake(folder);
     const Outcome outcome =

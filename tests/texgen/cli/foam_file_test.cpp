@@ -15,7 +15,7 @@
 namespace foam::texgen {
 namespace {
 
-TEST(FoamFile, TheNameDecidesTheFormat) {
+TEST(FoamFile, TheNameSelectsTheFormat) {
     for (const char* const name : {"a.fe", "b.dmp", "folder.x/c.json"}) {
         EXPECT_NO_THROW(check_foam_name(name)) << name;
     }

@@ -11,7 +11,7 @@
 namespace foam::texgen {
 namespace {
 
-TEST(Grammar, HasWhatTheHelpHas) {
+TEST(Grammar, AgreesWithTheHelp) {
     CLI::App app("A program", "program");
     CLI::App* const command = app.add_subcommand("brew", "Make tea");
     int cups = 0;

@@ -24,7 +24,7 @@ Json object_of(const Outcome& outcome) {
     return Json::parse(outcome.out);
 }
 
-TEST(JsonReport, OfABakeTellsTheFiles) {
+TEST(JsonReport, OfABakeListsTheFiles) {
     const TemporaryFolder work;
     const Json baked = object_of(run_program("bake " + small_foam() + "--frames 1-2 --json", work));
     EXPECT_EQ(baked["status"], "complete");
@@ -43,7 +43,7 @@ TEST(JsonReport, OfABakeTellsTheFiles) {
     EXPECT_EQ(idle["closing_error"], baked["closing_error"]);
 }
 
-TEST(JsonReport, OfACacheItsRendersAndStatistics) {
+TEST(JsonReport, OfACacheRendersAndStatistics) {
     const TemporaryFolder work;
     const Json simulated =
         object_of(run_program("simulate " + small_foam() + "--cache c --json", work));
@@ -55,7 +55,7 @@ TEST(JsonReport, OfACacheItsRendersAndStatistics) {
     EXPECT_GE(measured["files"].size(), 3U);  // two tables, a script, and charts by gnuplot
 }
 
-TEST(JsonReport, OfAComparisonTellsEveryImage) {
+TEST(JsonReport, OfAComparisonListsEveryImage) {
     const TemporaryFolder work;
     ASSERT_EQ(run_program("bake " + small_foam() + "-q", work).code, 0);
     const std::string pattern = "out/sea_foam_albedo.####.png ";
@@ -93,7 +93,7 @@ TEST(JsonReport, OfAFlipbookAndPreviews) {
     EXPECT_LT(baked["closing_error"], 1e-9);
 }
 
-TEST(JsonReport, OfAFailureSaysWhich) {
+TEST(JsonReport, OfAFailureNamesTheError) {
     const Outcome outcome = run_program(
         "bake sea_foam --set foam.bubbles=40 --set loop.amplitude=0.9 --set loop.cycles=1 "
         "--set frames.count=6 --size 16 --json");

@@ -27,7 +27,7 @@ TEST(Main, HelpFitsOneScreenAndNamesTheExitCodes) {
               std::string::npos);
 }
 
-TEST(Main, SaysItsVersionAndLicenses) {
+TEST(Main, PrintsItsVersionAndLicenses) {
     const std::string out = run_program("--version").out;
     EXPECT_EQ(out.rfind("foamtex " FOAMTEX_VERSION "\n", 0), 0U);
     EXPECT_NE(out.find("Apache-2.0"), std::string::npos);

@@ -32,7 +32,7 @@ std::string probed(const std::string& file,
     return file_content(folder.path() / "said");
 }
 
-TEST(PreviewCommand, ShowsAPresetAndLeavesNothingElse) {
+TEST(PreviewCommand, ShowsAPresetAndLeavesNoOtherFiles) {
     const TemporaryFolder folder;
     const Outcome outcome = run_program(std::string("preview sea_foam ") + kSmall, folder);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
@@ -68,7 +68,7 @@ TEST(PreviewCommand, ABadRequestIsOneLine) {
 }
 
 // An empty PATH hides it, wherever it may be installed.
-TEST(PreviewCommand, SaysWhereThereIsNoFfmpeg) {
+TEST(PreviewCommand, ReportsMissingFfmpeg) {
     const TemporaryFolder folder;
     const std::string command = "cd " + folder.path().string() + " && PATH=. '" +
                                 test::executable().string() + "' preview sea_foam --as mp4 2>err";

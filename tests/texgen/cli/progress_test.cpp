@@ -15,7 +15,7 @@ TEST(Progress, TheBarFillsInProportion) {
     EXPECT_EQ(progress_bar(last), "[########################] 48/48  9 bubbles  0:00 left");
 }
 
-TEST(Progress, BeforeTheFirstFrameNothingIsForetold) {
+TEST(Progress, HasNoEstimateBeforeTheFirstFrame) {
     const RunProgress none{.total = 100, .bubbles = 7, .seconds = 3.0};
     EXPECT_EQ(progress_bar(none), "[------------------------]   0/100  7 bubbles");
 }

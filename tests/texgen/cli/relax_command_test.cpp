@@ -56,7 +56,7 @@ TEST(RelaxCommand, PrintsOneJsonObject) {
     EXPECT_GT(result.at("seconds").get<double>(), 0.0);
 }
 
-TEST(RelaxCommand, StatesGoThereAndBackAndThreadsDoNotMatter) {
+TEST(RelaxCommand, StatesRoundTripForAnyNumberOfThreads) {
     const TemporaryFolder work;
     ASSERT_EQ(run_program("relax " + torus64() + " -o a.json -q --threads 1", work).code, 0);
     ASSERT_EQ(run_program("relax " + torus64() + " -o b.json -q --threads 3", work).code, 0);
@@ -68,13 +68,13 @@ TEST(RelaxCommand, StatesGoThereAndBackAndThreadsDoNotMatter) {
     EXPECT_TRUE(state.positions == evolver.positions);
 }
 
-TEST(RelaxCommand, QuietSaysNothing) {
+TEST(RelaxCommand, QuietPrintsNothing) {
     const Outcome outcome = run_program("relax " + torus64() + " -o out.dmp -q");
     EXPECT_EQ(outcome.code, 0);
     EXPECT_EQ(outcome.out + outcome.err, "");
 }
 
-TEST(RelaxCommand, NotesWhatAFoamHasNot) {
+TEST(RelaxCommand, NotesMissingPartsOfAFoam) {
     const TemporaryFolder work;
     std::string text = file_content(torus64());
     text.insert(text.find("\n2 "), " fixed");
@@ -128,7 +128,7 @@ TEST(RelaxCommand, WithoutEquilibriumNothingIsWritten) {
     EXPECT_EQ(work.files(), std::vector<std::string>{"in.json"});
 }
 
-TEST(RelaxCommand, WhatCannotBeWrittenIsCode5) {
+TEST(RelaxCommand, OutputErrorIsCode5) {
     const Outcome outcome = run_program("relax " + torus64() + " -o none/out.fe");
     EXPECT_EQ(outcome.code, static_cast<int>(ExitCode::OutputFailed));
     EXPECT_EQ(outcome.err, "foamtex: cannot write 'none/out.fe': No such file or directory\n");

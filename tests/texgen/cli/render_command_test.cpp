@@ -36,7 +36,7 @@ class RenderCommand : public testing::Test {
 };
 
 // Also where the machines share the frames.
-TEST_F(RenderCommand, DrawsWhatABakeDraws) {
+TEST_F(RenderCommand, DrawsTheSameAsABake) {
     ASSERT_EQ(run("bake " + small_foam() + " --maps albedo,motion -q").code, 0);
     std::filesystem::rename(work_.path() / "out", work_.path() / "baked");
     for (const char* frames : {"3-4", "1-2"}) {
@@ -54,13 +54,13 @@ TEST_F(RenderCommand, DrawsWhatABakeDraws) {
     EXPECT_EQ(run("verify out -q").code, 0);
 }
 
-TEST_F(RenderCommand, TakesTheFramesOfTheCacheAndWhatChangesNoFoam) {
+TEST_F(RenderCommand, TakesTheCachedFramesAndDrawingOptions) {
     const Outcome outcome = run("render foam --size 64x32 --maps normal --normal-y dx");
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(outcome.out, "out/sea_foam_normal.####.png 1-4\n");
 }
 
-TEST_F(RenderCommand, WhatChangesTheFoamIsOneLineAndCode2) {
+TEST_F(RenderCommand, OptionThatChangesTheFoamIsOneLineAndCode2) {
     expect_rejected("foam --set foam.seed=5",
                     ExitCode::BadRequest,
                     "key 'foam.seed' = 5: must be 1, as in the cache; with a cache, only keys of "
@@ -71,7 +71,7 @@ TEST_F(RenderCommand, WhatChangesTheFoamIsOneLineAndCode2) {
                     "such as [32, 16]");
 }
 
-TEST_F(RenderCommand, WhatIsNotInTheCacheIsOneLineAndCode4) {
+TEST_F(RenderCommand, MissingFrameIsOneLineAndCode4) {
     expect_rejected("foam --frames 9",
                     ExitCode::BadInput,
                     "the cache 'foam' has no frame 9; it was simulated for frames 1-4");

@@ -16,7 +16,7 @@
 namespace foam::texgen {
 namespace {
 
-TEST(StatsCommand, StatsWritesTablesAndCharts) {
+TEST(StatsCommand, WritesTablesAndCharts) {
     const Outcome outcome =
         run_program("stats sea_foam --set foam.bubbles=16 --frames 1-3 --seed 5");
     EXPECT_EQ(outcome.code, 0) << outcome.err;
@@ -42,7 +42,7 @@ TEST(StatsCommand, StatsWritesTablesAndCharts) {
 }
 
 // Without programs in PATH there is no gnuplot.
-TEST(StatsCommand, StatsSaysWhyThereAreNoCharts) {
+TEST(StatsCommand, ReportsWhyThereAreNoCharts) {
     const std::string path = std::getenv("PATH");
     setenv("PATH", "/no-such-folder", 1);
     const Outcome outcome = run_program("stats sea_foam --set foam.bubbles=16 --frames 1-3");
@@ -54,7 +54,7 @@ TEST(StatsCommand, StatsSaysWhyThereAreNoCharts) {
     EXPECT_EQ(outcome.written.size(), 3U);
 }
 
-TEST(StatsCommand, StatsTakesTheOptionsOfABakeAndAFolder) {
+TEST(StatsCommand, TakesTheOptionsOfABakeAndAFolder) {
     const std::string small = "stats labyrinth --set foam.bubbles=16 --size 32x16 --frames 2,1 ";
     const Outcome verbose = run_program(small + "--threads 1 -v");
     EXPECT_EQ(verbose.code, 0) << verbose.err;

@@ -8,7 +8,7 @@
 namespace foam::texgen {
 namespace {
 
-TEST(VerifyCommand, TellsByItsExitCodeWhetherAllOfItHolds) {
+TEST(VerifyCommand, ReportsFailuresByItsExitCode) {
     const TemporaryFolder work;
     ASSERT_EQ(
         run_program("bake sea_foam --set foam.bubbles=16 --size 32 --frames 1-3 -q", work).code, 0);

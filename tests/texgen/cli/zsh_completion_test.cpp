@@ -12,7 +12,7 @@
 namespace foam::texgen {
 namespace {
 
-TEST(ZshCompletion, OfZshKnowsEveryCommand) {
+TEST(ZshCompletion, OffersEveryCommand) {
     const std::string script = run_program("completion zsh").out;
     EXPECT_TRUE(script.starts_with("#compdef foamtex\n"));
     for (const char* command : {"bake", "presets_show", "compare", "verify"}) {

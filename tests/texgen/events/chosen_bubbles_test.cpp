@@ -17,7 +17,7 @@ std::vector<BubbleIdentity> identities(const std::vector<ChosenBubble>& chosen) 
     return all;
 }
 
-TEST(ChosenBubbles, ByIdentityFromTheOneWhoseTurnItIs) {
+TEST(ChosenBubbles, ByIdentityFromAnIndex) {
     test::EventSubject subject;
     EventBase event;
     event.bubbles = {3, 5, 99, 8};  // 99 does not exist
@@ -38,7 +38,7 @@ TEST(ChosenBubbles, ByTheSmallestOfANumberOfSides) {
     EXPECT_TRUE(choose_bubbles(event, subject.stage(2), 0, 3).empty());
 }
 
-TEST(ChosenBubbles, WithoutACountAllOfThem) {
+TEST(ChosenBubbles, AreAllWithoutACount) {
     test::EventSubject subject;
     EXPECT_EQ(choose_bubbles({}, subject.stage(2), 0, 0).size(), 16U);
     subject.foam.lone_bubbles.push_back({40, {0.0, 0.0}, 0.7});

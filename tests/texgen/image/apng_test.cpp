@@ -83,14 +83,14 @@ TEST(Apng, KeepsTheDataOfEveryFrame) {
 }
 
 // libpng, which knows nothing of animations, checks every check sum.
-TEST(Apng, ShowsItsFirstFrameToProgramsThatKnowPngAlone) {
+TEST(Apng, ShowsItsFirstFrameInProgramsWithoutApngSupport) {
     const Picture read = decode_png(animation(2));
     EXPECT_EQ(codes8(read), picture(0));
     EXPECT_TRUE(read.metadata.color);
     EXPECT_EQ(read.metadata.text.size(), 1U);
 }
 
-TEST(Apng, RefusesWhatIsNoAnimation) {
+TEST(Apng, RejectsInvalidAnimations) {
     EXPECT_THROW(ApngMuxer(0, kRate), std::invalid_argument);
     EXPECT_THROW(ApngMuxer(1, FrameRate{0, 1}), std::invalid_argument);
     EXPECT_THROW(ApngMuxer(1, FrameRate{24, 65536}), std::invalid_argument);
@@ -102,7 +102,7 @@ TEST(Apng, RefusesWhatIsNoAnimation) {
     EXPECT_THROW(muxer.add(stream_of(2)), std::invalid_argument);
 }
 
-TEST(Apng, RefusesWhatIsNoFrame) {
+TEST(Apng, RejectsInvalidFrames) {
     ApngMuxer muxer(1, kRate);
     EXPECT_THROW(muxer.add({}), std::invalid_argument);
     Bytes cut = stream_of(0);

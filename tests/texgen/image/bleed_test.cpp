@@ -24,7 +24,7 @@ Color color_at(const Image16& image, int x, int y) {
     return {pixel[0], pixel[1], pixel[2]};
 }
 
-TEST(Bleed, LeavesWhatIsOpaqueAtAll) {
+TEST(Bleed, KeepsPixelsThatAreNotFullyTransparent) {
     Image16 image(2, 1, 4);
     set(image, 0, 0, {10, 20, 30}, 1);
     set(image, 1, 0, {40, 50, 60}, 65535);
@@ -59,7 +59,7 @@ TEST(Bleed, IsOfThePixelsAround) {
     EXPECT_EQ(color_at(image, 7, 0), (Color{50, 50, 0}));
 }
 
-TEST(Bleed, OfNothingIsTheFallback) {
+TEST(Bleed, UsesTheFallbackIfAllIsTransparent) {
     for (const int size : {1, 3, 5}) {
         Image16 image(size, 4, 4);
         bleed_colors(image.view(), {1, 2, 3});

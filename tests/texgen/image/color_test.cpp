@@ -21,7 +21,7 @@ TEST(Color, TransferFunctionMatchesTheStandard) {
     EXPECT_NEAR(linear_to_srgb(0.0031308), 12.92 * 0.0031308, 1e-15);  // the end of the toe
 }
 
-TEST(Color, EveryCodeSurvivesTheWayThroughLight) {
+TEST(Color, EveryCodeRoundTripsThroughLinearLight) {
     for (int code = 0; code < 256; ++code) {
         const auto c = static_cast<std::uint8_t>(code);
         const Srgb8 color{c, static_cast<std::uint8_t>(255 - code), c};
@@ -39,7 +39,7 @@ TEST(Color, ParsesSixHexDigitsInEitherCase) {
     EXPECT_EQ(parse_color("#FFA007"), (Srgb8{255, 160, 7}));
 }
 
-TEST(Color, RefusesAnythingElse) {
+TEST(Color, RejectsAnythingElse) {
     for (const char* text :
          {"", "#", "ffa007", "#ffa00", "#ffa0070", "#ffa00g", "#-fa007", "# fa007"}) {
         EXPECT_THROW(parse_color(text), std::invalid_argument) << text;

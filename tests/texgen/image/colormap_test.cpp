@@ -33,7 +33,7 @@ TEST(ColorMap, HasTheKnownEntries) {
 }
 
 // A stride of 4: the rounding to 8 bits may turn direct neighbors round by less than one code.
-TEST(ColorMap, LightnessRunsOneWay) {
+TEST(ColorMap, LightnessIsMonotone) {
     for (const std::string_view name : colormap_names()) {
         const ColorMap& map = find_colormap(name);
         const bool darkens = name == "labyrinth_blue";

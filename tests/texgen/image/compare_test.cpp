@@ -22,7 +22,7 @@ Picture gray(const std::vector<double>& numbers, const std::string& name = "Y") 
 }
 
 // By hand: 0.5 and 0.25 apart in two of six samples.
-TEST(Compare, MeasuresWhatIsApart) {
+TEST(Compare, MeasuresDifferences) {
     const Picture a = gray({0, 0, 0, 1, 1, 1});
     const Picture b = gray({0, 0.25, 0, 1, 1, 0.5});
     const Comparison found = compare(a, b, {.warn = 0.1, .fail = 0.3});
@@ -37,7 +37,7 @@ TEST(Compare, MeasuresWhatIsApart) {
 }
 
 // A limit is still allowed.
-TEST(Compare, LimitsDecide) {
+TEST(Compare, VerdictFollowsTheLimits) {
     const Picture a = gray({0, 0, 0, 0, 0, 0});
     const Picture b = gray({0.5, 0, 0, 0, 0, 0});
     EXPECT_EQ(compare(a, a).verdict, Verdict::Same);
@@ -57,7 +57,7 @@ TEST(Compare, OtherFormsAreNotCompared) {
     }
 }
 
-TEST(Compare, WhatIsNoNumberIsApartFromNumbersOnly) {
+TEST(Compare, NanDiffersFromNumbersOnly) {
     const double nan = std::nan("");
     const double infinity = std::numeric_limits<double>::infinity();
     const Picture a = gray({nan, infinity, 0, 0, 0, 0});

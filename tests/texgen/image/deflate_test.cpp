@@ -67,7 +67,7 @@ Bytes joined(std::span<const std::byte> first, std::span<const std::byte> second
 class DeflateTest : public testing::TestWithParam<Compression> {};
 
 // Noise does not shrink: the most that can come out.
-TEST_P(DeflateTest, ZlibUndoesIt) {
+TEST_P(DeflateTest, ZlibInflatesIt) {
     Deflater deflater;
     for (const std::size_t size : {0U, 1U, 1000U, 70'000U, 600'000U}) {
         for (const Bytes& data : {noise(size), runs(size)}) {
@@ -93,7 +93,7 @@ TEST(Deflate, PartsInARowAreOneStream) {
 
 // Several live at once, hence at addresses of their own. The data is short, so that the library has
 // few places to remember it by, and begins with bytes that come again and again.
-TEST(Deflate, TheBytesDoNotDependOnWhereTheDeflaterLies) {
+TEST(Deflate, TheBytesDoNotDependOnTheAddressOfTheDeflater) {
     std::vector<Deflater> deflaters(16);
     for (unsigned seed = 1; seed <= 500; ++seed) {
         const std::size_t size = 20 + seed % 64;
@@ -110,7 +110,7 @@ TEST(Deflate, TheBytesDoNotDependOnWhereTheDeflaterLies) {
 
 // From RFC 1950: s1 = 1 + the sum of the bytes, s2 = the sum of the s1; "ab": s1 = 1 + 97 + 98 =
 // 196, s2 = 98 + 196 = 294.
-TEST(Deflate, CheckSumIsAdlers) {
+TEST(Deflate, ChecksumIsAdler32) {
     const std::string_view text = "ab";
     const auto bytes = std::as_bytes(std::span(text));
     EXPECT_EQ(adler32_of(bytes), 294U << 16 | 196U);

@@ -34,7 +34,7 @@ Image<float> channel_of(const Image<float>& image, int channel) {
     return alone;
 }
 
-RC_GTEST_PROP(ExrDecode, PixelsAndTextsComeBack, ()) {
+RC_GTEST_PROP(ExrDecode, PixelsAndTextsRoundTrip, ()) {
     const int width = *rc::gen::inRange(1, 90);
     const int height = *rc::gen::inRange(1, 70);
     const Image<float> image = numbered_floats(width, height, 3);
@@ -80,9 +80,9 @@ TEST(ExrDecode, EveryTruncationIsAnInputError) {
     }
 }
 
-// The attribute dataWindow, a box2i of 16 bytes, made 900000 x 900000 pixels: refused before memory
-// is asked for.
-TEST(ExrDecode, AHeaderThatPromisesTooMuchIsAnInputError) {
+// The attribute dataWindow, a box2i of 16 bytes, made 900000 x 900000 pixels: rejected before
+// memory is asked for.
+TEST(ExrDecode, AHeaderOfAHugeImageIsAnInputError) {
     Bytes stream = encoded(SampleType::Half, Image<float>(1, 1, 1));
     const std::string text(reinterpret_cast<const char*>(stream.data()), stream.size());
     const std::size_t box = text.find("dataWindow") + 11 + std::string("box2i").size() + 1 + 4;

@@ -21,7 +21,7 @@ Bytes encoded(SampleType type, const Image<float>& image, const ExrEncoding& enc
     return encode_exr(std::span(&channel, 1), {}, encoding);
 }
 
-TEST(ExrEncode, NothingIsHeldAtZeroOrOne) {
+TEST(ExrEncode, DoesNotClampValues) {
     Image<float> image(4, 1, 1);
     const std::vector<float> values = {-65504.0F, 65504.0F, 1.0e-7F, 1.0e30F};
     std::ranges::copy(values, image.samples().begin());
@@ -34,7 +34,7 @@ TEST(ExrEncode, NothingIsHeldAtZeroOrOne) {
 }
 
 // 65520 is half way from the largest half to the next power of two, and would become infinite.
-TEST(ExrEncode, RefusesWhatTheTypeCannotHold) {
+TEST(ExrEncode, RejectsValuesOutOfRangeOfTheType) {
     Image<float> image(1, 1, 1);
     image.samples()[0] = 65519.0F;
     EXPECT_NO_THROW(encoded(SampleType::Half, image));
@@ -93,7 +93,7 @@ TEST(ExrEncode, MipLevelsAreMeansAndIdsAreChosen) {
     EXPECT_THROW(decode_exr(encoded(SampleType::Half, image), 1), InputError);
 }
 
-TEST(ExrEncode, RefusesChannelsThatMakeNoFile) {
+TEST(ExrEncode, RejectsChannelsThatMakeNoFile) {
     const Image<float> image(3, 2, 2);
     const Image<float> other(2, 2, 1);
     const Image<std::uint32_t> ids(3, 2, 1);
@@ -112,7 +112,7 @@ TEST(ExrEncode, RefusesChannelsThatMakeNoFile) {
         std::invalid_argument);
 }
 
-TEST(ExrEncode, RefusesNamesThatExrGivesAMeaning) {
+TEST(ExrEncode, RejectsNamesReservedByExr) {
     const Image<float> image(1, 1, 1);
     const ExrChannel channel{"Y", SampleType::Half, image.view()};
     for (const std::string& name : {std::string(),

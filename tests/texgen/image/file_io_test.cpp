@@ -43,7 +43,7 @@ std::string failure_to_write(const std::filesystem::path& path, std::size_t size
     return "no failure";
 }
 
-TEST(FileIo, WhatIsWrittenIsRead) {
+TEST(FileIo, RoundTrips) {
     const TemporaryFolder folder;
     const Bytes content(100'000, std::byte{42});
     write_file(folder.path() / "a.bin", content);

@@ -32,7 +32,7 @@ Picture picture_for(const ImageFormat& format) {
     return {{code_channels(codes)}};
 }
 
-TEST(Format, EveryFormatReadsWhatItWrites) {
+TEST(Format, EveryFormatRoundTrips) {
     for (const ImageFormat& format : image_formats()) {
         SCOPED_TRACE(format.name);
         const Picture picture = picture_for(format);

@@ -36,7 +36,7 @@ TEST(Image, AViewWritesThroughAndReadsAsConst) {
     EXPECT_EQ(reading.data(), image.samples().data());
 }
 
-TEST(Image, RefusesEmptyExtents) {
+TEST(Image, RejectsEmptyExtents) {
     EXPECT_THROW(Image<int>(0, 1, 1), std::invalid_argument);
     EXPECT_THROW(Image<int>(1, -1, 1), std::invalid_argument);
     EXPECT_THROW(Image<int>(1, 1, 0), std::invalid_argument);

@@ -147,7 +147,7 @@ TEST(OtherPrograms, OurTextsAreRead) {
 }
 
 // apngdis writes every frame as a PNG of its own.
-TEST(OtherPrograms, ApngdisTakesOurAnimationsApart) {
+TEST(OtherPrograms, ApngdisDisassemblesOurAnimations) {
     if (const std::string program = missing({"apngdis"}); !program.empty()) {
         GTEST_SKIP() << "there is no " << program;
     }
@@ -158,7 +158,7 @@ TEST(OtherPrograms, ApngdisTakesOurAnimationsApart) {
         muxer.add(encode_png(numbered<std::uint8_t>(40, 27, 3, k).view()));
     }
     write_file(folder.path() / "a.png", muxer.finish());
-    const std::string said = output_of("apngdis a.png frame", folder);
+    const std::string output = output_of("apngdis a.png frame", folder);
     for (unsigned k = 1; k <= kFrames; ++k) {
         const std::string name = fmt::format("frame{}", k);
         EXPECT_EQ(codes8(read_picture(folder.path() / (name + ".png"))),
@@ -186,13 +186,13 @@ void write_layers(const std::filesystem::path& path, bool mip_levels) {
     write_exr(path, channels, metadata, {.mip_levels = mip_levels});
 }
 
-TEST(OtherPrograms, ExrheaderFindsWhatOurExrsPromise) {
+TEST(OtherPrograms, ExrheaderReadsOurAttributes) {
     if (const std::string program = missing({"exrheader"}); !program.empty()) {
         GTEST_SKIP() << "there is no " << program;
     }
     const TemporaryFolder folder;
     write_layers(folder.path() / "a.exr", false);
-    const std::string said = output_of("exrheader a.exr", folder);
+    const std::string output = output_of("exrheader a.exr", folder);
     for (const std::string part : {"albedo.R, 16-bit floating-point, sampling 1 1",
                                    "height.Y, 32-bit floating-point, sampling 1 1",
                                    "id.Y, 32-bit unsigned integer, sampling 1 1",
@@ -203,9 +203,9 @@ TEST(OtherPrograms, ExrheaderFindsWhatOurExrsPromise) {
                                    "Seed (type string): \"1234\"",
                                    "red   (0.64 0.33)",
                                    "white (0.3127 0.329)"}) {
-        EXPECT_TRUE(contains(said, part)) << part << "\n" << said;
+        EXPECT_TRUE(contains(output, part)) << part << "\n" << output;
     }
-    EXPECT_FALSE(contains(said, "capDate")) << said;
+    EXPECT_FALSE(contains(output, "capDate")) << output;
     write_layers(folder.path() / "b.exr", true);
     const std::string tiled = output_of("exrheader b.exr", folder);
     EXPECT_TRUE(contains(tiled, "tile size 64 by 64 pixels")) << tiled;
@@ -219,10 +219,10 @@ TEST(OtherPrograms, OpenImageIoReadsOurExrs) {
     const TemporaryFolder folder;
     write_layers(folder.path() / "a.exr", false);
     write_layers(folder.path() / "b.exr", true);
-    const std::string said = output_of("oiiotool --info -v a.exr", folder);
-    EXPECT_TRUE(contains(said, "67 x   35, 5 channel")) << said;
-    EXPECT_TRUE(contains(said, "wrapmodes: \"periodic\"")) << said;
-    EXPECT_TRUE(contains(said, "framesPerSecond: 30000/1001")) << said;
+    const std::string output = output_of("oiiotool --info -v a.exr", folder);
+    EXPECT_TRUE(contains(output, "67 x   35, 5 channel")) << output;
+    EXPECT_TRUE(contains(output, "wrapmodes: \"periodic\"")) << output;
+    EXPECT_TRUE(contains(output, "framesPerSecond: 30000/1001")) << output;
     output_of("idiff a.exr b.exr", folder);  // the same pixels
     const std::string tiled = output_of("oiiotool --info -v b.exr", folder);
     EXPECT_TRUE(contains(tiled, "MIP-map levels: 67x35 33x17 16x8 8x4 4x2 2x1 1x1")) << tiled;
@@ -241,11 +241,11 @@ TEST(OtherPrograms, OpenImageIoFindsOurValues) {
     image.row(0)[1] = 0.25F;
     const ExrChannel channel{"Y", SampleType::Half, image.view()};
     write_exr(folder.path() / "a.exr", std::span(&channel, 1));
-    const std::string said = output_of("oiiotool --dumpdata a.exr", folder);
-    EXPECT_TRUE(contains(said, "Pixel (0, 0): -2.5")) << said;
-    EXPECT_TRUE(contains(said, "Pixel (1, 0): 1.0")) << said;
-    EXPECT_TRUE(contains(said, "Pixel (0, 1): 700.0")) << said;
-    EXPECT_TRUE(contains(said, "Pixel (1, 1): 0.25")) << said;
+    const std::string output = output_of("oiiotool --dumpdata a.exr", folder);
+    EXPECT_TRUE(contains(output, "Pixel (0, 0): -2.5")) << output;
+    EXPECT_TRUE(contains(output, "Pixel (1, 0): 1.0")) << output;
+    EXPECT_TRUE(contains(output, "Pixel (0, 1): 700.0")) << output;
+    EXPECT_TRUE(contains(output, "Pixel (1, 1): 0.25")) << output;
 }
 
 // Where idiff follows its own table of exit codes: of a warning and of another size it may say that

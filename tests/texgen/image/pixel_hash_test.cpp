@@ -84,7 +84,7 @@ TEST(PixelHash, OfNumbersDoesNotDependOnTheirGroups) {
 }
 
 // The pixels count, not how they are packed or what is said beside them.
-TEST(PixelHash, OfAPngIsThatOfWhatWasEncoded) {
+TEST(PixelHash, OfAPngIsThatOfTheEncodedPicture) {
     for (int channels = 1; channels <= 4; ++channels) {
         const Picture deep{{code_channels(small_image<std::uint16_t>(channels))},
                            {.color = true, .text = {{"Seed", "3"}}}};
@@ -96,7 +96,7 @@ TEST(PixelHash, OfAPngIsThatOfWhatWasEncoded) {
 }
 
 // A third is no half: what is stored counts, before it is written and after it was read.
-TEST(PixelHash, OfAnExrIsThatOfWhatWasEncoded) {
+TEST(PixelHash, OfAnExrIsThatOfTheEncodedPicture) {
     Image<float> numbers(3, 2, 1);
     for (std::size_t k = 0; k < numbers.samples().size(); ++k) {
         numbers.samples()[k] = static_cast<float>(k) / 3.0F;
@@ -111,7 +111,7 @@ TEST(PixelHash, OfAnExrIsThatOfWhatWasEncoded) {
     }
 }
 
-TEST(PixelHash, TellsEverySampleEveryExtentAndEveryType) {
+TEST(PixelHash, DependsOnEverySampleExtentAndType) {
     const Image<std::uint8_t> image = small_image<std::uint8_t>(1);
     Image<std::uint8_t> other = image;
     other.samples()[3] ^= 1U;

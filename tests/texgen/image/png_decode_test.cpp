@@ -34,7 +34,7 @@ PngEncoding any_encoding() {
             .compression = static_cast<Compression>(*rc::gen::inRange(0, 3))};
 }
 
-RC_GTEST_PROP(PngDecode, PixelsAndTextsComeBack, ()) {
+RC_GTEST_PROP(PngDecode, PixelsAndTextsRoundTrip, ()) {
     const auto image = any_image<std::uint8_t>();
     const ImageMetadata metadata{.color = *rc::gen::arbitrary<bool>(), .text = {{"Seed", "1"}}};
     const Picture back = decode_png(encode_png(image.view(), metadata, any_encoding()));
@@ -43,7 +43,7 @@ RC_GTEST_PROP(PngDecode, PixelsAndTextsComeBack, ()) {
     RC_ASSERT(back.metadata.text == metadata.text);
 }
 
-RC_GTEST_PROP(PngDecode, SixteenBitPixelsComeBack, ()) {
+RC_GTEST_PROP(PngDecode, SixteenBitPixelsRoundTrip, ()) {
     const auto image = any_image<std::uint16_t>();
     const Bytes stream = encode_png(image.view(), {}, any_encoding());
     RC_ASSERT(codes16(decode_png(stream)) == image);
@@ -83,14 +83,14 @@ std::uint32_t crc_of(std::span<const std::byte> bytes) {
     return ~crc;
 }
 
-void put(std::span<std::byte> place, std::uint32_t number) {
+void put(std::span<std::byte> target, std::uint32_t number) {
     for (std::size_t i = 0; i < 4; ++i) {
-        place[i] = static_cast<std::byte>(number >> (24 - 8 * i));
+        target[i] = static_cast<std::byte>(number >> (24 - 8 * i));
     }
 }
 
-// 900000 x 900000 pixels in a few bytes: refused before memory is asked for.
-TEST(PngDecode, AHeaderThatPromisesTooMuchIsAnInputError) {
+// 900000 x 900000 pixels in a few bytes: rejected before memory is asked for.
+TEST(PngDecode, AHeaderOfAHugeImageIsAnInputError) {
     Bytes stream = encode_png(numbered_codes(1, 1, 3).view());
     const std::span bytes(stream);
     put(bytes.subspan(16, 4), 900'000);  // the header's content starts after 8 + 8 bytes

@@ -49,7 +49,7 @@ TEST(PngEncode, HoldsOneGroupOfCodes) {
     EXPECT_THROW(encode_png(numbers), std::invalid_argument);
 }
 
-TEST(PngEncode, HeaderSaysSizeDepthAndKind) {
+TEST(PngEncode, HeaderHasSizeDepthAndColorType) {
     // Width 3, height 2, 8 bits, then the color type of PNG's table 11.1.
     const std::map<int, char> types = {{1, 0}, {2, 4}, {3, 2}, {4, 6}};
     for (const auto& [channels, type] : types) {
@@ -77,7 +77,7 @@ TEST(PngEncode, TextIsLatinWherePossibleAndUtf8ElseAndKeepsItsOrder) {
     EXPECT_EQ(decode_png(stream).metadata.text, text);
 }
 
-TEST(PngEncode, RefusesKeywordsThatPngForbids) {
+TEST(PngEncode, RejectsKeywordsThatPngForbids) {
     const Image<std::uint8_t> image(1, 1, 1);
     for (const std::string& key : {std::string(),
                                    std::string(80, 'k'),
@@ -90,7 +90,7 @@ TEST(PngEncode, RefusesKeywordsThatPngForbids) {
     }
 }
 
-TEST(PngEncode, RefusesPicturesThatPngCannotHold) {
+TEST(PngEncode, RejectsPicturesThatPngCannotHold) {
     EXPECT_THROW(encode_png(ImageView<const std::uint8_t>()), std::invalid_argument);
     EXPECT_THROW(encode_png(Image<std::uint8_t>(1, 1, 5).view()), std::invalid_argument);
 }

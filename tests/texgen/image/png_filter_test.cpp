@@ -39,7 +39,7 @@ std::vector<int> filtered(PngFilter filter, int first, int last) {
 // By hand from PNG's section 9: what is left of or above the picture counts as 0, differences are
 // modulo 256. Paeth of 25: left 30, above 20, above left 10, so 30 + 20 - 10 = 40 and left is
 // nearest.
-TEST(PngFilter, PredictsAsPngSays) {
+TEST(PngFilter, PredictsAsThePngStandard) {
     EXPECT_EQ(filtered(PngFilter::None, 0, 2), (std::vector<int>{0, 10, 20, 0, 30, 25}));
     EXPECT_EQ(filtered(PngFilter::Sub, 0, 2), (std::vector<int>{1, 10, 10, 1, 30, 251}));
     EXPECT_EQ(filtered(PngFilter::Up, 0, 2), (std::vector<int>{2, 10, 20, 2, 20, 5}));

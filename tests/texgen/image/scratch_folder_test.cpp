@@ -11,7 +11,7 @@
 namespace foam::texgen {
 namespace {
 
-TEST(ScratchFolder, IsEmptyAndGoneAfterwards) {
+TEST(ScratchFolder, IsEmptyAndRemovedAfterwards) {
     std::filesystem::path path;
     {
         const ScratchFolder folder;

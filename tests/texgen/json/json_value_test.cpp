@@ -45,7 +45,7 @@ TEST(JsonValue, ReadsEveryKind) {
     EXPECT_FALSE(root.find("missing"));
 }
 
-TEST(JsonValue, AnErrorNamesFilePositionValueAndWhatIsAllowed) {
+TEST(JsonValue, ErrorNamesFilePathValueAndAllowedValues) {
     const JsonValue root = document().root();
     EXPECT_EQ(error_of([&] { root["list"].items()[1]["name"].number(); }),
               "cannot read 'a.json': list[1].name = \"x\": must be a number");

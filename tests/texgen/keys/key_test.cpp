@@ -41,7 +41,7 @@ TEST(Key, ReadsAndWritesItsMember) {
     EXPECT_EQ(power.write(lamp), Value{std::int64_t{60}});
 }
 
-TEST(Key, KnowsItsDefault) {
+TEST(Key, HasADefault) {
     const Keys<Lamp> keys = lamp_keys();
     EXPECT_EQ(keys[0].default_value, Value{std::int64_t{40}});
     EXPECT_FALSE(keys[2].default_value.has_value());

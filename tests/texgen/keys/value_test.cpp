@@ -27,13 +27,13 @@ TEST(Value, ARealNeverLooksLikeAnInteger) {
     EXPECT_EQ(to_toml({1e300}), "1e+300");
 }
 
-RC_GTEST_PROP(Value, RealsComeBackToTheLastBit, (double real)) {
+RC_GTEST_PROP(Value, RealsRoundTripBitForBit, (double real)) {
     const Value back = read_value(to_toml({real}));
     RC_ASSERT(std::get<double>(back.data) == real);
 }
 
 // Any character but NUL, which no argument and no file name holds.
-RC_GTEST_PROP(Value, TextsComeBack, ()) {
+RC_GTEST_PROP(Value, TextsRoundTrip, ()) {
     const auto text = *rc::gen::container<std::string>(rc::gen::inRange<char>(1, 127));
     const Value back = read_value(to_toml({text}));
     RC_ASSERT(std::get<std::string>(back.data) == text);

@@ -89,7 +89,7 @@ TEST(Resume, GivesTheSameBytesAsABakeThatWasNotInterrupted) {
     EXPECT_EQ(found.failure, "");
 }
 
-TEST(Resume, WhereAllIsThereNothingIsDone) {
+TEST(Resume, DoesNothingIfAllFilesExist) {
     const TemporaryFolder folder;
     Preset preset = two_maps(folder.path());
     preset.loop.kind = LoopKind::Drift;
@@ -102,7 +102,7 @@ TEST(Resume, WhereAllIsThereNothingIsDone) {
 }
 
 // There is not the same as made alike.
-TEST(Resume, WhatWasMadeWithOtherParametersIsMadeAnew) {
+TEST(Resume, RebakesFilesOfOtherParameters) {
     const TemporaryFolder folder;
     Preset preset = two_maps(folder.path());
     bake_recorded(preset, {.frames = {1, 2}, .threads = 1}, {});
@@ -113,7 +113,7 @@ TEST(Resume, WhatWasMadeWithOtherParametersIsMadeAnew) {
     EXPECT_EQ(resumed(preset, {1, 2}), (std::set{1, 2}));
 }
 
-TEST(Resume, WhatIsMissingDamagedOrChangedIsMadeAnew) {
+TEST(Resume, RebakesMissingDamagedOrChangedFiles) {
     const TemporaryFolder folder;
     const Preset preset = two_maps(folder.path());
     const std::vector<int> frames{1, 2, 3, 4};
@@ -128,7 +128,7 @@ TEST(Resume, WhatIsMissingDamagedOrChangedIsMadeAnew) {
     EXPECT_EQ(images_of(folder), images);
 }
 
-TEST(Resume, WithoutAManifestEverythingIsMade) {
+TEST(Resume, BakesEverythingWithoutAManifest) {
     const TemporaryFolder folder;
     const Preset preset = two_maps(folder.path());
     bake_recorded(preset, {.frames = {1}, .threads = 1}, {});

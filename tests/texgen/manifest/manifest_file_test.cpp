@@ -16,7 +16,7 @@
 namespace foam::texgen {
 namespace {
 
-TEST(ManifestFile, StandsInItsFolderAloneAndIsReadFromThere) {
+TEST(ManifestFile, IsTheOnlyFileWrittenAndIsReadBack) {
     const TemporaryFolder folder;
     const std::filesystem::path deep = folder.path() / "a" / "b";
     update_manifest(deep, [](Manifest& manifest) { merge(manifest, small_set("a", {1}, {1})); });
@@ -52,7 +52,7 @@ TEST(ManifestFile, OneChangeGoesOnAtATime) {
     EXPECT_EQ(folder.files(), std::vector<std::string>{"manifest.json"});
 }
 
-TEST(ManifestFile, AnotherProgramsFileIsLeftAlone) {
+TEST(ManifestFile, DoesNotOverwriteFilesOfOtherPrograms) {
     const TemporaryFolder folder;
     const std::string other = R"({"name": "a web app"})";
     write_file(folder.path() / "manifest.json", std::as_bytes(std::span(other)));
@@ -63,7 +63,7 @@ TEST(ManifestFile, AnotherProgramsFileIsLeftAlone) {
     EXPECT_EQ(manifest_in(folder.path() / "none"), Manifest{});
 }
 
-TEST(ManifestFile, ASetIsChosenByItsPresetWhereThereAreSeveral) {
+TEST(ManifestFile, SelectsASetByItsPreset) {
     Manifest manifest{{small_set("a", {1}, {1})}};
     EXPECT_EQ(&choose_set(manifest, "", "out"), &manifest.sets[0]);
     manifest.sets.push_back(small_set("b", {1}, {1}));

@@ -14,9 +14,9 @@ namespace {
 /// The error that a text draws once a part of it is replaced.
 std::string error_of(const std::string& part, const std::string& by) {
     std::string text = to_json(small_manifest());
-    const std::size_t place = text.find(part);
-    EXPECT_NE(place, std::string::npos) << part;
-    text.replace(place, part.size(), by);
+    const std::size_t position = text.find(part);
+    EXPECT_NE(position, std::string::npos) << part;
+    text.replace(position, part.size(), by);
     try {
         parse_manifest(text, "m.json");
     } catch (const InputError& error) {
@@ -25,7 +25,7 @@ std::string error_of(const std::string& part, const std::string& by) {
     return "";
 }
 
-TEST(ManifestReader, AnErrorNamesTheFileThePlaceAndWhatIsAllowed) {
+TEST(ManifestReader, ErrorNamesFilePathAndAllowedValues) {
     EXPECT_EQ(error_of("\"frame\":3", "\"frame\":\"three\""),
               "cannot read 'm.json': sets[0].files[1].frame = \"three\": "
               "must be an integer from 0 to 2147483647");
@@ -47,7 +47,7 @@ TEST(ManifestReader, AnErrorNamesTheFileThePlaceAndWhatIsAllowed) {
               "cannot read 'm.json': sets[0].size = [64]: must be [width, height]");
 }
 
-TEST(ManifestReader, WhatIsNoManifestIsRefused) {
+TEST(ManifestReader, RejectsFilesThatAreNoManifest) {
     EXPECT_NE(error_of("\"pixels\":", "\"pixel\":").find("an object with the key 'pixels'"),
               std::string::npos);
     EXPECT_THROW(parse_manifest("", "m.json"), InputError);

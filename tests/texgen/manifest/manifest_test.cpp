@@ -9,7 +9,7 @@
 namespace foam::texgen {
 namespace {
 
-TEST(Manifest, ASetIsCompleteOnceEveryFrameOfEveryMapIsThere) {
+TEST(Manifest, ASetIsCompleteOnceEveryFrameOfEveryMapExists) {
     EXPECT_TRUE(small_set("a", {1, 2}, {1, 2}).complete());
     EXPECT_FALSE(small_set("a", {1, 2}, {2}).complete());
     BakedSet set = small_set("a", {1}, {1});
@@ -51,7 +51,7 @@ TEST(Manifest, MapsOfTheSameParametersBecomeOneSet) {
 }
 
 // What was baked over belongs to nobody else, and a set without files is none.
-TEST(Manifest, FilesBelongToWhoWroteThemLast) {
+TEST(Manifest, FilesBelongToTheirLastWriter) {
     Manifest manifest;
     merge(manifest, small_set("a", {1, 2}, {1, 2}));
     merge(manifest, small_set("b", {1}, {1}));
@@ -68,7 +68,7 @@ TEST(Manifest, FilesBelongToWhoWroteThemLast) {
     EXPECT_EQ(manifest.sets.size(), 2U);
 }
 
-TEST(Manifest, AFailureStandsUntilTheSetIsComplete) {
+TEST(Manifest, AFailureIsKeptUntilTheSetIsComplete) {
     Manifest manifest;
     BakedSet broken = small_set("a", {1, 2}, {1});
     broken.failure = "frame 2: the foam did not reach equilibrium";

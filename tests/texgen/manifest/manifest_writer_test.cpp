@@ -12,7 +12,7 @@
 namespace foam::texgen {
 namespace {
 
-TEST(ManifestWriter, ReadsBackWhatItWrites) {
+TEST(ManifestWriter, RoundTrips) {
     const Manifest manifest = small_manifest();
     EXPECT_EQ(parse_manifest(to_json(manifest), "m.json"), manifest);
     EXPECT_EQ(parse_manifest(to_json({}), "m.json"), Manifest{});

@@ -34,7 +34,7 @@ std::string hash_of_file(const std::filesystem::path& path) {
 }
 
 // In the folder above those of the maps.
-TEST(RecordedBake, TellsOfEveryFile) {
+TEST(RecordedBake, RecordsEveryFile) {
     const TemporaryFolder folder;
     Preset preset = small_preset(folder.path() / kPattern);
     const auto names = map_names();
@@ -57,7 +57,7 @@ TEST(RecordedBake, TellsOfEveryFile) {
     EXPECT_EQ(set.files.front().frame, 1);
 }
 
-TEST(RecordedBake, TellsWhatSamplesAre) {
+TEST(RecordedBake, DescribesSamples) {
     const TemporaryFolder folder;
     Preset preset = small_preset(folder.path() / kPattern);
     preset.image.maps = {"albedo", "height", "motion", "id", "sides"};
@@ -74,7 +74,7 @@ TEST(RecordedBake, TellsWhatSamplesAre) {
     EXPECT_EQ(set.conventions.motion_multiplier, preset.maps.motion.multiplier);
 }
 
-TEST(RecordedBake, TellsOfTheLayersOfAnExr) {
+TEST(RecordedBake, RecordsTheLayersOfAnExr) {
     const TemporaryFolder folder;
     Preset preset = small_preset(folder.path() / kPattern);
     preset.shape.kind = FoamKind::Patch;
@@ -93,7 +93,7 @@ TEST(RecordedBake, TellsOfTheLayersOfAnExr) {
     EXPECT_FALSE(set.find_frame(1)->tiles);
 }
 
-TEST(RecordedBake, TellsOfTheFoamAndTheLoop) {
+TEST(RecordedBake, RecordsTheFoamAndTheLoop) {
     const TemporaryFolder folder;
     Preset preset = small_preset(folder.path() / kPattern);
     preset.frames.count = 6;
@@ -130,7 +130,7 @@ TEST(RecordedBake, TheSameParametersAreOneSet) {
     EXPECT_TRUE(manifest.sets[1].complete());
 }
 
-TEST(RecordedBake, ABakeThatFailsSaysSoAndListsWhatIsThere) {
+TEST(RecordedBake, AFailedBakeRecordsTheFailureAndExistingFiles) {
     const TemporaryFolder folder;
     const Preset preset = small_preset(folder.path() / kPattern);
     const auto stop = [](const BakedFrame& baked) {
@@ -147,7 +147,7 @@ TEST(RecordedBake, ABakeThatFailsSaysSoAndListsWhatIsThere) {
     EXPECT_EQ(set.frames(), (std::vector{1, 2, 3}));
 }
 
-TEST(RecordedBake, ABakeThatIsRefusedWritesNothing) {
+TEST(RecordedBake, ARejectedBakeWritesNothing) {
     const TemporaryFolder folder;
     EXPECT_THROW(
         bake_recorded(small_preset(folder.path() / kPattern), {.frames = {}, .threads = 1}, {}),

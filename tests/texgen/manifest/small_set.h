@@ -12,7 +12,7 @@ namespace foam::texgen {
 /// A set of one map, "height", of which these frames were asked for and those are there.
 inline BakedSet small_set(const std::string& preset,
                           const std::vector<int>& asked,
-                          const std::vector<int>& there) {
+                          const std::vector<int>& existing) {
     BakedSet set{.version = "1.2.3",
                  .preset = preset,
                  .description = "a \"small\" foam",
@@ -35,7 +35,7 @@ inline BakedSet small_set(const std::string& preset,
          "y up",
          asked,
          MapSamples{"number", "Y", "uint16", "data", "none", std::array{-0.5, 1.0 / 3.0}}});
-    for (const int frame : there) {
+    for (const int frame : existing) {
         set.files.push_back({preset + "_height." + std::to_string(frame) + ".png",
                              {"height"},
                              frame,

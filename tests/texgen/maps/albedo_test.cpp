@@ -167,7 +167,7 @@ TEST(Albedo, DoesNotDependOnThreads) {
     EXPECT_EQ(one, albedo(frame, {128, 128, 0, 0}, {}, 3));
 }
 
-TEST(Albedo, RefusesWhatItCannotRead) {
+TEST(Albedo, RejectsUnreadableValues) {
     const Frame frame = four_bubbles(16);
     AlbedoOptions options;
     options.pressure_high = options.pressure_low;

@@ -184,7 +184,7 @@ TEST_P(EveryMap, ASeamNoStrongerThanAFilmIsFound) {
 }
 
 // The opacity of colors, whose other samples go on beyond the edge; else its last number.
-TEST_P(EveryMap, IsNothingAroundAPatch) {
+TEST_P(EveryMap, IsEmptyAroundAPatch) {
     const MapImage image = draw_case(GetParam(), test::patch_subject(), test::patch_grid(kSize));
     const double around = find_map(GetParam().map).around;
     std::visit(
@@ -241,7 +241,7 @@ INSTANTIATE_TEST_SUITE_P(Maps, EveryMap, testing::ValuesIn(all_cases()), [](cons
     return tested.param.name();
 });
 
-TEST(AllMaps, SayWhatTheyAre) {
+TEST(AllMaps, DescribeThemselves) {
     for (const Map& map : all_maps()) {
         EXPECT_FALSE(map.meaning.empty()) << map.name;
         EXPECT_FALSE(map.unit.empty()) << map.name;
@@ -251,7 +251,7 @@ TEST(AllMaps, SayWhatTheyAre) {
     }
 }
 
-TEST(AllMaps, AnUnknownOneIsRefusedWithThoseThereAre) {
+TEST(AllMaps, UnknownNameIsRejectedWithAListOfMaps) {
     try {
         find_map("hieght");
         FAIL();
@@ -260,7 +260,7 @@ TEST(AllMaps, AnUnknownOneIsRefusedWithThoseThereAre) {
     }
 }
 
-TEST(AllMaps, StandInTheReadme) {
+TEST(AllMaps, AreListedInTheReadme) {
     foam::test::expect_in_readme("texgen/maps", describe_maps_in_markdown());
 }
 

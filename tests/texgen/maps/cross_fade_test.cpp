@@ -32,10 +32,10 @@ std::vector<Sample> samples_of(const Image<Sample>& image) {
 }
 
 template <class Sample>
-Image<float> all_of(float share, const Image<Sample>& like) {
-    Image<float> shares(like.width(), like.height(), 1);
-    std::ranges::fill(shares.samples(), share);
-    return shares;
+Image<float> all_of(float weight, const Image<Sample>& like) {
+    Image<float> weights(like.width(), like.height(), 1);
+    std::ranges::fill(weights.samples(), weight);
+    return weights;
 }
 
 TEST(CrossFade, EveryPixelHasAShareOfItsOwn) {
@@ -49,10 +49,10 @@ TEST(CrossFade, EveryPixelHasAShareOfItsOwn) {
 TEST(CrossFade, ColorsAreMixedAsLight) {
     const ColorPixels falling{row_of<std::uint16_t>({0, 1000, 65535}, 3)};
     const ColorPixels rising{row_of<std::uint16_t>({65535, 3000, 65535}, 3)};
-    const auto mixed = [&](float share) {
+    const auto mixed = [&](float weight) {
         return samples_of(
             std::get<ColorPixels>(
-                cross_fade(falling, rising, all_of(share, falling.pixels), Mixing::Values))
+                cross_fade(falling, rising, all_of(weight, falling.pixels), Mixing::Values))
                 .pixels);
     };
     EXPECT_EQ(mixed(0.25F), (std::vector<std::uint16_t>{16384, 1500, 65535}));
@@ -73,10 +73,10 @@ TEST(CrossFade, NumbersAreMixedAndKeepTheirRange) {
 TEST(CrossFade, IdsAreThoseOfTheLargerShare) {
     const IdPixels falling{row_of<std::uint32_t>({5, 6}, 1)};
     const IdPixels rising{row_of<std::uint32_t>({7, 9}, 1)};
-    const auto shown = [&](float share) {
+    const auto shown = [&](float weight) {
         return samples_of(
             std::get<IdPixels>(
-                cross_fade(falling, rising, all_of(share, falling.pixels), Mixing::Values))
+                cross_fade(falling, rising, all_of(weight, falling.pixels), Mixing::Values))
                 .pixels);
     };
     EXPECT_EQ(shown(0.49F), samples_of(falling.pixels));

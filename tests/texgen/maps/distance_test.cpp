@@ -19,8 +19,8 @@ TEST(Distance, IsToTheCircle) {
     const auto in_pixels =
         draw_distance(circle.layers, {.unit = DistanceUnit::Pixels}, AlbedoOptions{});
     const auto in_units = draw_distance(circle.layers, {}, AlbedoOptions{});
-    test::for_each_inside(kRadius, [&](int x, int y, const Vec2& place) {
-        const double expected = kRadius - place.norm();
+    test::for_each_inside(kRadius, [&](int x, int y, const Vec2& point) {
+        const double expected = kRadius - point.norm();
         EXPECT_NEAR(in_pixels.pixels.pixel(x, y)[0], expected, 1e-4);
         EXPECT_NEAR(in_units.pixels.pixel(x, y)[0], expected / kRadius, 1e-5);
     });

@@ -15,7 +15,7 @@ namespace {
 using test::LoneCircle;
 
 // A spot of radius 8 pixels in its third frame of 4: half as high; (1 - 1/4)² of it half way out.
-TEST(Event, ASpotFadesInTimeAndSpace) {
+TEST(Event, ADiskFadesInTimeAndSpace) {
     LoneCircle circle(20.0);
     circle.record.frame = 5;
     circle.record.events = {{TopologyEventKind::T2, 3, {0.025, 0.025}},

@@ -29,25 +29,25 @@ double mean(const Image<float>& image) {
 }
 
 /// The part of the pixels that are neither wholly one nor wholly the other.
-double between(const Image<float>& shares) {
+double between(const Image<float>& weights) {
     const auto count = std::ranges::count_if(
-        shares.samples(), [](float share) { return share > 0.0F && share < 1.0F; });
-    return static_cast<double>(count) / static_cast<double>(shares.samples().size());
+        weights.samples(), [](float weight) { return weight > 0.0F && weight < 1.0F; });
+    return static_cast<double>(count) / static_cast<double>(weights.samples().size());
 }
 
-TEST(FadeOrder, GoesFromNothingToAll) {
+TEST(FadeOrder, WeightsGoFromZeroToOne) {
     for (const double spread : {0.0, 0.8, 0.95}) {
         const FadeOrder order(options_of(spread));
-        const Image<float> first = order.shares(0.0);
+        const Image<float> first = order.weights(0.0);
         EXPECT_EQ(std::ranges::max(first.samples()), 0.0F) << spread;
-        const Image<float> last = order.shares(1.0);
+        const Image<float> last = order.weights(1.0);
         EXPECT_GE(std::ranges::min(last.samples()), 1.0F - 1e-6F) << spread;
         EXPECT_LE(std::ranges::max(last.samples()), 1.0F) << spread;
         double before = 0.0;
         for (int k = 1; k <= 10; ++k) {
-            const double share = mean(order.shares(0.1 * k));
-            EXPECT_GT(share, before) << spread;
-            before = share;
+            const double weight = mean(order.weights(0.1 * k));
+            EXPECT_GT(weight, before) << spread;
+            before = weight;
         }
     }
 }
@@ -55,10 +55,11 @@ TEST(FadeOrder, GoesFromNothingToAll) {
 // 3 x² - 2 x³ of 1/4, 1/2 and 3/4.
 TEST(FadeOrder, WithoutSpreadItIsLevelAtItsEnds) {
     const FadeOrder order(options_of(0.0));
-    for (const auto& [passed, share] : {std::pair{0.25, 0.15625F}, {0.5, 0.5F}, {0.75, 0.84375F}}) {
-        const Image<float> found = order.shares(passed);
-        EXPECT_FLOAT_EQ(std::ranges::min(found.samples()), share);
-        EXPECT_FLOAT_EQ(std::ranges::max(found.samples()), share);
+    for (const auto& [passed, weight] :
+         {std::pair{0.25, 0.15625F}, {0.5, 0.5F}, {0.75, 0.84375F}}) {
+        const Image<float> found = order.weights(passed);
+        EXPECT_FLOAT_EQ(std::ranges::min(found.samples()), weight);
+        EXPECT_FLOAT_EQ(std::ranges::max(found.samples()), weight);
     }
 }
 
@@ -66,33 +67,33 @@ TEST(FadeOrder, WithoutSpreadItIsLevelAtItsEnds) {
 TEST(FadeOrder, OnlyAPartOfTheFoamIsBetween) {
     const FadeOrder order(options_of(0.8));
     for (const double passed : {0.3, 0.5, 0.7}) {
-        const Image<float> shares = order.shares(passed);
-        EXPECT_GT(between(shares), 0.12) << passed;
-        EXPECT_LT(between(shares), 0.4) << passed;
-        EXPECT_NEAR(mean(shares), passed, 0.15) << passed;
+        const Image<float> weights = order.weights(passed);
+        EXPECT_GT(between(weights), 0.12) << passed;
+        EXPECT_LT(between(weights), 0.4) << passed;
+        EXPECT_NEAR(mean(weights), passed, 0.15) << passed;
     }
-    EXPECT_EQ(between(FadeOrder(options_of(0.0)).shares(0.5)), 1.0);
+    EXPECT_EQ(between(FadeOrder(options_of(0.0)).weights(0.5)), 1.0);
 }
 
 TEST(FadeOrder, HasNoSeam) {
-    const Image<float> shares = FadeOrder(options_of(0.8)).shares(0.5);
-    EXPECT_LE(test::seam_ratio(shares), kLargestTileRatio);
-    EXPECT_GT(test::seam_ratio(shares, 0.5), kLargestTileRatio);
+    const Image<float> weights = FadeOrder(options_of(0.8)).weights(0.5);
+    EXPECT_LE(test::seam_ratio(weights), kLargestTileRatio);
+    EXPECT_GT(test::seam_ratio(weights, 0.5), kLargestTileRatio);
 }
 
-TEST(FadeOrder, AnotherSeedFadesOtherwise) {
+TEST(FadeOrder, DependsOnTheSeed) {
     FadeOrder::Options options = options_of(0.8);
-    const Image<float> one = FadeOrder(options).shares(0.5);
-    EXPECT_EQ(FadeOrder(options).shares(0.5), one);
+    const Image<float> one = FadeOrder(options).weights(0.5);
+    EXPECT_EQ(FadeOrder(options).weights(0.5), one);
     options.seed = 8;
-    EXPECT_NE(FadeOrder(options).shares(0.5), one);
+    EXPECT_NE(FadeOrder(options).weights(0.5), one);
 }
 
 // One bubble, one pixel: nothing is left to order.
 TEST(FadeOrder, TheSmallestTileFades) {
     const FadeOrder order({.width = 1, .height = 1, .bubbles = 1.0, .spread = 0.5, .seed = 1});
-    EXPECT_EQ(order.shares(0.0).samples()[0], 0.0F);
-    EXPECT_GE(order.shares(1.0).samples()[0], 1.0F - 1e-6F);
+    EXPECT_EQ(order.weights(0.0).samples()[0], 0.0F);
+    EXPECT_GE(order.weights(1.0).samples()[0], 1.0F - 1e-6F);
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ TEST(FilmLook, AWetFilmOfACircleEndsWhereItsSmoothDistanceIsHalfTheWidth) {
         test::sum_of(foam_cover(layers, options)) / (std::numbers::pi * outer * outer), 1.0, 2e-3);
 }
 
-TEST(FilmLook, WetFilmsCoverWhatEvenOnesDoAndTheCornersBesides) {
+TEST(FilmLook, WetFilmsCoverEvenFilmsAndCorners) {
     const test::MapSubject& subject = test::torus_subject();
     FrameLayers layers = layers_of(subject.frame, subject.record, test::torus_grid(kSize));
     AlbedoOptions options;

@@ -12,7 +12,7 @@
 namespace foam::texgen {
 namespace {
 
-TEST(FrameLayers, TheNextFrameMustBeThere) {
+TEST(FrameLayers, RequireTheNextFrame) {
     const test::MapSubject& subject = test::torus_subject();
     FrameLayers with(subject.input(), test::torus_grid(16), 1);
     EXPECT_EQ(&with.next(), &subject.next);

@@ -19,22 +19,22 @@ TEST(JunctionMotion, LostJunctionsMoveAsThoseAround) {
     }
     Frame next = snapshot(foam, 2);
     next.bubbles[BubbleId{5}].identity = 99;  // so that its six junctions are others'
-    for (const Vec2& way : junction_motion(frame, next)) {
-        EXPECT_NEAR(way.x(), 0.1, 1e-12);
-        EXPECT_NEAR(way.y(), 0.0, 1e-12);
+    for (const Vec2& motion : junction_motion(frame, next)) {
+        EXPECT_NEAR(motion.x(), 0.1, 1e-12);
+        EXPECT_NEAR(motion.y(), 0.0, 1e-12);
     }
 }
 
 // Each junction is known by its bubbles, so it moves by itself.
-TEST(JunctionMotion, AJunctionMovesAsItDoes) {
+TEST(JunctionMotion, AJunctionMovesToItsNextPosition) {
     Foam foam = honeycomb(4, 4);
     const Frame frame = snapshot(foam, 1);
     const JunctionId moved = *foam.network.junctions().begin();
     place_junction(foam, moved, foam.positions[moved] + Vec2(0.05, -0.02));
-    const auto ways = junction_motion(frame, snapshot(foam, 2));
+    const auto motions = junction_motion(frame, snapshot(foam, 2));
     for (const JunctionId junction : frame.network.junctions()) {
         const Vec2 expected = junction == moved ? Vec2(0.05, -0.02) : Vec2(0.0, 0.0);
-        EXPECT_LT((ways[junction] - expected).norm(), 1e-12);
+        EXPECT_LT((motions[junction] - expected).norm(), 1e-12);
     }
 }
 

@@ -38,7 +38,7 @@ TEST(Lit, FlatGroundKeepsItsColors) {
     EXPECT_EQ(lit_pixels(test::torus_subject(), options), albedo.pixels);
 }
 
-TEST(Lit, WhatGlowsKeepsItsColorInTheShadow) {
+TEST(Lit, GlowKeepsItsColorInTheShadow) {
     MapOptions options;
     options.albedo.film_color = "#ff8000";
     options.albedo.film_width = 6.0;

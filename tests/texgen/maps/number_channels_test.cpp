@@ -10,7 +10,7 @@
 namespace foam::texgen {
 namespace {
 
-TEST(NumberChannels, NamesAndTypesSayWhatAMapIs) {
+TEST(NumberChannels, NamesAndTypesDescribeTheMap) {
     const ChannelGroup albedo = number_channels(
         ColorPixels{Image<std::uint16_t>(2, 1, 4)}, {"albedo", "R G B"}, SampleType::Float);
     EXPECT_EQ(albedo.names,

@@ -25,13 +25,13 @@ TEST(Occlusion, IsThatOfAFurrow) {
     LoneCircle circle(kRadius);
     const auto image = draw_occlusion(circle.layers, {.angle = 30.0}, {});
     EXPECT_NEAR(image.pixels.pixel(32, 32)[0], 1.0, 1e-3);
-    float least = 1.0F;
+    float minimum = 1.0F;
     for (int y = 0; y < test::kCircleImage; ++y) {
         for (int x = 0; x < test::kCircleImage; ++x) {
-            least = std::min(least, image.pixels.pixel(x, y)[0]);
+            minimum = std::min(minimum, image.pixels.pixel(x, y)[0]);
         }
     }
-    EXPECT_NEAR(least, 0.75, 0.01);  // somewhere near the rim
+    EXPECT_NEAR(minimum, 0.75, 0.01);  // somewhere near the rim
     EXPECT_EQ(image.pixels.pixel(0, 0)[0], 1.0F);
     const auto squared = draw_occlusion(circle.layers, {.angle = 30.0}, {.strength = 2.0});
     EXPECT_NEAR(

@@ -36,7 +36,7 @@ TEST(ReliefSection, SlopesAreDerivativesOfHeights) {
                 (section.height(s + kStep) - section.height(s - kStep)) / (2.0 * kStep);
             EXPECT_NEAR(section.slope(s), difference, 1e-7) << s;
             if (s < 0.5) {
-                EXPECT_NEAR(section.smooth(section.way(s)), s, 1e-12);
+                EXPECT_NEAR(section.smooth(section.distance(s)), s, 1e-12);
             }
         }
     }

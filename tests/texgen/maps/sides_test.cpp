@@ -14,7 +14,7 @@ namespace {
 
 using test::LoneCircle;
 
-TEST(Sides, ALoneBubbleHasNone) {
+TEST(Sides, ALoneBubbleHasNoSides) {
     LoneCircle circle(20.0);
     const IdPixels sides = draw_sides(circle.layers);
     for (const std::uint32_t one : sides.pixels.samples()) {

@@ -26,8 +26,8 @@ TEST(ThinFilm, OfNoThicknessIsBlack) {
 // is 104 nm; other waves reflect a little less.
 TEST(ThinFilm, OfAQuarterWaveIsBrightest) {
     const double single = std::pow(0.33 / 2.33, 2);
-    const double most = 4.0 * single / std::pow(1.0 + single, 2);
-    EXPECT_NEAR(luminance(film_reflectance(104.0)), most, 0.04 * most);
+    const double maximum = 4.0 * single / std::pow(1.0 + single, 2);
+    EXPECT_NEAR(luminance(film_reflectance(104.0)), maximum, 0.04 * maximum);
     EXPECT_GT(luminance(film_reflectance(104.0)), luminance(film_reflectance(80.0)));
     EXPECT_GT(luminance(film_reflectance(104.0)), luminance(film_reflectance(130.0)));
 }

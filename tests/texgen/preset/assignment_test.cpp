@@ -42,7 +42,7 @@ TEST(Assignment, DatesAreCarriedAsTheyAre) {
     EXPECT_EQ(flat(read_assignments("d = 2020-01-02\n", "f")), "f:1 d = 2020-01-02\n");
 }
 
-TEST(Assignment, MalformedTomlIsOneLineWithItsPlace) {
+TEST(Assignment, MalformedTomlIsOneLineWithItsLocation) {
     for (const char* toml : {"[foam]\nbubbles = \n", "[foam]\nx = 1\nx = 2\n", "a b", "\xff"}) {
         const std::string message = failure(toml);
         EXPECT_EQ(message.find("a.toml:"), 0U) << message;
@@ -65,12 +65,12 @@ TEST(Assignment, SetTakesTomlOrBareText) {
     EXPECT_EQ(set("a.b="), "--set a.b= a.b = \"\"\n");
 }
 
-TEST(Assignment, AValueCannotSmuggleInASecondKey) {
+TEST(Assignment, RejectsAValueThatContainsASecondKey) {
     const Value value = read_value("1\nother = 2");
     EXPECT_EQ(std::get<std::string>(value.data), "1\nother = 2");
 }
 
-TEST(Assignment, SetWithoutKeyOrEqualsIsRefused) {
+TEST(Assignment, SetWithoutKeyOrEqualsIsRejected) {
     EXPECT_THROW(read_set_argument("foam.seed"), PresetError);
     EXPECT_THROW(read_set_argument("=3"), PresetError);
 }

@@ -35,7 +35,7 @@ TEST(EventFrames, OfAnInstantAreTheFirstThatIsNotBeforeIt) {
 }
 
 // 0.1 is no binary fraction: the sum of three steps is not 0.3.
-TEST(EventFrames, OfATimeAreThoseOnWhoseWayItPasses) {
+TEST(EventFrames, OfATimeSpanAreTheFramesThatItTouches) {
     EXPECT_EQ(span_of(0.0, 0.3, tenths()), (FrameSpan{2, 4}));
     EXPECT_EQ(span_of(0.3, 0.5, tenths()), (FrameSpan{5, 6}));
     EXPECT_EQ(span_of(0.32, 0.38, tenths()), (FrameSpan{5, 5}));
@@ -51,7 +51,7 @@ TEST(EventFrames, CountFromTheWarmUpAndGrowWithTheSteps) {
     EXPECT_EQ(span_of(18.0, 18.0, frames), (FrameSpan{5, 5}));
 }
 
-TEST(EventFrames, AreNoneWhereTheTimeNeverComes) {
+TEST(EventFrames, AreEmptyIfTheTimeIsNeverReached) {
     FramesOptions frames;
     frames.step_growth = 0.5;  // never past 2
     Event event;

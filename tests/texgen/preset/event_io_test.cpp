@@ -61,7 +61,7 @@ TEST(EventIo, ALoneBubbleNeedsNoList) {
     EXPECT_EQ(read[0].bubbles, (std::vector<BubbleIdentity>{7}));
 }
 
-TEST(EventIo, AValueThatIsNotAllowedNamesPlaceKeyValueAndLimits) {
+TEST(EventIo, ErrorNamesLocationKeyValueAndLimits) {
     EXPECT_EQ(failure("[[event]]\nkind = \"explode\"\n"),
               "a.toml:2: key 'event[1].kind' = \"explode\": must be " + allowed_kinds());
     EXPECT_EQ(failure("[[event]]\nframe = 1\n"),
@@ -107,7 +107,7 @@ TEST(EventIo, AnEventNeedsAKindAndFrames) {
               "given");
 }
 
-TEST(EventIo, ATimeStandsForFrames) {
+TEST(EventIo, ATimeReplacesFrames) {
     const std::string toml = "[[event]]\nkind = \"shear\"\ntime = ";
     EXPECT_EQ(events(toml + "3.5\n")[0].time, (std::array{3.5, 3.5}));
     EXPECT_EQ(events(toml + "[3, 4.5]\n")[0].time, (std::array{3.0, 4.5}));
@@ -122,7 +122,7 @@ TEST(EventIo, ATimeStandsForFrames) {
 }
 
 // What is said last holds, as with every other key.
-TEST(EventIo, ATimeTakesTheFramesBack) {
+TEST(EventIo, ALaterTimeOverridesFrames) {
     Preset preset = parse_preset("[[event]]\nkind = \"shear\"\nframes = [3, 4]\n", "a", "a.toml");
     assign(preset, std::vector{read_set_argument("event[1].time=[2, 8]")});
     EXPECT_EQ(preset.events[0].frames, FrameSpan{});
@@ -133,7 +133,7 @@ TEST(EventIo, ATimeTakesTheFramesBack) {
     EXPECT_EQ(preset.events[0].frames, (FrameSpan{5, 5}));
 }
 
-TEST(EventIo, WhatNoLongerFitsAnEventIsToBlame) {
+TEST(EventIo, BlamesTheAssignmentThatNoLongerFits) {
     Preset preset = parse_preset("[[event]]\nkind = \"shear\"\nframe = 3\n", "a", "a.toml");
     EXPECT_EQ(test::rejection_of([&] {
                   assign(preset,
@@ -144,7 +144,7 @@ TEST(EventIo, WhatNoLongerFitsAnEventIsToBlame) {
               "\"shear\" is only allowed with foam.domain = \"torus\"");
 }
 
-TEST(EventIo, AKeyOfAnotherKindIsRefused) {
+TEST(EventIo, AKeyOfAnotherKindIsRejected) {
     EXPECT_EQ(
         failure("[[event]]\narea = 0.5\nkind = \"collapse\"\nframe = 3\nbubble = 4\n"),
         "a.toml:2: key 'event[1].area' = 0.5: not a key of kind \"collapse\"; must be one of kind, "
@@ -190,13 +190,13 @@ TEST(EventIo, ANewBubbleIsLargerThanTheT2Area) {
               "event[1].area = 0.02");
 }
 
-TEST(EventIo, ANewBubbleWithAPlaceIsAlone) {
+TEST(EventIo, OnlyOneNewBubbleMayHaveAPosition) {
     EXPECT_EQ(failure("[[event]]\nkind = \"nucleate\"\nframe = 9\nat = [0, 0]\ncount = 2\n"),
               "a.toml:5: key 'event[1].count' = 2: must be 1 if the event has a position, at");
 }
 
 // 64 bubbles on a square have a torus of 8 x 8.
-TEST(EventIo, AForceHasAPlaceAndFitsTheTorus) {
+TEST(EventIo, AForceHasAPositionAndFitsTheTorus) {
     const std::string event = "[foam]\nbubbles = 64\n[[event]]\nkind = \"force\"\nframe = 3\n";
     EXPECT_EQ(failure(event),
               "a.toml:4: key 'event[1].kind' = \"force\": the event must have a position, at");
@@ -209,7 +209,7 @@ TEST(EventIo, AForceHasAPlaceAndFitsTheTorus) {
               "at most 2.83, half of the shorter side of the torus");
 }
 
-TEST(EventIo, SetChangesAnEventThatIsThere) {
+TEST(EventIo, SetChangesAnExistingEvent) {
     const std::string toml = "[[event]]\nkind = \"collapse\"\nframe = 3\nbubble = 4\n";
     Preset preset = parse_preset(toml, "a", "a.toml");
     assign(preset, std::vector{read_set_argument("event[1].frames=[7, 9]")});
@@ -225,7 +225,7 @@ TEST(EventIo, SetChangesAnEventThatIsThere) {
     EXPECT_NE(failure(toml, {"event[0].frame=4"}), "no failure");
 }
 
-TEST(EventIo, WhatIsWrittenReadsBackToTheSame) {
+TEST(EventIo, RoundTrips) {
     const std::string toml =
         "\n[[event]]\nkind = \"collapse\"\nframes = [5, 8]\nsides = [4, 5]\ncount = 3\n"
         "order = \"in-turn\"\n"

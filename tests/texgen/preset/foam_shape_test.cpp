@@ -24,7 +24,7 @@ TEST(FoamShape, AnAspectStretchesAnyOutline) {
     EXPECT_TRUE(is_inside(frame, {6.1, 1.5}));
 }
 
-TEST(FoamShape, RefusesWhatIsNoOutline) {
+TEST(FoamShape, RejectsInvalidOutlines) {
     EXPECT_THROW(outline_of({.outline = "circle"}), std::invalid_argument);
     EXPECT_THROW(outline_of({.outline = "POLYGON((0 0, 1 0, 2 0))"}), std::invalid_argument);
 }

@@ -25,7 +25,7 @@ void write_text(const std::filesystem::path& path, std::string_view text) {
     write_file(path, std::as_bytes(std::span(text)));
 }
 
-TEST(ShippedPresets, AllLoadUnderTheirNameAndSayWhatTheyShow) {
+TEST(ShippedPresets, AllLoadByNameAndHaveADescription) {
     for (const ShippedPreset& shipped : shipped_presets()) {
         const Preset preset = load_preset(std::string(shipped.name));
         EXPECT_EQ(preset.name, shipped.name);
@@ -50,7 +50,7 @@ TEST(LoadPreset, APathIsAFileAndItsStemTheName) {
     EXPECT_EQ(preset.seeding.bubbles, 77);
 }
 
-TEST(LoadPreset, AnExtensionChangesOnlyWhatItSays) {
+TEST(LoadPreset, AnExtensionChangesOnlyItsKeys) {
     const TemporaryFolder folder;
     write_text(folder.path() / "base.toml",
                "[foam]\nbubbles = 50\nseed = 4\n[[event]]\nkind = 'collapse'\nsides = 5\n"
@@ -64,7 +64,7 @@ TEST(LoadPreset, AnExtensionChangesOnlyWhatItSays) {
     EXPECT_EQ(preset.events.size(), 1U);
 }
 
-TEST(LoadPreset, EventsOfAnExtensionStandForThoseOfTheOther) {
+TEST(LoadPreset, EventsOfAnExtensionReplaceThoseOfTheBase) {
     const TemporaryFolder folder;
     const auto path = folder.path() / "mine.toml";
     write_text(path, "extends = 'collapse'\n[[event]]\nkind = 'collapse'\nsides = 5\nframe = 3\n");
@@ -75,7 +75,7 @@ TEST(LoadPreset, EventsOfAnExtensionStandForThoseOfTheOther) {
     EXPECT_EQ(preset.seeding.bubbles, load_preset("collapse").seeding.bubbles);
 }
 
-TEST(LoadPreset, ABadExtensionNamesTheLineThatSaysIt) {
+TEST(LoadPreset, ErrorOfABadExtensionNamesItsLine) {
     const TemporaryFolder folder;
     const std::string mine = (folder.path() / "mine.toml").string();
     const std::string yours = (folder.path() / "yours.toml").string();

@@ -28,7 +28,7 @@ TEST(LoopCheck, LoopsThatCloseAreAccepted) {
               "no failure");
 }
 
-TEST(LoopCheck, WhatCannotCloseIsRefused) {
+TEST(LoopCheck, RejectsLoopsThatCannotClose) {
     EXPECT_EQ(failure("[loop]\nkind = 'drift'\n"),
               "test.toml:2: key 'loop.kind' = \"drift\": the loop \"drift\" needs loop.drift, such "
               "as [0, 1] for one image up");

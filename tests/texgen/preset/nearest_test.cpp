@@ -11,13 +11,13 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kNames = {"sea_foam", "labyrinth", "coarsening"};
 
-TEST(Nearest, FindsASlipOfTheKeyboard) {
+TEST(Nearest, FindsTheWordOfATypo) {
     EXPECT_EQ(nearest("sea_foma", kNames), "sea_foam");   // two replacements
     EXPECT_EQ(nearest("labrynth", kNames), "labyrinth");  // one left out, one replaced
     EXPECT_EQ(nearest("coarseningg", kNames), "coarsening");
 }
 
-TEST(Nearest, LeavesStrangersAlone) {
+TEST(Nearest, FindsNothingForUnrelatedWords) {
     EXPECT_EQ(nearest("beer", kNames), "");
     EXPECT_EQ(nearest("", kNames), "");
 }

@@ -47,7 +47,7 @@ TEST(PresetIo, ReadsEveryKind) {
     EXPECT_EQ(preset.frames.count, FramesOptions{}.count);
 }
 
-TEST(PresetIo, AValueOutOfRangeNamesPlaceKeyValueAndLimits) {
+TEST(PresetIo, ErrorNamesLocationKeyValueAndLimits) {
     EXPECT_EQ(failure("[foam]\n\nbubbles = -3\n"),
               "a.toml:3: key 'foam.bubbles' = -3: must be an integer from 4 to 1000000");
     EXPECT_EQ(set_failure({"foam.bubbles=-3"}),
@@ -67,14 +67,14 @@ TEST(PresetIo, AnUnknownKeySuggestsTheNearest) {
               "'foamtex presets keys' lists all keys");
 }
 
-TEST(PresetIo, AnUnknownTableIsRefusedEvenEmpty) {
+TEST(PresetIo, RejectsAnUnknownTableEvenIfEmpty) {
     EXPECT_EQ(failure("[foam]\n[beer]\n"),
               "a.toml:2: key 'beer' = {...}: unknown table; "
               "'foamtex presets keys' lists all keys");
     EXPECT_EQ(failure("[foam]\n"), "no failure");
 }
 
-TEST(PresetIo, ATableIsNoValueAndAValueNoTable) {
+TEST(PresetIo, RejectsATableForAValueAndAValueForATable) {
     EXPECT_EQ(failure("[foam.bubbles]\n"),
               "a.toml:1: key 'foam.bubbles' = {...}: must be an integer from 4 to 1000000");
     EXPECT_NE(failure("foam = 3\n"), "no failure");
@@ -86,14 +86,14 @@ TEST(PresetIo, ALongValueIsCutToOneReadableLine) {
     EXPECT_NE(message.find("xxx...: must be one of"), std::string::npos);
 }
 
-TEST(PresetIo, RefusesAnImageMuchLongerThanWide) {
+TEST(PresetIo, RejectsAnImageMuchLongerThanWide) {
     EXPECT_EQ(set_failure({"image.size=[1024,64]"}), "no failure");
     EXPECT_EQ(set_failure({"image.size=[64,1025]"}),
               "--set image.size=[64,1025]: key 'image.size' = [64, 1025]: "
               "the longer side must be at most 16 times the shorter side");
 }
 
-TEST(PresetIo, ThePressureRangeIsCheckedOnceAllValuesAreIn) {
+TEST(PresetIo, ThePressureRangeIsCheckedAfterAllAssignments) {
     EXPECT_EQ(set_failure({"albedo.pressure_low=2", "albedo.pressure_high=3"}), "no failure");
     EXPECT_EQ(
         failure("[albedo]\npressure_low = 0.5\npressure_high = 0.25\n"),
@@ -103,7 +103,7 @@ TEST(PresetIo, ThePressureRangeIsCheckedOnceAllValuesAreIn) {
               "must be below albedo.pressure_high = 0.5");
 }
 
-TEST(PresetIo, KeysOfTheOtherKindOfFoamAreRefused) {
+TEST(PresetIo, KeysOfTheOtherKindOfFoamAreRejected) {
     EXPECT_EQ(set_failure({"foam.outline=rectangle"}),
               "--set foam.outline=rectangle: key 'foam.outline' = \"rectangle\": "
               "foam.outline is only allowed with foam.domain = \"patch\"");
@@ -113,7 +113,7 @@ TEST(PresetIo, KeysOfTheOtherKindOfFoamAreRefused) {
     EXPECT_EQ(set_failure({"camera.zoom=2", "foam.domain=patch"}), "no failure");
 }
 
-TEST(PresetIo, AKindThatDoesNotFitTheRestIsToBlameItself) {
+TEST(PresetIo, BlamesAKindThatConflictsWithOtherKeys) {
     Preset preset = parse_preset("[foam]\ndomain = \"patch\"\n[camera]\nzoom = 4\n", "a", "a.toml");
     EXPECT_EQ(test::rejection_of(
                   [&] { assign(preset, std::vector{read_set_argument("foam.domain=torus")}); }),
@@ -134,7 +134,7 @@ TEST(PresetIo, EveryMemberIsWritten) {
     }
 }
 
-RC_GTEST_PROP(PresetIo, WhatIsWrittenReadsBackToTheSame, ()) {
+RC_GTEST_PROP(PresetIo, RoundTrips, ()) {
     Preset preset;
     preset.description = *rc::gen::container<std::string>(rc::gen::inRange<char>(1, 127));
     preset.seeding.bubbles = *rc::gen::inRange(4, 1'000'001);

@@ -64,7 +64,7 @@ TEST(PresetKeys, LimitsHoldOnBothSides) {
                          {"dynamics.t2_area", "0.00009", "0.0001", "0.25", "0.26"}});
 }
 
-TEST(PresetKeys, RealsAreFiniteAndTakeIntegersButNotTheOtherWayRound) {
+TEST(PresetKeys, RealsAreFiniteAndAcceptIntegersButNotViceVersa) {
     EXPECT_TRUE(accepts("dynamics.kappa", "1"));
     EXPECT_FALSE(accepts("foam.bubbles", "100.0"));
     EXPECT_FALSE(accepts("dynamics.kappa", "nan"));

@@ -20,7 +20,7 @@ namespace foam::texgen {
 namespace {
 
 constexpr int kConforms = 0;
-constexpr int kDoesNot = 1;
+constexpr int kDoesNotConform = 1;
 
 // Validates texts of presets by a program that is not ours. Returns its exit code; -1 if there is
 // no Python.
@@ -67,7 +67,7 @@ TEST(PresetSchema, RejectsWhatTheProgramRejects) {
                             "[[event]]\nkind = \"shear\"\nframe = 2\narea = 1.0",
                             "[[event]]\nframe = 2",
                             "[fog]\ndensity = 1"}) {
-        EXPECT_EQ(validate({bad}), kDoesNot) << bad;
+        EXPECT_EQ(validate({bad}), kDoesNotConform) << bad;
         EXPECT_THROW(parse_preset(bad, "bad", "bad.toml"), PresetError) << bad;
     }
 }

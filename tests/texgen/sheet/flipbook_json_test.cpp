@@ -55,7 +55,7 @@ TEST(FlipbookJson, DescribesItselfInJson) {
 }
 
 // Every second frame of a loop is a loop; its first three are not.
-TEST(FlipbookJson, KnowsWhetherItsFramesClose) {
+TEST(FlipbookJson, RecordsWhetherItsFramesLoop) {
     const TemporaryFolder folder;
     const BakedSet set = baked(small_loop(folder.path()), {"albedo"});
     const auto closes = [&](const std::vector<int>& frames) -> bool {

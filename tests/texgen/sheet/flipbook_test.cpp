@@ -21,7 +21,7 @@
 namespace foam::texgen {
 namespace {
 
-TEST(Flipbook, RefusesWhatIsNotThere) {
+TEST(Flipbook, RejectsMissingMapsAndFrames) {
     const TemporaryFolder folder;
     const BakedSet set = baked(small_loop(folder.path()), {"albedo"});
     const auto write = [&](const FlipbookOptions& options) {

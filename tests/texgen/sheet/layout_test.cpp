@@ -30,16 +30,16 @@ TEST(SheetLayout, IsNearASquareByPowersOfTwo) {
     EXPECT_EQ(near_square_columns(64, 32, 128), 16);
 }
 
-TEST(SheetLayout, RefusesWhatNoFileHolds) {
-    constexpr int kMost = std::numeric_limits<int>::max();
-    EXPECT_NO_THROW(check_layout({.frames = 1, .frame_width = kMost}));
-    EXPECT_THROW(check_layout({.frames = 2, .frame_width = kMost, .columns = 2}),
+TEST(SheetLayout, RejectsInvalidLayouts) {
+    constexpr int kMax = std::numeric_limits<int>::max();
+    EXPECT_NO_THROW(check_layout({.frames = 1, .frame_width = kMax}));
+    EXPECT_THROW(check_layout({.frames = 2, .frame_width = kMax, .columns = 2}),
                  std::invalid_argument);
-    EXPECT_THROW(check_layout({.frames = 2, .frame_height = kMost / 2 + 1}), std::invalid_argument);
+    EXPECT_THROW(check_layout({.frames = 2, .frame_height = kMax / 2 + 1}), std::invalid_argument);
     EXPECT_THROW(check_layout({.frames = 0}), std::invalid_argument);
     EXPECT_THROW(check_layout({.columns = 0}), std::invalid_argument);
     EXPECT_THROW(check_layout({.gutter = -1}), std::invalid_argument);
-    EXPECT_THROW(check_layout({.gutter = kMost}), std::invalid_argument);
+    EXPECT_THROW(check_layout({.gutter = kMax}), std::invalid_argument);
 }
 
 }  // namespace

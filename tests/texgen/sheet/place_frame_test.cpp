@@ -29,7 +29,7 @@ std::vector<Sample> row(const Image<Sample>& image, int y) {
 //
 //     3 4      7 8
 //     1 2      5 6
-TEST(PlaceFrame, LiesFromTheTopDown) {
+TEST(PlaceFrame, OrdersRowsFromTopToBottom) {
     const SheetLayout layout{.frames = 2, .frame_width = 2, .frame_height = 2, .columns = 1};
     Image<std::uint8_t> sheet(2, 4, 1);
     for (int k = 0; k < 2; ++k) {
@@ -67,7 +67,7 @@ TEST(PlaceFrame, FillsGuttersWithTheEdge) {
 }
 
 // A gutter may be wider than its frame.
-TEST(PlaceFrame, GoesRoundAsOftenAsItTakes) {
+TEST(PlaceFrame, WrapsAsOftenAsNeeded) {
     constexpr int kGutter = 7;
     const SheetLayout layout{.frame_width = 3, .frame_height = 2, .gutter = kGutter};
     Image<std::uint16_t> sheet(17, 16, 3);

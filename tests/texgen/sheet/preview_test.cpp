@@ -33,7 +33,7 @@ Names write(const BakedSet& set, const TemporaryFolder& folder, const PreviewOpt
     return names;
 }
 
-TEST(Preview, ShowsWhatSuitsTheEye) {
+TEST(Preview, PrefersMapsForTheEye) {
     const TemporaryFolder folder;
     const BakedSet tile = baked(small_loop(folder.path()), {"id", "height", "albedo"});
     EXPECT_EQ(
@@ -125,7 +125,7 @@ TEST(Preview, IsTheSameForAnyNumberOfThreads) {
     EXPECT_EQ(codes8(decode_png(one)).height(), 15);
 }
 
-TEST(Preview, RefusesWhatShowsNothing) {
+TEST(Preview, RejectsMapsThatCannotBeShown) {
     const TemporaryFolder folder;
     const BakedSet set = baked(small_patch(folder.path()), {"id"});
     EXPECT_THROW(write(set, folder, {}), std::invalid_argument);

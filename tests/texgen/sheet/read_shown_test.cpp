@@ -46,7 +46,7 @@ TEST(ReadShown, ShowsNumbersOfAnExrInTheirRange) {
               (std::vector<std::uint8_t>{0, 0, 0, 64, 64, 64, 255, 255, 255, 255, 255, 255}));
 }
 
-TEST(ReadShown, RefusesOtherFormats) {
+TEST(ReadShown, RejectsOtherFormats) {
     EXPECT_THROW(read_shown({.path = "a.jpg"}, map_of("data")), InputError);
 }
 

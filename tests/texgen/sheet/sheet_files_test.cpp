@@ -42,7 +42,7 @@ TEST(SheetFiles, HoldsEveryFrameOfEveryMapAsItIs) {
     }
 }
 
-TEST(SheetFiles, KeepsWhatAFileSaysOfItself) {
+TEST(SheetFiles, KeepsTheMetadataOfFrames) {
     const TemporaryFolder folder;
     const BakedSet set = baked(small_loop(folder.path()), {"albedo", "normal"});
     write_flipbook(set, folder.path(), {}, folder.path());
@@ -55,7 +55,7 @@ TEST(SheetFiles, KeepsWhatAFileSaysOfItself) {
     EXPECT_EQ(data.text, expected);
 }
 
-TEST(SheetFiles, SaysNothingWhereFramesDoNot) {
+TEST(SheetFiles, HasNoMetadataIfFramesHaveNone) {
     const TemporaryFolder folder;
     Preset preset = small_loop(folder.path());
     preset.output.texts = FileTexts::LeftOut;
@@ -64,7 +64,7 @@ TEST(SheetFiles, SaysNothingWhereFramesDoNot) {
 }
 
 // The frames of a patch end where their image does.
-TEST(SheetFiles, ExtendsTheEdgeOfWhatDoesNotTile) {
+TEST(SheetFiles, ExtendsTheEdgeOfFramesThatDoNotTile) {
     const TemporaryFolder folder;
     const BakedSet set = baked(small_patch(folder.path()), {"normal"});
     write_flipbook(set, folder.path(), {.frames = {2}, .gutter = kGutter}, folder.path());
@@ -79,7 +79,7 @@ TEST(SheetFiles, ExtendsTheEdgeOfWhatDoesNotTile) {
     }
 }
 
-TEST(SheetFiles, RefusesAFrameOfAnotherKind) {
+TEST(SheetFiles, RejectsAFrameOfAnotherKind) {
     const TemporaryFolder folder;
     const BakedSet set = baked(small_loop(folder.path()), {"albedo"});
     const auto write = [&] { write_flipbook(set, folder.path(), {}, folder.path()); };

@@ -69,7 +69,7 @@ TEST_F(Charts, AreAllDrawnOfThreeFrames) {
     EXPECT_TRUE(shows("seconds", "time of a frame (s)"));
 }
 
-TEST_F(Charts, AreDrawnWhateverTheRun) {
+TEST_F(Charts, AreDrawnForAnyRun) {
     draw({});
     EXPECT_FALSE(has_chart("mean_area"));
     RunRecord one = run_of_kinds();

@@ -12,7 +12,7 @@ namespace foam::texgen {
 namespace {
 
 // T = 1 and kappa = 1/2: von Neumann's law is (pi/6) (n - 6).
-RunRecord made_up_run() {
+RunRecord synthetic_run() {
     RunRecord run{"made_up", 1.0, 0.5, std::vector<FrameRecord>(2)};
     FrameRecord& first = run.frames[0];
     first.frame = 1;
@@ -52,11 +52,11 @@ constexpr const char* kFrames =
     "3,2.5,2,2,6.5,0,0,2e-16,3,2,0.125\n";
 
 TEST(Csv, FramesGolden) {
-    EXPECT_EQ(frames_csv(made_up_run()), kFrames);
+    EXPECT_EQ(frames_csv(synthetic_run()), kFrames);
 }
 
 TEST(Csv, SidesGolden) {
-    EXPECT_EQ(sides_csv(made_up_run()),
+    EXPECT_EQ(sides_csv(synthetic_run()),
               "frame,time,sides,bubbles,share,mean_area,mean_pressure,"
               "untouched,area_rate,film_rate,law_rate\n"
               "1,0,5,1,0.25,0.5,0.25,0,,-0.5,-0.5235987755982988\n"
@@ -66,7 +66,7 @@ TEST(Csv, SidesGolden) {
 
 TEST(Csv, DoesNotDependOnTheLocale) {
     const CommaLocale locale;
-    EXPECT_EQ(frames_csv(made_up_run()), kFrames);
+    EXPECT_EQ(frames_csv(synthetic_run()), kFrames);
 }
 
 TEST(Csv, OfNoFrameIsTheLineOfNames) {

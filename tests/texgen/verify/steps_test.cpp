@@ -44,7 +44,7 @@ TEST(Steps, IdsAreTheSameOrNot) {
     EXPECT_EQ(seam.largest_within, 1.0);
 }
 
-TEST(Steps, AStepWhereThereIsNoOtherIsBeyondAllMeasure) {
+TEST(Steps, SeamIsInfiniteWithoutOtherSteps) {
     EXPECT_TRUE(std::isinf(Seam({1.0, 0.0}).ratio()));
     EXPECT_EQ(Seam().ratio(), 0.0);
 }
@@ -71,7 +71,7 @@ TEST(Steps, AreMeansOverAllChannels) {
     EXPECT_EQ(step_between(Groups{&a}, Groups{&a}, Difference::Ids), 0.0);
 }
 
-TEST(Steps, ImagesOfOtherFormsAreFarApart) {
+TEST(Steps, ImagesOfOtherFormsAreInfinitelyDifferent) {
     const ChannelGroup a = row_group({0, 4});
     const ChannelGroup b = row_group({0, 4, 4});
     const ChannelGroup c{{"Y"}, SampleType::Float, Image<float>(2, 1, 1)};

@@ -31,7 +31,9 @@ VerifiedSet verified(const std::filesystem::path& folder) {
 using Change = void (*)(Image<std::uint8_t>&);
 
 /// Changes an image, and the manifest as if it had been baked so.
-void change_as_baked(const std::filesystem::path& folder, const std::string& name, Change change) {
+void change_baked_image(const std::filesystem::path& folder,
+                        const std::string& name,
+                        Change change) {
     Image<std::uint8_t> image = codes8(read_picture(folder / name));
     change(image);
     write_png(folder / name, std::as_const(image).view());
@@ -63,7 +65,7 @@ TEST(Verify, AFlowClosesByItsCrossFade) {
     }
 }
 
-TEST(Verify, ALoopThatWasBakedHolds) {
+TEST(Verify, AcceptsABakedLoop) {
     const TemporaryFolder folder;
     bake_small(breathing_loop(folder.path()), frames_to(8));
     const VerifiedSet found = verified(folder.path());
@@ -91,7 +93,7 @@ TEST(Verify, LayersOfAnExrAreChecked) {
     EXPECT_TRUE(found.maps[2].loop);
 }
 
-TEST(Verify, SaysWhichFilesAreGoneDamagedOrChanged) {
+TEST(Verify, ReportsMissingDamagedAndChangedFiles) {
     const TemporaryFolder folder;
     bake_small(breathing_loop(folder.path()), {1, 2, 3});
     std::filesystem::remove(folder.path() / "id.0001.png");
@@ -108,7 +110,7 @@ TEST(Verify, SaysWhichFilesAreGoneDamagedOrChanged) {
 }
 
 // Packed anew, with other texts, the pixels are those that were baked.
-TEST(Verify, APictureThatWasPackedAnewHolds) {
+TEST(Verify, AcceptsARecompressedPicture) {
     const TemporaryFolder folder;
     bake_small(breathing_loop(folder.path()), {1});
     const std::filesystem::path path = folder.path() / "albedo.0001.png";
@@ -120,7 +122,7 @@ TEST(Verify, APictureThatWasPackedAnewHolds) {
 TEST(Verify, FindsAnImageThatDoesNotTile) {
     const TemporaryFolder folder;
     bake_small(breathing_loop(folder.path()), {1, 2});
-    change_as_baked(folder.path(), "albedo.0002.png", [](Image<std::uint8_t>& image) {
+    change_baked_image(folder.path(), "albedo.0002.png", [](Image<std::uint8_t>& image) {
         const int width = image.width();
         for (int y = 0; y < image.height(); ++y) {
             for (int x = 0; 2 * x < width; ++x) {
@@ -162,7 +164,7 @@ TEST(Verify, ALoopIsCheckedOnlyAsAWhole) {
               std::string::npos);
 }
 
-TEST(Verify, SaysWhatABakeLeftOut) {
+TEST(Verify, ReportsMissingFramesOfAFailedBake) {
     const TemporaryFolder folder;
     bake_small(breathing_loop(folder.path()), {1, 2, 3});
     update_manifest(folder.path(), [](Manifest& manifest) {
@@ -186,7 +188,7 @@ TEST(Verify, APatchIsNoTile) {
     EXPECT_FALSE(found.maps.front().tile);
 }
 
-TEST(Verify, AFolderWithoutImagesDoesNotHold) {
+TEST(Verify, RejectsAFolderWithoutImages) {
     const TemporaryFolder folder;
     EXPECT_THROW(verify(folder.path()), InputError);
     update_manifest(folder.path(), [](Manifest&) {});

@@ -28,13 +28,13 @@ struct HalfAngles {
 void find_sines_and_cosines(HalfAngles& turns);
 
 /// The number of films whose shapes are computed at once.
-inline constexpr std::size_t kFilmsAtOnce = HalfAngles::kLanes;
+inline constexpr std::size_t kFilmsPerGroup = HalfAngles::kLanes;
 
-/// Calls take(index, arc) for up to kFilmsAtOnce films from index `first` on. `arc` is the arc of
+/// Calls take(index, arc) for up to kFilmsPerGroup films from index `first` on. `arc` is the arc of
 /// the forward side in pixels; `scale` is in pixels per foam unit.
 template <class Take>
 void shape_some(const Frame& frame, double scale, std::size_t first, const Take& take) {
-    const std::size_t count = std::min(kFilmsAtOnce, frame.network.film_slots() - first);
+    const std::size_t count = std::min(kFilmsPerGroup, frame.network.film_slots() - first);
     const auto arc_of = [&](std::size_t lane) -> const FilmArc& {
         return frame.arcs[id_at<FilmId>(first + lane)];
     };
@@ -52,10 +52,10 @@ void shape_some(const Frame& frame, double scale, std::size_t first, const Take&
 /// Calls take(index, arc) for all films, on several threads and in no particular order.
 template <class Take>
 void shape_films(const Frame& frame, double scale, int threads, const Take& take) {
-    constexpr std::size_t kPerTask = 64 * kFilmsAtOnce;
+    constexpr std::size_t kPerTask = 64 * kFilmsPerGroup;
     const std::size_t count = frame.network.film_slots();
     parallel_for(count, kPerTask, threads, [&](std::size_t first, std::size_t last) {
-        for (std::size_t k = first; k < last; k += kFilmsAtOnce) {
+        for (std::size_t k = first; k < last; k += kFilmsPerGroup) {
             shape_some(frame, scale, k, take);
         }
     });

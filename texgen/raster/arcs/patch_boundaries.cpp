@@ -50,7 +50,7 @@ ArcLoops boundaries_of_ghost(const PixelPatch& pixels) {
 
 }  // namespace
 
-bool may_show(const RasterGrid& grid, std::span<const ArcLoops::Side> loop) {
+bool may_be_visible(const RasterGrid& grid, std::span<const ArcLoops::Side> loop) {
     if (loop.empty()) {
         return false;
     }

@@ -37,7 +37,7 @@ inline constexpr double kGuard = kLargestSide;
 
 /// Returns true if a part of a loop may be visible. The test is conservative: it assumes that an
 /// arc may extend from its tail by its length in any direction.
-bool may_show(const RasterGrid& grid, std::span<const ArcLoops::Side> loop);
+bool may_be_visible(const RasterGrid& grid, std::span<const ArcLoops::Side> loop);
 
 /// Returns the boundary loops of a region, with the region on their left. `bubble` is the index of
 /// the region in the order of region_count.

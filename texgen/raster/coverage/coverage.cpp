@@ -54,7 +54,7 @@ struct Band {
     // Adds a part to its pixel, and the area on the left of the part to the next pixel.
     void add(std::size_t row,
              std::size_t column,
-             const ArcWalk::Part& part,
+             const ArcSplitter::Part& part,
              const Sum& across) const {
         touch(&touched[row * words + column / kFlagsPerWord], column % kFlagsPerWord);
         const auto on_left = Sums::of_area(part.on_left);
@@ -72,10 +72,10 @@ struct Band {
     }
 };
 
-constexpr std::size_t kFlagsAtOnce = 4;
+constexpr std::size_t kFlagsPerStep = 4;
 
 // Appends the positions of the flags that are set; returns how many there are. Writes up to
-// kFlagsAtOnce more. Most words have few flags, and how many is hard to predict: four are taken
+// kFlagsPerStep more. Most words have few flags, and how many is hard to predict: four are taken
 // without asking.
 [[gnu::always_inline]] inline std::size_t find_flags(std::span<const std::uint64_t> flags,
                                                      std::uint16_t* positions) {
@@ -83,8 +83,8 @@ constexpr std::size_t kFlagsAtOnce = 4;
     for (std::size_t word = 0; word < flags.size(); ++word) {
         std::uint64_t bits = flags[word];
         const std::size_t end = count + static_cast<std::size_t>(std::popcount(bits));
-        for (; count < end; count += kFlagsAtOnce) {
-            for (std::size_t k = 0; k < kFlagsAtOnce; ++k) {
+        for (; count < end; count += kFlagsPerStep) {
+            for (std::size_t k = 0; k < kFlagsPerStep; ++k) {
                 const auto bit = static_cast<std::size_t>(std::countr_zero(bits));
                 positions[count + k] = static_cast<std::uint16_t>(word * kFlagsPerWord + bit);
                 bits &= bits - 1;
@@ -105,35 +105,35 @@ Coverage<Sums>::Coverage(int width, int rows, RowKind kind)
       words_(static_cast<std::size_t>(width) / kFlagsPerWord + 1),
       differences_(stride_ * static_cast<std::size_t>(rows)),
       touched_(words_ * static_cast<std::size_t>(rows)),
-      walk_(rows),
+      splitter_(rows),
       starts_(static_cast<std::size_t>(rows)) {}
 
 template <class Sums>
 void Coverage<Sums>::add(const MonotoneArc& arc, SubpixelPoint translation, const Step& step) {
-    if (!walk_.is_in_rows(arc, translation)) {
+    if (!splitter_.is_in_rows(arc, translation)) {
         return;
     }
-    steps_[walk_.size()] = step;
-    walk_.add(arc, translation);
-    if (walk_.size() == ArcWalk::kMaxArcs) {
+    steps_[splitter_.size()] = step;
+    splitter_.add(arc, translation);
+    if (splitter_.size() == ArcSplitter::kMaxArcs) {
         finish();
     }
 }
 
 template <class Sums>
 void Coverage<Sums>::finish() {
-    walk_.split();
-    for (std::size_t k = 0; k < walk_.size(); ++k) {
+    splitter_.split();
+    for (std::size_t k = 0; k < splitter_.size(); ++k) {
         if (is_inside(k)) [[likely]] {
-            add_inside(walk_.parts(k), steps_[k]);
+            add_inside(splitter_.parts(k), steps_[k]);
         } else {
-            add_outside(walk_.parts(k), steps_[k]);
+            add_outside(splitter_.parts(k), steps_[k]);
         }
-        if (steps_[k].goes_around) [[unlikely]] {
-            add_around(walk_.parts(k), steps_[k]);
+        if (steps_[k].wraps) [[unlikely]] {
+            add_around(splitter_.parts(k), steps_[k]);
         }
     }
-    walk_.clear();
+    splitter_.clear();
 }
 
 template <class Sums>
@@ -142,7 +142,7 @@ void Coverage<Sums>::add_inside(Parts parts, const Step& step) {
     // A copy of `across` would let compilers merge both sums of a part into one wide store, on
     // which the load of the next part, which overlaps it by half, stalls.
     at_simd_level([parts, &across = step.across, band] {
-        for (const ArcWalk::Part& part : parts) {
+        for (const ArcSplitter::Part& part : parts) {
             band.add(static_cast<std::size_t>(part.row),
                      static_cast<std::size_t>(part.column),
                      part,
@@ -154,7 +154,7 @@ void Coverage<Sums>::add_inside(Parts parts, const Step& step) {
 // Adds an arc that lies in another period of its sides' outlines.
 template <class Sums>
 void Coverage<Sums>::add_around(Parts parts, const Step& step) {
-    for (const ArcWalk::Part& part : parts) {
+    for (const ArcSplitter::Part& part : parts) {
         add_times(
             Sums::of_area(-part.whole), step.around, starts_[static_cast<std::size_t>(part.row)]);
     }
@@ -164,7 +164,7 @@ void Coverage<Sums>::add_around(Parts parts, const Step& step) {
 template <class Sums>
 void Coverage<Sums>::add_outside(Parts parts, const Step& step) {
     const Band<Sums> band{differences_.data(), stride_, touched_.data(), words_};
-    for (const ArcWalk::Part& part : parts) {
+    for (const ArcSplitter::Part& part : parts) {
         const auto row = static_cast<std::size_t>(part.row);
         const std::int32_t periods = floor_div(part.column, width_);
         const bool is_ring = kind_ == RowKind::Ring;
@@ -183,7 +183,7 @@ void Coverage<Sums>::take_row(int row, const Sum& start, RowSums<Sum>& sums) {
     const auto index = static_cast<std::size_t>(row);
     const auto width = static_cast<std::size_t>(width_);
     const std::span<std::uint64_t> touched(&touched_[index * words_], words_);
-    grow(sums.begins, width + 2 + kFlagsAtOnce);
+    grow(sums.begins, width + 2 + kFlagsPerStep);
     grow(sums.sums, width + 2);
     Sum sum = start;
     add_times(1, std::exchange(starts_[index], Sum{}), sum);

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "texgen/raster/coords/fixed_point.h"
-#include "texgen/raster/coverage/arc_walk.h"
+#include "texgen/raster/coverage/arc_splitter.h"
 
 #include <algorithm>
 #include <array>
@@ -58,8 +58,8 @@ struct SmallSums {
     static constexpr int kPixelBits = 15;
     static constexpr std::int32_t kMiddle = 1 << 15;
 
-    /// Rounds an area to 2^-15 pixel. ArcWalk::Part::whole is a multiple of this unit, and so stays
-    /// exact.
+    /// Rounds an area to 2^-15 pixel. ArcSplitter::Part::whole is a multiple of this unit, and so
+    /// stays exact.
     static Number of_area(std::int32_t area) {
         constexpr int kDropped = kAreaBits - kPixelBits;
         return static_cast<Number>((area + (1 << (kDropped - 1))) >> kDropped);
@@ -110,9 +110,9 @@ class Coverage {
 
     /// The change of values from the left of an arc to its right.
     struct Step {
-        Sum across{};              // value on the right minus value on the left
-        Sum around{};              // the difference of the values times the periods of their sides
-        bool goes_around = false;  // true if `around` may not be 0
+        Sum across{};        // value on the right minus value on the left
+        Sum around{};        // the difference of the values times the periods of their sides
+        bool wraps = false;  // true if `around` may not be 0
     };
 
     /// Creates a band whose differences are all zero. Width and rows are in pixels.
@@ -131,10 +131,10 @@ class Coverage {
     void take_row(int row, const Sum& start, RowSums<Sum>& sums);
 
   private:
-    using Parts = std::span<const ArcWalk::Part>;
+    using Parts = std::span<const ArcSplitter::Part>;
 
     bool is_inside(std::size_t arc) const {
-        return walk_.leftmost(arc) >= 0 && walk_.rightmost(arc) < width_;
+        return splitter_.leftmost(arc) >= 0 && splitter_.rightmost(arc) < width_;
     }
     void add_inside(Parts parts, const Step& step);
     void add_outside(Parts parts, const Step& step);
@@ -148,9 +148,9 @@ class Coverage {
     std::vector<Sum> differences_;
     std::vector<std::uint64_t>
         touched_;  // one bit per pixel, set if its difference may not be zero
-    ArcWalk walk_;
-    std::array<Step, ArcWalk::kMaxArcs> steps_;  // the steps of the pending arcs
-    std::vector<Sum> starts_;                    // added to the start of each row's running sum
+    ArcSplitter splitter_;
+    std::array<Step, ArcSplitter::kMaxArcs> steps_;  // the steps of the pending arcs
+    std::vector<Sum> starts_;                        // added to the start of each row's running sum
 };
 
 extern template class Coverage<ExactSums<1>>;

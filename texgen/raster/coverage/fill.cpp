@@ -28,7 +28,7 @@ namespace {
 // Bytes of sums per band. Few of them are touched, so cache misses cost less than splitting arcs at
 // the borders of more bands (README).
 constexpr std::size_t kBandBytes = std::size_t{1} << 21;
-constexpr std::size_t kAhead = 6;  // prefetch distance in arcs, which are not contiguous
+constexpr std::size_t kPrefetchDistance = 6;  // prefetch distance in arcs, which are not contiguous
 constexpr int kMinRows = 4;
 constexpr int kMaxRows = 64;
 
@@ -113,7 +113,8 @@ class Filler {
         const SubpixelPoint origin{0, first_row * kSubpixel};
         const std::span<const ArcBands::Entry> entries = bands_.entries(band);
         for (std::size_t k = 0; k < entries.size(); ++k) {
-            const MonotoneArc* ahead = entries[std::min(k + kAhead, entries.size() - 1)].arc;
+            const MonotoneArc* ahead =
+                entries[std::min(k + kPrefetchDistance, entries.size() - 1)].arc;
             __builtin_prefetch(ahead);
             __builtin_prefetch(&ahead->sides);  // often in another cache line
             const MonotoneArc& arc = *entries[k].arc;
@@ -126,11 +127,11 @@ class Filler {
             image_.row(first_row).data(),
             row_samples * static_cast<std::size_t>(bands_.row_count(band)));
         for (int row = 0; row < bands_.row_count(band); ++row) {
-            const std::span<Sample> room =
+            const std::span<Sample> output =
                 rows.subspan(row_samples * static_cast<std::size_t>(row));
-            worker.writer.prefetch(room.first(row_samples));
+            worker.writer.prefetch(output.first(row_samples));
             worker.coverage.take_row(row, start, worker.sums);
-            worker.writer.write(worker.sums, static_cast<std::size_t>(image_.width()), room);
+            worker.writer.write(worker.sums, static_cast<std::size_t>(image_.width()), output);
         }
     }
 
@@ -172,8 +173,8 @@ class Filler {
         for (std::size_t c = 0; c < Channels; ++c) {
             step.across[c] = right[c] - left[c];
         }
-        step.goes_around = arc.sides.left_periods != 0 || arc.sides.right_periods != 0;
-        if (step.goes_around) {
+        step.wraps = arc.sides.left_periods != 0 || arc.sides.right_periods != 0;
+        if (step.wraps) {
             for (std::size_t c = 0; c < Channels; ++c) {
                 step.around[c] = Sums::of_value(arc.sides.right_periods) * right[c] -
                                  Sums::of_value(arc.sides.left_periods) * left[c];

@@ -25,8 +25,8 @@ void paint_spans(std::span<const std::uint16_t> begins,
                  const std::uint64_t* pixels,
                  std::uint8_t* row);
 
-/// Turns the sums along a row into samples and writes them. to_samples(sums, pixels) computes one
-/// pixel of `Channels` samples from each sum. Buffers are reused between rows.
+/// Permutation the sums along a row into samples and writes them. to_samples(sums, pixels) computes
+/// one pixel of `Channels` samples from each sum. Buffers are reused between rows.
 template <class Sums, std::size_t Channels, class Sample, class ToSamples>
 class RowWriter {
   public:
@@ -40,20 +40,22 @@ class RowWriter {
         }
     }
 
-    /// Writes a row of `width` pixels to the start of `room`. The rest of `room` may be
+    /// Writes a row of `width` pixels to the start of `output`. The rest of `output` may be
     /// overwritten.
-    void write(const RowSums<typename Sums::Sum>& sums, std::size_t width, std::span<Sample> room) {
+    void write(const RowSums<typename Sums::Sum>& sums,
+               std::size_t width,
+               std::span<Sample> output) {
         grow(pixels_, sums.count);
         to_samples_(std::span(sums.sums).first(sums.count), pixels_.data());
         const auto begins = std::span(sums.begins).first(sums.count + 1);
-        if (room.size_bytes() >= width * kPixelBytes + kBlockBytes) {
+        if (output.size_bytes() >= width * kPixelBytes + kBlockBytes) {
             paint_spans<kPixelBytes>(
-                begins, pixels_.data(), reinterpret_cast<std::uint8_t*>(room.data()));
+                begins, pixels_.data(), reinterpret_cast<std::uint8_t*>(output.data()));
             return;
         }
         grow(bytes_, width * kPixelBytes + kBlockBytes);
         paint_spans<kPixelBytes>(begins, pixels_.data(), bytes_.data());
-        std::memcpy(room.data(), bytes_.data(), width * kPixelBytes);
+        std::memcpy(output.data(), bytes_.data(), width * kPixelBytes);
     }
 
   private:

@@ -74,7 +74,7 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
         const double distance = std::abs(twice) / (1.0 + slope);
         const double end = min_value(past_tail, before_head);
         b.facing[k] = end >= 0.0 ? distance : far;
-        b.at_least[k] = max_value(distance, -end);
+        b.lower_bound[k] = max_value(distance, -end);
     }
 }
 

@@ -23,7 +23,7 @@ class ArcView {
     double horizon(double reach) const;
     /// Returns true if the arc k may be as near to the point as a horizon.
     bool is_within(std::size_t k, double horizon) const {
-        return blocks_[k / kLanes].at_least[k % kLanes] <= horizon;
+        return blocks_[k / kLanes].lower_bound[k % kLanes] <= horizon;
     }
     /// Return the functions of the arc k, relative to the point.
     ArcFunctions functions(std::size_t k) const;
@@ -40,8 +40,8 @@ class ArcView {
         FloatLanes twice, slope_x, slope_y, curvature;
         FloatLanes tail, tail_x, tail_y, head, head_x, head_y;
         FloatLanes twice_along, along_x, along_y, along_curvature, chord;
-        Lanes at_least;  // a lower bound of the distance
-        Lanes facing;    // the distance, or infinity if the point does not face the arc
+        Lanes lower_bound;  // a lower bound of the distance
+        Lanes facing;       // the distance, or infinity if the point does not face the arc
     };
 
     static void evaluate(double x, double y, const ArcLanes::Block& arcs, Block& block);

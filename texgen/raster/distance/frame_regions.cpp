@@ -140,7 +140,7 @@ class TorusPainter {
     int worker_;
     const TorusRegions& regions_;
     const PaintRegion& paint_;
-    std::array<Region, TorusRegions::kAtOnce> group_;
+    std::array<Region, TorusRegions::kGroupSize> group_;
 };
 
 // Paints the regions that are within a band, and returns all others.

@@ -73,13 +73,13 @@ struct Nearest {
 };
 
 // The value and the gradient of a FloatQuadratic at a point.
-struct Seen {
+struct ValueAndGradient {
     float twice;  // twice the value
     float x;      // the gradient
     float y;
 };
 
-[[gnu::always_inline]] inline Seen seen_from(const FloatQuadratic& f, float x, float y) {
+[[gnu::always_inline]] inline ValueAndGradient evaluate(const FloatQuadratic& f, float x, float y) {
     const float slope_x = f.x - f.curvature * x;
     const float slope_y = f.y - f.curvature * y;
     return {f.twice_value + x * (f.x + slope_x) + y * (f.y + slope_y), slope_x, slope_y};
@@ -95,7 +95,7 @@ template <bool kGradient>
                                             const float* y,
                                             Nearest& nearest) {
     for (std::size_t k = 0; k < kLanes; ++k) {
-        const Seen f = seen_from(arc.across, x[k], y[k]);
+        const ValueAndGradient f = evaluate(arc.across, x[k], y[k]);
         const float slope = std::sqrt(f.x * f.x + f.y * f.y);
         const float end = min_value(at(arc.past_tail, x[k], y[k]), at(arc.before_head, x[k], y[k]));
         const float numerator = end >= -kPastEnd ? std::abs(f.twice) : kFar;
@@ -190,8 +190,8 @@ struct SmoothSums {
                                             SmoothSums& sums) {
     const float inverse_chord = 1.0F / film.chord;
     for (std::size_t k = 0; k < kLanes; ++k) {
-        const Seen across = seen_from(film.across, xs[k], ys[k]);
-        const Seen along = seen_from(film.along, xs[k], ys[k]);
+        const ValueAndGradient across = evaluate(film.across, xs[k], ys[k]);
+        const ValueAndGradient along = evaluate(film.along, xs[k], ys[k]);
         const float f = 0.5F * across.twice;
         const float t = 0.5F * along.twice;
         const float bend = f * f * inverse_chord;

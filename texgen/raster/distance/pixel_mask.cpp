@@ -211,27 +211,28 @@ void PixelMask::flip_right_of(std::span<const Boundary::Outline> outline,
                          rows_,
                          columns_,
                          is_chain ? kUp : kToNearest};
-    others_.resize(outline.size());
-    at_simd_level([outline, mask, x = offset.x(), y = offset.y(), others = others_.data()] {
-        RisingArcs rising{};
-        for (std::size_t block = 0; block < outline.size(); ++block) {
-            turn_up(outline[block], x, y, mask.rows, rising);
-            std::uint32_t bits = 0;
-            for (std::size_t k = 0; k < kLanes; ++k) {
-                bits |= rising.other[k] != 0.0 ? 1U << k : 0U;
-                flip_right_of_arc(rising.arc(k),
-                                  rising.low_x[k],
-                                  rising.low_y[k],
-                                  static_cast<int>(rising.first[k]),
-                                  static_cast<int>(rising.last[k]),
-                                  mask);
+    non_monotone_.resize(outline.size());
+    at_simd_level(
+        [outline, mask, x = offset.x(), y = offset.y(), non_monotone = non_monotone_.data()] {
+            RisingArcs rising{};
+            for (std::size_t block = 0; block < outline.size(); ++block) {
+                turn_up(outline[block], x, y, mask.rows, rising);
+                std::uint32_t bits = 0;
+                for (std::size_t k = 0; k < kLanes; ++k) {
+                    bits |= rising.other[k] != 0.0 ? 1U << k : 0U;
+                    flip_right_of_arc(rising.arc(k),
+                                      rising.low_x[k],
+                                      rising.low_y[k],
+                                      static_cast<int>(rising.first[k]),
+                                      static_cast<int>(rising.last[k]),
+                                      mask);
+                }
+                non_monotone[block] = bits;
             }
-            others[block] = bits;
-        }
-    });
+        });
     for (std::size_t block = 0; block < outline.size(); ++block) {
         const Boundary::Outline& arcs = outline[block];
-        for (std::uint32_t bits = others_[block]; bits != 0; bits &= bits - 1) {
+        for (std::uint32_t bits = non_monotone_[block]; bits != 0; bits &= bits - 1) {
             const auto k = static_cast<std::size_t>(std::countr_zero(bits));
             const Vec2 from(arcs.from_x[k], arcs.from_y[k]);
             const Vec2 to(arcs.to_x[k], arcs.to_y[k]);

@@ -70,10 +70,10 @@ class PixelMask {
   private:
     int columns_ = 0;
     PixelRows rows_;
-    std::size_t stride_ = 0;             // distance between columns of words, in words
-    std::vector<std::uint64_t> words_;   // all rows, one column of words after the other
-    std::vector<std::uint32_t> others_;  // per block of an outline: bits of arcs that are not
-                                         // monotone in y
+    std::size_t stride_ = 0;                   // distance between columns of words, in words
+    std::vector<std::uint64_t> words_;         // all rows, one column of words after the other
+    std::vector<std::uint32_t> non_monotone_;  // per block of an outline: bits of arcs that are not
+                                               // monotone in y
 };
 
 }  // namespace foam::texgen

@@ -23,7 +23,7 @@ constexpr std::size_t kFewSides = 24;  // up to this number, every batch tests a
 // A film whose chord is shorter than this fraction of its distance is ignored in smooth distances.
 // It would add less than 1e-8, and its functions could leave the range of floats.
 constexpr double kMinChord = 1e-4;
-constexpr float kNowhere = 1e15F;  // value of `along` for a circle, whose film has no end
+constexpr float kNoEnd = 1e15F;  // value of `along` for a circle, whose film has no end
 
 }  // namespace
 
@@ -47,7 +47,7 @@ void RegionField::measure(const Region& region,
     while (tiles * kTileColumns < mask.columns() || (first + tiles) * kTileRows < mask.rows().end) {
         tiles *= 2;
     }
-    halve(mask, arcs, {0, first, tiles}, 0);
+    subdivide(mask, arcs, {0, first, tiles}, 0);
 }
 
 void RegionField::measure_at_once(const PixelMask& mask, int rows) {
@@ -64,10 +64,10 @@ void RegionField::measure_at_once(const PixelMask& mask, int rows) {
 // Measures a block of tiles. If the block is a single tile or has few arcs, its tiles are measured.
 // Otherwise the arcs are narrowed to those that may be nearest to a pixel of the block, and the
 // quarters of the block are processed recursively.
-void RegionField::halve(const PixelMask& mask,
-                        const ArcLanes& arcs,
-                        Block block,
-                        std::size_t level) {
+void RegionField::subdivide(const PixelMask& mask,
+                            const ArcLanes& arcs,
+                            Block block,
+                            std::size_t level) {
     const int left = block.x * kTileColumns;
     const int bottom = block.y * kTileRows;
     const int columns = std::min(mask.columns() - left, block.tiles * kTileColumns);
@@ -93,10 +93,10 @@ void RegionField::halve(const PixelMask& mask,
         }
     }
     const int half = block.tiles / 2;
-    halve(mask, near, {block.x, block.y, half}, level + 1);
-    halve(mask, near, {block.x + half, block.y, half}, level + 1);
-    halve(mask, near, {block.x, block.y + half, half}, level + 1);
-    halve(mask, near, {block.x + half, block.y + half, half}, level + 1);
+    subdivide(mask, near, {block.x, block.y, half}, level + 1);
+    subdivide(mask, near, {block.x + half, block.y, half}, level + 1);
+    subdivide(mask, near, {block.x, block.y + half, half}, level + 1);
+    subdivide(mask, near, {block.x + half, block.y + half, half}, level + 1);
 }
 
 void RegionField::measure_tiles(const PixelMask& mask, const ArcLanes& arcs, Block block) {
@@ -176,7 +176,7 @@ void RegionField::measure_smooth(double reach) {
         if (chord.norm() > kMinChord * far) {
             films_.push_back(view_.film_functions(k));
             if (is_circle) {
-                films_.back().along = {kNowhere, 0.0F, 0.0F, 0.0F};
+                films_.back().along = {kNoEnd, 0.0F, 0.0F, 0.0F};
             }
         }
     }

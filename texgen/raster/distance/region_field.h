@@ -42,7 +42,7 @@ class RegionField {
     };
 
     void measure_at_once(const PixelMask& mask, int rows);
-    void halve(const PixelMask& mask, const ArcLanes& arcs, Block block, std::size_t level);
+    void subdivide(const PixelMask& mask, const ArcLanes& arcs, Block block, std::size_t level);
     void measure_tiles(const PixelMask& mask, const ArcLanes& arcs, Block block);
     void take_tile(const PixelMask& mask, int x, int y);
     void measure_batch(const ArcLanes& arcs, double reach);

@@ -105,35 +105,36 @@ std::span<const TorusRegions::Start> TorusRegions::starts(int first, int rows) c
     return starts_.of(begin * columns_, end * columns_);
 }
 
-inline void TorusRegions::advance(Walk& walk) const {
-    const Film& film = films_[index_of(film_of(walk.side))];
-    const std::size_t end = index_of(walk.side) % 2;
+inline void TorusRegions::advance(Traversal& traversal) const {
+    const Film& film = films_[index_of(film_of(traversal.side))];
+    const std::size_t end = index_of(traversal.side) % 2;
     const int along = 1 - 2 * static_cast<int>(end);  // no branch, it would be unpredictable
     const PixelArc shape{
         {along * film.chord_x, along * film.chord_y}, film.cosine, along * film.sine};
-    const SubpixelPoint from = SubpixelPoint{film.tail_x[end], film.tail_y[end]} + walk.lift;
-    walk.lift = walk.lift + SubpixelPoint{along * film.lift_x, along * film.lift_y};
-    const SubpixelPoint to = SubpixelPoint{film.tail_x[1 - end], film.tail_y[1 - end]} + walk.lift;
-    walk.side = film.next[end];
-    __builtin_prefetch(&films_[index_of(film_of(walk.side))]);
-    walk.boundary->add_arc(shape, walk.tail);
-    walk.boundary->add_edge(real(from), real(to), shape.cosine, shape.sine);
-    walk.tail += shape.chord;
+    const SubpixelPoint from = SubpixelPoint{film.tail_x[end], film.tail_y[end]} + traversal.lift;
+    traversal.lift = traversal.lift + SubpixelPoint{along * film.lift_x, along * film.lift_y};
+    const SubpixelPoint to =
+        SubpixelPoint{film.tail_x[1 - end], film.tail_y[1 - end]} + traversal.lift;
+    traversal.side = film.next[end];
+    __builtin_prefetch(&films_[index_of(film_of(traversal.side))]);
+    traversal.boundary->add_arc(shape, traversal.tail);
+    traversal.boundary->add_edge(real(from), real(to), shape.cosine, shape.sine);
+    traversal.tail += shape.chord;
 }
 
 void TorusRegions::trace(std::span<const Start> starts, std::span<Region> regions) const {
-    std::array<Walk, kAtOnce> walks;
+    std::array<Traversal, kGroupSize> traversals;
     for (std::size_t k = 0; k < starts.size(); ++k) {
         const Start& start = starts[k];
         __builtin_prefetch(&films_[index_of(film_of(start.side))]);
         regions[k].boundary.clear();
-        walks[k] = {start.side, start.side, start.tail, {}, &regions[k].boundary};
+        traversals[k] = {start.side, start.side, start.tail, {}, &regions[k].boundary};
     }
     for (std::size_t count = starts.size(); count > 0;) {
         for (std::size_t k = 0; k < count;) {
-            advance(walks[k]);
-            if (walks[k].side == walks[k].first) {
-                walks[k] = walks[--count];
+            advance(traversals[k]);
+            if (traversals[k].side == traversals[k].first) {
+                traversals[k] = traversals[--count];
             } else {
                 ++k;
             }

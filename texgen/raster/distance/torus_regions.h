@@ -20,8 +20,8 @@ namespace foam::texgen {
 /// Bubbles are sorted by the square of the unshifted grid in which they begin, row by row.
 class TorusRegions {
   public:
-    static constexpr int kSquare = 32;          // pixels
-    static constexpr std::size_t kAtOnce = 16;  // bubbles that are traced at once
+    static constexpr int kSquare = 32;             // pixels
+    static constexpr std::size_t kGroupSize = 16;  // bubbles that are traced at once
 
     /// The start of a counter-clockwise traversal of a bubble.
     struct Start {
@@ -36,7 +36,7 @@ class TorusRegions {
     /// Returns the bubbles that begin in `rows` rows from `first` on, both multiples of kSquare.
     std::span<const Start> starts(int first, int rows) const;
 
-    /// Traces up to kAtOnce bubbles, which has the memory of all of them read at the same time:
+    /// Traces up to kGroupSize bubbles, which has the memory of all of them read at the same time:
     /// which film follows is known only once the one before it is there.
     void trace(std::span<const Start> starts, std::span<Region> regions) const;
 
@@ -55,7 +55,7 @@ class TorusRegions {
     };
     static_assert(sizeof(Film) == 64);
 
-    struct Walk {
+    struct Traversal {
         HalfEdgeId side{};
         HalfEdgeId first{};
         Vec2 tail{0.0, 0.0};
@@ -65,7 +65,7 @@ class TorusRegions {
 
     std::unique_ptr<Film[]> films(int threads) const;
     Buckets<Start> sorted_starts(int threads) const;
-    void advance(Walk& walk) const;
+    void advance(Traversal& traversal) const;
 
     PixelFrame pixels_;
     std::size_t columns_;  // of squares

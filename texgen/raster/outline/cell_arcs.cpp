@@ -66,7 +66,7 @@ class FilmArcs {
                         periods_[index_of(twin(h))]},
                        batch.arcs);
         };
-        shape_some(pixels_.frame, pixels_.scale, group * kFilmsAtOnce, append);
+        shape_some(pixels_.frame, pixels_.scale, group * kFilmsPerGroup, append);
     }
 
   private:
@@ -77,14 +77,14 @@ class FilmArcs {
 // The boundary of what films of a width leave free of the bubbles of a group.
 class InsetArcs {
   public:
-    static constexpr std::size_t kBubblesAtOnce = 16;
+    static constexpr std::size_t kBubblesPerGroup = 16;
 
     InsetArcs(const PixelFrame& pixels, const std::vector<PixelArc>& shapes, double inset)
         : pixels_(pixels), shapes_(shapes), inset_(inset) {}
 
     void make(std::size_t group, ArcBatch& batch) {
-        const std::size_t first = group * kBubblesAtOnce;
-        const std::size_t end = std::min(first + kBubblesAtOnce, network().bubble_slots());
+        const std::size_t first = group * kBubblesPerGroup;
+        const std::size_t end = std::min(first + kBubblesPerGroup, network().bubble_slots());
         outlines_.sides.clear();
         outlines_.loop_ends.clear();
         for (std::size_t k = first; k < end; ++k) {
@@ -162,15 +162,15 @@ CellArcs torus_arcs(const Frame& frame, const RasterGrid& grid, double film_widt
     const Network& network = frame.network;
     if (film_width == 0.0) {
         const std::vector<std::int16_t> periods = periods_of_sides(network);
-        const std::size_t groups = (network.film_slots() + kFilmsAtOnce - 1) / kFilmsAtOnce;
+        const std::size_t groups = (network.film_slots() + kFilmsPerGroup - 1) / kFilmsPerGroup;
         const auto films = [&] { return FilmArcs(pixels, periods); };
         return make_arcs(grid, groups, kGroupsPerTask, films, threads);
     }
     const std::vector<PixelArc> shapes = film_shapes(frame, pixels.scale, threads);
     const auto insets = [&] { return InsetArcs(pixels, shapes, 0.5 * film_width); };
-    constexpr std::size_t kAtOnce = InsetArcs::kBubblesAtOnce;
-    const std::size_t groups = (network.bubble_slots() + kAtOnce - 1) / kAtOnce;
-    return make_arcs(grid, groups, kBubblesPerTask / kAtOnce, insets, threads);
+    constexpr std::size_t kGroupSize = InsetArcs::kBubblesPerGroup;
+    const std::size_t groups = (network.bubble_slots() + kGroupSize - 1) / kGroupSize;
+    return make_arcs(grid, groups, kBubblesPerTask / kGroupSize, insets, threads);
 }
 
 }  // namespace

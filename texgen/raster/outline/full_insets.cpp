@@ -83,22 +83,23 @@ struct FullInsets::Formulas {
             c.from[k + 1] = back_crossings.entering;
             const Point ahead = head_tangent(first);
             const Point behind = tail_tangent(second);
-            const bool turns_plainly = and_nonshort(cross(ahead, behind) > kMinCornerSine,
-                                                    ahead.dot(behind) > kMinCornerCosine);
-            const bool again_ahead =
+            const bool turns_clearly_left = and_nonshort(cross(ahead, behind) > kMinCornerSine,
+                                                         ahead.dot(behind) > kMinCornerCosine);
+            const bool crosses_twice_ahead =
                 and_nonshort(ahead_crossings.entering > ahead_crossings.leaving,
                              ahead_crossings.entering <= first.reach);
-            const bool again_back = and_nonshort(back_crossings.leaving < back_crossings.entering,
-                                                 back_crossings.leaving >= -second.reach);
+            const bool crosses_twice_back =
+                and_nonshort(back_crossings.leaving < back_crossings.entering,
+                             back_crossings.leaving >= -second.reach);
             const bool is_on_both = and_nonshort(std::abs(ahead_crossings.leaving) < first.reach,
                                                  std::abs(back_crossings.entering) < second.reach);
-            const bool fits = and_nonshort(and_nonshort(turns_plainly, is_on_both),
-                                           and_nonshort(!again_ahead, !again_back));
+            const bool fits = and_nonshort(and_nonshort(turns_clearly_left, is_on_both),
+                                           and_nonshort(!crosses_twice_ahead, !crosses_twice_back));
             c.fits[k] = fits ? c.fits[k] : 0.0;
         }
     }
 
-    static void place_pieces(Columns& c, std::size_t count) {
+    static void compute_pieces(Columns& c, std::size_t count) {
         for (std::size_t k = 0; k < count; ++k) {
             const Point tail = point_at(offset(c, k), c.from[k]);
             const HalfAngle turn = half_angle_between(c.offset_curvature[k], c.from[k], c.to[k]);
@@ -178,7 +179,7 @@ struct FullInsets::Formulas {
 };
 
 void FullInsets::trace(const ArcLoops& outlines, double distance) {
-    const std::size_t count = place_in_columns(outlines);
+    const std::size_t count = fill_columns(outlines);
     at_simd_level([columns = columns_.get(),
                    count,
                    distance,
@@ -190,7 +191,7 @@ void FullInsets::trace(const ArcLoops& outlines, double distance) {
         for (std::size_t k = 0; k < loop_count; ++k) {
             c.from[loops[k].begin] = c.from[loops[k].begin + loops[k].size];
         }
-        Formulas::place_pieces(c, count);
+        Formulas::compute_pieces(c, count);
         for (std::size_t k = 0; k < loop_count; ++k) {
             loops[k].shows_every_side = Formulas::shows_every_side(c, loops[k], distance);
         }
@@ -198,7 +199,7 @@ void FullInsets::trace(const ArcLoops& outlines, double distance) {
 }
 
 // Returns how many sides there are, with the first of each loop twice.
-std::size_t FullInsets::place_in_columns(const ArcLoops& outlines) {
+std::size_t FullInsets::fill_columns(const ArcLoops& outlines) {
     Columns& c = *columns_;
     std::size_t count = 0;
     const auto place = [&](const ArcLoops::Side& side) {

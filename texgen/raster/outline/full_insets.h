@@ -57,7 +57,7 @@ class FullInsets {
 
     struct Formulas;
 
-    std::size_t place_in_columns(const ArcLoops& outlines);
+    std::size_t fill_columns(const ArcLoops& outlines);
 
     std::vector<Loop> loops_;
     std::unique_ptr<Columns> columns_ = std::make_unique<Columns>();

@@ -143,11 +143,11 @@ void InsetTracer::collect_pieces(std::size_t index) {
 // first of the loop.
 InsetTracer::Piece* InsetTracer::successor(const Piece& piece, const Piece& first) {
     Piece* nearest = nullptr;
-    double least = kLargestGap * kLargestGap;
+    double min_gap = kLargestGap * kLargestGap;
     for (Piece& candidate : pieces_) {
         const double gap = (candidate.tail - piece.head).squared_norm();
-        if (gap < least && (!candidate.linked || &candidate == &first)) {
-            least = gap;
+        if (gap < min_gap && (!candidate.linked || &candidate == &first)) {
+            min_gap = gap;
             nearest = &candidate;
         }
     }

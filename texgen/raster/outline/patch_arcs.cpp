@@ -102,7 +102,7 @@ class PatchArcs {
         for (ArcLoops::Side& side : loop_) {
             side.tail += anchor;
         }
-        if (!may_show(pixels_.grid, loop_)) {
+        if (!may_be_visible(pixels_.grid, loop_)) {
             return;
         }
         if (bubble != pixels_.frame.network.ghost() && !(area_of(loop_) > 0.0)) {

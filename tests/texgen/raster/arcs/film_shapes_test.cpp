@@ -54,17 +54,17 @@ TEST(HalfAngles, AreThoseOfTheLibraryToRounding) {
 
 // So that an arc is the same from both its sides.
 TEST(HalfAngles, AreEvenAndOdd) {
-    HalfAngles there;
-    HalfAngles back;
+    HalfAngles positive;
+    HalfAngles negative;
     for (std::size_t k = 0; k < HalfAngles::kLanes; ++k) {
-        there.angle[k] = 0.19 * static_cast<double>(k);
-        back.angle[k] = -there.angle[k];
+        positive.angle[k] = 0.19 * static_cast<double>(k);
+        negative.angle[k] = -positive.angle[k];
     }
-    find_sines_and_cosines(there);
-    find_sines_and_cosines(back);
+    find_sines_and_cosines(positive);
+    find_sines_and_cosines(negative);
     for (std::size_t k = 0; k < HalfAngles::kLanes; ++k) {
-        EXPECT_EQ(there.cosine[k], back.cosine[k]);
-        EXPECT_EQ(there.sine[k], -back.sine[k]);
+        EXPECT_EQ(positive.cosine[k], negative.cosine[k]);
+        EXPECT_EQ(positive.sine[k], -negative.sine[k]);
     }
 }
 

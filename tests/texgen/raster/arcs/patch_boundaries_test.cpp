@@ -74,11 +74,11 @@ TEST(PatchBoundaries, ShowOnlyIfTheyReachTheImage) {
     const RasterGrid grid{10, 10, 0, 0, View{}};
     const std::vector<ArcLoops::Side> loop{{{20.0, 5.0}, pixel_arc({{3.0, 0.0}, 0.0})},
                                            {{23.0, 5.0}, pixel_arc({{-3.0, 0.0}, 0.3})}};
-    EXPECT_FALSE(may_show(grid, loop));
-    EXPECT_FALSE(may_show(grid, {}));
+    EXPECT_FALSE(may_be_visible(grid, loop));
+    EXPECT_FALSE(may_be_visible(grid, {}));
     const std::vector<ArcLoops::Side> near{{{11.0, 5.0}, pixel_arc({{3.0, 0.0}, 0.0})},
                                            {{14.0, 5.0}, pixel_arc({{-3.0, 0.0}, 0.3})}};
-    EXPECT_TRUE(may_show(grid, near));  // an arc reaches no farther than its length
+    EXPECT_TRUE(may_be_visible(grid, near));  // an arc reaches no farther than its length
 }
 
 }  // namespace

@@ -13,19 +13,19 @@ TEST(RasterGrid, CountsPixelsPerFoamUnit) {
     EXPECT_DOUBLE_EQ(pixels_per_unit({256, 128, 0, 0}, {8.0, 4.0}), 32.0);
 }
 
-TEST(RasterGrid, RefusesPixelsThatAreNotSquare) {
+TEST(RasterGrid, RejectsPixelsThatAreNotSquare) {
     EXPECT_NO_THROW(pixels_per_unit({100, 100, 0, 0}, {1.0, 1.0 + 0.9e-6}));
     EXPECT_THROW(pixels_per_unit({100, 100, 0, 0}, {1.0, 1.0 + 1.2e-6}), std::invalid_argument);
 }
 
-TEST(RasterGrid, RefusesSidesOutOfRange) {
+TEST(RasterGrid, RejectsSidesOutOfRange) {
     EXPECT_THROW(pixels_per_unit({0, 0, 0, 0}, {1.0, 1.0}), std::invalid_argument);
     EXPECT_THROW(pixels_per_unit({kLargestSide + 1, kLargestSide + 1, 0, 0}, {1.0, 1.0}),
                  std::invalid_argument);
     EXPECT_NO_THROW(pixels_per_unit({kLargestSide, kLargestSide, 0, 0}, {1.0, 1.0}));
 }
 
-TEST(RasterGrid, HasAViewOfThePlaneAndOfNothingElse) {
+TEST(RasterGrid, HasAViewOnlyOfThePlane) {
     EXPECT_THROW(pixels_per_unit({10, 10, 0, 0}, kPlane), std::invalid_argument);
     const View view{{1.0, 2.0}, 7.5};
     EXPECT_EQ(pixels_per_unit({10, 20, 0, 0, view}, kPlane), 7.5);
@@ -40,7 +40,7 @@ TEST(RasterGrid, SnapsIntoTheGrid) {
 }
 
 // Half a period to the left of 10 pixels a unit, 1024 subpixels a pixel.
-TEST(RasterGrid, TellsTheShear) {
+TEST(RasterGrid, ReturnsTheShear) {
     EXPECT_EQ(shear_in_subpixels({10, 20, 0, 0}, {1.0, 2.0, -0.5}), -5120);
     EXPECT_EQ(shear_in_subpixels({10, 20, 0, 0}, {1.0, 2.0}), 0);
 }

@@ -98,7 +98,7 @@ TEST(Coverage, OfABoxWiderThanTheTorus) {
     EXPECT_EQ(take(coverage, 0, 4), expected);
 }
 
-TEST(Coverage, LastColumnSpillsNothing) {
+TEST(Coverage, LastColumnDoesNotOverflow) {
     Coverage<ExactSums<1>> coverage(64, 1);
     add<1>(coverage, box(63 * kSubpixel + 100, 0, 64 * kSubpixel, kSubpixel), {}, {1});
     std::vector<std::int64_t> expected(64, 0);

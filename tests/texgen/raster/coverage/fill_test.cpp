@@ -234,7 +234,7 @@ TEST(Fill, EncodesEachMean) {
     }
 }
 
-TEST(Fill, RefusesWhatDoesNotFit) {
+TEST(Fill, RejectsMismatchedSizes) {
     const Frame frame = test::fitted_frame(honeycomb(2, 2), 8, 8);
     const CellArcs cells = cell_arcs(frame, {8, 8, 0, 0}, 0.0, 1);
     Image16 gray(8, 8, 1);

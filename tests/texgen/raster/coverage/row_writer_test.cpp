@@ -81,7 +81,7 @@ TEST(PaintSpans, WritesEverySpan) {
 }
 
 // The samples of two spans, in a row with room behind it and in one without.
-TEST(RowWriter, WritesItsRowAndLeavesWhatFollows) {
+TEST(RowWriter, WritesOnlyItsRow) {
     using Sums = SmallSums<1>;
     const auto to_samples = [](std::span<const Sums::Sum> sums, std::uint64_t* pixels) {
         for (std::size_t k = 0; k < sums.size(); ++k) {
@@ -93,13 +93,13 @@ TEST(RowWriter, WritesItsRowAndLeavesWhatFollows) {
     sums.count = 2;
     sums.begins = {0, 3, 5};
     sums.sums = {{7}, {9}};
-    for (const std::size_t room : {std::size_t{6}, 6 + kBlockBytes}) {
-        std::vector<std::uint8_t> bytes(room, 1);
+    for (const std::size_t size : {std::size_t{6}, 6 + kBlockBytes}) {
+        std::vector<std::uint8_t> bytes(size, 1);
         writer.prefetch(std::span<const std::uint8_t>(bytes).first(5));
         writer.write(sums, 5, bytes);
         EXPECT_EQ(std::vector<std::uint8_t>(bytes.begin(), bytes.begin() + 5),
                   (std::vector<std::uint8_t>{7, 7, 7, 9, 9}));
-        EXPECT_TRUE(room > 6 || bytes.back() == 1);
+        EXPECT_TRUE(size > 6 || bytes.back() == 1);
     }
 }
 

@@ -54,9 +54,9 @@ std::vector<double> excess(const FilmArc& arc, int n) {
 
 // The largest area between chain and arc over a stretch as long as a pixel's diagonal.
 double largest_area_error(const FilmArc& arc) {
-    constexpr int kPlaces = 4000;
-    const std::vector<double> distances = excess(arc, kPlaces);
-    const double step = arc_length(arc) / kPlaces;
+    constexpr int kSamples = 4000;
+    const std::vector<double> distances = excess(arc, kSamples);
+    const double step = arc_length(arc) / kSamples;
     const auto window = static_cast<std::size_t>(std::numbers::sqrt2 / step);
     double area = 0.0;
     double largest = 0.0;
@@ -68,7 +68,7 @@ double largest_area_error(const FilmArc& arc) {
     return largest;
 }
 
-TEST(ArcChain, LeavesAStraightArcAlone) {
+TEST(ArcChain, DoesNotSplitAStraightArc) {
     std::vector<Vec2> points;
     append_inner_points({Vec2(100.0, 30.0), 0.0}, Vec2::Zero(), points);
     append_inner_points({Vec2(0.0, 0.0), 0.0}, Vec2::Zero(), points);
@@ -99,13 +99,13 @@ TEST(ArcChain, StaysCloseToItsArc) {
 
 TEST(ArcChain, IsRelativeToTheTail) {
     const FilmArc arc = arc_of(20.0, 0.7);
-    std::vector<Vec2> here;
-    std::vector<Vec2> there;
-    append_inner_points(arc, Vec2::Zero(), here);
-    append_inner_points(arc, Vec2(3.0, -2.0), there);
-    ASSERT_EQ(here.size(), there.size());
-    for (std::size_t k = 0; k < here.size(); ++k) {
-        EXPECT_LT((there[k] - here[k] - Vec2(3.0, -2.0)).norm(), 1e-12);
+    std::vector<Vec2> original;
+    std::vector<Vec2> moved;
+    append_inner_points(arc, Vec2::Zero(), original);
+    append_inner_points(arc, Vec2(3.0, -2.0), moved);
+    ASSERT_EQ(original.size(), moved.size());
+    for (std::size_t k = 0; k < original.size(); ++k) {
+        EXPECT_LT((moved[k] - original[k] - Vec2(3.0, -2.0)).norm(), 1e-12);
     }
 }
 

@@ -35,12 +35,12 @@ std::vector<PlacedArc> random_arcs(std::size_t count, std::mt19937& random) {
 // By the points of an arc; too large by less than 1e-4 where the point is a pixel or more away.
 double sampled_distance(const PlacedArc& arc, const Vec2& point) {
     constexpr int kSamples = 2000;
-    double least = std::numeric_limits<double>::infinity();
+    double min_distance = std::numeric_limits<double>::infinity();
     for (int k = 0; k <= kSamples; ++k) {
         const Vec2 at = arc.tail + point_at(arc.film, static_cast<double>(k) / kSamples);
-        least = std::min(least, (at - point).norm());
+        min_distance = std::min(min_distance, (at - point).norm());
     }
-    return least;
+    return min_distance;
 }
 
 ArcLanes lanes_of(const std::vector<PlacedArc>& arcs) {

@@ -154,7 +154,7 @@ TEST(Distance, IsTheSameForAnyThreadsAndInUsedMemory) {
     EXPECT_TRUE(used.smooth_gradient.samples().empty());
 }
 
-TEST(Distance, RefusesAnImageOfAnotherAspect) {
+TEST(Distance, RejectsAnImageOfAnotherAspect) {
     const Frame frame = test::fitted_frame(honeycomb(2, 2), 8, 8);
     EXPECT_THROW(distance_field(frame, {9, 8}, {}, 1), std::invalid_argument);
 }

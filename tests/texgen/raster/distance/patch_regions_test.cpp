@@ -61,7 +61,7 @@ TEST(PatchRegions, BeginWithTheSurroundingsAndHaveClosedBoundaries) {
     EXPECT_EQ(box.rows(), 80);
 }
 
-TEST(PatchRegions, LeaveOutWhatTheImageDoesNotShow) {
+TEST(PatchRegions, LeaveOutBubblesOutsideOfTheImage) {
     const Frame frame = snapshot(test::circles({{0, {-2.0, 0.0}, 4.0}, {1, {6.0, 0.0}, 4.0}}), 1);
     const RasterGrid grid = grid_of(40, 40, {-2.0, 0.0}, 10.0);
     const std::vector<Region> regions = patch_regions(frame, grid, 1);

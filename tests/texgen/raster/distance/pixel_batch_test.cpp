@@ -81,7 +81,7 @@ TEST(PixelBatch, HasTheSameDistancesWithAndWithoutGradients) {
     });
 }
 
-TEST(PixelBatch, TellsIfAPixelFacesNothing) {
+TEST(PixelBatch, ReportsPixelsThatFaceNoArc) {
     at_every_simd_level([] {
         PixelBatch batch;
         add_pixels(batch);

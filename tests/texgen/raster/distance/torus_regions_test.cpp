@@ -62,7 +62,7 @@ TEST(TorusRegions, TraceEveryBubbleOnce) {
     const PixelFrame pixels(frame, grid);
     const Network& network = frame.network;
     std::vector<int> times(network.bubble_slots());
-    std::vector<Region> traced(TorusRegions::kAtOnce);
+    std::vector<Region> traced(TorusRegions::kGroupSize);
     std::span<const TorusRegions::Start> starts = regions.starts(0, 320);
     while (!starts.empty()) {
         const std::size_t count = std::min<std::size_t>(starts.size(), 7);

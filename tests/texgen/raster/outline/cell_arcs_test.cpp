@@ -122,7 +122,7 @@ TEST(CellArcs, AllCloseInEquilibrium) {
     }
 }
 
-TEST(CellArcs, RefuseAWidthThatIsNone) {
+TEST(CellArcs, RejectAnInvalidWidth) {
     const Frame frame = test::fitted_frame(honeycomb(2, 2), 8, 8);
     EXPECT_THROW(cell_arcs(frame, {8, 8, 0, 0}, -1.0, 1), std::invalid_argument);
     EXPECT_THROW(cell_arcs(frame, {8, 8, 0, 0}, std::nan(""), 1), std::invalid_argument);

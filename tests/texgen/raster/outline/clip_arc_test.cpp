@@ -14,7 +14,7 @@ ClippedPiece clipped_to_box(const MonotonePieces::Piece& piece) {
     return {piece, Vec2(0.0, 0.0), Vec2(10.0, 10.0)};
 }
 
-TEST(ClipArc, LeavesWhatIsInside) {
+TEST(ClipArc, KeepsPartsInside) {
     const ClippedPiece clipped = clipped_to_box({{1.0, 2.0}, {3.0, 7.0}, 0.3});
     ASSERT_EQ(clipped.pieces().size(), 1U);
     EXPECT_EQ(clipped.pieces()[0].tail, Vec2(1.0, 2.0));
@@ -22,14 +22,14 @@ TEST(ClipArc, LeavesWhatIsInside) {
     EXPECT_NEAR(clipped.pieces()[0].sine, 0.3, 1e-15);
 }
 
-TEST(ClipArc, LeavesOutWhatIsAboveOrBelowOrOnTheRight) {
+TEST(ClipArc, DropsPartsAboveBelowAndOnTheRight) {
     EXPECT_TRUE(clipped_to_box({{1.0, 11.0}, {3.0, 17.0}, 0.3}).pieces().empty());
     EXPECT_TRUE(clipped_to_box({{1.0, -11.0}, {3.0, -7.0}, 0.3}).pieces().empty());
     EXPECT_TRUE(clipped_to_box({{11.0, 1.0}, {13.0, 7.0}, 0.3}).pieces().empty());
     EXPECT_TRUE(clipped_to_box({{13.0, 1.0}, {11.0, 7.0}, 0.3}).pieces().empty());
 }
 
-TEST(ClipArc, KeepsTheHeightsOfWhatIsOnTheLeft) {
+TEST(ClipArc, KeepsTheHeightsOfPartsOnTheLeft) {
     for (const double x : {-4.0, -2.0}) {
         const ClippedPiece clipped = clipped_to_box({{-3.0, 1.0}, {x, 7.0}, 0.0});
         ASSERT_EQ(clipped.pieces().size(), 1U);

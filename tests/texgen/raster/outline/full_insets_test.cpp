@@ -77,7 +77,7 @@ TEST(FullInsets, AreNotProvenAtACornerThatTurnsRight) {
         shows_every_side(polygon({{0, 0}, {10, 0}, {10, 4}, {4, 4}, {4, 10}, {0, 10}}), 1.0));
 }
 
-TEST(FullInsets, DoNotProveWhatIsBeyondTheirCapacity) {
+TEST(FullInsets, DoNotProveOutlinesBeyondTheirCapacity) {
     ArcLoops outlines = polygon(regular(12, 40.0));
     add_polygon(regular(600, 1000.0), 0.0, outlines);
     add_polygon(regular(5, 20.0), 0.0, outlines);
@@ -118,12 +118,12 @@ void expect_same(const ArcLoops& found, const ArcLoops& expected) {
 // Returns the number of bubbles of which every side shows.
 int compare_with_all_cuts(const Foam& foam, double distance) {
     const ArcLoops outlines = outlines_of(foam);
-    constexpr std::size_t kAtOnce = 16;
+    constexpr std::size_t kGroupSize = 16;
     FullInsets insets;
     InsetTracer tracer;
     int proven = 0;
-    for (std::size_t first = 0; first < outlines.loop_ends.size(); first += kAtOnce) {
-        const std::size_t end = std::min(first + kAtOnce, outlines.loop_ends.size());
+    for (std::size_t first = 0; first < outlines.loop_ends.size(); first += kGroupSize) {
+        const std::size_t end = std::min(first + kGroupSize, outlines.loop_ends.size());
         ArcLoops some;
         for (std::size_t loop = first; loop < end; ++loop) {
             const auto sides = outlines.loop(loop);

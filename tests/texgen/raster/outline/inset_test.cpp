@@ -42,7 +42,7 @@ TEST(Inset, OfARectangleIsARectangle) {
     EXPECT_NEAR(areas[0], 8.0, 1e-12);
 }
 
-TEST(Inset, OfWhatIsAllFilmIsEmpty) {
+TEST(Inset, IsEmptyIfFilmsCoverTheBubble) {
     const auto region = polygon({{0.0, 0.0}, {10.0, 0.0}, {10.0, 3.0}, {0.0, 3.0}});
     EXPECT_TRUE(inset_areas(region, 1.6).empty());
     EXPECT_TRUE(inset_areas(region, 50.0).empty());

@@ -14,11 +14,12 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 double brute_distance(const FilmArc& arc, const Vec2& tail, const Vec2& point) {
-    double least = 1e300;
+    double min_distance = 1e300;
     for (int k = 0; k <= 5000; ++k) {
-        least = std::min(least, (tail + foam::point_at(arc, k / 5000.0) - point).norm());
+        min_distance =
+            std::min(min_distance, (tail + foam::point_at(arc, k / 5000.0) - point).norm());
     }
-    return least;
+    return min_distance;
 }
 
 TEST(OffsetArc, PlacesAQuarterCircle) {

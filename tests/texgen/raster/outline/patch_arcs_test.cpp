@@ -235,7 +235,7 @@ TEST(PatchArcs, DoNotDependOnThreads) {
     }
 }
 
-TEST(PatchArcs, OfNothingShowNothing) {
+TEST(PatchArcs, AreEmptyWithoutBubbles) {
     const Frame frame = snapshot(test::circles({}), 1);
     EXPECT_EQ(opaque_area(frame, grid_of(16, 16, Vec2::Zero(), 4.0), 3.0), 0.0);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-#include "core/equilibrium/open_shut_bubbles.h"
+#include "core/equilibrium/reopen_collapsed_bubbles.h"
 
 #include "core/foam/measure.h"
 #include "core/geometry/film_arc.h"
@@ -13,7 +13,8 @@ namespace foam {
 
 namespace {
 
-constexpr double kShutShare = 0.01;         // a bubble is shut below this share of its target area
+constexpr double kCollapsedAreaFraction =
+    0.01;                                   // of its target area; a bubble with less is collapsed
 constexpr double kLargestMove = 1.0 / 3.0;  // largest move of an end, in lengths of its third film
 
 // Returns the half-edge that leaves the tail of h along the film that does not belong to the
@@ -28,10 +29,10 @@ HalfEdgeId third_film(const Network& network, HalfEdgeId h) {
     return third;
 }
 
-bool is_shut(const Foam& foam, BubbleId bubble) {
+bool is_collapsed(const Foam& foam, BubbleId bubble) {
     const Network& network = foam.network;
     if (network.sides(bubble) != 2 ||
-        bubble_area(foam, bubble) >= kShutShare * foam.target_areas[bubble]) {
+        bubble_area(foam, bubble) >= kCollapsedAreaFraction * foam.target_areas[bubble]) {
         return false;
     }
     const HalfEdgeId h = network.first(bubble);
@@ -50,13 +51,13 @@ void move_along_third_film(Foam& foam, HalfEdgeId h, double largest) {
     const Vec2 ahead = chord(foam, third_film(foam.network, h));
     const double length = ahead.norm();
     if (length > 0.0) {
-        const double share = std::min(kLargestMove, largest / length);
+        const double fraction = std::min(kLargestMove, largest / length);
         const JunctionId end = foam.network.tail(h);
-        place_junction(foam, end, foam.positions[end] + share * ahead);
+        place_junction(foam, end, foam.positions[end] + fraction * ahead);
     }
 }
 
-void open(Foam& foam, BubbleId bubble) {
+void reopen(Foam& foam, BubbleId bubble) {
     const HalfEdgeId h = foam.network.first(bubble);
     const HalfEdgeId back = foam.network.next(h);
     const double largest = 0.5 * equilibrium_chord(foam.target_areas[bubble]);
@@ -72,15 +73,15 @@ void open(Foam& foam, BubbleId bubble) {
 
 }  // namespace
 
-int open_shut_bubbles(Foam& foam) {
-    int opened = 0;
+int reopen_collapsed_bubbles(Foam& foam) {
+    int reopened = 0;
     for (const BubbleId bubble : foam.network.bubbles()) {
-        if (is_shut(foam, bubble)) {
-            open(foam, bubble);
-            ++opened;
+        if (is_collapsed(foam, bubble)) {
+            reopen(foam, bubble);
+            ++reopened;
         }
     }
-    return opened;
+    return reopened;
 }
 
 }  // namespace foam

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-#include "core/equilibrium/open_shut_bubbles.h"
+#include "core/equilibrium/reopen_collapsed_bubbles.h"
 
 #include "core/equilibrium/equilibrate.h"
 #include "core/equilibrium/untangle.h"
@@ -22,12 +22,12 @@ constexpr FilmId kFilm{7};
 
 // The film of a honeycomb, sqrt(2 / sqrt(27)) long, has a lens of a thousandth of it in its middle.
 // A third of what is left on either side opens the lens to a third of the film.
-TEST(OpenShutBubbles, MovesTheEndsApartAlongTheirThirdFilms) {
+TEST(ReopenCollapsedBubbles, MovesTheEndsApartAlongTheirThirdFilms) {
     Foam foam = honeycomb(4, 4);
     const double film = chord(foam, forward_side(kFilm)).norm();
     const BubbleId lens = test::insert_lens(foam, kFilm, 1e-3);
     foam.target_areas[lens] = 1.0;
-    EXPECT_EQ(open_shut_bubbles(foam), 1);
+    EXPECT_EQ(reopen_collapsed_bubbles(foam), 1);
     const double length = chord(foam, foam.network.first(lens)).norm();
     EXPECT_NEAR(length, film * (1e-3 + 2.0 / 3.0 * 0.4995), 1e-12);
     EXPECT_NEAR(foam.pressures[lens], std::numbers::sqrt3 * foam.film_tension / length, 1e-9);
@@ -35,30 +35,30 @@ TEST(OpenShutBubbles, MovesTheEndsApartAlongTheirThirdFilms) {
 }
 
 // A lens whose films meet at 120 degrees has the area c²/2 (pi/3 - sqrt(3)/4) / (3/4).
-TEST(OpenShutBubbles, OpensNoFurtherThanToEquilibrium) {
+TEST(ReopenCollapsedBubbles, ReopensNoFurtherThanToEquilibrium) {
     Foam foam = honeycomb(4, 4);
     const BubbleId lens = test::insert_lens(foam, kFilm, 1e-3);
     constexpr double kChord = 0.1;
     foam.target_areas[lens] =
         kChord * kChord / 1.5 * (std::numbers::pi / 3.0 - std::numbers::sqrt3 / 4.0);
-    EXPECT_EQ(open_shut_bubbles(foam), 1);
+    EXPECT_EQ(reopen_collapsed_bubbles(foam), 1);
     const double before = 1e-3 * chord(honeycomb(4, 4), forward_side(kFilm)).norm();
     EXPECT_NEAR(chord(foam, foam.network.first(lens)).norm(), before + kChord, 1e-12);
 }
 
-TEST(OpenShutBubbles, LeavesOpenBubblesAlone) {
+TEST(ReopenCollapsedBubbles, KeepsOpenBubbles) {
     Foam foam = honeycomb(4, 4);
     const BubbleId lens = test::insert_lens(foam, kFilm, 0.5);
     foam.target_areas[lens] = bubble_area(foam, lens);
     const Foam before = foam;
-    EXPECT_EQ(open_shut_bubbles(foam), 0);
+    EXPECT_EQ(reopen_collapsed_bubbles(foam), 0);
     EXPECT_TRUE(test::are_same(foam, before));
 }
 
 // Such bubbles grew in pressure from relaxation to relaxation, until they tore the foam apart.
-TEST(OpenShutBubbles, LeadsAFoamWithAShutBubbleToEquilibrium) {
+TEST(ReopenCollapsedBubbles, EquilibratesAFoamWithACollapsedBubble) {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-        Foam foam = test::settled_foam(30, seed);
+        Foam foam = test::equilibrated_foam(30, seed);
         const BubbleId lens = test::insert_lens(foam, kFilm, 1e-6);
         foam.target_areas[lens] = 0.8;
         const double scale = foam.domain.area() / test::total_target(foam);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-#include "texgen/raster/coverage/arc_walk.h"
+#include "texgen/raster/coverage/arc_splitter.h"
 
 #include <gtest/gtest.h>
 
@@ -26,17 +26,17 @@ MonotoneArc edge(SubpixelPoint low, SubpixelPoint high) {
 using Parts = std::map<std::pair<int, int>, std::pair<int, std::int64_t>>;
 
 // Adds the parts up.
-Parts walk(const MonotoneArc& arc, SubpixelPoint translation, int rows) {
+Parts split_parts(const MonotoneArc& arc, SubpixelPoint translation, int rows) {
     Parts parts;
-    ArcWalk walk(rows);
-    if (!walk.is_in_rows(arc, translation)) {
+    ArcSplitter splitter(rows);
+    if (!splitter.is_in_rows(arc, translation)) {
         return parts;
     }
-    walk.add(arc, translation);
-    walk.split();
-    for (const ArcWalk::Part& part : walk.parts(0)) {
-        EXPECT_LE(walk.leftmost(0), part.column);
-        EXPECT_GE(walk.rightmost(0), part.column);
+    splitter.add(arc, translation);
+    splitter.split();
+    for (const ArcSplitter::Part& part : splitter.parts(0)) {
+        EXPECT_LE(splitter.leftmost(0), part.column);
+        EXPECT_GE(splitter.rightmost(0), part.column);
         if (part.whole == 0) {
             EXPECT_EQ(part.on_left, 0);
             continue;
@@ -49,14 +49,14 @@ Parts walk(const MonotoneArc& arc, SubpixelPoint translation, int rows) {
 }
 
 // The straight edges of a chain; those that go down take away.
-Parts walk(const std::vector<SubpixelPoint>& chain, SubpixelPoint translation, int rows) {
+Parts split_parts(const std::vector<SubpixelPoint>& chain, SubpixelPoint translation, int rows) {
     Parts all;
     SubpixelPoint from = chain.back();
     for (const SubpixelPoint to : chain) {
         const int sign = from.y < to.y ? 1 : -1;
         const auto parts = from.y == to.y  ? Parts{}
-                           : from.y < to.y ? walk(edge(from, to), translation, rows)
-                                           : walk(edge(to, from), translation, rows);
+                           : from.y < to.y ? split_parts(edge(from, to), translation, rows)
+                                           : split_parts(edge(to, from), translation, rows);
         for (const auto& [pixel, part] : parts) {
             all[pixel].first += sign * part.first;
             all[pixel].second += sign * part.second;
@@ -66,26 +66,26 @@ Parts walk(const std::vector<SubpixelPoint>& chain, SubpixelPoint translation, i
     return all;
 }
 
-TEST(ArcWalk, SquareInTheMiddleOfAPixel) {
+TEST(ArcSplitter, SquareInTheMiddleOfAPixel) {
     // Half a pixel wide and high, counter-clockwise. Left side at x = 256, down: area 512 x (2 x
     // 256); right side at x = 768, up: 512 x (2 x 768).
-    const Parts parts = walk({{256, 256}, {768, 256}, {768, 768}, {256, 768}}, {}, 1);
+    const Parts parts = split_parts({{256, 256}, {768, 256}, {768, 768}, {256, 768}}, {}, 1);
     ASSERT_EQ(parts.size(), 1U);
     EXPECT_EQ(parts.at({0, 0}).first, 0);
     EXPECT_EQ(parts.at({0, 0}).second, 512 * 1536 - 512 * 512);
 }
 
-TEST(ArcWalk, DiagonalAcrossFourPixels) {
+TEST(ArcSplitter, DiagonalAcrossFourPixels) {
     // Up from (0, 0) to (2, 2) pixels and down again at x = 0: half of two pixels, all of one.
-    const Parts parts = walk({{0, 0}, {2048, 2048}, {0, 2048}}, {}, 2);
+    const Parts parts = split_parts({{0, 0}, {2048, 2048}, {0, 2048}}, {}, 2);
     EXPECT_EQ(parts.at({0, 0}), (std::pair<int, std::int64_t>{0, 1024 * 1024}));
     EXPECT_EQ(parts.at({1, 0}), (std::pair<int, std::int64_t>{-1024, 0}));
     EXPECT_EQ(parts.at({1, 1}), (std::pair<int, std::int64_t>{1024, 1024 * 1024}));
 }
 
 // Each 1024 to the left is 50 up: at the borders y is 125, 175, 225 and 275.
-TEST(ArcWalk, FlatArcCrossesManyColumnsOfARow) {
-    const Parts parts = walk(edge({4608, 100}, {512, 300}), {}, 1);
+TEST(ArcSplitter, FlatArcCrossesManyColumnsOfARow) {
+    const Parts parts = split_parts(edge({4608, 100}, {512, 300}), {}, 1);
     ASSERT_EQ(parts.size(), 5U);
     EXPECT_EQ(parts.at({0, 4}).first, 25);
     EXPECT_EQ(parts.at({0, 3}).first, 50);
@@ -95,8 +95,8 @@ TEST(ArcWalk, FlatArcCrossesManyColumnsOfARow) {
 }
 
 // Each 1 to the left is 20 up: x is 1024 at y = 76 x 20, in row 1.
-TEST(ArcWalk, SteepArcCrossesManyRowsOfAColumn) {
-    const Parts parts = walk(edge({1100, 0}, {900, 4000}), {}, 4);
+TEST(ArcSplitter, SteepArcCrossesManyRowsOfAColumn) {
+    const Parts parts = split_parts(edge({1100, 0}, {900, 4000}), {}, 4);
     ASSERT_EQ(parts.size(), 5U);
     EXPECT_EQ(parts.at({0, 1}).first, 1024);
     EXPECT_EQ(parts.at({1, 1}).first, 1520 - 1024);
@@ -107,21 +107,21 @@ TEST(ArcWalk, SteepArcCrossesManyRowsOfAColumn) {
 
 // A border is that of the pixel on its right: from the left the arc ends in pixel 1, from the right
 // in it, too.
-TEST(ArcWalk, EndsOnBorders) {
-    const Parts right = walk(edge({0, 0}, {1024, 1024}), {}, 1);
-    const Parts left = walk(edge({2048, 0}, {1024, 1024}), {}, 1);
+TEST(ArcSplitter, EndsOnBorders) {
+    const Parts right = split_parts(edge({0, 0}, {1024, 1024}), {}, 1);
+    const Parts left = split_parts(edge({2048, 0}, {1024, 1024}), {}, 1);
     EXPECT_EQ(right.at({0, 0}), (std::pair<int, std::int64_t>{1024, 1024 * 1024}));
     EXPECT_EQ(left.at({0, 1}), (std::pair<int, std::int64_t>{1024, 1024 * 1024}));
 }
 
-TEST(ArcWalk, LeavesOutOtherRows) {
+TEST(ArcSplitter, LeavesOutOtherRows) {
     const std::vector<SubpixelPoint> square{{100, -3000}, {900, -3000}, {900, 9000}, {100, 9000}};
-    const Parts parts = walk(square, {}, 3);
+    const Parts parts = split_parts(square, {}, 3);
     EXPECT_EQ(parts.size(), 3U);
     EXPECT_EQ(parts.at({2, 0}).second, 1024 * 1800 - 1024 * 200);
 }
 
-class ArcWalkOfRandomChains : public ::testing::Test {
+class ArcSplitterOfRandomChains : public ::testing::Test {
   protected:
     std::vector<SubpixelPoint> chain(int range) {
         std::uniform_int_distribution<std::int32_t> coordinate(-range, range);
@@ -137,18 +137,18 @@ class ArcWalkOfRandomChains : public ::testing::Test {
 };
 
 // Flat ones cross many columns within a row, which steep ones do not.
-TEST_F(ArcWalkOfRandomChains, ArcsSplitTogetherAreSplitAsOneByOne) {
-    const auto list = [](std::span<const ArcWalk::Part> parts) {
+TEST_F(ArcSplitterOfRandomChains, ArcsSplitTogetherAreSplitAsOneByOne) {
+    const auto list = [](std::span<const ArcSplitter::Part> parts) {
         std::vector<std::array<std::int32_t, 4>> numbers;
-        for (const ArcWalk::Part& part : parts) {
+        for (const ArcSplitter::Part& part : parts) {
             numbers.push_back({part.row, part.column, part.whole, part.on_left});
         }
         return numbers;
     };
     for (int round = 0; round < 100; ++round) {
-        ArcWalk together(40);
+        ArcSplitter together(40);
         std::vector<MonotoneArc> arcs;
-        while (arcs.size() < ArcWalk::kMaxArcs) {
+        while (arcs.size() < ArcSplitter::kMaxArcs) {
             const std::vector<SubpixelPoint> ends = chain(round % 2 == 0 ? 40000 : 3000);
             const MonotoneArc arc{
                 ends[0], {ends[1].x, ends[0].y + 1 + std::abs(ends[1].y)}, 0.1, {}};
@@ -158,7 +158,7 @@ TEST_F(ArcWalkOfRandomChains, ArcsSplitTogetherAreSplitAsOneByOne) {
             }
         }
         together.split();
-        ArcWalk alone(40);
+        ArcSplitter alone(40);
         for (std::size_t k = 0; k < arcs.size(); ++k) {
             alone.clear();
             alone.add(arcs[k], {});
@@ -168,41 +168,41 @@ TEST_F(ArcWalkOfRandomChains, ArcsSplitTogetherAreSplitAsOneByOne) {
     }
 }
 
-TEST_F(ArcWalkOfRandomChains, MovesWithWholePixels) {
+TEST_F(ArcSplitterOfRandomChains, MovesWithWholePixels) {
     for (int k = 0; k < 500; ++k) {
         const std::vector<SubpixelPoint> points = chain(5000);
-        const Parts here = walk(points, {7 * kSubpixel, 5 * kSubpixel}, 50);
-        const Parts there = walk(points, {-90 * kSubpixel, 11 * kSubpixel}, 50);
-        EXPECT_EQ(here.size(), there.size());
-        for (const auto& [pixel, part] : here) {
-            EXPECT_EQ(part, there.at({pixel.first + 6, pixel.second - 97}));
+        const Parts original = split_parts(points, {7 * kSubpixel, 5 * kSubpixel}, 50);
+        const Parts moved = split_parts(points, {-90 * kSubpixel, 11 * kSubpixel}, 50);
+        EXPECT_EQ(original.size(), moved.size());
+        for (const auto& [pixel, part] : original) {
+            EXPECT_EQ(part, moved.at({pixel.first + 6, pixel.second - 97}));
         }
     }
 }
 
-TEST_F(ArcWalkOfRandomChains, BentArcsMoveWithWholePixels) {
+TEST_F(ArcSplitterOfRandomChains, BentArcsMoveWithWholePixels) {
     for (int k = 0; k < 500; ++k) {
         const std::vector<SubpixelPoint> points = chain(5000);
         if (points[0].y >= points[1].y) {
             continue;
         }
         const MonotoneArc arc{points[0], points[1], 0.7 * std::sin(k), {}};
-        const Parts here = walk(arc, {7 * kSubpixel, 5 * kSubpixel}, 50);
-        const Parts there = walk(arc, {-90 * kSubpixel, 11 * kSubpixel}, 50);
-        EXPECT_EQ(here.size(), there.size());
-        for (const auto& [pixel, part] : here) {
-            EXPECT_EQ(part, there.at({pixel.first + 6, pixel.second - 97}));
+        const Parts original = split_parts(arc, {7 * kSubpixel, 5 * kSubpixel}, 50);
+        const Parts moved = split_parts(arc, {-90 * kSubpixel, 11 * kSubpixel}, 50);
+        EXPECT_EQ(original.size(), moved.size());
+        for (const auto& [pixel, part] : original) {
+            EXPECT_EQ(part, moved.at({pixel.first + 6, pixel.second - 97}));
         }
     }
 }
 
 // A circle of radius r around the origin, in quarters: pixels get what of them is nearer to the
 // origin than r, which 400 lines per pixel find to 1e-5 and subpixels spoil by their half.
-TEST(ArcWalk, OfACircleHasItsAreaInEveryPixel) {
+TEST(ArcSplitter, OfACircleHasItsAreaInEveryPixel) {
     constexpr int kLines = 400;
     for (const int radius : {1024, 1500, 4000, 30000}) {
         const double sine = std::sin(0.125 * 2.0 * std::numbers::pi);
-        const Parts parts = walk(MonotoneArc{{radius, 0}, {0, radius}, sine, {}}, {}, 40);
+        const Parts parts = split_parts(MonotoneArc{{radius, 0}, {0, radius}, sine, {}}, {}, 40);
         for (const auto& [pixel, part] : parts) {
             double area = 0.0;
             for (int k = 0; k < kLines; ++k) {
@@ -223,10 +223,10 @@ TEST(ArcWalk, OfACircleHasItsAreaInEveryPixel) {
     }
 }
 
-TEST_F(ArcWalkOfRandomChains, HeightsCancelInEveryRow) {
+TEST_F(ArcSplitterOfRandomChains, HeightsCancelInEveryRow) {
     for (int k = 0; k < 500; ++k) {
         std::map<int, int> heights;
-        for (const auto& [pixel, part] : walk(chain(20000), {}, 20)) {
+        for (const auto& [pixel, part] : split_parts(chain(20000), {}, 20)) {
             heights[pixel.first] += part.first;
         }
         for (const auto& [row, height] : heights) {

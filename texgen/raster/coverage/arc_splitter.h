@@ -20,11 +20,11 @@ namespace foam::texgen {
 /// adds its height minus the area on its left. Heights are exact, so that the heights of a closed
 /// chain cancel in every row. The points at which an arc is split depend on the arc alone, so that
 /// a shift by whole pixels gives the same parts. Buffers are reused between batches.
-class ArcWalk {
+class ArcSplitter {
   public:
     static constexpr std::size_t kMaxArcs = 16;
 
-    explicit ArcWalk(int rows) : rows_(rows) {}
+    explicit ArcSplitter(int rows) : rows_(rows) {}
 
     /// Adds an arc, moved by a translation. Precondition: is_in_rows(arc, translation) and size() <
     /// kMaxArcs.
@@ -86,8 +86,8 @@ class ArcWalk {
 
     void measure_parts();
     void find_columns(std::size_t k);
-    void place_rows(std::size_t k);
-    void place_columns(std::size_t k);
+    void store_row_crossings(std::size_t k);
+    void store_column_crossings(std::size_t k);
 
     std::int32_t rows_;
     std::size_t size_ = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-#include "texgen/raster/coverage/arc_walk.h"
+#include "texgen/raster/coverage/arc_splitter.h"
 
 #include "texgen/raster/arcs/pixel_arc.h"
 #include "texgen/raster/simd/kernel.h"
@@ -25,7 +25,7 @@ constexpr std::size_t kLanes = 16;  // number of parts that are measured at once
 
 }  // namespace
 
-void ArcWalk::add(const MonotoneArc& arc, SubpixelPoint translation) {
+void ArcSplitter::add(const MonotoneArc& arc, SubpixelPoint translation) {
     const SubpixelPoint low = arc.low + translation;
     const SubpixelPoint high = arc.high + translation;
     const SubpixelPoint chord = high - low;
@@ -51,7 +51,7 @@ void ArcWalk::add(const MonotoneArc& arc, SubpixelPoint translation) {
 }
 
 // Completes each stage for all arcs before the next stage, so that their square roots overlap.
-void ArcWalk::split() {
+void ArcSplitter::split() {
     if (size_ == 0) {
         return;
     }
@@ -68,14 +68,14 @@ void ArcWalk::split() {
     grow(parts_, points);
     grow(rows_left_, points);
     for (std::size_t k = 0; k < size_; ++k) {
-        place_rows(k);
-        place_columns(k);
+        store_row_crossings(k);
+        store_column_crossings(k);
     }
     measure_parts();
 }
 
 // Determines which borders between columns an arc crosses.
-void ArcWalk::find_columns(std::size_t k) {
+void ArcSplitter::find_columns(std::size_t k) {
     Arc& arc = arcs_[k];
     const ArcCrossings& rows = row_crossings_[k];
     if (arc.high.y > arc.to.y) {
@@ -102,7 +102,7 @@ void ArcWalk::find_columns(std::size_t k) {
 // Stores the points at which an arc leaves each row. Each point is stored behind the slots for the
 // crossings of columns that come before it, so that no branch depends on their order. Minimum and
 // maximum keep x increasing in spite of rounding.
-void ArcWalk::place_rows(std::size_t k) {
+void ArcSplitter::store_row_crossings(std::size_t k) {
     const Arc arc = arcs_[k];  // a copy, which the stores below cannot alias
     const ArcCrossings& rows = row_crossings_[k];
     const std::int32_t* xs = &xs_[rows.position];
@@ -127,9 +127,9 @@ void ArcWalk::place_rows(std::size_t k) {
     }
 }
 
-// Stores the crossings with borders between columns in the slots that place_rows left free. Each
-// crossing is clamped to its row.
-void ArcWalk::place_columns(std::size_t k) {
+// Stores the crossings with borders between columns in the slots that store_row_crossings left
+// free. Each crossing is clamped to its row.
+void ArcSplitter::store_column_crossings(std::size_t k) {
     const Arc& arc = arcs_[k];
     const ArcCrossings& columns = column_crossings_[k];
     const std::int32_t* ys = ys_.data() + columns.position;
@@ -153,7 +153,7 @@ void ArcWalk::place_columns(std::size_t k) {
 // float represents exactly; the circular segment between chord and arc is added to it. The middle
 // of a part determines its pixel. A part without height may get another pixel, but adds nothing
 // there. Elements beyond the parts of an arc fill the last vector and have no size.
-void ArcWalk::measure_parts() {
+void ArcSplitter::measure_parts() {
     at_simd_level([arcs = std::span(arcs_).first(size_),
                    last_row = rows_ - 1,
                    xs = point_x_.data(),
@@ -165,11 +165,11 @@ void ArcWalk::measure_parts() {
     });
 }
 
-inline void ArcWalk::measure_arc(const Arc& arc,
-                                 std::int32_t last_row,
-                                 const std::int32_t* __restrict xs,
-                                 const std::int32_t* __restrict ys,
-                                 Part* __restrict parts) {
+inline void ArcSplitter::measure_arc(const Arc& arc,
+                                     std::int32_t last_row,
+                                     const std::int32_t* __restrict xs,
+                                     const std::int32_t* __restrict ys,
+                                     Part* __restrict parts) {
     constexpr float kHalf = 0.5F;  // added before truncation, which rounds to the nearest
     const std::int32_t sign = arc.sign;
     const float half_curvature = arc.half_curvature;
