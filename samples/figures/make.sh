@@ -1,10 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 #
-# Makes the pictures of this folder anew, with the program of samples/quickstart.sh: all of them, or those named.
+# Makes the pictures and diagrams of this folder anew, with the program of samples/quickstart.sh: all of them, or
+# those named.
 #
 #     samples/figures/make.sh
 #     samples/figures/make.sh figure_4 figure_7
+#     samples/figures/make.sh half_edges
 set -euo pipefail
 
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." >/dev/null && pwd)
@@ -15,11 +17,17 @@ source samples/setup/build.sh
 scratch=$(mktemp -d)
 trap 'rm -rf -- "$scratch"' EXIT
 
+# Runs the program, which is built when it is needed for the first time.
+run_foamtex() {
+    [[ -x $foamtex ]] || build_foamtex
+    "$foamtex" "$@"
+}
+
 # Frames of a preset, each $size pixels wide, into the scratch folder; more options of bake may follow.
 frames() {
     local preset=$1 range=$2 size=$3
     shift 3
-    "$foamtex" bake "$preset" --frames "$range" --size "$size" --out "$scratch/$preset.####.png" -q "$@"
+    run_foamtex bake "$preset" --frames "$range" --size "$size" --out "$scratch/$preset.####.png" -q "$@"
 }
 
 # The frames of a preset on white, so many in a row, as the picture of a name.
@@ -65,15 +73,50 @@ soap_raft() {
     sheet soap_raft 4 soap_raft
 }
 
+# Simulates frames of a preset and keeps their states in the scratch folder under a name, which diagrams read. More
+# options of simulate may follow.
+states() {
+    local name=$1 preset=$2 range=$3
+    shift 3
+    run_foamtex simulate "$preset" --frames "$range" --cache "$scratch/$name" -q "$@"
+}
+
+diagram() {
+    python3 -B samples/figures/diagrams --states "$scratch" "$1"
+}
+
+t1_and_t2() {
+    states shear shear 20,74,75 --set foam.bubbles=60 --set foam.area_ratio=3
+    states coarsening coarsening 1,16,22 --seed 6 --set foam.domain=torus --set foam.bubbles=150 \
+        --set frames.time_step=1 --set frames.step_growth=1
+    diagram t1_and_t2
+}
+
+half_edges() {
+    states torus sea_foam 1 --seed 4 --set foam.bubbles=9 --set foam.lloyd=3
+    diagram half_edges
+}
+
+ghost_bubble() {
+    states patch soap_raft 1 --seed 8 --set foam.bubbles=10 --set dynamics.kappa=0
+    diagram ghost_bubble
+}
+
+film_arc() { diagram film_arc; }
+signed_area() { diagram signed_area; }
+bake_flow() { diagram bake_flow; }
+rooms() { diagram rooms; }
+
 pictures=(sea_foam_tiled figure_4 figure_6 figure_7 figure_8 shear soap_raft)
-for picture in "$@"; do
-    if [[ " ${pictures[*]} " != *" $picture "* ]]; then
-        echo "samples/figures/make.sh: no picture '$picture'; there are ${pictures[*]}" >&2
+diagrams=(t1_and_t2 half_edges ghost_bubble film_arc signed_area bake_flow rooms)
+figures=("${pictures[@]}" "${diagrams[@]}")
+for figure in "$@"; do
+    if [[ " ${figures[*]} " != *" $figure "* ]]; then
+        echo "samples/figures/make.sh: no figure '$figure'; there are ${figures[*]}" >&2
         exit 2
     fi
 done
-ensure_packages imagemagick
-[[ -x $foamtex ]] || build_foamtex
-for picture in "${@:-${pictures[@]}}"; do
-    "$picture"
+ensure_packages imagemagick python3
+for figure in "${@:-${figures[@]}}"; do
+    "$figure"
 done
