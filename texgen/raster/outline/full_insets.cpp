@@ -116,7 +116,7 @@ struct FullInsets::Formulas {
         for (std::size_t k = 0; k < loop.size; ++k) {
             fit = min_value(fit, c.fits[loop.begin + k]);
         }
-        for (std::size_t first = 0; first < loop.size && false; first += kLanes) {
+        for (std::size_t first = 0; first < loop.size; first += kLanes) {
             fit = keep_clear_of(c, loop, first, distance) ? fit : 0.0;
         }
         return fit > 0.0;

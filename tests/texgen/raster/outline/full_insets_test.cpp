@@ -77,6 +77,16 @@ TEST(FullInsets, AreNotProvenAtACornerThatTurnsRight) {
         shows_every_side(polygon({{0, 0}, {10, 0}, {10, 4}, {4, 4}, {4, 10}, {0, 10}}), 1.0));
 }
 
+// The long sides bend inwards. The second bubble has a waist of 0.6, through which the ends of its
+// inset pass, but not the middle.
+TEST(FullInsets, AreNotProvenWhereOppositeSidesAreTooNear) {
+    at_every_simd_level([] {
+        const std::vector<Vec2> corners{{0, 0}, {10, 0}, {10, 2}, {0, 2}};
+        EXPECT_TRUE(shows_every_side(polygon(corners, -0.05), 0.35));
+        EXPECT_FALSE(shows_every_side(polygon(corners, -0.28), 0.35));
+    });
+}
+
 TEST(FullInsets, DoNotProveOutlinesBeyondTheirCapacity) {
     ArcLoops outlines = polygon(regular(12, 40.0));
     add_polygon(regular(600, 1000.0), 0.0, outlines);
