@@ -5,7 +5,6 @@
 #
 #     tests/check_tidy.sh                    all of them
 #     tests/check_tidy.sh core/network       those whose path contains one of the words given
-#     FOAM_PRESET=dev tests/check_tidy.sh    as another CMake preset than release compiles them
 #
 # A source in which nothing was found is not looked at again until it changes, or what it includes, its comments, its
 # options, .clang-tidy or clang-tidy itself: their hash is kept in the user's cache folder for a month.
@@ -16,8 +15,7 @@ cd -- "$root"
 # shellcheck source=samples/setup/packages.sh
 source samples/setup/packages.sh
 
-preset=${FOAM_PRESET:-release}
-export build_dir=build/$preset
+export build_dir=build/tidy
 export cache_dir=${XDG_CACHE_HOME:-$HOME/.cache}/foamtex/tidy
 
 # compiled_sources [WORD]...
@@ -62,7 +60,7 @@ tidy_one() {
 export -f hash_of tidy_one
 
 ensure_packages "${foam_build_packages[@]}" "${foam_test_packages[@]}" clang-tidy
-cmake --preset "$preset" >/dev/null
+cmake --preset tidy >/dev/null
 mapfile -t sources < <(compiled_sources "$@")
 ((${#sources[@]} > 0)) || die "no source to check"
 

@@ -43,14 +43,14 @@ bool is_in_segment(const Vec2& from, const FilmArc& arc) {
     return angle < std::abs(arc.half_angle) && (arc.half_angle > 0.0) == (side < 0.0);
 }
 
-struct Outline {
+struct BubbleOutline {
     std::vector<Vec2> corners;  // relative to the first, in the plane
     std::vector<FilmArc> arcs;
     double reach = 0.0;  // no point of the outline is farther from the first corner
 };
 
-Outline outline_of(const Foam& foam, BubbleId bubble) {
-    Outline outline;
+BubbleOutline outline_of(const Foam& foam, BubbleId bubble) {
+    BubbleOutline outline;
     Vec2 at = Vec2::Zero();
     for (const HalfEdgeId h : foam.network.around(bubble)) {
         const FilmArc arc = film_arc(foam, h);
@@ -62,7 +62,7 @@ Outline outline_of(const Foam& foam, BubbleId bubble) {
     return outline;
 }
 
-int winding_around(const Outline& outline, const Vec2& point) {
+int winding_around(const BubbleOutline& outline, const Vec2& point) {
     int winding = 0;
     for (std::size_t k = 0; k < outline.arcs.size(); ++k) {
         const FilmArc& arc = outline.arcs[k];
@@ -136,7 +136,7 @@ std::optional<BubbleId> find_bubble(const Foam& foam, BubbleIdentity identity) {
 }
 
 int winding_number(const Foam& foam, BubbleId bubble, const Vec2& point) {
-    const Outline outline = outline_of(foam, bubble);
+    const BubbleOutline outline = outline_of(foam, bubble);
     const Vec2& first = foam.positions[foam.network.tail(foam.network.first(bubble))];
     int winding = 0;
     for (const LatticeOffset copy : foam.domain.offsets_near(point - first, outline.reach)) {

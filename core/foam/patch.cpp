@@ -25,7 +25,7 @@ namespace foam {
 
 namespace {
 
-constexpr int kMaxDraws = 8;
+constexpr int kMaxPatchDraws = 8;
 
 void check(const Outline& outline, const PatchOptions& options) {
     if (options.bubbles < 2) {
@@ -159,7 +159,7 @@ Foam seed_patch(const Outline& outline, const PatchOptions& options) {
             spread_targets(foam, options.area_ratio);
             return foam;
         } catch (const std::runtime_error&) {
-            if (draw == kMaxDraws) {
+            if (draw == kMaxPatchDraws) {
                 throw;
             }
         }

@@ -21,7 +21,7 @@ namespace {
 
 // A draw fails if two sites share a grid point or four are on one circle, with a probability of
 // about 1e-8 per diagram.
-constexpr int kMaxDraws = 4;
+constexpr int kMaxSeedDraws = 4;
 
 void check(const SeedingOptions& options) {
     if (options.bubbles < 1) {
@@ -68,7 +68,7 @@ Foam draw_foam(const SeedingOptions& options, const Domain& domain, Random& rand
             const std::vector<Vec2> sites = random_sites(domain, options.bubbles, random);
             return foam_from_cells(domain, lloyd_relaxed(domain, sites, options.lloyd_iterations));
         } catch (const std::runtime_error&) {
-            if (draw == kMaxDraws) {
+            if (draw == kMaxSeedDraws) {
                 throw;
             }
         }

@@ -2,6 +2,8 @@
 
 #include "core/io/evolver_expression.h"
 
+#include <fmt/core.h>
+
 #include <cmath>
 #include <numbers>
 

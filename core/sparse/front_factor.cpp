@@ -19,10 +19,6 @@ namespace foam {
 
 namespace {
 
-Eigen::Index signed_size(std::size_t size) {
-    return static_cast<Eigen::Index>(size);
-}
-
 template <class Real>
 class Factorization {
   public:

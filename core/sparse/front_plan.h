@@ -10,6 +10,11 @@
 
 namespace foam {
 
+/// Returns a size as the type of sizes and indices that Eigen uses.
+inline std::ptrdiff_t signed_size(std::size_t size) {
+    return static_cast<std::ptrdiff_t>(size);
+}
+
 /// Systems with fewer rows are factored and solved by one thread, and subtrees with fewer rows are
 /// solved by one, since a second thread would save next to nothing.
 inline constexpr std::size_t kMinParallelRows = 3000;

@@ -17,10 +17,6 @@ namespace {
 
 using Eigen::Index;
 
-Index signed_size(std::size_t size) {
-    return static_cast<Index>(size);
-}
-
 // The two substitutions of one front.
 template <class Real>
 class FrontSolve {

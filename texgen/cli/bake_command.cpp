@@ -12,7 +12,7 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kBakeExamples = R"(Examples:
   foamtex bake sea_foam
   foamtex bake sea_foam --size 2048 --seed 7 --out 'foam/{map}.####.png'
   foamtex bake my.toml --frames 1-120x2 --set albedo.colormap=magma
@@ -39,7 +39,7 @@ void add_bake_command(CLI::App& app, Action& action) {
     add_preset_options(*command, arguments->run);
     add_image_options(*command, arguments->images);
     add_run_options(*command, arguments->run);
-    command->footer(kExamples);
+    command->footer(kBakeExamples);
     command->callback(
         [&action, arguments] { action = [arguments] { return run_bake(*arguments); }; });
 }

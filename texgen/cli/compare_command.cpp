@@ -25,7 +25,7 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kCompareExamples = R"(Examples:
   foamtex compare golden.png out/sea_foam_albedo.0001.png
   foamtex compare 'old/a.####.exr' 'new/a.####.exr' --frames 1-48 --warn 1e-4 --fail 1e-3
 Samples of a PNG are compared as numbers from 0 to 1, samples of an EXR as stored.
@@ -161,7 +161,7 @@ void add_compare_command(CLI::App& app, Action& action) {
         ->option_text("FILE");
     add_quiet_option(*command, arguments->quiet, "Print nothing; the exit code is the result");
     add_json_option(*command, arguments->json);
-    command->footer(kExamples);
+    command->footer(kCompareExamples);
     command->callback(
         [&action, arguments] { action = [arguments] { return run_compare(*arguments); }; });
 }

@@ -17,7 +17,7 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kCompletionExamples = R"(Examples:
   source <(foamtex completion bash)
   foamtex completion zsh > ~/.zfunc/_foamtex)";
 
@@ -51,7 +51,7 @@ void add_shell(
 void add_completion_command(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("completion", "Print a completion script for a shell");
     command->require_subcommand(1);
-    command->footer(kExamples);
+    command->footer(kCompletionExamples);
     add_shell(*command, "bash", bash_completion, app, action);
     add_shell(*command, "zsh", zsh_completion, app, action);
 }

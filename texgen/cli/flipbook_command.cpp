@@ -23,7 +23,7 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kFlipbookExamples = R"(Examples:
   foamtex bake sea_foam --size 256 --maps albedo,normal
   foamtex flipbook out                          one sheet per map, and sea_foam_sheet.json
   foamtex flipbook out --maps albedo --gutter 4 --columns 6
@@ -127,7 +127,7 @@ void add_flipbook_command(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<FlipbookArguments>();
     add_choices(*command, *arguments);
     add_layout(*command, *arguments);
-    command->footer(kExamples);
+    command->footer(kFlipbookExamples);
     command->callback(
         [&action, arguments] { action = [arguments] { return run_flipbook(*arguments); }; });
 }

@@ -11,7 +11,7 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kManualExamples = R"(Examples:
   foamtex manual | man -l -
   foamtex manual > /usr/local/share/man/man1/foamtex.1)";
 
@@ -19,7 +19,7 @@ constexpr const char* kExamples = R"(Examples:
 
 void add_manual_command(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("manual", "Print the manual page");
-    command->footer(kExamples);
+    command->footer(kManualExamples);
     command->callback([&action, &app] {
         action = [&app] {
             fmt::print("{}", manual_page(grammar_of(app), FOAMTEX_VERSION));

@@ -26,7 +26,7 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kPreviewExamples = R"(Examples:
   foamtex preview sea_foam                    bakes the preset and writes previews to out/
   foamtex preview lava --size 512             faster, from smaller images
   foamtex preview out                         of existing images
@@ -169,7 +169,7 @@ void add_preview_command(CLI::App& app, Action& action) {
     add_choices(*command, *arguments);
     add_json_option(*command, arguments->json);
     add_run_options(*command, arguments->run);
-    command->footer(kExamples);
+    command->footer(kPreviewExamples);
     command->callback(
         [&action, arguments] { action = [arguments] { return run_preview(*arguments); }; });
 }

@@ -18,7 +18,7 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kRelaxExamples = R"(Examples:
   foamtex relax torus.fe -o relaxed.fe
   foamtex relax torus.fe -o state.json --json
 Files: .fe and .dmp are data files of Surface Evolver, .json is a foam state of foamtex.)";
@@ -125,7 +125,7 @@ void add_relax_command(CLI::App& app, Action& action) {
     add_threads_option(*command, arguments->threads);
     add_json_option(*command, arguments->json);
     add_quiet_option(*command, arguments->quiet, "Print only errors (and --json)");
-    command->footer(kExamples);
+    command->footer(kRelaxExamples);
     command->callback(
         [&action, arguments] { action = [arguments] { return run_relax(*arguments); }; });
 }

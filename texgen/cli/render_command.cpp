@@ -14,7 +14,7 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kRenderExamples = R"(Examples:
   foamtex render foam --frames 1-100x2
   foamtex render foam --size 4096 --maps albedo,height,normal --out 'out/{map}.####.exr'
 Frames are identical to those of a bake. Keys of image, output and maps can be set, and those of
@@ -48,7 +48,7 @@ void add_render_command(CLI::App& app, Action& action) {
     add_frame_options(*command, arguments->run);
     add_image_options(*command, arguments->images);
     add_run_options(*command, arguments->run);
-    command->footer(kExamples);
+    command->footer(kRenderExamples);
     command->callback(
         [&action, arguments] { action = [arguments] { return run_render(*arguments); }; });
 }

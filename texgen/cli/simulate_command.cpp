@@ -18,7 +18,7 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kSimulateExamples = R"(Examples:
   foamtex simulate sea_foam --cache foam
   foamtex render foam --frames 1-24 --size 2048
   foamtex render foam --frames 25-48 --size 2048      on another machine, at the same time
@@ -66,7 +66,7 @@ void add_simulate_command(CLI::App& app, Action& action) {
         ->option_text("DIR");
     add_json_option(*command, arguments->json);
     add_run_options(*command, arguments->run);
-    command->footer(kExamples);
+    command->footer(kSimulateExamples);
     command->callback(
         [&action, arguments] { action = [arguments] { return run_simulate(*arguments); }; });
 }

@@ -23,7 +23,7 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kStatsExamples = R"(Examples:
   foamtex stats coarsening
   foamtex stats sea_foam --frames 1-200 --seed 7 --out sea_stats
   foamtex stats my.toml --set foam.bubbles=2000
@@ -89,7 +89,7 @@ void add_stats_command(CLI::App& app, Action& action) {
         ->option_text("DIR");
     add_json_option(*command, arguments->json);
     add_run_options(*command, arguments->run);
-    command->footer(kExamples);
+    command->footer(kStatsExamples);
     command->callback(
         [&action, arguments] { action = [arguments] { return run_stats(*arguments); }; });
 }

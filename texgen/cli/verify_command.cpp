@@ -14,7 +14,7 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kVerifyExamples = R"(Examples:
   foamtex verify out
   foamtex verify out --json > report.json
 Checks against the manifest that every file has the pixels that were baked, images of a torus tile,
@@ -48,7 +48,7 @@ void add_verify_command(CLI::App& app, Action& action) {
         ->option_text(" ");
     add_json_option(*command, arguments->json);
     add_quiet_option(*command, arguments->quiet, "Print nothing; the exit code is the result");
-    command->footer(kExamples);
+    command->footer(kVerifyExamples);
     command->callback(
         [&action, arguments] { action = [arguments] { return run_verify(*arguments); }; });
 }

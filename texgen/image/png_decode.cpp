@@ -112,7 +112,7 @@ ImageMetadata metadata_of(const PngSession& session) {
     return metadata;
 }
 
-void check(const PngSession& session, bool survived) {
+void check_decoded(const PngSession& session, bool survived) {
     if (!survived) {
         throw InputError(fmt::format("malformed PNG: {}", session.error()));
     }
@@ -122,10 +122,10 @@ template <class Sample>
 Picture decode(std::span<const std::byte> content) {
     Source source = content;
     PngSession session(PngDirection::Read);
-    check(session, session.run([&] { read_header<Sample>(session, source); }));
+    check_decoded(session, session.run([&] { read_header<Sample>(session, source); }));
     Image<Sample> pixels = blank_image<Sample>(session);
     std::vector<png_bytep> rows = rows_from_top(pixels.view());
-    check(session, session.run([&] {
+    check_decoded(session, session.run([&] {
         png_read_image(session.png(), rows.data());
         png_read_end(session.png(), session.info());
     }));

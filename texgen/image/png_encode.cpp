@@ -105,7 +105,7 @@ void write_end(png_structp png) {
     png_write_chunk(png, kType.data(), nullptr, 0);
 }
 
-void check(const PngSession& session, bool survived) {
+void check_encoded(const PngSession& session, bool survived) {
     if (!survived) {
         throw OutputError(fmt::format("cannot encode a PNG: {}", session.error()));
     }
@@ -117,7 +117,7 @@ Bytes encode(const PngRows& rows, const ImageMetadata& metadata, const PngEncodi
     Bytes stream;
     PngSession session(PngDirection::Write);
     png_structp png = session.png();
-    check(session, session.run([&] {
+    check_encoded(session, session.run([&] {
         png_set_write_fn(png, &stream, append, nullptr);
         set_header(png, session.info(), rows, metadata.color);
         png_set_text(png, session.info(), texts.data(), static_cast<int>(texts.size()));
@@ -125,13 +125,13 @@ Bytes encode(const PngRows& rows, const ImageMetadata& metadata, const PngEncodi
     }));
     while (!data.complete()) {
         const std::span<const PngData::Chunk> chunks = data.next_chunks();
-        check(session, session.run([&] {
+        check_encoded(session, session.run([&] {
             for (const PngData::Chunk& chunk : chunks) {
                 write_chunk(png, chunk);
             }
         }));
     }
-    check(session, session.run([&] { write_end(png); }));
+    check_encoded(session, session.run([&] { write_end(png); }));
     return stream;
 }
 

@@ -55,9 +55,9 @@ struct MapOptions {
 
 /// Returns the keys of all maps, such as "height.full", in the order in which presets list them.
 /// The table of the map event is named event_map, because [[event]] describes what happens to the
-/// foam.
-inline Keys<MapOptions> map_keys() {
-    using M = MapOptions;
+/// foam. A template, since only its few callers should spend time on compiling it.
+template <class M = MapOptions>
+Keys<M> map_keys() {
     return joined({keys_in("albedo", &M::albedo, albedo_keys()),
                    keys_in("lit", &M::lit, lit_keys()),
                    keys_in("pressure", &M::pressure, pressure_keys()),

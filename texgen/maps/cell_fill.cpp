@@ -16,7 +16,7 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr std::uint16_t kWhole = 65535;
+constexpr std::uint16_t kFullValue = 65535;
 
 // The samples of one pixel; a fill uses the first `channels` of them.
 using Texel = std::array<std::uint16_t, kMaxChannels>;
@@ -47,7 +47,7 @@ CellValues cell_values(const FrameLayers& layers,
 }
 
 Texel light_of(const LinearRgb& color) {
-    return {light_step(color.r), light_step(color.g), light_step(color.b), kWhole};
+    return {light_step(color.r), light_step(color.g), light_step(color.b), kFullValue};
 }
 
 // A linear scale of 65535 steps from the smallest to the largest of some numbers. It converts
@@ -118,7 +118,9 @@ ColorPixels fill_colors(FrameLayers& layers,
 Image<float> fill_numbers(FrameLayers& layers, const CellNumbers& numbers, double film_width) {
     const Steps scale(numbers);
     const std::size_t channels = layers.is_patch() ? 2 : 1;
-    const auto texel_of = [&](double number) { return Texel{scale.step(number), kWhole, 0, 0}; };
+    const auto texel_of = [&](double number) {
+        return Texel{scale.step(number), kFullValue, 0, 0};
+    };
     CellValues values = cell_values(layers, channels, numbers.bubbles.size(), [&](std::size_t k) {
         return texel_of(numbers.bubbles[k]);
     });
@@ -150,12 +152,12 @@ IdPixels paint_ids(FrameLayers& layers, const PerBubble<std::uint32_t>& ids) {
 }
 
 Image<float> fill_cover(FrameLayers& layers, Part part, double film_width) {
-    const std::uint16_t cell = part == Part::Foam ? kWhole : 0;
+    const std::uint16_t cell = part == Part::Foam ? kFullValue : 0;
     const std::size_t count = layers.frame().bubbles.size() + layers.frame().lone_bubbles.size();
     CellValues values = cell_values(layers, 1, count, [&](std::size_t) {
         return Texel{cell, 0, 0, 0};
     });
-    values.film.front() = kWhole;
+    values.film.front() = kFullValue;
     const RasterGrid& grid = layers.grid();
     Image<std::uint16_t> steps(grid.width, grid.height, 1);
     fill_cells(layers.arcs(film_width), values, layers.threads(), steps.view());

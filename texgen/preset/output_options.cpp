@@ -8,8 +8,6 @@ namespace foam::texgen {
 
 namespace {
 
-using Options = OutputOptions;
-
 Keys<OutputOptions> file_keys() {
     constexpr Choices<FileTexts> kTexts = {
         {{{"written", FileTexts::Written}, {"left-out", FileTexts::LeftOut}}}};
@@ -20,19 +18,19 @@ Keys<OutputOptions> file_keys() {
                 Text{},
                 "file names: {preset} and {map} are replaced, #### is the frame number, and the "
                 "suffix decides the format; an EXR without {map} has all maps as layers",
-                &Options::pattern),
+                &OutputOptions::pattern),
             key("texts",
                 kTexts,
                 "whether files contain the program version, seed and preset as text",
-                &Options::texts),
+                &OutputOptions::texts),
             key("frames_per_second",
                 Integers{1, 1000},
                 "frame rate of the animation, which EXR files store",
-                &Options::frames_per_second),
+                &OutputOptions::frames_per_second),
             key("png_compression",
                 kCompressions,
                 "compression of PNG files; small takes ten times as long and saves a tenth",
-                &Options::png_compression)};
+                &OutputOptions::png_compression)};
 }
 
 Keys<OutputOptions> exr_keys() {
@@ -48,19 +46,19 @@ Keys<OutputOptions> exr_keys() {
     return {key("exr_compression",
                 kCompressions,
                 "compression of EXR files; all choices are lossless",
-                &Options::exr_compression),
+                &OutputOptions::exr_compression),
             key("exr_level",
                 Integers{1, 9},
                 "compression level of zip and zips; 1 is fastest, 9 is smallest",
-                &Options::exr_level),
+                &OutputOptions::exr_level),
             key("exr_numbers",
                 kNumbers,
                 "type of numbers in EXR files; half has 11 bits of precision, up to 65504",
-                &Options::exr_numbers),
+                &OutputOptions::exr_numbers),
             key("exr_layout",
                 kLayouts,
                 "layout of EXR files: rows, or tiles of 64 x 64 pixels with mip levels",
-                &Options::exr_layout)};
+                &OutputOptions::exr_layout)};
 }
 
 }  // namespace

@@ -24,8 +24,6 @@ namespace {
 // Integer samples are decoded by a table; floats are scaled from the range in the manifest to [0,
 // 1]. Transparent colors are composited over the ground color as linear light.
 
-constexpr int kColors = 3;
-
 bool is_light_in(const ManifestMap& map) {
     return map.samples->color_space != "data";
 }
@@ -47,16 +45,17 @@ ShownFrame shown_codes(const Image<Sample>& image, bool is_light) {
     const std::vector<float> values = values_of_codes<Sample>(is_light);
     const bool has_alpha = image.channels() % 2 == 0;
     const float ground = values[kGround * (values.size() - 1) / 255];
-    ShownFrame frame{Image<float>(image.width(), image.height(), kColors), is_light};
+    ShownFrame frame{Image<float>(image.width(), image.height(), ShownFrame::kColors), is_light};
     const auto from = image.samples();
     const auto step = static_cast<std::size_t>(image.channels());
-    const std::size_t next = step >= kColors ? 1 : 0;  // gray uses one sample for all three colors
+    const std::size_t next =
+        step >= ShownFrame::kColors ? 1 : 0;  // gray uses one sample for all three colors
     float* to = frame.pixels.samples().data();
     for (std::size_t k = 0; k < from.size(); k += step) {
         const float opacity = has_alpha ? static_cast<float>(from[k + step - 1]) /
                                               static_cast<float>(values.size() - 1)
                                         : 1.0F;
-        for (std::size_t c = 0; c < kColors; ++c) {
+        for (std::size_t c = 0; c < ShownFrame::kColors; ++c) {
             *to++ = opacity * values[from[k + c * next]] + (1.0F - opacity) * ground;
         }
     }
@@ -74,7 +73,7 @@ const PictureChannel* find_channel(const Channels& channels, std::string_view na
 
 // Returns the channels that are shown as red, green and blue. A single channel Y is shown as gray.
 // A missing channel is null and shown as black.
-std::array<const PictureChannel*, kColors> channels_shown(const Channels& channels) {
+std::array<const PictureChannel*, ShownFrame::kColors> channels_shown(const Channels& channels) {
     if (const PictureChannel* const gray = find_channel(channels, "Y"); channels.size() == 1) {
         return {gray, gray, gray};
     }
@@ -116,7 +115,7 @@ void add_ground(Image<float>& pixels, const PictureChannel& opacity) {
 
 ShownFrame shown_numbers(const Picture& picture, const MapFile& file, const ManifestMap& map) {
     const Channels channels = channels_of(picture);
-    const std::array<const PictureChannel*, kColors> colors = channels_shown(channels);
+    const std::array<const PictureChannel*, ShownFrame::kColors> colors = channels_shown(channels);
     const bool is_light = is_light_in(map);
     if (colors.front() == nullptr) {
         reject(file, "it has none of the channels Y, R and X");
@@ -126,7 +125,8 @@ ShownFrame shown_numbers(const Picture& picture, const MapFile& file, const Mani
     }
     const auto [low, high] = map.samples->range.value_or(std::array{0.0, 1.0});
     const double scale = 1.0 / (high - low);
-    ShownFrame frame{Image<float>(picture.width(), picture.height(), kColors), is_light};
+    ShownFrame frame{Image<float>(picture.width(), picture.height(), ShownFrame::kColors),
+                     is_light};
     for (std::size_t c = 0; c < colors.size(); ++c) {
         if (colors.at(c) != nullptr) {
             visit_numbers(frame.pixels, *colors.at(c), [&, low = low](auto pixel, double number) {

@@ -13,7 +13,6 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr int kColors = 3;
 constexpr float kLargestCode = 255.0F;
 
 // The pixels along an axis that one pixel of the smaller image covers: the index of the first one,
@@ -52,7 +51,7 @@ void add_rows(ImageView<const float> from, const Cover& cover, std::vector<float
 }
 
 void add_pixels(const std::vector<float>& row, const Cover& cover, std::span<float> mean) {
-    const float* from = row.data() + static_cast<std::size_t>(cover.first) * kColors;
+    const float* from = row.data() + static_cast<std::size_t>(cover.first) * ShownFrame::kColors;
     for (const float part : cover.parts) {
         for (float& sum : mean) {
             sum += part * *from++;
@@ -65,7 +64,7 @@ void add_pixels(const std::vector<float>& row, const Cover& cover, std::span<flo
 ShownFrame reduced(const ShownFrame& frame, int width, int height) {
     const ImageView<const float> from = frame.pixels.view();
     assert(width <= from.width() && height <= from.height());
-    ShownFrame smaller{Image<float>(width, height, kColors), frame.is_light};
+    ShownFrame smaller{Image<float>(width, height, ShownFrame::kColors), frame.is_light};
     const std::vector<Cover> rows = covers_of(from.height(), height);
     const std::vector<Cover> columns = covers_of(from.width(), width);
     std::vector<float> mean(from.row_samples());
@@ -79,7 +78,7 @@ ShownFrame reduced(const ShownFrame& frame, int width, int height) {
 }
 
 Image<std::uint8_t> codes_of(const ShownFrame& frame) {
-    Image<std::uint8_t> codes(frame.pixels.width(), frame.pixels.height(), kColors);
+    Image<std::uint8_t> codes(frame.pixels.width(), frame.pixels.height(), ShownFrame::kColors);
     std::ranges::transform(
         frame.pixels.samples(), codes.samples().begin(), [&](float value) -> std::uint8_t {
             const double held = std::clamp(value, 0.0F, 1.0F);

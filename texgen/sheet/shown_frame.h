@@ -15,6 +15,8 @@ inline constexpr std::uint8_t kGround = 0x2b;
 /// A frame for display: red, green and blue from 0 to 1. Colors are linear light, composited over
 /// kGround. Data have the values that the codes of a PNG would have, for any file format.
 struct ShownFrame {
+    static constexpr int kColors = 3;
+
     Image<float> pixels;
     bool is_light = false;  // true for colors, false for data
 };

@@ -84,7 +84,8 @@ TEST(EvolverMesh, LongFacesContinueAfterABackslash) {
 }
 
 TEST(EvolverMesh, EndsAtRead) {
-    const std::string text = std::string(test::kSmallTorus) + "READ\nM 2; \"never closed\n/* nor";
+    std::string text(test::kSmallTorus);
+    text += "READ\nM 2; \"never closed\n/* nor";
     EXPECT_EQ(mesh_of(text).end_line, 18);
 }
 

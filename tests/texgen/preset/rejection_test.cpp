@@ -4,6 +4,7 @@
 
 #include "tests/texgen/preset/rejection.h"
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -26,7 +27,7 @@ TEST(Rejection, NamesLocationKeyValueAndReason) {
 TEST(Rejection, CutsALongValueAtAWholeCharacter) {
     const Assignment longest{"a", "k", {std::string(58, 'x') + "\u00e4" + std::string(40, 'y')}};
     EXPECT_EQ(test::rejection_of([&] { reject(longest, "r"); }),
-              "a: key 'k' = \"" + std::string(58, 'x') + "...: r");
+              fmt::format("a: key 'k' = \"{}...: r", std::string(58, 'x')));
 }
 
 TEST(Rejection, BlamesTheLastAssignmentThatMatters) {

@@ -85,6 +85,9 @@ void append_piece(SubpixelPoint tail,
 /// negative if the chain goes clockwise.
 double twice_area(std::span<const MonotoneArc> chain, std::uint32_t bubble);
 
+/// The number of bubbles whose arcs make_arcs should make in one task.
+inline constexpr std::size_t kBubblesPerTask = 256;
+
 /// Calls make(k, batch) for each k in [0, count), in tasks of `per_task`. Every task has its own
 /// object with this member, which new_maker() returns.
 template <class NewMaker>

@@ -41,11 +41,34 @@ void add_times(typename Sum::value_type factor, const Sum& value, Sum& to) {
     to = sum;
 }
 
+constexpr std::size_t kFlagsPerStep = 4;
+
+// Appends the positions of the flags that are set; returns how many there are. Writes up to
+// kFlagsPerStep more. Most words have few flags, and how many is hard to predict: four are taken
+// without asking.
+[[gnu::always_inline]] inline std::size_t find_flags(std::span<const std::uint64_t> flags,
+                                                     std::uint16_t* positions) {
+    std::size_t count = 0;
+    for (std::size_t word = 0; word < flags.size(); ++word) {
+        std::uint64_t bits = flags[word];
+        const std::size_t end = count + static_cast<std::size_t>(std::popcount(bits));
+        for (; count < end; count += kFlagsPerStep) {
+            for (std::size_t k = 0; k < kFlagsPerStep; ++k) {
+                const auto bit = static_cast<std::size_t>(std::countr_zero(bits));
+                positions[count + k] = static_cast<std::uint16_t>(word * kFlagsPerWord + bit);
+                bits &= bits - 1;
+            }
+        }
+        count = end;
+    }
+    return count;
+}
+
+}  // namespace
+
 // The arrays of a band.
 template <class Sums>
-struct Band {
-    using Sum = typename Sums::Sum;
-
+struct Coverage<Sums>::Band {
     Sum* differences;
     std::size_t stride;
     std::uint64_t* touched;
@@ -71,31 +94,6 @@ struct Band {
         }
     }
 };
-
-constexpr std::size_t kFlagsPerStep = 4;
-
-// Appends the positions of the flags that are set; returns how many there are. Writes up to
-// kFlagsPerStep more. Most words have few flags, and how many is hard to predict: four are taken
-// without asking.
-[[gnu::always_inline]] inline std::size_t find_flags(std::span<const std::uint64_t> flags,
-                                                     std::uint16_t* positions) {
-    std::size_t count = 0;
-    for (std::size_t word = 0; word < flags.size(); ++word) {
-        std::uint64_t bits = flags[word];
-        const std::size_t end = count + static_cast<std::size_t>(std::popcount(bits));
-        for (; count < end; count += kFlagsPerStep) {
-            for (std::size_t k = 0; k < kFlagsPerStep; ++k) {
-                const auto bit = static_cast<std::size_t>(std::countr_zero(bits));
-                positions[count + k] = static_cast<std::uint16_t>(word * kFlagsPerWord + bit);
-                bits &= bits - 1;
-            }
-        }
-        count = end;
-    }
-    return count;
-}
-
-}  // namespace
 
 template <class Sums>
 Coverage<Sums>::Coverage(int width, int rows, RowKind kind)
@@ -138,7 +136,7 @@ void Coverage<Sums>::finish() {
 
 template <class Sums>
 void Coverage<Sums>::add_inside(Parts parts, const Step& step) {
-    const Band<Sums> band{differences_.data(), stride_, touched_.data(), words_};
+    const Band band{differences_.data(), stride_, touched_.data(), words_};
     // A copy of `across` would let compilers merge both sums of a part into one wide store, on
     // which the load of the next part, which overlaps it by half, stalls.
     at_simd_level([parts, &across = step.across, band] {
@@ -163,7 +161,7 @@ void Coverage<Sums>::add_around(Parts parts, const Step& step) {
 // Adds parts beyond the borders.
 template <class Sums>
 void Coverage<Sums>::add_outside(Parts parts, const Step& step) {
-    const Band<Sums> band{differences_.data(), stride_, touched_.data(), words_};
+    const Band band{differences_.data(), stride_, touched_.data(), words_};
     for (const ArcSplitter::Part& part : parts) {
         const auto row = static_cast<std::size_t>(part.row);
         const std::int32_t periods = floor_div(part.column, width_);

@@ -132,6 +132,7 @@ class Coverage {
 
   private:
     using Parts = std::span<const ArcSplitter::Part>;
+    struct Band;
 
     bool is_inside(std::size_t arc) const {
         return splitter_.leftmost(arc) >= 0 && splitter_.rightmost(arc) < width_;

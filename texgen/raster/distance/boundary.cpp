@@ -10,7 +10,6 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr std::size_t kLanes = ArcLanes::kLanes;
 constexpr double kRounding = 2.0;  // subpixels; more than both ends of a side move when rounded
 
 // The bounds of an outline, in subpixels.
@@ -25,7 +24,7 @@ struct Bounds {
 [[gnu::always_inline]] inline void extend(const Boundary::Outline& arcs, Bounds& bounds) {
     constexpr double kMinCosine = 0.2;  // wider arcs use the diameter
     Bounds b = bounds;
-    for (std::size_t k = 0; k < kLanes; ++k) {
+    for (std::size_t k = 0; k < ArcLanes::kLanes; ++k) {
         const double x = arcs.from_x[k];
         const double y = arcs.from_y[k];
         const double length = std::abs(arcs.to_x[k] - x) + std::abs(arcs.to_y[k] - y);

@@ -21,8 +21,7 @@ namespace {
 // non-vanishing gradients" (2004): 1/s² is the sum of 1/phi² over the films of a bubble. All loops
 // are over lanes of pixels and have no branches, so that compilers vectorize them.
 
-constexpr std::size_t kLanes = PixelBatch::kLanes;
-constexpr float kFar = std::numeric_limits<float>::infinity();
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
 // A pixel that is past the end of an arc by at most this distance, in pixels, still faces the arc.
 // Otherwise rounding could leave a gap between two arcs that continue each other smoothly.
 constexpr float kPastEnd = 1e-3F;
@@ -33,8 +32,8 @@ constexpr float kMinRoot = 1e-18F;
 // A sum of 1/phi² below this counts as 0: it belongs to a smooth distance of a million pixels.
 constexpr float kMinSum = 1e-12F;
 
-// One float for each of kLanes pixels.
-using Lanes = std::array<float, kLanes>;
+// One float for each pixel of a block.
+using Lanes = std::array<float, PixelBatch::kLanes>;
 
 // Returns a mask for `chosen`, which selects a value without a branch, so that loops vectorize.
 std::uint32_t mask_if(bool condition) {
@@ -51,7 +50,7 @@ struct Fraction {
     float denominator;
 };
 
-// The smallest distance of each of kLanes pixels so far, and a vector in the direction of its
+// The smallest distance of each pixel of a block so far, and a vector in the direction of its
 // gradient, which has any length.
 struct Nearest {
     Lanes numerator{};
@@ -94,11 +93,11 @@ template <bool kGradient>
                                             const float* x,
                                             const float* y,
                                             Nearest& nearest) {
-    for (std::size_t k = 0; k < kLanes; ++k) {
+    for (std::size_t k = 0; k < PixelBatch::kLanes; ++k) {
         const ValueAndGradient f = evaluate(arc.across, x[k], y[k]);
         const float slope = std::sqrt(f.x * f.x + f.y * f.y);
         const float end = min_value(at(arc.past_tail, x[k], y[k]), at(arc.before_head, x[k], y[k]));
-        const float numerator = end >= -kPastEnd ? std::abs(f.twice) : kFar;
+        const float numerator = end >= -kPastEnd ? std::abs(f.twice) : kInfinity;
         const float sign = std::copysign(1.0F, f.twice);
         nearest.take<kGradient>(k, {numerator, 1.0F + slope}, sign * f.x, sign * f.y);
     }
@@ -111,7 +110,7 @@ template <bool kGradient>
                                               Nearest& nearest) {
     const auto point_x = static_cast<float>(point.x());
     const auto point_y = static_cast<float>(point.y());
-    for (std::size_t k = 0; k < kLanes; ++k) {
+    for (std::size_t k = 0; k < PixelBatch::kLanes; ++k) {
         const float to_x = x[k] - point_x;
         const float to_y = y[k] - point_y;
         nearest.take<kGradient>(k, {std::sqrt(to_x * to_x + to_y * to_y), 1.0F}, to_x, to_y);
@@ -134,9 +133,9 @@ template <bool kGradient>
                                                 const float* xs,
                                                 const float* ys,
                                                 const Distances& to) {
-    for (std::size_t from = 0; from < count; from += kLanes) {
+    for (std::size_t from = 0; from < count; from += PixelBatch::kLanes) {
         Nearest nearest;
-        nearest.numerator.fill(kFar);
+        nearest.numerator.fill(kInfinity);
         nearest.denominator.fill(1.0F);
         for (const ArcFunctions& arc : arcs) {
             take_arc<kGradient>(arc, xs + from, ys + from, nearest);
@@ -157,7 +156,7 @@ template <bool kGradient>
 [[gnu::always_inline]] inline bool divide(std::size_t count, const Distances& to) {
     std::uint32_t any_far = 0;
     for (std::size_t k = 0; k < count; ++k) {
-        any_far |= mask_if(to.distance[k] == kFar);
+        any_far |= mask_if(to.distance[k] == kInfinity);
         to.distance[k] /= to.denominator[k];
     }
     return any_far == 0;
@@ -189,7 +188,7 @@ struct SmoothSums {
                                             const float* ys,
                                             SmoothSums& sums) {
     const float inverse_chord = 1.0F / film.chord;
-    for (std::size_t k = 0; k < kLanes; ++k) {
+    for (std::size_t k = 0; k < PixelBatch::kLanes; ++k) {
         const ValueAndGradient across = evaluate(film.across, xs[k], ys[k]);
         const ValueAndGradient along = evaluate(film.along, xs[k], ys[k]);
         const float f = 0.5F * across.twice;
@@ -215,7 +214,7 @@ struct SmoothSums {
                                              const float* xs,
                                              const float* ys,
                                              const Distances& to) {
-    for (std::size_t from = 0; from < count; from += kLanes) {
+    for (std::size_t from = 0; from < count; from += PixelBatch::kLanes) {
         SmoothSums sums;
         for (const FilmFunctions& film : films) {
             add_film(film, xs + from, ys + from, sums);
@@ -254,8 +253,8 @@ void PixelBatch::clear(const Vec2& middle) {
 
 // Fills the lanes after the last pixel with copies of the first pixel.
 void PixelBatch::pad() {
-    std::fill_n(x_.begin() + static_cast<std::ptrdiff_t>(count_), kLanes, x_[0]);
-    std::fill_n(y_.begin() + static_cast<std::ptrdiff_t>(count_), kLanes, y_[0]);
+    std::fill_n(x_.begin() + static_cast<std::ptrdiff_t>(count_), PixelBatch::kLanes, x_[0]);
+    std::fill_n(y_.begin() + static_cast<std::ptrdiff_t>(count_), PixelBatch::kLanes, y_[0]);
 }
 
 bool PixelBatch::measure(std::span<const ArcFunctions> arcs,

@@ -21,7 +21,6 @@ namespace {
 // somewhere is first split into monotone pieces. Rounding depends only on the film, never on the
 // side, so two neighboring regions compute the same crossings.
 
-constexpr std::size_t kLanes = ArcLanes::kLanes;
 constexpr int kRows = 8;  // number of rows whose crossings are computed at once
 using Lanes = ArcLanes::Lanes<double>;
 constexpr double kWhole = 0x1p52;  // the sum with a smaller double is rounded to a whole number
@@ -82,7 +81,7 @@ struct alignas(64) RisingArcs {
 [[gnu::always_inline]] inline void turn_up(
     const Boundary::Outline& arcs, double x, double y, PixelRows rows, RisingArcs& rising) {
 #pragma GCC unroll 1  // unrolled, it would not be vectorized
-    for (std::size_t k = 0; k < kLanes; ++k) {
+    for (std::size_t k = 0; k < ArcLanes::kLanes; ++k) {
         const double from_x = arcs.from_x[k];
         const double from_y = arcs.from_y[k];
         const double to_x = arcs.to_x[k];
@@ -218,7 +217,7 @@ void PixelMask::flip_right_of(std::span<const Boundary::Outline> outline,
             for (std::size_t block = 0; block < outline.size(); ++block) {
                 turn_up(outline[block], x, y, mask.rows, rising);
                 std::uint32_t bits = 0;
-                for (std::size_t k = 0; k < kLanes; ++k) {
+                for (std::size_t k = 0; k < ArcLanes::kLanes; ++k) {
                     bits |= rising.other[k] != 0.0 ? 1U << k : 0U;
                     flip_right_of_arc(rising.arc(k),
                                       rising.low_x[k],

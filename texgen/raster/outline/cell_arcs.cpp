@@ -18,7 +18,6 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr std::size_t kBubblesPerTask = 256;
 constexpr std::size_t kGroupsPerTask = 256;  // of films
 
 // By how many periods further right the film of each side lies in its bubble's unwrapped outline.

@@ -16,8 +16,6 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr std::size_t kBubblesPerTask = 256;
-
 double area_of(std::span<const ArcLoops::Side> loop) {
     double area = 0.0;
     const Vec2& origin = loop.front().tail;

@@ -16,7 +16,7 @@
 namespace foam::texgen {
 namespace {
 
-TEST(Main, HelpFitsOneScreenAndNamesTheExitCodes) {
+TEST(Program, HelpFitsOneScreenAndNamesTheExitCodes) {
     for (const char* arguments : {"--help", "bake --help", "stats --help"}) {
         const Outcome help = run_program(arguments);
         EXPECT_EQ(help.code, 0);
@@ -27,14 +27,14 @@ TEST(Main, HelpFitsOneScreenAndNamesTheExitCodes) {
               std::string::npos);
 }
 
-TEST(Main, PrintsItsVersionAndLicenses) {
+TEST(Program, PrintsItsVersionAndLicenses) {
     const std::string out = run_program("--version").out;
     EXPECT_EQ(out.rfind("foamtex " FOAMTEX_VERSION "\n", 0), 0U);
     EXPECT_NE(out.find("Apache-2.0"), std::string::npos);
     EXPECT_NE(out.find("CC0-1.0"), std::string::npos);
 }
 
-TEST(Main, ABadCommandLineIsOneLineAndCode2) {
+TEST(Program, ABadCommandLineIsOneLineAndCode2) {
     expect_rejected("", "A subcommand is required (see foamtex --help)");
     expect_rejected("bake", "PRESET is required (see foamtex --help)");
     expect_rejected("bake sea_foam --bogus",
@@ -44,7 +44,7 @@ TEST(Main, ABadCommandLineIsOneLineAndCode2) {
     expect_rejected("bake sea_foam -q -v", "--quiet excludes --verbose (see foamtex --help)");
 }
 
-TEST(Main, AnUnknownCommandIsComparedWithThoseThatExist) {
+TEST(Program, AnUnknownCommandIsComparedWithThoseThatExist) {
     expect_rejected("bak sea_foam",
                     "foamtex has no command 'bak'; did you mean 'bake'? (see foamtex --help)");
     expect_rejected("presets keyz",
@@ -52,7 +52,7 @@ TEST(Main, AnUnknownCommandIsComparedWithThoseThatExist) {
     expect_rejected("xyzzy", "foamtex has no command 'xyzzy' (see foamtex --help)");
 }
 
-TEST(Main, AnUnknownSimdLevelIsOneLineAndCode2) {
+TEST(Program, AnUnknownSimdLevelIsOneLineAndCode2) {
     setenv("FOAMTEX_SIMD", "mmx", 1);
     const Outcome outcome = run_program("bake sea_foam");
     unsetenv("FOAMTEX_SIMD");
@@ -63,7 +63,7 @@ TEST(Main, AnUnknownSimdLevelIsOneLineAndCode2) {
     EXPECT_TRUE(outcome.written.empty());
 }
 
-TEST(Main, AnOutputThatCannotBeWrittenIsCode5) {
+TEST(Program, AnOutputThatCannotBeWrittenIsCode5) {
     const Outcome outcome = run_program(
         "bake sea_foam --set foam.bubbles=16 --frames 1 --size 8 --out /proc/self/none.png");
     EXPECT_EQ(outcome.code, static_cast<int>(ExitCode::OutputFailed));

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/cli/program.h"
+
+#include "core/io/format_error.h"
+#include "core/parallel/simd_level.h"
+#include "texgen/cli/command.h"
+#include "texgen/image/file_io.h"
+#include "texgen/preset/assignment.h"
+#include "texgen/preset/nearest.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr const char* kVersion = "foamtex " FOAMTEX_VERSION R"(
+License: Apache-2.0. Presets, and the images that they make: CC0-1.0 (public domain).)";
+
+constexpr const char* kFooter = R"(Examples:
+  foamtex bake sea_foam                        48 frames of a tile into out/
+  foamtex presets show sea_foam > my.toml      a starting point for a preset of your own
+  foamtex bake my.toml --frames 1-120
+
+Exit codes: 0 success, 1 unexpected internal failure, 2 bad command line or preset,
+  3 the foam did not reach equilibrium, or its loop does not close, 4 an input file
+  is unreadable or malformed, 5 an output could not be written, 6 a check of verify failed)";
+
+/// Prints a message on stderr as one line and returns the code. Newlines in the message become
+/// blanks.
+ExitCode report(std::string message, ExitCode code) {
+    std::replace_if(
+        message.begin(), message.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+    fmt::print(stderr, "foamtex: {}\n", message);
+    return code;
+}
+
+/// Returns the names of the subcommands of a command.
+std::vector<std::string> subcommand_names(const CLI::App& command) {
+    std::vector<std::string> names;
+    for (const CLI::App* subcommand :
+         command.get_subcommands([](const CLI::App*) { return true; })) {
+        names.push_back(subcommand->get_name());
+    }
+    return names;
+}
+
+/// Returns what is wrong with the command line. A word in the place of a subcommand is compared
+/// with the existing ones.
+std::string message_of(const CLI::App& app, const CLI::ParseError& error) {
+    const CLI::App* command = &app;
+    while (!command->get_subcommands().empty()) {
+        command = command->get_subcommands().front();
+    }
+    const std::vector<std::string> names = subcommand_names(*command);
+    const std::vector<std::string> words = command->remaining();
+    if (names.empty() || words.empty() || words.front().starts_with('-')) {
+        return error.what();
+    }
+    const std::vector<std::string_view> candidates(names.begin(), names.end());
+    const std::string_view meant = nearest(words.front(), candidates);
+    return fmt::format("{} has no command '{}'{}",
+                       command->get_name(),
+                       words.front(),
+                       meant.empty() ? "" : fmt::format("; did you mean '{}'?", meant));
+}
+
+/// Help and version come as exceptions of code 0.
+ExitCode report_parse(const CLI::App& app, const CLI::ParseError& error) {
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
+        app.exit(error);
+        return ExitCode::Success;
+    }
+    return report(message_of(app, error) + " (see foamtex --help)", ExitCode::BadRequest);
+}
+
+/// Flushes stdout and returns the code, or OutputFailed if output was lost, for example on a full
+/// disk.
+ExitCode flushed(ExitCode code) {
+    const bool arrived = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+    return arrived ? code : report("cannot write to standard output", ExitCode::OutputFailed);
+}
+
+ExitCode parse_and_run(int argc, char** argv) {
+    CLI::App app("Animated, tileable foam textures from real foam physics", "foamtex");
+    Action action;
+    app.set_version_flag("--version", kVersion);
+    app.require_subcommand(1);
+    app.footer(kFooter);
+    for (const AddCommand add : all_commands()) {
+        add(app, action);
+    }
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return report_parse(app, error);
+    }
+    simd_level();  // throws here, before any work, if FOAMTEX_SIMD is wrong
+    return action();
+}
+
+}  // namespace
+
+ExitCode run_program(int argc, char** argv) {
+    try {
+        return flushed(parse_and_run(argc, argv));
+    } catch (const PresetError& error) {
+        return report(error.what(), ExitCode::BadRequest);
+    } catch (const std::invalid_argument& error) {
+        return report(error.what(), ExitCode::BadRequest);
+    } catch (const FormatError& error) {
+        return report(error.what(), ExitCode::BadInput);
+    } catch (const InputError& error) {
+        return report(error.what(), ExitCode::BadInput);
+    } catch (const OutputError& error) {
+        return report(error.what(), ExitCode::OutputFailed);
+    } catch (const std::exception& error) {
+        return report(std::string("internal failure: ") + error.what(), ExitCode::InternalFailure);
+    }
+}
+
+}  // namespace foam::texgen
