@@ -98,7 +98,7 @@ TEST(EvolverReader, PressuresAndTensions) {
     std::string text = test::edited(test::kSmallTorus, "1 1 2 * *", "1 1 2 * * tension 2");
     test::expect_format_error(
         [&] { read_evolver(text, "a.fe"); },
-        "a.fe:12: edge 2 has tension 2, but edge 1 has 1; all films must have the same tension");
+        "a.fe:12: edge 2 has tension 1, but edge 1 has 2; all films must have the same tension");
     text = test::edited(text, "2 2 1 + +", "2 2 1 + + density 2");
     text = test::edited(text, "3 2 1 + *", "3 2 1 + * tension 1+1");
     EXPECT_EQ(read_evolver(text, "a.fe").foam.film_tension, 2.0);

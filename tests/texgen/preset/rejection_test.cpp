@@ -25,9 +25,9 @@ TEST(Rejection, NamesLocationKeyValueAndReason) {
 // 59 letters and a letter of two bytes: cut before it, since 60 bytes would halve it. The first of
 // the 60 is the quote.
 TEST(Rejection, CutsALongValueAtAWholeCharacter) {
-    const Assignment longest{"a", "k", {std::string(58, 'x') + "\u00e4" + std::string(40, 'y')}};
+    const Assignment longest{"a", "k", {fmt::format("{:x<58}\u00e4{:y<40}", "", "")}};
     EXPECT_EQ(test::rejection_of([&] { reject(longest, "r"); }),
-              fmt::format("a: key 'k' = \"{}...: r", std::string(58, 'x')));
+              fmt::format("a: key 'k' = \"{:x<58}...: r", ""));
 }
 
 TEST(Rejection, BlamesTheLastAssignmentThatMatters) {
