@@ -20,7 +20,7 @@ double lone_growth_rate(const Foam& foam, const CoarseningOptions& options);
 
 /// Lets gas diffuse for a time: every target area grows at its rate. On a torus the total is
 /// unchanged; a patch loses gas to the ghost. The target area of a bubble that should vanish may
-/// become negative; collapse_due (collapse.h) deals with it.
+/// become negative until collapse_due (collapse.h) removes the bubble.
 void diffuse(Foam& foam, double time, const CoarseningOptions& options);
 
 }  // namespace foam

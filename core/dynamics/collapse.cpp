@@ -12,20 +12,22 @@
 #include <vector>
 
 // The T2 process (E8; paper section 3, eq. 3 and Figure 2). The paper removes three-sided bubbles
-// and suggests T1s for those with more sides: here the shortest film that can flip is flipped,
-// without the test of forces of the T1 rule, until the bubble can vanish. Twice as many flips as
-// the bubble has sides are tried. In a patch, a raft of two bubbles has no junction left when one
-// of them goes; its inner film tears instead.
+// and suggests T1s for bubbles with more sides. Here, the shortest film that can flip is flipped
+// until the bubble can vanish, without the test of forces that the T1 rule makes. At most twice as
+// many flips as the bubble has sides are tried. If a raft of a patch has two bubbles and one of
+// them vanishes, no junction is left, so the film between them is torn instead.
 
 namespace foam {
 
 namespace {
 
-constexpr double kSlowFraction = 0.1;  // of the T2 area, for bubbles of four and five sides
-constexpr double kMinFraction = 0.1;   // of the T2 area: target of a bubble that cannot vanish
+// Bubbles of more than three sides vanish at this fraction of the T2 area.
+constexpr double kManySidedFraction = 0.1;
+// Bubbles that cannot vanish keep at least this fraction of the T2 area as their target area.
+constexpr double kMinFraction = 0.1;
 
-// Moves the junction that will remain of a three-sided bubble to the mean of its three junctions
-// (paper section 3).
+// Prepares the T2 of a three-sided bubble: moves the junction that will remain to the mean of the
+// bubble's three junctions (paper section 3).
 void move_to_mean(Foam& foam, BubbleId bubble) {
     const HalfEdgeId first = foam.network.first(bubble);
     Vec2 at = Vec2::Zero();
@@ -44,7 +46,8 @@ void distribute_gas(Foam& foam, double gas, const std::vector<BubbleId>& neighbo
     }
 }
 
-// Records the event at the middle of the first side: the bubble is small, so any side will do.
+// Records the T2 of a bubble at the middle of its first side. The bubble is small, so any side
+// would do.
 void record_t2(Foam& foam, BubbleId bubble) {
     std::vector<BubbleId> bubbles{bubble};
     for (const HalfEdgeId h : foam.network.around(bubble)) {
@@ -78,8 +81,8 @@ FilmId film_of_raft_of_two(const Network& network, BubbleId bubble) {
     return kNone<FilmId>;
 }
 
-// Removes a bubble of a raft of two. The other bubble gets half of the gas and the ghost gets the
-// other half: its two neighbors have equal shares, as in every T2.
+// Removes a bubble of a raft of two. As in every T2, its neighbors get equal shares of its gas: the
+// other bubble gets one half, and the ghost gets the other half.
 void vanish_from_raft_of_two(Foam& foam, BubbleId bubble, FilmId film) {
     const HalfEdgeId h = forward_side(film);
     const bool is_left = foam.network.left(h) == bubble;
@@ -141,7 +144,7 @@ bool is_due_to_vanish(const Foam& foam, BubbleId bubble, const TopologyThreshold
     if (sides <= 3) {
         return area <= thresholds.t2_area;
     }
-    return area <= kSlowFraction * thresholds.t2_area;
+    return area <= kManySidedFraction * thresholds.t2_area;
 }
 
 bool collapse(Foam& foam, BubbleId bubble, TopologyCounts& counts) {

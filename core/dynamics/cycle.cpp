@@ -10,11 +10,11 @@
 #include <limits>
 #include <numbers>
 
-// Each position of the cycle has target areas A (1 + breath sin 2 pi (t + phase)), with a random
-// phase for each bubble, and a torus that is sheared by strain * sin 2 pi t relative to the start.
-// Here t is the position divided by the number of steps. A step drives the foam from its present
-// state to these (state_change.h). Drift is removed after each step, because equilibrium does not
-// determine the position of the foam.
+// At each position of the cycle, the target areas are A (1 + breath sin 2 pi (t + phase)), with a
+// random phase for each bubble, and the torus is sheared by strain * sin 2 pi t relative to the
+// start. Here t is the position divided by the number of steps. A step drives the foam from its
+// present state to these target areas and this shear (state_change.h). Drift is removed after each
+// step, because equilibrium does not determine the position of the foam.
 
 namespace foam {
 
@@ -39,7 +39,8 @@ Vec2 mean(const std::vector<Vec2>& points) {
     return sum / static_cast<double>(points.size());
 }
 
-// Returns the center of each bubble; on a torus, the mean of its junctions, at any of its copies.
+// Returns the center of each bubble. On a torus it is the mean of the junctions of the bubble, at
+// any of its lattice copies.
 std::map<BubbleIdentity, Vec2> centers(const Foam& foam) {
     if (foam.domain.is_plane()) {
         return bubble_centers(foam);

@@ -20,18 +20,18 @@ struct CycleOptions {
 
 /// A periodic sequence of foams, for looping animations. A foam in equilibrium is a function of its
 /// topology, its target areas and its domain. If these are periodic, the foam returns to its state
-/// after each cycle, once the T1s and T2s of the first cycles have happened. No gas diffuses. The
-/// foam as a whole is kept where it was at the start.
+/// after each cycle, once the T1s and T2s of the first cycles have happened. No gas diffuses. After
+/// each step, the foam as a whole, or each raft of a patch, is moved back to its position at the
+/// start.
 class Cycle {
   public:
-    /// Takes the present target areas of the foam as the means around which they oscillate, and its
-    /// present position as the one to keep.
+    /// Stores the present target areas of the foam, around which they will oscillate, and its
+    /// present position, to which each step moves the foam back.
     Cycle(const Foam& foam, const CycleOptions& options);
 
     /// Steps the foam from position `position` - 1 of the cycle, or from a state near it, to
-    /// position `position`. Position 0 is the start of a cycle; positions may go on beyond one
-    /// cycle. If the summary is not converged, the foam is left between the two positions, as after
-    /// any step.
+    /// position `position`. Position 0 is the start of a cycle; positions may exceed the length of
+    /// one cycle. If the summary is not converged, the foam is left between the two positions.
     StepSummary step_to(int position, Foam& foam, double time, const StepOptions& options) const;
 
   private:

@@ -14,9 +14,9 @@ namespace {
 // Largest step, in units of the radius. The slope of (1 - u²)² is at most 1.54, so that a step of
 // less than 0.64 keeps the order of all points.
 constexpr double kLargestStep = 0.1;
-// While the foam is pushed, a film may flip if it has lost half of its length and is shorter than
-// this T1 distance, the upper end of the range that the paper recommends (eq. 16). At 0.05, the
-// default for a foam at rest, hardly any film would flip.
+// The T1 distance during a push, the upper end of the range that the paper recommends (eq. 16). A
+// film may flip if it is shorter and has lost half of its length. With the default of 0.05, hardly
+// any film would flip.
 constexpr double kT1Distance = 0.25;
 constexpr double kShortened = 0.5;
 
@@ -35,8 +35,8 @@ void move_junctions(Foam& foam, const Displacement& step) {
     }
 }
 
-// Applies the T1 rule to the films that the push has shortened since `lengths`. Returns the number
-// of T1s.
+// Applies the T1 rule to the short films that have lost more than half of their entry in `lengths`.
+// Returns the number of T1s.
 int flip_shortened(Foam& foam, TopologyThresholds thresholds, Indexed<FilmId, double>& lengths) {
     thresholds.t1_distance = std::max(thresholds.t1_distance, kT1Distance);
     int flips = 0;

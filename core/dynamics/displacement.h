@@ -17,8 +17,8 @@ struct Displacement {
 };
 
 /// Moves the junctions in steps so small that no films cross. After each step, the T1 rule (E7) is
-/// applied to films that have lost half of their length. Leaves the foam far from equilibrium.
-/// Returns the number of T1s.
+/// applied to short films that have lost more than half of their length. Leaves the foam far from
+/// equilibrium. Returns the number of T1s.
 int displace(Foam& foam, const Displacement& displacement, const TopologyThresholds& thresholds);
 
 }  // namespace foam

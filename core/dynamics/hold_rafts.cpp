@@ -5,9 +5,9 @@
 #include <cmath>
 #include <vector>
 
-// Finds the rigid motion of each raft, a connected component of bubbles, that minimizes the
-// weighted squared distances from the centers of its bubbles to their earlier centers: the
-// orthogonal Procrustes problem in the plane. The translation matches the weighted means; the
+// For each raft, a connected component of bubbles, finds the rigid motion that minimizes the sum of
+// the weighted squared distances from the centers of its bubbles to their earlier centers. This is
+// the orthogonal Procrustes problem in the plane. The translation matches the weighted means; the
 // rotation angle is atan2(sum of cross products, sum of dot products) of the centers relative to
 // the means. The weight of a bubble is the length of its films.
 
@@ -16,9 +16,10 @@ namespace foam {
 namespace {
 
 // Returns the distance from the middle of the chord to the mean of all points of the arc, divided
-// by half of the chord and positive on the side of the bulge: 1 / a - cot a for a half angle a.
+// by half the length of the chord. The distance is positive on the right of the chord, to which an
+// arc with a positive half angle bulges. For a half angle a, the result is 1 / a - cot a.
 double bulge(double half_angle) {
-    constexpr double kSmall = 1e-3;  // below, the next term of the series is under 1e-11
+    constexpr double kSmall = 1e-3;  // below this, the next term of the series is under 3e-11
     return std::abs(half_angle) < kSmall ? half_angle / 3.0
                                          : 1.0 / half_angle - 1.0 / std::tan(half_angle);
 }
@@ -75,8 +76,8 @@ struct RigidMotion {
     }
 };
 
-// Returns the rigid motion that fits the centers of the raft to the earlier ones by least squares.
-// Bubbles without an earlier center do not count.
+// Returns the rigid motion that moves the centers of a raft's bubbles back to their earlier
+// centers, by weighted least squares. Bubbles without an earlier center are ignored.
 RigidMotion motion_back(const Foam& patch,
                         const Raft& raft,
                         const std::map<BubbleIdentity, Vec2>& before) {
@@ -84,12 +85,12 @@ RigidMotion motion_back(const Foam& patch,
     RigidMotion motion;
     double weight = 0.0;
     for (const BubbleId bubble : raft) {
-        const auto then = before.find(patch.identities[bubble]);
-        if (then != before.end()) {
+        const auto earlier = before.find(patch.identities[bubble]);
+        if (earlier != before.end()) {
             const Center now = center_of(patch, bubble);
-            pairs.emplace_back(now, then->second);
+            pairs.emplace_back(now, earlier->second);
             motion.from += now.weight * now.at;
-            motion.to += now.weight * then->second;
+            motion.to += now.weight * earlier->second;
             weight += now.weight;
         }
     }
@@ -98,13 +99,13 @@ RigidMotion motion_back(const Foam& patch,
     }
     motion.from /= weight;
     motion.to /= weight;
-    double along = 0.0;
-    double across = 0.0;
-    for (const auto& [now, then] : pairs) {
-        along += now.weight * (now.at - motion.from).dot(then - motion.to);
-        across += now.weight * cross(now.at - motion.from, then - motion.to);
+    double dot_sum = 0.0;
+    double cross_sum = 0.0;
+    for (const auto& [now, earlier] : pairs) {
+        dot_sum += now.weight * (now.at - motion.from).dot(earlier - motion.to);
+        cross_sum += now.weight * cross(now.at - motion.from, earlier - motion.to);
     }
-    const double angle = std::atan2(across, along);
+    const double angle = std::atan2(cross_sum, dot_sum);
     motion.cosine = std::cos(angle);
     motion.sine = std::sin(angle);
     return motion;
@@ -145,8 +146,8 @@ void hold_rafts(Foam& patch, const std::map<BubbleIdentity, Vec2>& before) {
         }
     }
     for (LoneBubble& bubble : patch.lone_bubbles) {
-        const auto then = before.find(bubble.identity);
-        bubble.center = then != before.end() ? then->second : bubble.center;
+        const auto earlier = before.find(bubble.identity);
+        bubble.center = earlier != before.end() ? earlier->second : bubble.center;
     }
 }
 

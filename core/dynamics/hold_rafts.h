@@ -9,13 +9,13 @@
 namespace foam {
 
 /// Returns the center of each bubble of a patch: the mean of all points of its films. The center of
-/// a lone bubble is that of its circle.
+/// a lone bubble is the center of its circle.
 std::map<BubbleIdentity, Vec2> bubble_centers(const Foam& patch);
 
 /// Moves and rotates every raft of a patch as a rigid body to fit the earlier centers of its
-/// bubbles by least squares. Equilibrium determines neither position nor rotation of a raft, and a
-/// solver changes both; but a raft without forces on it does not move. A lone bubble returns to its
-/// earlier center.
+/// bubbles by least squares. Equilibrium determines neither the position nor the rotation of a
+/// raft, so that a solver may change both, although no force moves the raft. A lone bubble returns
+/// to its earlier center.
 void hold_rafts(Foam& patch, const std::map<BubbleIdentity, Vec2>& before);
 
 }  // namespace foam

@@ -28,7 +28,8 @@ namespace {
 
 // Largest fraction of the gas of the surrounding bubbles that a new bubble may take.
 constexpr double kLargestGasFraction = 0.5;
-// Largest fraction of a film, from one end or its middle, that a new bubble may cover at first.
+// Largest fraction of a film that a new bubble may cover at first, measured from one end of the
+// film or from its middle.
 constexpr double kLargestFilmFraction = 0.45;
 
 // Returns the side of the triangle of a regular three-sided bubble.
@@ -41,9 +42,9 @@ double lens_chord(double area) {
     return std::sqrt(area / (0.5 * segment_shape(0.5 * std::numbers::sqrt3)));
 }
 
-// Takes the area from the target areas of the bubbles, in proportion to them. Returns false and
-// changes nothing if they do not have enough. The ghost, whose target area is infinite, gives all
-// of it if it is among them.
+// Takes the area from the bubbles in proportion to their target areas. Returns false and changes
+// nothing if their target areas are too small. If the ghost is one of the bubbles, all the gas
+// comes from the ghost, because its target area is infinite.
 bool take_gas(Foam& foam, const std::set<BubbleId>& bubbles, double area) {
     double sum = 0.0;
     for (const BubbleId bubble : bubbles) {
@@ -79,21 +80,20 @@ void complete(Foam& foam, double area, double pressure) {
     }
 }
 
-// Returns the fraction of the length of the arc that the distance covers, at most
-// kLargestFilmFraction.
+// Returns the distance as a fraction of the length of the arc, at most kLargestFilmFraction.
 double fraction_of(const FilmArc& arc, double distance) {
     return std::min(distance / arc_length(arc), kLargestFilmFraction);
 }
 
-// Sets the half angle of a film of which only the given part of its arc is left. Does nothing if
-// the film is not an outer film, because other half angles follow from the pressures.
+// Sets the half angle of an outer film after its arc was cut to the given part. Does nothing to
+// other films, because their half angles follow from the pressures.
 void cut_film(Foam& foam, HalfEdgeId h, double whole_half_angle, double part_left) {
     if (foam.network.is_outer(film_of(h))) {
         foam.half_angles[film_of(h)] = (is_forward(h) ? 1.0 : -1.0) * part_left * whole_half_angle;
     }
 }
 
-// Records the birth of a bubble, with the bubbles around it as those whose neighbors change.
+// Records the birth of a bubble. The event lists the bubble and the bubbles around it.
 void record_birth(Foam& foam,
                   BubbleId bubble,
                   const Vec2& position,

@@ -9,7 +9,7 @@ namespace foam {
 /// The solver that brings a foam to equilibrium.
 enum class Solver {
     Newton,              // Newton's method for the whole foam (E3; core/equilibrium)
-    GaussSeidel,         // the paper's solver, one block after the other (E5; core/reference)
+    GaussSeidel,         // the paper's solver, block by block (E5; core/reference)
     ColoredGaussSeidel,  // the paper's solver, many independent blocks at once
 };
 

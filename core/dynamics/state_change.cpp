@@ -54,8 +54,8 @@ void drive_lone(Foam& foam, const StateChange& change, double part) {
     }
 }
 
-// Scales the target areas of a torus so that their sum is its area: driven bubbles keep theirs, up
-// to the largest share, and the others fill the rest.
+// Scales the target areas of a torus so that their sum is its area. Driven bubbles keep their
+// target areas, up to the largest fraction, and the other bubbles fill the rest.
 void scale_targets_to_torus(Foam& foam, const Indexed<BubbleId, char>& is_driven) {
     double driven = 0.0;
     double others = 0.0;

@@ -33,15 +33,15 @@ DrivenBubble forced_collapse(BubbleIdentity bubble, const TopologyThresholds& th
 
 /// Changes the target area of every driven bubble by a part, at most 1, of its difference from the
 /// final area. On a torus the total is unchanged: the gas comes from and goes to all other bubbles
-/// in proportion to their target areas. If driven bubbles would take more than nine tenths of the
-/// torus, their target areas are scaled down to nine tenths; if there are no others, they are
-/// scaled to all of it. In a patch the gas comes from and goes to the atmosphere, and the other
-/// bubbles keep their target areas.
+/// in proportion to their target areas. If the driven bubbles would fill more than nine tenths of
+/// the torus, their target areas are scaled down to nine tenths. If every bubble is driven, their
+/// target areas are scaled to fill the torus. In a patch the gas comes from and goes to the
+/// atmosphere, and the other bubbles keep their target areas.
 void drive(Foam& foam, const StateChange& change, double part);
 
-/// Returns the largest part of the remaining change of areas that may be imposed at once. A driven
-/// bubble may lose at most the fraction `largest_loss` of its area, unless its area is at most
-/// `vanishing_area`, and may gain at most three times its area.
+/// Returns the largest part, at most 1, of the remaining change of areas that may be imposed at
+/// once. A driven bubble may lose at most the fraction `largest_loss` of its area, unless its area
+/// is at most `vanishing_area`, and may gain at most three times its area.
 double safe_part(const Foam& foam,
                  const StateChange& change,
                  double largest_loss,

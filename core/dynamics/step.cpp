@@ -13,10 +13,10 @@
 #include <vector>
 
 // The time step is quasi-static (paper section 4.1): each substep changes target areas and topology
-// and then finds the equilibrium anew. The length of a substep is bounded by the fraction of its
-// area that any bubble may lose (E6), by the imposed change, and by the strain. A substep works on
-// a copy of the foam; if it finds no equilibrium, the copy is dropped and a substep of half the
-// length is tried.
+// and then finds the equilibrium anew. Three limits bound the length of a substep: the fraction of
+// its area that a bubble may lose by diffusion (E6), the imposed change of areas, and the strain. A
+// substep works on a copy of the foam. If it finds no equilibrium, the copy is dropped and a
+// substep of half the length is tried.
 
 namespace foam {
 
@@ -24,8 +24,8 @@ namespace {
 
 // A bubble of up to this many T2 areas may lose all its area in one substep.
 constexpr double kVanishingAreas = 4.0;
-// Smallest fraction of a driven step that one substep may cover. It bounds the number of substeps
-// if the change is impossible, for example if every bubble is to shrink.
+// Smallest fraction of a driven step to which the change of areas limits a substep. It bounds the
+// number of substeps if the change is impossible, for example if every bubble is to shrink.
 constexpr double kMinSubstepFraction = 0.01;
 constexpr double kLargestStrain = 0.05;  // largest strain of one substep
 
@@ -37,7 +37,7 @@ double safe_time(double area, double rate, const StepOptions& options) {
                                           : std::numeric_limits<double>::infinity();
 }
 
-// Returns the shortest of these times over all bubbles.
+// Returns the longest time that is safe for every bubble.
 double safe_time(const Foam& foam, const StepOptions& options) {
     double time = std::numeric_limits<double>::infinity();
     for (const BubbleId bubble : foam.network.bubbles()) {
@@ -137,7 +137,7 @@ void add(StepSummary& sum, const EquilibriumSummary& part) {
     ++sum.substeps;
 }
 
-// Makes a substep of the given length or, if that finds no equilibrium, of a shorter one. Returns
+// Makes a substep of the given length or, if no equilibrium is found, a shorter substep. Returns
 // the length of the substep, or 0 if none succeeded. `substep_of` takes the foam and the length.
 template <class Substep>
 double advance(Foam& foam,

@@ -15,24 +15,24 @@ struct StepOptions {
     EquilibriumOptions equilibrium{};
     Solver solver = Solver::Newton;
     double largest_loss = 0.75;  // fraction of its area that a bubble may lose in a substep
-    int max_halvings = 12;       // how often a substep that finds no equilibrium is halved
+    int max_halvings = 12;       // largest number of times that a failed substep is halved
 };
 
-/// The result of a step: sums over its substeps, errors and energy at its end.
+/// The result of a step. Its counts are sums over all substeps. Its errors and its energy are those
+/// at the end of the step.
 struct StepSummary {
     int substeps = 0;
     EquilibriumSummary equilibrium;
 };
 
 /// Advances a foam in equilibrium by the given time of coarsening: diffusion (E6), T2 (E8), T1 (E7)
-/// and equilibrium, in as many substeps as the fastest bubble needs. The rafts of a patch stay
-/// where they are (hold_rafts.h). If the summary is not converged, the foam is left in the last
-/// equilibrium that was reached. Leaves no dead slots.
+/// and equilibrium. A substep ends before a bubble has lost too much of its area. The rafts of a
+/// patch stay where they are (hold_rafts.h). If a substep finds no equilibrium, the summary is not
+/// converged, and the foam is left in the last equilibrium that was reached. Leaves no dead slots.
 StepSummary step(Foam& foam, double time, const StepOptions& options);
 
-/// Advances a foam as above while a change is imposed from outside, evenly over the time. The time
-/// may be 0. More substeps are made if the change would take too much gas from a bubble, or give it
-/// too much, at once.
+/// Does the same while a change from outside (E9) is imposed evenly over the time. The time may be
+/// 0. More substeps are made if the change of an area, or the strain, would be too large for one.
 StepSummary step(Foam& foam, double time, const StateChange& change, const StepOptions& options);
 
 }  // namespace foam

@@ -9,7 +9,7 @@ namespace foam {
 struct TargetCourse {
     double from = 1.0;       // area at the start without the oscillation, foam units
     double to = 1.0;         // area at the end without the oscillation, foam units
-    double amplitude = 0.0;  // of the oscillation, relative to the area; below 1
+    double amplitude = 0.0;  // amplitude of the oscillation, relative to the area; below 1
     double swings = 0.0;     // number of oscillations from start to end
     double phase = 0.0;      // phase at the start, in turns
 };

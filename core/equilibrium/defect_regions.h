@@ -18,7 +18,7 @@ struct DefectOptions {
     // A bubble is a defect if its relative area error is at least this.
     double area = 0.3;
     int rings = 1;  // rings of neighbors that are added around the defects
-    // If the regions hold more than this share of all bubbles, no region is returned.
+    // No region is returned if the regions would contain more than this share of all bubbles.
     double largest_fraction = 0.3;
 };
 
@@ -27,8 +27,9 @@ struct DefectOptions {
 using DefectRegion = std::vector<BubbleId>;
 
 /// Returns the connected regions around all defects, in the order of their first bubbles. Returns
-/// none if there is no defect, or if the regions would hold more than `largest_fraction` of the
-/// foam. Precondition: `unknowns` are all unknowns of the foam, and `residual` is their residual.
+/// no region if there is no defect, or if the regions would contain more than `largest_fraction` of
+/// the bubbles. Precondition: `unknowns` are all unknowns of the foam, and `residual` is their
+/// residual.
 std::vector<DefectRegion> find_defect_regions(const Foam& foam,
                                               const Unknowns& unknowns,
                                               const Eigen::VectorXd& residual,

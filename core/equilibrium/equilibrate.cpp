@@ -17,22 +17,22 @@
 
 namespace foam {
 
-// Newton's method (E3) for the whole foam in rounds, each followed by the response to its result:
-// T1s if films collapse or are too short, relaxation (E4) of the worst regions or of the whole foam
-// if the method has stalled. Between rounds the defect regions, where most of the residual is after
-// a T1, are solved on their own with everything else held, since Newton's method takes several
-// damped steps there while one step is enough elsewhere. README.md has the flow, NOTES.md the
-// measurements behind the constants.
+// Newton's method (E3) runs on the whole foam in rounds. Each round is followed by a response to
+// its result: T1s if films collapse or are too short, or relaxation (E4) of the worst regions or of
+// the whole foam if the method has stalled. After a T1, most of the residual is in the defect
+// regions. Newton's method takes several damped steps there, while one step is enough elsewhere.
+// The defect regions are therefore solved on their own between rounds, with everything else held.
+// README.md shows the algorithm. NOTES.md has the measurements behind the constants.
 
 namespace {
 
-// A step of the whole foam is slow if it leaves more than this share of the residual: defect
-// regions then limit its progress.
+// A step of the whole foam is slow if it leaves more than this share of the residual. Defect
+// regions are then assumed to limit its progress.
 constexpr double kSlowRatio = 0.1;
 // After this many rounds without equilibrium, defect regions are no longer solved on their own.
 constexpr int kRoundsWithRegions = 20;
-// One in this many relaxations after a stall of Newton's method is of the whole foam; the others
-// are of its worst regions.
+// After one in this many stalls of Newton's method the whole foam is relaxed, after the others only
+// its worst regions.
 constexpr int kGlobalRelaxationPeriod = 4;
 
 // The foam that all rounds work on, and the buffers that they reuse.
@@ -51,9 +51,9 @@ struct Progress {
     EquilibriumSummary summary;
     int rounds = 0;
     bool is_at_rest = false;  // Newton's method has converged and no T1 is due
-    // Defect regions are solved on their own, which ends after kRoundsWithRegions.
+    // True while defect regions are solved on their own, up to kRoundsWithRegions.
     bool solves_regions = true;
-    // Newton's method stops after a slow step, so that defect regions can be solved.
+    // True if Newton's method stops after a slow step, so that defect regions can be solved.
     bool stops_if_slow = false;
     bool network_changed = true;  // since `whole` was started
     int global_relaxations = 0;
@@ -65,9 +65,9 @@ void count_t1(int t1, Progress& progress) {
     progress.network_changed = progress.network_changed || t1 > 0;
 }
 
-// Returns the number of sweeps of the next relaxation of the whole foam: all, then a quarter of the
-// previous number, down to one, and then all again in a cycle of four. With different numbers,
-// Newton's method starts from a different state than the one in which it stalled.
+// Returns the number of sweeps of the next relaxation of the whole foam. In a cycle of four this is
+// `sweeps`, a quarter, a sixteenth and a sixty-fourth of it, but at least one. Since the number
+// varies, Newton's method starts from a different state than the one in which it stalled.
 int next_sweeps(int sweeps, Progress& progress) {
     const int quarterings = progress.global_relaxations++ % 4;
     return std::max(1, sweeps >> (2 * quarterings));
@@ -86,7 +86,8 @@ void relax_all(Work& work, bool restarts, Progress& progress) {
     progress.network_changed = true;  // pressures and half angles may have been reset
 }
 
-// Solves the defect regions on their own, unless that has been given up. Returns their number.
+// Solves the defect regions on their own and returns their number. Does nothing and returns 0 if
+// regions are no longer solved on their own.
 std::size_t solve_regions(Work& work, Progress& progress) {
     if (!progress.solves_regions) {
         return 0;
@@ -96,8 +97,8 @@ std::size_t solve_regions(Work& work, Progress& progress) {
     return local.regions;
 }
 
-// Responds to a stall of Newton's method. A large foam stalls because of a few bubbles, so only the
-// worst regions are relaxed, which keeps the rest as it is. The whole foam is relaxed every
+// Responds to a stall of Newton's method. A large foam stalls because of a few bubbles, so usually
+// only the worst regions are relaxed, and everything else is kept. The whole foam is relaxed every
 // kGlobalRelaxationPeriod-th time, if there are no such regions, or if regions are no longer solved
 // on their own.
 void relax_where_stalled(Work& work, Progress& progress) {
@@ -116,8 +117,8 @@ Progress first_phase(Work& work) {
     Progress progress;
     // Relaxation cannot reopen collapsed bubbles; it would raise their pressures without bound.
     reopen_collapsed_bubbles(work.foam);
-    // Newton's method must not start from a tangled foam: the T1s that it asks for there are
-    // arbitrary.
+    // Newton's method must not start from a tangled foam, because it would request arbitrary T1s
+    // there.
     if (untangle(work.foam) > 0 || work.options.relaxes_first) {
         relax_all(work, true, progress);
     }

@@ -12,9 +12,9 @@
 namespace foam {
 
 // The foam is scaled to a mean area of 1 and a film tension of 1, since the thresholds are meant
-// for these units. Up to three attempts start from the given state, each allowed to change more of
-// it than the one before: Newton's method alone, relaxation and Newton's method, and finally T1s as
-// well.
+// for these units. Up to three attempts start from the given state: Newton's method alone, then
+// relaxation and Newton's method, and finally both with T1s. Each attempt may change more of the
+// state than the attempt before.
 
 namespace {
 
@@ -72,8 +72,8 @@ Foam in_units(Foam foam, const Units& units) {
     return foam;
 }
 
-// Copies the solution, in units of the given foam, to the foam. The bits of the domain, the tension
-// and the target areas stay as given.
+// Copies the solution to the foam, in the units of the foam. The bits of the domain, the tension
+// and the target areas are not changed.
 void take_solution(Foam& foam, Foam solved, const Units& units) {
     foam.network = std::move(solved.network);
     foam.t1_armed = std::move(solved.t1_armed);
@@ -118,8 +118,8 @@ EquilibriumSummary equilibrate_given(Foam& foam, int threads) {
         summary = attempt;
         if (summary.converged()) {
             if (options.thresholds.t1_distance == 0.0) {
-                // At a T1 distance of 0 every film counted as grown and was armed. Start again
-                // from the given flags, with the default distance.
+                // At a T1 distance of 0 every film counted as grown and was armed. Therefore start
+                // again from the given flags, with the default distance.
                 trial.t1_armed = given.t1_armed;
                 rearm_grown_films(trial, TopologyThresholds{});
             }

@@ -12,12 +12,12 @@ namespace foam {
 /// allowed, at the default T1 distance for a mean area of 1. If no attempt converges, the foam
 /// stays as it was given.
 ///
-/// In the summary, `iterations` and `sweeps` are sums over all attempts. Everything else describes
-/// the last attempt, which is the one that is kept if it converged; if none did, the energy is in
+/// In the summary, `iterations` and `sweeps` are sums over all attempts. All other members describe
+/// the last attempt. The energy is in the units of the foam if this attempt converged, otherwise in
 /// units of mean area 1 and film tension 1.
 ///
-/// `threads` as in parallel_for; the result has the same bits for any number of threads.
-/// Preconditions: those of equilibrate.
+/// `threads` has the same meaning as in parallel_for; the result has the same bits for any number
+/// of threads. Preconditions: the same as for `equilibrate`.
 EquilibriumSummary equilibrate_given(Foam& foam, int threads);
 
 }  // namespace foam

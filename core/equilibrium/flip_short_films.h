@@ -19,8 +19,9 @@ using FourBubbles = std::array<BubbleId, 4>;
 using OnT1Rule = std::function<void(FilmId, const FourBubbles&, bool)>;
 
 /// Applies the T1 rule to the films of a part of the foam that are shorter than the T1 distance and
-/// have both ends in the part. Erases dead ids from the junctions, films and bubbles of the part;
-/// its ranks and `outer_films` are not updated. Returns the number of changes of the network.
+/// have both ends in the part. Erases dead ids from the junctions, films and bubbles of the part,
+/// but does not update its ranks and its `outer_films`. Returns the number of changes of the
+/// network.
 int flip_short_films(Foam& foam,
                      Unknowns& part,
                      const TopologyThresholds& thresholds,

@@ -12,11 +12,11 @@ namespace foam {
 namespace {
 
 constexpr int kFewAtLimit = 10;        // films at the limit, for example around a two-sided bubble
-constexpr int kMaxFurtherPasses = 10;  // of relaxation after the first pass
+constexpr int kMaxFurtherPasses = 10;  // largest number of passes after the first one
 
-// Returns true if the foam is a patch and is far from equilibrium in more than a few regions.
-// Always returns false for a torus, which cannot come apart: resetting the pressures in one
-// relaxation after another would collapse its two-sided bubbles.
+// Returns true if the foam is a patch whose defect regions would contain more than
+// DefectOptions::largest_fraction of its bubbles. Always returns false for a torus, which cannot
+// come apart: resetting its pressures in several relaxations would collapse its two-sided bubbles.
 bool is_far_all_over(const Foam& foam, int threads) {
     if (!foam.domain.is_plane()) {
         return false;

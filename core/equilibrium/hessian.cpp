@@ -11,11 +11,11 @@
 
 namespace foam {
 
-// Assembly as in a finite element method: each film contributes a dense matrix of the second
-// derivatives of its term in L (E3), 6 x 6 for an inner film and 7 x 7 for an outer film, whose
-// half angle is an unknown. Its blocks are added to precomputed slots of the compressed column
-// storage. The derivatives of inner films are evaluated in parallel; the sums are taken in the
-// order of the films, so that their bits do not depend on the number of threads.
+// The matrix is assembled as in a finite element method: each film contributes a dense matrix of
+// the second derivatives of its term in L (E3). The matrix is 6 x 6 for an inner film and 7 x 7 for
+// an outer film, whose half angle is an unknown. Its blocks are added to precomputed slots of the
+// compressed column storage. The derivatives of inner films are evaluated in parallel. The sums are
+// taken in the order of the films, so that their bits do not depend on the number of threads.
 
 namespace {
 
@@ -24,8 +24,8 @@ constexpr std::size_t kGrain = 1024;  // films per chunk
 using FilmMatrix = Eigen::Matrix<double, 6, 6>;
 using OuterFilmMatrix = Eigen::Matrix<double, 7, 7>;
 
-// The number of rows, and the first row in a film's matrix, of: tail, head, left pressure, right
-// pressure, and half angle.
+// The number of rows and the first row of each node in a film's matrix. The nodes are the tail, the
+// head, the left pressure, the right pressure, and the half angle.
 constexpr std::array<int, 5> kFilmRows = {2, 2, 1, 1, 1};
 constexpr std::array<int, 5> kFirstFilmRow = {0, 2, 4, 5, 6};
 
@@ -64,9 +64,9 @@ OuterFilmMatrix outer_film_matrix(const Vec2& d, double delta, const BulgeEnergy
     return m;
 }
 
-// Adds one block of a film's matrix to the values: the rows of the pair's first node and the
-// columns of its second. With `is_own` both are the same node of the foam, and only the lower
-// triangle of the block is added.
+// Adds one block of a film's matrix to the values: the rows of the first node of the pair and the
+// columns of the second. If `is_own` is true, both are the same node of the foam, and only the
+// lower triangle of the block is added.
 template <class Matrix>
 void add_block(
     double* values, int stride, const Matrix& film, std::array<std::size_t, 2> pair, bool is_own) {
@@ -87,8 +87,8 @@ void append_rows(int begin, int end, std::vector<int>& rows) {
 
 }  // namespace
 
-// The block pattern of the matrix: for each node, the later nodes that are coupled to it, each once
-// and in increasing order.
+// The block pattern of the matrix: the later nodes that are coupled to each node, each once and in
+// increasing order.
 struct Hessian::NodePattern {
     std::vector<int> begins;  // start of each node's range in `later`, and the end of the last
     std::vector<int> later;
@@ -229,7 +229,7 @@ int Hessian::rows_before(const NodePattern& pattern, int node, int later) const 
 
 template <int Rows>
 void Hessian::add_film(const FilmSlots& slots, const Eigen::Matrix<double, Rows, Rows>& film) {
-    constexpr std::size_t kNodes = Rows - 2;  // two of them have two rows
+    constexpr std::size_t kNodes = Rows - 2;  // tail and head have two rows each
     for (std::size_t b = 0; b < kNodes; ++b) {
         for (std::size_t a = 0; a < kNodes; ++a) {
             const int block = slots.blocks[kMaxNodes * b + a];

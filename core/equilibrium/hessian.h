@@ -18,9 +18,9 @@ class Hessian {
   public:
     Hessian(const Network& network, const Unknowns& unknowns);
 
-    /// Returns the matrix at the present state of the foam. `threads` as in parallel_for; the
-    /// result has the same bits for any number of threads. Precondition: the foam has the network
-    /// that was given to the constructor.
+    /// Returns the matrix at the present state of the foam. `threads` has the same meaning as in
+    /// parallel_for; the result has the same bits for any number of threads. Precondition: the foam
+    /// has the network that was given to the constructor.
     const Eigen::SparseMatrix<double>& evaluate(const Foam& foam, int threads = 1);
 
     const Eigen::SparseMatrix<double>& matrix() const { return matrix_; }
@@ -33,7 +33,7 @@ class Hessian {
     // the half angles of outer films with one row each. A film couples four nodes: its tail, its
     // head, and the bubbles on its left and right. An outer film also couples its half angle.
     static constexpr std::size_t kMaxNodes = 5;
-    using FilmNodes = std::array<int, kMaxNodes>;  // negative if held or absent
+    using FilmNodes = std::array<int, kMaxNodes>;  // negative if the node is held fixed or absent
     // The slots of a film's contributions in the array of the matrix values.
     struct FilmSlots {
         // For each pair of nodes (a, b) of the film, at index kMaxNodes b + a: the first slot of
@@ -57,7 +57,7 @@ class Hessian {
     const Unknowns& unknowns_;
     int junctions_;
     Eigen::SparseMatrix<double> matrix_;
-    std::vector<FilmSlots> slots_;  // of the free films
+    std::vector<FilmSlots> slots_;  // one element per free film
 };
 
 }  // namespace foam

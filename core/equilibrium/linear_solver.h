@@ -12,23 +12,23 @@
 
 namespace foam {
 
-/// Returns the solver nodes of the unknowns, in the order of their rows. A junction has its own
-/// position, the pressure of a bubble the mean of the bubble's junctions, and the half angle of an
-/// outer film the middle of the film's chord.
+/// Returns the solver nodes of the unknowns, in the order of their rows. The node of a junction is
+/// at the junction, the node of a bubble's pressure at the mean of the bubble's junctions, and the
+/// node of an outer film's half angle at the middle of the film's chord.
 std::vector<SolverNode> solver_nodes(const Foam& foam, const Unknowns& unknowns);
 
-/// The precision of a factor. Single precision takes half the time and memory. It is enough for the
-/// steps of Newton's method, whose residual is computed in double precision, unless a pivot is
-/// nearly zero.
+/// The precision of a factor. Single precision takes half the time and memory. It is sufficient for
+/// the steps of Newton's method, because the residual is computed in double precision. The
+/// exception is a matrix with a pivot that is nearly zero.
 enum class Precision { Single, Double };
 
 /// A direct solver for the Hessian of E3, which is given as a lower triangle. Near a stable state
 /// the Hessian is quasi-definite, so that no pivoting is needed.
 class LinearSolver {
   public:
-    /// Prepares the solver for a network. The positions only guide the order of elimination, so
-    /// that the preparation stays valid while the foam moves, as long as its network does not
-    /// change. `threads` as in parallel_for.
+    /// Prepares the solver for a network. The preparation stays valid while the foam moves, as long
+    /// as its network does not change: positions only guide the order of elimination. `threads` has
+    /// the same meaning as in parallel_for.
     void start(const Foam& foam, const Unknowns& unknowns, Precision precision, int threads = 0);
 
     /// Factors a matrix. Returns false if a pivot vanished or the factor would take too much

@@ -18,7 +18,7 @@ namespace {
 constexpr double kTolerance = 1e-3;  // loose, since the surroundings are held and will move later
 constexpr int kMaxIterations = 12;
 constexpr int kMaxRounds = 5;  // rounds of Newton's method, each followed by T1s or relaxation
-constexpr int kRelaxationSweeps = 30;  // of a region in which Newton's method stalls
+constexpr int kRelaxationSweeps = 30;  // sweeps in a region in which Newton's method stalls
 constexpr int kWorstRings = 3;         // rings of neighbors around the worst defects
 // A defect is among the worst if its residual is at least this share of the largest.
 constexpr double kWorstFraction = 0.2;
@@ -28,8 +28,8 @@ void remove_dead(const Network& network, DefectRegion& region) {
     std::erase_if(region, [&](BubbleId bubble) { return !network.is_live(bubble); });
 }
 
-// Solves one region, alternating between Newton's method and the T1s or the relaxation that it asks
-// for. Returns the number of T1s.
+// Solves one region: runs of Newton's method alternate with the T1s that the method requests, or
+// with one relaxation if the method stalls. Returns the number of T1s.
 int solve_region(Foam& foam,
                  DefectRegion region,
                  const TopologyThresholds& thresholds,

@@ -21,25 +21,26 @@ struct RegionBuffers {
     SoftFoam soft;
 };
 
-/// The work of `solve_defect_regions`.
+/// Counts the work of `solve_defect_regions`.
 struct LocalSummary {
-    std::size_t regions = 0;
-    int t1 = 0;
+    std::size_t regions = 0;  // number of regions solved
+    int t1 = 0;               // number of T1s
 };
 
-/// Runs Newton's method on each defect region of the foam, with everything else held, and makes the
-/// T1s that it asks for. A region in which it stalls is relaxed once; otherwise the region would
-/// stop every step of the whole foam. The tolerance is loose, since the surroundings move later.
-/// Does nothing if there are no regions (find_defect_regions).
+/// Runs Newton's method on each defect region of the foam, with everything else held fixed, and
+/// applies the T1s that the method requests. A region in which the method stalls is relaxed once;
+/// if it stayed unsolved, it would also stall Newton's method on the whole foam. The tolerance is
+/// loose, since the surroundings move later. Does nothing if find_defect_regions finds no region.
 LocalSummary solve_defect_regions(Foam& foam,
                                   const EquilibriumOptions& options,
                                   RegionBuffers& buffers);
 
-/// Returns the regions around defects whose residual is at least a fifth of the largest residual of
-/// the foam. Returns none if they would hold too large a share of the foam.
+/// Returns the regions around the worst defects: the defects (DefectOptions) whose force or area
+/// error is at least a fifth of the largest one in the foam. Returns no region if the regions would
+/// hold too large a share of the foam.
 std::vector<DefectRegion> worst_regions(const Foam& foam, int threads);
 
-/// Relaxes each of the regions, with everything else held. Returns the number of T1s.
+/// Relaxes each of the regions, with everything else held fixed. Returns the number of T1s.
 int relax_regions(Foam& foam,
                   std::vector<DefectRegion> regions,
                   const EquilibriumOptions& options,

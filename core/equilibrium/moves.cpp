@@ -10,10 +10,10 @@
 
 namespace foam {
 
-// Newton's method is globalized by limiting relative motion: the ends of a film may approach or
-// rotate around each other only by a fraction of its length, while their common motion is free.
-// Limiting the motion of each junction instead would also stop the common motion of short films,
-// and the rest of the step would not be a descent direction (NOTES.md).
+// Newton's method is globalized by limiting relative motion. The ends of a film may approach each
+// other, or rotate around each other, only by a fraction of its length. Their common motion is
+// free. Limiting the motion of each junction instead would also stop the common motion of short
+// films, and the rest of the step would not be a descent direction (NOTES.md).
 
 namespace {
 
@@ -24,8 +24,8 @@ Vec2 move_of(const Unknowns& unknowns, const Eigen::VectorXd& step, JunctionId j
     return row < 0 ? Vec2(0.0, 0.0) : Vec2(step.segment<2>(row));
 }
 
-// Returns true if the whole step leaves the film below a length, the film can flip or tear, and its
-// flipped state would stay open.
+// Returns true if the film would be shorter than `length` after the whole step, can flip or tear,
+// and would stay open when flipped.
 bool awaits_flip(const Foam& foam,
                  const Unknowns& unknowns,
                  const Eigen::VectorXd& step,
@@ -71,8 +71,8 @@ void add_move(const Unknowns& unknowns,
     }
 }
 
-// Reduces the relative motion of the film's ends to its allowed fraction. Each end takes half of
-// the cut, or all of it if the other end is held. Returns true if the step was changed.
+// Reduces the relative motion of the film's ends to its allowed fraction. Each end makes half of
+// the reduction, or all of it if the other end is held. Returns true if the step was changed.
 bool limit_film(const Foam& foam,
                 const Unknowns& unknowns,
                 FilmId film,

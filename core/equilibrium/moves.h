@@ -39,23 +39,25 @@ void wrap(Foam& foam, const Unknowns& unknowns);
 /// for a chord of no length.
 double allowed_fraction(const Vec2& chord, const Vec2& change, double largest);
 
-/// Limits the relative motion of the two ends of each film to its allowed share, by a few sweeps
-/// over the films. The common motion of the two ends is kept, so that a short film can travel far.
-/// The half angle of an outer film may change by up to `largest` radians, and by up to `largest`
-/// times its distance from pi (from -pi if it decreases). Returns true if the step was changed.
+/// Limits the relative motion of the two ends of each film to its allowed fraction
+/// (allowed_fraction), by a few sweeps over the films. The common motion of the two ends is kept,
+/// so that a short film can move far. The half angle of an outer film may change by up to `largest`
+/// radians, and by up to `largest` times its distance from pi (from -pi if it decreases). Returns
+/// true if the step was changed.
 bool limit_moves(const Foam& foam, const Unknowns& unknowns, double largest, Eigen::VectorXd& step);
 
-/// Returns the films that a step takes through a T1, in increasing order: films that have
-/// collapsed, and films below their T1 distance that the step would shorten by more than half and
-/// that would stay open when flipped.
+/// Returns the films that need a T1 before the step is made, in increasing order. These are films
+/// that have collapsed, and films below their T1 distance that the step would shorten by more than
+/// half and that would stay open when flipped.
 std::vector<FilmId> collapsing_films(const Foam& foam,
                                      const Unknowns& unknowns,
                                      const Eigen::VectorXd& step,
                                      const TopologyThresholds& thresholds);
 
-/// Returns the films that a step near equilibrium takes through a T1, in increasing order. Such a
-/// step can be trusted to predict lengths: the films are those that have collapsed, and those below
-/// their T1 distance that would still be below it after the step and would stay open when flipped.
+/// Returns the films that need a T1 before a step near equilibrium is made, in increasing order.
+/// Such a step predicts the lengths in equilibrium well. The films are therefore films that have
+/// collapsed, and films below their T1 distance that would still be below it after the step and
+/// would stay open when flipped.
 std::vector<FilmId> closing_films(const Foam& foam,
                                   const Unknowns& unknowns,
                                   const Eigen::VectorXd& step,

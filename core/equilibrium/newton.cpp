@@ -14,8 +14,8 @@ namespace foam {
 // Newton's method with backtracking line search (Nocedal and Wright, Numerical Optimization, 2006;
 // paper 4.1) on the gradient of L (E3). The merit function is the sum of squares of the
 // dimensionless residual. The chord method reuses a factor while its measured rate of convergence
-// promises at most kStepsPerFactor further steps, about the price of a new factor. Before each
-// step, films that it would take through a T1 are reported to the caller instead.
+// promises at most kStepsPerFactor further steps, which cost about as much as a new factor. If
+// films need a T1 before a step, the step is not made and the films are returned to the caller.
 
 namespace {
 
@@ -39,8 +39,8 @@ struct Evaluation {
 // The result of a line search.
 struct Advance {
     bool moved = false;
-    bool was_limited = false;  // the step had to be cut (limit_moves)
-    double ratio = 1.0;        // norm of the residual after the step, divided by that before
+    bool was_limited = false;  // the step was changed by limit_moves
+    double ratio = 1.0;        // norm of the residual after the step, divided by the norm before
 };
 
 Evaluation evaluate(const Foam& foam, const NewtonSystem& system) {
@@ -50,7 +50,7 @@ Evaluation evaluate(const Foam& foam, const NewtonSystem& system) {
     return current;
 }
 
-// Returns the status if the method ends here, or nothing if it continues.
+// Returns the status if the method ends at the present state, or nothing if it continues.
 std::optional<NewtonStatus> ending(const ResidualNorms& norms,
                                    int iterations,
                                    bool is_slow,
@@ -77,7 +77,7 @@ std::vector<FilmId> films_for_t1(const Foam& foam,
 }
 
 // Moves the foam along the step by the first of the fractions 1, 1/2, 1/4 ... that reduces the
-// residual sufficiently. Returns false and leaves the foam as it was if there is none.
+// residual sufficiently. If no fraction does, restores the foam and returns false.
 bool backtrack(Foam& foam,
                const NewtonSystem& system,
                const Eigen::VectorXd& step,
@@ -113,8 +113,8 @@ Advance line_search(Foam& foam,
 }
 
 // Returns true if keeping the factor is expected to be cheaper than renewing it. The first step
-// with a factor is a full Newton step, so its ratio says little about the rate of the chord steps
-// to come; it is only compared with a fixed limit.
+// with a factor is a full Newton step, so its ratio says little about the convergence of later
+// chord steps. It is therefore only compared with a fixed limit.
 bool is_worth_keeping(const Advance& advance,
                       bool is_chord_step,
                       const ResidualNorms& norms,

@@ -9,16 +9,18 @@ namespace foam {
 
 namespace {
 
-// Regularization of the null modes (E3), relative to the film tension for junctions and half
-// angles, and to the diagonal entry for pressures. It is small compared with the softest shear of
-// the foam, and large compared with rounding errors in the factor. In a small foam a null mode of
-// the junctions may be held only by a pressure that is eliminated later: one pivot is then as small
-// as the regularization and the next one as large as its inverse, which requires double precision.
+// Regularization of the null modes (E3). It is relative to the film tension for junctions and half
+// angles, and relative to the diagonal entry for pressures. It is small compared with the softest
+// shear of the foam, and large compared with rounding errors in the factor. In a small foam a null
+// mode of the junctions may be determined only by a pressure that is eliminated later. One pivot is
+// then as small as the regularization and the next one as large as its inverse, which requires
+// double precision.
 constexpr double kSingleRegularization = 1e-6;
 constexpr double kDoubleRegularization = 1e-7;
 constexpr int kFewUnknowns = 500;  // with fewer unknowns, single precision saves nothing
 
-// Subtracts the mean of the junctions' vectors, which are in the first rows, from each of them.
+// Subtracts the mean vector of all junctions from the vector of each junction. These vectors are
+// the first rows.
 void remove_mean(Eigen::VectorXd& rows, std::size_t junction_count) {
     const auto junctions = static_cast<Eigen::Index>(junction_count);
     auto vectors = rows.head(2 * junctions).reshaped(2, junctions);
@@ -58,9 +60,9 @@ Eigen::VectorXd NewtonSystem::step(const Foam& foam, const Eigen::VectorXd& resi
     }
     Eigen::VectorXd step = -solver_.solve(solvable_part(foam, residual));
     if (is_whole_) {
-        // Translations of the whole foam are held by the regularization alone. Without this line,
-        // rounding errors in the factor of a softly sheared foam sometimes move all of it by the
-        // size of a bubble.
+        // Only the regularization determines the translation of the whole foam. Without this call,
+        // rounding errors in the factor of a softly sheared foam sometimes move the whole foam by
+        // the size of a bubble.
         remove_mean(step, unknowns_.junctions.size());
     }
     return step;

@@ -11,9 +11,10 @@
 
 namespace foam {
 
-/// The inverse of a list of ids: the index of each id in the list. If the list holds at least one
-/// sixteenth of all ids, the ranks are a table with a slot per id. For a shorter list they are a
-/// hash table with linear probing, so that numbering a few bubbles is cheap in a large foam.
+/// The inverse of a list of ids: maps an id to its rank, which is its index in the list. If the
+/// list contains at least one sixteenth of all ids, the ranks are stored in a table with a slot per
+/// id. For a shorter list they are stored in a hash table with linear probing, so that numbering a
+/// few bubbles is cheap in a large foam.
 template <class Id>
 class RankTable {
   public:
@@ -32,15 +33,15 @@ class RankTable {
         }
     }
 
-    /// Returns the index of the id, negative if it is not in the list.
+    /// Returns the index of the id in the list; negative if the id is not in it.
     int operator[](Id id) const {
         return is_direct_ ? direct_[index_of(id)] : entries_[slot_of(id)].rank;
     }
 
   private:
-    // A list is short if it holds fewer than one in this many ids.
+    // A list is short if it contains less than this fraction of all ids: 1 / kSparse.
     static constexpr std::size_t kSparse = 16;
-    static constexpr std::size_t kSlotsPerId = 2;  // least number of hash table slots per id
+    static constexpr std::size_t kSlotsPerId = 2;  // smallest number of hash table slots per id
 
     struct Entry {
         Id id = kNone<Id>;

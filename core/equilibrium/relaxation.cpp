@@ -17,8 +17,8 @@
 namespace foam {
 
 // Relaxation (E4) is a nonlinear Gauss-Seidel method. Each junction, and then the half angle of
-// each film, makes a Newton step of its own while everything else is held; the areas of the bubbles
-// beside it are updated at once. The pressure of a bubble is a penalty on its area error. Every
+// each film, makes a Newton step of its own while everything else is held. The areas of the bubbles
+// next to it are updated at once. The pressure of a bubble is a penalty on its area error. Every
 // kSweepsPerUpdate sweeps the pressure reached so far becomes the multiplier of the area constraint
 // (method of multipliers), so that the areas converge to their targets without a large stiffness.
 
@@ -26,8 +26,8 @@ namespace {
 
 constexpr int kSweepsPerUpdate = 10;  // sweeps between updates of the method of multipliers (E4)
 constexpr double kLargestBend = 0.3;  // largest change of a half angle in a sweep, radians
-// Smallest stiffness of a film against bending, as a fraction of that of a straight film. Also the
-// smallest stiffness of an outer film along its chord.
+// Smallest stiffness of a film against bending, as a fraction of the stiffness of a straight film.
+// Also the smallest stiffness of an outer film along its chord (Pull::stiffness).
 constexpr double kMinStiffness = 0.1;
 
 // The force of an arc on the end of its chord c, in film tensions, when that end moves. Inner arcs
@@ -36,7 +36,7 @@ constexpr double kMinStiffness = 0.1;
 // collapse: with c² h constant, d(c q)/dc = cos alpha and d(alpha)/dc = -h / (w c) (E3).
 struct Pull {
     double tension = 0.0;    // along the chord
-    double segment = 0.0;    // h along the half-edge; 0 if the segment keeps its area
+    double segment = 0.0;    // h of E3, signed for the half-edge; 0 if the segment keeps its area
     double stiffness = 0.0;  // stiffness along the chord, times c
 };
 
@@ -71,14 +71,14 @@ class Relaxation {
             restart();
         }
         soft_.begin(options_.stiffness);
-        for (const FilmId film : part_.films) {  // this includes the bubbles around the part
+        for (const FilmId film : part_.films) {  // also loads the bubbles around the part
             soft_.load(foam_.network.left(forward_side(film)));
             soft_.load(foam_.network.right(forward_side(film)));
         }
     }
 
-    // Resets the pressures to a common value near those of equilibrium, which makes inner films
-    // straight. Outer films get arcs that hold the missing areas of their bubbles.
+    // Resets the pressures to a common value near the pressures in equilibrium, which makes inner
+    // films straight. Outer films get arcs that give their bubbles the target areas.
     void restart() {
         const double pressure = mean_pressure();
         for (const BubbleId bubble : part_.bubbles) {
@@ -87,8 +87,8 @@ class Relaxation {
         }
     }
 
-    // Returns the mean pressure that would balance the films, from their energy: in equilibrium it
-    // is 2 sum p A.
+    // Returns the pressure that would balance the films if all bubbles had the same. In equilibrium
+    // the energy of the films is 2 sum p A.
     double mean_pressure() const {
         double length = 0.0;
         for (const FilmId film : part_.films) {

@@ -28,16 +28,16 @@ struct RelaxationSummary {
     int t1 = 0;
 };
 
-/// Relaxes the whole foam: sweeps over the junctions and the films, which are moved one at a time
-/// by their own Newton steps, and makes T1s between sweeps. Leaves each bubble with the pressure
+/// Relaxes the whole foam. A sweep moves one junction, and then one half angle, after another by a
+/// Newton step of its own. T1s are made between sweeps. Afterwards each bubble has the pressure
 /// that corresponds to its remaining area error.
 RelaxationSummary relax(Foam& foam, const RelaxationOptions& options);
 
 /// Relaxes a part of the foam; everything else is held.
 RelaxationSummary relax(Foam& foam, Unknowns part, const RelaxationOptions& options);
 
-/// Relaxes a part of the foam with memory that is reused from part to part, since memory for a
-/// whole large foam is costly to clear. Precondition: `memory` belongs to the same foam.
+/// Relaxes a part of the foam like the function above, but reuses `memory`, since clearing memory
+/// for a large foam is costly. Precondition: `memory` belongs to the same foam.
 RelaxationSummary relax(Foam& foam,
                         Unknowns part,
                         const RelaxationOptions& options,

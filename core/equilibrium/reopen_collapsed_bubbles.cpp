@@ -13,8 +13,8 @@ namespace foam {
 
 namespace {
 
-constexpr double kCollapsedAreaFraction =
-    0.01;                                   // of its target area; a bubble with less is collapsed
+// A bubble is collapsed if it has less than this fraction of its target area.
+constexpr double kCollapsedAreaFraction = 0.01;
 constexpr double kLargestMove = 1.0 / 3.0;  // largest move of an end, in lengths of its third film
 
 // Returns the half-edge that leaves the tail of h along the film that does not belong to the
@@ -40,8 +40,8 @@ bool is_collapsed(const Foam& foam, BubbleId bubble) {
            film_of(third_film(network, h)) != film_of(third_film(network, network.next(h)));
 }
 
-// Returns the distance of the ends of a two-sided bubble in equilibrium: each film, of half angle
-// 60 degrees, encloses half of the area with its chord.
+// Returns the distance between the ends of a two-sided bubble in equilibrium. Each film has a half
+// angle of 60 degrees and encloses half of the area with its chord.
 double equilibrium_chord(double area) {
     const double of_unit_chord = 2.0 * segment_area({Vec2(1.0, 0.0), std::numbers::pi / 3.0});
     return std::sqrt(area / of_unit_chord);

@@ -6,9 +6,9 @@
 
 namespace foam {
 
-/// Reopens two-sided bubbles that have collapsed, which means that they have less than a hundredth
-/// of their target area. Returns their number; a foam without any stays as it is. Bubbles at the
-/// surface of a patch, and bubbles whose two ends share their third film, are left out.
+/// Reopens collapsed bubbles: two-sided bubbles that have less than a hundredth of their target
+/// area. Bubbles at the surface of a patch, and bubbles whose two ends share their third film, are
+/// not reopened. Returns the number of reopened bubbles.
 ///
 /// Relaxation cannot open such a bubble. Its two films pull its ends together, and pushing the ends
 /// apart takes a pressure of sqrt(3) film tensions divided by their distance, which grows as the

@@ -39,7 +39,7 @@ FilmGradient film_gradient(const Foam& foam, FilmId film) {
     const HalfEdgeId h = forward_side(film);
     const Vec2 d = chord(foam, h);
     const double delta = pressure_difference(foam, h);
-    const Vec2 push = 0.5 * delta * turned_left(d);  // -delta P(d) / 2, half at each end (E3)
+    const Vec2 push = 0.5 * delta * turned_left(d);  // polygon term on each end (E3)
     if (foam.network.is_outer(film)) {
         const BulgeEnergy energy =
             bulge_energy({d, foam.half_angles[film]}, delta, foam.film_tension);
@@ -50,7 +50,8 @@ FilmGradient film_gradient(const Foam& foam, FilmId film) {
     return {push - energy.gradient, push + energy.gradient, energy.segment_area};
 }
 
-// Adds a contribution to a row. A negative row belongs to something held and is skipped.
+// Adds a contribution to a row. Does nothing if the row is negative, which means that the unknown
+// is held.
 void add(Eigen::VectorXd& r, int row, const Vec2& force) {
     if (row >= 0) {
         r.segment<2>(row) += force;

@@ -12,10 +12,10 @@ namespace foam {
 double lagrangian(const Foam& foam);
 
 /// Returns the gradient of the function L of E3 with respect to the unknowns, which is zero in
-/// equilibrium (E2). Its rows are: for each junction minus the force of films and pressures on it,
-/// for each bubble its target area minus its area, and for each outer film the derivative with
-/// respect to its half angle (bulge_energy.h). `threads` as in parallel_for; the result has the
-/// same bits for any number of threads.
+/// equilibrium (E2). The rows of a junction are minus the force of films and pressures on it, the
+/// row of a bubble is its target area minus its area, and the row of an outer film is the
+/// derivative with respect to its half angle (bulge_energy.h). `threads` has the same meaning as in
+/// parallel_for; the result has the same bits for any number of threads.
 Eigen::VectorXd residual(const Foam& foam, const Unknowns& unknowns, int threads = 1);
 
 /// Dimensionless norms of a residual: forces in film tensions, area errors in target areas. The

@@ -10,9 +10,9 @@
 namespace foam {
 
 /// The model of the foam in relaxation (E4): soft bubbles, whose pressure depends on their area,
-/// and films that are arcs with half angles of their own. It holds the bubbles that have been
-/// loaded and their films. Its memory has one slot for each bubble and each film of the foam, and
-/// is reused when one part of the foam after another is relaxed.
+/// and films that are arcs with half angles of their own. The model consists of the bubbles that
+/// have been loaded and their films. Its memory has one slot for each bubble and each film of the
+/// foam, and is reused when one part of the foam after another is relaxed.
 class SoftFoam {
   public:
     struct Arc {
@@ -54,12 +54,12 @@ class SoftFoam {
     void set_arc(FilmId film, double half_angle, double squared_before, double squared_after);
 
     /// Loads the arc of a film from the foam. The half angle of an inner film follows from the
-    /// pressures, that of an outer film is stored in the foam.
+    /// pressures; the half angle of an outer film is stored in the foam.
     void load_arc(FilmId film);
-    /// Updates a bubble after a change of the network, which may have joined two films into one:
-    /// loads the arcs of its outer films and measures its area. With `may_be_empty`, for example
-    /// after a film has torn, the outer films of a bubble with less than half of its target area
-    /// are bent to hold the missing area (bulge_outer_films).
+    /// Updates a bubble after the T1 rule has been applied near it: loads the arcs of its outer
+    /// films, since the rule may have joined two films into one, and measures its area. If
+    /// `may_be_empty` is true, for example after a film has torn, and the bubble has less than half
+    /// of its target area, its outer films are bent until it has this area (bulge_outer_films).
     void renew(BubbleId bubble, bool may_be_empty);
 
   private:
@@ -84,9 +84,9 @@ class SoftFoam {
     std::vector<BubbleId> loaded_;
 };
 
-/// Bends the outer films of a bubble so that their segments hold, in equal shares, the area that
-/// the polygon of the bubble lacks to its target area. Does nothing if the bubble has no outer
-/// film.
+/// Bends the outer films of a bubble so that the bubble gets its target area: their segments have
+/// equal shares of the target area minus the area of the polygon. Does nothing if the bubble has no
+/// outer film.
 void bulge_outer_films(Foam& foam, BubbleId bubble);
 
 }  // namespace foam

@@ -32,15 +32,16 @@ struct Unknowns {
     }
     /// Returns the row of the half angle. Precondition: the film is one of `outer_films`.
     int angle_row(FilmId film) const { return first_angle_row() + outer_rank[film]; }
-    /// Returns the row of the x coordinate; the next row is y. Negative if the junction is held.
+    /// Returns the row of the x coordinate, which is followed by the row of y; negative if the
+    /// junction is held.
     int position_row(JunctionId junction) const { return 2 * junction_rank[junction]; }
 };
 
 /// Returns all unknowns of the foam.
 Unknowns all_unknowns(const Network& network);
 
-/// Returns the unknowns of some bubbles and of all their junctions. Precondition: the bubbles are
-/// in increasing order, each once, without the ghost.
+/// Returns the unknowns of some bubbles, of all their junctions, and of the outer films at these
+/// junctions. Precondition: the bubbles are in increasing order, each once, without the ghost.
 Unknowns unknowns_around(const Network& network, std::span<const BubbleId> bubbles);
 
 }  // namespace foam

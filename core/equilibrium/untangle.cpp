@@ -16,7 +16,7 @@ namespace {
 
 // Largest number of films between a tangled junction and the junctions that move with it.
 constexpr int kReach = 2;
-constexpr int kSweeps = 20;          // enough for each of a thousand tangled states
+constexpr int kSweeps = 20;          // enough for all of a thousand tested states
 constexpr double kNoLength = 1e-9;   // foam units
 constexpr double kSameAngle = 1e-9;  // radians; the two chords of a two-sided bubble coincide
 

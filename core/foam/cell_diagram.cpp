@@ -8,13 +8,13 @@
 // Builds the network of a foam from polygons that tile the torus. Each side of a cell becomes a
 // half-edge; sides are paired by the cell across them and its lattice offset. A corner becomes one
 // junction, shared by the three half-edges that leave it. The lattice offset of a half-edge is the
-// difference of the lattice cells in which the corners of its two ends lie.
+// difference between the lattice cells of the corners at its two ends.
 
 namespace foam {
 
 namespace {
 
-// The half-edge that starts at each corner: [cell][corner].
+// The half-edge that starts at each corner, indexed by [cell][corner].
 using HalfEdgeTable = std::vector<std::vector<HalfEdgeId>>;
 
 std::size_t matching_corner(const CellDiagram& cells, std::size_t cell, const CellCorner& corner) {
@@ -71,7 +71,7 @@ void add_junction_at(HalfEdgeId h, const Vec2& point, Foam& foam) {
     }
 }
 
-// Returns the lattice offset of the copy of its junction that a corner is.
+// Returns the lattice offset of the copy of the junction that is at the point.
 LatticeOffset copy_of(const Domain& domain, const Vec2& point, const Vec2& junction) {
     const Vec2 apart = point - junction;
     return {static_cast<std::int32_t>(std::lround(apart.x() / domain.width)),

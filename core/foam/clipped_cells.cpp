@@ -10,18 +10,18 @@
 #include <optional>
 #include <utility>
 
-// Clips a Voronoi diagram to an outline and makes a mesh with shared points of the parts. Each cell
-// is clipped by itself, so that the cuts of neighboring cells agree only up to rounding. Nearby
-// points are made one: a map from boxes of a fine grid to points is searched in the 3 x 3 boxes
-// around a point. Slivers at the outline would make films that vanish at once, so small parts are
-// then merged with their neighbors.
+// Clips a Voronoi diagram to an outline and joins the parts to a mesh with shared points. Each cell
+// is clipped separately, so that the cuts of neighboring cells agree only up to rounding. Nearby
+// points are therefore merged: a map from boxes of a fine grid to points is searched in the 3 x 3
+// boxes around a point. Slivers at the outline would become bubbles that vanish at once, so small
+// parts are then merged with their neighbors.
 
 namespace foam {
 
 namespace {
 
-// Boost.Geometry rounds intersections to a grid of 1e-7 of the size, which differs from one cell to
-// its neighbor.
+// Boost.Geometry rounds intersections to a grid of 1e-7 of the size of the polygons. The grids of
+// neighboring cells differ.
 constexpr double kSamePoint = 3e-5;  // foam units
 constexpr double kSameCorner = 1e-9;
 constexpr double kSliverArea = 0.1;  // of the mean area
@@ -29,7 +29,7 @@ constexpr double kSliverArea = 0.1;  // of the mean area
 using Cell = PolygonMesh::Cell;
 using Side = std::pair<std::uint32_t, std::uint32_t>;
 
-// A set of points in which two points closer than `same` are one.
+// A set of points that merges points closer than `same`.
 class PointSet {
   public:
     PointSet(std::vector<Vec2>& points, double same) : points_(points), same_(same) {}
@@ -62,9 +62,9 @@ class PointSet {
     std::map<Box, std::uint32_t> boxes_;
 };
 
-// The points of the mesh. Corners of the diagram agree between cells up to rounding, and have a
-// fine tolerance; points at which the outline cuts the cells need a coarse one. With the coarse
-// tolerance for all, every second diagram of 10,000 cells would lose a short side.
+// The points of the mesh. Corners of the diagram agree between cells up to rounding and use a fine
+// tolerance; points at which the outline cuts the cells need a coarse tolerance. If all points used
+// the coarse tolerance, every second diagram of 10,000 cells would lose a short side.
 struct MeshPoints {
     explicit MeshPoints(std::vector<Vec2>& points)
         : corners(points, kSameCorner), cuts(points, kSamePoint) {}
@@ -97,8 +97,7 @@ Vec2 center_of(const PolygonMesh& mesh, const Cell& cell) {
     return cell_centroid(corners);
 }
 
-// Returns the sides of a cell in the direction in which its neighbors have them, with their
-// lengths.
+// Returns the sides of a cell, in the direction of its neighbors, and their lengths.
 std::map<Side, double> reversed_sides(const PolygonMesh& mesh, const Cell& corners) {
     std::map<Side, double> sides;
     for (std::size_t k = 0; k < corners.size(); ++k) {
@@ -109,7 +108,7 @@ std::map<Side, double> reversed_sides(const PolygonMesh& mesh, const Cell& corne
     return sides;
 }
 
-// Returns the total length of those of the given sides that the cell has.
+// Returns the total length of the given sides that are also sides of the cell.
 double length_of(const std::map<Side, double>& sides, const Cell& corners) {
     double length = 0.0;
     for (std::size_t k = 0; k < corners.size(); ++k) {

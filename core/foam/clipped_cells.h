@@ -15,16 +15,16 @@ struct ClippedCells {
                                 // the whole cell if no part is within the outline
 };
 
-/// Clips the cells to the outline. Precondition: the diagram does not wrap around its torus
-/// anywhere near the outline.
+/// Clips the cells to the outline. Precondition: no cell near the outline crosses the boundary of
+/// the torus' own cell.
 ClippedCells clip_cells(const Outline& outline, const CellDiagram& diagram);
 
 /// Returns the area of the polygon of a cell.
 double polygon_area(const PolygonMesh& mesh, const PolygonMesh::Cell& cell);
 
 /// Merges every cell below a tenth of the mean area into the neighbor with which it shares the
-/// longest border, provided that the union is one piece without a hole; otherwise into the next
-/// best neighbor. Removes a small cell that no neighbor can take.
+/// longest border. If the boundary of their union is not a single loop, tries the neighbor with the
+/// next longest border. Removes the small cell if no neighbor is left to try.
 void merge_slivers(PolygonMesh& mesh);
 
 }  // namespace foam

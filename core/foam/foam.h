@@ -15,7 +15,7 @@ namespace foam {
 struct LoneBubble {
     BubbleIdentity identity = 0;
     Vec2 center{0.0, 0.0};
-    double target_area = 0.0;  // always equal to its area
+    double target_area = 0.0;  // equal to its area
 
     friend bool operator==(const LoneBubble& a, const LoneBubble& b) = default;
 };
@@ -35,17 +35,17 @@ struct Foam {
     Indexed<BubbleId, double> target_areas;
     Indexed<BubbleId, BubbleIdentity> identities;
     BubbleIdentity next_identity = 0;
-    // 0 for a film that has flipped and has not yet grown well above the T1 distance (E7),
-    // otherwise
-    // 1. It keeps a film whose two states are both short from flipping to and fro.
+    // 0 for a film that has flipped and has not yet grown to twice the T1 distance (E7),
+    // otherwise 1. The flag keeps a film from flipping to and fro if it is short both before and
+    // after a flip.
     Indexed<FilmId, std::uint8_t> t1_armed;
     // The half angles of the outer films of a patch along their forward sides, in (-pi, pi). The
     // half angles of other films follow from the pressures; their entries are unused. Empty on a
     // torus.
     Indexed<FilmId, double> half_angles;
     std::vector<LoneBubble> lone_bubbles;  // only in a patch; by increasing identity
-    // The events since the list was last cleared, in their order. Readers clear it. It is not part
-    // of the physical state.
+    // The events since the list was last cleared, in their order. The reader of the list clears it.
+    // The list is not part of the physical state.
     std::vector<TopologyEvent> events;
 };
 
@@ -58,29 +58,32 @@ Vec2 middle_of(const Foam& foam, FilmId film);
 /// Returns the pressure on the left of the half-edge minus the pressure on its right.
 double pressure_difference(const Foam& foam, HalfEdgeId h);
 
-/// Returns the arc along the half-edge (E1). The half angle of an outer film is the stored one;
-/// that of any other film is given by Laplace-Young's law, clamped to the limit (kLargestSine).
+/// Returns the arc along the half-edge (E1). An outer film has its stored half angle. The half
+/// angle of any other film is given by Laplace-Young's law, clamped to the limit (kLargestSine).
 FilmArc film_arc(const Foam& foam, HalfEdgeId h);
 
-/// Sets the half angle of an outer film along the half-edge, clamped to the inside of (-pi, pi).
+/// Sets the half angle of an outer film along the half-edge. The magnitude is clamped to slightly
+/// less than pi.
 void set_half_angle(Foam& foam, HalfEdgeId h, double angle);
 
 /// Sets the half angle of an outer film by Laplace-Young's law, clamped to the limit
 /// (kLargestSine). Does nothing to other films.
 void fit_half_angle(Foam& foam, FilmId film);
 
-/// Makes a patch of a foam whose network has just got a ghost as the last of its bubbles: sets the
-/// domain to the plane, appends the ghost's values, and fits the half angles of all outer films.
+/// Makes the foam a patch: sets the domain to the plane, appends the ghost's values, and fits the
+/// half angles of all outer films. Precondition: the last bubble of the network is a new ghost, for
+/// which the foam has no values yet.
 void complete_patch(Foam& foam);
 
-/// Moves the junction to a point anywhere in the plane, in the lattice frame of its present
-/// position, and wraps it into the torus' own cell. The lattice offsets of its films follow.
+/// Moves the junction to a point anywhere in the plane. The point is unwrapped from the present
+/// position of the junction. The junction is wrapped into the torus' own cell, and the lattice
+/// offsets of its films are updated.
 void place_junction(Foam& foam, JunctionId junction, const Vec2& point);
 
 /// Moves all junctions by the same vector. Lone bubbles are not moved.
 void translate(Foam& foam, const Vec2& by);
 
-/// Closes the gaps that vanished bubbles leave in every vector of the foam.
+/// Removes the dead slots from the network (Network::compact) and from every vector of the foam.
 void compact(Foam& foam);
 
 }  // namespace foam

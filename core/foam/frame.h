@@ -24,7 +24,7 @@ struct Frame {
     Network network;
     Indexed<JunctionId, Vec2> positions;
     Indexed<FilmId, FilmArc> arcs;           // of the forward sides
-    Indexed<BubbleId, FrameBubble> bubbles;  // without the ghost, the last bubble of the network
+    Indexed<BubbleId, FrameBubble> bubbles;  // no entry for the ghost, the network's last bubble
     std::vector<LoneBubble> lone_bubbles;
 
     /// Returns the arc of a film in the direction of the half-edge.

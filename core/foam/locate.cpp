@@ -8,12 +8,13 @@
 #include <cmath>
 #include <limits>
 
-// Locates points by winding numbers. The winding number of an outline of arcs is that of the
-// polygon of its chords, counted by crossings of a ray to the right, plus or minus 1 for each
-// circular segment between a chord and its arc that contains the point. By the inscribed angle
-// theorem, a point is inside a segment if it is on the side of the arc and sees the chord at an
-// angle of more than 180 degrees minus the half angle. A point that is on a film up to rounding may
-// have a winding number of 0 for every bubble; bubble_at then tries points nearby.
+// Locates points by winding numbers. The winding number of an outline of arcs is the winding number
+// of the polygon of its chords, plus or minus 1 for each circular segment between a chord and its
+// arc that contains the point. The winding number of the polygon is counted by crossings of a ray
+// to the right. By the inscribed angle theorem, a point is inside a segment if it is on the side of
+// the arc and the chord subtends an angle of more than 180 degrees minus the half angle at the
+// point. A point that is on a film up to rounding may have a winding number of 0 for every bubble;
+// bubble_at then tries points nearby.
 
 namespace foam {
 
@@ -98,8 +99,8 @@ double distance_to_segment(const Vec2& from, const Vec2& along) {
     return (from + part * along).norm();
 }
 
-// Returns the distance from a film's chord to the nearest copy of the point. All copies near the
-// chord are tried, because the chord may reach far around the torus.
+// Returns the distance from a film's chord to the nearest copy of the point. Tries all copies near
+// the chord, because the chord may be longer than the periods of the torus.
 double distance_to_chord(const Foam& foam, FilmId film, const Vec2& point) {
     const HalfEdgeId h = forward_side(film);
     const Vec2 along = chord(foam, h);

@@ -9,7 +9,7 @@
 
 namespace foam {
 
-/// Returns the live bubble with the given identity, or nothing if it has vanished or is a lone one.
+/// Returns the bubble with the given identity, or nothing if it has vanished or is a lone bubble.
 std::optional<BubbleId> find_bubble(const Foam& foam, BubbleIdentity identity);
 
 /// Returns how often the outline of a bubble and of all its lattice copies runs around a point of
@@ -28,11 +28,11 @@ std::optional<BubbleIdentity> identity_at(const Foam& foam, const Vec2& point);
 /// Returns the live bubbles with the given number of sides, by increasing target area.
 std::vector<BubbleId> bubbles_of_sides(const Foam& foam, int sides);
 
-/// Returns the junction nearest to a point anywhere in the plane; of several, the one with the
-/// smallest id. Precondition: there is a junction.
+/// Returns the junction nearest to a point anywhere in the plane; if several are equally near, the
+/// junction with the smallest id. Precondition: there is a junction.
 JunctionId nearest_junction(const Foam& foam, const Vec2& point);
-/// Returns the film whose chord is nearest to a point anywhere in the plane; of several, the one
-/// with the smallest id. Precondition: there is a film.
+/// Returns the film whose chord is nearest to a point anywhere in the plane; if several are equally
+/// near, the film with the smallest id. Precondition: there is a film.
 FilmId nearest_film(const Foam& foam, const Vec2& point);
 
 }  // namespace foam

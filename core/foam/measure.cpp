@@ -13,8 +13,8 @@ namespace foam {
 
 namespace {
 
-// Returns the larger number, or NaN if either is NaN: a state that is not finite must not look
-// exact.
+// Returns the larger number, or NaN if either is NaN, so that a state that is not finite does not
+// seem to have small errors.
 double larger(double a, double b) {
     return b > a || std::isnan(b) ? b : a;
 }

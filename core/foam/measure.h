@@ -26,12 +26,12 @@ void center_pressures(Foam& foam);
 /// Returns the film tension times the length of all films, including those of lone bubbles.
 double energy(const Foam& foam);
 
-/// Returns the number of films, outer ones aside, whose half angle is clamped to the limit
-/// (kLargestSine). A foam with such a film is not in equilibrium.
+/// Returns the number of inner films whose half angle is clamped to the limit (kLargestSine). A
+/// foam with such a film is not in equilibrium.
 int films_at_limit(const Foam& foam);
 
-/// Distance from equilibrium (E2). If the foam has a value that is not finite, the errors that
-/// depend on it are NaN, and are below no tolerance.
+/// Distance from equilibrium (E2). If the foam contains a value that is not finite, the errors that
+/// depend on it are NaN, and are_below returns false for any tolerance.
 struct EquilibriumErrors {
     double area = 0.0;   // largest |A / A_target - 1|
     double angle = 0.0;  // largest |angle - 120 degrees| between two films, radians

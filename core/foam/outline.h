@@ -16,9 +16,9 @@ struct Outline {
     std::vector<std::vector<Vec2>> holes;
 };
 
-/// Parses a WKT text, POLYGON((x y, ...), (...)). Rings may have either direction and may be closed
-/// or not. Throws std::invalid_argument if the text is no polygon, or if the polygon is not valid,
-/// for example because it crosses itself.
+/// Parses a WKT text, POLYGON((x y, ...), (...)). Rings may have either direction; repeating the
+/// first corner at the end is optional. Throws std::invalid_argument if the text is not a polygon,
+/// or if the polygon is not valid, for example because it crosses itself.
 Outline outline_from_wkt(const std::string& text);
 
 /// Returns the unit disc as a regular polygon of 360 sides.

@@ -15,11 +15,11 @@
 #include <stdexcept>
 #include <vector>
 
-// Seeds a patch: the outline is scaled to an area of 1 per bubble and put in the middle of a torus
-// twice as large; random sites within the outline, relaxed by Lloyd's algorithm if asked for, get
-// the Voronoi diagram of the torus, which is clipped to the outline (clipped_cells.h) and made a
-// foam (polygon_mesh.h). Initial foams from the Voronoi diagrams of random points follow section 5
-// of the paper. A draw that gives no valid foam is repeated with new random sites.
+// Seeds a patch from the Voronoi diagram of random points (paper section 5). The outline is scaled
+// to an area of 1 per bubble and placed in the middle of a torus twice as wide. Random sites are
+// drawn within the outline and may be relaxed by Lloyd's algorithm. Their Voronoi diagram on the
+// torus is clipped to the outline (clipped_cells.h) and converted to a foam (polygon_mesh.h). If a
+// draw gives no valid foam, new sites are drawn.
 
 namespace foam {
 
@@ -66,7 +66,7 @@ Outline moved_and_scaled(Outline outline, const Vec2& by, double scale) {
 }
 
 // The outline, scaled to an area of 1 per bubble, in the middle half of a torus. It is so far from
-// its own copies that their sites do not affect the cells within it.
+// its own copies that the sites in the copies do not affect the cells within it.
 struct PreparedOutline {
     Outline outline;
     Domain domain;

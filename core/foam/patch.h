@@ -11,15 +11,15 @@ namespace foam {
 
 /// Options for seeding a patch.
 struct PatchOptions {
-    int bubbles = 100;             // approximate number, at least 2: slivers are merged
+    int bubbles = 100;             // at least 2; merging of slivers may reduce the actual number
     int lloyd_iterations = 0;      // of Lloyd's algorithm; 0 leaves the raw random diagram
     double area_ratio = 0.0;       // see SeedingOptions
     double surface_tension = 0.5;  // gamma; a film has two surfaces, so its tension is 2 gamma
     std::uint64_t seed = 1;
 };
 
-/// Returns a patch, not yet in equilibrium, of the Voronoi diagram of random sites within an
-/// outline. Cells are clipped to the outline, small parts are merged with their neighbors, and
+/// Returns a patch that is the Voronoi diagram of random sites within an outline. It is not in
+/// equilibrium. Cells are clipped to the outline, small parts are merged with their neighbors, and
 /// corners of the outline are dissolved into films. The patch is scaled to a mean area of 1 and
 /// centered at the origin. Throws std::invalid_argument if an option is out of range or the outline
 /// has no area. Throws std::runtime_error if none of several random draws gives a valid foam, for

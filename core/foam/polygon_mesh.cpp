@@ -19,9 +19,9 @@ using Side = std::pair<Point, Point>;  // from corner to corner
 
 constexpr std::size_t kFilmsOfJunction = 3;
 
-// Builds the network of a patch. Points of three sides become junctions. Each chain of sides
-// between two junctions becomes one film, made when the first of the two cells beside it is
-// processed; the second cell finds its half-edge by the first side of the chain in its own
+// Builds the network of a patch. Points where three sides meet become junctions. Each chain of
+// sides between two junctions becomes one film. The film is added with the first of the two cells
+// beside it; the second cell finds its half-edge by the first side of the chain in its own
 // direction. The half-edges that no cell claims belong to the ghost.
 class PatchBuilder {
   public:
@@ -39,7 +39,7 @@ class PatchBuilder {
     }
 
   private:
-    // Collects the directed sides, and makes junctions of the points of three sides.
+    // Collects the directed sides, and adds a junction at each point where three sides meet.
     void add_sides() {
         std::vector<std::vector<Point>> neighbors(mesh_.points.size());
         for (const PolygonMesh::Cell& corners : mesh_.cells) {
@@ -153,8 +153,8 @@ class PatchBuilder {
     const PolygonMesh& mesh_;
     Foam foam_;
     std::set<Side> sides_;
-    std::vector<JunctionId> junctions_;           // per point; none for a point of two sides
-    std::map<Side, HalfEdgeId> half_edges_;       // by first side; to be found by a second cell
+    std::vector<JunctionId> junctions_;           // per point; none where two sides meet
+    std::map<Side, HalfEdgeId> half_edges_;       // by the first side of the chain
     std::vector<std::vector<HalfEdgeId>> loops_;  // per cell
 };
 

@@ -9,8 +9,8 @@
 
 namespace foam {
 
-/// Polygons in the plane that share corners. Across a side that belongs to one cell only is the
-/// outside or a hole.
+/// Polygons in the plane that share corners. A side that belongs to one cell only borders on the
+/// outside or on a hole.
 struct PolygonMesh {
     using Cell = std::vector<std::uint32_t>;  // indices of its corners, counter-clockwise
 
@@ -19,10 +19,10 @@ struct PolygonMesh {
 };
 
 /// Returns the mesh as a patch of straight films and pressure 0. Bubbles are the cells in their
-/// order; target areas are the areas of the cells. A point of only two sides is dissolved, so that
-/// a film may replace a chain of sides. Throws std::runtime_error if a point of the cells has
-/// neither two nor three sides, if two cells are on the same side of a side, or if a cell has no
-/// corner of three sides.
+/// order; target areas are the areas of the cells. A point where only two sides meet is dissolved,
+/// so that a film may replace a chain of sides. Throws std::runtime_error if a corner joins neither
+/// two nor three sides, if two cells have a side in the same direction, or if a cell has no corner
+/// that joins three sides.
 Foam foam_from_mesh(const PolygonMesh& mesh);
 
 }  // namespace foam

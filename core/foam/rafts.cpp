@@ -14,19 +14,19 @@
 #include <numeric>
 #include <vector>
 
-// The surgery of a patch at the ghost. Torn films separate rafts or open holes; small holes close.
-// The ghost has several boundaries if there are rafts or holes, and the network does not say which
-// of them are holes: their signed area does. The outer boundary of a raft runs clockwise and has a
-// large negative area, a hole has a positive area, or a small negative one if the bubbles around it
-// overlap.
+// Topology changes at the ghost of a patch. Torn films separate rafts or open holes; small holes
+// close. The ghost has several boundaries if there are several rafts or holes. The network does not
+// tell which of the boundaries are holes; their signed areas do. The outer boundary of a raft runs
+// clockwise and has a large negative area. A hole has a positive area, or a small negative area if
+// the bubbles around it overlap.
 
 namespace foam {
 
 namespace {
 
 constexpr std::size_t kMaxSidesOfSmallHole = 3;
-// Fraction of the areas of the bubbles along a boundary; the outer boundary of a raft encloses
-// more.
+// The outer boundary of a raft encloses more than this fraction of the areas of the bubbles along
+// it.
 constexpr double kRaftAreaFraction = 0.5;
 
 // One of the bubbles beside a film that tears.
@@ -37,7 +37,7 @@ struct TornSide {
     LoneBubble as_lone;  // used if the bubble has no other film
 };
 
-// Returns the left bubble of the film as a circle that touches the film at its tail.
+// Returns the bubble on the left of h as a circle that touches the film at the tail of h.
 LoneBubble as_lone(const Foam& foam, HalfEdgeId h) {
     const BubbleId bubble = foam.network.left(h);
     LoneBubble lone{foam.identities[bubble], Vec2::Zero(), foam.target_areas[bubble]};
@@ -98,8 +98,8 @@ double area_along(const Foam& foam, const std::vector<HalfEdgeId>& boundary) {
     });
 }
 
-// Returns the area within the arcs, negative for an outer boundary, which runs clockwise around its
-// raft.
+// Returns the area within the arcs. It is negative for the outer boundary of a raft, which runs
+// clockwise.
 double enclosed_area(const Foam& foam, const std::vector<HalfEdgeId>& boundary) {
     double area = 0.0;
     Vec2 at = Vec2::Zero();
@@ -111,9 +111,9 @@ double enclosed_area(const Foam& foam, const std::vector<HalfEdgeId>& boundary) 
     return area;
 }
 
-// Returns true if the boundary is a hole, and false if it is the outer boundary of a raft, which
-// runs clockwise and encloses at least all bubbles along it. The bubbles around a hole may overlap,
-// but by less than half of their total area.
+// Returns true if the boundary is a hole, and false if it is the outer boundary of a raft. The
+// outer boundary runs clockwise and encloses at least all bubbles along it. The bubbles around a
+// hole may overlap, but by less than half of their total area.
 bool is_around_hole(const Foam& foam, const std::vector<HalfEdgeId>& boundary, double enclosed) {
     return enclosed > -kRaftAreaFraction * area_along(foam, boundary);
 }

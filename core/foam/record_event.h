@@ -8,14 +8,14 @@
 
 namespace foam {
 
-/// Appends an event at the present time to the events of the foam. The ghost is left out of its
-/// bubbles.
+/// Appends an event at the present time to the events of the foam. The ghost is omitted from the
+/// bubbles of the event.
 void record_event(Foam& foam,
                   TopologyEventKind kind,
                   const Vec2& position,
                   const std::vector<BubbleId>& bubbles);
 
-/// Appends the event of a T1 at a film. To be called before the T1 changes the network.
+/// Appends the event of a T1 at a film. Precondition: the T1 has not changed the network yet.
 void record_t1(Foam& foam, FilmId film);
 
 }  // namespace foam

@@ -20,9 +20,9 @@ struct SeedingOptions {
 };
 
 /// Returns the Voronoi diagram of random sites on a torus as a foam that is not yet in equilibrium:
-/// films are straight and every pressure is 0. If areas are spread, the cells keep their rank: the
-/// largest cell gets the largest target area. Throws std::invalid_argument if an option is out of
-/// range, and std::runtime_error if none of several random draws gives a valid foam.
+/// films are straight and every pressure is 0. If target areas are spread, they are assigned by
+/// rank: the largest cell gets the largest target area. Throws std::invalid_argument if an option
+/// is out of range, and std::runtime_error if none of several random draws gives a valid foam.
 Foam seed_foam(const SeedingOptions& options);
 
 }  // namespace foam

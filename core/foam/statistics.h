@@ -15,19 +15,20 @@ struct SidesStatistics {
     int bubbles = 0;
     double mean_area = 0.0;      // within the arcs
     double mean_pressure = 0.0;  // on a torus up to a constant (center_pressures in measure.h)
-    // The gas that enters a bubble through its films per unit of time, divided by kappa: the sum
-    // over its films of (outside - own pressure) times length. In equilibrium, von Neumann's law
-    // (E6) gives (2 pi / 3) gamma (n - 6).
+    // The mean rate at which gas enters a bubble through its films, divided by kappa: the sum over
+    // the films of (outside pressure - own pressure) times length. In equilibrium, von Neumann's
+    // law (E6) gives (2 pi / 3) gamma (n - 6).
     double mean_inflow = 0.0;
 };
 
-/// Statistics of a foam. All are 0 if no bubble is left, as at the end of a patch.
+/// Statistics of a foam. All values are 0 if no bubble is left, for example after the last bubble
+/// of a patch has vanished.
 struct FoamStatistics {
     int bubbles = 0;
     double mean_area = 0.0;
     double energy = 0.0;         // film tension times the length of all films
     double mean_sides = 0.0;     // 6 on a torus (Euler), fewer in a patch
-    double second_moment = 0.0;  // mu_2 = sum of p(n) (n - mean)^2, p(n) the fraction of n-sided
+    double second_moment = 0.0;  // mu_2 = sum of p(n) (n - mean)^2; p(n) of bubbles have n sides
     std::vector<SidesStatistics> by_sides;  // by increasing number of sides; only those that occur
 };
 
@@ -45,9 +46,9 @@ struct SidesGrowth {
 };
 
 /// Returns the growth rates between two instants of one foam, by increasing number of sides. Only
-/// bubbles with the same neighbors at both instants count, since no event has touched them; a
-/// bubble that lost a neighbor and got it back in between counts too. Returns an empty list if no
-/// time has passed.
+/// bubbles with the same neighbors at both instants count, to leave out bubbles that took part in a
+/// topology change. A bubble that lost a neighbor and got it back in between still counts. Returns
+/// an empty list if no time has passed.
 std::vector<SidesGrowth> growth_by_sides(const Frame& before, const Frame& after);
 
 }  // namespace foam

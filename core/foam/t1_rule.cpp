@@ -12,23 +12,23 @@
 
 // The paper flips every film below the T1 distance (paper eq. 2). This rule adds a test of forces,
 // so that a flip does not have to be undone (E7). In units of the film tension, the flipped film
-// pulls each of its junctions inwards with 1, and the two neighboring films there pull it outwards.
-// The flipped film stays open if the neighboring films pull harder. The same forces decide in which
-// of its two states a collapsed film is opened anew.
+// pulls the junctions at its ends together with a force of 1, and the neighboring films pull them
+// apart. The flipped film stays open if the neighboring films pull harder. The same forces decide
+// if a collapsed film is reopened in its present state or flipped.
 
 namespace foam {
 
 namespace {
 
-// Lengths, in units of the T1 distance at the film:
-constexpr double kDisarmedFraction = 0.1;    // below which a film flips that has just flipped
-constexpr double kCollapsedFraction = 0.05;  // below which a film counts as collapsed
-constexpr double kRearmingFactor = 2.0;      // above which a film that has flipped is armed again
-// Length at which a collapsed film is opened, in lengths at which it counts as collapsed.
+// These lengths are in units of the T1 distance at the film.
+constexpr double kDisarmedFraction = 0.1;    // a disarmed film may flip again below this length
+constexpr double kCollapsedFraction = 0.05;  // a film counts as collapsed below this length
+constexpr double kRearmingFactor = 2.0;      // a disarmed film is armed again above this length
+// Length of a reopened film, in units of the length below which a film counts as collapsed.
 constexpr double kReopenedLength = 2.0;
 
-// Returns the T1 distance at the film: scaled down if the smallest of the four bubbles around it
-// has a target area below 1.
+// Returns the T1 distance at the film. It is scaled down if the smallest target area of the four
+// bubbles around the film is below 1.
 double scaled_distance(const Foam& foam, FilmId film, const TopologyThresholds& thresholds) {
     const T1Site site = t1_site(foam.network, film);
     const double smallest = std::min({foam.target_areas[foam.network.left(site.film)],
@@ -38,14 +38,14 @@ double scaled_distance(const Foam& foam, FilmId film, const TopologyThresholds& 
     return thresholds.t1_distance * std::min(1.0, std::sqrt(smallest));
 }
 
-// Returns the unit tangent of the film's arc where it leaves its tail; zero if it has no length.
+// Returns the unit tangent of the film's arc at its tail, or zero if the film has no length.
 Vec2 tangent(const Foam& foam, HalfEdgeId h) {
     const FilmArc arc = film_arc(foam, h);
     return arc.chord == Vec2::Zero() ? Vec2(0.0, 0.0) : tangent_at_tail(arc);
 }
 
-// The pull by which the four neighboring films stretch a film, mean over its two ends, in units of
-// the film tension.
+// The pull by which the four neighboring films stretch a film. It is the mean over the two ends, in
+// units of the film tension.
 struct NeighborPull {
     Vec2 present;  // for the film in its present state, from its tail to its head
     Vec2 flipped;  // for the flipped film, from its right end to its left end
@@ -61,32 +61,33 @@ NeighborPull neighbor_pull(const Foam& foam, FilmId film) {
             0.5 * (tail_left + head_left - tail_right - head_right)};
 }
 
-// Places the film by its middle and the vector from its tail to its head; both are given in the
-// frame of the tail.
+// Moves the junctions of the film so that it has the given middle and the given vector from its
+// tail to its head. `middle` is unwrapped from the tail, as in middle_of.
 void place_film(Foam& foam, FilmId film, const Vec2& middle, const Vec2& tail_to_head) {
     const HalfEdgeId h = forward_side(film);
-    const Vec2 to_frame_of_head = foam.domain.translation(foam.network.offset(h));
+    const Vec2 head_translation = foam.domain.translation(foam.network.offset(h));
     const JunctionId tail = foam.network.tail(h);
     const JunctionId head = foam.network.head(h);
     place_junction(foam, tail, middle - 0.5 * tail_to_head);
-    place_junction(foam, head, middle + 0.5 * tail_to_head - to_frame_of_head);
+    place_junction(foam, head, middle + 0.5 * tail_to_head - head_translation);
 }
 
-bool is_short_and_flips(const Foam& foam, FilmId film, const TopologyThresholds& thresholds) {
+bool should_flip_or_tear(const Foam& foam, FilmId film, const TopologyThresholds& thresholds) {
     const double length = chord(foam, forward_side(film)).norm();
     return length < thresholds.t1_distance && length < t1_length(foam, film, thresholds) &&
            can_change(foam.network, film) && flipped_pulls_apart(foam, film);
 }
 
-// Returns true if the neighboring films of a film that can tear pull harder across it than along
-// it, where the tension of the film itself is subtracted.
+// Returns true if the neighboring films pull harder across the film than along it. The tension of
+// the film itself is subtracted from the pull along it. Precondition: the film can tear.
 bool tears_apart(const Foam& foam, FilmId film) {
     const NeighborPull pull = neighbor_pull(foam, film);
     return pull.flipped.norm() > pull.present.norm() - 1.0;
 }
 
-// Closes the hole or flips the film, without the test of pulls: where bubbles overlap in a hole,
-// the pulls of films on short ones have the wrong direction. Returns true if the network changed.
+// Closes the hole or, if that is not possible, flips the film. Does not compare pulls, because
+// where bubbles overlap in a hole, the pulls on short films have the wrong direction. Returns true
+// if the network changed.
 bool shrink_hole(Foam& foam, FilmId film) {
     if (close_hole(foam, film)) {
         return true;
@@ -158,7 +159,7 @@ bool apply_t1_rule(Foam& foam, FilmId film, const TopologyThresholds& thresholds
     const double collapsed = collapsed_length(foam, film, thresholds);
     const double length = chord(foam, forward_side(film)).norm();
     if (can_tear(foam.network, film)) {
-        const bool tears = is_short_and_flips(foam, film, thresholds) ||
+        const bool tears = should_flip_or_tear(foam, film, thresholds) ||
                            (length < collapsed && tears_apart(foam, film));
         if (tears) {
             tear_film(foam, film);
@@ -176,7 +177,7 @@ bool apply_t1_rule(Foam& foam, FilmId film, const TopologyThresholds& thresholds
     if (length < collapsed) {
         return reopen_film(foam, film, kReopenedLength * collapsed);
     }
-    const bool flips = is_short_and_flips(foam, film, thresholds);
+    const bool flips = should_flip_or_tear(foam, film, thresholds);
     if (flips) {
         flip_film(foam, film);
     }
@@ -195,7 +196,7 @@ int apply_t1_rule(Foam& foam, std::span<const FilmId> films, const TopologyThres
 std::vector<FilmId> short_films(const Foam& foam, const TopologyThresholds& thresholds) {
     std::vector<FilmId> films;
     for (const FilmId film : foam.network.films()) {
-        if (is_short_and_flips(foam, film, thresholds)) {
+        if (should_flip_or_tear(foam, film, thresholds)) {
             films.push_back(film);
         }
     }

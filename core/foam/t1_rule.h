@@ -10,19 +10,21 @@
 
 namespace foam {
 
-/// The T1 rule (E7): decides whether a film flips, tears, closes a hole or is opened anew, and does
-/// it. The surgery itself is in core/network (t1.h, split.h, t2.h) and rafts.h.
+/// Applies the T1 rule (E7): decides whether a film flips, tears, closes a hole or is reopened, and
+/// performs the change. The functions that change the network are in core/network (t1.h, split.h,
+/// t2.h) and rafts.h.
 ///
-/// In order: a film with the ghost at both ends tears where it would otherwise flip, since nothing
-/// holds the flipped film together. An outer film around a small hole closes the hole; one around a
-/// hole in which bubbles overlap closes it or flips. A collapsed film is opened anew (reopen_film).
-/// Another short film flips if its flipped state stays open (flipped_pulls_apart).
+/// The cases are tried in this order. A film with the ghost at both ends tears instead of flipping,
+/// because the flipped film would have the ghost on both sides. An outer film at a small hole
+/// closes the hole. An outer film at a hole in which bubbles overlap closes the hole or flips. A
+/// collapsed film is reopened (reopen_film). Any other short film flips if its flipped state stays
+/// open (flipped_pulls_apart).
 ///
-/// Returns true if the network changed; the film may then be gone.
+/// Returns true if the network changed; the film may then have been removed.
 bool apply_t1_rule(Foam& foam, FilmId film, const TopologyThresholds& thresholds);
 
-/// Applies the T1 rule to each of the films in their order, except to those that an earlier change
-/// has removed. Returns the number of changes of the network.
+/// Applies the T1 rule to the films in their order, except to films that an earlier change has
+/// removed. Returns the number of changes of the network.
 int apply_t1_rule(Foam& foam, std::span<const FilmId> films, const TopologyThresholds& thresholds);
 
 /// Returns the films below their T1 distance that would stay open when flipped, or would tear, in
@@ -31,38 +33,38 @@ std::vector<FilmId> short_films(const Foam& foam, const TopologyThresholds& thre
 
 /// Returns the length below which the film may flip: the T1 distance, times the square root of the
 /// smallest target area of the four bubbles around the film if that is below 1. For a film that has
-/// flipped and has not grown since (rearm_grown_films), it is a tenth of that.
+/// flipped and has not grown since (rearm_grown_films), it is a tenth of this length.
 double t1_length(const Foam& foam, FilmId film, const TopologyThresholds& thresholds);
 
 /// Returns the length below which the film counts as collapsed to a point where four films meet.
 double collapsed_length(const Foam& foam, FilmId film, const TopologyThresholds& thresholds);
 
-/// Returns true if the four films at its ends would pull the flipped film apart: if their mean pull
-/// along it exceeds its own tension. If the film would tear instead of flip, the threshold is 0,
-/// because nothing then pulls the two sides together.
+/// Returns true if the flipped film would stay open: if the mean pull of the four films at its
+/// ends, along the flipped film, exceeds its own tension. If the film would tear instead of flip,
+/// the threshold is 0, because no film then pulls the two sides together.
 bool flipped_pulls_apart(const Foam& foam, FilmId film);
 
-/// Flips the film (t1.h), sets its junctions perpendicular to the old film around its middle at the
-/// same distance (paper 3), and disarms it. Precondition: can_flip.
+/// Flips the film (t1.h) and disarms it. The chord of the flipped film is the old chord, rotated by
+/// 90 degrees around its midpoint (paper section 3). Precondition: can_flip.
 void flip_film(Foam& foam, FilmId film);
 
-/// Opens a film that has collapsed to a point of four films: places it, with the given length, in
-/// the direction in which the films at its ends pull the hardest, flipped or not. Returns true if
-/// it was flipped.
+/// Opens a film that has collapsed to a point where four films meet. Flips the film if it can flip
+/// and these films would pull the flipped film harder than the present one. Gives the film the
+/// direction of the pull and the given length. Returns true if the film was flipped.
 bool reopen_film(Foam& foam, FilmId film, double length);
 
-/// Returns true if the film has the ghost at both ends (split.h) and both its bubbles have more
-/// than two sides. A bubble of two sides is stable at any size, so its film does not tear.
+/// Returns true if the film has the ghost at both ends (split.h) and both bubbles beside it have
+/// more than two sides. A bubble of two sides is stable at any size, so its film does not tear.
 bool can_tear(const Network& network, FilmId film);
 
 /// Returns true if the film can flip or tear.
 bool can_change(const Network& network, FilmId film);
 
-/// Arms each of the films that has grown to twice the T1 distance at it.
+/// Arms those of the given films that have grown to twice their T1 distance.
 void rearm_grown_films(Foam& foam,
                        std::span<const FilmId> films,
                        const TopologyThresholds& thresholds);
-/// Arms each film of the foam that has grown to twice the T1 distance at it.
+/// Arms the films of the foam that have grown to twice their T1 distance.
 void rearm_grown_films(Foam& foam, const TopologyThresholds& thresholds);
 
 }  // namespace foam

@@ -6,8 +6,8 @@
 
 namespace foam {
 
-/// Replaces the areas by areas from 1 to `ratio` that are spread evenly in the logarithm. The order
-/// by size is kept: the largest stays the largest.
+/// Replaces the areas by areas from 1 to `ratio` whose logarithms are evenly spaced. The order by
+/// size is kept: the largest area stays the largest.
 void spread_areas(std::span<double> areas, double ratio);
 
 /// Scales the areas so that their sum is `total`.

@@ -11,9 +11,9 @@
 #include <stdexcept>
 
 // The periodic diagram is part of the planar Voronoi diagram (Boost.Polygon) of the sites and of
-// their copies within a margin around the torus' own cell. A cell is final if every circle through
-// the sites at one of its corners is within the margin, since no copy farther away can cut it off.
-// Otherwise the margin is doubled and the diagram computed again.
+// their copies within a margin around the torus' own cell. A cell is final if the circle through
+// the sites at each of its corners is within the margin, because no copy farther away can then cut
+// off a part of the cell. Otherwise the margin is doubled and the diagram computed again.
 
 namespace foam {
 
@@ -22,8 +22,8 @@ namespace {
 using Diagram = boost::polygon::voronoi_diagram<double>;
 using GridPoint = boost::polygon::point_data<std::int32_t>;
 
-// Grid points along the longer period. Boost's builder takes 32-bit coordinates, in which 16
-// periods fit on each side of the torus' own cell.
+// Grid points along the longer period. With kMaxRings copies of the torus' own cell on each side,
+// coordinates are at most 2^30, within the 32-bit coordinates of Boost's builder.
 constexpr double kGridPoints = 0x1.0p26;
 constexpr int kMaxRings = 15;
 
@@ -94,8 +94,8 @@ Copies copies_within(const std::vector<GridPoint>& sites, const Grid& grid, doub
     return all;
 }
 
-// Returns the corners of one cell, or nothing if a circle around a corner through its sites may
-// reach beyond the margin, so that copies farther away might cut the cell off.
+// Returns the corners of one cell. Returns nothing if the circle around a corner through its sites
+// may reach beyond the margin, because copies farther away might then cut off a part of the cell.
 std::optional<std::vector<CellCorner>> corners_of(const Diagram::cell_type& cell,
                                                   const Copies& all,
                                                   const Grid& grid,
@@ -138,7 +138,7 @@ std::optional<CellDiagram> cells_within(const std::vector<GridPoint>& sites,
     return cells;
 }
 
-// Throws std::runtime_error if a site has no cell: of several sites on one grid point only one has.
+// Throws std::runtime_error if a site has no cell: several sites on one grid point share one cell.
 void check_every_site_has_a_cell(const CellDiagram& cells) {
     for (const std::vector<CellCorner>& cell : cells) {
         if (cell.empty()) {

@@ -9,8 +9,8 @@ namespace foam {
 
 namespace {
 
-// floor(x / period), corrected so that x minus that many periods, as computed, lies in [0, period).
-// Returns 0 if that many do not fit 32 bits, or x is no number.
+// Returns floor(x / period), corrected so that x minus this number of periods, as computed, is in
+// [0, period). Returns 0 if the number does not fit 32 bits or if x is NaN.
 std::int32_t periods_below(double x, double period) {
     double k = std::floor(x / period);
     if (x - k * period < 0.0) {
@@ -58,8 +58,8 @@ Vec2 Domain::nearest_copy(const Vec2& vector) const {
         return Vec2(x - width * std::round(x / width), vector.y() - j * height);
     };
     Vec2 nearest = nearest_in_row(middle);
-    // The nearest copy in this row is at most half a width away along x (and half a height along
-    // y), so only rows within about half a width along y can have a nearer one.
+    // The nearest copy in the middle row is at most half a width away along x and half a height
+    // along y. Only rows within about half a width along y can contain a nearer copy.
     const double rows = shear == 0.0 ? 0.0 : std::ceil(0.5 * width / height) + 1.0;
     for (double j = middle - rows; j <= middle + rows; j += 1.0) {
         const Vec2 copy = nearest_in_row(j);

@@ -26,9 +26,9 @@ struct LatticeOffset {
 };
 
 /// The domain of a foam: a torus, or the plane. The torus is the plane modulo the periods (width,
-/// 0) and (shear, height). Its own cell is the rectangle [0, width) x [0, height) for any shear. If
-/// all periods are 0, the domain is the plane, in which nothing wraps and all lattice offsets are
-/// zero.
+/// 0) and (shear, height). Its own cell, the lattice cell of offset zero, is the rectangle [0,
+/// width) x [0, height) for any shear. If all periods are 0, the domain is the plane, in which
+/// nothing wraps and all lattice offsets are zero.
 struct Domain {
     double width = 1.0;
     double height = 1.0;
@@ -46,20 +46,22 @@ struct Domain {
         return {offset.i * width + offset.j * shear, offset.j * height};
     }
 
-    /// The offset whose translation, subtracted from the point, brings it into the cell. Zero in
-    /// the plane, and along an axis on which the point is no number or 2^31 periods away.
+    /// Returns the lattice offset of the cell that contains the point: the point minus its
+    /// translation is in the torus' own cell. A component of the offset is 0 if it would not fit 32
+    /// bits or if the coordinate is NaN. Returns zero in the plane.
     LatticeOffset cell_of(const Vec2& point) const;
 
     /// Returns, row by row, the offsets whose translations are within `reach` of the point along x
-    /// and along y. May return some more. Returns only the zero offset in the plane.
+    /// and along y. May also return offsets slightly farther away. Returns only the zero offset in
+    /// the plane.
     std::vector<LatticeOffset> offsets_near(const Vec2& point, double reach) const;
 
     /// Returns the shortest copy of a vector modulo the periods.
     Vec2 nearest_copy(const Vec2& vector) const;
 
-    /// Returns how far the upper neighbor of the cell has moved to the right since an earlier shear
-    /// of this torus. A shear is known up to whole widths: the result has the smallest magnitude.
-    /// Returns 0 in the plane.
+    /// Returns the change of the shear since an earlier state of this torus. A shear is determined
+    /// up to multiples of the width; the result is the change of smallest magnitude. Returns 0 in
+    /// the plane.
     double shear_since(const Domain& earlier) const;
 };
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-// Most functions of an arc (E1, E3) have closed forms that cancel near a straight film. There they
-// are evaluated as power series in s = sin alpha, which follow term by term from the binomial
-// series of 1/sqrt(1 - s²).
+// In the closed forms of most functions of an arc (E1, E3), terms cancel near a straight film.
+// There the functions are evaluated as power series in s = sin alpha, which follow term by term
+// from the binomial series of 1/sqrt(1 - s²).
 
 namespace foam {
 
@@ -75,7 +75,7 @@ double segment_shape_of_angle(double half_angle) {
     if (c > 0.0 && std::abs(s) < kSeriesLimit) {
         return segment_shape(s);
     }
-    // Not segment_shape(s): asin is ill-conditioned at 90 degrees.
+    // segment_shape(s) is not used here, because asin is ill-conditioned at 90 degrees.
     return (half_angle - s * c) / (s * s);
 }
 
@@ -95,8 +95,9 @@ double segment_shape_slope(double s) {
     return 2.0 / std::sqrt((1.0 - s) * (1.0 + s)) - 2.0 * segment_shape(s) / s;
 }
 
-// The closed forms of w and w' cancel near a straight film. There they are computed from series in
-// s = sin alpha: h = segment_shape(s), so that 2 w = cos alpha segment_shape_slope(s).
+// The terms of the closed forms of w and w' cancel near a straight film. There w and w' are
+// computed from series in s = sin alpha: h = segment_shape(s), so that 2 w = cos alpha
+// segment_shape_slope(s).
 ArcShape arc_shape(double half_angle) {
     const double s = std::sin(half_angle);
     const double c = std::cos(half_angle);
@@ -113,8 +114,9 @@ ArcShape arc_shape(double half_angle) {
     return shape;
 }
 
-// Newton's method on h up to 90 degrees, where h is nearly linear in alpha. Beyond, Newton's method
-// on h^(-1/2), which is nearly linear up to 180 degrees, where it tends to sin(alpha) / sqrt(pi).
+// Uses Newton's method. Up to 90 degrees it is applied to h, which is nearly linear in alpha there.
+// Beyond 90 degrees it is applied to h^(-1/2), which is nearly linear up to 180 degrees and tends
+// to sin(alpha) / sqrt(pi) there.
 double half_angle_of_segment(double h) {
     const double size = std::abs(h);
     const bool is_low = size < kHalfPi;  // h at 90 degrees

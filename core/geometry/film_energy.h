@@ -14,7 +14,7 @@ namespace foam {
 /// no such arc (|s| >= 1), the half angle is clamped to the limit and `at_limit` is set. The
 /// gradient is continuous there, because the energy is stationary in the half angle of a
 /// Laplace-Young arc. So a state that is locally ill-defined has finite forces that lead out of it.
-/// No equilibrium may rest on a film at the limit.
+/// A state that has a film at the limit does not count as an equilibrium.
 struct FilmEnergy {
     double half_angle = 0.0;
     double value = 0.0;

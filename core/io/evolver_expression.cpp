@@ -51,7 +51,7 @@ class Parser {
 
   private:
     // Returns true if the operator continues the expression. Outside parentheses, the first token
-    // of a line ends it, and so does a sign with white space before it only.
+    // of a line ends the expression. So does a sign with white space before it and none after it.
     bool at_operator(char symbol) const {
         const Token& token = tokens_.peek();
         const bool is_sign =

@@ -20,8 +20,8 @@ struct EvolverFoam {
 /// cluster, with straight edges or arcs. Bubbles are the faces, films are the edges (vertices of
 /// two edges are dissolved), and junctions are the vertices of three edges, all in the order of the
 /// file. Target areas are the volumes of the bodies; pressures are their Lagrange multipliers, or 0
-/// if they have none. README.md lists what is read, ignored and rejected. Throws FormatError, with
-/// `file` as the name in its message, if the file is not valid or not supported.
+/// for bodies without one. README.md lists what is read, ignored and rejected. Throws FormatError,
+/// with `file` as the name in its message, if the file is not valid or not supported.
 EvolverFoam read_evolver(std::string_view text, const std::string& file);
 
 /// How write_evolver writes films.

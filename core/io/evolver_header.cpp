@@ -10,8 +10,7 @@ namespace foam::evolver {
 
 namespace {
 
-// Returns the keywords that are rejected, each with its message: most of them select a model that
-// is not supported.
+// Returns the keywords that are rejected, each with its error message.
 const std::map<std::string, const char*>& rejected_keywords() {
     static constexpr const char* kEnergy =
         "adds an energy that is not supported; the energy of a foam is the length of its films";
@@ -183,7 +182,8 @@ class HeaderReader {
         skip_statement();
     }
 
-    // Adds an energy of the length of every edge to the film tension; rejects other energies.
+    // Reads the energy of a quantity. Adds its modulus to the film tension if the energy is the
+    // length of all edges; rejects other energies.
     void read_energy(const std::string& name) {
         double modulus = 1.0;
         Method method;

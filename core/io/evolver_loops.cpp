@@ -10,10 +10,10 @@
 #include <cmath>
 #include <cstdlib>
 
-// Permutation faces into loops of films in three steps: take the loop of edges of each face,
-// reversed if its body is on the other side; check that loops are closed and that each side of an
-// edge has at most one face; reverse all loops if they are clockwise, as the sign of their total
-// area tells. Each loop is then split into films at the vertices of three edges.
+// Converts faces to loops of films. First copies the loop of edges of each face, and reverses it if
+// its body is on the other side. Then checks that loops are closed and that each side of an edge
+// has at most one face. If the total area of all loops is negative, they are clockwise and all are
+// reversed. Finally splits each loop into films at the vertices of three edges.
 
 namespace foam::evolver {
 
@@ -96,7 +96,7 @@ class LoopBuilder {
         return {static_cast<std::int32_t>(std::lround(along / domain_.width)), j};
     }
 
-    // Takes the loop of each face, in the direction that its body sees.
+    // Copies the loop of each face. Reverses it if the body refers to the reversed face.
     void take_loops() {
         for (const Face& face : mesh_.faces) {
             loops_.push_back(face.sides);
@@ -134,8 +134,8 @@ class LoopBuilder {
         }
     }
 
-    // Checks that every edge has one face on each side; an edge of a free cluster may have the
-    // outside on one side.
+    // Checks that every edge has one face on each side. An edge of a free cluster may have a face
+    // on one side only.
     void check_sides() const {
         std::vector<int> faces(2 * mesh_.edges.size(), 0);
         for (std::size_t face = 0; face < loops_.size(); ++face) {
@@ -170,8 +170,8 @@ class LoopBuilder {
         return 0.5 * twice;
     }
 
-    // Makes all loops counter-clockwise. The file lists all faces counter-clockwise or all
-    // clockwise.
+    // Makes all loops counter-clockwise. In a file, either all faces are counter-clockwise or all
+    // are clockwise.
     void orient() {
         double total = 0.0;
         for (const Loop& loop : loops_) {

@@ -15,7 +15,7 @@ struct FilmSide {
     EdgeSide first;
     EdgeSide last;
     std::size_t tail = 0;  // index in Mesh::vertices
-    LatticeOffset offset;  // copy of the head, relative to the positions of vertices in the file
+    LatticeOffset offset;  // periods from the head's position in the file to the film's end
 };
 
 /// The films around a face, counter-clockwise.

@@ -13,7 +13,8 @@ namespace foam::evolver {
 
 namespace {
 
-// The numeric form of a wrap has six bits per axis, the lower five in two's complement.
+// The numeric form of a wrap has six bits per axis. The lower five bits are the number of periods
+// in two's complement.
 constexpr unsigned kWrapBits = 6;
 
 std::int32_t decoded_wrap(unsigned bits) {
@@ -219,8 +220,8 @@ class MeshReader {
 
     bool at_integer_of_element() const { return !tokens_.at_line_start() && tokens_.at_integer(); }
 
-    // Passes each word to `handle`, which may take the values that follow it; skips everything
-    // else.
+    // Passes each word to `handle`, which may read the values that follow the word. Skips all other
+    // tokens.
     template <class Handle>
     void read_attributes(Handle handle) {
         if (!at_element_end() && tokens_.peek().kind != TokenKind::Word) {

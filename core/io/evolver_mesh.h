@@ -16,7 +16,7 @@ namespace foam::evolver {
 struct Vertex {
     int id = 0;
     int line = 0;
-    Vec2 point{0.0, 0.0};  // anywhere in the plane
+    Vec2 point{0.0, 0.0};  // as in the file; may be outside of the fundamental cell
 };
 
 /// An edge with its number and line in the file.
@@ -25,7 +25,7 @@ struct Edge {
     int line = 0;
     std::size_t tail = 0;               // index in Mesh::vertices
     std::size_t head = 0;               // index in Mesh::vertices
-    std::optional<LatticeOffset> wrap;  // copy of the head that is meant, in periods
+    std::optional<LatticeOffset> wrap;  // periodic copy of the head at which the edge ends
     double tension = 1.0;
 };
 
@@ -40,7 +40,7 @@ struct Face {
     int id = 0;
     int line = 0;
     std::vector<EdgeSide> sides;
-    bool has_body = false;
+    bool has_body = false;  // true if the file has a body for this face
 };
 
 /// A body with its number and line in the file.
@@ -59,8 +59,8 @@ struct Mesh {
     std::vector<Edge> edges;
     std::vector<Face> faces;
     std::vector<Body> bodies;
-    int held = 0;  // number of elements that are fixed or on a constraint; here they are free
-    int end_line = 0;
+    int held = 0;      // number of elements that the file fixes or constrains; foamtex moves them
+    int end_line = 0;  // the line after the sections, for error messages
 };
 
 /// Reads the sections of vertices, edges, faces and bodies, up to `read` or the end of the file.

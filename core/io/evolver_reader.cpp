@@ -12,9 +12,9 @@
 #include <cmath>
 #include <utility>
 
-// Builds the foam from the loops of films around the faces (evolver_loops.h): vertices at which
-// films meet become junctions, each film becomes two half-edges, each face becomes a bubble. The
-// half-edges that no face claims belong to the ghost. Target areas and pressures come from the
+// Builds the foam from the loops of films around the faces (evolver_loops.h). Vertices at which
+// films meet become junctions, each film becomes two half-edges, and each face becomes a bubble.
+// The half-edges that no face claims belong to the ghost. Target areas and pressures come from the
 // bodies.
 
 namespace foam {
@@ -23,8 +23,8 @@ namespace evolver {
 
 namespace {
 
-// Largest relative difference between the sum of the volumes and the area of the torus: volumes of
-// six digits pass.
+// Largest relative difference between the sum of the volumes and the area of the torus. It admits
+// volumes that were rounded to six digits.
 constexpr double kVolumeTolerance = 1e-5;
 // A sum that differs by more than this is scaled to the area of the torus.
 constexpr double kVolumeRounding = 1e-12;
@@ -104,7 +104,7 @@ class FoamBuilder {
     static std::size_t index(EdgeSide side) { return 2 * side.edge + (side.forward ? 0 : 1); }
     static std::size_t twin_index(EdgeSide side) { return index(side) ^ 1U; }
 
-    // Adds the films in the order of their first edges, and in the direction of these.
+    // Adds the films in the order and in the direction of their first edges.
     void add_films() {
         std::vector<const FilmSide*> begins(2 * mesh_.edges.size(), nullptr);
         for (const FilmLoop& loop : loops_) {
@@ -169,9 +169,9 @@ class FoamBuilder {
         return *body.volume;
     }
 
-    // Fills in missing target areas. One bubble of a torus may have no volume: it gets the rest of
-    // the torus. If every face has a body but no body has a volume, each bubble keeps its polygon's
-    // area.
+    // Fills in missing target areas. One bubble of a torus may have no volume; it gets the rest of
+    // the area of the torus. If every face has a body but no body has a volume, each bubble gets
+    // the area of its polygon.
     void complete_areas() {
         std::vector<std::size_t> missing;
         double sum = 0.0;

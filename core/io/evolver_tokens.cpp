@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t kLongestShown = 40;  // characters of a token in an error message
 
-// These tests know ASCII only and do not depend on the locale.
+// These functions recognize ASCII only and do not depend on the locale.
 bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
@@ -29,8 +29,8 @@ bool is_space(char c) {
     return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
-// Returns the value of a number. A number that is too small for a double, which occurs in dumps of
-// Evolver, becomes 0. One that is too large becomes infinite, which the callers reject.
+// Returns the value of a number. A number that is too small for a double becomes 0; such numbers
+// occur in dumps of Evolver. A number that is too large becomes infinity, which the callers reject.
 double parse_real(std::string_view text) {
     double value = 0.0;
     const std::from_chars_result result =

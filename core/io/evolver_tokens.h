@@ -21,7 +21,7 @@ struct Token {
     TokenKind kind = TokenKind::End;
     std::string_view text;    // the characters in the file, without quotes
     double number = 0.0;      // value of a Number
-    bool is_integer = false;  // true for a Number without point and exponent, or in hexadecimal
+    bool is_integer = false;  // true for a Number in hexadecimal, or without point and exponent
     int line = 1;
     bool starts_line = false;
     bool follows_space = false;
@@ -47,7 +47,8 @@ class TokenReader {
     /// Takes the next token.
     Token take();
 
-    /// Returns true if the next token is the given word, in lower case.
+    /// Returns true if the next token is the given word. Upper and lower case count as equal.
+    /// Precondition: `word` is in lower case.
     bool at_word(std::string_view word) const;
     bool at_symbol(char symbol) const { return next_.is_symbol(symbol); }
     bool at_line_start() const { return next_.starts_line; }
@@ -55,15 +56,15 @@ class TokenReader {
     /// Returns true if an integer comes next, with or without a sign.
     bool at_integer() const;
 
-    // Each of these takes a token of the given kind. Throws FormatError if the next token is of
-    // another kind; `meaning` describes in the message what was expected.
+    // Each of these functions takes the next token and returns its value. Throws FormatError if the
+    // token is of another kind. The message says that `meaning` was expected.
     int take_integer(std::string_view meaning);
     std::string_view take_word(std::string_view meaning);
     std::string_view take_text(std::string_view meaning);
 
     /// Throws FormatError for the given line.
     [[noreturn]] void fail(int line, const std::string& message) const;
-    /// Throws FormatError: `meaning` was expected instead of the next token.
+    /// Throws FormatError with a message that `meaning` was expected instead of the next token.
     [[noreturn]] void fail_expecting(std::string_view meaning) const;
 
   private:

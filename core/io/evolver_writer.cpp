@@ -13,7 +13,7 @@ namespace {
 
 constexpr unsigned kWrapBits = 6;  // per axis, in the numeric form of a wrap
 
-// Returns the numbers of the live ids in the file, counted from 1.
+// Returns the number of each live id in the file, starting from 1.
 template <class Id>
 Indexed<Id, int> numbers(const LiveRange<Id>& live, std::size_t slots) {
     Indexed<Id, int> result(slots, 0);

@@ -17,10 +17,11 @@ namespace foam {
 
 namespace {
 
-// Largest difference of the sum of the target areas from the area of the torus, relative to it.
-// Steps keep the two equal.
+// Largest relative difference between the sum of the target areas and the area of the torus. Time
+// steps keep the two equal except for rounding.
 constexpr double kAreaTolerance = 1e-6;
-// How far a position may be outside of the torus' own cell, in periods, due to rounding.
+// Largest distance of a position from the fundamental cell of the torus, in periods. Rounding can
+// put a position slightly outside.
 constexpr double kCellSlack = 1e-9;
 
 class Reader {
@@ -30,15 +31,15 @@ class Reader {
     Foam read() {
         check_format();
         read_scalars();
-        for (const JsonTree& row : array(member("junctions"))) {
-            read_junction(row);
+        for (const JsonTree& item : array(member("junctions"))) {
+            read_junction(item);
         }
-        count_rows();
-        for (const JsonTree& row : array(member("films"))) {
-            read_film(row);
+        count_films_and_bubbles();
+        for (const JsonTree& item : array(member("films"))) {
+            read_film(item);
         }
-        for (const JsonTree& row : array(member("bubbles"))) {
-            read_bubble(row);
+        for (const JsonTree& item : array(member("bubbles"))) {
+            read_bubble(item);
         }
         if (foam_.domain.is_plane()) {
             read_patch();
@@ -69,7 +70,7 @@ class Reader {
         return *items;
     }
 
-    // Returns the items of a list, which must have the given size.
+    // Returns the items of an array. Throws FormatError if it does not have the given size.
     const JsonTree::Array& row(const JsonTree& value, std::size_t size) const {
         const JsonTree::Array& items = array(value);
         if (items.size() != size) {
@@ -134,29 +135,30 @@ class Reader {
         foam_.next_identity = index(member("next_identity"), kNoIndex);
     }
 
-    // Reads the width, the height and, if there is a third number, the shear.
-    void read_torus(const JsonTree& line) {
-        const std::size_t size = array(line).size() == 3 ? 3 : 2;
-        const JsonTree::Array& domain = row(line, size);
+    // Reads the width, the height and, if there is a third number, the shear. A width and a height
+    // of 0 mean the plane.
+    void read_torus(const JsonTree& item) {
+        const std::size_t size = array(item).size() == 3 ? 3 : 2;
+        const JsonTree::Array& domain = row(item, size);
         const bool is_plane = number(domain[0]) == 0.0 && number(domain[1]) == 0.0;
         foam_.domain = is_plane ? kPlane : Domain{positive(domain[0]), positive(domain[1])};
         if (size == 3) {
             foam_.domain.shear = number(domain[2]);
         }
         if (std::abs(foam_.domain.shear) > foam_.domain.width) {
-            fail(line.line,
+            fail(item.line,
                  fmt::format("the shear of the torus must be from -{0} to {0}, its width, not {1}",
                              foam_.domain.width,
                              foam_.domain.shear));
         }
     }
 
-    void read_junction(const JsonTree& line) {
-        const JsonTree::Array& values = row(line, 3);
+    void read_junction(const JsonTree& item) {
+        const JsonTree::Array& values = row(item, 3);
         const Vec2 position(number(values[0]), number(values[1]));
         if (!foam_.domain.is_plane() && !(is_inside(position.x(), foam_.domain.width) &&
                                           is_inside(position.y(), foam_.domain.height))) {
-            fail(line.line,
+            fail(item.line,
                  fmt::format(
                      "junction at ({}, {}) is outside of the torus", position.x(), position.y()));
         }
@@ -168,7 +170,7 @@ class Reader {
         return coordinate >= -kCellSlack * period && coordinate < (1.0 + kCellSlack) * period;
     }
 
-    void count_rows() {
+    void count_films_and_bubbles() {
         films_ = array(member("films")).size();
         bubbles_ = array(member("bubbles")).size();
         if (films_ > std::numeric_limits<std::int32_t>::max() / 2) {
@@ -176,15 +178,15 @@ class Reader {
         }
     }
 
-    void read_film(const JsonTree& line) {
-        const JsonTree::Array& values = row(line, 9);
+    void read_film(const JsonTree& item) {
+        const JsonTree::Array& values = row(item, 9);
         const std::size_t junctions = foam_.network.junction_slots();
         const HalfEdgeId h = forward_side(foam_.network.add_film());
         foam_.network.set_tail(h, id_at<JunctionId>(index(values[0], junctions)));
         foam_.network.set_tail(twin(h), id_at<JunctionId>(index(values[1], junctions)));
-        const std::size_t sides = bubbles_ + (foam_.domain.is_plane() ? 1 : 0);  // with the ghost
-        foam_.network.set_left(h, id_at<BubbleId>(index(values[2], sides)));
-        foam_.network.set_left(twin(h), id_at<BubbleId>(index(values[3], sides)));
+        const std::size_t regions = bubbles_ + (foam_.domain.is_plane() ? 1 : 0);  // with the ghost
+        foam_.network.set_left(h, id_at<BubbleId>(index(values[2], regions)));
+        foam_.network.set_left(twin(h), id_at<BubbleId>(index(values[3], regions)));
         foam_.network.set_next(h, half_edge(values[4]));
         foam_.network.set_next(twin(h), half_edge(values[5]));
         foam_.network.set_offset(h, {periods(values[6]), periods(values[7])});
@@ -196,8 +198,8 @@ class Reader {
         return static_cast<std::int32_t>(integer(value, -kMaxPeriods, kMaxPeriods));
     }
 
-    void read_bubble(const JsonTree& line) {
-        const JsonTree::Array& values = row(line, 5);
+    void read_bubble(const JsonTree& item) {
+        const JsonTree::Array& values = row(item, 5);
         const BubbleId bubble = foam_.network.add_bubble();
         foam_.identities.push_back(identity_in(values[0]));
         foam_.pressures.push_back(number(values[1]));
@@ -225,8 +227,8 @@ class Reader {
         for (const FilmId film : foam_.network.films()) {
             foam_.half_angles[film] = half_angle(angles[index_of(film)]);
         }
-        for (const JsonTree& line : array(member("lone_bubbles"))) {
-            const JsonTree::Array& values = row(line, 4);
+        for (const JsonTree& item : array(member("lone_bubbles"))) {
+            const JsonTree::Array& values = row(item, 4);
             foam_.lone_bubbles.push_back({identity_in(values[0]),
                                           {number(values[1]), number(values[2])},
                                           positive(values[3])});
@@ -241,15 +243,15 @@ class Reader {
         return angle;
     }
 
-    // Sets the outgoing half-edge of each junction to that of the file; read_film has overwritten
-    // it.
+    // Sets the outgoing half-edge of each junction to the one in the file. It must be set last,
+    // because set_tail in read_film also sets it.
     void set_outgoing() {
         const JsonTree::Array& rows = array(member("junctions"));
         for (const JunctionId junction : foam_.network.junctions()) {
-            const JsonTree& line = rows[index_of(junction)];
-            const HalfEdgeId h = half_edge(row(line, 3)[2]);
+            const JsonTree& item = rows[index_of(junction)];
+            const HalfEdgeId h = half_edge(row(item, 3)[2]);
             if (foam_.network.tail(h) != junction) {
-                fail(line.line,
+                fail(item.line,
                      fmt::format("half-edge {} does not leave junction {}",
                                  index_of(h),
                                  index_of(junction)));

@@ -11,9 +11,9 @@
 #include <cstdint>
 #include <iterator>
 
-// nlohmann's own tree does not keep the lines of its values. This one is built from the events of
-// nlohmann's SAX parser; the line of a value is that of the last character the parser has read,
-// which an input iterator counts.
+// nlohmann's own tree does not keep the lines of its values. This tree is built from the events of
+// nlohmann's SAX parser. An input iterator counts the lines that the parser has read; the line of a
+// value is the line of the last character read.
 
 namespace foam {
 
@@ -23,7 +23,8 @@ using Json = nlohmann::json;
 
 constexpr std::size_t kDeepest = 16;  // a state of a foam has three levels
 
-// The position up to which the parser has read. After a number it has read one character too many.
+// The position up to which the parser has read. After a number, this is one character beyond the
+// end of the number.
 struct Progress {
     int line = 1;
     bool at_line_end = false;  // true if the last character read was a line feed
@@ -56,7 +57,8 @@ class Characters {
     Progress* progress_;
 };
 
-// Returns the parser's message without its prefix, which has the parser's own code and position.
+// Returns the parser's message without its prefix, which contains the parser's own error code and
+// position.
 std::string reason(const std::string& what) {
     const std::size_t column = what.find(", column ");
     const std::size_t end = column == std::string::npos ? what.find("] ") : what.find(": ", column);

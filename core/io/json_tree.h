@@ -22,8 +22,8 @@ struct JsonTree {
     const JsonTree* find(std::string_view key) const;
 };
 
-/// Parses a JSON text. Throws FormatError, with `file` as the name in its message, if the text is
-/// not JSON, if it is nested deeper than 16 levels, or if an object has the same key twice.
+/// Parses a JSON text. Throws FormatError if the text is not JSON, if it is nested deeper than 16
+/// levels, or if an object has the same key twice. `file` is the name of the file in the message.
 JsonTree parse_json(std::string_view text, const std::string& file);
 
 }  // namespace foam

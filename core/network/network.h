@@ -22,11 +22,12 @@ namespace foam {
 ///
 /// In the plane one more bubble, the ghost, is the space around the foam and in its holes (paper
 /// 4.2): it is on the other side of the outer films. It has an id and a slot, but is not one of
-/// `bubbles()`. It may have several boundaries, or none, so that there is no traversal around it.
-/// Its `sides` is the number of all its films, its `first` is any of its half-edges.
+/// `bubbles()`. It may have several boundaries, or none, so that no single traversal visits all its
+/// half-edges. `sides` of the ghost is the number of its films, and `first` is any of its
+/// half-edges.
 ///
-/// A T2 leaves dead slots behind, so that ids stay valid during a step; `compact` removes them.
-/// Accessors take live ids only, unless stated otherwise.
+/// A removed element leaves a dead slot behind, so that the ids of other elements stay valid during
+/// a step; `compact` removes dead slots. Accessors take live ids only, unless stated otherwise.
 class Network {
   public:
     // Numbers of slots, live and dead: the sizes of vectors that are indexed by such an id.
@@ -52,7 +53,7 @@ class Network {
     LiveRange<FilmId> films() const { return LiveRange<FilmId>(film_live_); }
     LiveRange<BubbleId> bubbles() const { return LiveRange<BubbleId>(bubble_live_); }
 
-    // Tell whether an element is live. They take any id that has a slot. The ghost is live.
+    // Return true if the element is live. The ghost is live. Precondition: the id has a slot.
     bool is_live(JunctionId junction) const { return junction_live_[index_of(junction)]; }
     bool is_live(FilmId film) const { return film_live_[index_of(film)]; }
     bool is_live(BubbleId bubble) const {
@@ -87,7 +88,7 @@ class Network {
     JunctionId add_junction();
     FilmId add_film();
     BubbleId add_bubble();
-    BubbleId add_ghost();  // precondition: there is none
+    BubbleId add_ghost();  // precondition: the network has no ghost
     void set_tail(HalfEdgeId h,
                   JunctionId junction);  // also makes h the junction's outgoing half-edge
     void set_left(HalfEdgeId h, BubbleId bubble) { half_edges_[index_of(h)].left = bubble; }
@@ -100,7 +101,7 @@ class Network {
     void remove(BubbleId bubble);
 
     /// Moves the junction by whole periods: its copy at the offset -by becomes the junction itself.
-    /// Chords are unchanged if the caller also moves its position by -by.
+    /// Chords are unchanged if the caller also moves its position by the translation of -by.
     void rebase(JunctionId junction, LatticeOffset by);
 
     /// The old ids of the elements that are kept, in the new order: the old order without the dead

@@ -19,7 +19,8 @@ std::vector<HalfEdgeId> predecessors(const Network& network) {
     return before;
 }
 
-// Sets the tail of each half-edge without a bubble, gives it to the ghost, and returns them all.
+// Assigns every half-edge without a bubble to the ghost and sets its tail. Returns these
+// half-edges.
 std::vector<HalfEdgeId> take_outer_sides(Network& network, BubbleId ghost) {
     std::vector<HalfEdgeId> sides;
     for (const FilmId film : network.films()) {

@@ -11,31 +11,32 @@ namespace foam {
 
 namespace {
 
-// The two outer films of one of the two bubbles at the torn film.
+// The two outer films of one bubble beside the torn film. The torn film separates them.
 struct TornSide {
-    HalfEdgeId before;        // around the bubble, ends at the torn film
-    HalfEdgeId after;         // around the bubble, begins at the torn film
-    HalfEdgeId around_ghost;  // predecessor of twin(after) around the ghost
+    HalfEdgeId before;          // side of the bubble that ends at the torn film
+    HalfEdgeId after;           // side of the bubble that begins at the torn film
+    HalfEdgeId ghost_previous;  // half-edge before twin(after) around the ghost
 };
 
 TornSide torn_side(const Network& network, HalfEdgeId before, HalfEdgeId after) {
     return {before, after, network.previous(twin(after))};
 }
 
-void count_out(Network& network, BubbleId bubble, int sides) {
+void drop_sides(Network& network, BubbleId bubble, int sides) {
     network.set_sides(bubble, network.sides(bubble) - sides);
 }
 
-// Joins the two outer films: the one before is extended over the one after. Returns it.
+// Joins the two outer films: the film of `before` is extended to the end of the film of `after`,
+// which the caller removes. Returns the extended film.
 FilmId join(Network& network, const TornSide& side) {
     const HalfEdgeId kept = side.before;
     const BubbleId bubble = network.left(kept);
     network.set_next(kept, network.next(side.after));
-    network.set_next(side.around_ghost, twin(kept));
+    network.set_next(side.ghost_previous, twin(kept));
     network.set_tail(twin(kept), network.head(side.after));
     network.set_first(bubble, kept);
     network.set_first(network.ghost(), twin(kept));
-    count_out(network, bubble, 2);
+    drop_sides(network, bubble, 2);
     return film_of(kept);
 }
 
@@ -75,7 +76,7 @@ Split split(Network& network, FilmId film) {
             result.joined.push_back(join(network, side));
         }
         network.remove(film_of(side.after));
-        count_out(network, network.ghost(), 1);
+        drop_sides(network, network.ghost(), 1);
     }
     network.remove(film);
     network.remove(gone[0]);

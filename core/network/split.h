@@ -23,8 +23,8 @@ struct Split {
 /// belong to different rafts, or a hole at one end of the film has opened. Precondition: can_split.
 Split split(Network& network, FilmId film);
 
-/// Sets the first half-edge of the ghost to any of its half-edges, after a change that may have
-/// removed the old one. Does nothing if the ghost has none left.
+/// Sets the first half-edge of the ghost to one of its live half-edges, after a change that may
+/// have removed the old one. Does nothing if the ghost has no half-edge left.
 void renew_first_of_ghost(Network& network);
 
 }  // namespace foam

@@ -4,8 +4,8 @@
 
 #include <cassert>
 
-// The flip keeps the film and its two junctions, and moves the ends of two neighboring films: that
-// of the film after it along A from w to v, and that of the film after it along B from v to w. The
+// The flip keeps the film and its two junctions, and moves one end of each of two neighboring
+// films: the next film along A is moved from w to v, and the next film along B from v to w. The
 // lattice offsets of these two films change by the offset of the flipped film.
 
 namespace foam {
@@ -33,8 +33,8 @@ bool ends_meet(const Network& network, const T1Site& site) {
     return false;
 }
 
-// Returns true if the bubble on the left of h keeps at least two sides after losing `lost`. On the
-// left of h may be the ghost: then the boundary with h must have more than two half-edges.
+// Returns true if the bubble on the left of h keeps at least two sides after losing `lost`. If that
+// bubble is the ghost, the boundary that contains h must have more than two half-edges.
 bool keeps_two_sides(const Network& network, HalfEdgeId h, int lost) {
     const BubbleId bubble = network.left(h);
     return bubble == network.ghost() ? network.next(network.next(h)) != h

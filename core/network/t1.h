@@ -21,16 +21,17 @@ struct T1Site {
 /// Returns the neighborhood of the film.
 T1Site t1_site(const Network& network, FilmId film);
 
-/// Returns true if the flip leaves a valid foam: the bubbles beside the film keep at least two
-/// sides, the bubbles at its ends are not the same copy of one bubble, which would then touch
-/// itself across the film, and the film is not a loop (E7). Each boundary of the ghost counts as a
-/// bubble here. A film with the ghost at both ends cannot flip (split.h).
+/// Returns true if the flip leaves a valid foam (E7): the bubbles beside the film keep at least two
+/// sides, the film is not a loop, and the bubbles at its ends are not the same copy of one bubble.
+/// Such a bubble would touch itself across the flipped film. If the ghost is beside the film, its
+/// boundary along the film must keep at least two films. A film with the ghost at both ends cannot
+/// flip (split.h).
 bool can_flip(const Network& network, FilmId film);
 
-/// Swaps neighbors at the film (E7; paper Figure 1): v takes both
-/// neighboring films along A, w both along B, and the film then separates C from D. Its forward
-/// side runs from the side of A to the side of B, with D on its left; its lattice offset is
-/// unchanged. Precondition: can_flip.
+/// Swaps neighbors at the film (E7; paper Figure 1). Afterwards both neighboring films along A end
+/// at v, both neighboring films along B end at w, and the film separates C from D. The forward side
+/// of the film runs from A to B, with D on its left. The lattice offset of the film is unchanged.
+/// Precondition: can_flip.
 void flip(Network& network, FilmId film);
 
 }  // namespace foam

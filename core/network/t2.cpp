@@ -8,17 +8,18 @@
 #include <array>
 #include <cassert>
 
-// A three-sided bubble is replaced by one of its junctions, to which the films at all three corners
-// move; their lattice offsets change by the offsets along the bubble to that junction. A two-sided
-// bubble is removed with both its junctions, and the films at its two corners become one. A hole of
-// two or three films, a boundary of the ghost, closes in the same way.
+// A three-sided bubble is replaced by one of its junctions. The films at its three corners then all
+// end at this junction, so the offsets along the bubble's sides are added to their lattice offsets.
+// A two-sided bubble is removed with both its junctions, and the films at its two corners become
+// one film. A hole of two or three films closes in the same way; its loop is a boundary of the
+// ghost.
 
 namespace foam {
 
 namespace {
 
 // Returns the half-edge that leaves the tail of h away from the bubble on the left of h.
-HalfEdgeId outer_film(const Network& network, HalfEdgeId h) {
+HalfEdgeId outward_half_edge(const Network& network, HalfEdgeId h) {
     return network.next(twin(h));
 }
 
@@ -47,19 +48,20 @@ void remove_inside(Network& network, BubbleId inside, int sides) {
 Vanished vanish_three_sided(Network& network, const std::vector<HalfEdgeId>& loop) {
     const BubbleId inside = network.left(loop[0]);
     Vanished vanished{network.tail(loop[0]), kNone<FilmId>, neighbors_of(network, loop)};
-    const std::array<HalfEdgeId, 3> outer{
-        outer_film(network, loop[0]), outer_film(network, loop[1]), outer_film(network, loop[2])};
+    const std::array<HalfEdgeId, 3> outward{outward_half_edge(network, loop[0]),
+                                            outward_half_edge(network, loop[1]),
+                                            outward_half_edge(network, loop[2])};
     const std::array<JunctionId, 2> gone{network.tail(loop[1]), network.tail(loop[2])};
     LatticeOffset at;
     for (std::size_t i = 0; i < 3; ++i) {
-        network.set_offset(outer[i], at + network.offset(outer[i]));
+        network.set_offset(outward[i], at + network.offset(outward[i]));
         at = at + network.offset(loop[i]);
     }
     for (std::size_t i = 0; i < 3; ++i) {
         const BubbleId neighbor = vanished.neighbors[i];
-        network.set_next(twin(outer[(i + 1) % 3]), outer[i]);
-        network.set_tail(outer[i], vanished.junction);
-        network.set_first(neighbor, outer[i]);
+        network.set_next(twin(outward[(i + 1) % 3]), outward[i]);
+        network.set_tail(outward[i], vanished.junction);
+        network.set_first(neighbor, outward[i]);
         subtract_sides(network, neighbor, 1);
     }
     for (const HalfEdgeId h : loop) {
@@ -74,8 +76,8 @@ Vanished vanish_three_sided(Network& network, const std::vector<HalfEdgeId>& loo
 
 Vanished vanish_two_sided(Network& network, const std::vector<HalfEdgeId>& loop) {
     const BubbleId inside = network.left(loop[0]);
-    const HalfEdgeId kept = outer_film(network, loop[0]);
-    const HalfEdgeId dropped = outer_film(network, loop[1]);
+    const HalfEdgeId kept = outward_half_edge(network, loop[0]);
+    const HalfEdgeId dropped = outward_half_edge(network, loop[1]);
     Vanished vanished{kNone<JunctionId>, film_of(kept), neighbors_of(network, loop)};
     const JunctionId removed_0 = network.tail(loop[0]);
     const JunctionId removed_1 = network.tail(loop[1]);
@@ -101,8 +103,8 @@ Vanished vanish_two_sided(Network& network, const std::vector<HalfEdgeId>& loop)
 bool can_vanish_along(const Network& network, const std::vector<HalfEdgeId>& loop) {
     const BubbleId inside = network.left(loop.front());
     const std::vector<BubbleId> neighbors = neighbors_of(network, loop);
-    if (loop.size() == 2 &&
-        film_of(outer_film(network, loop[0])) == film_of(outer_film(network, loop[1]))) {
+    if (loop.size() == 2 && film_of(outward_half_edge(network, loop[0])) ==
+                                film_of(outward_half_edge(network, loop[1]))) {
         return false;
     }
     const int lost_per_side = loop.size() == 2 ? 2 : 1;

@@ -22,12 +22,12 @@ struct Vanished {
 };
 
 /// Removes a bubble by the T2 process (E8; paper Figure 2). Of the three junctions of a three-sided
-/// bubble, the tail of `first(bubble)` remains, in its own lattice cell, and takes the films
-/// at all three corners. Precondition: can_vanish.
+/// bubble, the tail of `first(bubble)` remains, in its own lattice cell. The films at all three
+/// corners then meet there. Precondition: can_vanish.
 Vanished vanish(Network& network, BubbleId bubble);
 
-/// Returns true if a hole can close, by the conditions of can_vanish. `boundary` is the boundary of
-/// the ghost in the hole: all its half-edges in their order.
+/// Returns true if a hole can close. The conditions are those of can_vanish. `boundary` is the
+/// boundary of the ghost in the hole: its half-edges, in order.
 bool can_close(const Network& network, const std::vector<HalfEdgeId>& boundary);
 /// Removes a hole as `vanish` removes a bubble. Precondition: can_close.
 Vanished close(Network& network, const std::vector<HalfEdgeId>& boundary);

@@ -54,8 +54,9 @@ Fault junction_fault(const Network& network, JunctionId junction) {
     return std::nullopt;
 }
 
-// Checks the loop around a bubble. A film between one copy of a bubble and itself occurs twice in
-// the loop at the same lattice offset.
+// Checks the loop around a bubble. On a torus, a bubble may touch a periodic copy of itself: the
+// film then occurs twice in the loop, at different lattice offsets. The same offset twice means
+// that the bubble touches itself, which is a fault.
 Fault loop_fault(const Network& network, BubbleId bubble) {
     std::set<std::array<std::size_t, 3>> seen;
     LatticeOffset at;
@@ -122,20 +123,21 @@ class GhostBoundaries {
                 if (network_.left(h) != network_.ghost() || seen_[index_of(h)]) {
                     continue;
                 }
-                if (Fault found = walk(h)) {
+                if (Fault found = check_boundary(h)) {
                     return found;
                 }
             }
         }
         return films_ == network_.sides(network_.ghost())
                    ? std::nullopt
-                   : fault("bubble", network_.ghost(), "has a stored count of sides that is wrong");
+                   : fault("bubble", network_.ghost(), "has a wrong stored count of sides");
     }
 
     std::size_t count() const { return count_; }
 
   private:
-    Fault walk(HalfEdgeId start) {
+    // Checks the boundary that contains the half-edge `start`.
+    Fault check_boundary(HalfEdgeId start) {
         ++count_;
         HalfEdgeId h = start;
         do {
@@ -157,7 +159,7 @@ class GhostBoundaries {
     const Network& network_;
     std::vector<bool> seen_;
     std::size_t count_ = 0;
-    int films_ = 0;
+    int films_ = 0;  // half-edges of all boundaries
 };
 
 // Marks all junctions that are connected to `start` by films.
@@ -213,7 +215,7 @@ Fault plane_fault(const Network& network) {
                ? std::nullopt
                : Fault(
                      "Euler's relation is violated: in the plane, junctions - films + bubbles + "
-                     "boundaries must be twice the rafts");
+                     "boundaries must be twice the number of rafts");
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace foam {
 template <class Item>
 struct Buckets {
     std::vector<Item> items;
-    std::vector<std::size_t> ends{0};  // bucket k holds items[ends[k]] to items[ends[k + 1] - 1]
+    std::vector<std::size_t> ends{0};  // bucket k is items[ends[k]] to items[ends[k + 1] - 1]
 
     /// Returns the items of the buckets [first, last).
     std::span<const Item> of(std::size_t first, std::size_t last) const {
@@ -23,18 +23,18 @@ struct Buckets {
     }
 };
 
-/// Sorts items into buckets by a parallel counting sort, in two passes. visit(part, put) calls
-/// put(bucket, item) for each item of a part. Within a bucket, items are ordered by part, then by
-/// call. The parts are shared among threads, up to thread_count(threads); the result is the same
-/// for any number. Precondition: visit is called twice per part and makes the same calls both
-/// times; each bucket is less than `buckets`.
+/// Sorts items into buckets by a parallel counting sort, in two passes. Each pass calls visit(part,
+/// put) for each part in [0, parts), which must call put(bucket, item) for each item of the part.
+/// Within a bucket, items are ordered by part, then by call. The parts are distributed to up to
+/// thread_count(threads) threads; the result is the same for any number. Precondition: both calls
+/// of `visit` for a part make the same calls of `put`, with bucket < buckets.
 template <class Item, class Visit>
 Buckets<Item> counting_sort(std::size_t buckets,
                             std::size_t parts,
                             int threads,
                             const Visit& visit) {
-    // First pass: counts the items of each part in each bucket. A prefix sum then turns the counts
-    // into the position of the next item.
+    // The first pass counts the items of each part in each bucket. A prefix sum then replaces each
+    // count by the position of the first item of the part in the bucket.
     std::vector<std::vector<std::size_t>> next(parts);
     parallel_for(parts, 1, threads, [&](std::size_t part, std::size_t) {
         std::vector<std::size_t> counts(buckets);

@@ -15,9 +15,9 @@ namespace foam {
 
 namespace {
 
-constexpr std::size_t kMaxThreads = 256;  // largest number, whatever an option asks for
+constexpr std::size_t kMaxThreads = 256;  // upper bound for any `threads` option
 
-// The chunks of one parallel_for. Threads take them one after another from a shared atomic counter.
+// The chunks of one parallel_for. Threads claim them one after another by a shared atomic counter.
 class Chunks {
   public:
     Chunks(std::size_t count,

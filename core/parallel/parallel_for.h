@@ -31,9 +31,9 @@ void parallel_for(std::size_t count,
 /// one index. A negative count is an empty range.
 void parallel_for(int count, int threads, const std::function<void(int)>& body);
 
-/// Calls body(worker, k) for each k in [0, count), on up to one thread per element of `workers`.
-/// Each element is the state of one thread and is never used by two calls at once. Which state a
-/// call gets depends on timing. Precondition: `workers` is not empty.
+/// Calls body(worker, k) for each k in [0, count), on at most one thread per element of `workers`.
+/// Each element is the state of one thread and is never used by two calls at once. Timing
+/// determines which state a call gets. Precondition: `workers` is not empty.
 template <class Worker, class Body>
 void parallel_for(int count, std::vector<Worker>& workers, const Body& body) {
     std::atomic<int> next{0};

@@ -91,7 +91,7 @@ template <class Kernel>
 
 }  // namespace detail
 
-/// Runs a kernel at simd_level(); it is compiled once for each level. The kernel is a lambda whose
+/// Runs a kernel at simd_level(). The kernel is compiled once for each level. It is a lambda whose
 /// loops the compiler vectorizes. It is called as kernel(level) with a std::integral_constant if it
 /// accepts one, otherwise as kernel(). It should capture by value: a variable that is captured by
 /// reference has an address, so that the compiler must assume that every store might change it.

@@ -9,9 +9,9 @@
 namespace foam {
 
 // The caller of run() adds a task to a list and works itself. Idle threads of the pool claim the
-// last task of the list, call its work(), and report when they have left it. The caller removes
-// the task when its own call has returned, and waits for the helpers that are inside work().
-// Caller and helpers spin for a short time before they sleep on a condition variable.
+// last task of the list and call its work(). The caller removes the task when its own call has
+// returned, and waits for the helpers that are still inside work(). Caller and helpers spin for a
+// short time before they sleep on a condition variable.
 
 namespace {
 

@@ -13,7 +13,7 @@
 namespace foam {
 
 /// A pool of threads that are kept between tasks, since starting a thread takes longer than most
-/// loops of `parallel_for`. Waking a thread is slow, too. An idle thread therefore first spins for
+/// loops of `parallel_for`. Waking a thread is also slow. An idle thread therefore first spins for
 /// 50 microseconds, yielding its processor to any other thread, and then sleeps.
 class WorkerPool {
   public:
@@ -30,8 +30,8 @@ class WorkerPool {
     /// that has not begun when the caller's own call returns. Therefore work() may itself call
     /// run(), and any number of threads may call run() at once.
     ///
-    /// Preconditions: work() does not throw, and is correct for any number of concurrent calls,
-    /// including one. Throws std::system_error if a thread cannot be started.
+    /// Throws std::system_error if a thread cannot be started. Preconditions: work() does not
+    /// throw, and is correct for any number of concurrent calls, including one.
     void run(int helpers, const std::function<void()>& work);
 
   private:

@@ -9,16 +9,17 @@
 
 namespace foam {
 
-// The Newton step of one block as in the paper (4.1): the Jacobian of eq. 11 by central
-// differences, column by column, whose step is halved until they converge, and the solution by
-// singular value decomposition, which is defined for singular blocks, too.
+// The Newton step of one block, computed as in the paper (4.1). The Jacobian of eq. 11 is computed
+// column by column, by central differences whose step is halved until they converge. The linear
+// system is solved by singular value decomposition, which also has a solution for singular blocks.
 
 namespace {
 
 using Eigen::Index;
 
 // Singular values below this share of the largest count as zero, since the differences are not more
-// accurate. The scaling of the unknowns keeps the singular values of a regular block well above it.
+// accurate. The unknowns are scaled such that the singular values of a regular block are well above
+// this share.
 constexpr double kSingular = 1e-6;
 
 BlockVector central_difference(const JunctionBlock& block, Index unknown, double step) {

@@ -6,11 +6,11 @@
 
 namespace foam {
 
-/// Parameters of central differences whose step is halved until they converge (paper 4.1). Unknowns
-/// and constraints are dimensionless (JunctionBlock).
+/// Parameters of the central differences (paper 4.1). The step of a difference is halved until the
+/// difference converges. Unknowns and constraints are dimensionless (JunctionBlock).
 struct DifferenceOptions {
     double first_step = 1e-3;
-    double threshold = 1e-6;  // converged when a halving changes every entry by less than this
+    double threshold = 1e-6;  // converged if a halving changes every entry by less than this
     // Largest number of halvings. It is reached where the derivatives jump because a half angle is
     // at its limit.
     int max_halvings = 10;

@@ -11,8 +11,8 @@
 namespace foam {
 
 // A round ends when the sweeps have converged or have reached their limit. If they have converged,
-// the T1s of the short films follow; without any, the foam is in equilibrium. A round that reaches
-// the limit of sweeps ends the equilibration with the status ToleranceMissed.
+// the T1s of the short films follow; if no T1 is due, the foam is in equilibrium. If they have
+// reached their limit, the equilibration ends with the status ToleranceMissed.
 
 namespace {
 

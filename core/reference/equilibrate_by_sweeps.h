@@ -7,10 +7,10 @@
 
 namespace foam {
 
-/// Brings the foam to mechanical equilibrium as `equilibrate` does, but by the paper's solver (E5)
-/// in place of Newton's method. Relaxes the foam first if it is tangled or if the options ask for
-/// it. Then runs rounds of Gauss-Seidel, each followed by the T1s that are due in equilibrium.
-/// Preconditions: those of `equilibrate`.
+/// Brings the foam to mechanical equilibrium like `equilibrate`, but by the paper's solver (E5)
+/// instead of Newton's method. Relaxes the foam first if it is tangled or if
+/// EquilibriumOptions::relaxes_first is set. Then runs rounds of Gauss-Seidel, each followed by the
+/// T1s of short films. Preconditions: the same as for `equilibrate`.
 EquilibriumSummary equilibrate_by_sweeps(Foam& foam,
                                          SweepOrder order,
                                          const EquilibriumOptions& options);

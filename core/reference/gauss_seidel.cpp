@@ -16,16 +16,16 @@
 namespace foam {
 
 // Blocked nonlinear Gauss-Seidel (paper 4.1): the blocks of all junctions are solved one after
-// another, each from the state left by the one before. In colored order (the paper's future work,
-// there red and black) junctions of one color share no bubble, so their blocks are solved in
-// parallel and their changes are then applied in the order of the junctions. Steps are limited,
-// which the paper does not mention.
+// another, each from the state after the block before it. In colored order, junctions of one color
+// share no bubble. Their blocks are solved in parallel, and the changes are then applied in the
+// order of the junctions. The paper mentions this as future work, with the colors red and black.
+// Steps are limited, which the paper does not mention.
 
 namespace {
 
 constexpr std::size_t kBlocksPerChunk = 16;  // about 300 microseconds of work
-// T1s of all short films are tried after this many sweeps. In the first sweeps, while areas are far
-// off, a film may be short for a while that is long in the end.
+// T1s of all short films are tried every kSweepsBetweenT1 sweeps. While areas are far from their
+// targets, in the first sweeps, a film may be short although it is long in equilibrium.
 constexpr int kSweepsBetweenT1 = 30;
 
 struct OuterChange {
@@ -42,8 +42,8 @@ struct BlockChange {
     std::vector<OuterChange> half_angles;
 };
 
-// Returns the step of the block, scaled down to the largest allowed change. Returns no change if a
-// film has no length; the T1 rule handles such a film.
+// Returns the step of the block, scaled down if it exceeds the largest allowed change. Returns no
+// change if a film of the junction has no length; the T1 rule handles such a film.
 BlockChange change_of(const JunctionBlock& block, const GaussSeidelOptions& options) {
     BlockChange change;
     if (block.is_degenerate()) {
@@ -128,8 +128,8 @@ class Sweeps {
         }
     }
 
-    // Solves all blocks of a color before it applies any change, since a block also reads the
-    // pressures of the neighbors of its bubbles, which another block of the color may change.
+    // Solves all blocks of a color before any change is applied. A block also reads the pressures
+    // of the neighbors of its bubbles, which another block of the color may change.
     void sweep_color(const std::vector<JunctionId>& color) {
         changes_.resize(color.size());
         parallel_for(color.size(),

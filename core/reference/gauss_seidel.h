@@ -10,21 +10,22 @@ namespace foam {
 
 /// The order in which a sweep visits the junctions.
 enum class SweepOrder {
-    Sequential,  // by id, each block from the state left by the one before (paper)
+    Sequential,  // by id; each block starts from the state after the block before it (paper)
     Colored,     // color by color, all blocks of a color at once (paper, future work)
 };
 
 /// Options of `gauss_seidel`.
 struct GaussSeidelOptions {
-    // Converged when the errors of the foam are below this (EquilibriumErrors::are_below).
+    // The sweeps have converged when the errors of the foam are below this
+    // (EquilibriumErrors::are_below).
     double tolerance = 1e-4;
     int max_sweeps = 10000;
     SweepOrder order = SweepOrder::Sequential;
-    // Used by colored sweeps, as in parallel_for; the result has the same bits for any number.
+    // Number of threads of colored sweeps, with the same meaning as in parallel_for. The result has
+    // the same bits for any number.
     int threads = 0;
-    // Largest change of a block in a sweep. Pressures are in film tensions over the square root of
-    // the bubble's target area, the motion of the junction is in lengths of its shortest film, half
-    // angles of outer films are in radians.
+    // Largest change of a block in a sweep, in the dimensionless units of JunctionBlock. A larger
+    // step is scaled down as a whole.
     double largest_change = 0.4;
     DifferenceOptions differences{};
     TopologyThresholds thresholds{};
@@ -44,8 +45,8 @@ struct GaussSeidelSummary {
 /// junction is moved together with the pressures of its bubbles by the Newton step of its block
 /// (block_step.h).
 ///
-/// Stops as soon as the errors are below the tolerance, even if a film is below its T1 distance
-/// then. Preconditions: those of `equilibrate`.
+/// Stops as soon as the errors are below the tolerance, even if a film is then shorter than its T1
+/// distance. Preconditions: the same as for `equilibrate`.
 GaussSeidelSummary gauss_seidel(Foam& foam, const GaussSeidelOptions& options);
 
 }  // namespace foam

@@ -11,10 +11,11 @@
 
 namespace foam {
 
-// The block reads from the foam the films around its bubbles and at its junction as chords and
-// pressure differences. The errors of the constraints for a changed junction, pressures and half
-// angles are then computed from these without touching the foam: areas by the shoelace formula plus
-// the segments between arcs and chords (E1), angles from the tangents of the arcs at the junction.
+// The block reads the films around its bubbles and at its junction from the foam, as chords,
+// pressure differences and half angles. The errors of the constraints for a changed junction,
+// pressures and half angles are computed from these data; the foam is not changed. Areas are
+// computed by the shoelace formula plus the segments between arcs and chords (E1), angles from the
+// tangents of the arcs at the junction.
 
 namespace {
 

@@ -20,19 +20,20 @@ using BlockMatrix = Eigen::MatrixXd;
 /// everything else held.
 ///
 /// The unknowns are the changes of the pressures of the bubbles, followed by the changes of x and y
-/// of the junction. There are as many constraints: the areas of the bubbles, followed by the angles
-/// between the junction's films on the left of the first two of leaving(); the third angle follows
-/// from these (paper eq. 13). A bubble that meets itself at the junction, around the torus, counts
-/// once: the block is then smaller by a pressure and an area.
+/// of the junction. There are as many constraints: the areas of the bubbles, followed by two angles
+/// between films of the junction. These are the angles on the left of the first two half-edges of
+/// Network::leaving; the third angle follows from them (paper eq. 13). A bubble that meets itself
+/// at the junction, around the torus, counts once: the block then has one pressure and one area
+/// less.
 ///
 /// In a patch the ghost's pressure and area are left out of the block (paper eq. 15). Each outer
 /// film of the block's bubbles has its half angle as an unknown, after the pressures, and
 /// Laplace-Young's law as a constraint, after the areas. Where this law determines the half angle,
-/// Newton's step is the same as that of the block without these unknowns and constraints. At 90
-/// degrees, where the law does not determine the half angle, the step is just as good.
+/// the Newton step is the same as for a block without these unknowns and constraints. At 90 degrees
+/// the law does not determine the half angle, but the step is still well defined.
 ///
-/// All quantities are dimensionless, and of order one however small the bubbles are. Pressures are
-/// in film tensions over the square root of the bubble's target area, coordinates in lengths of the
+/// All quantities are dimensionless, and of order one for bubbles of any size. Pressures are in
+/// film tensions over the square root of the bubble's target area, coordinates in lengths of the
 /// junction's shortest film, areas in target areas, angles in radians, and the error of
 /// Laplace-Young's law in film tensions.
 class JunctionBlock {
@@ -40,7 +41,7 @@ class JunctionBlock {
     /// Reads the block of a junction from the foam. Memory of an earlier block is reused.
     void load(const Foam& foam, JunctionId junction);
 
-    /// The bubbles, each once, and the outer films, both in the order of the unknowns.
+    /// Return the bubbles, each once, and the outer films, both in the order of the unknowns.
     std::span<const BubbleId> bubbles() const { return {bubbles_.data(), bubble_count_}; }
     std::span<const FilmId> outer_films() const { return outer_films_; }
 
@@ -56,11 +57,12 @@ class JunctionBlock {
     /// are then undefined.
     bool is_degenerate() const { return move_unit_ == 0.0; }
 
-    /// Returns the errors of the constraints after a change of the unknowns (paper eq. 8 and 12),
-    /// each as the required value minus the actual one. For each bubble it is the target area minus
-    /// the area, for each outer film minus laplace_young_error (bulge_energy.h) along the forward
-    /// side, and for each angle 120 degrees minus the angle, in [-pi, pi]. Half angles of other
-    /// films are clamped to the limit (film_energy.h). Precondition: the block is not degenerate.
+    /// Returns the errors of the constraints after a change of the unknowns (paper eq. 8 and 12).
+    /// An error is the required value minus the actual value. For a bubble it is the target area
+    /// minus the area, divided by the target area. For an outer film it is minus
+    /// laplace_young_error (bulge_energy.h) along the forward side. For an angle it is 120 degrees
+    /// minus the angle, in [-pi, pi] radians. Half angles of other films are clamped to the limit
+    /// (film_energy.h). Precondition: the block is not degenerate.
     BlockVector constraint_errors(const BlockVector& change) const;
 
     /// Returns the change of a bubble's pressure, in foam units. `bubble` is an index in bubbles().
@@ -74,8 +76,8 @@ class JunctionBlock {
     Vec2 move(const BlockVector& change) const { return move_unit_ * change.tail<2>(); }
 
   private:
-    // A side of a film: either around one of the bubbles, which is on its left, or from the
-    // junction, which is its tail.
+    // A side of a film: either a side of one of the bubbles, which is on its left, or a side whose
+    // tail is the junction.
     struct Side {
         Vec2 start{0.0, 0.0};  // tail, relative to the start of the traversal of the bubble
         Vec2 chord{0.0, 0.0};
@@ -89,7 +91,7 @@ class JunctionBlock {
         int outer = kHeld;          // index in outer_films_
         double forward_sign = 1.0;  // 1 along the film's forward side, -1 against it
     };
-    static constexpr int kHeld = -1;  // index of a bubble outside of the block, or of an inner film
+    static constexpr int kHeld = -1;  // index of a bubble outside of the block or of an inner film
 
     void add_bubble(const Foam& foam, BubbleId bubble);
     void add_outer_films(const Network& network, BubbleId bubble);

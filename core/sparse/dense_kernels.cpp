@@ -8,10 +8,10 @@
 
 namespace foam {
 
-// Products are blocked for registers: a tile of up to three vectors of rows by kGroup columns is
-// summed up over all depths in registers and is then subtracted from the target. Each element has
-// its own lane and its own sum, taken in the order of depths, so that the width of the vectors does
-// not change any bit.
+// Products are blocked for registers. A tile of up to three vectors of rows by kGroup columns is
+// summed over all depths in registers and is then subtracted from the target. Each element has its
+// own lane and its own sum, taken in the order of depths, so that the width of the vectors does not
+// change any bit.
 
 namespace {
 
@@ -112,7 +112,8 @@ struct Kernels {
         }
     }
 
-    // Handles the last rows, fewer than a vector holds: copies them into a buffer of whole vectors.
+    // Handles the last rows, which are fewer than the lanes of a vector. Copies them into a buffer
+    // of whole vectors.
     static void subtract_last_rows(const DenseProduct<Real>& product, Index row) {
         Real rows[size(kLargestDepth * kLanes)];
         for (Index k = 0; k < product.depth; ++k) {
@@ -154,7 +155,8 @@ struct Kernels {
         }
     }
 
-    // Computes y = L D column by column, each from the columns before it, and then L from y.
+    // Computes y = L D column by column, each column from the columns before it. Then computes L
+    // from y.
     static void eliminate_strip(const DenseElimination<Real>& elimination, Index row, Index count) {
         Lanes y[size(kNarrow)];
         for (Index col = 0; col < elimination.pivots; ++col) {

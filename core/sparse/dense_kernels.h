@@ -17,10 +17,11 @@ inline constexpr std::ptrdiff_t kNarrow = 16;
 /// cache.
 inline constexpr std::ptrdiff_t kLargestDepth = 128;
 
-/// target −= left · rightᵀ, computed only on and below the target's diagonal (row ≥ column). `left`
-/// and `target` are column-major. `right` has as many rows as the target has columns and is packed
-/// in groups of kGroup rows; within a group, the kGroup numbers of each depth are contiguous, and
-/// the last group is padded with zeros. Precondition: rows ≥ cols and depth ≤ kLargestDepth.
+/// The operands of target −= left · rightᵀ. Only the elements on and below the target's diagonal
+/// (row ≥ column) are computed. `left` and `target` are column-major. `right` has as many rows as
+/// the target has columns and is packed in groups of kGroup rows. Within a group, the kGroup
+/// numbers of each depth are contiguous. The last group is padded with zeros. Precondition: rows ≥
+/// cols and depth ≤ kLargestDepth.
 template <class Real>
 struct DenseProduct {
     std::ptrdiff_t rows = 0;
@@ -33,9 +34,9 @@ struct DenseProduct {
     std::ptrdiff_t target_stride = 0;
 };
 
-/// Overwrites rows of a matrix A with rows of L, where A = L D Uᵀ. U is unit lower triangular with
-/// `pivots` ≤ kNarrow rows, and D is diagonal. `triangle` holds D on its diagonal and U below, as
-/// factor_panel leaves them.
+/// The operands of an elimination that overwrites the matrix A in `target` with L, where A = L D
+/// Uᵀ. U is unit lower triangular with `pivots` ≤ kNarrow rows, and D is diagonal. `triangle` holds
+/// D on its diagonal and U below it, in the layout that factor_panel produces.
 template <class Real>
 struct DenseElimination {
     std::ptrdiff_t rows = 0;

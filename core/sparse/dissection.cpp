@@ -13,8 +13,8 @@
 namespace foam {
 
 // Nested dissection by recursion on ranges of the order. PartDivider assigns the nodes of a range
-// to two zones and a separator; the range is sorted into low zone, high zone and separator, and
-// both zones are dissected in turn, or by different threads if the range is large. The parts are
+// to two zones and a separator. The range is then sorted into low zone, high zone and separator.
+// Both zones are dissected in turn, or by different threads if the range is large. The parts are
 // collected in postorder.
 
 namespace {
@@ -54,7 +54,7 @@ class Dissector {
     std::vector<DissectionPart> parts;
 
   private:
-    // A range of the order. Positions guide its division if there is a box around them.
+    // A range of the order. Its nodes are divided by position if `box` is not empty.
     struct Range {
         std::size_t begin = 0;
         std::size_t end = 0;

@@ -40,8 +40,8 @@ struct Dissection {
 /// proposed by positions and checked against the graph (PartDivider). The first separators of a
 /// torus consist of two lines each, since one line divides neither a torus nor a band around it.
 ///
-/// The order is valid for any positions. It is the same for any number of threads; `threads` as in
-/// thread_count. Precondition: there is at least one node.
+/// The order is valid for any positions. It is the same for any number of threads. `threads` has
+/// the same meaning as in thread_count. Precondition: there is at least one node.
 Dissection dissect(const NodeGraph& graph,
                    std::span<const SolverNode> nodes,
                    const Domain& domain,

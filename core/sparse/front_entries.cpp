@@ -13,8 +13,8 @@ namespace {
 
 using Matrix = Eigen::SparseMatrix<double>;
 
-// Calls action(entry, column, row) for each entry of the matrix. Its column and row are in the
-// order of elimination, with column ≤ row.
+// Calls action(entry, column, row) for each entry of the matrix. `entry` is its index in storage
+// order. `column` ≤ `row` are its column and row in the order of elimination.
 template <class Action>
 void each_entry(const Matrix& lower, const FrontPlan& plan, const Action& action) {
     std::size_t entry = 0;
@@ -40,8 +40,8 @@ std::vector<std::size_t> begins_of_columns(const Matrix& lower, const FrontPlan&
     return begins;
 }
 
-// Returns the entries sorted by column. Their `target` is not final yet: it is their row in the
-// order of elimination.
+// Returns the entries sorted by column. `target` is not final yet: it is the row of the entry in
+// the order of elimination.
 std::vector<FrontPlan::Entry> sorted_entries(const Matrix& lower,
                                              const FrontPlan& plan,
                                              std::vector<std::size_t> next_of_columns) {

@@ -12,10 +12,10 @@
 namespace foam {
 
 // The multifrontal method (Duff, Reid 1983): fronts are processed in postorder. A front's panel is
-// the dense matrix of its pivots' columns. After elimination it holds a part of L and D, and the
-// Schur complement over the front's border, its remainder, is added to the parent. The two subtrees
-// of a front with `may_fork` are factored by different threads. All sums are taken in the same
-// order for any number of threads.
+// the dense matrix of its pivots' columns. After elimination the panel holds a part of L and D. The
+// Schur complement over the front's border is the front's remainder, which is added to the parent.
+// The two subtrees of a front with `may_fork` are factored by different threads. All sums are taken
+// in the same order for any number of threads.
 
 namespace {
 

@@ -12,7 +12,7 @@ namespace foam {
 /// The memory that a numeric factorization reads and writes.
 template <class Real>
 struct FactorMemory {
-    std::span<const double> values;  // of the matrix, in the order of its storage
+    std::span<const double> values;  // values of the matrix in storage order
     std::span<Real> factor;          // size: FrontPlan::panels_size
     std::span<Real> workspace;       // size: FrontPlan::workspace_size
     std::span<Real> scratch;         // size: FrontPlan::scratch_size per thread

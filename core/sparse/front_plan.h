@@ -10,22 +10,24 @@
 
 namespace foam {
 
-/// Returns a size as the type of sizes and indices that Eigen uses.
+/// Converts a size to Eigen's type of sizes and indices.
 inline std::ptrdiff_t signed_size(std::size_t size) {
     return static_cast<std::ptrdiff_t>(size);
 }
 
-/// Systems with fewer rows are factored and solved by one thread, and subtrees with fewer rows are
-/// solved by one, since a second thread would save next to nothing.
+/// The smallest number of rows for which several threads are used. A smaller system is factored and
+/// solved by one thread, and a smaller subtree is solved by one thread, since a second thread would
+/// save next to nothing.
 inline constexpr std::size_t kMinParallelRows = 3000;
 
-/// One step of the elimination. The rows of one part of the dissection, the pivots, are eliminated
-/// together in a dense matrix. Its rows are the pivots and all later rows that are coupled to them,
-/// the border. Rows are numbered in the order of elimination.
+/// One step of the elimination. The pivots are the rows of one part of the dissection. They are
+/// eliminated together in a dense matrix, whose rows are the pivots and the border. The border
+/// consists of all later rows that are coupled to the pivots. Rows are numbered in the order of
+/// elimination.
 ///
-/// The columns of the pivots are the front's panel, which finally holds its part of L and D. The
-/// Schur complement over the rows and columns of the border is the front's remainder, which is
-/// added to the parent front.
+/// The columns of the pivots are the front's panel, which finally holds the front's part of L and
+/// D. The Schur complement over the rows and columns of the border is the front's remainder, which
+/// is added to the parent front.
 struct Front {
     static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
@@ -34,10 +36,10 @@ struct Front {
     std::size_t border = 0;
     std::size_t left = kNone;  // index of the left child front; kNone if this is a leaf
     std::size_t right = kNone;
-    // The fronts of the subtree are consecutive: they begin with this one and end with the front
-    // itself.
+    // Index of the first front of the subtree. The fronts of a subtree are consecutive, and its
+    // root is the last of them.
     std::size_t first_descendant = 0;
-    // The two subtrees may be processed at the same time, because they share no workspace.
+    // True if the two subtrees may be processed at the same time, because they share no workspace.
     bool may_fork = false;
 
     std::size_t border_begin = 0;     // in FrontPlan::border_rows and ::border_slots
@@ -69,8 +71,8 @@ struct FrontPlan {
     std::size_t scratch_size = 0;  // per thread
     std::size_t largest_border = 0;
 
-    /// Returns the number of floating-point numbers that a factorization on this many threads works
-    /// on: the factor, the remainders of fronts, and the scratch memory of the threads.
+    /// Returns the memory of a factorization on this many threads, in floating-point numbers: the
+    /// factor, the remainders of fronts, and the scratch memory of the threads.
     std::size_t memory_size(std::size_t threads) const {
         return panels_size + workspace_size + threads * scratch_size;
     }
@@ -82,8 +84,9 @@ struct FrontPlan {
         return std::span(border_slots).subspan(front.border_begin, front.border);
     }
 
-    /// Writes the slot of each row of the front, which is its row in the front's dense matrix: the
-    /// pivots come first, then the border. The elements of other rows are not written.
+    /// Writes the slot of each row of the front to `slot_of_rows`. The slot of a row is its index
+    /// in the front's dense matrix: the pivots come first, then the border. Elements of other rows
+    /// are not written.
     void write_slots(const Front& front, std::span<std::uint32_t> slot_of_rows) const;
 };
 

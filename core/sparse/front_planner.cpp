@@ -13,10 +13,10 @@
 
 namespace foam {
 
-// Symbolic factorization. Each part of the dissection becomes a front. Its border is the union of
-// the later neighbors of its nodes and of its children's borders without its own nodes, so one pass
-// in postorder finds all borders. Then the workspace is laid out, the borders are linked to the
-// parent fronts, and each entry of the matrix gets its index in a panel.
+// Symbolic factorization. Each part of the dissection becomes a front. The border of a front is the
+// union of the later neighbors of its nodes and the borders of its children, without its own nodes.
+// One pass in postorder therefore finds all borders. Then the workspace is laid out, the borders
+// are linked to the parent fronts, and each entry of the matrix gets its index in a panel.
 
 namespace {
 
@@ -143,7 +143,7 @@ class FrontBuilder {
     Indices seen_by_;
 };
 
-// Finds the slots of every border in the parent front.
+// Finds the slots of the rows of every border in the parent front.
 void link_borders(FrontPlan& plan) {
     plan.border_slots.resize(plan.border_rows.size());
     Indices slots(plan.elimination.size());

@@ -9,9 +9,9 @@
 
 namespace foam {
 
-// Forward and backward substitution over the fronts in postorder and reverse postorder. For a front
-// with dense columns, the pivots' rows are solved first, and the border's rows get one
-// matrix-vector product.
+// Forward substitution processes the fronts in postorder, backward substitution in reverse
+// postorder. In each front, a dense triangular system is solved for the pivots, and one
+// matrix-vector product connects the pivots with the rows of the border.
 
 namespace {
 
@@ -30,8 +30,8 @@ class FrontSolve {
           top_(factor + front.panel_begin, pivots_, pivots_, stride(front)),
           below_(top_.data() + pivots_, signed_size(front.border), pivots_, stride(front)) {}
 
-    // Solves for the pivots in x and subtracts their contribution from the rows of the border: in x
-    // up to the row `limit`, in `beyond` from this row on.
+    // Solves for the pivots in x and subtracts their contribution from the rows of the border. Rows
+    // below `limit` are rows of x; the other rows are rows of `beyond`.
     void forward(Vector& x, Vector& beyond, std::size_t limit, Vector& scratch) const {
         auto own = x.segment(first_row_, pivots_);
         auto change = scratch.head(signed_size(border_.size()));
@@ -74,9 +74,9 @@ class FrontSolve {
     Window below_;  // the border's rows of L
 };
 
-// Subtrees that may be processed at the same time each subtract from a vector of their own in the
-// rows above them. These vectors are then added up in a fixed order, so that the bits do not depend
-// on the number of threads.
+// The two substitutions of all fronts. Of two subtrees that may be processed at the same time, the
+// right one subtracts its contributions to later rows from a separate vector, which is then added
+// to the result. Neither the order of the sums nor the bits depend on the number of threads.
 template <class Real>
 class Substitution {
   public:

@@ -10,8 +10,7 @@ namespace foam {
 
 namespace {
 
-// The number of topmost levels on which the two subtrees of a front share no memory. 2^kForkLevels
-// = kMaxWorkers.
+// The number of topmost levels on which the two subtrees of a front share no memory.
 constexpr int kForkLevels = 4;
 static_assert(kMaxWorkers == 1 << kForkLevels);
 
@@ -19,9 +18,9 @@ std::size_t remainder_size(const Front& front) {
     return front.border * front.border;
 }
 
-// Two stacks: remainders of even levels of the tree are on one, those of odd levels on the other.
-// Both are popped in order, and a front's remainder never overlaps those of its children, which are
-// on the other stack.
+// Two stacks of remainders: one for the even levels of the tree, one for the odd levels. A front
+// and its children use different stacks, so that the front's remainder never overlaps the
+// remainders of its children.
 class Stacks {
   public:
     explicit Stacks(std::span<Front> fronts) : fronts_(fronts), odd_(fronts.size()) {}
@@ -52,7 +51,7 @@ class Stacks {
     }
 
     std::span<Front> fronts_;
-    std::vector<bool> odd_;  // whether the front is on an odd level
+    std::vector<bool> odd_;  // true for each front on an odd level
     std::array<std::size_t, 2> peaks_{0, 0};
 };
 

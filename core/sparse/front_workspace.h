@@ -9,13 +9,13 @@
 
 namespace foam {
 
-/// The largest number of threads that can work on different subtrees.
+/// The largest number of threads that can work on different subtrees at the same time.
 inline constexpr int kMaxWorkers = 16;
 
-/// Lays out the remainders of all fronts in one workspace. A remainder is needed from the
-/// elimination of its own front to that of the parent; before and after, other remainders use the
-/// same memory. Sets `remainder_begin` and `may_fork` of every front. Returns the size of the
-/// workspace.
+/// Lays out the remainders of all fronts in one workspace. A remainder is needed only from the
+/// elimination of its front until the elimination of the parent front; before and after, its memory
+/// is used by other remainders. Sets `remainder_begin` and `may_fork` of every front. Returns the
+/// size of the workspace.
 std::size_t share_workspace(std::span<Front> fronts);
 
 }  // namespace foam

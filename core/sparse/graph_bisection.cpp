@@ -12,9 +12,10 @@
 
 namespace foam {
 
-// Multilevel bisection (Karypis and Kumar 1998) by recursion: coarsen, bisect the coarse graph,
-// project its zones to the finer graph, refine. The coarsest graph is divided by growing the zone
-// Low from several nodes; the division with the lightest separator after refinement is kept.
+// Multilevel bisection (Karypis and Kumar 1998) by recursion: the graph is coarsened, the coarse
+// graph is bisected, its zones are projected to the finer graph, and the separator is refined. The
+// coarsest graph is divided by growing the zone Low from several nodes in turn; the division with
+// the lightest separator after refinement is kept.
 
 namespace {
 
@@ -23,15 +24,16 @@ constexpr std::uint32_t kCoarsestNodes = 100;
 // Coarsening ends when it would reduce the number of nodes by less than a tenth.
 constexpr double kMinShrinkage = 0.9;
 
-// The number of breadth-first searches, which start at evenly spaced nodes of the coarsest graph.
+// The largest number of breadth-first searches. They start at evenly spaced nodes of the coarsest
+// graph.
 constexpr std::uint32_t kMaxSearches = 4;
 
 int total_weight(const WeightedGraph& graph) {
     return std::accumulate(graph.weights.begin(), graph.weights.end(), 0);
 }
 
-// Returns all nodes in the order of a breadth-first search from `start`. When a component of the
-// graph is complete, the search continues with the first node that has not been found.
+// Returns all nodes in the order of a breadth-first search from `start`. After each component of
+// the graph, the search continues at the first node that has not been found.
 std::vector<std::uint32_t> breadth_first(const WeightedGraph& graph, std::uint32_t start) {
     std::vector<std::uint32_t> order;
     std::vector<bool> is_found(graph.size(), false);
@@ -57,8 +59,8 @@ std::vector<std::uint32_t> breadth_first(const WeightedGraph& graph, std::uint32
     return order;
 }
 
-// Grows the zone Low from a node: the nodes that are found first, up to half of the weight, are
-// Low, their other neighbors are the separator, and the rest is High.
+// Grows the zone Low from a node. The nodes that a breadth-first search finds first are Low, up to
+// half of the weight. Their other neighbors are the separator, and all other nodes are High.
 std::vector<Zone> grow(const WeightedGraph& graph, std::uint32_t start) {
     std::vector<Zone> zones(graph.size(), Zone::High);
     int rest = total_weight(graph) / 2;

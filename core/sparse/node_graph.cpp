@@ -19,7 +19,8 @@ std::vector<std::uint32_t> nodes_of_rows(std::span<const SolverNode> nodes) {
     return owners;
 }
 
-// Returns each coupled pair of nodes once, with the lower index first, sorted by the lower index.
+// Returns each coupled pair of nodes once. The lower index is first in each pair, and the pairs are
+// sorted by it.
 std::vector<Pair> coupled_pairs(const Matrix& lower, std::span<const SolverNode> nodes) {
     const std::vector<std::uint32_t> owners = nodes_of_rows(nodes);
     std::vector<std::size_t> last_partner(nodes.size(), nodes.size());

@@ -31,8 +31,9 @@ struct NodeGraph {
     }
 };
 
-/// Returns the graph in which two nodes are coupled if they share an entry of the matrix, whose
-/// lower triangle is given. The nodes own the rows in order.
+/// Returns the graph in which two nodes are coupled if they share an entry of the matrix. `lower`
+/// is the lower triangle of the matrix. The first node has the first rows, the second node the next
+/// ones, and so on.
 NodeGraph coupling(const Eigen::SparseMatrix<double>& lower, std::span<const SolverNode> nodes);
 
 }  // namespace foam

@@ -14,22 +14,23 @@
 
 namespace foam {
 
-// A part is halved at the median of its longer axis. The lightest separator in a band along the
-// border of the halves follows from a minimum vertex cut (SeparatorSearch). In large parts of large
-// graphs it is refined among the nodes near it (SeparatorRefinement). If the result is heavier than
-// a multiple of the square root of the part's rows, multilevel bisection divides the part instead.
+// A part is halved at the median coordinate along the longer axis of its box. The lightest
+// separator in a band along the border of the halves is a minimum vertex cut (SeparatorSearch). In
+// large parts of large graphs the separator is then refined among the nodes near it
+// (SeparatorRefinement). If the result is heavier than a multiple of the square root of the part's
+// rows, multilevel bisection divides the part instead.
 
 namespace {
 
-// Parts with fewer rows are not refined: that would take longer than it saves in factoring their
-// fronts.
+// Smallest number of rows of a part whose separator is refined. In a smaller part, refinement takes
+// longer than it saves in factoring the fronts.
 constexpr int kMinRefinedPart = 2000;
 
 // Refinement of a separator may use this many layers of nodes on each side of it.
 constexpr int kRefinedLayers = 4;
 
-// Returns the periods of the torus. For the plane, returns periods so large that no coordinate
-// reaches half of one.
+// Returns the periods of the torus. For the plane, returns periods so large that every coordinate
+// is below half a period.
 Vec2 periods_of(const Domain& domain) {
     return domain.is_plane() ? Vec2(Vec2::Constant(std::numeric_limits<double>::max()))
                              : Vec2(domain.width, domain.height);
@@ -98,8 +99,9 @@ ZoneBoxes PartDivider::divide_by_position(Nodes part, const PartBox& box) {
 }
 
 // Assigns the two halves to the zones and returns the coordinate between them. Coordinates are
-// taken relative to the middle of the box and wrapped to half a period, so that a node slightly
-// beyond an edge stays near it. Coordinates that are not finite count as the middle.
+// taken relative to the middle of the box and wrapped to at most half a period on either side, so
+// that a node slightly beyond an edge of the box stays near that edge. Coordinates that are not
+// finite count as the middle.
 double PartDivider::split_at_median(Nodes part, const PartBox& box, Eigen::Index axis) {
     std::vector<double>& keys = memory_.keys;
     const double middle = 0.5 * (box.low[axis] + box.high[axis]);
@@ -121,7 +123,7 @@ double PartDivider::split_at_median(Nodes part, const PartBox& box, Eigen::Index
     return middle + keys[part[half]];
 }
 
-// Makes the separator lighter by moving it among the nodes near it.
+// Makes the separator lighter by moving it through the nodes near it.
 void PartDivider::refine(Nodes part, int rows) {
     std::vector<std::uint32_t> near = nodes_near_separator(part);
     const WeightedGraph graph = graph_of_near(near, part);
@@ -137,7 +139,8 @@ void PartDivider::refine(Nodes part, int rows) {
     assign(near, zones);
 }
 
-// Returns the separator and some layers of its neighbors, which are numbered in this order.
+// Returns the nodes of the separator, followed by those of kRefinedLayers layers around it. Numbers
+// the nodes in this order.
 std::vector<std::uint32_t> PartDivider::nodes_near_separator(Nodes part) {
     std::vector<std::uint32_t> near;
     std::copy_if(part.begin(), part.end(), std::back_inserter(near), [this](std::uint32_t node) {
@@ -154,8 +157,8 @@ std::vector<std::uint32_t> PartDivider::nodes_near_separator(Nodes part) {
     return near;
 }
 
-// Appends the neighbors of a node that are in a zone of this part and have no number yet, and
-// numbers them. Nodes of other parts are in the zone Outside.
+// Appends and numbers the neighbors of a node that are in the zones Low and High and have no number
+// yet. Nodes of other parts are in the zone Outside.
 void PartDivider::add_unnumbered_neighbors(std::uint32_t node, std::vector<std::uint32_t>& nodes) {
     for (const std::uint32_t neighbor : graph_.of(node)) {
         std::uint32_t& index = memory_.part_indices[neighbor];
@@ -183,10 +186,10 @@ WeightedGraph PartDivider::graph_of(Nodes part) {
     return graph;
 }
 
-// Appends a node and its edges to numbered nodes. Returns whether it also has neighbors without a
-// number in the zones Low and High.
+// Appends a node and its edges to numbered neighbors. The result tells, first for the zone Low and
+// then for the zone High, if the node also has neighbors without a number in that zone.
 std::array<bool, 2> PartDivider::append_node(std::uint32_t node, WeightedGraph& graph) const {
-    std::array<bool, 2> has_others{};
+    std::array<bool, 2> touches_rest{};
     graph.begins.push_back(narrow(graph.edges.size()));
     graph.weights.push_back(nodes_[node].rows);
     for (const std::uint32_t neighbor : graph_.of(node)) {
@@ -195,14 +198,15 @@ std::array<bool, 2> PartDivider::append_node(std::uint32_t node, WeightedGraph& 
         if (number != DivisionMemory::kNotInPart) {
             graph.edges.push_back({number, 1});
         } else if (zone != Zone::Outside) {
-            has_others[zone == Zone::High ? 1 : 0] = true;
+            touches_rest[zone == Zone::High ? 1 : 0] = true;
         }
     }
-    return has_others;
+    return touches_rest;
 }
 
-// Returns the graph of the nodes near the separator, which are numbered in their order, and of two
-// more nodes: one for all others of the zone Low, one for all others of the zone High.
+// Returns the graph of the nodes `near` the separator and of two additional nodes. Each additional
+// node stands for all other nodes of the part in one zone, first Low, then High. Precondition: the
+// nodes `near` the separator are numbered in their order.
 WeightedGraph PartDivider::graph_of_near(Nodes near, Nodes part) const {
     WeightedGraph graph;
     std::array<std::vector<WeightedGraph::Edge>, 2> edges_of_rest;

@@ -25,15 +25,16 @@ struct PartBox {
     Vec2 high;
 };
 
-/// Boxes around the two zones of a divided part. Empty if positions did not guide the division.
+/// The boxes around the two zones of a divided part. Both are empty if the part was divided by its
+/// edges alone.
 struct ZoneBoxes {
     std::optional<PartBox> low;
     std::optional<PartBox> high;
 };
 
-/// The working memory of PartDivider, with one element per node. Several parts of the graph may be
-/// divided at the same time: no part reads an element that another one writes, because a separator
-/// is between them.
+/// The working memory of PartDivider, with one element per node. Parts of the graph that a
+/// separator keeps apart may be divided at the same time, because the division of one part reads no
+/// element that the division of another part writes.
 struct DivisionMemory {
     static constexpr std::uint32_t kNotInPart = std::numeric_limits<std::uint32_t>::max();
 
@@ -51,8 +52,8 @@ struct DivisionMemory {
 
 /// Divides parts of a graph by light separators. Positions propose a division: two halves at the
 /// median coordinate, and the lightest separator near their border. The proposal is rejected if its
-/// separator is heavy, which it is if positions do not reflect which nodes are neighbors. The part
-/// is then divided by its edges alone.
+/// separator is heavy, which happens if neighbors in the graph are far apart. The part is then
+/// divided by its edges alone.
 class PartDivider {
   public:
     PartDivider(const NodeGraph& graph,
@@ -64,9 +65,9 @@ class PartDivider {
     /// Returns a box around all nodes.
     PartBox box_of_all() const;
 
-    /// Assigns the nodes of a part with `rows` rows to the zones Low and High, and its separator to
-    /// Outside. May change the order of the nodes in `part`. Without a box, positions are not used.
-    /// Returns the boxes of both zones.
+    /// Divides a part with `rows` rows: assigns its nodes to the zones Low and High, and the nodes
+    /// of the separator to Outside. May change the order of the nodes in `part`. Positions are not
+    /// used if `box` is empty. Returns the boxes of both zones.
     ZoneBoxes divide(std::span<std::uint32_t> part, int rows, const std::optional<PartBox>& box);
 
   private:

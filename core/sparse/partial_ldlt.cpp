@@ -8,9 +8,10 @@
 
 namespace foam {
 
-// Recursive, blocked L D Lᵀ: the columns are halved until at most kNarrow are left, the left half
-// is factored, its product is subtracted from the right half, and the right half is factored. Most
-// of the work is thus in large matrix products (dense_kernels.h), whose right factor L D is packed.
+// Recursive, blocked L D Lᵀ: the left half of the columns is factored, its product is subtracted
+// from the right half, and the right half is factored. At most kNarrow columns are factored
+// directly. Most of the work is thus in large matrix products (dense_kernels.h), whose right factor
+// L D is packed.
 
 namespace {
 
@@ -48,9 +49,9 @@ void pack_scaled(const DenseView<Real>& panel,
     }
 }
 
-// target -= L D Lᵀ over the factored columns [begin, end), on and below the target's diagonal. The
-// target corresponds to the last rows of the panel; its columns correspond to the first of these
-// rows.
+// Subtracts L D Lᵀ over the factored columns [begin, end) from the target, on and below the
+// target's diagonal. The rows of the target are the last rows of the panel; its columns correspond
+// to the first of these rows.
 template <class Real>
 void subtract_ldlt(
     const DenseView<Real>& panel, Index begin, Index end, Window<Real> target, Real* scratch) {
@@ -108,8 +109,8 @@ bool factor_columns(DenseView<Real>& panel, Index begin, Index end) {
     return true;
 }
 
-// Factors the columns [begin, end) as factor_columns does, but recursively by halves, so that most
-// of the work is in large products.
+// Factors the columns [begin, end) like factor_columns, but recursively by halves, so that most of
+// the work is in large products.
 template <class Real>
 bool factor_range(DenseView<Real>& panel, Index begin, Index end, Real* scratch) {
     if (end - begin <= kNarrow) {

@@ -6,7 +6,7 @@
 
 namespace foam {
 
-// The band is grown by breadth-first search from the border of the two zones. Its outermost layers
+// The band is grown by breadth-first search from the border between the zones. Its outermost layers
 // are the sources and sinks of a minimum vertex cut, whose node weights are numbers of rows. The
 // rest of each zone touches the band only in the outermost layer, so the cut separates the zones.
 
@@ -25,8 +25,9 @@ void SeparatorSearch::separate(std::span<const std::uint32_t> part) {
     }
 }
 
-// Adds layers of a zone to the band, beginning with the nodes that touch the other zone. Returns
-// the index in the band where the last layer begins.
+// Adds layers of a zone to the band, beginning with the nodes that touch the other zone, until the
+// band has enough layers or the next one would make it too large (SeparatorOptions). Returns the
+// index in the band at which the last layer begins.
 std::size_t SeparatorSearch::grow_band(std::span<const std::uint32_t> part, Zone zone) {
     const std::size_t begin = band_.size();
     add_border(part, zone);

@@ -30,7 +30,7 @@ class SeparatorSearch {
 
     /// `zones` and `band_indices` have one element per node of the graph. All elements of
     /// `band_indices` are kNotInBand on entry and between calls. Parts of the graph that are not
-    /// coupled to each other may be divided at the same time, each by an object of its own.
+    /// coupled to each other may be divided at the same time by different objects.
     SeparatorSearch(const NodeGraph& graph,
                     std::span<const SolverNode> nodes,
                     const SeparatorOptions& options,

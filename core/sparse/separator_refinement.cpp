@@ -7,17 +7,17 @@
 
 namespace foam {
 
-// The method of Fiduccia and Mattheyses (1982), for separators of nodes. A sweep takes the move
-// with the largest gain from a priority queue. When the gain of a node changes, its new move is
-// added to the queue; outdated moves are recognized by their gain and dropped when they are taken
-// out. Changes are recorded so that the best separator of a sweep can be restored.
+// The method of Fiduccia and Mattheyses (1982) for separators of nodes. A sweep takes the move with
+// the largest gain from a priority queue. When the gain of a node changes, its new move is added to
+// the queue; outdated moves are recognized by their gain and dropped when they reach the top of the
+// queue. Changes are recorded so that the best separator of a sweep can be restored.
 
 namespace {
 
 constexpr int kMaxSweeps = 20;
 
-// A sweep ends after this many moves in a row without a new best separator, per node of the
-// separator at the start of the sweep. kMaxFutileMoves limits their number.
+// A sweep ends after kFutileMovesPerNode moves in a row, per node of the separator at the start of
+// the sweep, without a new best separator. It always ends after kMaxFutileMoves such moves.
 constexpr std::size_t kFutileMovesPerNode = 2;
 constexpr std::size_t kMaxFutileMoves = 300;
 
@@ -49,8 +49,9 @@ void SeparatorRefinement::run() {
     }
 }
 
-// Sweeps the separator over the other zone and restores the best separator of the sweep. Returns
-// true if it is lighter than before, or equally heavy with better balanced zones.
+// Moves the separator across the zone opposite to `into` and restores the best separator of the
+// sweep. Returns true if it is lighter than the separator before the sweep, or as heavy but with
+// better balanced zones.
 bool SeparatorRefinement::sweep(Zone into) {
     start_sweep(into);
     const std::pair<int, int> first_cost = cost();
@@ -81,8 +82,8 @@ void SeparatorRefinement::start_sweep(Zone into) {
     }
 }
 
-// Makes the move with the largest gain. Returns false if no move is left or if this move makes the
-// zone too heavy.
+// Makes the move with the largest gain. Returns false, without a move, if no move is left or if
+// this move would make the zone too heavy.
 bool SeparatorRefinement::make_best_move(Zone into) {
     while (!moves_.empty() && (zones_[moves_.top().node] != Zone::Outside ||
                                moves_.top().gain != gain(moves_.top().node))) {

@@ -20,26 +20,27 @@ namespace foam {
 /// High.
 ///
 /// A move takes a node from the separator into one zone, and the node's neighbors in the other zone
-/// into the separator. In a sweep all moves are into the same zone, the best one first, even if a
-/// move makes the separator heavier, so that the separator sweeps over the other zone. Then the
-/// lightest separator of the sweep is restored. Sweeps into both zones alternate until neither
-/// gains anything. This is the method of Fiduccia and Mattheyses (1982) for separators of nodes
-/// (Karypis and Kumar 1998).
+/// into the separator. In a sweep all moves are into the same zone, so that the separator moves
+/// across the other zone. The best move is made first, even if it makes the separator heavier. At
+/// the end the lightest separator of the sweep is restored. Sweeps into both zones alternate until
+/// neither makes the separator lighter or the zones better balanced. This is the method of Fiduccia
+/// and Mattheyses (1982) for separators of nodes (Karypis and Kumar 1998).
 class SeparatorRefinement {
   public:
-    /// Precondition: `zones` has one element per node, and no edge between Low and High. No move
-    /// makes a zone heavier than `max_weight`.
+    /// No move makes a zone heavier than `max_weight`. Precondition: `zones` has one element per
+    /// node, and no edge connects Low with High.
     SeparatorRefinement(const WeightedGraph& graph, int max_weight, std::span<Zone> zones);
 
-    /// Sweeps until neither direction gains anything; the zones are changed in place.
+    /// Runs sweeps until neither direction improves the separator, but at most 20. Changes the
+    /// zones in place.
     void run();
 
     /// Returns the weight of the separator and the difference of the zones' weights.
     std::pair<int, int> cost() const;
 
   private:
-    // A candidate move: a node of the separator, and the weight that the separator loses by its
-    // move.
+    // A candidate move: a node of the separator, and the weight that the separator loses if the
+    // node moves.
     struct Move {
         int gain = 0;
         std::uint32_t node = 0;
@@ -67,11 +68,11 @@ class SeparatorRefinement {
     const WeightedGraph& graph_;
     int max_weight_;
     std::span<Zone> zones_;
-    std::array<int, 3> weights_{};          // of each zone
+    std::array<int, 3> weights_{};          // weight of each zone
     std::vector<std::uint32_t> separator_;  // its nodes, and some that have left it
-    std::vector<int> pulled_;               // weight that the move of each node pulls in
-    std::priority_queue<Move> moves_;       // may hold outdated moves
-    std::vector<Change> changes_;           // of this sweep
+    std::vector<int> pulled_;  // for each node, the weight that its move adds to the separator
+    std::priority_queue<Move> moves_;  // may contain outdated moves
+    std::vector<Change> changes_;      // changes of the present sweep
 };
 
 }  // namespace foam

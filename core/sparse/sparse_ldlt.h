@@ -16,7 +16,7 @@ namespace foam {
 /// Options of SparseLdlt::analyze.
 struct LdltOptions {
     DissectionOptions dissection{};
-    // Largest memory for the factor and the remainders of fronts.
+    // Largest memory for the factor and the remainders of fronts, in bytes.
     std::size_t max_bytes = std::size_t{1} << 32U;
 };
 
@@ -27,21 +27,22 @@ enum class LdltAnalysis {
 };
 
 /// A direct solver for symmetric quasi-definite matrices whose rows have positions on a torus or in
-/// the plane: multifrontal L D Lᵀ without pivoting, in the order of a geometric nested dissection.
-/// `threads` as in thread_count; the bits of the results do not depend on it.
+/// the plane: multifrontal L D Lᵀ without pivoting, in an order found by nested dissection.
+/// `threads` has the same meaning as in thread_count; the bits of the results do not depend on it.
 template <class Real>
 class SparseLdlt {
   public:
-    /// Plans the factorization of all matrices of a pattern. Its lower triangle is given,
-    /// compressed and with sorted columns. The nodes own the rows in order. Allocates memory of the
-    /// planned size, unless it exceeds the limit of the options.
+    /// Plans the factorization of all matrices of a pattern and allocates the planned memory.
+    /// Returns TooLarge, and plans nothing, if this memory would exceed the limit of the options.
+    /// The first node has the first rows, the second node the next ones, and so on. Precondition:
+    /// the lower triangle is compressed and its columns are sorted.
     LdltAnalysis analyze(const Eigen::SparseMatrix<double>& lower_pattern,
                          std::span<const SolverNode> nodes,
                          const Domain& domain,
                          const LdltOptions& options = {},
                          int threads = 1);
 
-    /// Returns the number of bytes that `factor` works on with this many threads.
+    /// Returns the memory that `factor` uses with this many threads, in bytes.
     std::size_t memory_bytes(int threads) const;
 
     /// Factors a matrix of the analyzed pattern. Returns false if a pivot is zero or not finite; no
@@ -55,7 +56,7 @@ class SparseLdlt {
     std::size_t nonzeros() const;
 
     /// Returns the number of positive pivots of the factor, which is the number of positive
-    /// eigenvalues of the matrix (Sylvester).
+    /// eigenvalues of the matrix (Sylvester's law of inertia).
     std::size_t positive_pivots() const;
 
   private:

@@ -9,8 +9,8 @@ namespace foam {
 
 // Dinic's maximum flow: repeatedly finds the levels of all vertices by breadth-first search and
 // pushes a blocking flow along arcs from one level to the next. When the sink is unreachable, the
-// cut consists of the nodes whose entry vertex can be reached and whose exit vertex cannot (maximum
-// flow, minimum cut).
+// cut consists of the nodes whose entry vertex can be reached and whose exit vertex cannot
+// (max-flow min-cut theorem).
 
 namespace {
 
@@ -51,8 +51,8 @@ void VertexCut::add_arc(std::size_t from, std::size_t to, int capacity) {
     first_[to] = arc + 1;
 }
 
-// Finds the number of steps from the source to each vertex by breadth-first search, which ends at
-// the sink. Returns false if the sink is unreachable.
+// Finds the number of steps from the source to each vertex by breadth-first search, up to the sink.
+// Returns false if the sink is unreachable.
 bool VertexCut::find_levels() {
     levels_.assign(first_.size(), -1);
     queue_.assign(1, static_cast<std::uint32_t>(kSource));

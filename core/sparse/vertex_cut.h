@@ -12,9 +12,9 @@ namespace foam {
 enum class CutSide : std::uint8_t { Source, Cut, Sink };
 
 /// Finds the lightest set of nodes whose removal leaves no path from any source to any sink
-/// (minimum vertex cut), by Dinic's maximum flow with node capacities. Sources and sinks may be in
-/// the cut themselves. Connections are directed. Connections into sources and out of sinks may be
-/// omitted. Buffers are reused between problems.
+/// (minimum vertex cut), by Dinic's maximum flow with node capacities. The cut may contain sources
+/// and sinks. Connections are directed. Connections into sources and out of sinks may be omitted.
+/// Buffers are reused between problems.
 class VertexCut {
   public:
     /// Starts a new problem with the given number of nodes and no connections.
@@ -29,8 +29,8 @@ class VertexCut {
     /// Adds a connection from one node to another.
     void connect(std::size_t from, std::size_t to);
 
-    /// Returns the side of every node. If several cuts are lightest, the cut nearest to the sources
-    /// is taken.
+    /// Returns the side of every node. Of several lightest cuts, returns the cut nearest to the
+    /// sources.
     const std::vector<CutSide>& solve();
 
   private:

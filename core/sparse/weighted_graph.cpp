@@ -32,9 +32,9 @@ std::vector<std::uint32_t> match(const WeightedGraph& graph, int max_weight) {
     return partners;
 }
 
-// Appends the edges of one coarse node, which consists of the given fine nodes. `edge_indices`
-// holds the index of the edge to each coarse node; it is valid only if it is at least `begin` and
-// that edge exists.
+// Appends the edges of one coarse node, which consists of the given fine nodes. `edge_indices` has
+// the index of the edge to each coarse node. An index is valid only if it is at least `begin` and
+// the edge at this index leads to that coarse node.
 void append_edges(const WeightedGraph& fine,
                   std::span<const std::uint32_t> members,
                   CoarseGraph& coarse,

@@ -17,7 +17,8 @@ namespace foam::stress {
 namespace {
 
 constexpr int kManyBubbles = 1000;
-constexpr std::uint64_t kOutlineSalt = 0x6f75746c696e6573;  // so that outlines go their own way
+constexpr std::uint64_t kOutlineSalt =
+    0x6f75746c696e6573;  // makes outlines independent of the case
 
 std::vector<Vec2> random_star(Random& random) {
     const auto corners = static_cast<int>(3 + random.below(14));
@@ -30,7 +31,7 @@ std::vector<Vec2> random_star(Random& random) {
     return star;
 }
 
-// Clockwise, as a hole.
+// Returns a smaller copy of an outline, clockwise as a hole must be.
 std::vector<Vec2> shrunk(std::vector<Vec2> ring, double factor) {
     std::reverse(ring.begin(), ring.end());
     for (Vec2& corner : ring) {
@@ -76,7 +77,7 @@ double log_uniform(Random& random, double low, double high) {
     return low * std::pow(high / low, random.uniform());
 }
 
-// A new parameter must be drawn last, else every seed stands for another case.
+// A new parameter must be drawn last. Otherwise every seed would give a different case.
 FoamCase draw_case(std::uint64_t seed) {
     Random random(~seed);  // the seed itself draws the diagram
     FoamCase drawn;
@@ -91,7 +92,7 @@ FoamCase draw_case(std::uint64_t seed) {
     thresholds.t1_distance = log_uniform(random, 0.01, 0.25);
     thresholds.t2_area = log_uniform(random, 0.01, 0.25);
     drawn.step.coarsening.kappa = log_uniform(random, 1e-3, 1e3);
-    // Shorter frames of large foams would take most of the time of a run.
+    // With shorter frames, large foams would take most of the time of a run.
     const double min_fraction = seeding.bubbles > kManyBubbles ? 0.01 : 0.003;
     const double fraction = log_uniform(random, min_fraction, 0.05);
     drawn.frame_fraction = random.below(10) == 0 ? 0.5 : fraction;

@@ -13,43 +13,47 @@
 
 namespace foam::stress {
 
-/// A foam and how it coarsens.
+/// The parameters of a random foam and of its coarsening.
 struct FoamCase {
     SeedingOptions seeding;          // seeding.seed is the seed of the whole case
-    std::optional<Outline> outline;  // of a patch, which has no aspect
+    std::optional<Outline> outline;  // given for a patch; seeding.aspect is then unused
     StepOptions step;
-    double frame_fraction =
-        0.01;  // what a five-sided bubble loses in a frame, in present mean areas
+    // The area that a five-sided bubble loses in a frame, as a fraction of the present mean area.
+    double frame_fraction = 0.01;
 };
 
-/// Uniform in [low, high).
+/// Returns a random number, uniformly distributed in [low, high).
 double uniform(Random& random, double low, double high);
 
-/// Uniform in the logarithm over [low, high). Precondition: 0 < low <= high.
+/// Returns a random number in [low, high) whose logarithm is uniformly distributed. Precondition:
+/// 0 < low <= high.
 double log_uniform(Random& random, double low, double high);
 
-/// The case of a seed, the same in every run: 20 to 5,000 bubbles; Lloyd 0 to 5; areas of the
-/// diagram itself (one in four) or spread up to 100; aspects of 1/4 to 4; T1 distance and T2 area
-/// of 0.01 to 0.25 and kappa of 1e-3 to 1e3, the paper's ranges; frames of 0.3 % to 5 % of the mean
-/// area (1 % to 5 % of more than 1,000 bubbles), and far too long ones of 50 % (one in ten). All
-/// but Lloyd uniform in the logarithm.
+/// Draws the torus of a seed. A seed gives the same parameters in every run:
+/// - 20 to 5,000 bubbles, 0 to 5 iterations of Lloyd's algorithm, an aspect of 1/4 to 4
+/// - target areas of the diagram itself (one case in four), or with a ratio of 1 to 100
+/// - a T1 distance and a T2 area of 0.01 to 0.25, and kappa of 1e-3 to 1e3 (the paper's ranges)
+/// - frames of 0.3 % to 5 % of the mean area, or of 1 % to 5 % for more than 1,000 bubbles
+/// - in one case in ten, frames of 50 % of the mean area, which are far too long
+///
+/// All ranges except the iterations are uniform in the logarithm.
 FoamCase draw_case(std::uint64_t seed);
 
-/// The patch of a seed: the case of that seed within a random outline, a polygon of 3 to 16 corners
-/// that is a star as seen from its middle, with spikes and bays; one in three has a hole of the
-/// same shape.
+/// Draws the patch of a seed: the parameters of draw_case, and a random outline. The outline is a
+/// star-shaped polygon of 3 to 16 corners, with spikes and bays. One outline in three has a hole of
+/// the same shape.
 FoamCase draw_patch(std::uint64_t seed);
 
-/// The raw diagram of the case.
+/// Returns the raw diagram of the case.
 Foam seed_case(const FoamCase& foam_case);
 
-/// Bubbles, lone ones included.
+/// Returns the number of bubbles, including lone bubbles.
 std::size_t bubbles_of(const Foam& foam);
 
-/// The time of a frame (E6) at the foam's present mean area.
+/// Returns the duration of a frame (E6) at the present mean area of the foam.
 double frame_time(const Foam& foam, const FoamCase& foam_case);
 
-/// Every parameter that was drawn, on a line.
+/// Returns all parameters that were drawn, in one line.
 std::string describe(const FoamCase& foam_case);
 
 }  // namespace foam::stress

@@ -39,7 +39,7 @@ void perturb_junctions(Foam& foam, Random& random, double probability, double fa
     }
 }
 
-// |s| = |difference| c / 2T of a film of mean length comes to 10 at the most.
+// For a film of mean length, |s| = |difference| c / 2T is at most 10.
 void change_pressures(Foam& foam, Random& random) {
     const double largest = 10.0 * foam.film_tension / mean_film_length(foam);
     for (const BubbleId bubble : foam.network.bubbles()) {
@@ -71,9 +71,9 @@ void collapse_bubbles(Foam& foam, Random& random) {
     }
 }
 
-// In the line through the mean of its junctions along x.
+// Mirrors a bubble in the horizontal line through the mean of its junctions.
 void mirror(Foam& foam, BubbleId bubble) {
-    std::vector<double> heights;  // above the first junction
+    std::vector<double> heights;  // of the junctions above the first one
     Vec2 at = Vec2::Zero();
     double sum = 0.0;
     for (const HalfEdgeId h : foam.network.around(bubble)) {

@@ -9,36 +9,37 @@
 
 namespace foam::stress {
 
-/// Ways to make a foam in equilibrium locally ill-defined.
+/// The kinds of damage that make a foam in equilibrium locally ill-defined.
 enum class Damage {
-    PartlyPerturbed,  // a third of the junctions moved by up to half the mean film length: tangles
-    Perturbed,        // every junction moved by up to the mean film length
-    Pressures,        // pressures so far off that |s| >= 1 on many films (E1)
-    ZeroFilms,        // a tenth of the films without length
-    Coincident,       // every junction of a bubble in one point, for a tenth of the bubbles
-    Inverted,         // a tenth of the bubbles mirrored in a line through their middle
-    All,              // except PartlyPerturbed
+    PartlyPerturbed,  // moves a third of the junctions by up to half the mean film length
+    Perturbed,        // moves every junction by up to the mean film length
+    Pressures,        // changes pressures so much that |s| >= 1 on many films (E1)
+    ZeroFilms,        // gives a tenth of the films zero length
+    Coincident,       // moves all junctions of a bubble to one point, for a tenth of the bubbles
+    Inverted,         // mirrors a tenth of the bubbles vertically
+    All,              // applies all kinds except PartlyPerturbed, one after another
 };
 
 inline constexpr int kDamages = 7;
 
-/// A damage in words.
+/// Returns the name of a kind of damage for reports.
 const char* name_of(Damage damage);
 
-/// Damages the foam; its network, its targets and its torus stay.
+/// Damages the foam. Its topology, target areas and domain do not change.
 void apply(Damage damage, Foam& foam, Random& random);
 
-/// How bad a state is.
+/// The numbers of ill-defined elements of a state.
 struct IllDefined {
-    int films_at_limit = 0;     // |s| above kLargestSine: most of them have no arc (E1)
-    int zero_films = 0;         // of no length
-    int tangled_junctions = 0;  // as is_tangled says (untangle.h)
-    int inverted_bubbles = 0;   // of negative area within the chords
+    int films_at_limit = 0;     // films with |s| above kLargestSine; most have no arc (E1)
+    int zero_films = 0;         // films of zero length
+    int tangled_junctions = 0;  // junctions for which is_tangled is true (untangle.h)
+    int inverted_bubbles = 0;   // bubbles whose polygon of chords has a negative area
 };
 
+/// Counts the ill-defined elements of a foam.
 IllDefined count_ill_defined(const Foam& foam);
 
-/// The counts in words.
+/// Returns the counts in words.
 std::string describe(const IllDefined& counts);
 
 }  // namespace foam::stress

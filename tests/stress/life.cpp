@@ -16,8 +16,9 @@ namespace foam::stress {
 
 namespace {
 
-constexpr std::size_t kFewestBubbles = 4;     // of a torus
-constexpr double kMaxAreasWithoutT2 = 100.0;  // mean areas diffused since the last bubble vanished
+constexpr std::size_t kFewestBubbles = 4;  // a torus ends with this number of bubbles
+// The largest area that a five-sided bubble may lose without a T2, in mean areas.
+constexpr double kMaxAreasWithoutT2 = 100.0;
 
 bool is_honeycomb(const Network& network) {
     int others = 0;
@@ -93,7 +94,7 @@ class Life {
         return is_over || (options_.max_frames > 0 && summary_.frames >= options_.max_frames);
     }
 
-    // The first reason stands. A writer of foam states would take `before_` here.
+    // Records the first failure. Later failures are ignored.
     void fail(const std::string& reason) {
         if (!summary_.failure) {
             summary_.failure = LifeFailure{summary_.frames, reason, before_};

@@ -12,19 +12,19 @@
 namespace foam::stress {
 
 struct LifeOptions {
-    int max_frames = 0;       // ends the life early; 0: no limit
-    double tolerance = 1e-6;  // largest area (relative) and angle (radians) error of a frame
-    bool verbose = false;     // a line per frame on stderr
+    int max_frames = 0;       // largest number of frames; 0 for no limit
+    double tolerance = 1e-6;  // largest relative area error and angle error (radians)
+    bool verbose = false;     // prints a line per frame on stderr
 };
 
-/// What went wrong, and in which frame: 0 is the equilibrium of the seeded foam.
+/// The failure of a foam. Frame 0 is the equilibrium of the seeded foam.
 struct LifeFailure {
     int frame = 0;
     std::string reason;
-    Foam before;  // the foam as the frame found it, for a state file; empty if seeding failed
+    Foam before;  // the foam before this frame; empty if seeding failed
 };
 
-/// How a foam lived, in sums over its frames.
+/// The result of a life: sums and largest errors over its frames.
 struct LifeSummary {
     int frames = 0;
     int substeps = 0;
@@ -32,18 +32,18 @@ struct LifeSummary {
     int t2 = 0;
     std::size_t bubbles_left = 0;
     EquilibriumErrors worst;
-    double seconds = 0.0;  // of processor time
+    double seconds = 0.0;  // processor time
     std::optional<LifeFailure> failure;
 };
 
-/// Seeds the foam, brings it to equilibrium and lets it coarsen to its end: a torus until four
-/// bubbles are left, or only six-sided ones, which keep their areas for ever, a patch until it has
-/// lost all its gas. Examines the foam after every
-/// frame and stops at the first failure; an exception is one too, and so is a foam of which no
-/// bubble vanishes in the time in which a hundred mean areas diffuse.
+/// Seeds the foam, brings it to equilibrium and lets it coarsen to its end. A torus ends when at
+/// most four bubbles are left, or when all bubbles have six sides and so keep their areas forever.
+/// A patch ends when it has lost all its gas. Examines the foam in every frame and stops at the
+/// first failure. An exception is a failure. It is also a failure if no bubble vanishes in the time
+/// in which a five-sided bubble would lose a hundred mean areas.
 LifeSummary live(const FoamCase& foam_case, const LifeOptions& options);
 
-/// What became of it, on a line.
+/// Returns the result in one line.
 std::string describe(const LifeSummary& summary);
 
 }  // namespace foam::stress

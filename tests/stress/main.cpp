@@ -27,7 +27,7 @@ constexpr const char* kFooter = R"(Examples:
   foam_stress --only-state 27 37               the states of seeds 27 and 37
 Exit codes: 0 none failed, 1 some failed, other codes: bad command line)";
 
-/// Which seeds are this run's: the k-th of `count`, by turns.
+/// The part of the cases that this run computes: the k-th of every `count` cases.
 struct Shard {
     int k = 1;
     int count = 1;
@@ -48,13 +48,13 @@ struct Arguments {
     LifeOptions life;
 };
 
-/// Precondition: as check_shard allows.
+/// Parses a text I/N. Precondition: check_shard accepts the text.
 Shard parse_shard(const std::string& text) {
     const std::size_t slash = text.find('/');
     return {std::stoi(text.substr(0, slash)), std::stoi(text.substr(slash + 1))};
 }
 
-/// An error message, or nothing where the text is I/N with 1 <= I <= N.
+/// Returns an error message, or an empty text if the text is I/N with 1 <= I <= N.
 std::string check_shard(const std::string& text) {
     int k = 0;
     int count = 0;
@@ -63,7 +63,7 @@ std::string check_shard(const std::string& text) {
     return is_pair && k >= 1 && k <= count ? "" : "must be I/N with 1 <= I <= N";
 }
 
-/// The next seed, from this one on, whose foam is not too large.
+/// Returns the first seed, at or after the given one, whose foam has at most `max_bubbles` bubbles.
 std::uint64_t next_seed(std::uint64_t seed, int max_bubbles) {
     while (draw_case(seed).seeding.bubbles > max_bubbles) {
         ++seed;
@@ -71,7 +71,7 @@ std::uint64_t next_seed(std::uint64_t seed, int max_bubbles) {
     return seed;
 }
 
-/// The shard's part of so many seeds.
+/// Returns the seeds that belong to the shard, out of `count` seeds.
 std::vector<std::uint64_t> shard_seeds(const Arguments& arguments, int count) {
     const Shard shard = parse_shard(arguments.shard);
     std::vector<std::uint64_t> seeds;
@@ -85,7 +85,8 @@ std::vector<std::uint64_t> shard_seeds(const Arguments& arguments, int count) {
     return seeds;
 }
 
-/// The parameters come before the foam lives, so that they are known whatever happens to it.
+/// Prints a part of a line at once. The parameters of a foam are printed before its life, so that
+/// they are known if the program crashes.
 void print_part(const std::string& part, const char* end) {
     fmt::print("{}{}", part, end);
     std::fflush(stdout);
@@ -106,7 +107,7 @@ void run_recovery(std::uint64_t seed, RecoveryTally& tally) {
     print_part(describe(summary), "\n");
 }
 
-/// Without --only, --only-patch and --only-state, the shard's seeds; with one of them, these alone.
+/// Chooses the seeds of the shard, unless --only, --only-patch or --only-state gives seeds.
 void choose_seeds(Arguments& arguments) {
     if (arguments.only.empty() && arguments.only_patches.empty() && arguments.only_states.empty()) {
         arguments.only = shard_seeds(arguments, arguments.foams);

@@ -13,7 +13,7 @@ namespace foam::stress {
 
 namespace {
 
-constexpr double kTolerance = 1e-9;  // of areas, relative, and of angles, in radians
+constexpr double kTolerance = 1e-9;  // largest relative area error and angle error (radians)
 
 void damage_and_recover(const StateCase& state, RecoverySummary& summary) {
     EquilibriumOptions options = state.foam_case.step.equilibrium;

@@ -11,27 +11,29 @@
 
 namespace foam::stress {
 
-/// An ill-defined state and the way out of it.
+/// An ill-defined state and the solver that recovers from it.
 struct StateCase {
     FoamCase foam_case;
     Damage damage = Damage::All;
-    bool relaxes_first = true;  // else Newton's method meets the state as it is
+    bool relaxes_first = true;  // if false, Newton's method starts from the damaged state
 };
 
-/// The state of a seed: the foam of that seed in equilibrium, damaged in one of all ways.
+/// Draws the state of a seed: the torus of draw_case in equilibrium, damaged. The seed also selects
+/// the kind of damage; even seeds relax first.
 StateCase draw_state(std::uint64_t seed);
 
+/// The result of a recovery.
 struct RecoverySummary {
     IllDefined damage;
     EquilibriumSummary equilibrium;
-    double seconds = 0.0;  // of processor time
+    double seconds = 0.0;  // processor time
     std::optional<std::string> failure;
 };
 
-/// Damages the foam and brings it back to equilibrium, to 1e-9.
+/// Damages the foam and brings it back to equilibrium with errors below 1e-9.
 RecoverySummary recover(const StateCase& state);
 
-/// What was drawn, and what became of it, each on a line.
+/// Return the parameters that were drawn, and the result, in one line each.
 std::string describe(const StateCase& state);
 std::string describe(const RecoverySummary& summary);
 

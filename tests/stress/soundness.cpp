@@ -13,7 +13,7 @@ namespace foam::stress {
 
 namespace {
 
-constexpr double kTotalTolerance = 1e-9;  // of the torus' area
+constexpr double kTotalTolerance = 1e-9;  // relative to the area of the torus
 
 bool all_finite(const Foam& foam) {
     const auto finite = [](double value) { return std::isfinite(value); };
@@ -66,7 +66,7 @@ std::optional<std::string> find_error(const Foam& foam, double tolerance) {
     return std::nullopt;
 }
 
-// Of a free foam, energy = 2 sum p A.
+// Checks that the energy of a patch is 2 sum p A.
 std::optional<std::string> find_work_error(const Foam& foam, double tolerance) {
     double work = 0.0;
     for (const BubbleId bubble : foam.network.bubbles()) {

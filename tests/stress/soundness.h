@@ -11,14 +11,17 @@
 
 namespace foam::stress {
 
-/// What is wrong with a foam that should be in equilibrium, in words, or nothing: a fault of the
-/// network, a number that is not finite, a target area that is not positive, targets that do not
-/// add up to the torus (to 1e-9 of it), an area (relative) or angle (radians) error above the
-/// tolerance, a film held at the largest half angle; of a patch also an outer film that misses
-/// Laplace-Young's law, and an energy that is not 2 sum p A, by more than the tolerance.
+/// Checks a foam that should be in equilibrium. Returns a description of the first fault, or
+/// nullopt if there is none. Faults are:
+/// - an invalid network, a number that is not finite, or a target area that is not positive
+/// - target areas whose sum differs from the area of the torus by more than 1e-9 of it
+/// - a relative area error or an angle error (radians) above the tolerance
+/// - a film whose half angle is clamped to the limit
+/// - in a patch, an outer film that violates Laplace-Young's law by more than the tolerance, or an
+///   energy that differs from 2 sum p A by more than the tolerance (relative)
 std::optional<std::string> find_unsoundness(const Foam& foam, double tolerance);
 
-/// A status in words.
+/// Returns the status in words.
 const char* name_of(EquilibriumStatus status);
 
 }  // namespace foam::stress

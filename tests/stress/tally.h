@@ -11,31 +11,32 @@
 
 namespace foam::stress {
 
-/// The largest of some values, and the seed it belongs to.
+/// The largest of several values, and the seed of its foam.
 struct Worst {
     double value = 0.0;
     std::uint64_t seed = 0;
 
+    /// Keeps the larger of the present and the other value.
     void take(double other, std::uint64_t other_seed);
 };
 
-/// Sums and extremes over many foams.
+/// Sums and largest values over many foams.
 struct LifeTally {
     int foams = 0;
     long frames = 0;
     long substeps = 0;
     long t1 = 0;
     long t2 = 0;
-    Worst area;     // error, relative
-    Worst angle;    // error, radians
-    Worst seconds;  // of processor time
+    Worst area;     // relative area error
+    Worst angle;    // angle error in radians
+    Worst seconds;  // processor time
     double total_seconds = 0.0;
-    std::vector<std::uint64_t> failed;  // seeds
+    std::vector<std::uint64_t> failed;  // seeds of the foams that failed
 
     void add(std::uint64_t seed, const LifeSummary& summary);
 };
 
-/// The same over many ill-defined states.
+/// Sums and largest values over many recoveries from ill-defined states.
 struct RecoveryTally {
     int states = 0;
     IllDefined damage;
@@ -48,7 +49,7 @@ struct RecoveryTally {
     void add(std::uint64_t seed, const RecoverySummary& summary);
 };
 
-/// A few lines each, the failed seeds among them; `foams` says what they are.
+/// Return a few lines that contain the failed seeds. `foams` is the name of the foams in the text.
 std::string describe(const LifeTally& tally, const char* foams);
 std::string describe(const RecoveryTally& tally);
 

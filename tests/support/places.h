@@ -6,13 +6,13 @@
 
 namespace foam::test {
 
-/// tests/data.
+/// Returns the folder tests/data.
 std::filesystem::path data_folder();
 
-/// The README.md of the project.
+/// Returns the path of the README.md of the project.
 std::filesystem::path readme();
 
-/// The program, as it was built with the tests.
+/// Returns the path of the program foamtex that was built with the tests.
 std::filesystem::path executable();
 
 }  // namespace foam::test

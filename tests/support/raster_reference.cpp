@@ -12,8 +12,8 @@ namespace foam::test {
 
 namespace {
 
-// A film in one of its copies around the torus, in pixels: a straight one as its chord, any other
-// by its center and the range of directions from there.
+// A periodic copy of a film, in pixels. A straight film is given by its chord. Any other film is
+// given by the center of its circle and the range of directions from the center.
 struct FilmCopy {
     Vec2 tail;
     Vec2 chord;
@@ -29,7 +29,7 @@ struct FilmCopy {
 
 using Nearest = NearestFilms::Nearest;
 
-// In pixels.
+// Returns a copy of a film. All lengths are in pixels.
 FilmCopy film_copy(const Vec2& tail, const FilmArc& arc, BubbleId left, BubbleId right) {
     FilmCopy copy{};
     copy.tail = tail;
@@ -50,7 +50,7 @@ FilmCopy film_copy(const Vec2& tail, const FilmArc& arc, BubbleId left, BubbleId
     return copy;
 }
 
-// With its tail moved by `translation` foam units.
+// Returns a copy of a film, translated by `translation` (foam units).
 FilmCopy film_copy(const Frame& frame, FilmId film, double scale, const Vec2& translation) {
     const HalfEdgeId h = forward_side(film);
     const FilmArc& arc = frame.arcs[film];
@@ -101,7 +101,7 @@ std::vector<FilmCopy> all_copies(const Frame& frame, double scale) {
     return copies;
 }
 
-// A patch; lone bubbles as two halves each.
+// Returns the films of a patch. Each lone bubble has two films, which are half circles.
 std::vector<FilmCopy> all_films(const Frame& frame, double scale, const Vec2& translation) {
     std::vector<FilmCopy> films;
     for (const FilmId film : frame.network.films()) {
@@ -122,12 +122,13 @@ std::vector<FilmCopy> all_films(const Frame& frame, double scale, const Vec2& tr
     return films;
 }
 
-// What is added to a place to count from the image's lower left corner; foam units.
+// Returns the translation from positions in the foam to positions relative to the lower left corner
+// of the image, in foam units.
 Vec2 origin_of(const texgen::View& view, int width, int height) {
     return 0.5 / view.pixels_per_unit * Vec2(width, height) - view.center;
 }
 
-// Those that can be nearest to some point of the pixel.
+// Returns the films that can be the nearest film of some point of a pixel.
 std::vector<FilmCopy> candidates(const std::vector<FilmCopy>& films, const Vec2& center) {
     constexpr double kPixelDiameter = std::numbers::sqrt2;
     double nearest_distance = std::numeric_limits<double>::infinity();

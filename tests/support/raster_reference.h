@@ -11,38 +11,44 @@
 
 namespace foam::test {
 
-/// What a brute-force rasterizer makes of a frame: for each pixel (rows upward) the part of it that
-/// each bubble shows, by point samples. Shares no code with the rasterizer.
-/// Of a patch, what lies around it and lone bubbles follow as in CellValues.
+/// The image of a frame as a brute-force rasterizer computes it: for each pixel, the fraction of
+/// its area that each bubble covers, estimated by point samples. Shares no code with texgen/raster.
+/// Rows are ordered from bottom to top. In a patch, the ghost bubble and the lone bubbles follow
+/// the other bubbles, as in CellValues.
 struct SampledCoverage {
     int width = 0;
     int height = 0;
-    std::vector<std::vector<double>> parts;  // per pixel, per bubble, in [0, 1]
+    std::vector<std::vector<double>> parts;  // by pixel and bubble, from 0 to 1
 };
 
-/// Where the samples of a pixel that an edge crosses lie.
+/// The positions of the samples in a pixel that an edge crosses.
 enum class Samples {
-    Lattice,  // of Fibonacci: 17,711, whose error along an edge is about 17711^-3/4 = 0.0007
-    Grid,     // 64 x 64, in error by up to 1/128 along an edge that is level or upright
+    // A Fibonacci lattice of 17,711 points. The error at an edge is about 17711^-3/4 = 0.0007.
+    Lattice,
+    // A grid of 64 x 64 points. The error at a horizontal or vertical edge is up to 1/128.
+    Grid,
 };
 
-/// A sample belongs to the bubble on its side of the film that is nearest to it, unless that is
-/// nearer than half of film_width (pixels). Precondition: square pixels; corners of less than 180
-/// degrees.
+/// Samples a foam on a torus. A sample belongs to the bubble on its side of the nearest film, or to
+/// no bubble if that film is nearer than half of `film_width` (pixels). Precondition: pixels are
+/// square, and the angles of all bubbles at their junctions are less than 180 degrees.
 SampledCoverage sample_coverage(const Frame& frame,
                                 int width,
                                 int height,
                                 double film_width,
                                 Samples samples = Samples::Lattice);
 
-/// The same of a part of the plane.
+/// Samples the part of a patch in the view, with Samples::Lattice. Precondition: as above, for the
+/// angles.
 SampledCoverage sample_coverage(
     const Frame& frame, const texgen::View& view, int width, int height, double film_width);
 
-/// All films of a frame, as pixels see them: where the nearest one is.
+/// Finds the nearest film of a point of an image by comparing all films of a frame.
 class NearestFilms {
   public:
-    NearestFilms(const Frame& frame, int width);  // of the image, pixels
+    /// For a torus. `width` is the width of the image in pixels.
+    NearestFilms(const Frame& frame, int width);
+    /// For a patch. `width` and `height` are the size of the image in pixels.
     NearestFilms(const Frame& frame, const texgen::View& view, int width, int height);
     ~NearestFilms();
     NearestFilms(const NearestFilms&) = delete;
@@ -50,8 +56,11 @@ class NearestFilms {
 
     struct Nearest {
         double distance = std::numeric_limits<double>::infinity();  // pixels
-        BubbleId bubble{};  // on the point's side, unless it is beyond the film's ends
+        // The bubble on the point's side of the film. If the nearest point of the film is one of
+        // its ends, the bubble on the left of the film.
+        BubbleId bubble{};
     };
+    /// Returns the nearest film of a point, given in pixels.
     Nearest at(const Vec2& pixel) const;
 
   private:

@@ -21,8 +21,8 @@ std::string read_text(const std::filesystem::path& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// Returns the text with the table in place of the one that has the same headings; unchanged if
-/// there is none.
+/// Replaces the table that has the same headings in a text. Returns the text unchanged if it has no
+/// such table.
 std::string replace_table(std::string text, std::string_view table) {
     const std::string_view headings = table.substr(0, table.find('\n') + 1);
     const std::size_t begin = text.find(headings);

@@ -111,8 +111,8 @@ Foam circles(const std::vector<LoneBubble>& bubbles) {
     return foam;
 }
 
-// Three films from junction 0 to junction 1: at 63, -45 and -153 degrees. A walk around the bubble
-// takes, on arrival, the next film clockwise from the one it came by.
+// Three films go from junction 0 to junction 1, in the directions 63, -45 and -153 degrees. At each
+// junction, the next side of the bubble is on the next film in clockwise order.
 Foam single_bubble() {
     Foam foam;
     const BubbleId bubble = add_bubble(foam, 0.0);

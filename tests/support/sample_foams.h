@@ -11,32 +11,34 @@
 
 namespace foam::test {
 
-/// The frame of a foam whose torus and junctions are stretched to the aspect of an image, so that
-/// pixels are square; the arcs are made anew, from the pressures.
+/// Returns a frame of the foam after its torus and its junctions were stretched vertically to the
+/// aspect of an image, so that pixels are square. The arcs are recomputed from the pressures.
 Frame fitted_frame(Foam foam, int width, int height);
 
-/// A Voronoi diagram whose films are bent by random pressures up to `pressure` (of either sign):
-/// angles far from 120 degrees.
+/// Returns a Voronoi diagram whose films are bent by random pressures from -`pressure` to
+/// `pressure`. The angles at its junctions are far from 120 degrees.
 Foam bent_foam(int bubbles, double pressure, std::uint64_t seed);
 
-/// A foam in equilibrium, with very different areas.
+/// Returns a foam in equilibrium whose target areas differ by a factor of up to 30.
 Foam polydisperse_foam(int bubbles, std::uint64_t seed);
 
-/// A patch in equilibrium, seeded in an outline given as WKT, or in a disc.
+/// Returns a patch in equilibrium, seeded in an outline given as WKT. An empty text means a disc.
 Foam patch_foam(int bubbles, std::uint64_t seed, const std::string& wkt = {});
 
-/// Six bubbles around a hole: between two hexagons around the origin, of radius 1 and 2.2, whose
-/// sides bulge outwards from the bubbles by half angles of 0.3 and 0.7. Not in equilibrium.
+/// Returns six bubbles around a hole, not in equilibrium. The bubbles are between two hexagons
+/// around the origin with circumscribed radii of 1 and 2.2. The outer films bulge outwards from the
+/// bubbles: those of the inner hexagon have half angles of 0.3, those of the outer hexagon 0.7.
 Foam ring_foam();
 
-/// A patch without any bubble in touch with another.
+/// Returns a patch in which no bubble touches another.
 Foam circles(const std::vector<LoneBubble>& bubbles);
 
-/// One bubble that meets itself around the unit torus in all its six sides.
+/// Returns a foam of one bubble on the unit torus, which is its own neighbor on all six sides.
 Foam single_bubble();
 
-/// Puts a two-sided bubble in the middle of a straight film: a part of its chord, its films at 120
-/// degrees. Returns the bubble.
+/// Inserts a two-sided bubble in the middle of a straight film and returns it. The bubble covers
+/// the fraction `part_of_chord` of the film. The three films at each of its junctions meet at 120
+/// degrees.
 BubbleId insert_lens(Foam& foam, FilmId film, double part_of_chord);
 
 }  // namespace foam::test

@@ -33,7 +33,7 @@ void include_arc(const FilmArc& arc, const Vec2& tail, Box& box) {
     const double first = std::atan2(arc.chord.y(), arc.chord.x()) - arc.half_angle;
     box.include(tail);
     box.include(tail + arc.chord);
-    for (int k = -4; k <= 4; ++k) {  // the tangent lies between -2 pi and 2 pi
+    for (int k = -4; k <= 4; ++k) {  // angles of tangents are between -2 pi and 2 pi
         const double fraction = (k * kQuarter - first) / (2.0 * arc.half_angle);
         if (fraction > 0.0 && fraction < 1.0) {
             box.include(tail + point_at(arc, fraction));

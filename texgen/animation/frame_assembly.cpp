@@ -13,7 +13,7 @@ namespace foam::texgen {
 
 namespace {
 
-// Returns the frame with another number; copies it only if the number differs.
+// Returns the frame with the given number; copies it only if its number differs.
 std::shared_ptr<const Frame> renumbered(const std::shared_ptr<const Frame>& frame, int number) {
     if (frame->number == number) {
         return frame;
@@ -116,7 +116,7 @@ void FrameAssembly::release(const Request& request) {
 }
 
 // Returns the part of a total effort that no frame has reported. It is 0 if an earlier state is
-// shown again. Errors are those of the state itself.
+// shown again. The errors of the state are unchanged.
 FrameEffort FrameAssembly::effort_since_last(const FrameEffort& total) {
     FrameEffort effort = total;
     if (total.seconds < reported_.seconds) {

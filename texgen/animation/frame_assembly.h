@@ -15,9 +15,9 @@ namespace foam::texgen {
 /// continues to the state after the last frame.
 enum class NextFrames { LeftOut, HandedOut };
 
-/// Makes the frames of an animation out of the states of a simulation, and hands out each as soon
-/// as its states exist: in increasing order, except in a pingpong, which shows a state twice.
-/// States are kept no longer than they are needed.
+/// Assembles the frames of an animation from the states of a simulation. Hands out each frame as
+/// soon as all states that it needs exist. The order is increasing, except in a pingpong, which
+/// shows states twice. States are released when no further frame needs them.
 class FrameAssembly {
   public:
     /// Assembles the frames with the given numbers. Calls `on_frame` for each of them.
@@ -30,15 +30,15 @@ class FrameAssembly {
     /// they include state 1, which decides the view of all frames.
     std::vector<int> states() const;
 
-    /// Adds a state and hands out the frames that are complete with it. Precondition: states are
-    /// added in the order of `states`, each with the effort since the one added before.
+    /// Adds a state and hands out the frames that are complete with it. Preconditions: states are
+    /// added in the order of `states`; the effort of each counts from the state added before it.
     void add(const SimulatedFrame& state);
 
   private:
     struct Request {
         int number = 0;
         ShownStates shown;
-        std::vector<int> states;  // that the frame needs, in increasing order
+        std::vector<int> states;  // states that the frame needs, in increasing order
     };
 
     Request request_of(int number, const Preset& preset) const;
@@ -54,7 +54,7 @@ class FrameAssembly {
     std::map<int, int> uses_;             // state number to number of open requests that need it
     std::map<int, SimulatedFrame> kept_;  // by state number; efforts are totals since the seed
     FrameEffort total_;                   // effort from the seed to the last added state
-    FrameEffort reported_;                // part of it that handed-out frames have reported
+    FrameEffort reported_;                // part of `total_` that handed-out frames have reported
 };
 
 }  // namespace foam::texgen

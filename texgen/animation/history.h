@@ -13,17 +13,19 @@ class History {
     /// Begins with a foam at time 0.
     explicit History(const Foam& foam);
 
-    /// Records the foam's events as those on the way to a frame from the one before it, and clears
-    /// them in the foam.
+    /// Records the foam's events as events of the step to the given frame, and clears them in the
+    /// foam. Also updates births and changes of bubbles.
     void take_events(Foam& foam, int frame);
 
     /// Removes all events.
     void forget_events() { record_.events.clear(); }
 
-    /// Adds `frames` to the frame numbers of all events, because each cycle of a loop counts anew.
+    /// Adds `frames` to the frame numbers of all events. Used between cycles of a loop, because
+    /// frame numbers start again in each cycle.
     void renumber(int frames);
 
-    /// Records the foam's pressures as the scale of all pressures.
+    /// Records the foam's pressures, which scale the pressures of all frames
+    /// (FoamRecord::first_pressures).
     void take_pressures(const Foam& foam);
 
     const FoamRecord& record() const { return record_; }
@@ -34,7 +36,7 @@ class History {
 
     FoamRecord record_;
     double time_ = 0.0;  // foam time of the previous frame
-    Domain domain_;      // to which the positions of the recorded events refer
+    Domain domain_;      // domain of the positions of the recorded events
 };
 
 }  // namespace foam::texgen

@@ -8,7 +8,7 @@ namespace foam::texgen {
 
 namespace {
 
-// Returns the displacement by the drift after a fraction of the loop.
+// Returns the displacement by the drift after the fraction `passed` of the loop.
 Vec2 drift_displacement(const Domain& domain, const LoopOptions& loop, double passed) {
     return {passed * loop.drift[0] * domain.width, passed * loop.drift[1] * domain.height};
 }

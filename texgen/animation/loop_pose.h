@@ -7,16 +7,17 @@
 
 namespace foam::texgen {
 
-/// Returns true if images of a loop show the foam moved or without its shear.
+/// Returns true if images of a loop show the foam displaced or without its shear.
 bool is_posed(const LoopOptions& loop);
 
-/// Returns the foam as images show it when a fraction of the loop has passed: moved by that
-/// fraction of its drift, and on a torus without shear, so that it tiles. If a shear is taken back,
-/// junctions ride with the torus and films keep their curvatures; angles are then off by up to half
-/// the strain.
+/// Returns the foam as images show it when the fraction `passed` of the loop has passed. The foam
+/// is displaced by this fraction of the drift. In a shear loop the shear is removed, so that images
+/// tile. Removing it moves the junctions but not the pressures, so that films keep their
+/// curvatures; angles between films then change by up to about the strain, in radians.
 Foam posed(Foam foam, const LoopOptions& loop, double passed);
 
-/// Returns the image, in the plane, of a point of that foam before it was posed.
+/// Returns the position in the plane to which `posed` moves a point of the foam. `domain` is the
+/// domain before the shear is removed.
 Vec2 posed(const Vec2& point, const Domain& domain, const LoopOptions& loop, double passed);
 
 }  // namespace foam::texgen

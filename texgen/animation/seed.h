@@ -7,8 +7,9 @@
 
 namespace foam::texgen {
 
-/// Returns the first foam of a preset, not yet in equilibrium: a torus with the aspect ratio of the
-/// image, or a patch. Throws std::invalid_argument if no patch can be seeded in the outline.
+/// Returns the first foam of a preset, which is not yet in equilibrium. It is a torus with the
+/// aspect ratio of the image, or a patch. Throws std::invalid_argument if no patch can be seeded in
+/// the outline.
 Foam seeded_foam(const Preset& preset);
 
 }  // namespace foam::texgen

@@ -21,15 +21,16 @@ struct ShownStates {
 };
 
 /// Returns the states that frame `number`, counted from 1, shows in a loop of `count` frames. A
-/// pingpong shows the states up to its middle and then the same states backwards. A flow has as
-/// many states before the state of frame 1 as frames fade. The last frames fade into these states,
-/// so that the state after the last of them is the state of frame 1.
+/// pingpong shows the states up to its middle and then the same states backwards. In a flow,
+/// states_ahead states precede the state of frame 1, and as many frames at the end of the loop fade
+/// into them. The state that follows these states is shown by frame 1, which closes the loop.
 ShownStates shown_states(int number, const LoopOptions& loop, int count);
 
 /// Returns the number of states before the state of frame 1; 0 except in a flow.
 int states_ahead(const LoopOptions& loop, int count);
 
-/// Returns the first frame that shows a state without a fade.
+/// Returns the first frame whose ShownStates::state is the given state, or 1 if the state precedes
+/// the state of frame 1.
 int frame_of_state(int state, const LoopOptions& loop, int count);
 
 }  // namespace foam::texgen

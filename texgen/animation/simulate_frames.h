@@ -21,27 +21,29 @@ enum class RunStatus {
 /// How a run ended.
 struct RunOutcome {
     RunStatus status = RunStatus::Complete;
-    int failed_frame = 0;  // the frame without equilibrium or of the open loop; 0 if complete
-    std::optional<double> closing_error;  // of a loop (Simulation::closing_error)
+    int failed_frame = 0;                 // the frame at which the run failed; 0 if complete
+    std::optional<double> closing_error;  // only for a loop (Simulation::closing_error)
 };
 
-/// A source of frames: hands out the frames with the given numbers in the order of simulate_frames.
+/// A source of frames. Calls the visitor for each of the frames with the given numbers, in the same
+/// order as simulate_frames.
 using FrameSource = std::function<RunOutcome(
     const std::vector<int>& numbers, NextFrames next_frames, const FrameVisitor&)>;
 
-/// Returns a source that simulates a preset from its seed in every call. `threads` is the number of
-/// threads of the simulation, 0 for all hardware threads.
+/// Returns a source that simulates a preset. Every call starts again from the seed. `threads` is
+/// the number of threads of the simulation, 0 for all hardware threads.
 FrameSource simulation_of(const Preset& preset, int threads);
 
-/// Simulates a preset from its seed to the last of the given states and hands each of them out with
-/// the effort since the previous one. Precondition: `states` is in increasing order.
+/// Simulates a preset from its seed to the last of the given states and calls `on_state` for each
+/// of them. The FrameEffort of a state covers the steps since the given state before it.
+/// Precondition: `states` is in increasing order.
 RunOutcome simulate_states(const Preset& preset,
                            int threads,
                            const std::vector<int>& states,
                            const FrameVisitor& on_state);
 
-/// Simulates a preset from its seed as far as the frames with the given numbers need, and hands out
-/// each frame as soon as its states exist (FrameAssembly).
+/// Simulates a preset from its seed as far as the frames with the given numbers need. Calls
+/// `on_frame` for each frame as soon as the states that it shows exist (FrameAssembly).
 RunOutcome simulate_frames(const Preset& preset,
                            int threads,
                            const std::vector<int>& numbers,

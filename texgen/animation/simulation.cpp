@@ -12,10 +12,11 @@
 #include <vector>
 
 // Before frame 1 the foam is seeded, equilibrated and warmed up. Every further frame is one step
-// (core/dynamics/step.h): gas diffuses while the changes of the timeline are imposed. Loops differ:
+// (core/dynamics/step.h): gas diffuses while the changes of the timeline are imposed. Loops differ
+// as follows:
 // - breathe, shear: a periodic change without diffusion (core/dynamics/cycle.h). Cycles run before
 //   frame 1 until one ends within kClosed of its start; the frames are the steps of the next cycle.
-// - drift: no step at all; the pose of each frame moves the foam (loop_pose.h).
+// - drift: no steps; the pose of each frame displaces the foam (loop_pose.h).
 // - flow: steps as without a loop, while the timeline makes new bubbles; a cross-fade of two states
 //   closes the loop (shown_states.h).
 // - pingpong: steps as without a loop; frames show the states forwards and backwards.
@@ -24,7 +25,7 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr double kClosed = 1e-9;  // largest closing error of a loop: diameters of a mean bubble
+constexpr double kClosed = 1e-9;  // largest closing error of a loop, in mean diameters
 
 CycleOptions cycle_options_of(const LoopOptions& loop, int steps, std::uint64_t seed) {
     CycleOptions options{.steps = steps, .seed = seed};
@@ -116,7 +117,7 @@ FoamRecord Simulation::record() const {
         event.position = posed(event.position, foam_.domain, loop_, passed());
     }
     if (loop_.is_cycle()) {
-        // Everything older than a period looks the same in every cycle.
+        // Older times are clamped to one period ago, so that the record is the same in every cycle.
         const double oldest = foam_.time - frames_.count * frames_.time_step;
         hold_above(oldest, record.births);
         hold_above(oldest, record.changes);
@@ -129,9 +130,9 @@ double Simulation::passed() const {
     return static_cast<double>((number - 1) % frames_.count) / frames_.count;
 }
 
-// Runs cycles until one ends where it began, at most loop_.cycles. The cycles before the last are
-// transients: T1s and T2s that happen once and then no more. Events of each cycle are recorded with
-// frame numbers that end at 1, so that the last cycle is the past of frame 1.
+// Runs at most loop_.cycles cycles, until one ends where it began. The cycles before it are
+// transients: some of their T1s and T2s do not recur. The steps of each cycle are recorded with
+// frame numbers up to 1, so that the last cycle is the past of frame 1.
 bool Simulation::close_loop() {
     cycle_.emplace(foam_, cycle_options_of(loop_, frames_.count, seed_));
     bool found = step_cycle(0);
@@ -180,7 +181,7 @@ bool Simulation::equilibrate_and_warm_up() {
     return true;
 }
 
-// A flow warms up in steps of about a frame, the last of which leads to frame 1.
+// A flow warms up in steps of at most the time step of a frame. The last step leads to state 1.
 bool Simulation::warm_up() {
     if (loop_.kind != LoopKind::Flow) {
         return step_by(frames_.warm_up, {});

@@ -17,22 +17,24 @@ namespace foam::texgen {
 /// Simulates the foam of a preset from its seed, one frame after the other.
 class Simulation {
   public:
-    /// Seeds the foam. Throws what seeded_foam throws. The results are the same to the last bit for
+    /// Seeds the foam. Throws as seeded_foam does. The results are the same to the last bit for
     /// any number of threads; 0 uses all hardware threads.
     explicit Simulation(const Preset& preset, int threads = 0);
 
     /// Advances to the next frame. Before frame 1 the foam is equilibrated and warmed up (before
-    /// frame 2 if frame 1 shows the diagram), and a loop runs cycles until it closes. Later frames
-    /// follow by a time step with the events of the preset, or by a step of the loop. In a flow new
-    /// bubbles replace those that have vanished, also in the warm-up. Returns false if no
-    /// equilibrium is found or the loop stays open; the foam must not be used after that.
+    /// frame 2 if frame 1 shows the diagram), and a periodic loop runs cycles until it closes. Each
+    /// later frame takes one time step with the events of the preset, or one step of the loop. In a
+    /// flow, new bubbles replace bubbles that have vanished, also in the warm-up. Returns false if
+    /// no equilibrium is found or the loop does not close; the foam must not be used after that.
     bool advance();
 
-    /// Returns the frame that was reached. An animation shows some of them (shown_states).
+    /// Returns the frame that was reached. An animation shows some frames of the simulation
+    /// (shown_states).
     Frame frame() const;
 
-    /// Returns the distance from the end of the last cycle to its start, in diameters of a mean
-    /// bubble (closing_error); nullopt if no cycle was run.
+    /// Returns the distance between the states at the start and at the end of the last cycle, in
+    /// diameters of a mean bubble (closing_error in core/dynamics/cycle.h); nullopt if no cycle was
+    /// run.
     const std::optional<double>& closing_error() const { return closing_error_; }
 
     /// Returns the view of a patch, from frame 1 on; nullopt for a torus.
@@ -51,7 +53,7 @@ class Simulation {
     bool reach_frame();
     bool reach_first_frame();
     void measure_diagram();
-    bool equilibrate_and_warm_up();  // equilibrium and the warm-up
+    bool equilibrate_and_warm_up();
     bool warm_up();
     bool close_loop();
     bool step_cycle(int position);

@@ -12,7 +12,7 @@ namespace foam::texgen {
 namespace {
 
 // Returns the seed of the random numbers of an event. It differs for each event and from the seed
-// of the foam. The renewal of a flow has the seed that follows the last event's.
+// of the foam. The renewal of a flow uses the index that follows the last event.
 std::uint64_t seed_of(const Preset& preset, std::size_t event) {
     return (preset.seeding.seed ^ 0x9e3779b97f4a7c15U) + 0xd1b54a32d192ed03U * (event + 1);
 }
@@ -59,7 +59,7 @@ StateChange Timeline::changes_to(int frame, Foam& foam) {
     return change;
 }
 
-// The number of bubbles to maintain is that of the foam at the first call.
+// Maintains the number of bubbles that the foam has at the first call.
 void Timeline::renew(int frame, Foam& foam) {
     if (renewal_->bubbles == 0) {
         renewal_->bubbles = foam.network.bubble_count();

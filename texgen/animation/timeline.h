@@ -14,34 +14,35 @@
 
 namespace foam::texgen {
 
-/// Carries out the events of a preset, frame by frame, and the renewal of a flow.
+/// Applies the events of a preset, frame by frame, and the renewal of a flow.
 class Timeline {
   public:
     explicit Timeline(const Preset& preset);
 
     /// Begins the events that are due on the way to a frame: makes their new bubbles, small at
     /// first, and returns the change to impose during the step to that frame. In a flow new bubbles
-    /// replace those that have vanished. Preconditions: the foam is in equilibrium; frames come in
-    /// order, each once. It is no error if a choice finds no bubble, if a position is outside of a
-    /// patch, or if a new bubble finds too little gas around it; then nothing happens.
+    /// replace those that have vanished. Preconditions: the foam is in equilibrium; the function is
+    /// called once for each frame, in increasing order. If an event finds no bubble to choose, if a
+    /// position is outside of a patch, or if there is too little gas for a new bubble, nothing
+    /// happens; this is no error.
     StateChange changes_to(int frame, Foam& foam);
 
-    /// Sets the view of a patch. Positions of events are fractions of it. By default a foam unit is
-    /// a pixel.
+    /// Sets the view of a patch, to which the positions of events refer. In the default view a foam
+    /// unit is a pixel.
     void set_view(const View& view) { view_ = view; }
 
   private:
-    // An event with a random generator of its own.
+    // An event and its own random generator.
     struct Entry {
         Event event;
         Random random;
     };
 
-    // The renewal of a flow: new bubbles begin at random points of the torus. They take the gas of
-    // the bubbles around them, so large bubbles give most.
+    // The renewal of a flow. New bubbles begin at random points of the torus. Their gas comes from
+    // the bubbles around them, mostly from large ones.
     struct Renewal {
         std::size_t bubbles = 0;  // number of bubbles to maintain
-        int growth = 1;           // frames that new bubbles take to reach the mean area
+        int growth = 1;           // frames in which a new bubble grows to the mean area
         Random random;
     };
 

@@ -56,8 +56,8 @@ class FrameWriter {
         }
     }
 
-    /// Returns whether the maps need the frame after each frame.
-    NextFrames next() const {
+    /// Returns HandedOut if a map needs the frame after each frame, otherwise LeftOut.
+    NextFrames next_frames() const {
         return files_.needs_next() ? NextFrames::HandedOut : NextFrames::LeftOut;
     }
 
@@ -135,7 +135,8 @@ BakeSummary bake(const Preset& preset, const BakeOptions& options, const BakeCal
             workers.submit([shown, &writer] { writer.write(shown); });
         }
     };
-    const RunOutcome outcome = source_of(preset, options)(options.frames, writer.next(), draw);
+    const RunOutcome outcome =
+        source_of(preset, options)(options.frames, writer.next_frames(), draw);
     workers.finish();
     return {outcome, writer.paths(options.frames, done)};
 }

@@ -5,9 +5,9 @@
 #include <utility>
 
 // A queue with one mutex and one condition variable. Every change wakes all threads that wait for a
-// job and the caller that waits in `finish` for the last one; jobs are as long as drawing a frame,
-// so this is cheap. The mutex is not held while a job runs. A job that throws clears the queue, and
-// the first exception is kept for the caller.
+// job, and the caller if it waits in `finish` for the last job. This is cheap compared with a job,
+// which draws a frame. The mutex is not held while a job runs. A job that throws clears the queue,
+// and the first exception is kept for the caller.
 
 namespace foam::texgen {
 

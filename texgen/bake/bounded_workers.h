@@ -13,9 +13,9 @@
 
 namespace foam::texgen {
 
-/// A thread pool with a bounded queue. At most two jobs per thread wait in the queue, which bounds
-/// the memory that jobs hold, such as frames. If the queue is full, the caller runs a waiting job
-/// itself instead of blocking; the other waiting jobs keep the threads busy meanwhile.
+/// A thread pool with a bounded queue. At most two jobs per thread wait in the queue. This limits
+/// the memory for the data of jobs, such as frames. If the queue is full, the caller runs a waiting
+/// job itself instead of blocking; the other waiting jobs keep the threads busy meanwhile.
 class BoundedWorkers {
   public:
     /// Starts the threads. With 0 threads, `submit` runs each job on the caller's thread.
@@ -28,12 +28,11 @@ class BoundedWorkers {
     BoundedWorkers& operator=(const BoundedWorkers&) = delete;
 
     /// Adds a job to the queue. If the queue is full, first runs waiting jobs on the caller's
-    /// thread. If a job has thrown, the waiting jobs are dropped and this throws the first of the
-    /// exceptions.
+    /// thread. If a job has thrown, drops the waiting jobs and throws the first of the exceptions.
     void submit(std::function<void()> job);
 
-    /// Runs waiting jobs on the caller's thread too, and returns when all jobs are done. Throws as
-    /// submit does.
+    /// Waits until all jobs are done. Meanwhile, runs waiting jobs on the caller's thread, too. If
+    /// a job has thrown, throws the first of the exceptions.
     void finish();
 
   private:

@@ -127,7 +127,7 @@ std::filesystem::path FilePattern::folder(std::string_view preset) const {
         } else if (std::holds_alternative<PresetName>(piece)) {
             filled += preset;
         } else {
-            filled += '_';  // any text; it differs between maps or frames
+            filled += '_';  // stands for a text that differs between maps or frames
             break;
         }
     }

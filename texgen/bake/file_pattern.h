@@ -37,7 +37,8 @@ class FilePattern {
     bool joins_maps() const;
 
     /// Throws std::invalid_argument if several frames would share a file, or if several maps would
-    /// although the pattern does not join maps. `frames` and `maps` are their numbers.
+    /// share a file and the pattern does not join maps. `frames` and `maps` are the numbers of
+    /// frames and maps.
     void check_distinct(std::size_t frames, std::size_t maps) const;
 
     /// Returns the path of an image.
@@ -54,7 +55,7 @@ class FilePattern {
     struct MapName {};
     struct FrameNumber {
         int digits;
-        std::string written;
+        std::string written;  // the placeholder as it is in the pattern
     };
     using Piece = std::variant<std::string, PresetName, MapName, FrameNumber>;
 

@@ -23,7 +23,7 @@ namespace {
 
 using Texts = std::vector<std::pair<std::string, std::string>>;
 
-/// Returns the texts that are written into all files of a bake.
+/// Returns the texts that all files of a bake contain.
 Texts texts_of(const Preset& preset) {
     if (preset.output.texts == FileTexts::LeftOut) {
         return {};
@@ -114,7 +114,7 @@ WrittenFile FrameFiles::write_maps(std::span<const Map* const> maps, ShownLayers
     return written;
 }
 
-// Channels are in a layer named after their map only if the file holds several maps.
+// If the file contains several maps, the channels of each are in a layer with the name of the map.
 Picture FrameFiles::picture_of(std::span<const Map* const> maps,
                                ShownLayers& shown,
                                WrittenFile& written) const {
@@ -137,8 +137,8 @@ Picture FrameFiles::picture_of(std::span<const Map* const> maps,
     return picture;
 }
 
-// A file of codes names the map and its unit. In a file of numbers the samples are in that unit,
-// and only the notes of its maps are added.
+// A file of codes contains the name, unit and note of its map. In a file of numbers the samples are
+// already in the unit, so it contains only the notes of its maps.
 ImageMetadata FrameFiles::metadata_of(std::span<const Map* const> maps) const {
     ImageMetadata metadata = metadata_;
     if (metadata.text.empty()) {

@@ -15,8 +15,8 @@
 
 namespace foam::texgen {
 
-/// Returns true if images of a domain tile: a torus without shear. A plane and a sheared torus do
-/// not.
+/// Returns true if images of the domain tile. Those of a torus without shear tile; those of a plane
+/// or a sheared torus do not.
 bool tiles(const Domain& domain);
 
 /// Writes the image files of a bake. Thread-safe: all functions may be called from several threads
@@ -29,14 +29,14 @@ class FrameFiles {
     /// Returns the files of a frame.
     std::vector<std::filesystem::path> paths(int frame) const;
 
-    /// Draws every map of a frame and writes it. Creates missing folders. Returns the files in the
-    /// order of `paths`. Throws OutputError if a file cannot be written.
+    /// Draws all maps of a frame and writes their files. Creates missing folders. Returns the files
+    /// in the order of `paths`. Throws OutputError if a file cannot be written.
     std::vector<WrittenFile> write(ShownLayers& shown) const;
 
-    /// Returns the distances that the maps need.
+    /// Returns which distance fields the maps need.
     DistanceNeeds distance() const;
 
-    /// Returns true if a map needs the frame after each frame.
+    /// Returns true if the maps of a frame cannot be drawn without the frame after it.
     bool needs_next() const;
 
   private:

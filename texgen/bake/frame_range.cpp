@@ -19,14 +19,14 @@ struct Range {
     int first = 0;
     int last = 0;
     int step = 1;
-    bool inverted = false;  // for y, which selects the frames that x skips
+    bool inverted = false;  // true for y, which selects the frames that x skips
 };
 
 [[noreturn]] void reject(std::string_view text, std::string_view reason) {
     throw std::invalid_argument(fmt::format("frame range '{}': {}", text, reason));
 }
 
-/// A recursive descent parser of frame ranges; each function consumes the front of the text.
+/// Parses frame ranges from left to right. Each function consumes the front of the text.
 class Scanner {
   public:
     explicit Scanner(std::string_view text) : text_(text), rest_(text) {}

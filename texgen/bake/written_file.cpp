@@ -18,7 +18,7 @@ std::string_view kind_of(const MapImage& image) {
     return kKinds.at(image.index());
 }
 
-/// Returns true for colors with an opacity, which those of a patch have.
+/// Returns true for colors with an opacity channel, as in images of a patch.
 bool has_opacity(const MapImage& image) {
     const auto* colors = std::get_if<ColorPixels>(&image);
     return colors != nullptr && colors->pixels.channels() == kWithOpacity;

@@ -16,28 +16,29 @@
 
 namespace foam::texgen {
 
-/// A description of the samples of a map's files.
+/// The format of the samples in the files of a map.
 struct MapSamples {
     std::string kind;         // "color", "number" or "id"
-    std::string channels;     // of the file: "R G B A"; "0" is a padding channel
+    std::string channels;     // of the file, such as "R G B A"; "0" is a padding channel
     std::string type;         // name_of a SampleType
     std::string color_space;  // "sRGB", "linear sRGB" or "data"
     std::string alpha;        // "none", "straight" or "premultiplied"
-    // The numbers that the smallest and the largest code represent, for numbers only. A file of
-    // numbers is not clamped to this range; previews show its ends as black and white.
+    // The numbers that the smallest and the largest code represent; only for kind "number". Formats
+    // that store numbers do not clamp them to this range. Previews show its ends as black and
+    // white.
     std::optional<std::array<double, 2>> range;
 
     friend bool operator==(const MapSamples&, const MapSamples&) = default;
 };
 
-/// Describes the samples of a map in a file of a format. `numbers` is the sample type for numbers
-/// in formats that store numbers.
+/// Describes the samples of a map in a file of the given format. `numbers` is the sample type of
+/// numbers in a format that stores numbers instead of codes.
 MapSamples describe_samples(const Map& map,
                             const MapImage& image,
                             const ImageFormat& format,
                             SampleType numbers);
 
-/// Returns the number of bits of a map's codes in a format.
+/// Returns the number of bits of each code of a map in the given format.
 int code_bits(const Map& map, const ImageFormat& format);
 
 /// One image file of a bake.

@@ -14,14 +14,15 @@
 
 namespace foam::texgen {
 
-/// Content that ends too early or is malformed. The message is the reason, without a file name.
+/// Thrown if content ends too early or is malformed. The message is the reason, without a file
+/// name.
 class BadContent : public std::runtime_error {
     using runtime_error::runtime_error;
 };
 
 static_assert(std::endian::native == std::endian::little, "numbers have their lowest byte first");
 
-/// Appends numbers to a buffer, the lowest byte first.
+/// Appends numbers to a buffer, in little-endian order.
 class ByteWriter {
   public:
     template <class Number>
@@ -53,8 +54,8 @@ class ByteReader {
         return number;
     }
 
-    /// Reads the number of elements that follow, each of at least `bytes_each` bytes. Throws
-    /// BadContent if the rest is too short for them.
+    /// Reads the number of elements that follow. Each element has at least `bytes_each` bytes.
+    /// Throws BadContent if the remaining bytes are too few for that many elements.
     std::size_t take_count(std::size_t bytes_each) {
         const auto count = take<std::uint32_t>();
         check_left(count, bytes_each);

@@ -9,19 +9,19 @@
 #include <utility>
 #include <vector>
 
-// The topology is rebuilt from the three half-edges that leave each junction, in order: the
-// half-edge after the twin of one of them is the next of them. This gives every `next`, and so the
-// loop around every bubble, of which one half-edge is stored. The half-edges that no bubble claims
-// are those of the ghost bubble, and without a ghost bubble there must be none. The geometry is
-// computed from the stored unknowns by `snapshot`, the code that also made the frame, so it is
-// equal to the last bit. Every index is checked, and find_fault checks the whole network, so
-// damaged content throws.
+// The topology is rebuilt from the three half-edges that leave each junction, in clockwise order:
+// the half-edge that follows the twin of one of them is the next of the three. This gives every
+// `next`, and so the loop of half-edges around every bubble, of which one half-edge is stored.
+// Half-edges that belong to no bubble belong to the ghost bubble. A foam without a ghost bubble has
+// no such half-edges. `snapshot` computes the geometry from the stored unknowns. It also made the
+// original frame, so both are equal to the last bit. Every index is checked, and find_fault checks
+// the whole network, so damaged content throws BadContent.
 
 namespace foam::texgen {
 
 namespace {
 
-constexpr std::size_t kPerJunction = 2;  // three films have the ends of two junctions
+constexpr std::size_t kPerJunction = 2;  // two junctions have the six ends of three films
 constexpr BubbleId kNoBubble = kNone<BubbleId>;
 
 std::uint32_t number_of(HalfEdgeId h) {
@@ -87,8 +87,8 @@ void write_values(const Frame& frame, ByteWriter& writer) {
     }
 }
 
-// The half angle of an outer film is an unknown of its own and is stored. The half angles of all
-// other films follow from the pressures.
+// Writes the half angles of outer films, and the lone bubbles. The half angles of all other films
+// are not stored, because they follow from the pressures.
 void write_patch(const Frame& frame, ByteWriter& writer) {
     for (const FilmId film : frame.network.films()) {
         if (frame.network.is_outer(film)) {
@@ -133,7 +133,8 @@ class FrameReader {
 
     HalfEdgeId read_half_edge() { return id_at<HalfEdgeId>(reader_.take_index(half_edges())); }
 
-    // Reads a half-edge that leaves a junction. Throws BadContent if it leaves another one, too.
+    // Reads a half-edge that leaves a junction. Throws BadContent if it leaves another junction,
+    // too.
     HalfEdgeId take_side() {
         const HalfEdgeId h = read_half_edge();
         if (taken_[index_of(h)]) {
@@ -143,8 +144,8 @@ class FrameReader {
         return h;
     }
 
-    // Links the half-edges around each junction: of the three that leave it, each is the `next` of
-    // the twin of the one before.
+    // Reads the three half-edges that leave each junction and links them: each one is the `next` of
+    // the twin of the previous one. Then reads the lattice offsets of the films.
     void read_junctions() {
         const std::size_t count = reader_.take_count(3 * sizeof(std::uint32_t));
         if (count % kPerJunction != 0) {
@@ -159,7 +160,7 @@ class FrameReader {
         taken_.assign(half_edges(), false);
         for (std::size_t k = 0; k < count; ++k) {
             const std::array leaving{take_side(), take_side(), take_side()};
-            for (const std::size_t one : {2U, 1U, 0U}) {  // outgoing() returns the last one set
+            for (const std::size_t one : {2U, 1U, 0U}) {  // the last set_tail defines outgoing()
                 network().set_tail(leaving[one], id_at<JunctionId>(k));
                 network().set_next(twin(leaving[one]), leaving[(one + 1) % 3]);
             }

@@ -20,8 +20,8 @@ namespace {
 
 constexpr std::string_view kMagic = "foamtex";
 constexpr int kLevel = 6;  // of libdeflate, 1 to 12
-// Deflate cannot compress by a larger factor. A header with a size that would need one is rejected
-// before memory is allocated for the content.
+// The largest compression ratio of deflate. A header whose size would need a larger ratio is
+// rejected before memory is allocated for the content.
 constexpr std::size_t kLargestRatio = 1032;
 
 struct FreeCompressor {

@@ -18,17 +18,17 @@ inline constexpr std::uint32_t kPackedVersion = 1;
 /// The label of a packed file. A file is read only if both members match.
 struct PackedLabel {
     std::string_view kind;     // kind of content, such as "state"; at most 8 letters
-    std::string_view belongs;  // hash of the simulation that it comes from, 32 letters
+    std::string_view belongs;  // hash of the simulation, 32 hexadecimal digits
 };
 
-/// Writes a file atomically, compressed and with a check sum. Throws OutputError if it cannot be
-/// written.
+/// Compresses content and writes it atomically to a file with a checksum. Throws OutputError if the
+/// file cannot be written.
 void write_packed(const std::filesystem::path& path,
                   const PackedLabel& label,
                   std::span<const std::byte> content);
 
-/// Returns the content of a packed file. Throws InputError if the file is missing, damaged, of
-/// another version, or has another label.
+/// Returns the content of a packed file. Throws InputError if the file is missing or damaged, or
+/// has another version or label.
 Bytes read_packed(const std::filesystem::path& path, const PackedLabel& label);
 
 }  // namespace foam::texgen

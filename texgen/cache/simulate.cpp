@@ -15,7 +15,7 @@ namespace foam::texgen {
 
 namespace {
 
-// Writes states to a cache as they are simulated. The first one also writes cache.json, so a
+// Writes states to a cache as they are simulated. cache.json is written with the first state, so a
 // simulation that fails before its first state leaves no cache.
 class CacheWriter {
   public:

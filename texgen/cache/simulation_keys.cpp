@@ -19,12 +19,12 @@ namespace foam::texgen {
 
 namespace {
 
-// The tables that only influence how states are drawn, in addition to those of maps.
+// The tables that only influence how states are drawn, in addition to the tables of maps.
 constexpr std::array<std::string_view, 4> kAppearanceTables = {
     "preset", "image", "camera", "output"};
 
-// Returns true if the camera influences the states: positions of events in a patch are fractions of
-// the image.
+// Returns true if the camera influences the states. It does if events of a patch have positions,
+// because these positions are fractions of the image.
 bool needs_camera(const Preset& preset) {
     return preset.shape.kind == FoamKind::Patch &&
            std::ranges::any_of(preset.events,

@@ -10,8 +10,8 @@
 
 // A state is its frame (frame_codec.h), its effort and its record, in this order. Values per bubble
 // are in the order of the bubbles of the frame, then of its lone bubbles, so identities are stored
-// only once, in the frame. A flag tells whether the pressures of the first equilibrium are those of
-// the cache's own file; if not, they follow.
+// only once, in the frame. A flag tells whether the pressures of the first equilibrium equal those
+// in pressures.foam; if they differ, they follow the flag.
 
 namespace foam::texgen {
 

@@ -115,9 +115,9 @@ class BashScript {
         }
     }
 
-    // Adds the words that complete a command: its options after a hyphen, otherwise its subcommands
-    // and the values of its positional arguments, and files if none of these match and a positional
-    // argument may be a file.
+    // Adds the words that complete a command. After a hyphen, these are its options. Otherwise they
+    // are its subcommands and the values of its positional arguments. If none of these match and a
+    // positional argument may be a file, files are completed.
     void add_words(const CommandGrammar& command,
                    const std::string& path,
                    const std::vector<std::string>& options) {
@@ -145,9 +145,9 @@ class BashScript {
 
     std::string program_;
     const CompletionWords& words_;
-    std::vector<std::string> paths_;  // the paths of all subcommands, quoted
-    std::string values_;              // entries of the `case` for values of options
-    std::string words_of_paths_;      // entries of the `case` for words of commands
+    std::vector<std::string> paths_;  // the command paths of all subcommands, quoted
+    std::string values_;              // entries of the first `case`, for values of options
+    std::string words_of_paths_;      // entries of the second `case`, for words of commands
 };
 
 }  // namespace

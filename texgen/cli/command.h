@@ -19,8 +19,8 @@ using Action = std::function<ExitCode()>;
 /// Adds one command to the program. Parsing a command line that names the command sets `action`.
 using AddCommand = void (*)(CLI::App& app, Action& action);
 
-/// All commands, in the order of the help. CMakeLists.txt has the list; the command `name` is the
-/// function `add_name_command` of the file name_command.cpp.
+/// Returns the functions that add the commands, in the order of the help. The list is in
+/// CMakeLists.txt. The command `name` is added by `add_name_command` in name_command.cpp.
 std::span<const AddCommand> all_commands();
 
 }  // namespace foam::texgen

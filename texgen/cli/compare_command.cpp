@@ -43,7 +43,7 @@ struct CompareArguments {
 
 using Paths = std::pair<std::filesystem::path, std::filesystem::path>;
 
-/// Returns the pairs of images to compare.
+/// Returns the pairs of images to compare: one pair, or one per frame of --frames.
 std::vector<Paths> pairs_of(const CompareArguments& arguments) {
     if (!arguments.frames) {
         return {{arguments.a, arguments.b}};

@@ -16,9 +16,10 @@ struct CompletionWords {
     std::vector<std::string> keys;  // of presets
 };
 
-/// Return a script that completes command lines of a program, for bash and for zsh. It offers map
-/// names after --maps, keys after --set, preset names and files for PRESET, preset names alone for
-/// NAME, the words of a value such as "a|b|c", and files for all other values.
+/// Return a script that completes command lines of a program, for bash and for zsh. The script
+/// offers map names after --maps, keys after --set, preset names and files for PRESET, and only
+/// preset names for NAME. For an option with a placeholder such as "a|b|c", it offers the words a,
+/// b and c. For all other values, it offers files.
 std::string bash_completion(const CommandGrammar& program, const CompletionWords& words);
 std::string zsh_completion(const CommandGrammar& program, const CompletionWords& words);
 

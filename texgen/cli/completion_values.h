@@ -9,11 +9,11 @@
 
 namespace foam::texgen {
 
-/// The kind of value that is completed.
+/// The kind of value that an argument has, for completion.
 enum class ValueKind {
     Words,  // one of the words
     List,   // several of the words, separated by commas
-    Key,    // one of the words, followed by '=' and a value
+    Key,    // one of the words, followed by '=' and any value
     Path,   // the path of a file
 };
 

@@ -4,8 +4,8 @@
 
 namespace foam::texgen {
 
-/// The exit codes of the program, which its help lists, too. As idiff does, `compare` returns its
-/// Verdict (0 to 3) instead, or BadInput if an image is unreadable.
+/// The exit codes of the program. Its help lists them, too. The exception is `compare`: like
+/// OpenImageIO's idiff, it returns its Verdict (0 to 3), or BadInput if an image is unreadable.
 enum class ExitCode : int {
     Success = 0,
     InternalFailure = 1,  // a bug, or out of memory

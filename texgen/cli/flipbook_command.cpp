@@ -56,7 +56,7 @@ void warn_of_size(const SheetLayout& layout) {
     }
 }
 
-/// Prints the JSON object of the command: the sheets, and the file that describes their layout.
+/// Prints the JSON object of the command, which names the sheets and the file with their layout.
 void print_report(const BakedSet& set, const std::vector<int>& frames, const Flipbook& flipbook) {
     Json report = json_report();
     report["preset"] = set.preset;

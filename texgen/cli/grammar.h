@@ -13,12 +13,12 @@ namespace foam::texgen {
 
 /// An option or a positional argument of a command.
 struct ArgumentGrammar {
-    std::vector<std::string> names;  // "-o", "--out"; a positional argument has one name, "PRESET"
-    std::string value;               // placeholder of the value, "W[xH]"; empty if it has none
+    std::vector<std::string> names;  // such as "-o" and "--out"; a positional argument has one
+    std::string value;               // placeholder of the value, such as "W[xH]"; empty if none
     std::string meaning;
 };
 
-/// The syntax of a command, from which the manual page and the completions are made.
+/// The syntax of a command. The manual page and the completions are generated from it.
 struct CommandGrammar {
     std::string name;
     std::string meaning;

@@ -23,8 +23,8 @@ namespace foam::texgen {
 
 namespace {
 
-/// Prints a line per map, or one for all maps that share a file: the name of the file, or the
-/// pattern of the sequence and its frames, in the notation of image viewers.
+/// Prints a line per map, or one line if all maps share a file. The line is the name of the file,
+/// or the pattern of the sequence and its frames in the notation of image viewers.
 void print_images(const Preset& preset,
                   const FilePattern& pattern,
                   const std::vector<int>& frames) {

@@ -28,7 +28,7 @@ struct ImageArguments {
 /// parsing.
 void add_image_options(CLI::App& command, ImageArguments& arguments);
 
-/// Returns the assignments of the options that set a key of the preset.
+/// Returns one assignment for each given option that stands for a key of the preset.
 std::vector<Assignment> assignments_of(const ImageArguments& arguments);
 
 /// Draws the frames of a preset into files with a manifest, and writes statistics if requested.

@@ -7,12 +7,12 @@
 
 namespace foam::texgen {
 
-/// Returns the object that a command without a foam prints with --json, for the command to add
-/// members to: `status`, which is "complete".
+/// Returns the initial JSON object (--json) of a command that simulates no foam. Its only member is
+/// `status`, which is "complete". The command adds further members.
 Json json_report();
 
-/// Returns the object of a command that runs frames: `status` ("complete", "no_equilibrium" or
-/// "open_loop"), `failed_frame`, `closing_error`.
+/// Returns the initial JSON object of a command that runs frames. Its members are `status`
+/// ("complete", "no_equilibrium" or "open_loop"), `failed_frame` and `closing_error`.
 Json json_report(const RunOutcome& outcome);
 
 /// Prints an object on stdout, in one line.

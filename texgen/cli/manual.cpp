@@ -12,8 +12,8 @@ namespace foam::texgen {
 
 namespace {
 
-// Escapes a text for troff: hyphens become "\-", so that they can be copied, and a line that begins
-// with a period or an apostrophe gets "\&" in front, so that it is no request.
+// Escapes a text for troff. Hyphens become "\-", so that they can be copied. A line that begins
+// with a period or an apostrophe gets the prefix "\&", so that troff does not read it as a request.
 std::string escaped(std::string_view text) {
     std::string result;
     bool begins_line = true;

@@ -2,8 +2,8 @@
 
 #pragma once
 
-// Options that several commands share. Each function adds one option to a command. The value must
-// outlive the parsing.
+// Options that several commands share. Each function adds one option to a command. The variable
+// for the value must outlive the parsing.
 
 #include <filesystem>
 #include <optional>
@@ -19,7 +19,7 @@ namespace foam::texgen {
 /// Adds --json: the command prints one JSON object (json_report.h).
 void add_json_option(CLI::App& command, bool& json);
 
-/// Adds -q, --quiet. `meaning` is its line in the help.
+/// Adds -q, --quiet. `meaning` is the text of the option in the help.
 CLI::Option* add_quiet_option(CLI::App& command,
                               bool& quiet,
                               const char* meaning = "Print only errors");
@@ -35,10 +35,10 @@ void add_frames_option(CLI::App& command,
 /// Adds --maps, names separated by commas.
 void add_maps_option(CLI::App& command, std::optional<std::string>& maps, const char* meaning);
 
-/// Adds --preset, the preset whose set choose_set selects.
+/// Adds --preset. choose_set selects the set of images of this preset.
 void add_set_option(CLI::App& command, std::string& preset);
 
-/// Adds -o, --out: the folder of the output.
+/// Adds -o, --out: the output folder.
 void add_out_folder_option(CLI::App& command,
                            std::optional<std::filesystem::path>& out,
                            const char* meaning);

@@ -28,21 +28,21 @@ namespace {
 
 constexpr const char* kPreviewExamples = R"(Examples:
   foamtex preview sea_foam                    bakes the preset and writes previews to out/
-  foamtex preview lava --size 512             faster, from smaller images
-  foamtex preview out                         of existing images
+  foamtex preview lava --size 512             bakes smaller images, which is faster
+  foamtex preview out                         previews the images in the folder out/
   foamtex preview labyrinth --frames 1 --as tiling --set pressure.exaggeration=4
   foamtex preview out --maps albedo,normal --as loop --width 256
-  foamtex preview out --as mp4,gif            with ffmpeg, if it is installed)";
+  foamtex preview out --as mp4,gif            makes videos; needs ffmpeg)";
 
-constexpr int kLargestLoop = 4096;
+constexpr int kMaxAnimationSize = 4096;
 
 struct PreviewArguments {
     RunArguments run;
-    std::string which;
+    std::string shown_preset;  // --preset: the preset whose images in the folder are shown
     std::optional<std::string> maps;
     std::optional<std::filesystem::path> out;
     std::vector<std::string> kinds;
-    int size = PreviewOptions().size;
+    int animation_size = PreviewOptions().size;
     bool json = false;
 };
 
@@ -52,7 +52,7 @@ PreviewKind kind_of(const std::string& name) {
 }
 
 PreviewOptions options_of(const PreviewArguments& arguments) {
-    PreviewOptions options{.size = arguments.size, .threads = arguments.run.threads};
+    PreviewOptions options{.size = arguments.animation_size, .threads = arguments.run.threads};
     if (arguments.maps) {
         options.maps = CLI::detail::split(*arguments.maps, ',');
     }
@@ -61,7 +61,7 @@ PreviewOptions options_of(const PreviewArguments& arguments) {
     }
     const auto is_video = [](PreviewKind kind) { return kind >= PreviewKind::Mp4; };
     if (std::ranges::any_of(options.kinds, is_video)) {
-        check_ffmpeg();  // before a bake that may take long
+        check_ffmpeg();  // fails here rather than after a long bake
     }
     return options;
 }
@@ -92,7 +92,7 @@ ExitCode preview_folder(const PreviewArguments& arguments) {
     }
     PreviewOptions options = options_of(arguments);
     const Manifest manifest = read_manifest(folder);
-    const BakedSet& set = choose_set(manifest, arguments.which, folder);
+    const BakedSet& set = choose_set(manifest, arguments.shown_preset, folder);
     options.frames = arguments.run.frames ? parse_frame_range(*arguments.run.frames) : set.frames();
     Shown shown{set.preset, options.frames};
     shown.files = write_previews(set, folder, options, arguments.out.value_or(folder));
@@ -100,8 +100,8 @@ ExitCode preview_folder(const PreviewArguments& arguments) {
     return ExitCode::Success;
 }
 
-/// Returns the preset with only the maps to preview, the first map by default, and with PNG files
-/// in the folder.
+/// Returns the preset with only the maps to preview, by default the first map. Its images are PNG
+/// files in `folder`.
 Preset preset_to_bake(const PreviewArguments& arguments, const std::filesystem::path& folder) {
     std::vector<Assignment> assignments;
     if (arguments.maps) {
@@ -151,10 +151,12 @@ void add_choices(CLI::App& command, PreviewArguments& arguments) {
         ->check(CLI::IsMember(std::vector<std::string>(kPreviewNames.begin(), kPreviewNames.end())))
         ->option_text("contact|tiling|loop|mp4|gif");
     command
-        .add_option("--width", arguments.size, "Longer side of animations in pixels (default: 384)")
-        ->check(CLI::Range(1, kLargestLoop))
+        .add_option("--width",
+                    arguments.animation_size,
+                    "Longer side of animations in pixels (default: 384)")
+        ->check(CLI::Range(1, kMaxAnimationSize))
         ->option_text("PX");
-    add_set_option(command, arguments.which);
+    add_set_option(command, arguments.shown_preset);
     add_out_folder_option(
         command, arguments.out, "Folder for the previews (default: out, or the given folder)");
 }

@@ -28,7 +28,7 @@ constexpr const char* kVersion = "foamtex " FOAMTEX_VERSION R"(
 License: Apache-2.0. Presets, and the images that they make: CC0-1.0 (public domain).)";
 
 constexpr const char* kFooter = R"(Examples:
-  foamtex bake sea_foam                        48 frames of a tile into out/
+  foamtex bake sea_foam                        48 frames of a tileable texture, in out/
   foamtex presets show sea_foam > my.toml      a starting point for a preset of your own
   foamtex bake my.toml --frames 1-120
 
@@ -55,8 +55,8 @@ std::vector<std::string> subcommand_names(const CLI::App& command) {
     return names;
 }
 
-/// Returns what is wrong with the command line. A word in the place of a subcommand is compared
-/// with the existing ones.
+/// Returns a message that says what is wrong with the command line. If an unknown word is given
+/// where a subcommand is expected, the message suggests the nearest existing subcommand.
 std::string message_of(const CLI::App& app, const CLI::ParseError& error) {
     const CLI::App* command = &app;
     while (!command->get_subcommands().empty()) {
@@ -75,7 +75,8 @@ std::string message_of(const CLI::App& app, const CLI::ParseError& error) {
                        meant.empty() ? "" : fmt::format("; did you mean '{}'?", meant));
 }
 
-/// Help and version come as exceptions of code 0.
+/// Reports an exception of the parser and returns the exit code. CLI11 also throws for --help and
+/// --version, with the code 0.
 ExitCode report_parse(const CLI::App& app, const CLI::ParseError& error) {
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
         app.exit(error);

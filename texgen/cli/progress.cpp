@@ -29,7 +29,8 @@ bool wants_color() {
     return no_color == nullptr || *no_color == '\0';
 }
 
-/// Draws the bar over the previous one. The last bar ends with a newline, so it stays visible.
+/// Overwrites the previous bar with the present one. The last bar ends with a newline, so it stays
+/// visible.
 void draw_bar(const RunProgress& progress, bool color) {
     const std::string bar = progress_bar(progress);
     const char* end = progress.done == progress.total ? "\n" : "";

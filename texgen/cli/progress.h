@@ -15,16 +15,16 @@ enum class Verbosity {
     Verbose,  // a line per frame
 };
 
-/// Returns the progress bar, without a newline:
+/// Returns the progress bar, without a newline. Example:
 /// "[######------------------] 12/48  583 bubbles  0:14 left".
 std::string progress_bar(const RunProgress& progress);
 
-/// Returns the line of a frame:
+/// Returns the line that reports a frame. Example:
 /// "frame 12: 583 bubbles, area error 1.2e-14, angle error 3.1e-15, 4.21 s".
 std::string progress_line(const RunProgress& progress);
 
-/// Returns a callback that reports to stderr. A bar is drawn only on a terminal, and in color only
-/// if the environment variable NO_COLOR is unset or empty.
+/// Returns a callback that reports progress on stderr. The bar is drawn only on a terminal. It is
+/// in color only if the environment variable NO_COLOR is unset or empty.
 ProgressCallback progress_reporter(Verbosity verbosity);
 
 }  // namespace foam::texgen

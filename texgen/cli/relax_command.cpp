@@ -34,7 +34,7 @@ struct RelaxArguments {
 struct RelaxReport {
     EquilibriumSummary summary;
     std::size_t bubbles = 0;
-    double seconds = 0.0;  // of the equilibrium alone
+    double seconds = 0.0;  // wall time of the solver, without reading and writing files
 };
 
 const char* status_word(EquilibriumStatus status) {

@@ -17,8 +17,8 @@ namespace {
 constexpr const char* kRenderExamples = R"(Examples:
   foamtex render foam --frames 1-100x2
   foamtex render foam --size 4096 --maps albedo,height,normal --out 'out/{map}.####.exr'
-Frames are identical to those of a bake. Keys of image, output and maps can be set, and those of
-the camera of a patch; the aspect ratio of a torus is fixed.)";
+The images are identical to the images of a bake. Keys of the images, the output and the maps can
+be set, and for a patch also keys of the camera. The aspect ratio of a torus cannot be changed.)";
 
 struct RenderArguments {
     RunArguments run;

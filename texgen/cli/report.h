@@ -14,10 +14,11 @@ namespace foam::texgen {
 /// Prints the paths of files on stdout, one per line.
 void print_files(std::span<const std::filesystem::path> files);
 
-/// Prints a note on stderr if no charts were drawn: the reason, and the command that draws them.
+/// If no charts were drawn, prints the reason and the command that draws them on stderr.
 void note_missing_charts(const StatisticsFiles& statistics);
 
-/// Prints on stderr why a run failed, and returns the exit code. Precondition: the run failed.
+/// Prints on stderr why a run failed, and returns the exit code for this failure. Precondition: the
+/// run failed.
 ExitCode report_failure(const RunOutcome& outcome);
 
 }  // namespace foam::texgen

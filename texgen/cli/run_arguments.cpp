@@ -17,7 +17,8 @@ namespace foam::texgen {
 
 namespace {
 
-/// Returns "W" or "WxH" as the list [W, H]. Parts that are no numbers are rejected by the key.
+/// Returns the list [W, H] for "WxH", or [W, W] for "W". Parts that are not numbers are rejected
+/// when they are assigned to the key.
 Value size_value(const std::string& size) {
     const std::size_t x = size.find('x');
     const std::string width = size.substr(0, x);
@@ -25,7 +26,7 @@ Value size_value(const std::string& size) {
     return {Value::List{read_value(width), read_value(height)}};
 }
 
-/// Returns "a,b" as the list ["a", "b"].
+/// Splits a text such as "a,b" into the list ["a", "b"].
 Value list_value(const std::string& words) {
     Value::List list;
     for (const std::string& word : CLI::detail::split(words, ',')) {
@@ -34,8 +35,8 @@ Value list_value(const std::string& words) {
     return {std::move(list)};
 }
 
-/// Returns the assignments of every `--set`, then those of the options that set a key, so that the
-/// latter win.
+/// Returns the assignments of every `--set`, then of the options that set a key. The options
+/// override `--set`, because later assignments win.
 std::vector<Assignment> assignments_of(const RunArguments& arguments) {
     std::vector<Assignment> assignments;
     for (const std::string& set : arguments.sets) {

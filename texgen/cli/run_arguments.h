@@ -16,8 +16,8 @@ class App;
 
 namespace foam::texgen {
 
-/// The arguments of the commands that run the frames of a preset, as given on the command line.
-/// Values of keys are not checked yet.
+/// The arguments of commands that simulate or draw the frames of a preset, as given on the command
+/// line. The values of keys have not been checked yet.
 struct RunArguments {
     std::string preset;
     std::vector<std::string> sets;
@@ -38,21 +38,23 @@ void add_frame_options(CLI::App& command, RunArguments& arguments);
 /// Adds --threads, -q and -v. The arguments must outlive the parsing.
 void add_run_options(CLI::App& command, RunArguments& arguments);
 
-/// Returns the assignment of `--maps A,B`, for preset_of.
+/// Returns the assignment that the option `--maps A,B` makes, for preset_of. `maps` is "A,B".
 Assignment maps_assignment(const std::string& maps);
 
-/// Loads the preset and applies its assignments in this order: every `--set`, the options that set
-/// a key, and `more`. Later assignments win. Throws PresetError if a value is not allowed.
+/// Loads the preset that the arguments name and applies assignments in this order: every `--set`,
+/// the other options that set a key, and `more`. Later assignments override earlier ones. Throws
+/// PresetError if a value is not allowed.
 Preset preset_of(const RunArguments& arguments, const std::vector<Assignment>& more = {});
 
-/// Returns a preset that has been loaded already with the assignments of preset_of applied. Throws
-/// PresetError if a value is not allowed.
+/// Applies the assignments of preset_of to a preset that has already been loaded, and returns it.
+/// Throws PresetError if a value is not allowed.
 Preset changed(Preset preset,
                const RunArguments& arguments,
                const std::vector<Assignment>& more = {});
 
-/// Returns the frames of --frames, which may be beyond frames.count of the preset, or without that
-/// option all frames of the preset. Throws std::invalid_argument if the range is malformed.
+/// Returns the frames of the option --frames, or all frames of the preset if the option is not
+/// given. The option may give frames beyond frames.count of the preset. Throws
+/// std::invalid_argument if the range is malformed.
 std::vector<int> frames_of(const RunArguments& arguments, const Preset& preset);
 
 Verbosity verbosity_of(const RunArguments& arguments);

@@ -11,8 +11,8 @@ namespace foam::texgen {
 
 namespace {
 
-// Escapes a text for use within single quotes and within a spec of _arguments, where brackets and
-// colons have a meaning.
+// Escapes a text for use within single quotes and within an argument specification of _arguments,
+// in which brackets and colons have a special meaning.
 std::string zsh_escaped(std::string_view text) {
     std::string result;
     for (const char c : text) {
@@ -42,8 +42,9 @@ std::string zsh_action(const Values& values, bool or_files) {
     }
 }
 
-// Writes one shell function per command. A command without subcommands calls _arguments with a spec
-// per option and positional argument; a command with subcommands dispatches to their functions.
+// Writes one shell function per command. The function of a command without subcommands calls
+// _arguments with one specification per option and positional argument. The function of a command
+// with subcommands calls the functions of the subcommands.
 class ZshScript {
   public:
     ZshScript(const CommandGrammar& program, const CompletionWords& words) : words_(words) {

@@ -26,7 +26,7 @@ std::span<const std::string_view> kind_names() {
     return names;
 }
 
-// A kind of values: the name of a kind of event. The empty string is unset.
+// A kind of values: the name of a kind of event. An empty member means that the key is unset.
 struct KindNames {
     std::string allowed() const { return Words{kind_names()}.allowed(); }
     std::string schema() const { return Words{kind_names()}.schema(); }

@@ -18,8 +18,8 @@
 
 namespace foam::texgen {
 
-/// One [[event]] of a preset: the shared properties, and the options of every kind, of which only
-/// those of its own kind are used.
+/// One [[event]] of a preset. It has the shared properties and the options of every kind; only the
+/// options of its own kind are used.
 struct Event : EventBase {
     CollapseOptions collapse;
     NucleateOptions nucleate;
@@ -45,7 +45,7 @@ constexpr EventKind kind_of(const EventTraits& traits) {
             [](const Event& event, EventStage& stage) { advance(event, event.*member, stage); }};
 }
 
-/// Every kind of event, in the order in which programs list them.
+/// Every kind of event, in the order of all listings.
 inline constexpr std::array kEventKinds = {
     kind_of<&Event::collapse, collapse_keys, check_collapse, advance_collapse>(kCollapseEvent),
     kind_of<&Event::nucleate, nucleate_keys, check_nucleate, advance_nucleate>(kNucleateEvent),
@@ -56,14 +56,14 @@ inline constexpr std::array kEventKinds = {
 /// Returns the kind with the given name. Precondition: it exists.
 const EventKind& find_event_kind(std::string_view name);
 
-/// Returns the keys of an [[event]], `kind` first. The condition of a key lists the kinds that take
-/// it; a key without a condition is taken by all kinds.
+/// Returns the keys of an [[event]], `kind` first. The condition of a key lists the kinds that
+/// accept it; all kinds accept a key without a condition.
 std::span<const Key<Event>> event_keys();
 
-/// Returns the kinds that take a key, separated by commas.
+/// Returns the names of the kinds that accept a key, separated by commas.
 std::string kinds_of(const KeyInfo& key);
 
-/// Returns the names of the keys that a kind takes, separated by commas.
+/// Returns the names of the keys that a kind accepts, separated by commas.
 std::string keys_of(std::string_view kind);
 
 /// Returns the table of all kinds in Markdown, as in README.md.

@@ -17,15 +17,16 @@ struct ChosenBubble {
 };
 
 /// Returns up to `count` of the bubbles that an event names, or all bubbles of the foam if `count`
-/// is 0. `turn` is the number of bubbles that earlier calls have taken: a list of identities or of
+/// is 0. `turn` is the number of bubbles that earlier calls have chosen; a list of identities or of
 /// numbers of sides continues at this index. Returns fewer bubbles, or none, if they do not exist.
 std::vector<ChosenBubble> choose_bubbles(const EventBase& event,
                                          const EventStage& stage,
                                          std::size_t turn,
                                          std::size_t count);
 
-/// Rejects an event that chooses bubbles by more than one of its keys bubble, at and sides, or by
-/// none of them unless `may_choose_all`, and a count without sides.
+/// Rejects an event that has more than one of the keys bubble, at and sides, which choose bubbles.
+/// Rejects an event that has none of them, unless `may_choose_all` is true. Rejects a count without
+/// sides.
 void check_choice(const EventCheck& check, bool may_choose_all);
 
 }  // namespace foam::texgen

@@ -26,7 +26,7 @@ struct CollapseOptions {
 Keys<CollapseOptions> collapse_keys();
 void check_collapse(const EventCheck& check, const CollapseOptions& options);
 
-/// Drives the chosen bubbles to the T2 area; at their last frame they vanish.
+/// Drives the chosen bubbles to the T2 area. They vanish at their last frame.
 void advance_collapse(const EventBase& event, const CollapseOptions& options, EventStage& stage);
 
 }  // namespace foam::texgen

@@ -16,21 +16,21 @@ inline constexpr EventTraits kDriveEvent = {
     .takes_position = true,
     .takes_count = true};
 
-/// Selects whether several bubbles swing with the same phase or with random phases.
+/// Selects whether several bubbles oscillate with the same phase or with random phases.
 enum class Phases { Same, Random };
 
 struct DriveOptions {
     double scale = 1.0;      // factor on the area, reached at the last frame
-    double amplitude = 0.0;  // of the swing, as a fraction of the area
-    double period = 24.0;    // of the swing, in frames
-    double phase = 0.0;      // of the swing at the start, in turns
+    double amplitude = 0.0;  // of the oscillation, as a fraction of the area
+    double period = 24.0;    // of the oscillation, in frames
+    double phase = 0.0;      // of the oscillation at its start, in cycles
     Phases phases = Phases::Same;
 };
 
 Keys<DriveOptions> drive_keys();
 void check_drive(const EventCheck& check, const DriveOptions& options);
 
-/// Drives the areas of bubbles along a ramp and a swing (E9).
+/// Makes the target areas of the chosen bubbles follow a ramp and an oscillation (E9).
 void advance_drive(const EventBase& event, const DriveOptions& options, EventStage& stage);
 
 }  // namespace foam::texgen

@@ -16,7 +16,7 @@ namespace {
 constexpr int kMaxBubbles = 1'000'000;
 constexpr std::int64_t kLargestIdentity = std::numeric_limits<BubbleIdentity>::max() - 1;
 
-// A kind of values: a single frame, stored as a span.
+// A kind of values: a single frame, stored as a span of one frame.
 struct SingleFrames {
     Integers frame{2, kLastEventFrame};
 
@@ -85,8 +85,8 @@ struct Times {
     }
 };
 
-// Returns a key that calls `forget` after it has read a value: frames replace a time, and a time
-// replaces frames.
+// Returns a key that calls `forget` after it has read a value. In this way frames replace a time,
+// and a time replaces frames.
 Key<EventBase> replacing(Key<EventBase> key, void (*forget)(EventBase& event)) {
     key.read = [read = key.read, forget](const Value& value, EventBase& event) {
         const bool allowed = read(value, event);
@@ -98,7 +98,7 @@ Key<EventBase> replacing(Key<EventBase> key, void (*forget)(EventBase& event)) {
     return key;
 }
 
-// Restricts a key to the kinds with a trait.
+// Restricts a key to the kinds of events that have a trait.
 Key<EventBase> taken_by(const std::vector<EventTraits>& kinds,
                         bool EventTraits::*takes,
                         const Key<EventBase>& key) {

@@ -17,11 +17,11 @@ struct EventSetting {
     double shorter_side = 0.0;  // of a torus, foam units
 };
 
-/// The arguments of the check of one event of a preset: the conditions that its keys impose on each
-/// other and on the foam.
+/// The arguments of the check of one event of a preset. The check covers conditions between the
+/// keys of the event, and conditions between the event and the foam.
 struct EventCheck {
     const EventBase& event;
-    FrameSpan frames;  // of the event, also if it has a time
+    FrameSpan frames;  // frames of the event, computed if it has a time
     EventSetting setting;
     std::string name;         // "event[2]"
     bool is_touched = false;  // false if only keys outside of the event were assigned
@@ -34,8 +34,9 @@ struct EventCheck {
             reject(key, reason);
         }
     }
-    /// Returns `text`. If only keys outside of the event were assigned, the message is about one of
-    /// those, so the key of the event is put before the text: "event[2].key" + separator + text.
+    /// Returns `text`. If only keys outside of the event were assigned, the error message begins
+    /// with one of these keys. The result is then "event[2].key" + separator + text, so that the
+    /// message also names the key of the event.
     std::string about(std::string_view key,
                       std::string_view separator,
                       std::string_view text) const {

@@ -18,7 +18,7 @@ namespace foam::texgen {
 struct DrivenCourse {
     FrameSpan frames;
     TargetCourse course;
-    bool vanishes = false;  // at the last frame
+    bool vanishes = false;  // true if the bubble vanishes at the last frame
 };
 
 /// The courses of all driven bubbles. A later event that drives the same bubble replaces its
@@ -30,11 +30,12 @@ using DrivenCourses = std::map<BubbleIdentity, DrivenCourse>;
 Vec2 point_in_view(const View& view, const Vec2& size, const std::array<double, 2>& position);
 
 /// The arguments of the effect of an event: the foam in equilibrium before the step to a frame, and
-/// the changes that the event may make to it or to that step.
+/// the changes to impose during that step and later ones. An event may also change the foam
+/// directly.
 struct EventStage {
     int frame = 0;  // the frame that the step leads to
     Foam& foam;
-    Random& random;          // the event's own generator
+    Random& random;          // a generator that only this event uses
     double t2_area = 0.0;    // foam units
     View view;               // of a patch
     Vec2 image_size;         // pixels

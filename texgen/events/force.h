@@ -17,14 +17,14 @@ inline constexpr EventTraits kForceEvent = {.name = "force",
 
 struct ForceOptions {
     double radius = 2.0;                   // foam units
-    std::array<double, 2> push{1.0, 0.0};  // foam units, over all frames together
+    std::array<double, 2> push{1.0, 0.0};  // total of all frames, foam units
 };
 
 Keys<ForceOptions> force_keys();
 void check_force(const EventCheck& check, const ForceOptions& options);
 
-/// Pushes the foam around a point by an equal part of the push in each frame. The point moves
-/// along.
+/// Pushes the foam around a point by an equal part of the push in each frame. The point moves by
+/// the same part.
 void advance_force(const EventBase& event, const ForceOptions& options, EventStage& stage);
 
 }  // namespace foam::texgen

@@ -15,7 +15,7 @@ namespace {
 constexpr int kMaxTries = 100;
 constexpr double kFirstAreas = 2.0;  // initial area of a new bubble, in T2 areas
 
-// Returns a point of the torus, or of the bounding box of the patch.
+// Returns a random point of the torus, or of the bounding box of the patch's junctions.
 Vec2 random_point(const Foam& foam, Random& random) {
     const double x = random.uniform();
     const double y = random.uniform();

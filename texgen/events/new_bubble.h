@@ -19,8 +19,9 @@ std::optional<BubbleId> nucleate_near(NucleationSite on,
                                       double area,
                                       Foam& foam);
 
-/// Makes a bubble near a random point of a torus, or of the bounding box of a patch. Tries up to
-/// 100 points and uses the first one at which nucleate_near succeeds. Returns nullopt if none does.
+/// Makes a bubble near a random point of a torus, or of the bounding box of a patch's junctions.
+/// Tries up to 100 points and uses the first one at which nucleate_near succeeds. Returns nullopt
+/// if none does.
 std::optional<BubbleId> nucleate_anywhere(NucleationSite on,
                                           double area,
                                           Random& random,

@@ -18,13 +18,13 @@ inline constexpr EventTraits kNucleateEvent = {.name = "nucleate",
 struct NucleateOptions {
     NucleationSite on = NucleationSite::Junction;
     double area = 0.5;  // foam units
-    int growth = 1;     // frames that a new bubble takes to its area
+    int growth = 1;     // number of frames in which a new bubble grows to its area
 };
 
 Keys<NucleateOptions> nucleate_keys();
 void check_nucleate(const EventCheck& check, const NucleateOptions& options);
 
-/// Makes the new bubbles that are due before this frame, and drives them to their area.
+/// Creates the bubbles that are due before this frame, and schedules their growth to their area.
 void advance_nucleate(const EventBase& event, const NucleateOptions& options, EventStage& stage);
 
 }  // namespace foam::texgen

@@ -14,7 +14,7 @@ inline constexpr EventTraits kShearEvent = {
         "a whole width"};
 
 struct ShearOptions {
-    double strain = 1.0;  // over all frames together
+    double strain = 1.0;  // total of all frames
 };
 
 Keys<ShearOptions> shear_keys();

@@ -13,10 +13,11 @@
 #include <utility>
 #include <vector>
 
-// Joins encoded PNGs without decoding them. The stream takes the first frame's chunks up to its
-// data, then acTL (the number of frames and of plays). Each frame is an fcTL chunk (extents and
-// duration) and its data: IDAT chunks for the first frame, and for the others fdAT chunks, which
-// are IDAT chunks with a sequence number in front. All other chunks of later frames are dropped.
+// Joins encoded PNGs without decoding them. The stream begins with the chunks of the first frame
+// that precede its data. An acTL chunk follows, with the number of frames and of plays. Each frame
+// consists of an fcTL chunk (extents and duration) and its data. The data of the first frame are
+// IDAT chunks. The data of later frames are fdAT chunks, which are IDAT chunks with a sequence
+// number in front. All other chunks of later frames are dropped.
 
 namespace foam::texgen {
 
@@ -27,7 +28,7 @@ constexpr std::array<unsigned char, 8> kSignature = {0x89, 'P', 'N', 'G', '\r', 
 constexpr std::size_t kWord = 4;           // a length, a type or a check sum
 constexpr std::size_t kExtents = 8;        // width and height, which begin the content of an IHDR
 constexpr std::size_t kFrameControl = 26;  // the content of an fcTL
-constexpr std::uint32_t kPlayForever = 0;  // number of plays that means endless
+constexpr std::uint32_t kPlayForever = 0;  // number of plays that means an endless loop
 
 using Content = std::span<const std::byte>;
 
@@ -93,8 +94,8 @@ Chunk take_chunk(Content& rest) {
     return chunk;
 }
 
-/// Returns all chunks of a PNG, of which the first is IHDR and at least one is IDAT. Borrows the
-/// stream. Throws std::invalid_argument for any other stream and for one with a palette.
+/// Returns all chunks of a PNG. They refer to the stream. Throws std::invalid_argument unless the
+/// first chunk is IHDR and at least one chunk is IDAT, and for a PNG with a palette.
 std::vector<Chunk> chunks_of(Content png) {
     std::vector<Chunk> chunks;
     for (Content rest = after_signature(png); !rest.empty();) {
@@ -189,7 +190,8 @@ void ApngMuxer::append_frame() {
     append_chunk(stream_, "fcTL", control);
 }
 
-// The data of the first frame stay in IDAT, so that the stream is also a plain PNG.
+// The data of the first frame remain in IDAT chunks, so that the stream is also a valid PNG without
+// animation.
 void ApngMuxer::append_data(Content data) {
     if (added_ == 0) {
         append_chunk(stream_, "IDAT", data);

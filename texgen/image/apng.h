@@ -17,15 +17,16 @@ namespace foam::texgen {
 class ApngMuxer {
   public:
     /// Starts an animation of `frames` frames. Throws std::invalid_argument unless `frames` is
-    /// positive and both numbers of `rate` are 1 to 65535.
+    /// positive and both members of `rate` are from 1 to 65535.
     ApngMuxer(int frames, FrameRate rate);
 
-    /// Appends the next frame, a stream that encode_png made. Throws std::invalid_argument if the
-    /// stream is no PNG or has a palette, if its size or kind of samples differs from the first
-    /// frame's, or if all frames have been added.
+    /// Appends the next frame, encoded by encode_png. Throws std::invalid_argument if the stream is
+    /// not a PNG or has a palette, if its size or type of samples differs from the first frame, or
+    /// if all frames have already been added.
     void add(std::span<const std::byte> png);
 
-    /// Returns the whole stream. Throws std::invalid_argument unless all frames have been added.
+    /// Completes the stream and returns it. May be called only once. Throws std::invalid_argument
+    /// unless all frames have been added.
     Bytes finish();
 
   private:

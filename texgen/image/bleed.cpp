@@ -7,17 +7,18 @@
 #include <cstddef>
 #include <vector>
 
-// A pull-push scheme. Pull: every coarser level halves the one before; a texel is the mean of up to
-// four finer ones weighted by opacity, together with the sum of their opacities. Push: from the
-// coarsest level down, a texel without opacity takes the color of the coarser texel around it. At
-// the finest level, the image itself, a pixel without opacity prefers the weighted mean of its
-// eight neighbors, if any of them has an opacity above 0.
+// The pull-push algorithm (Gortler et al., "The Lumigraph", 1996). Pull: each coarser level has
+// half the width and height of the level before. The color of a texel is the mean of up to four
+// finer texels, weighted by opacity; its opacity is the sum of their opacities. Push: from the
+// coarsest level to the finest, a texel without opacity gets the color of the coarser texel that
+// contains it. In the finest level, the image itself, a pixel without opacity gets the weighted
+// mean of its eight neighbors instead, if any of them has an opacity above 0.
 
 namespace foam::texgen {
 
 namespace {
 
-// A straight color, and the sum of the opacities of all pixels that it is the mean of.
+// A straight color, which is the mean of some pixels, and the sum of the opacities of these pixels.
 using Texel = std::array<float, 4>;
 
 struct Level {
@@ -52,7 +53,7 @@ Texel weighted_mean(const Texel& sum) {
                          : Texel{};
 }
 
-// Returns the mean of up to four texels of a level, of which (x, y) is the lower left one.
+// Returns the mean of up to four texels of a level; (x, y) is the lower left texel.
 template <class Finer>
 Texel mean_of_four(int width, int height, const Finer& finer, int x, int y) {
     Texel sum{};
@@ -77,7 +78,7 @@ Level halved(int width, int height, const Finer& finer) {
     return level;
 }
 
-// Returns all levels that are coarser than the image, down to one texel.
+// Returns all levels that are coarser than the image. The last level has one texel.
 std::vector<Level> coarser_levels(ImageView<std::uint16_t> image) {
     std::vector<Level> levels{
         halved(image.width(), image.height(), [&](int x, int y) { return texel_of(image, x, y); })};
@@ -104,7 +105,7 @@ void bleed_into(Level& level, Level& coarser) {
     }
 }
 
-// Returns the mean of a pixel and its eight neighbors.
+// Returns the mean of a pixel and its eight neighbors, weighted by opacity.
 Texel mean_around(ImageView<std::uint16_t> image, int x, int y) {
     Texel sum{};
     for (int j = std::max(y - 1, 0); j <= std::min(y + 1, image.height() - 1); ++j) {
@@ -115,8 +116,8 @@ Texel mean_around(ImageView<std::uint16_t> image, int x, int y) {
     return weighted_mean(sum);
 }
 
-// Returns true if the coarser texels that cover a pixel and its eight neighbors have no opacity.
-// It is a quick test that makes `mean_around` unnecessary.
+// Returns true if the coarser texels that cover a pixel and its eight neighbors have no opacity. If
+// so, mean_around need not be called.
 bool is_clear_around(Level& coarser, int x, int y) {
     const int right = std::min((x + 1) / 2, coarser.width - 1);
     const int above = std::min((y + 1) / 2, coarser.height - 1);

@@ -12,7 +12,8 @@ namespace foam::texgen {
 
 namespace {
 
-// The end of the linear part of IEC 61966-2-1, as an encoded value and as linear light.
+// The end of the linear segment of the sRGB transfer function, as an encoded value and as linear
+// light.
 constexpr double kToeEncoded = 0.04045;
 constexpr double kToeLinear = 0.0031308;
 

@@ -7,8 +7,8 @@
 
 namespace foam::texgen {
 
-/// A color in linear light, so that colors are mixed by plain weighted sums. Primaries and white
-/// are those of sRGB; (1, 1, 1) is white.
+/// A color in linear light, so that weighted sums mix colors correctly. It has the primaries and
+/// the white point of sRGB; (1, 1, 1) is white.
 struct LinearRgb {
     double r = 0.0;
     double g = 0.0;
@@ -26,8 +26,8 @@ struct Srgb8 {
     friend bool operator==(const Srgb8&, const Srgb8&) = default;
 };
 
-/// The transfer function of IEC 61966-2-1 and its inverse, between an encoded value and linear
-/// light, both in [0, 1].
+/// Convert between an sRGB-encoded value and linear light by the transfer function of IEC
+/// 61966-2-1. Both values are in [0, 1].
 double srgb_to_linear(double encoded);
 double linear_to_srgb(double linear);
 
@@ -39,7 +39,8 @@ LinearRgb mixed(const LinearRgb& a, const LinearRgb& b, double part);
 /// Encodes a color and rounds it to the nearest codes. Light is clamped to [0, 1]; NaN becomes 0.
 Srgb8 to_srgb8(const LinearRgb& color);
 
-/// Reads "#rrggbb", six hexadecimal digits in either case. Throws std::invalid_argument otherwise.
+/// Parses "#rrggbb", with six hexadecimal digits in either case. Throws std::invalid_argument for
+/// any other text.
 Srgb8 parse_color(std::string_view text);
 
 }  // namespace foam::texgen

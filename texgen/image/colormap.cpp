@@ -30,7 +30,7 @@ constexpr ColorTable gray_table() {
 
 constexpr ColorTable kGray = gray_table();
 
-// The two lists run in parallel.
+// Names and maps are in the same order.
 constexpr std::array<std::string_view, 8> kNames = {
     "viridis", "magma", "inferno", "plasma", "cividis", "grey", "labyrinth_blue", "sea_water"};
 constexpr std::array<ColorMap, kNames.size()> kMaps = {ColorMap(kViridis),

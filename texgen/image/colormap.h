@@ -11,29 +11,28 @@
 
 namespace foam::texgen {
 
-/// The 256 entries of a color map, 0xRRGGBB in sRGB.
+/// The 256 entries of a color map. An entry is 0xRRGGBB in sRGB.
 using ColorTable = std::array<std::uint32_t, 256>;
 
-/// A color map: a function from [0, 1] to colors, interpolated in a table.
+/// A color map: a function from [0, 1] to colors that interpolates between the entries of a table.
 class ColorMap {
   public:
-    /// Borrows the table, which has to outlive the map.
+    /// Borrows the table, which must outlive the map.
     explicit constexpr ColorMap(const ColorTable& table) : table_(&table) {}
 
     /// Returns entry i. Precondition: 0 <= i < 256.
     Srgb8 entry(int i) const;
 
     /// Returns the color at t, clamped to [0, 1]; NaN counts as 0. Interpolates between two entries
-    /// in sRGB, the space in which the maps are designed to be perceptually uniform; interpolation
-    /// of linear light would change that.
+    /// in sRGB, because the maps are designed to be perceptually uniform in this space.
     LinearRgb at(double t) const;
 
   private:
     const ColorTable* table_;
 };
 
-/// Returns the color map of a name. Throws std::invalid_argument, whose message lists all names, if
-/// there is none.
+/// Returns the color map with a name. Throws std::invalid_argument, whose message lists all names,
+/// if no color map has the name.
 const ColorMap& find_colormap(std::string_view name);
 
 /// Returns the names of all color maps.

@@ -9,8 +9,8 @@ namespace foam::texgen {
 
 // viridis, magma, inferno and plasma by Nathaniel J. Smith, Stefan van der Walt and Eric Firing,
 // https://github.com/BIDS/colormap (CC0); cividis by Jamie Nunez, Christopher Anderton and Ryan
-// Renslow, https://doi.org/10.1371/journal.pone.0199239 (CC0). Rounded from the reals that
-// Matplotlib ships.
+// Renslow, https://doi.org/10.1371/journal.pone.0199239 (CC0). The entries are the numbers that
+// Matplotlib ships, rounded to 8 bits.
 
 inline constexpr std::array<std::uint32_t, 256> kViridis = {
     0x440154, 0x440256, 0x450457, 0x450559, 0x46075a, 0x46085c, 0x460a5d, 0x460b5e, 0x470d60,
@@ -167,8 +167,8 @@ inline constexpr std::array<std::uint32_t, 256> kCividis = {
     0xf3db42, 0xf5dc41, 0xf6dd3f, 0xf7de3e, 0xf8df3c, 0xf9e03a, 0xfbe138, 0xfce236, 0xfde334,
     0xfee434, 0xfee535, 0xfee636, 0xfee838};
 
-// The project's own ramps. OKLab lightness L falls or rises evenly; chroma C and hue h (degrees)
-// run through the points listed, (t; C, h), by monotone cubics.
+// The project's own ramps. The OKLab lightness L changes linearly. Chroma C and hue h (degrees) are
+// monotone cubic interpolants of the listed points (t; C, h).
 
 // Near-white to navy: L 0.975 to 0.235; (0; 0.010, 230) (0.25; 0.060, 238) (0.5; 0.120, 248)
 // (0.72; 0.130, 256) (1; 0.072, 264).

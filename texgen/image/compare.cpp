@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kWhite = 65535.0;
 
-/// Returns |a - b|: 0 if both are NaN, infinity if one is.
+/// Returns |a - b|; 0 if both are NaN, and infinity if only one is NaN.
 double difference(double a, double b) {
     if (a == b || (std::isnan(a) && std::isnan(b))) {
         return 0.0;

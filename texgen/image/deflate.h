@@ -13,8 +13,7 @@ struct isal_zstream;
 
 namespace foam::texgen {
 
-/// The trade-off between the time of the compression and the size of its output. The decompressed
-/// data are the same.
+/// The trade-off between the time of compression and the size of its output.
 enum class Compression {
     None,   // stored blocks
     Fast,   // the size of zlib's level 1 in a fraction of its time
@@ -30,11 +29,11 @@ class Deflater {
     Deflater& operator=(Deflater&&) noexcept;
 
     /// Returns the compressed blocks of one part of the data, valid until the next call. The blocks
-    /// end at a byte boundary and refer to no earlier part, so the outputs for consecutive parts
-    /// can be concatenated; the last part ends the stream. Precondition: `last` is true unless
-    /// `compression` is Compression::Fast, as the others compress all of the data at once. The
-    /// bytes depend on the arguments alone, but differ between versions of the libraries and may
-    /// differ between processors.
+    /// end at a byte boundary and do not refer to earlier parts, so the outputs for consecutive
+    /// parts can be concatenated. The last part ends the stream. The bytes depend only on the
+    /// arguments, but differ between versions of the libraries and may differ between processors.
+    /// Precondition: `last` is true unless `compression` is Compression::Fast, because the other
+    /// kinds compress all data at once.
     std::span<const std::byte> deflate(Compression compression,
                                        std::span<const std::byte> data,
                                        bool last = true);
@@ -50,11 +49,11 @@ class Deflater {
     Bytes deflated_;
 };
 
-/// Returns the Adler-32 check sum of the data, which ends a zlib stream (RFC 1950).
+/// Returns the Adler-32 checksum of the data. A zlib stream ends with such a checksum (RFC 1950).
 std::uint32_t adler32_of(std::span<const std::byte> data);
 
-/// Returns the Adler-32 of two consecutive parts from their check sums. `second_size` is the size
-/// of the second part in bytes.
+/// Returns the Adler-32 checksum of two consecutive parts, given the checksums of the parts.
+/// `second_size` is the size of the second part in bytes.
 std::uint32_t joined_adler32(std::uint32_t first, std::uint32_t second, std::size_t second_size);
 
 }  // namespace foam::texgen

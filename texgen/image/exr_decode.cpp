@@ -22,11 +22,11 @@ namespace foam::texgen {
 
 namespace {
 
-// Deflate cannot compress by a larger factor. An image that would need one is rejected before its
-// pixels are allocated.
+// The largest compression ratio of deflate. An image that would need a larger ratio is rejected
+// before its pixels are allocated.
 constexpr std::size_t kLargestRatio = 1032;
 
-// String attributes with a meaning of their own in EXR, which are not returned as texts.
+// Standard string attributes of EXR, which are not returned as texts.
 constexpr std::array<std::string_view, 4> kNoTexts = {"wrapmodes", "name", "type", "view"};
 
 SampleType type_of(const Imf::Channel& channel) {
@@ -42,8 +42,8 @@ struct Extent {
     int height;
 };
 
-/// Returns the extent of a window. Throws InputError if the file has no or subsampled channels, or
-/// if `bytes`, the size of the file, is too small for the pixels of the window.
+/// Returns the extent of a window. Throws InputError if the file has no channels or a subsampled
+/// channel, or if `bytes`, the size of the file, is too small for the pixels of the window.
 Extent extent_of(const Imath::Box2i& window, const Imf::Header& header, std::size_t bytes) {
     const auto width = std::int64_t{window.max.x} - window.min.x + 1;
     const auto height = std::int64_t{window.max.y} - window.min.y + 1;
@@ -91,7 +91,7 @@ Imf::FrameBuffer buffer_of(Groups& groups, const Imath::Box2i& window) {
     return buffer;
 }
 
-/// Reverses the order of the rows, which run upward in an Image and downward in a file.
+/// Reverses the order of the rows: they run upward in an Image and downward in a file.
 template <class Sample>
 void flip_rows(Image<Sample>& image) {
     for (int y = 0; 2 * y + 1 < image.height(); ++y) {

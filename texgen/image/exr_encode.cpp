@@ -27,8 +27,8 @@ namespace {
 constexpr int kTileSide = 64;
 constexpr std::size_t kLongestName = 31;  // old readers reject a file with a longer name
 
-// Optional attributes that have a meaning in EXR. The attributes that OpenEXR requires are in every
-// Imf::Header from the start, so is_text_name finds them there.
+// Optional standard attributes of EXR. The list does not contain the required attributes, because
+// every Imf::Header has them and is_text_name searches the header, too.
 constexpr std::array<std::string_view, 7> kReservedNames = {
     "chromaticities", "wrapmodes", "framesPerSecond", "name", "type", "view", "chunkCount"};
 
@@ -117,8 +117,8 @@ Imf::Header header_of(std::span<const ExrChannel> channels,
     return header;
 }
 
-/// Returns the number of OpenEXR's pool threads that a file may use, 0 for the caller's thread
-/// alone. Grows the pool, which is shared by the process, if it has fewer threads.
+/// Returns the number of threads of OpenEXR's pool that a file may use; 0 means only the caller's
+/// thread. Enlarges the pool, which the whole process shares, if it has fewer threads.
 int library_threads(int threads) {
     static std::mutex mutex;
     if (threads == 1) {

@@ -2,7 +2,7 @@
 
 #pragma once
 
-// Used by exr_encode.cpp alone: converts samples to the layout that OpenEXR writes.
+// Converts samples to the layout that OpenEXR writes. Only exr_encode.cpp uses this file.
 
 #include "texgen/image/exr.h"
 #include "texgen/image/file_io.h"
@@ -27,14 +27,15 @@ ExrSize size_of(const ExrChannel& channel);
 
 Imf::PixelType pixel_type(SampleType type);
 
-/// Throws std::invalid_argument with a message that ends in `why`.
+/// Throws std::invalid_argument with a message that ends with `why`.
 [[noreturn]] void reject_exr(const std::string& why);
 
-/// Returns the channels of a picture, which they borrow. Throws std::invalid_argument for codes.
+/// Returns the channels of a picture. They refer to the samples of the picture, which must outlive
+/// them. Throws std::invalid_argument if the samples are codes of 8 or 16 bits.
 std::vector<ExrChannel> exr_channels(const Picture& picture);
 
 /// All channels of one level in the layout that OpenEXR writes: planar, the top row first, in the
-/// sample types of the file. Throws std::invalid_argument for numbers that their type cannot hold.
+/// sample types of the file. Throws std::invalid_argument for a number that its type cannot hold.
 class ExrPlanes {
   public:
     explicit ExrPlanes(std::span<const ExrChannel> channels);
@@ -59,7 +60,7 @@ class ExrLevels {
 
   private:
     std::vector<ExrChannel> channels_;
-    std::vector<std::variant<Image<float>, Image<std::uint32_t>>> levels_;
+    std::vector<std::variant<Image<float>, Image<std::uint32_t>>> levels_;  // memory of `channels_`
 };
 
 }  // namespace foam::texgen

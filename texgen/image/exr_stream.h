@@ -15,7 +15,7 @@
 
 namespace foam::texgen {
 
-/// An output stream that appends to a borrowed buffer, or overwrites it after a seek.
+/// An output stream that appends to a borrowed buffer. After a seek it overwrites the buffer.
 class ExrOutput : public Imf::OStream {
   public:
     explicit ExrOutput(Bytes& bytes) : Imf::OStream("EXR"), bytes_(bytes) {}

@@ -17,7 +17,7 @@ namespace foam::texgen {
 
 namespace {
 
-/// The streams and the working directory of the program.
+/// The standard streams and the working directory of the new process.
 class SpawnActions {
   public:
     explicit SpawnActions(const ExternalOptions& options) {

@@ -24,7 +24,8 @@ std::string reason(int error) {
     return std::generic_category().message(error);
 }
 
-/// A file being written under a temporary name. The destructor removes it unless it was published.
+/// A file that is written under a temporary name. The destructor removes the file unless `publish`
+/// has renamed it.
 class TemporaryFile {
   public:
     explicit TemporaryFile(const std::filesystem::path& target)

@@ -15,7 +15,8 @@
 
 namespace foam::texgen {
 
-/// The encoding options of all formats. Each format reads its own; none of them changes a pixel.
+/// The encoding options of all formats. Each format reads only its own options. No option changes a
+/// pixel.
 struct EncodingOptions {
     PngEncoding png = {};
     ExrEncoding exr = {};
@@ -27,22 +28,22 @@ enum class FormatSamples {
     Numbers,  // any number of named channels of numbers or ids; colors as premultiplied light
 };
 
-/// A still-image format: all that the rest of the program uses of it. README.md explains how to add
-/// one.
+/// A still-image format. The rest of the program uses formats only through this interface.
+/// README.md explains how to add a format.
 struct ImageFormat {
-    std::string_view name;    // as messages call it: "PNG"
-    std::string_view suffix;  // of its file names: ".png"
+    std::string_view name;    // name in messages, such as "PNG"
+    std::string_view suffix;  // end of its file names, such as ".png"
     FormatSamples samples = FormatSamples::Codes;
     int code_bits = 0;        // the largest number of bits of a code; 0 for numbers
-    bool has_layers = false;  // one file can hold several maps
+    bool has_layers = false;  // true if one file can store several maps
     Bytes (*encode)(const Picture& picture, const EncodingOptions& options) = nullptr;
     Picture (*decode)(std::span<const std::byte> content) = nullptr;  // throws InputError
 };
 
-/// All formats.
+/// Returns all formats.
 std::span<const ImageFormat> image_formats();
 
-/// Returns the format whose suffix ends the name, or nullptr.
+/// Returns the format whose suffix is the end of the file name, or nullptr if there is none.
 const ImageFormat* find_format(std::string_view file_name);
 
 /// Return the suffixes and the names of all formats, for messages: ".png or .exr", "PNG or EXR".
@@ -50,7 +51,7 @@ std::string format_suffixes();
 std::string format_names();
 
 /// Reads a file of any format. Throws InputError, whose message names the file, if the file is
-/// unreadable or malformed, or if its suffix is not that of a format.
+/// unreadable or malformed, or if no format has its suffix.
 Picture read_picture(const std::filesystem::path& path);
 
 }  // namespace foam::texgen

@@ -4,7 +4,8 @@
 
 namespace foam::texgen {
 
-/// A frame rate as a fraction, `frames` in `seconds`: 24000 in 1001 seconds is 23.976 per second.
+/// A frame rate as a fraction: `frames` frames in `seconds` seconds. For example, 24000 frames in
+/// 1001 seconds are 23.976 frames per second.
 struct FrameRate {
     int frames = 24;
     int seconds = 1;

@@ -16,9 +16,9 @@
 
 namespace foam::texgen {
 
-/// Borrows the samples of an Image; `ImageView<const Sample>` only reads them. Rows run upward,
-/// like the y axis of the foam: row 0 is the bottom row of the picture. A row holds `width` pixels
-/// of `channels` interleaved samples. A view is two words and two numbers: pass it by value.
+/// Borrows the samples of an Image; `ImageView<const Sample>` is read-only. Rows run upward, like
+/// the y axis of the foam: row 0 is the bottom row of the picture. A row has `width` pixels of
+/// `channels` interleaved samples. A view is small and should be passed by value.
 template <class Sample>
 class ImageView {
   public:
@@ -26,7 +26,7 @@ class ImageView {
     ImageView(Sample* samples, int width, int height, int channels)
         : samples_(samples), width_(width), height_(height), channels_(channels) {}
 
-    /// Converts a view that writes to a view that only reads.
+    /// Converts a writable view to a read-only view.
     template <class Other>
     requires std::is_same_v<Sample, const Other> ImageView(ImageView<Other> other)
         : ImageView(other.data(), other.width(), other.height(), other.channels()) {}
@@ -56,14 +56,15 @@ class ImageView {
     int channels_ = 0;
 };
 
-/// Owns the samples of a picture in the layout of ImageView. They are aligned to a cache line,
-/// which is fastest for vector stores.
+/// Owns the samples of a picture in the layout of ImageView. The first sample is aligned to a cache
+/// line, which makes vector stores fastest.
 template <class Sample>
 class Image {
   public:
     Image() = default;
 
-    /// All samples start at zero. Throws std::invalid_argument unless every extent is positive.
+    /// Creates an image whose samples are all 0. Throws std::invalid_argument unless width, height
+    /// and channels are positive.
     Image(int width, int height, int channels)
         : width_(width),
           height_(height),

@@ -6,12 +6,11 @@
 #include <cstddef>
 #include <vector>
 
-// Box filter for arbitrary extents. A pixel of the smaller level covers from / to pixels of the
-// larger level along each axis: 2, up to 3 if the larger extent is odd, 1 if it is 1. The mean
-// weights every covered pixel by the covered part of its area, first along rows and then across
-// them, as the filter is separable. No pixel of the smaller level reaches across a border, so a
-// picture that tiles still tiles. Ids cannot be averaged, so for integers the pixel in the middle
-// of the covered area is chosen.
+// A box filter for arbitrary extents. Along each axis, a pixel of the smaller level covers `from` /
+// `to` pixels of the larger level: 2 if the larger extent is even, up to 3 if it is odd, and 1 if
+// it is 1. The mean weights every covered pixel by the covered part of its area. The filter is
+// separable, so means are computed first along rows and then across rows. Ids cannot be averaged,
+// so for integers the pixel in the middle of the covered area is chosen.
 
 namespace foam::texgen {
 
@@ -25,13 +24,14 @@ int half_of(int extent) {
 struct Footprint {
     int from;   // extent of the larger level
     int to;     // extent of the smaller level
-    int pixel;  // of the smaller level
+    int pixel;  // index in the smaller level
 
     int first() const { return pixel * from / to; }
     int last() const { return ((pixel + 1) * from + to - 1) / to; }  // excluded
 
     /// Returns the fraction of the interval that is in the given pixel of the larger level. The
-    /// fractions of all pixels add up to 1. In units of 1 / `to` of a pixel all ends are integers.
+    /// fractions of all pixels add up to 1. In units of 1 / `to` pixel the ends of all intervals
+    /// are integers.
     double weight(int larger) const {
         const int begin = std::max(pixel * from, larger * to);
         const int end = std::min((pixel + 1) * from, (larger + 1) * to);

@@ -26,7 +26,7 @@ ChannelGroup group_of(Image<Code> codes, SampleType type) {
     return group;
 }
 
-/// Returns the sample value that stands for the number 1.
+/// Returns the sample value that represents the number 1.
 template <class Sample>
 constexpr double unit_of(SampleType type) {
     if constexpr (std::is_integral_v<Sample>) {

@@ -16,16 +16,16 @@
 
 namespace foam::texgen {
 
-/// How a file stores one sample: codes of 8 or 16 bits, numbers in 16 bits (up to 65504, with 11
-/// bits of precision) or 32 bits, or integers of 32 bits.
+/// The type of a sample in a file: a code of 8 or 16 bits, a floating-point number of 16 bits (up
+/// to 65504, with 11 bits of precision) or 32 bits, or an integer of 32 bits.
 enum class SampleType : std::uint8_t { Uint8, Uint16, Half, Float, Uint32 };
 
-/// The names of all sample types, in the order of the enumeration: "uint8", "uint16", "half",
-/// "float", "uint32".
+/// Returns the names of all sample types in the order of the enumeration: "uint8", "uint16",
+/// "half", "float", "uint32".
 std::span<const std::string_view> sample_type_names();
 std::string_view name_of(SampleType type);
 
-/// Samples in memory. Halves are widened to floats.
+/// Samples in memory. Half floats are converted to floats.
 using Samples =
     std::variant<Image<std::uint8_t>, Image<std::uint16_t>, Image<float>, Image<std::uint32_t>>;
 
@@ -41,12 +41,12 @@ struct ChannelGroup {
     bool has_codes() const { return type == SampleType::Uint8 || type == SampleType::Uint16; }
 };
 
-/// Properties of the samples that a file records. A format that cannot store a member leaves it
-/// out.
+/// Properties of the samples that a file records. A format omits the members that it cannot store.
 struct ImageMetadata {
-    /// The samples are colors with the primaries and the white of sRGB: encoded with its transfer
-    /// function where samples are codes, linear light where they are numbers. Data, such as a
-    /// height or an id, carries no color space, so that no reader bends the values.
+    /// True if the samples are colors with the primaries and the white point of sRGB. Codes are
+    /// encoded with the sRGB transfer function; numbers are linear light. False for data, such as
+    /// heights or ids: the file then carries no color space, so that readers do not convert the
+    /// values.
     bool color = false;
     bool periodic = false;  // the picture tiles in both directions
     std::optional<FrameRate> frame_rate = {};
@@ -54,8 +54,8 @@ struct ImageMetadata {
     std::vector<std::pair<std::string, std::string>> text = {};
 };
 
-/// A picture as a file holds it: one group of interleaved codes, or groups of numbers. All groups
-/// have one size.
+/// A picture as a file stores it: one group of interleaved codes, or groups of numbers. All groups
+/// have the same size.
 struct Picture {
     std::vector<ChannelGroup> groups;
     ImageMetadata metadata = {};
@@ -64,15 +64,15 @@ struct Picture {
     int height() const { return groups.front().height(); }
 };
 
-/// The names of the channels of a picture of codes, one letter each: "Y", "YA", "RGB" or "RGBA".
-/// Precondition: 1 to 4 channels.
+/// Returns the names of the channels of a picture of codes, one letter per channel: "Y", "YA",
+/// "RGB" or "RGBA". Precondition: 1 to 4 channels.
 std::string_view code_channel_names(int channels);
 
-/// Names the channels of an image of codes.
+/// Returns a group with the samples of an image of codes and the names of its channels.
 ChannelGroup code_channels(Image<std::uint8_t> codes);
 ChannelGroup code_channels(Image<std::uint16_t> codes);
 
-/// The groups of one layer. A group without a layer belongs to every layer.
+/// Returns the groups of one layer. A group without a layer belongs to every layer.
 std::vector<const ChannelGroup*> groups_of(const Picture& picture, std::string_view layer);
 
 /// One channel of a picture; borrows the picture.

@@ -22,7 +22,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little,
               "samples are hashed in little-endian order");
 
-/// The XXH3-128 hash of everything that is added.
+/// Computes the XXH3-128 hash of all data that are added.
 class Hasher {
   public:
     Hasher() : state_(XXH3_createState(), XXH3_freeState) {

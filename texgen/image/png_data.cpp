@@ -7,17 +7,17 @@
 #include <algorithm>
 
 // Parallel compression of one picture. The rows are divided into parts of about 512 KiB. Each
-// thread filters and compresses a part, independently of all other parts, and computes the Adler-32
-// of its filtered bytes. The compressed parts are concatenated in order to one zlib stream (RFC
-// 1950), and the check sums are combined to the one that ends the stream. Only Compression::Fast
-// can be divided; for the others the whole picture is one part.
+// thread filters and compresses one part, independently of all other parts, and computes the
+// Adler-32 checksum of the filtered bytes. The compressed parts are concatenated to one zlib stream
+// (RFC 1950). The checksums of the parts are combined to the checksum that ends the stream. Only
+// Compression::Fast allows a division; for the other kinds the whole picture is one part.
 
 namespace foam::texgen {
 
 namespace {
 
-// The filtered size of a part in bytes. A part fits into a second-level cache. The division makes
-// files less than 1 % larger.
+// The size of a filtered part in bytes, so that a part fits into the second-level cache. The
+// division makes files less than 1 % larger.
 constexpr std::size_t kPartBytes = std::size_t{1} << 19;
 
 // The first bytes of a zlib stream (RFC 1950): deflate with a window of 32 KiB.

@@ -13,25 +13,24 @@
 
 namespace foam::texgen {
 
-/// One part of the rows with the buffers that filter and compress it.
+/// One part of the rows, with the buffers for filtering and compressing it.
 struct PngPart {
     RowFilter filter;
     Deflater deflater;
-    std::size_t size = 0;       // of the filtered rows in bytes
-    std::uint32_t adler32 = 1;  // of the filtered rows
+    std::size_t size = 0;       // size of the filtered rows in bytes
+    std::uint32_t adler32 = 1;  // checksum of the filtered rows
     std::span<const std::byte> deflated;
 };
 
 /// Compresses the filtered rows of a picture to a zlib stream, in parts that are compressed in
-/// parallel. The division into parts does not depend on the number of threads, so neither do the
-/// bytes.
+/// parallel. Neither the division into parts nor the bytes depend on the number of threads.
 class PngData {
   public:
-    /// The content of an IDAT chunk, in three pieces that follow each other.
+    /// The content of an IDAT chunk in three consecutive pieces.
     struct Chunk {
         std::span<const std::byte> begin;   // the header of the zlib stream, in the first chunk
         std::span<const std::byte> middle;  // the compressed rows
-        std::span<const std::byte> end;     // the check sum of the zlib stream, in the last chunk
+        std::span<const std::byte> end;     // the checksum of the zlib stream, in the last chunk
     };
 
     /// Borrows both arguments.
@@ -39,8 +38,8 @@ class PngData {
 
     bool complete() const { return next_row_ == rows_.height(); }
 
-    /// Returns the next chunks, at most one per thread; none once complete. Valid until the next
-    /// call.
+    /// Returns the next chunks, at most one per thread. Returns no chunk if the stream is complete.
+    /// The chunks are valid until the next call.
     std::span<const Chunk> next_chunks();
 
   private:
@@ -54,7 +53,7 @@ class PngData {
     std::vector<Chunk> chunks_;
     int rows_per_part_;
     int next_row_ = 0;
-    std::uint32_t adler32_ = 1;         // of all rows so far
+    std::uint32_t adler32_ = 1;         // checksum of all rows so far
     std::array<std::byte, 4> check_{};  // adler32_ as bytes, which end the stream
 };
 

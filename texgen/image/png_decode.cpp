@@ -11,11 +11,11 @@ namespace foam::texgen {
 
 namespace {
 
-/// The part of the stream that is left to read.
+/// The part of the stream that has not been read yet.
 using Source = std::span<const std::byte>;
 
-// Deflate cannot compress by a larger factor. An image that would need one is rejected before its
-// pixels are allocated.
+// The largest compression ratio of deflate. An image that would need a larger ratio is rejected
+// before its pixels are allocated.
 constexpr std::size_t kLargestRatio = 1032;
 
 void take(png_structp png, png_bytep data, std::size_t count) {
@@ -27,7 +27,7 @@ void take(png_structp png, png_bytep data, std::size_t count) {
     source = source.subspan(count);
 }
 
-/// Reports an error to libpng if `left` bytes are too few for the pixels that the header announces.
+/// Reports an error to libpng if `left` bytes are too few for an image of the size in the header.
 void check_stream_length(const PngSession& session, std::size_t left) {
     const std::size_t promised = png_get_rowbytes(session.png(), session.info()) *
                                  png_get_image_height(session.png(), session.info());

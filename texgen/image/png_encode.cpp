@@ -15,8 +15,9 @@ namespace foam::texgen {
 
 namespace {
 
-/// The write callback of libpng. Exceptions must not pass through libpng, so std::bad_alloc becomes
-/// a libpng error. png_error is called outside of the catch block, as it leaves by longjmp.
+/// The write callback of libpng. Exceptions must not propagate through libpng, so std::bad_alloc is
+/// converted to a libpng error. png_error is called outside of the catch block because it does not
+/// return but calls longjmp.
 void append(png_structp png, png_bytep data, std::size_t count) {
     auto& stream = *static_cast<Bytes*>(png_get_io_ptr(png));
     const auto* bytes = reinterpret_cast<const std::byte*>(data);
@@ -41,8 +42,8 @@ bool is_keyword(const std::string& key) {
            std::all_of(key.begin(), key.end(), is_printable_ascii);
 }
 
-/// Returns the kind of chunk for a text. ASCII is stored as tEXt (Latin-1), which every program
-/// reads, all other texts as iTXt (UTF-8).
+/// Returns the kind of chunk for a text. ASCII texts are stored as tEXt (Latin-1), which every
+/// program can read. All other texts are stored as iTXt (UTF-8).
 int text_kind(const std::string& text) {
     const bool ascii = std::all_of(text.begin(), text.end(), [](char c) { return c > 0; });
     return ascii ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;

@@ -10,16 +10,17 @@
 #include <utility>
 
 // The filters of section 9 of the PNG specification. Each byte is replaced by its difference,
-// modulo 256, from a prediction: nothing, the byte to the left, the byte above, their mean, or the
-// one of left, above and above left that is nearest to left + above - above left (Paeth). The byte
-// to the left is the corresponding byte of the pixel before. Bytes outside of the image count as 0,
-// which is why a pixel of zeros precedes each row in memory.
+// modulo 256, from a prediction. The prediction is 0 (None), the byte to the left (Sub), the byte
+// above (Up), their mean (Average), or the byte among left, above and above left that is nearest to
+// left + above - above left (Paeth). The byte to the left is the corresponding byte of the pixel to
+// the left. Bytes outside of the image count as 0. Therefore a pixel of zeros precedes each row in
+// memory.
 
 namespace foam::texgen {
 
 namespace {
 
-/// The first pixels of a row and of the row above it. A pixel of zeros precedes each row in memory.
+/// The first pixels of a row and of the row above it.
 struct Neighbors {
     const std::uint8_t* current;
     const std::uint8_t* above;
@@ -42,7 +43,8 @@ void write_differences(const Neighbors& row, const Predict& predict, std::span<s
     }
 }
 
-/// Returns the argument that is nearest to left + above - above_left, the first one in a tie.
+/// Returns the argument that is nearest to left + above - above_left, or the first of them if
+/// several are equally near.
 int paeth(int left, int above, int above_left) {
     const int to_left = std::abs(above - above_left);
     const int to_above = std::abs(left - above_left);

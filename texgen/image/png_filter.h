@@ -12,8 +12,8 @@
 
 namespace foam::texgen {
 
-/// The rows of a picture of 8-bit or 16-bit samples in the byte order of PNG: the top row first,
-/// 16-bit samples with their high byte first. Borrows the samples.
+/// The rows of a picture of 8-bit or 16-bit samples in the order of PNG: the top row first, and the
+/// high byte of 16-bit samples first. Borrows the samples.
 class PngRows {
   public:
     explicit PngRows(ImageView<const std::uint8_t> view) : PngRows(view, 1) {}
@@ -45,8 +45,8 @@ class PngRows {
     std::size_t sample_bytes_;
 };
 
-/// Filters rows as section 9 of the PNG specification defines. Its buffers are reused between
-/// calls.
+/// Filters rows by the filters of section 9 of the PNG specification. Its buffers are reused
+/// between calls.
 class RowFilter {
   public:
     /// Returns the filtered rows first, first + 1, ..., last - 1, counted from the top, each
@@ -54,7 +54,7 @@ class RowFilter {
     std::span<const std::byte> filter(const PngRows& rows, PngFilter filter, int first, int last);
 
   private:
-    Bytes above_;  // a row, after a pixel of zeros
+    Bytes above_;  // the preceding row, after a pixel of zeros
     Bytes current_;
     Bytes filtered_;
 };

@@ -20,7 +20,8 @@ enum class PngDirection { Write, Read };
 ///
 /// libpng reports an error by longjmp, which must not skip a stack frame whose objects have
 /// destructors. Every libpng call that can fail is therefore in a step passed to `run`, the only
-/// function that longjmp returns to. Objects that own memory are in the frames of its callers.
+/// function that longjmp returns to. Objects that own memory belong to the callers of `run`, whose
+/// stack frames longjmp does not skip.
 class PngSession {
   public:
     explicit PngSession(PngDirection direction) : direction_(direction) {
@@ -44,7 +45,8 @@ class PngSession {
     const char* error() const { return error_.data(); }
 
     /// Runs a step. Returns false if libpng reported an error; then only `error` and the destructor
-    /// may be called.
+    /// may be called. The step must be trivially destructible, since longjmp may skip its
+    /// destructor.
     template <class Step>
     bool run(const Step& step) {
         static_assert(std::is_trivially_destructible_v<Step>);

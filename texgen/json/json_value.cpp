@@ -15,12 +15,12 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr std::size_t kLongest = 60;  // largest number of bytes of a value in a message
+constexpr std::size_t kMaxShownBytes = 60;  // longer values are truncated in messages
 
 /// Returns the text of a value for a message, truncated if it is long.
 std::string shown(const nlohmann::json& json) {
     const std::string text = json.dump();
-    return text.size() <= kLongest ? text : text.substr(0, kLongest) + "...";
+    return text.size() <= kMaxShownBytes ? text : text.substr(0, kMaxShownBytes) + "...";
 }
 
 }  // namespace
@@ -69,8 +69,8 @@ const std::string& JsonValue::word(std::span<const std::string_view> words) cons
     const std::string& found = text();
     if (std::ranges::find(words, found) == words.end()) {
         std::string allowed;
-        for (const std::string_view one : words) {
-            allowed += fmt::format("{}\"{}\"", allowed.empty() ? "one of " : ", ", one);
+        for (const std::string_view allowed_word : words) {
+            allowed += fmt::format("{}\"{}\"", allowed.empty() ? "one of " : ", ", allowed_word);
         }
         reject(allowed);
     }

@@ -17,19 +17,19 @@
 namespace foam::texgen {
 
 /// A value of a JSON file that knows its path in the file, such as "sets[0].size". Borrows the
-/// document. Every function that reads it as a value of a different kind throws an InputError that
-/// names the file, the path, the value, and what is allowed.
+/// document. Every function throws InputError if the value is of a different kind. The message
+/// names the file, the path, the value, and the allowed values.
 class JsonValue {
   public:
     /// Returns a member of an object. Throws InputError if it is missing or null.
     JsonValue operator[](std::string_view name) const;
     /// Returns a member of an object, or nullopt if it is missing or null.
     std::optional<JsonValue> find(std::string_view name) const;
-    /// Returns the items of a list.
+    /// Returns the items of an array.
     std::vector<JsonValue> items() const;
 
     const std::string& text() const;
-    /// Returns a text. Throws InputError unless it is one of these words.
+    /// Returns a text. Throws InputError unless it is one of the given words.
     const std::string& word(std::span<const std::string_view> words) const;
     /// Returns an integer. Throws InputError unless it is from `low` to `high`.
     std::int64_t integer(std::int64_t low, std::int64_t high) const;
@@ -63,13 +63,14 @@ class JsonValue {
 /// The content of a JSON file.
 class JsonDocument {
   public:
-    /// Parses a text. Throws InputError if it is no JSON. `file` is the name in error messages.
+    /// Parses a text. `file` is the file name for error messages. Throws InputError if the text is
+    /// not valid JSON.
     JsonDocument(std::string_view text, std::string file);
     ~JsonDocument();
     JsonDocument(const JsonDocument&) = delete;
     JsonDocument& operator=(const JsonDocument&) = delete;
 
-    /// Reads a file. Throws InputError if it is unreadable or no JSON.
+    /// Reads a file. Throws InputError if it cannot be read or is not valid JSON.
     static JsonDocument read(const std::filesystem::path& path);
 
     /// Returns the root value, which borrows the document.

@@ -104,7 +104,7 @@ Key<Owner> key(std::string_view name,
     return key_by<Owner>(name, kind, meaning, member);
 }
 
-/// Permutation keys of a part into keys of the object that contains it. `part`, a pointer to a
+/// Turns keys of a part into keys of the object that contains it. `part`, a pointer to a
 /// member or another callable, returns the part of an object. Each path becomes "table.name"; with
 /// an empty table the paths stay unchanged.
 template <class Outer, class Inner, class Part>
@@ -128,7 +128,7 @@ Keys<Outer> keys_by(std::string_view table, const Part& part, const Keys<Inner>&
     return all;
 }
 
-/// Permutation keys of a member into keys of the object that contains it.
+/// Turns keys of a member into keys of the object that contains it.
 template <class Outer, class Inner>
 Keys<Outer> keys_in(std::string_view table, Inner Outer::*member, const Keys<Inner>& keys) {
     return keys_by<Outer>(table, member, keys);

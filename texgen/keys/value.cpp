@@ -32,8 +32,8 @@ struct Writer {
     std::string operator()(bool flag) const { return flag ? "true" : "false"; }
     std::string operator()(std::int64_t integer) const { return fmt::format("{}", integer); }
 
-    /// Returns the shortest digits that parse to the same number, with ".0" where TOML would take
-    /// them for an integer.
+    /// Returns the shortest digits that parse to the same number. Adds ".0" if TOML would parse
+    /// them as an integer.
     std::string operator()(double real) const {
         std::string digits = fmt::format("{}", real);
         const bool looks_integer = digits.find_first_not_of("-0123456789") == std::string::npos;

@@ -11,7 +11,7 @@ namespace foam::texgen {
 
 /// A TOML value, independent of the library that parses it.
 struct Value {
-    struct Table {  // [a.b] or {...}, without its entries, which are read as keys of their own
+    struct Table {  // [a.b] or {...}; its entries are separate keys and not part of this value
         friend bool operator==(const Table&, const Table&) = default;
     };
     struct Opaque {  // a date or a time, which no key allows
@@ -26,7 +26,7 @@ struct Value {
 };
 
 /// Returns the value as TOML. Parsing the text gives an equal value; reals are equal to the last
-/// bit. A table becomes "{...}".
+/// bit. The exception is a table, whose text is "{...}".
 std::string to_toml(const Value& value);
 
 }  // namespace foam::texgen

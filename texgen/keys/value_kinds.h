@@ -17,10 +17,10 @@
 
 namespace foam::texgen {
 
-// The kinds of values that keys take. allowed() describes the values in words, schema() as a JSON
-// Schema (draft 2020-12); read() stores a value in a member, or returns false and changes nothing
-// if it is not allowed; write() turns the member back into a value, or returns nothing if the
-// member is unset.
+// The kinds of values that keys accept. Each has four functions. allowed() describes the allowed
+// values in words, and schema() describes them as a JSON Schema (draft 2020-12). read() stores a
+// value in a member; if the value is not allowed, it returns false and changes nothing. write()
+// converts the member back to a value; it returns nullopt if the member is unset.
 
 /// Returns the schema of a list of `min_items` to `max_items` items; 0 means that there is no
 /// limit.
@@ -50,8 +50,8 @@ struct Integers {
     }
 };
 
-/// Finite numbers from low to high, written with or without a decimal point. With `or_zero` 0 is
-/// allowed, too, and means "none".
+/// Finite numbers from low to high, written with or without a decimal point. With `or_zero`, the
+/// value 0 is allowed, too, and means "none".
 struct Reals {
     double low = 0.0;
     double high = 0.0;
@@ -112,8 +112,8 @@ struct WordLists {
     Value write(const std::vector<std::string>& member) const;
 };
 
-/// Lists of at least one integer; an empty member is unset. A single integer may be written without
-/// brackets.
+/// Lists of at least one integer. An empty member means that the key is unset. A single integer may
+/// be written without brackets.
 struct IntegerLists {
     Integers item;
 

@@ -53,8 +53,8 @@ ManifestConventions conventions_of(const MapOptions& maps) {
     };
 }
 
-/// Returns a hash of the version and of all keys except image.maps, so that bakes of different maps
-/// go into one set.
+/// Returns a hash of the version, the preset's name and all keys except image.maps, so that bakes
+/// of different maps belong to one set.
 std::string parameters_of(Preset preset) {
     preset.image.maps = Preset().image.maps;
     return text_hash(FOAMTEX_VERSION "\n" + preset.name + "\n" + to_toml(preset));

@@ -11,10 +11,10 @@
 
 namespace foam::texgen {
 
-/// Returns the set of a bake of these frames before any file is written.
+/// Returns the set of a bake of these frames, without any files yet.
 BakedSet describe(const Preset& preset, const std::vector<int>& frames);
 
-/// Adds a frame that has been written. The paths of its files become relative to the folder.
+/// Adds a frame whose files have been written. Their paths are stored relative to the folder.
 void add_frame(BakedSet& set, const BakedFrame& baked, const std::filesystem::path& folder);
 
 /// Returns a path relative to the folder of the manifest, with '/', as manifests store it.

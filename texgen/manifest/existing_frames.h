@@ -12,7 +12,7 @@
 
 namespace foam::texgen {
 
-/// Returns the frames of `frames` whose files all exist in the folder, were baked with the same
+/// Returns those of `frames` whose files all exist in the folder, were baked with the same
 /// parameters and version, and still have the pixels that the manifest records.
 std::set<int> existing_frames_of(const Preset& preset,
                                  const std::vector<int>& frames,

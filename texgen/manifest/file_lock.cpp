@@ -14,10 +14,10 @@
 #include <system_error>
 #include <utility>
 
-// An exclusive flock on a file that its owner removes before unlocking. A waiting program may then
-// hold a lock on a file that no longer has the name, while another program locks a new file of that
-// name. Therefore a lock counts only if the path still leads to the locked file; otherwise the
-// attempt is repeated.
+// The lock is an exclusive flock on a file that its owner removes before unlocking. A waiting
+// program may therefore get a lock on a removed file, while another program locks a new file at the
+// same path. A lock is valid only if the path still leads to the locked file; otherwise the attempt
+// is repeated.
 
 namespace foam::texgen {
 

@@ -6,9 +6,9 @@
 
 namespace foam::texgen {
 
-/// A mutual exclusion between programs and between threads: at any time only one FileLock of a path
-/// exists. The file exists only while it is locked. On a file system without locks nothing is
-/// locked.
+/// A lock file for mutual exclusion between programs and between threads. At any time only one
+/// FileLock of a path exists. The file exists only while it is locked. On a file system without
+/// flock there is no mutual exclusion.
 class FileLock {
   public:
     /// Waits for the lock. Throws OutputError if the file cannot be created.

@@ -15,7 +15,7 @@ auto* find_by(Range& range, Member member, const Value& value) {
     return found != range.end() ? &*found : nullptr;
 }
 
-bool is_of(const ManifestFile& file, std::string_view map) {
+bool has_map(const ManifestFile& file, std::string_view map) {
     return std::ranges::find(file.maps, map) != file.maps.end();
 }
 
@@ -63,15 +63,15 @@ void merge_into(BakedSet& into, const BakedSet& more) {
 }  // namespace
 
 bool BakedSet::complete() const {
-    std::set<std::pair<std::string, int>> there;
+    std::set<std::pair<std::string, int>> existing;
     for (const ManifestFile& file : files) {
         for (const std::string& map : file.maps) {
-            there.emplace(map, file.frame);
+            existing.emplace(map, file.frame);
         }
     }
     return std::ranges::all_of(maps, [&](const ManifestMap& map) {
         return std::ranges::all_of(map.frames, [&](int frame) {
-            return there.contains({map.name, frame});
+            return existing.contains({map.name, frame});
         });
     });
 }
@@ -90,7 +90,7 @@ const ManifestMap* BakedSet::find_map(std::string_view name) const {
 
 const ManifestFile* BakedSet::find_file(std::string_view map, int frame) const {
     const auto found = std::ranges::find_if(
-        files, [&](const auto& file) { return file.frame == frame && is_of(file, map); });
+        files, [&](const auto& file) { return file.frame == frame && has_map(file, map); });
     return found != files.end() ? &*found : nullptr;
 }
 
@@ -124,9 +124,9 @@ void merge(Manifest& manifest, const BakedSet& set) {
 }
 
 void remove_files(Manifest& manifest, const std::vector<std::string>& paths) {
-    const std::set<std::string> gone(paths.begin(), paths.end());
+    const std::set<std::string> removed(paths.begin(), paths.end());
     for (BakedSet& set : manifest.sets) {
-        std::erase_if(set.files, [&](const auto& file) { return gone.contains(file.path); });
+        std::erase_if(set.files, [&](const auto& file) { return removed.contains(file.path); });
     }
 }
 

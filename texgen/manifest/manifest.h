@@ -21,7 +21,7 @@ inline constexpr std::string_view kManifestFormat = "foamtex-manifest";
 struct ManifestMap {
     std::string name;
     std::string meaning;
-    std::string unit;                   // of its values, and the meaning of the codes of a PNG
+    std::string unit;                   // of the values, and the meaning of the codes of a PNG
     std::string note;                   // such as the direction of y; empty if there is none
     std::vector<int> frames;            // requested frames, in increasing order
     std::optional<MapSamples> samples;  // nullopt before the first file is written
@@ -84,10 +84,10 @@ struct ManifestConventions {
 /// same version of foamtex.
 struct BakedSet {
     std::string version;  // of foamtex
-    std::string preset;   // its name
+    std::string preset;   // name of the preset
     std::string description;
     std::string toml;        // the preset in full
-    std::string parameters;  // hash of the version and of all keys except image.maps
+    std::string parameters;  // hash of version, preset name and all keys except image.maps
     std::uint64_t seed = 0;
     int width = 0;
     int height = 0;
@@ -95,9 +95,9 @@ struct BakedSet {
     ManifestLoop loop;
     ManifestConventions conventions;
     std::vector<ManifestMap> maps;
-    std::vector<ManifestFile> files;  // by frame, then in the order of the maps
-    std::vector<ManifestFrame> foam;  // by frame
-    std::string failure;              // why a bake ended before its last frame; else empty
+    std::vector<ManifestFile> files;  // sorted by frame, then in the order of `maps`
+    std::vector<ManifestFrame> foam;  // sorted by frame
+    std::string failure;              // why a bake ended before its last frame; empty if it did not
 
     /// Returns true if every map has a file of each of its requested frames.
     bool complete() const;
@@ -105,7 +105,7 @@ struct BakedSet {
     /// Returns the requested frames of all maps, in increasing order.
     std::vector<int> frames() const;
 
-    /// Return the map, file or frame, or nullptr if there is none.
+    /// Returns the map, file or frame, or nullptr if there is none.
     const ManifestMap* find_map(std::string_view name) const;
     const ManifestFile* find_file(std::string_view map, int frame) const;
     const ManifestFrame* find_frame(int frame) const;
@@ -120,7 +120,7 @@ struct Manifest {
     friend bool operator==(const Manifest&, const Manifest&) = default;
 };
 
-/// Return the set with the same parameters, or nullptr if there is none.
+/// Returns the set with the same parameters, or nullptr if there is none.
 BakedSet* find_same_set(Manifest& manifest, const BakedSet& set);
 const BakedSet* find_same_set(const Manifest& manifest, const BakedSet& set);
 
@@ -130,7 +130,7 @@ const BakedSet* find_same_set(const Manifest& manifest, const BakedSet& set);
 /// sets without files are removed.
 void merge(Manifest& manifest, const BakedSet& set);
 
-/// Removes files from all sets, for a bake that is about to overwrite them.
+/// Removes files from all sets. Used before a bake overwrites the files.
 void remove_files(Manifest& manifest, const std::vector<std::string>& paths);
 
 }  // namespace foam::texgen

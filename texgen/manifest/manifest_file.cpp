@@ -27,7 +27,7 @@ std::string line_of(const BakedSet& set) {
     return fmt::format("{} (seed {}, {} x {})", set.preset, set.seed, set.width, set.height);
 }
 
-// Explains why no set can be chosen if `count` of the sets, which are not one, are wanted.
+// Returns the error message if `count` sets match the preset. Precondition: `count` is not 1.
 std::string choice_error(const std::string& file,
                          std::string_view preset,
                          int count,

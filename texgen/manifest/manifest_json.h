@@ -14,7 +14,7 @@ namespace foam::texgen {
 std::string to_json(const Manifest& manifest);
 
 /// Parses the JSON of a manifest. Unknown members are ignored. Throws InputError, whose message
-/// names `file`, if the text is no JSON, no manifest, or one of a newer version.
+/// names `file`, if the text is not JSON, is not a manifest, or is a manifest of a newer version.
 Manifest parse_manifest(std::string_view text, const std::string& file);
 
 }  // namespace foam::texgen

@@ -30,7 +30,8 @@ std::vector<int> frames_in(const JsonValue& value) {
     return frames;
 }
 
-/// Returns the number of a member, or NaN for null, which stands for a number that is not finite.
+/// Returns the number of a member, or NaN if the member is missing or null. Manifests store numbers
+/// that are not finite as null.
 double number_in(const std::optional<JsonValue>& value) {
     return value ? value->number() : std::numeric_limits<double>::quiet_NaN();
 }
@@ -129,7 +130,7 @@ std::vector<Item> list_in(const JsonValue& list, Item (*item_in)(const JsonValue
     return items;
 }
 
-/// Throws InputError if a file has a map that is not in the list of maps.
+/// Throws InputError if a file has a map that is not in the list of maps of the set.
 void check_maps(const BakedSet& set, const JsonValue& files) {
     const std::vector<JsonValue> items = files.items();
     for (std::size_t k = 0; k < set.files.size(); ++k) {

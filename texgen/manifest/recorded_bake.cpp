@@ -22,8 +22,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// The largest fraction of the time of a bake that is spent on writing manifests, approximately.
-constexpr double kShare = 0.05;
+// Approximate upper limit on the fraction of the time of a bake that is spent on writing manifests.
+constexpr double kMaxSaveFraction = 0.05;
 
 // Writes the manifest of a running bake.
 class ManifestWriter {
@@ -34,7 +34,7 @@ class ManifestWriter {
           set_(describe(preset, options.frames)),
           paths_(paths_of(preset, options)) {}
 
-    /// Removes the files that the bake will write from the manifest and adds the set of the bake.
+    /// Removes from the manifest the files that the bake will write, and adds the set of the bake.
     /// Only the first call has an effect.
     void begin() {
         if (!begun_) {
@@ -81,7 +81,8 @@ class ManifestWriter {
         const Clock::time_point begin = Clock::now();
         update_manifest(folder_, [&](Manifest& manifest) { merge(manifest, set_); });
         const Clock::time_point end = Clock::now();
-        next_save_ = end + std::chrono::duration_cast<Clock::duration>((end - begin) / kShare);
+        next_save_ =
+            end + std::chrono::duration_cast<Clock::duration>((end - begin) / kMaxSaveFraction);
     }
 
     std::filesystem::path folder_;
@@ -105,7 +106,7 @@ std::string failure_of(const RunOutcome& outcome) {
 }
 
 // Records the failure of a bake that ends with an exception, unless no frame has been simulated.
-// Ignores exceptions of its own, so that the caller can rethrow the first one.
+// Ignores further exceptions, so that the caller can rethrow the original one.
 void close_after_failure(ManifestWriter& writer, const std::string& failure) {
     try {
         if (writer.begun()) {
@@ -146,9 +147,9 @@ BakeSummary bake_and_record(const Preset& preset,
 
 /// Returns the summary of a bake whose files all exist already. The closing error of the loop comes
 /// from the manifest.
-BakeSummary all_there(const Preset& preset,
-                      const std::vector<int>& frames,
-                      const Manifest& manifest) {
+BakeSummary summary_of_existing(const Preset& preset,
+                                const std::vector<int>& frames,
+                                const Manifest& manifest) {
     const FrameFiles files(preset);
     BakeSummary summary;
     if (const BakedSet* const set = find_same_set(manifest, describe(preset, frames))) {
@@ -170,17 +171,17 @@ BakeSummary bake_recorded(const Preset& preset,
     check_bake(preset, options);
     const std::filesystem::path folder = manifest_folder(preset);
     const Manifest manifest = manifest_in(folder);
-    BakeOptions missing = options;
+    BakeOptions effective = options;
     if (resume == Resume::Yes) {
-        missing.existing_frames = existing_frames_of(preset, options.frames, folder, manifest);
+        effective.existing_frames = existing_frames_of(preset, options.frames, folder, manifest);
     }
-    const bool idle =
-        missing.existing_frames.size() == options.frames.size() && !callbacks.on_frame;
-    ManifestWriter writer(preset, missing);
+    const bool all_exist =
+        effective.existing_frames.size() == options.frames.size() && !callbacks.on_frame;
+    ManifestWriter writer(preset, effective);
     try {
-        BakeSummary summary = idle ? all_there(preset, options.frames, manifest)
-                                   : bake_and_record(preset, missing, callbacks, writer);
-        summary.kept = static_cast<int>(missing.existing_frames.size());
+        BakeSummary summary = all_exist ? summary_of_existing(preset, options.frames, manifest)
+                                        : bake_and_record(preset, effective, callbacks, writer);
+        summary.kept = static_cast<int>(effective.existing_frames.size());
         writer.close(failure_of(summary.outcome));
         return summary;
     } catch (const std::exception& error) {

@@ -17,9 +17,9 @@ enum class Resume { No, Yes };
 
 /// Bakes and keeps a manifest. The manifest is written when the first frame has been simulated,
 /// repeatedly while files are written, and at the end of the bake, also if it fails. It lists only
-/// files that have been written. With Resume::Yes the files of existing_frames_of are kept. Their
-/// frames are simulated nevertheless, unless all frames are present and `on_frame` is empty. Throws
-/// as bake and update_manifest.
+/// files that have been written. With Resume::Yes, the files of the frames that existing_frames_of
+/// returns are kept. These frames are simulated nevertheless, unless all frames exist and
+/// `on_frame` is empty. Throws the exceptions of bake and update_manifest.
 BakeSummary bake_recorded(const Preset& preset,
                           const BakeOptions& options,
                           const BakeCallbacks& callbacks,

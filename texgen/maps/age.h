@@ -16,19 +16,19 @@ inline constexpr MapTraits kAgeMap = {
 
 /// The moment at which a bubble's age begins.
 enum class AgeSince {
-    Birth,   // foam time 0 for the seeded bubbles
+    Birth,   // the birth of the bubble; foam time 0 for seeded bubbles
     Change,  // the last gain or loss of a neighbor
 };
 
 struct AgeOptions {
     AgeSince since = AgeSince::Birth;
-    double full = 50.0;  // foam time at the largest code of a PNG
+    double full = 50.0;  // age stored as the largest code of a PNG, in foam time
 };
 
 Keys<AgeOptions> age_keys();
 
 /// Draws the age of every bubble in foam time. A pixel that several bubbles share has the mean of
-/// their ages by area. One channel; 0 around a patch.
+/// their ages, weighted by area. The image has one channel and is 0 around a patch.
 NumberPixels draw_age(FrameLayers& layers, const AgeOptions& options);
 
 }  // namespace foam::texgen

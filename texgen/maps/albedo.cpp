@@ -22,8 +22,8 @@ ColorPixels draw_flat(FrameLayers& layers, const AlbedoOptions& options) {
                        width);
 }
 
-// Draws the colors of bubbles first, mixed in pixels that bubbles share. The shade beside films is
-// mixed into these colors, and the films are painted over the result.
+// Draws the colors of bubbles first; a pixel that bubbles share has their mean color. Then mixes
+// the shade beside films into these colors, and paints the films over the result.
 ColorPixels draw_shaded(FrameLayers& layers, const AlbedoOptions& options) {
     const LinearRgb film = to_linear(parse_color(options.film_color));
     const ColorPixels cells = fill_colors(layers, cell_colors(layers.frame(), options), film, 0.0);

@@ -19,9 +19,9 @@ inline constexpr MapTraits kAlbedoMap = {
     .channels = "R G B",
     .smooth_distance = SmoothDistance::UsedByFilms};
 
-/// Draws the colors of bubbles and films. Even films without a shade are drawn by fill_colors, wet
-/// films and shades by paint_films. Throws as cell_colors does, and std::invalid_argument for an
-/// invalid color of films or of the shade.
+/// Draws the colors of bubbles and films. It uses fill_colors for even films without a shade, and
+/// paint_films for wet films and for shades. Throws as cell_colors does, and std::invalid_argument
+/// for an invalid color of films or of the shade.
 ColorPixels draw_albedo(FrameLayers& layers, const AlbedoOptions& options);
 
 /// Draws the albedo of a single frame and encodes it as sRGB. The result does not depend on the

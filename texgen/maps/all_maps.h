@@ -54,8 +54,9 @@ struct MapOptions {
 };
 
 /// Returns the keys of all maps, such as "height.full", in the order in which presets list them.
-/// The table of the map event is named event_map, because [[event]] describes what happens to the
-/// foam. A template, since only its few callers should spend time on compiling it.
+/// The table of the map `event` is named event_map, because the table [[event]] describes an event
+/// of the foam. This is a template so that only the few sources that call it spend time compiling
+/// it.
 template <class M = MapOptions>
 Keys<M> map_keys() {
     return joined({keys_in("albedo", &M::albedo, albedo_keys()),
@@ -76,8 +77,7 @@ Keys<M> map_keys() {
                    keys_in("thin_film", &M::thin_film, thin_film_keys())});
 }
 
-/// Makes a map that is drawn by draw(layers, options.*members...), with an optional text for its
-/// files.
+/// Makes a map that is drawn by draw(layers, options.*members...). `note` is Map::note.
 template <auto draw, auto... members>
 constexpr Map map_of(const MapTraits& traits, std::string (*note)(const MapOptions&) = nullptr) {
     return {traits,
@@ -125,13 +125,14 @@ std::span<const Map> all_maps();
 /// Returns the names of all maps, in the order of kMaps.
 std::span<const std::string_view> map_names();
 
-/// Returns the map of a name. Throws std::invalid_argument with the known names if there is none.
+/// Returns the map with the given name. Throws std::invalid_argument, with a list of the known
+/// names, if there is none.
 const Map& find_map(std::string_view name);
 
-/// Returns the distances that several maps need together.
+/// Returns the union of the needs of the maps with the given names.
 DistanceNeeds distance_needs(std::span<const std::string> names, const MapOptions& options);
 
-/// Returns the table of all maps in Markdown, as in README.md.
+/// Returns the table of all maps that README.md contains, as Markdown.
 std::string describe_maps_in_markdown();
 
 }  // namespace foam::texgen

@@ -16,13 +16,13 @@ inline constexpr MapTraits kAreaMap = {.name = "area",
 
 struct AreaOptions {
     MeanBubble unit = MeanBubble::Current;
-    double full = 4.0;  // area at the largest code of a PNG, in the unit
+    double full = 4.0;  // area stored as the largest code of a PNG, in this unit
 };
 
 Keys<AreaOptions> area_keys();
 
 /// Draws the area that the arcs of every bubble enclose. A pixel that several bubbles share has the
-/// mean of their numbers by area. One channel; 0 around a patch.
+/// mean of their values, weighted by area. The image has one channel and is 0 around a patch.
 NumberPixels draw_area(FrameLayers& layers, const AreaOptions& options);
 
 }  // namespace foam::texgen

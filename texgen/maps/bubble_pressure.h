@@ -9,15 +9,15 @@ namespace foam::texgen {
 
 /// The unit of a pressure.
 enum class PressureUnit {
-    Seed,     // film tension over the square root of the seeded mean area, which is 1
-    Current,  // film tension over the square root of the frame's mean area, which preserves
-              // contrast while the foam coarsens
+    Seed,     // film tension / sqrt(mean area of the seeded foam), where that area is 1
+    Current,  // film tension / sqrt(mean area of the frame), which preserves contrast while
+              // the foam coarsens
 };
 
 inline constexpr Choices<PressureUnit> kPressureUnits = {
     {{{"seed", PressureUnit::Seed}, {"current", PressureUnit::Current}}}};
 
-/// The pressures that keys accept, in either unit.
+/// The range of pressures that keys accept, in either unit.
 inline constexpr Reals kPressures{-1e6, 1e6};
 
 /// Returns the pressures of all bubbles of a frame.

@@ -17,7 +17,7 @@ namespace foam::texgen {
 
 namespace {
 
-// Bubbles of three films are at the start of the scale, bubbles of nine at its end.
+// Bubbles of three films are at the start of the scale, bubbles of nine films at its end.
 constexpr double kFewestSides = 3.0;
 constexpr double kMaxSides = 9.0;
 
@@ -60,7 +60,7 @@ PerBubble<double> numbers_of(const Frame& frame, IdentityStream stream) {
 
 using ColorOfTone = std::function<LinearRgb(double)>;
 
-// Interpolates between colors in sRGB, as color maps do.
+// Interpolates between colors in sRGB, like ColorMap::at.
 LinearRgb blended(const std::vector<LinearRgb>& colors, double tone) {
     const double position = tone * static_cast<double>(colors.size() - 1);
     const auto below = std::min(static_cast<std::size_t>(position), colors.size() - 1);

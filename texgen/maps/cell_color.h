@@ -11,7 +11,8 @@ namespace foam::texgen {
 
 /// Returns the position of every bubble on the scale of options.color_by: 0 at its start, 1 at its
 /// end. Pressures and numbers of sides beyond the scale have positions outside [0, 1]. Throws
-/// std::invalid_argument if colors are by pressure and pressure_low is not below pressure_high.
+/// std::invalid_argument if options.color_by is Pressure and pressure_low is not below
+/// pressure_high.
 PerBubble<double> tones_of(const Frame& frame, const AlbedoOptions& options);
 
 /// Returns the color of every bubble: the color at its position on the scale, made lighter or

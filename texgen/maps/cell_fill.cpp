@@ -50,7 +50,7 @@ Texel light_of(const LinearRgb& color) {
     return {light_step(color.r), light_step(color.g), light_step(color.b), kFullValue};
 }
 
-// A linear scale of 65535 steps from the smallest to the largest of some numbers. It converts
+// A linear scale of 65535 steps from the smallest to the largest number of an image. It converts
 // numbers to the 16-bit integers of the rasterizer and back.
 class Steps {
   public:
@@ -82,7 +82,8 @@ Image<float> numbers_of(const Image<std::uint16_t>& steps, const Steps& scale) {
     return image;
 }
 
-// Converts images of a patch, whose second channel is the opacity; pixels of no opacity become 0.
+// Converts the image of a patch, whose second channel is the opacity. Pixels with an opacity of 0
+// become 0.
 Image<float> covered_numbers_of(const Image<std::uint16_t>& steps, const Steps& scale) {
     Image<float> image(steps.width(), steps.height(), 1);
     const std::span<const std::uint16_t> from = steps.samples();
@@ -137,7 +138,8 @@ Image<float> fill_numbers(FrameLayers& layers, const CellNumbers& numbers, doubl
 }
 
 Image<float> fill_numbers(FrameLayers& layers, const PerBubble<double>& bubbles) {
-    // No pixel shows a film of no width, so any number within the range of the bubbles will do.
+    // No pixel shows a film of width 0. Any number within the range of the bubbles leaves the scale
+    // unchanged.
     const double film = bubbles.empty() ? 0.0 : bubbles.front();
     return fill_numbers(layers, {bubbles, film}, 0.0);
 }

@@ -20,7 +20,7 @@ void mix(std::span<std::uint16_t> falling, std::span<const std::uint16_t> rising
     constexpr std::uint32_t kHalf = kWhole / 2;
     const auto risen = static_cast<std::uint32_t>(std::lround(weight * kWhole));
     for (std::size_t c = 0; c < falling.size(); ++c) {
-        // The weights add up to 2^16 and both numbers are below 2^16, so 32 bits hold the sum.
+        // The weights add up to 2^16 and both samples are below 2^16, so the sum fits into 32 bits.
         falling[c] = static_cast<std::uint16_t>(
             ((kWhole - risen) * falling[c] + risen * rising[c] + kHalf) >> 16U);
     }
@@ -38,8 +38,8 @@ void mix(std::span<std::uint32_t> falling, std::span<const std::uint32_t> rising
     }
 }
 
-// Mixes two normals by their slopes -x / z and -y / z, and normalizes the result. Both slopes are
-// multiplied by both z, which avoids a division.
+// Mixes two normals by their slopes -x / z and -y / z, and normalizes the result. The mixed slopes
+// are multiplied by both values of z, which avoids a division.
 void mix_slopes(std::span<float> falling, std::span<const float> rising, float weight) {
     const float fallen = (1.0F - weight) * rising[2];
     const float risen = weight * falling[2];
@@ -52,8 +52,8 @@ void mix_slopes(std::span<float> falling, std::span<const float> rising, float w
     falling[2] = z / length;
 }
 
-// Calls mix_pixel for pixels that show both images. Pixels that show only one keep its samples to
-// the bit.
+// Calls mix_pixel for pixels that show both images. Pixels that show only one image get exactly its
+// samples.
 template <class Sample, class Mix>
 void mix_pixels(Image<Sample>& falling,
                 const Image<Sample>& rising,

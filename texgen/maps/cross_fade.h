@@ -21,9 +21,9 @@ struct ShownLayers {
 MapImage draw(const Map& map, ShownLayers& shown, const MapOptions& options);
 
 /// Fades an image into a rising one of the same size and kind. `weights` holds the weight of the
-/// rising image in every pixel, from 0 to 1. Colors are mixed as light, without regard to opacity.
-/// Numbers are mixed by value or by slope. Ids are not mixed: each pixel takes the id of the image
-/// with the larger share.
+/// rising image in every pixel, from 0 to 1. Every channel of colors, opacity included, is mixed
+/// linearly by itself. Numbers are mixed by value or by slope. Ids are not mixed: each pixel takes
+/// the id of the image with the larger weight.
 MapImage cross_fade(MapImage falling,
                     const MapImage& rising,
                     const Image<float>& weights,

@@ -12,8 +12,8 @@ namespace foam::texgen {
 
 namespace {
 
-// Returns the curvature of a section, as a difference over a radius. All lengths are in the
-// section's unit.
+// Returns the curvature of a section as a difference over a radius (curvature.h). All lengths are
+// in the section's unit.
 double bend(const ReliefSection& section, double smooth, double radius) {
     const double distance = section.distance(smooth);
     const double outside =

@@ -19,14 +19,15 @@ inline constexpr MapTraits kCurvatureMap = {
 
 struct CurvatureOptions {
     double radius = 0.08;  // radius of the neighborhood, in diameters of the relief's mean bubble
-    double full = 10.0;    // curvature at the largest code of a PNG; its negative is at code 0
+    double full = 10.0;    // curvature stored as the largest code of a PNG; code 0 is its negative
 };
 
 Keys<CurvatureOptions> curvature_keys();
 
-/// Draws the bend of the relief across the nearest film over a radius a: (2 h(x) - h(x - a) -
-/// h(x + a)) / a², times the diameter of the mean bubble. It is positive on crests, negative in
-/// furrows, and 0 where the relief is flat or straight. One channel; 0 around a patch.
+/// Draws the curvature of the relief across the nearest film, as a difference of heights over a
+/// radius a: (2 h(x) - h(x - a) - h(x + a)) / a², times the diameter of the mean bubble. It is
+/// positive on crests, negative in furrows, and 0 where the relief is flat or has a constant slope.
+/// The image has one channel and is 0 away from a patch.
 NumberPixels draw_curvature(FrameLayers& layers,
                             const ReliefOptions& relief,
                             const CurvatureOptions& options);

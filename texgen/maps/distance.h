@@ -19,8 +19,8 @@ inline constexpr MapTraits kDistanceMap = {
     .png_filter = PngFilter::Up};
 
 enum class DistanceKind {
-    Plain,   // from the middle of the nearest film; 0 around a patch
-    Signed,  // from the nearest film's edge: above 0 in bubbles, below in films and around a patch
+    Plain,   // from the center line of the nearest film; 0 around a patch
+    Signed,  // from the edge of the nearest film; negative in films and around a patch
 };
 
 enum class DistanceUnit { Pixels, Foam };
@@ -28,14 +28,14 @@ enum class DistanceUnit { Pixels, Foam };
 struct DistanceOptions {
     DistanceKind kind = DistanceKind::Plain;
     DistanceUnit unit = DistanceUnit::Foam;
-    double full = 1.0;  // distance at the largest code of a PNG, in the unit; if signed, code 0 is
-                        // its negative
+    double full = 1.0;  // distance stored as the largest code of a PNG, in this unit; if signed,
+                        // code 0 is its negative
 };
 
 Keys<DistanceOptions> distance_keys();
 
 /// Draws the distance from the center of every pixel to the nearest film, computed from the film's
-/// exact arc. For signed distances, films are as wide as in albedo. One channel.
+/// exact arc. Signed distances use the film width of albedo. The image has one channel.
 NumberPixels draw_distance(FrameLayers& layers,
                            const DistanceOptions& options,
                            const AlbedoOptions& films);

@@ -16,14 +16,14 @@ namespace foam::texgen {
 
 namespace {
 
-// A round disk on a grid.
+// A disk to paint.
 struct EventDisk {
     double radius;  // pixels
     float height;
     std::size_t channel;
 };
 
-// Paints the copy of a disk whose middle is at a point of the image.
+// Paints one copy of a disk, with its center at `middle`.
 void paint_copy(const EventDisk& disk, SubpixelPoint middle, ImageView<float> image) {
     const auto reach = static_cast<std::int32_t>(std::ceil(disk.radius));
     const int left = std::max(pixel_of(middle.x) - reach, 0);

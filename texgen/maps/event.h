@@ -15,16 +15,17 @@ inline constexpr MapTraits kEventMap = {
     .png_filter = PngFilter::Up};
 
 struct EventMapOptions {
-    double radius = 1.0;  // radius of a spot, in diameters of a mean bubble of the seeded foam
-    int fade = 8;         // number of frames that show a spot, up to kRecordedFrames
+    double radius = 1.0;  // radius of a disk, in diameters of a mean bubble of the seeded foam
+    int fade = 8;         // number of frames that show a disk, at most kRecordedFrames
 };
 
 Keys<EventMapOptions> event_map_keys();
 
-/// Draws spots where the topology of the foam has just changed: red for T1, green for T2, blue for
-/// new bubbles. A spot has the profile (1 - r²/R²)², times a factor that is 1 in the first frame
-/// that shows the spot and falls linearly to 0 over options.fade frames. Where spots of a color
-/// overlap, the largest value counts. Three channels, 0 to 1.
+/// Draws disks where the topology of the foam has just changed: red for T1, green for T2, blue for
+/// new bubbles. A disk has the profile (1 - r²/R²)² times a fade factor. The factor is 1 in the
+/// first frame that shows the disk and falls linearly to 0 over options.fade frames. Where disks of
+/// one color overlap, a pixel has their largest value. The image has three channels with values
+/// from 0 to 1.
 NumberPixels draw_event(FrameLayers& layers, const EventMapOptions& options);
 
 }  // namespace foam::texgen

@@ -17,14 +17,15 @@ namespace {
 
 // The order is a tileable random field. It is the sum of plane waves with random directions and
 // phases, each with a whole number of periods across the tile, so that the field is periodic. Such
-// a sum is nearly normally distributed; its cumulative distribution function turns it into ranks
-// that are spread evenly over [0, 1]. A pixel of rank t begins to fade at the fraction `spread` * t
-// of the time, and takes the fraction 1 - `spread` of the time.
+// a sum is nearly normally distributed. The cumulative distribution function of the normal
+// distribution converts it to ranks that are spread evenly over [0, 1]. A pixel of rank t begins to
+// fade at the fraction `spread` * t of the time, and its fade lasts for the fraction 1 - `spread`
+// of the time.
 
 constexpr int kWaves = 24;
 constexpr double kBubblesInWave = 4.0;  // mean wavelength, in mean bubble widths
 
-// A plane wave with whole numbers of periods across the tile and up.
+// A plane wave with whole numbers of periods across the tile in x and y.
 struct Wave {
     int across = 0;
     int up = 0;
@@ -34,7 +35,8 @@ struct Wave {
 std::vector<Wave> random_waves(const FadeOrder::Options& options) {
     Random random(options.seed);
     const double aspect = std::sqrt(static_cast<double>(options.width) / options.height);
-    const double mean = std::sqrt(options.bubbles) / kBubblesInWave;  // waves per tile of area 1
+    const double mean =
+        std::sqrt(options.bubbles) / kBubblesInWave;  // mean number of waves across a square tile
     std::vector<Wave> waves;
     for (int k = 0; k < kWaves; ++k) {
         const double direction = 2.0 * std::numbers::pi * random.uniform();
@@ -82,7 +84,8 @@ FadeOrder::FadeOrder(const Options& options)
         add(wave, turns_);
     }
     // A sum of many waves is nearly normally distributed. Each wave has a mean square of 1/2, which
-    // gives the standard deviation. The distribution function makes the ranks uniform.
+    // gives the standard deviation. The cumulative distribution function converts the sum to a
+    // rank.
     const double deviations = 1.0 / std::sqrt(0.5 * kWaves);
     for (float& turn : turns_.samples()) {
         turn = static_cast<float>(0.5 * std::erfc(-deviations * turn / std::numbers::sqrt2));

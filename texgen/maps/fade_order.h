@@ -17,16 +17,17 @@ class FadeOrder {
         int width = 1;  // width and height of the tile in pixels
         int height = 1;
         double bubbles = 1.0;  // approximate number of bubbles in the tile
-        double spread = 0.0;   // 0 fades all pixels at once, values towards 1 one after the other;
-                               // below 1
+        double spread = 0.0;  // 0 fades all pixels at the same time; larger values, below 1, spread
+                              // the fades of the pixels over time
         std::uint64_t seed = 1;
     };
 
     explicit FadeOrder(const Options& options);
 
-    /// Returns the weight of the rising image in every pixel, from 0 to 1, after a fraction of the
-    /// fade, from 0 to 1. All weights are 0 at the start and 1 at the end of the fade, and each has
-    /// the slope 0 in time where it leaves 0 and reaches 1.
+    /// Returns the weight of the rising image (cross_fade.h) in every pixel, from 0 to 1. `passed`
+    /// is the elapsed fraction of the fade, from 0 to 1. All weights are 0 at the start and 1 at
+    /// the end of the fade. Each weight has a slope of 0 in time where its rise begins and where it
+    /// ends.
     Image<float> weights(double passed) const;
 
   private:

@@ -14,8 +14,9 @@ inline constexpr MapTraits kFilmMap = {
     .channels = "Y",
     .smooth_distance = SmoothDistance::UsedByFilms};
 
-/// Draws the fraction of every pixel that films cover. Films are as wide as in albedo. One channel,
-/// 0 to 1; 0 around a patch.
+/// Draws the fraction of every pixel that films cover. Films have the width and shape that the
+/// options of albedo give. The image has one channel with values from 0 to 1 and is 0 around a
+/// patch.
 NumberPixels draw_film(FrameLayers& layers, const AlbedoOptions& options);
 
 }  // namespace foam::texgen

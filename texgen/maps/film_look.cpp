@@ -15,12 +15,13 @@ namespace foam::texgen {
 
 namespace {
 
-// A smaller slope of the smooth distance belongs to a summit, where no film ends.
+// The smallest divisor used for the slope of the smooth distance. Smaller slopes occur only near
+// the middle of bubbles, where no film ends.
 constexpr double kFlattest = 0.05;
 
-// Wet films are where the smooth distance is below half their width. The distance of a pixel's
-// center to that level is estimated to first order: the difference of the smooth distance, divided
-// by its slope. Coverage is linear in this distance over the width of one pixel.
+// A wet film covers the points whose smooth distance is below half its width. The distance of a
+// pixel's center from the film's edge is estimated to first order, as the difference of the smooth
+// distance divided by its slope. Coverage is linear in this distance over the width of one pixel.
 Image<float> wet_films(FrameLayers& layers, double width) {
     const DistanceField& field = layers.distance();
     Image<float> films(layers.grid().width, layers.grid().height, 1);
@@ -35,7 +36,7 @@ Image<float> wet_films(FrameLayers& layers, double width) {
     return films;
 }
 
-// Writes a color and, if the pixel has a channel for it, the opacity.
+// Writes a color and, if the pixel has four channels, the opacity.
 void write_pixel(const LinearRgb& color, double opacity, std::span<std::uint16_t> pixel) {
     pixel[0] = light_step(color.r);
     pixel[1] = light_step(color.g);

@@ -12,28 +12,31 @@
 
 namespace foam::texgen {
 
-/// Returns the fraction of every pixel that films cover, 0 to 1, in one channel. Even films are
-/// drawn by exact area. Wet films end where the smooth distance (distance_field.h) is half their
-/// width, which rounds the corners of bubbles; their edges are mixed over the width of a pixel.
+/// Returns the fraction of every pixel that films cover, from 0 to 1, in one channel. For even
+/// films the fraction is exact. Wet films end where the smooth distance (distance_field.h) is half
+/// their width, which rounds the corners of bubbles. At their edges the fraction falls from 1 to 0
+/// over the width of a pixel.
 Image<float> film_cover(FrameLayers& layers, const AlbedoOptions& options);
 
 /// Returns the fraction of every pixel that films and bubbles cover together, in one channel.
 Image<float> foam_cover(FrameLayers& layers, const AlbedoOptions& options);
-/// Returns the same fraction as above from a known film_cover `films`, which is used only for wet
-/// films of a patch.
+/// Returns the same fraction as the function above. `films` is the result of film_cover; it is used
+/// only for wet films of a patch.
 Image<float> foam_cover(FrameLayers& layers,
                         const AlbedoOptions& options,
                         const Image<float>& films);
 
-/// Returns the weight of the shade's color at every pixel: options.shade on films, falling smoothly
-/// to 0 at options.shade_width from them. One channel. Precondition: options.shade > 0.
+/// Returns the weight of the shade's color at every pixel. The weight is options.shade on the
+/// center lines of films and falls smoothly to 0 at the smooth distance options.shade_width. The
+/// image has one channel. Precondition: options.shade > 0.
 Image<float> film_shade(FrameLayers& layers, const AlbedoOptions& options);
 
 /// Returns the distances that the functions above need.
 DistanceNeeds distance_of_look(const AlbedoOptions& options);
 
-/// Paints films over bubbles. `color_at` returns the color of the bubbles at the index of a pixel,
-/// counted row by row. Transparent around a patch, as in fill_colors.
+/// Paints films over bubbles. `color_at` returns the color of the bubbles at a pixel; its argument
+/// is the index of the pixel, counted row by row. The surroundings of a patch are transparent, as
+/// in fill_colors.
 ColorPixels paint_films(FrameLayers& layers,
                         const AlbedoOptions& options,
                         const std::function<LinearRgb(std::size_t)>& color_at);

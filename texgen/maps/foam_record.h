@@ -8,34 +8,34 @@
 
 namespace foam::texgen {
 
-/// A topology event that happened between a frame and the one before it.
+/// A topology event between two consecutive frames.
 struct RecordedEvent {
     TopologyEventKind kind = TopologyEventKind::T1;
     int frame = 0;            // the first frame that shows the event
-    Vec2 position{0.0, 0.0};  // in the plane; moves with the foam if the foam is sheared later
+    Vec2 position{0.0, 0.0};  // moved along with the foam if the foam is sheared later
 
     friend bool operator==(const RecordedEvent&, const RecordedEvent&) = default;
 };
 
-/// The number of frames that keep an event, including the first one that shows it.
+/// The number of frames for which a record keeps an event, including the first frame that shows it.
 inline constexpr int kRecordedFrames = 100;
 
-/// The facts about earlier frames that the maps of a frame need. They do not depend on which of
-/// these frames are drawn.
+/// The facts about earlier frames that the maps of a frame need. They do not depend on which of the
+/// earlier frames are drawn.
 struct FoamRecord {
-    /// The number of the frame that the record belongs to, counted as in its events.
+    /// The number of the frame that the record belongs to, counted like RecordedEvent::frame.
     int frame = 1;
     /// The pressures of all bubbles in the first equilibrium that a frame shows, in increasing
     /// order and in units of PressureUnit::Current: divided by the film tension and multiplied by
-    /// the square root of the mean area. They scale the pressures of all frames, which prevents
-    /// flicker.
+    /// the square root of the mean area. They define the scale of pressures for all frames, which
+    /// prevents flicker.
     std::vector<double> first_pressures{};
-    /// The foam time at which a bubble was born, and at which its neighbors last changed, indexed
-    /// by the bubble's identity. Seeded bubbles start with time 0.
+    /// The foam times at which each bubble was born and at which its neighbors last changed,
+    /// indexed by the bubble's identity. Both start at 0 for seeded bubbles.
     std::vector<double> births{};
     std::vector<double> changes{};
     /// The events in the order in which they happened. Events before frame 1 are kept only in a
-    /// loop, where events of the preceding cycle have frame numbers of 1 and less.
+    /// loop: events of the preceding cycle have frame numbers of 1 and less.
     std::vector<RecordedEvent> events{};
 };
 

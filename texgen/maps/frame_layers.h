@@ -12,11 +12,11 @@
 
 namespace foam::texgen {
 
-/// A frame, and everything else that maps need to draw it. All of it is borrowed.
+/// A frame, and everything else that maps need to draw it. Both frames and the record are borrowed.
 struct FrameInput {
     const Frame& frame;
     const FoamRecord& record;
-    const Frame* next = nullptr;  // the frame after it, for maps that need one
+    const Frame* next = nullptr;  // the frame after `frame`, for maps that need it
     DistanceNeeds distance{};     // the union of the needs of all maps
 };
 

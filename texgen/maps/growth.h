@@ -16,16 +16,16 @@ inline constexpr MapTraits kGrowthMap = {
     .needs_next = true};
 
 struct GrowthOptions {
-    double full = 0.05;  // growth at the largest code of a PNG; its negative is at code 0
+    double full = 0.05;  // growth stored as the largest code of a PNG; code 0 is its negative
 };
 
 Keys<GrowthOptions> growth_keys();
 
 /// Draws the growth of every bubble until the next frame: the change of its area per foam time. A
 /// bubble that vanishes loses all its area. A pixel that several bubbles share has the mean of
-/// their numbers by area. Growth follows von Neumann's law if nothing drives the foam and no T2 is
-/// nearby. One channel; 0 around a patch, and everywhere if no time passes. Throws
-/// std::invalid_argument without a next frame.
+/// their values, weighted by area. Growth follows von Neumann's law if nothing drives the foam and
+/// no T2 happens nearby. The image has one channel. It is 0 around a patch, and everywhere if no
+/// time passes until the next frame. Throws std::invalid_argument if there is no next frame.
 NumberPixels draw_growth(FrameLayers& layers, const GrowthOptions& options);
 
 }  // namespace foam::texgen

@@ -18,12 +18,13 @@ inline constexpr MapTraits kHeightMap = {
     .smooth_distance = SmoothDistance::Used};
 
 struct HeightOptions {
-    double full = 0.5;  // height at the largest code of a PNG, in bubble diameters
+    double full = 0.5;  // height stored as the largest code of a PNG, in bubble diameters
 };
 
 Keys<HeightOptions> height_keys();
 
-/// Draws the height of the relief in diameters of the relief's mean bubble. One channel.
+/// Draws the height of the relief in diameters of the relief's mean bubble. The image has one
+/// channel.
 NumberPixels draw_height(FrameLayers& layers,
                          const ReliefOptions& relief,
                          const HeightOptions& options);

@@ -12,7 +12,7 @@ namespace foam::texgen {
 
 namespace {
 
-// In this range of lightness, and with this chroma, every hue is within sRGB.
+// With these lightnesses and this chroma, every hue is within sRGB.
 constexpr double kDarkest = 0.59;
 constexpr double kLightest = 0.80;
 constexpr double kChroma = 0.10;

@@ -15,10 +15,12 @@ inline constexpr MapTraits kIdColorMap = {
     .channels = "R G B"};
 
 /// Returns the color that a bubble has for life. Consecutive identities have distant hues and
-/// different lightnesses: a low-discrepancy sequence in OKLCh (Ottosson 2020) within sRGB.
+/// different lightnesses. The colors are a low-discrepancy sequence in OKLCh (Ottosson 2020),
+/// within sRGB.
 LinearRgb identity_color(BubbleIdentity identity);
 
-/// Draws every bubble in its identity_color, without films. Transparent around a patch.
+/// Draws every bubble in its identity_color, without films. The surroundings of a patch are
+/// transparent.
 ColorPixels draw_id_color(FrameLayers& layers);
 
 }  // namespace foam::texgen

@@ -14,14 +14,14 @@ namespace {
 
 // Junctions have no identity that lasts from frame to frame, but bubbles do. A junction is
 // therefore identified by its corner: the identities of its three bubbles in cyclic order. If
-// several junctions of the next frame have the same corner, the nearest one is taken. Junctions
-// whose corner does not exist in the next frame take the mean motion of their neighbors, ring by
-// ring, from the junctions whose motion is known.
+// several junctions of the next frame have the same corner, the nearest one is taken. A junction
+// whose corner does not exist in the next frame gets the mean motion of its neighbors. Such motions
+// are computed ring by ring, beginning beside the junctions whose motion is known.
 
 using Corner = std::array<BubbleIdentity, 3>;
 using Motion = Indexed<JunctionId, std::optional<Vec2>>;
 
-// The ghost bubble gets kNoIndex, an identity that no bubble has.
+// Returns kNoIndex, which no bubble has as its identity, for the ghost bubble.
 BubbleIdentity identity_of(const Frame& frame, BubbleId bubble) {
     return bubble == frame.network.ghost() ? kNoIndex : frame.bubbles[bubble].identity;
 }

@@ -7,9 +7,10 @@
 namespace foam::texgen {
 
 /// Returns the motion of every junction until the next frame, in foam units. A junction is
-/// identified by the bubbles that meet there and their order; if several junctions of the next
-/// frame have these bubbles, the nearest one counts. A junction that a T1 or T2 removes in between
-/// moves like the mean of its neighbors; the motion is 0 if no junction is left to follow.
+/// identified by the bubbles that meet there and their cyclic order. If several junctions of the
+/// next frame have the same bubbles in the same order, the nearest one is used. A junction that a
+/// T1 or T2 removes between the frames gets the mean motion of its neighbors. If no junction with a
+/// known motion is connected to it, its motion is 0.
 Indexed<JunctionId, Vec2> junction_motion(const Frame& frame, const Frame& next);
 
 }  // namespace foam::texgen

@@ -23,20 +23,20 @@ namespace foam::texgen {
 
 namespace {
 
-// The shading adds diffuse light, a mix of Lambert's cosine law and of the visible sky, a highlight
-// by the halfway vector (J. F. Blinn, "Models of light reflection for computer synthesized
-// pictures", 1977), and a rim that grows with the slope. Diffuse light is divided by its value on
-// flat ground, and the highlight of flat ground is subtracted, so that flat ground keeps its color.
-// Films and their shade may glow, which bypasses the lighting. The picture is drawn on a finer
-// grid, and squares of its pixels are averaged.
+// The shading is a sum of three terms. Diffuse light is a mix of Lambert's cosine law and the
+// visible fraction of the sky. The highlight depends on the halfway vector (J. F. Blinn, "Models of
+// light reflection for computer synthesized pictures", 1977). The rim light grows with the slope.
+// Direct light is divided by its value on flat ground, and the highlight of flat ground is
+// subtracted, so that flat ground keeps its color. The part of films and their shade that glows is
+// not shaded. The picture is drawn on a finer grid, and squares of its pixels are averaged.
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr int kRimPower = 3;
 
 using Direction = Eigen::Vector3d;  // right, up, towards the viewer
 
-// Returns the number of samples per pixel in either direction: as many as wanted, but no more than
-// the largest grid has room for.
+// Returns the number of samples per pixel in each direction: `wanted`, or fewer if a side of the
+// finer grid would exceed kLargestSide.
 int samples_for(const RasterGrid& grid, int wanted) {
     return std::clamp(kLargestSide / std::max(grid.width, grid.height), 1, wanted);
 }
@@ -52,7 +52,7 @@ RasterGrid finer(RasterGrid grid, int samples) {
     return grid;
 }
 
-// Converts lengths in pixels to pixels of the finer grid.
+// Converts film widths in pixels to pixels of the finer grid.
 AlbedoOptions finer(AlbedoOptions options, int samples) {
     if (options.film_unit == WidthUnit::Pixels) {
         options.film_width *= samples;
@@ -60,7 +60,7 @@ AlbedoOptions finer(AlbedoOptions options, int samples) {
     return options;
 }
 
-// Lights the colors of a relief.
+// Computes the shaded colors of points of a relief.
 class Lighting {
   public:
     explicit Lighting(const LitOptions& options)
@@ -71,8 +71,8 @@ class Lighting {
           halfway_((light_ + Direction::UnitZ()).normalized()),
           flat_highlight_(highlight(Direction::UnitZ())) {}
 
-    // Lights a color at a point with a slope. `sky` is the fraction of the sky that is visible from
-    // the point, and `glowing` the fraction of the color that needs no light.
+    // Returns a color as it appears at a point with a slope. `sky` is the fraction of the sky that
+    // is visible from the point. `glowing` is the fraction of the color that is emitted light.
     LinearRgb lit(const LinearRgb& color, const Vec2& slope, double sky, double glowing) const {
         const Direction normal = Direction(-slope.x(), -slope.y(), 1.0).normalized();
         const double direct = std::max(normal.dot(light_), 0.0) / light_.z();
@@ -135,7 +135,8 @@ ColorPixels draw_samples(FrameLayers& layers, const LitOptions& lit, const LitSu
     return colors;
 }
 
-// Averages squares of samples. Colors with an opacity, the fourth channel, are weighted by it.
+// Averages squares of samples. If the image has an opacity, its fourth channel, colors are weighted
+// by it.
 class Means {
   public:
     Means(const Image<std::uint16_t>& fine, int samples) : fine_(fine), samples_(samples) {}

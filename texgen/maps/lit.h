@@ -21,17 +21,17 @@ inline constexpr MapTraits kLitMap = {
 /// The map that is lit.
 enum class LitColors { Albedo, ThinFilm };
 
-/// A distant light, and the reflection of the surface. The viewer is straight above.
+/// A distant light, and how the surface reflects it. The viewer is straight above the foam.
 struct LitOptions {
     LitColors colors = LitColors::Albedo;
     double azimuth = 135.0;   // direction of the light: degrees from the right, counterclockwise
     double elevation = 50.0;  // height of the light: degrees above the plane
-    double ambient = 0.4;     // fraction of the light that comes from an even sky
+    double ambient = 0.4;     // fraction of the light that comes from a uniform sky
     double gloss = 0.25;      // brightness of highlights
     double shininess = 40.0;  // exponent of highlights; larger values make them smaller
-    double rim = 0.0;         // brightness of steep parts, as on bubbles before a bright ground
-    double glow = 0.0;        // fraction of films and their shade that shines by itself
-    int samples = 2;          // samples per pixel in either direction, which are averaged
+    double rim = 0.0;         // brightness added to steep slopes, such as the rims of bubbles
+    double glow = 0.0;        // fraction of the color of films and shades that is emitted light
+    int samples = 2;          // samples per pixel in each direction; their mean is drawn
 };
 
 Keys<LitOptions> lit_keys();
@@ -44,9 +44,10 @@ struct LitSurface {
     const OcclusionOptions& occlusion;
 };
 
-/// Draws the foam as a picture: its colors on its relief, under a light. Flat ground keeps its
-/// color. Highlights follow J. F. Blinn, "Models of light reflection for computer synthesized
-/// pictures" (1977). The visible sky is computed by draw_occlusion. Transparent around a patch.
+/// Draws the colors of the foam on its relief, lit by a distant light. Flat ground keeps its color.
+/// Highlights follow J. F. Blinn, "Models of light reflection for computer synthesized pictures"
+/// (1977). The visible sky is computed by draw_occlusion. The surroundings of a patch are
+/// transparent.
 ColorPixels draw_lit(FrameLayers& layers, const LitOptions& options, const LitSurface& surface);
 
 }  // namespace foam::texgen

@@ -17,21 +17,21 @@ struct MapOptions;
 /// interpolated.
 enum class Mixing {
     Values,
-    Slopes,  // the slopes of the surface whose normals the map holds
+    Slopes,  // for a map of normals: the slopes of its surface
 };
 
-/// Tells if a map uses the smooth distance to films.
+/// The conditions under which a map uses the smooth distance to films.
 enum class SmoothDistance {
     Unused,
     Used,
-    UsedByFilms,  // used if films are wet or shade their bubbles (distance_of_look)
+    UsedByFilms,  // used if films are wet or shaded (distance_of_look)
 };
 
 /// The properties of a map that do not depend on options.
 struct MapTraits {
     std::string_view name;                   // part of file names
     std::string_view meaning;                // a description in a few words
-    std::string_view unit;                   // unit of the values, and the range of a PNG's codes
+    std::string_view unit;                   // unit of the values, and their range in a PNG
     std::string_view channels;               // such as "R G B"; colors of a patch also have A
     int png_bits = 8;                        // bits per sample of a PNG
     PngFilter png_filter = PngFilter::None;  // None for flat cells, Up for smooth maps
@@ -41,10 +41,12 @@ struct MapTraits {
     Mixing mixing = Mixing::Values;
 };
 
-/// A map: its traits, and functions of the options of all maps.
+/// A map: its traits, and the functions that depend on options. Each function gets the options of
+/// all maps and uses its own.
 struct Map : MapTraits {
     MapImage (*draw)(FrameLayers& layers, const MapOptions& options) = nullptr;
-    std::string (*note)(const MapOptions& options) = nullptr;  // a text for its files; may be null
+    // Returns a text for the metadata of the files of the map. May be null.
+    std::string (*note)(const MapOptions& options) = nullptr;
 };
 
 }  // namespace foam::texgen

@@ -23,9 +23,9 @@ inline std::uint16_t light_step(double light) {
     return static_cast<std::uint16_t>(std::lround(light * kWhite));
 }
 
-/// Numbers in the map's own unit, and the range of numbers that a PNG can hold: `low` is at code 0,
-/// `high` at the largest code. A file of floats stores all numbers unchanged, also outside that
-/// range.
+/// Numbers in the map's own unit, and the range of numbers that a PNG can store: code 0 is `low`,
+/// and the largest code is `high`. A file of floats stores all numbers unchanged, including numbers
+/// outside that range.
 struct NumberPixels {
     Image<float> pixels;
     double low = 0.0;

@@ -21,12 +21,13 @@ namespace foam::texgen {
 
 namespace {
 
-// Junctions are followed from frame to frame (junction_motion.h), and points on films move in
-// proportion between them. The outline of each bubble becomes a polygon whose corners have these
+// The motion of junctions is known (junction_motion.h). Along films it is interpolated linearly
+// between junctions. The outline of each bubble is converted to a polygon whose corners have these
 // motions, and mean value coordinates interpolate them at the pixels of the bubble
 // (boundary_motion.h). Lone bubbles move and grow as circles.
 
-// The largest turn of an arc that one side of the polygon replaces, in radians; 10 degrees.
+// An arc is divided into as many equal pieces as can each turn by this angle or more, in radians
+// (10 degrees). One side of the polygon replaces each piece.
 constexpr double kLargestTurn = 0.17;
 
 // The motion of a frame's bubbles, in pixels.
@@ -73,8 +74,8 @@ class FoamMotion {
     double shear_;
 };
 
-// The motion of a lone bubble. If it is still a lone bubble in the next frame, its circle moves and
-// grows to the one there; otherwise it does not move.
+// The motion of a lone bubble. If it is still a lone bubble in the next frame, its points move
+// linearly from its circle to the circle in that frame. Otherwise they do not move.
 class CircleMotion {
   public:
     CircleMotion(const LoneBubble& bubble, const Frame& next, double scale) : scale_(scale) {

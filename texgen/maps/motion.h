@@ -22,27 +22,28 @@ inline constexpr MapTraits kMotionMap = {
 /// The unit of a motion map. A PNG is the same for both.
 enum class MotionUnit {
     Image,   // fractions of the image's width
-    Pixels,  // as compositing programs expect
+    Pixels,  // pixels, which compositing programs expect
 };
 
-/// The direction in which the second number is positive.
+/// The direction in which the second channel is positive.
 enum class MotionY { Up, Down };
 
 struct MotionOptions {
     MotionUnit unit = MotionUnit::Image;
     MotionY y = MotionY::Up;
-    // The motion at the largest code of a PNG, in fractions of the image's width, which is the form
-    // that engines expect. Its negative is at code 0.
+    // The motion that a PNG stores as its largest code, as a fraction of the image width, which
+    // game engines expect. Code 0 is its negative.
     double multiplier = 0.005;
 };
 
 Keys<MotionOptions> motion_keys();
 
-/// Draws how far every point of the foam moves until the next frame. The motion of junctions is
-/// exact. Points on films move in proportion between their junctions, and points in a bubble
-/// smoothly between points on its films. Two channels: to the right, and up or down; 0 around a
-/// patch. On a torus whose shear changes, the copy that is drawn in the image determines the
-/// motion: copies one period up move farther. Throws std::invalid_argument without a next frame.
+/// Draws the displacement of every point of the foam until the next frame. The motion of junctions
+/// is exact. Along a film it is interpolated linearly between the two junctions, and inside a
+/// bubble smoothly between the points of its films. The image has two channels: motion to the
+/// right, and motion up or down. It is 0 around a patch. On a torus whose shear changes, a bubble
+/// moves like the copy of it that begins at its first junction, even where the image shows a copy
+/// one period above or below. Throws std::invalid_argument if there is no next frame.
 NumberPixels draw_motion(FrameLayers& layers, const MotionOptions& options);
 
 /// Returns a text for files, such as "y up; the largest code of a PNG is 0.005 of the image width".

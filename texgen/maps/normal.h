@@ -32,8 +32,8 @@ struct NormalOptions {
 
 Keys<NormalOptions> normal_keys();
 
-/// Draws the unit normals of the relief from its slopes: x to the right, z towards the viewer.
-/// Three channels, -1 to 1; (0, 0, 1) where the relief is flat.
+/// Draws the unit normals of the relief from its slopes: x to the right, z towards the viewer. The
+/// image has three channels with values from -1 to 1; they are (0, 0, 1) where the relief is flat.
 NumberPixels draw_normal(FrameLayers& layers,
                          const ReliefOptions& relief,
                          const NormalOptions& options);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kWithOpacity = 4;
 
-// Removes the first word and returns it. Returns an empty word if none is left.
+// Removes the first word from a text and returns it. Returns an empty word if the text is empty.
 std::string_view take_word(std::string_view& words) {
     const std::size_t end = std::min(words.find(' '), words.size());
     const std::string_view word = words.substr(0, end);

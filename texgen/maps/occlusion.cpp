@@ -19,11 +19,11 @@ namespace foam::texgen {
 
 namespace {
 
-// Occlusion is computed once per frame, for points of a section through the relief, and looked up
-// at every pixel by its distance from the nearest film. The section stands for an endless furrow:
-// the visible fraction of an even sky is (sin a + sin b) / 2, where a and b are the angles from the
-// normal to both horizons. Each horizon is the steepest line from the point to a sample of the
-// section, or the tangent at the point.
+// Occlusion is computed once per frame for points of a section through the relief. Every pixel
+// looks it up by its distance from the nearest film. The section is treated as the cross-section of
+// an endless furrow. There the visible fraction of a uniform sky is (sin a + sin b) / 2, where a
+// and b are the angles from the normal to both horizons. Each horizon is the steepest line from the
+// point to a sample of the section, or the tangent at the point.
 
 constexpr int kSteps = 128;  // samples per unit of a section
 

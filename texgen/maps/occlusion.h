@@ -23,9 +23,10 @@ struct OcclusionOptions {
 
 Keys<OcclusionOptions> occlusion_keys();
 
-/// Draws the fraction of the light of an even sky that reaches the relief, to the power of
-/// options.strength: 1 in the open. It is computed for an endless furrow that has the section of
-/// the relief across the nearest film, the same on both sides. One channel; 1 around a patch.
+/// Draws the fraction of a uniform sky that is visible from the relief, to the power of
+/// options.strength. It is 1 in the open. The fraction is computed for an endless furrow whose
+/// cross-section is the section of the relief across the nearest film (ReliefSection). The image
+/// has one channel and is 1 away from a patch.
 NumberPixels draw_occlusion(FrameLayers& layers,
                             const ReliefOptions& relief,
                             const OcclusionOptions& options);

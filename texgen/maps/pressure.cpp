@@ -33,7 +33,8 @@ double tone_in_range(double pressure, double low, double high) {
     return low < high ? (pressure - low) / (high - low) : kMiddle;
 }
 
-// Returns a percentile of sorted numbers, interpolated. Precondition: there is a number.
+// Returns a percentile of sorted numbers, interpolated between two of them. Precondition: `sorted`
+// is not empty.
 double percentile_of(std::span<const double> sorted, double percentile) {
     const double position = percentile / 100.0 * static_cast<double>(sorted.size() - 1);
     const auto below = static_cast<std::size_t>(position);
@@ -42,7 +43,7 @@ double percentile_of(std::span<const double> sorted, double percentile) {
 }
 
 // Returns the rank of a pressure among sorted pressures: 0 for the lowest, 1 for the highest. Equal
-// pressures share the middle of their ranks; between two pressures the rank is interpolated.
+// pressures have the mean of their ranks. Between two pressures the rank is interpolated.
 double rank_among(std::span<const double> sorted, double pressure) {
     const auto [first, last] = std::equal_range(sorted.begin(), sorted.end(), pressure);
     const auto lower = static_cast<double>(first - sorted.begin());

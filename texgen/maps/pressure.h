@@ -38,11 +38,11 @@ struct PressureOptions {
 
 Keys<PressureOptions> pressure_keys();
 
-/// Draws the pressures of bubbles as tones, without films. Tones are numbers from 0 to 1, and
-/// outside that range for pressures outside the scale, or colors of a color map. If all pressures
-/// of the scale are equal, the tone is 0.5. Numbers have one channel and are 0 around a patch;
-/// colors are transparent there. Throws std::invalid_argument for an unknown color map, and unless
-/// low < high.
+/// Draws the pressures of bubbles as tones, without films. Tones are numbers or colors of a color
+/// map. Pressures within the scale become numbers from 0 to 1, and pressures outside the scale
+/// become numbers outside that range. If all pressures of the scale are equal, the tone is 0.5.
+/// Numbers have one channel and are 0 around a patch; colors are transparent there. Throws
+/// std::invalid_argument for an unknown color map, and if low is not below high.
 MapImage draw_pressure(FrameLayers& layers, const PressureOptions& options);
 
 }  // namespace foam::texgen

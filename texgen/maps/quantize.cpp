@@ -16,8 +16,8 @@ namespace {
 
 using Encoding = std::array<std::uint8_t, 65536>;
 
-// Tabulates the sRGB code of every 16-bit light. Code k covers the light whose sRGB value rounds to
-// k: it ends where sRGB reaches k + 1/2.
+// Tabulates the sRGB code of every 16-bit value of linear light. Code k covers the values whose
+// sRGB encoding rounds to k, so its last value is below the light that encodes to k + 1/2.
 Encoding make_srgb_encoding() {
     Encoding encoding{};
     std::size_t value = 0;

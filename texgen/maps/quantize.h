@@ -15,13 +15,14 @@ struct CodedImage {
     bool color = false;  // true for sRGB colors, false for data
 };
 
-/// Encodes light as sRGB and opacity linearly, each as the nearest of 256 codes.
+/// Encodes colors as 8-bit codes, rounded to nearest. Linear light becomes sRGB; opacity stays
+/// linear.
 Image<std::uint8_t> srgb_codes(const ColorPixels& colors);
 
 /// Encodes a map as integers of 8 or 16 bits. Colors always become 8-bit srgb_codes. The number
-/// `low` becomes code 0 and `high` the largest code; numbers outside are clamped, and NaN becomes
-/// 0. Images of two channels get a third channel of 0, because a PNG would take the second for an
-/// opacity. Ids keep their lowest bits.
+/// `low` becomes code 0 and `high` the largest code; numbers outside of this range are clamped, and
+/// NaN becomes 0. Images of two channels get a third channel of 0, because the second channel of a
+/// PNG with two channels is an opacity. Of ids, the lowest `bits` bits are kept.
 CodedImage quantize(const MapImage& map, int bits);
 
 }  // namespace foam::texgen

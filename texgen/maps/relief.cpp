@@ -14,14 +14,15 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-// Returns the unit of the section for every cell, in pixels. For domes it is the radius of a circle
-// that has the bubble's area, otherwise the width of ridges or borders.
+// Returns the unit of length of the relief section for every cell, in pixels. For domes it is the
+// radius of a circle with the area of the bubble. For other profiles it is the width of ridges or
+// Plateau borders.
 std::vector<double> units_of(FrameLayers& layers, const ReliefOptions& options, double diameter) {
     const Frame& frame = layers.frame();
     if (options.profile != ReliefProfile::Dome) {
         const double width = options.width * diameter;
-        const auto same = [&](const auto&) { return width; };
-        return by_cell_id(layers, per_bubble<double>(frame, same, same), width);
+        const auto constant = [&](const auto&) { return width; };
+        return by_cell_id(layers, per_bubble<double>(frame, constant, constant), width);
     }
     const double scale = pixels_per_unit(layers.grid(), frame.domain);
     const auto radii = per_bubble<double>(
@@ -44,8 +45,8 @@ Relief::Relief(FrameLayers& layers, const ReliefOptions& options)
       units_(units_of(layers, options, diameter_)) {}
 
 double Relief::height(std::size_t index) const {
-    const double one = unit(index);
-    return one > 0.0 ? strength_ * one * section_.height(smooth(index)) : 0.0;
+    const double length_unit = unit(index);
+    return length_unit > 0.0 ? strength_ * length_unit * section_.height(smooth(index)) : 0.0;
 }
 
 Vec2 Relief::slope(std::size_t index) const {

@@ -14,16 +14,17 @@ namespace foam::texgen {
 
 /// The relief of a frame, at the centers of pixels. Heights come from the smooth distance and
 /// slopes from its gradient, so that there are creases only along films. Around a patch the relief
-/// is flat, except for the outer halves of ridges and borders. Borrows the layers.
+/// is flat, except for the outer halves of ridges and Plateau borders. Borrows the layers.
 class Relief {
   public:
     Relief(FrameLayers& layers, const ReliefOptions& options);
 
-    /// Return the height in pixels, and the slope, at the index of a pixel, counted row by row.
+    /// Return the height in pixels, and the slope, at a pixel. `index` counts pixels row by row.
     double height(std::size_t index) const;
     Vec2 slope(std::size_t index) const;
 
-    /// Returns the unit of the section at a pixel, in pixels. For domes it is 0 around a patch.
+    /// Returns the section's unit of length at a pixel, in pixels. For domes it is 0 around a
+    /// patch.
     double unit(std::size_t index) const { return units_[field_.ids.samples()[index]]; }
     /// Returns the smooth distance at a pixel, in units of the section. Precondition: the unit is
     /// above 0.
@@ -40,7 +41,7 @@ class Relief {
     ReliefSection section_;
     double strength_;
     double diameter_;
-    std::vector<double> units_;  // by the ids of the distance field
+    std::vector<double> units_;  // indexed by the ids of the distance field
 };
 
 }  // namespace foam::texgen

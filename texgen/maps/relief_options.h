@@ -8,7 +8,7 @@
 
 namespace foam::texgen {
 
-/// The relief that height, normal, occlusion, curvature and lit show.
+/// The options of the relief that the maps height, normal, occlusion, curvature and lit show.
 struct ReliefOptions {
     ReliefProfile profile = ReliefProfile::Dome;
     double angle = 50.0;  // slope angle of domes at films, degrees

@@ -10,12 +10,12 @@ namespace foam::texgen {
 namespace {
 
 constexpr double kRidgeHeight = 0.5;
-// Two fillets on a film of no width would meet in an infinitely steep edge. Up to this distance
-// from the film they are replaced by a parabola.
+// The two fillets at a film would meet in an infinitely steep edge. Up to this distance from the
+// film a parabola replaces them.
 constexpr double kCrest = 0.1;
 
-// The height and slope of a fillet: a quarter of a circle of radius 1 that touches the ground at
-// x = 1. Precondition: 0 < x <= 1.
+// Return the height and the slope of a fillet: a quarter of a circle of radius 1 that is tangent to
+// the ground at x = 1. Precondition: 0 < x <= 1.
 double fillet_height(double x) {
     return 1.0 - std::sqrt(x * (2.0 - x));
 }
@@ -30,7 +30,8 @@ ReliefSection::ReliefSection(ReliefProfile profile, double angle)
     : profile_(profile), cotangent_(1.0 / std::tan(angle)) {}
 
 // A spherical cap over a circle of radius 1 that meets the ground at an angle a has the height
-// sqrt(1/sin² a - r²) - cot a at the distance r from the center of the circle; there, r² = 1 - 2 s.
+// sqrt(1/sin² a - r²) - cot a at the distance r from the center of the circle. The smooth distance
+// s at this point satisfies r² = 1 - 2 s.
 double ReliefSection::height(double smooth) const {
     switch (profile_) {
         case ReliefProfile::Dome:

@@ -8,13 +8,13 @@ namespace foam::texgen {
 enum class ReliefProfile {
     Dome,   // every bubble is a dome between its films; a circular bubble is a spherical cap
     Ridge,  // films are rounded ridges on flat bubbles
-    Wet,    // films are walls of liquid with the fillets of Plateau borders on both sides
+    Wet,    // films are walls of liquid with fillets (Plateau borders) on both sides
 };
 
-/// A section through a relief across a film, the same on both sides. Its unit of length is the
-/// radius of a bubble, or the width of a ridge or border. Heights depend on the smooth distance s
-/// from films (distance_field.h). In a circle of radius 1, s = x - x²/2 at the distance x from the
-/// film. Profiles other than domes take s for x.
+/// A cross-section of the relief perpendicular to a film, symmetric about the film. Its unit of
+/// length is the radius of a bubble, or the width of a ridge or border. Heights depend on the
+/// smooth distance s from films (distance_field.h). In a circle of radius 1, s = x - x²/2 at the
+/// distance x from the film. Profiles other than domes use s in place of x.
 class ReliefSection {
   public:
     /// `angle` is the slope angle of domes at films, in radians, between 0 and pi / 2.
@@ -30,7 +30,7 @@ class ReliefSection {
     double distance(double smooth) const;
     double smooth(double distance) const;
 
-    /// Returns the distance beyond which the film has no effect.
+    /// Returns the distance from the film beyond which it practically hides no part of the sky.
     double reach() const { return profile_ == ReliefProfile::Dome ? 1.0 : 4.0; }
 
     /// Returns the height along a straight line across the film: beyond the film for x < 0, and

@@ -16,15 +16,17 @@ inline constexpr MapTraits kRoughnessMap = {
     .smooth_distance = SmoothDistance::UsedByFilms};
 
 struct RoughnessOptions {
-    double cell = 0.15;      // roughness of bubbles, which are smooth and wet
-    double film = 0.45;      // roughness of films, which are as wide as in albedo
-    double variation = 0.1;  // width of the range of bubbles; each bubble keeps its value
+    double cell = 0.15;  // roughness of bubbles, which are smooth and wet
+    double film = 0.45;  // roughness of films, which are as wide as in albedo
+    double variation =
+        0.1;  // width of the range in which bubbles vary, constant for a bubble's life
 };
 
 Keys<RoughnessOptions> roughness_keys();
 
-/// Draws the roughness of the surface for a material: 0 is a mirror. Numbers in a pixel are
-/// averaged by area. One channel, 0 to 1; 0 around a patch.
+/// Draws the roughness of the surface for a material: 0 is a mirror. A pixel that bubbles and films
+/// share has the mean of their values, weighted by area. The image has one channel with values from
+/// 0 to 1 and is 0 around a patch.
 NumberPixels draw_roughness(FrameLayers& layers,
                             const RoughnessOptions& options,
                             const AlbedoOptions& films);

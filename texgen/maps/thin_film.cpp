@@ -23,9 +23,10 @@ namespace {
 // The reflectance of a layer is Airy's sum over all reflections, at normal incidence. It is
 // integrated over the visible spectrum with the CIE 1931 color matching functions, in the
 // multi-lobe approximation of Wyman, Sloan and Shirley ("Simple analytic approximations to the CIE
-// XYZ color matching functions", 2013), converted to linear sRGB and divided by the color of a
-// perfect mirror. A table holds the color of every nanometer of thickness. A film is thinnest in
-// the middle of its bubble, and thicker at the rim, by the smooth distance from films.
+// XYZ color matching functions", 2013). The result is converted to linear sRGB and divided by the
+// color of a perfect mirror. A table contains the color for every nanometer of thickness. A film is
+// thinnest in the middle of its bubble and thickest at the rim; the thickness is a function of the
+// smooth distance from films.
 
 constexpr double kIndex = 1.33;       // refractive index of soapy water
 constexpr double kFirstWave = 380.0;  // nanometers
@@ -39,14 +40,14 @@ struct Xyz {
     double z = 0.0;
 };
 
-// A Gaussian with different widths below and above its middle.
+// Returns a Gaussian with different widths below and above its middle.
 double lobe(double wave, double height, double middle, double below, double above) {
     const double t = (wave - middle) / (wave < middle ? below : above);
     return height * std::exp(-0.5 * t * t);
 }
 
-// The CIE 1931 color matching functions at a wavelength in nanometers, by Wyman, Sloan and Shirley
-// (2013).
+// Returns the CIE 1931 color matching functions at a wavelength in nanometers, by Wyman, Sloan and
+// Shirley (2013).
 Xyz color_matching(double wave) {
     return {lobe(wave, 1.056, 599.8, 37.9, 31.0) + lobe(wave, 0.362, 442.0, 16.0, 26.7) +
                 lobe(wave, -0.065, 501.1, 20.4, 26.2),
@@ -60,8 +61,8 @@ LinearRgb to_rgb(const Xyz& c) {
             0.0556434 * c.x - 0.2040259 * c.y + 1.0572252 * c.z};
 }
 
-// Returns the fraction of light of a wavelength that a film reflects: Airy's sum. Both lengths are
-// in nanometers.
+// Returns the fraction of light of one wavelength that a film reflects (Airy's sum). Thickness and
+// wavelength are in nanometers.
 double reflectance(double thickness, double wave) {
     const double at_surface = (kIndex - 1.0) / (kIndex + 1.0);
     const double once = at_surface * at_surface;
@@ -70,7 +71,8 @@ double reflectance(double thickness, double wave) {
     return interference / ((1.0 - once) * (1.0 - once) + interference);
 }
 
-// Returns the color of a spectrum whose values are between 0 and 1. It is not scaled to white.
+// Returns the color of a spectrum whose values are between 0 and 1, before it is divided by the
+// color of a perfect mirror.
 template <class Spectrum>
 LinearRgb seen(const Spectrum& spectrum) {
     Xyz sum;

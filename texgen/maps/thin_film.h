@@ -19,8 +19,8 @@ inline constexpr MapTraits kThinFilmMap = {
 
 struct ThinFilmOptions {
     double thickness = 350.0;  // nanometers, in the middle of an average bubble
-    double variation = 0.6;    // range of the bubbles' thicknesses, as a fraction of the thickness;
-                               // each bubble keeps its own
+    double variation = 0.6;    // range of the thickness among bubbles, as a fraction of the
+                               // thickness; constant for a bubble's life
     double drainage = 0.5;     // added thickness at the bubble's rim, where liquid gathers, as a
                                // fraction of the thickness in the middle
     double exposure = 8.0;     // factor on the light; a soap film reflects at most 8 % of it
@@ -36,9 +36,9 @@ Keys<ThinFilmOptions> thin_film_keys();
 LinearRgb film_reflectance(double nanometers);
 
 /// Draws bubbles in the interference colors of a soap film that spans each bubble, with the films
-/// of albedo between bubbles. The thickness depends only on the bubble and the point in it, so
-/// colors do not move while the foam is at rest. Colors outside sRGB are mixed with gray of the
-/// same luminance. Transparent around a patch.
+/// of albedo between bubbles. The thickness depends only on the bubble and on the position in it,
+/// so colors do not move while the foam is at rest. Colors outside sRGB are mixed with gray of the
+/// same luminance. The surroundings of a patch are transparent.
 ColorPixels draw_thin_film(FrameLayers& layers,
                            const ThinFilmOptions& options,
                            const AlbedoOptions& albedo);

@@ -77,7 +77,7 @@ void collect(const toml::table& table,
     }
 }
 
-// Tables of an array have their number in the key: event[1], event[2].
+// Keys of tables in an array contain the number of the table: event[1], event[2].
 void collect_tables(const toml::array& tables,
                     const std::string& path,
                     const std::string& source,

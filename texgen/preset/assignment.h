@@ -24,13 +24,13 @@ struct Assignment {
     Value value;
 };
 
-/// Returns the assignments of a TOML document in the order of its lines. A table is an assignment,
-/// too. The second [[event]] has the key event[2]. Locations begin with `source`. Throws
-/// PresetError for malformed TOML.
+/// Returns the assignments of a TOML document in the order of its lines. The header of a table
+/// gives an assignment, too; its value is a Value::Table. The second [[event]] has the key
+/// event[2]. Locations begin with `source`. Throws PresetError for malformed TOML.
 std::vector<Assignment> read_assignments(std::string_view toml, const std::string& source);
 
-/// Parses a value from the command line. A text that is not valid TOML is taken as a string, so
-/// that words need no quotes.
+/// Parses a value from the command line. A text that is not valid TOML becomes a string, so that
+/// words need no quotes.
 Value read_value(const std::string& text);
 
 /// Parses KEY=VALUE, the argument of `--set`; read_value parses the value. Throws PresetError if

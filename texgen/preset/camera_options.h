@@ -8,13 +8,13 @@
 
 namespace foam::texgen {
 
-/// The part of the plane that the images of a patch show. It is the same in all frames, and is
-/// computed from the patch in the first frame.
+/// The options that select the part of the plane that images of a patch show. This part is computed
+/// from the patch in the first frame and is the same in all frames.
 struct CameraOptions {
     double zoom = 1.0;     // 1 fits the whole patch
     double margin = 0.05;  // space around the patch at zoom 1, in fractions of the shorter side
-    // The point in the middle of the image: its position in the image of zoom 1, in fractions of
-    // the width and height from the lower left corner.
+    // The point that is shown in the middle of the image. It is given by its position in the image
+    // at zoom 1, in fractions of the width and height from the lower left corner.
     std::array<double, 2> center = {0.5, 0.5};
 };
 

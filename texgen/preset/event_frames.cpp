@@ -10,7 +10,7 @@ namespace {
 // not matter: with steps of 0.1, the time 0.3 is reached after three steps.
 constexpr double kSameTime = 1e-6;
 
-// Enumerates the frames from frame 2 on. Each has the foam time that has passed when it is shown.
+// Enumerates the frames from frame 2 on, with the foam time of each.
 class FrameClock {
   public:
     explicit FrameClock(const FramesOptions& frames)

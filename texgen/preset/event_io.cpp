@@ -85,8 +85,8 @@ const Assignment& last_of_other_sides(std::span<const Assignment> assignments) {
     return last != assignments.rend() ? *last : assignments.back();
 }
 
-// Rejects the last assignment to the key. If there is none, rejects the last assignment to the
-// event, and otherwise the last one to a key in kOtherSides.
+// Rejects the last assignment to the key. If there is none, rejects the last assignment to any key
+// of the event. If there is none either, rejects the last assignment to a key in kOtherSides.
 [[noreturn]] void reject_event(std::span<const Assignment> assignments,
                                std::size_t number,
                                std::string_view name,

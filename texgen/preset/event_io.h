@@ -11,8 +11,8 @@
 
 namespace foam::texgen {
 
-/// Returns true if a key belongs to an event, such as event[2].kind, or looks as if it should, such
-/// as event or event.kind.
+/// Returns true if a key belongs to an event, such as event[2].kind. Also returns true for
+/// malformed keys of events, such as event or event.kind.
 bool is_event_key(std::string_view key);
 
 /// Stores the value of an event's key in the preset. The assignment of the table event[n] adds the
@@ -20,7 +20,7 @@ bool is_event_key(std::string_view key);
 void assign_event(Preset& preset, const Assignment& assignment);
 
 /// Checks that each event has a kind, has frames or a time, has only keys of its kind, and fits the
-/// foam. Throws PresetError otherwise; the error names the last assignment that can be the cause.
+/// foam. Throws PresetError otherwise; the error names the last assignment that may be the cause.
 void check_events(const Preset& preset, std::span<const Assignment> assignments);
 
 /// Returns the events as TOML. Values that equal their defaults are left out.

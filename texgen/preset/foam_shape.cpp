@@ -71,7 +71,7 @@ Keys<FoamShape> shape_keys() {
                 .only_for("foam.domain", {"patch"}),
             key("outline_aspect",
                 Reals{1.0 / 16.0, 16.0},
-                "stretches the outline in x; for a disc or a rectangle, width / height",
+                "factor that stretches the outline in x; for a disc or a rectangle, width / height",
                 &FoamShape::outline_aspect)
                 .only_for("foam.domain", {"patch"})};
 }

@@ -17,8 +17,8 @@ enum class FoamKind { Torus, Patch };
 struct FoamShape {
     FoamKind kind = FoamKind::Torus;
     std::string outline = "disc";  // "disc", "rectangle", or a polygon as WKT
-    double outline_aspect = 1.0;   // stretches the outline in x; a disc is a circle at 1, and a
-                                   // rectangle a square
+    double outline_aspect = 1.0;   // stretches the outline in x; at 1 a disc is a circle and
+                                   // a rectangle is a square
 };
 
 Keys<FoamShape> shape_keys();

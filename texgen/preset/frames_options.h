@@ -9,8 +9,8 @@ namespace foam::texgen {
 /// The content of frame 1: the foam in equilibrium, or the seeding diagram of straight films.
 enum class FirstFrame { Equilibrium, Diagram };
 
-/// The foam times that the frames show. Frame 1 shows the foam at time warm_up. Frame i + 1 shows
-/// it time_step * step_growth^(i - 1) after frame i.
+/// The foam times that the frames show. Frame 1 shows the foam at time warm_up. The time from frame
+/// i to frame i + 1 is time_step * step_growth^(i - 1).
 struct FramesOptions {
     int count = 48;
     FirstFrame first = FirstFrame::Equilibrium;

@@ -24,7 +24,7 @@ Keys<LoopOptions> loop_keys() {
                 &Options::kind),
             key("amplitude",
                 Reals{0.0, 0.9},
-                "for \"breathe\": amplitude of the areas, as a fraction of them; for \"shear\": "
+                "for \"breathe\": relative amplitude of every bubble's area; for \"shear\": "
                 "amplitude of the strain, at most 0.4",
                 &Options::amplitude),
             key("drift",
@@ -34,7 +34,8 @@ Keys<LoopOptions> loop_keys() {
                 .only_for("foam.domain", {"torus"}),
             key("cycles",
                 Integers{1, 1000},
-                "largest number of cycles before frame 1 until the loop closes",
+                "largest number of cycles that are simulated before frame 1 so that the loop "
+                "closes",
                 &Options::cycles),
             key("fade",
                 Reals{0.01, 1.0},
@@ -42,8 +43,8 @@ Keys<LoopOptions> loop_keys() {
                 &Options::fade),
             key("fade_spread",
                 Reals{0.0, 0.95},
-                "for \"flow\": fraction of the fade after which its last region begins to fade; 0 "
-                "fades the whole image at the same time",
+                "for \"flow\": fraction of the fade after which the last region of the image "
+                "begins to fade; 0 fades the whole image at the same time",
                 &Options::fade_spread),
             key("growth",
                 Integers{1, 1000},

@@ -23,19 +23,18 @@ enum class LoopKind {
 /// begun.
 struct LoopOptions {
     LoopKind kind = LoopKind::None;
-    double amplitude = 0.15;  // Breathe: relative amplitude of every area; Shear: of the strain
+    double amplitude = 0.15;  // Breathe: relative amplitude of areas; Shear: amplitude of strain
     std::array<int, 2> drift = {0, 0};  // motion per loop, in widths and heights of the torus
-    int cycles = 12;    // largest number of cycles simulated before frame 1 for the loop to close
+    int cycles = 12;    // Breathe, Shear: largest number of cycles simulated before frame 1
     double fade = 1.0;  // Flow: fraction of the frames, at the end of the loop, that fade into
                         // the frames before the first
     double fade_spread =
-        0.8;          // Flow: 0 fades the whole image at once, values towards 1 part by part
+        0.8;          // Flow: fraction of the fade after which the last region begins to fade
     int growth = 24;  // Flow: number of frames in which a new bubble grows to the mean area
 
-    /// Returns true if the foam itself returns to its first state, so that the loop may be cut at
-    /// any frame.
+    /// Returns true if the foam itself returns to its first state.
     bool closes_itself() const { return is_cycle() || kind == LoopKind::Drift; }
-    /// Returns true if frames are a mixture of two foams.
+    /// Returns true if some frames are a mixture of two states of the foam.
     bool is_cross_faded() const { return kind == LoopKind::Flow; }
     /// Returns true if a periodic change of the foam is simulated.
     bool is_cycle() const { return kind == LoopKind::Breathe || kind == LoopKind::Shear; }

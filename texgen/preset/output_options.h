@@ -10,14 +10,14 @@
 
 namespace foam::texgen {
 
-/// Tells if image files contain texts about how they were made: version, seed and preset.
+/// Selects whether image files contain the program version, the seed and the preset as text.
 enum class FileTexts { Written, LeftOut };
 
 /// The order of the pixels in an EXR file.
 enum class ExrLayout { Rows, MipLevels };
 
-/// The names and the encoding of image files. None of these options changes what is drawn; half
-/// floats in EXR files round numbers.
+/// The names and the encoding of image files. These options do not change the drawing. Half floats
+/// in EXR files round its numbers.
 struct OutputOptions {
     std::string pattern = "out/{preset}_{map}.####.png";  // see FilePattern
     FileTexts texts = FileTexts::Written;

@@ -67,8 +67,8 @@ void assign_one(Preset& preset, const Assignment& assignment) {
     }
 }
 
-// Returns the last assignment to `first`. If there is none, returns the last one to `second`, and
-// otherwise the last of all.
+// Returns the last assignment to `first`. If there is none, returns the last assignment to
+// `second`. If there is none either, returns the last of all assignments.
 const Assignment& blamed(std::span<const Assignment> assignments,
                          std::string_view first,
                          std::string_view second) {
@@ -108,7 +108,8 @@ double number_of(const Key<Preset>& key, const Preset& preset) {
     return number;
 }
 
-// The preset was valid before these assignments, so the last one to either key is rejected.
+// Checks that the number of `lower` is below that of `upper`. Otherwise rejects the last assignment
+// to either key, because the preset was valid before it.
 void check_order(const Key<Preset>& lower,
                  const Key<Preset>& upper,
                  const Preset& preset,

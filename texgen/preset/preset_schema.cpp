@@ -56,7 +56,7 @@ Json key_schema(const KeyInfo& key) {
     return schema;
 }
 
-// Returns the schema of one kind of event, which takes no keys of the others.
+// Returns the schema of one kind of event. It rejects keys that only other kinds accept.
 Json event_schema(const EventKind& kind) {
     Json schema = object_schema();
     schema["description"] = kind.meaning;

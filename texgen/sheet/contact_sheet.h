@@ -15,10 +15,10 @@ struct Thumbnail {
     int number = 0;  // the number of the frame, not negative
 };
 
-/// Arranges thumbnails on a gray ground, from left to right and from top to bottom, with the number
-/// of its frame below each thumbnail. A sheet of many thumbnails is about 1.5 times as wide as
-/// high. Precondition: all thumbnails have the same size. Throws std::invalid_argument if there are
-/// none.
+/// Arranges thumbnails on a gray ground, from left to right and from top to bottom. The number of
+/// the frame is drawn below each thumbnail. A sheet of many thumbnails is about 1.5 times as wide
+/// as high. Precondition: all thumbnails have the same size. Throws std::invalid_argument if there
+/// are none.
 Image<std::uint8_t> contact_sheet(std::span<const Thumbnail> thumbnails);
 
 }  // namespace foam::texgen

@@ -13,8 +13,8 @@ namespace foam::texgen {
 
 namespace {
 
-// Returns true if the frames close a loop: the step from the last frame to the first of the next
-// period is the same as all other steps.
+// Returns true if the frames close a loop: the step from the last frame to the first frame of the
+// next period equals all other steps.
 bool closes(const ManifestLoop& loop, std::span<const int> frames) {
     const std::optional<int> step = common_step(frames);
     return loop.period > 0 && step &&

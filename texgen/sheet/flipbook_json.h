@@ -17,8 +17,8 @@ struct SheetImage {
     MapSequence sequence;
 };
 
-/// Returns a description of the sheets for programs that play them, as JSON. README.md
-/// describes the members.
+/// Returns a JSON description of the sheets, for programs that play them. README.md describes its
+/// members.
 std::string flipbook_json(const BakedSet& set,
                           std::span<const int> frames,
                           const SheetLayout& layout,

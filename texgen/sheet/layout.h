@@ -28,9 +28,9 @@ struct SheetLayout {
     friend bool operator==(const SheetLayout&, const SheetLayout&) = default;
 };
 
-/// Returns the number of columns, a power of two, that makes a sheet most nearly square. If two
-/// numbers are equally good, returns the larger one. Powers of two give sheets of sizes that
-/// graphics hardware prefers.
+/// Returns the power of two that, as the number of columns, makes a sheet most nearly square. If
+/// two numbers are equally good, returns the larger one. With frames of power-of-two width, the
+/// sheet has a power-of-two width, which graphics hardware prefers.
 int near_square_columns(int frames, int cell_width, int cell_height);
 
 /// Throws std::invalid_argument if a layout has no frames, columns or pixels, if its gutter is

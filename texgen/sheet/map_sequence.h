@@ -33,14 +33,14 @@ struct MapSequence {
 /// same. Returns 1 for a single frame.
 std::optional<int> common_step(std::span<const int> frames);
 
-/// Returns the rate at which selected frames of a set play at the set's own speed. For example,
-/// every second frame of a set with 24 frames per second plays at 24 frames in 2 s. Returns the
-/// set's own rate if the steps between frames differ.
+/// Returns the frame rate at which the given frames show the foam at the same speed as the whole
+/// set. For example, every second frame of a set with 24 frames per second plays at 24 frames in
+/// 2 s. Returns the frame rate of the set if the steps between the frames differ.
 FrameRate playing_rate(const BakedSet& set, std::span<const int> frames);
 
-/// Returns the files of some frames of a map. `folder` is the folder of the set's manifest. Throws
-/// std::invalid_argument, with a list of the existing maps, for a map that was not baked, and
-/// InputError for a frame that was not baked.
+/// Returns the files of the given frames of a map. `folder` is the folder of the set's manifest.
+/// Throws std::invalid_argument, with a list of the existing maps, for a map that was not baked,
+/// and InputError for a frame that was not baked.
 MapSequence map_sequence(const BakedSet& set,
                          const std::filesystem::path& folder,
                          std::string_view map,

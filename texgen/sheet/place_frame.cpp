@@ -10,7 +10,8 @@ namespace foam::texgen {
 
 namespace {
 
-// Returns the position in [0, extent) from which a pixel at any position is copied.
+// Returns the position in [0, extent) whose pixel is copied to `position`, which may be outside of
+// the frame.
 int source_of(int position, int extent, Gutter gutter) {
     if (gutter == Gutter::Edge) {
         return std::clamp(position, 0, extent - 1);
@@ -19,7 +20,8 @@ int source_of(int position, int extent, Gutter gutter) {
     return rest < 0 ? rest + extent : rest;
 }
 
-// Copies row y of a frame, which may be outside of the frame, with `margin` pixels on both sides.
+// Copies row y of a frame, with a gutter of `margin` pixels on both sides. The row may be outside
+// of the frame, above or below it.
 template <class Sample>
 void copy_row(ImageView<const Sample> frame, int y, int margin, Gutter gutter, Sample* to) {
     const int from = source_of(y, frame.height(), gutter);

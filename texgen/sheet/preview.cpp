@@ -66,7 +66,7 @@ Bytes encoded(const Codes& codes) {
         codes.view(), {.color = true, .text = {}}, {.compression = Compression::Small});
 }
 
-// Returns at most `max_count` files, evenly spread. The first file is always included.
+// Returns at most `max_count` files, evenly spaced. The first file is always included.
 std::vector<MapFile> spread(const std::vector<MapFile>& files, std::size_t max_count) {
     const std::size_t count = std::min(files.size(), max_count);
     std::vector<MapFile> chosen;
@@ -100,7 +100,7 @@ std::string map_for_the_eye(const BakedSet& set) {
     throw std::invalid_argument("no baked map can be shown; bake id_color to show ids");
 }
 
-// Makes the previews of one map. The animation is made once for all kinds that need it.
+// Makes the previews of one map. The animated PNG is encoded only once, also for the videos.
 class Previews {
   public:
     Previews(const BakedSet& set,

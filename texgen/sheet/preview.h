@@ -37,10 +37,10 @@ struct PreviewOptions {
 
 /// Writes previews of a baked set into the folder `to`, which is created if needed, and returns
 /// their paths: {preset}_{map}_contact.png, {preset}_{map}_tiling.png, {preset}_{map}_loop.png,
-/// {preset}_{map}.mp4 and {preset}_{map}.gif. Frames are reduced in size (shown_frame.h) and
-/// opaque. `folder` is the folder of the manifest. Throws as map_sequence, read_shown and
-/// encode_video do, and std::invalid_argument for a map of ids, which cannot be shown, and for the
-/// tiling of a frame that does not tile.
+/// {preset}_{map}.mp4 and {preset}_{map}.gif. Frames are opaque, and large frames are reduced in
+/// size (shown_frame.h). `folder` is the folder of the manifest. Throws std::invalid_argument for a
+/// map of ids, which cannot be shown, and for the tiling of a frame that does not tile. Also throws
+/// the exceptions of map_sequence, read_shown and encode_video.
 std::vector<std::filesystem::path> write_previews(const BakedSet& set,
                                                   const std::filesystem::path& folder,
                                                   const PreviewOptions& options,

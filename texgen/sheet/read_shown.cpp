@@ -21,14 +21,14 @@ namespace foam::texgen {
 
 namespace {
 
-// Integer samples are decoded by a table; floats are scaled from the range in the manifest to [0,
-// 1]. Transparent colors are composited over the ground color as linear light.
+// Integer samples are decoded by a table. Floats are scaled from the range in the manifest to
+// [0, 1]. Transparent colors are composited over the ground color in linear light.
 
 bool is_light_in(const ManifestMap& map) {
     return map.samples->color_space != "data";
 }
 
-// Returns the value from 0 to 1 of each code of a sample.
+// Returns a table of the values of all codes of a sample, from 0 to 1.
 template <class Sample>
 std::vector<float> values_of_codes(bool is_light) {
     constexpr std::size_t kCodes = std::size_t{std::numeric_limits<Sample>::max()} + 1;
@@ -99,7 +99,7 @@ void visit_numbers(Image<float>& pixels, const PictureChannel& channel, const au
     }
 }
 
-// Adds the ground color to light that is premultiplied by its opacity.
+// Composites premultiplied colors over the ground color.
 void add_ground(Image<float>& pixels, const PictureChannel& opacity) {
     const auto ground = static_cast<float>(srgb_to_linear(kGround / 255.0));
     visit_numbers(pixels, opacity, [&](std::span<float> pixel, double covered) {

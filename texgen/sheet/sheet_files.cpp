@@ -106,8 +106,8 @@ Picture sheet_of(const MapSequence& sequence, const SheetLayout& layout) {
     return sheet;
 }
 
-// Returns the encoding that suits a map. A bake of another version may contain an unknown map,
-// which gets the default filter.
+// Returns the encoding that suits a map. A bake of another version may contain a map that this
+// version does not know; it gets no filter.
 EncodingOptions encoding_of(std::string_view map) {
     const auto maps = all_maps();
     const auto known = std::ranges::find(maps, map, &Map::name);

@@ -15,14 +15,14 @@ namespace {
 
 constexpr float kLargestCode = 255.0F;
 
-// The pixels along an axis that one pixel of the smaller image covers: the index of the first one,
-// and the weight of each, which add up to 1.
+// The pixels along an axis that one pixel of the smaller image covers: the index of the first
+// pixel, and the weights of all of them, which add up to 1.
 struct Cover {
     int first = 0;
     std::vector<float> parts;
 };
 
-// Returns the pixels, out of `many`, that each of `few` pixels covers.
+// Returns, for each of `few` pixels, which of `many` pixels it covers.
 std::vector<Cover> covers_of(int many, int few) {
     const double scale = static_cast<double>(many) / few;
     std::vector<Cover> covers(static_cast<std::size_t>(few));

@@ -12,8 +12,8 @@ namespace foam::texgen {
 /// The shade of gray behind transparent frames and between frames, as 8-bit sRGB.
 inline constexpr std::uint8_t kGround = 0x2b;
 
-/// A frame for display: red, green and blue from 0 to 1. Colors are linear light, composited over
-/// kGround. Data have the values that the codes of a PNG would have, for any file format.
+/// A frame for display, with red, green and blue from 0 to 1. Colors are linear light, composited
+/// over kGround. Data have the same values for any file format: those of the codes of a PNG.
 struct ShownFrame {
     static constexpr int kColors = 3;
 
@@ -22,13 +22,13 @@ struct ShownFrame {
 };
 
 /// Reads a frame of a map. Numbers are scaled from the manifest's `range` to [0, 1] and clamped.
-/// Throws InputError if the file cannot be read or shown, for example if the manifest has no range
-/// for a file of numbers.
+/// Throws InputError if the file cannot be read or cannot be shown, for example if the manifest has
+/// no range for a file of floats.
 ShownFrame read_shown(const MapFile& file, const ManifestMap& map);
 
-/// Reduces a frame to a smaller size. Each pixel becomes the mean, by area, of the pixels that it
-/// covers: the mean of light, or of the values of data. Because a pixel depends only on the area
-/// that it covers, a reduced tile still tiles. Precondition: neither width nor height grows.
+/// Reduces a frame to a smaller size. Each pixel is the area-weighted mean of the pixels that it
+/// covers: a mean of linear light, or of the values of data. Because a pixel depends only on the
+/// area that it covers, a reduced tile still tiles. Precondition: neither width nor height grows.
 ShownFrame reduced(const ShownFrame& frame, int width, int height);
 
 /// Encodes a frame as 8-bit codes: light as sRGB, data unchanged.

@@ -19,9 +19,10 @@ enum class VideoFormat {
 /// Throws OutputError if ffmpeg is not installed or does not run.
 void check_ffmpeg();
 
-/// Encodes an animated PNG as a video. `rate` must be its rate; it is passed to ffmpeg separately,
-/// because ffmpeg reads the rate of an animated PNG with an error of 1e-4. Throws OutputError if
-/// ffmpeg is not installed or fails; ffmpeg prints the reason to stderr.
+/// Encodes an animated PNG as a video. Precondition: `rate` is the frame rate of the PNG. It is
+/// passed to ffmpeg separately, because ffmpeg reads the rate of an animated PNG with a relative
+/// error of 1e-4. Throws OutputError if ffmpeg is not installed or fails; ffmpeg prints the reason
+/// to stderr.
 Bytes encode_video(std::span<const std::byte> apng, FrameRate rate, VideoFormat format);
 
 }  // namespace foam::texgen

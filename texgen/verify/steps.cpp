@@ -33,8 +33,8 @@ double sum_of_differences(std::span<const Sample> a,
     return sum;
 }
 
-// Adds the difference of each column from the preceding one to `steps`. The first column is
-// compared with the last.
+// Adds to each element of `steps` the difference between that column and the preceding one. The
+// first column is compared with the last.
 template <class Sample>
 void add_column_steps(const Image<Sample>& image,
                       Difference difference,
@@ -51,7 +51,8 @@ void add_column_steps(const Image<Sample>& image,
     }
 }
 
-// Adds the difference of each row from the preceding one. The first row is compared with the last.
+// Adds to each element of `steps` the difference between that row and the preceding one. The first
+// row is compared with the last.
 template <class Sample>
 void add_row_steps(const Image<Sample>& image, Difference difference, std::vector<double>& steps) {
     std::span<const Sample> before = image.row(image.height() - 1);
@@ -61,12 +62,12 @@ void add_row_steps(const Image<Sample>& image, Difference difference, std::vecto
     }
 }
 
-// Converts sums of differences to a seam. The first step is the one across the border. Each step is
-// a sum over `samples` samples.
-Seam seam_of(const std::vector<double>& steps, double samples) {
-    Seam seam{steps.front() / samples, 0.0};
-    for (std::size_t k = 1; k < steps.size(); ++k) {
-        seam.largest_within = std::max(seam.largest_within, steps[k] / samples);
+// Returns the seam for sums of differences. Each sum is over `samples` samples; the first sum is
+// the difference across the border.
+Seam seam_of(const std::vector<double>& sums, double samples) {
+    Seam seam{sums.front() / samples, 0.0};
+    for (std::size_t k = 1; k < sums.size(); ++k) {
+        seam.largest_within = std::max(seam.largest_within, sums[k] / samples);
     }
     return seam;
 }

@@ -8,8 +8,8 @@
 
 namespace foam::texgen {
 
-/// The measure of the difference of two samples: the absolute difference of numbers; for ids, 1 if
-/// they differ and 0 if they are equal.
+/// The measure of the difference of two samples. It is the absolute difference for numbers. For ids
+/// it is 1 if they differ and 0 if they are equal.
 enum class Difference { Numbers, Ids };
 
 /// The step across a possible seam, compared with the largest step elsewhere. A step is the mean

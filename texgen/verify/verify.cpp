@@ -20,10 +20,10 @@ namespace foam::texgen {
 
 namespace {
 
-// Every file is decoded once. Its pixels are compared with the hash in the manifest, and each of
-// its maps is passed on to a MapCheck. A MapCheck accumulates the largest steps within frames,
-// across their borders and from frame to frame. At the end it compares the steps at seams with the
-// largest other steps (steps.h).
+// Every file is decoded once. The hash of its pixels is compared with the manifest, and each of its
+// maps is added to the MapCheck of that map. A MapCheck accumulates the largest steps within
+// frames, across their borders and from frame to frame. At the end it compares the steps at seams
+// with the largest other steps (steps.h).
 
 using File = std::shared_ptr<const Picture>;
 
@@ -54,7 +54,7 @@ class MapCheck {
     }
 
     // Returns the result. `period` is the number of frames of the loop, or 0 if there is no loop.
-    // The loop is checked if the frames 1 to `period` were added in this order.
+    // The loop is checked only if the frames 1 to `period` were added in this order.
     VerifiedMap finish(int period) {
         const bool all =
             period > 1 && first_frame_ == 1 && steps_ >= period - 1 && last_frame_ == period;
@@ -109,8 +109,8 @@ class MapCheck {
     Border rows_;
 };
 
-// Returns the picture in a file if its pixels are those that were baked. Otherwise adds a problem
-// and returns null.
+// Returns the picture in a file if its pixels have the hash in the manifest. Otherwise adds a
+// problem and returns null.
 File read_baked(const ManifestFile& file,
                 const std::filesystem::path& folder,
                 std::vector<std::string>& problems) {
@@ -126,7 +126,7 @@ File read_baked(const ManifestFile& file,
     return nullptr;
 }
 
-// Adds a problem for missing frames, one line for all maps that lack the same frames.
+// Adds a problem for missing frames: one line for all maps with the same missing frames.
 void note_missing(const BakedSet& set, std::vector<std::string>& problems) {
     std::map<std::vector<int>, std::string> maps_by_missing;
     for (const ManifestMap& map : set.maps) {

@@ -12,31 +12,31 @@
 
 namespace foam::texgen {
 
-/// The largest ratio of the step across the border of a tile to the largest step within, over all
-/// frames together, that counts as seamless.
+/// The largest ratio that counts as a seamless tile: the largest step across the border of any
+/// frame, divided by the largest step within any frame.
 inline constexpr double kLargestTileRatio = 1.25;
 /// The smallest width and height, in pixels, of images whose tiling is checked. Smaller images have
 /// too few columns or rows for a comparison.
 inline constexpr int kSmallestTile = 64;
-/// The largest ratio of the step from the last frame of a loop to its first, to the largest step
-/// between successive frames, that counts as seamless.
+/// The largest ratio that counts as a seamless loop: the step from the last frame to the first,
+/// divided by the largest step between successive frames.
 inline constexpr double kLargestLoopRatio = 1.1;
 
-/// The result of checking a map. A seam is empty if it did not have to be checked, or could not be.
+/// The result of checking a map. A seam that was not checked is empty.
 struct VerifiedMap {
     std::string name;
     std::optional<Seam> tile;
     int tile_frame = 0;  // the frame with the largest step across the border
     std::optional<Seam> loop;
 
-    /// Returns true if no seam exceeds its largest ratio.
+    /// Returns true if no seam exceeds the largest allowed ratio.
     bool holds() const;
 };
 
 /// The result of checking a set of images.
 struct VerifiedSet {
     BakedSet set;
-    int files_same = 0;                 // number of files that have the pixels that were baked
+    int files_same = 0;                 // number of files with the pixels that were baked
     std::vector<std::string> problems;  // one line each: invalid files, missing frames, seams
     std::vector<VerifiedMap> maps;
 
@@ -53,11 +53,11 @@ struct Verification {
     bool holds() const;
 };
 
-/// Checks the images of a folder against its manifest: that every file exists and decodes to the
-/// pixels that were baked, that frames that tile have no seam, and that loops have no seam between
-/// their last frame and their first. A loop is checked only if all frames of its period exist.
-/// `path` is the folder or a manifest in it. Throws InputError if the manifest cannot be read; all
-/// other problems are part of the result.
+/// Checks the images of a folder against its manifest. Every file must exist and decode to the
+/// pixels that were baked. Frames that tile must have no seam at their border, and loops no seam
+/// between their last frame and their first. A loop is checked only if all frames of its period
+/// exist. `path` is the folder or the manifest in it. Throws InputError if the manifest cannot be
+/// read; all other problems are part of the result.
 Verification verify(const std::filesystem::path& path);
 
 /// Returns the result as text for people, with a few lines per set.

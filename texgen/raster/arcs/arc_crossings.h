@@ -68,7 +68,7 @@ class CrossingSolver {
     /// Returns the x at which the arc crosses the height y. Precondition: 0 <= y <= head.y().
     Real x_at(Real y) const { return c_.half_x + within(from_middle(y), std::abs(c_.half_x)); }
 
-    /// Returns the same x, but for an arc that need not be monotone in x.
+    /// Returns the same x, for an arc that may be non-monotone in x. The result is not clamped.
     Real unbounded_x_at(Real y) const { return c_.half_x + from_middle(y); }
 
     /// Returns the y at which the arc crosses an x between its ends. (The sign of the root depends
@@ -123,8 +123,9 @@ class RoundedCrossings {
     CrossingSolver<float> in_floats_;
 };
 
-/// A query for `count` crossings of an arc, with the heights or the columns first, first + step,
-/// ... Each result is sign * (offset + crossing).
+/// A query for `count` crossings of an arc with horizontal or vertical lines. The lines have the
+/// coordinates first, first + step, first + 2 step, and so on. Each result is sign * (offset +
+/// crossing).
 struct ArcCrossings {
     static constexpr std::size_t kLanes = 8;  // computed at once
 
@@ -140,8 +141,8 @@ struct ArcCrossings {
     std::size_t end() const { return position + (count + kLanes - 1) / kLanes * kLanes; }
 };
 
-/// Compute the crossings of several arcs with heights (find_xs) or columns (find_ys). The square
-/// roots of different arcs overlap.
+/// Compute the crossings of several arcs with horizontal lines (find_xs) or vertical lines
+/// (find_ys). The square roots of different arcs overlap.
 void find_xs(std::span<const ArcCrossings> arcs, std::int32_t* xs);
 void find_ys(std::span<const ArcCrossings> arcs, std::int32_t* ys);
 

@@ -17,7 +17,7 @@
 
 namespace foam::texgen {
 
-/// Stands for films where a bubble's index could be.
+/// The value of ArcSides::left and ArcSides::right on the side of a film.
 inline constexpr std::uint32_t kFilmSide = std::numeric_limits<std::uint32_t>::max();
 
 /// The two sides of an arc. Each side has the index of a bubble, or kFilmSide, and the number of
@@ -40,24 +40,24 @@ inline std::uint32_t arc_side(BubbleId bubble) {
     return static_cast<std::uint32_t>(index_of(bubble));
 }
 
-/// An arc that rises, and goes back neither in x nor in y, between two bubbles or a bubble and a
-/// film; in subpixels of the unshifted grid.
+/// A rising arc that is monotone in x and in y, between two bubbles or between a bubble and a film.
+/// Coordinates are in subpixels of the unshifted grid.
 struct MonotoneArc {
     SubpixelPoint low;
     SubpixelPoint high;
-    double sine = 0.0;  // of half the angle by which it turns left, at most 45 degrees
+    double sine = 0.0;  // of half the angle by which the arc turns left, at most 45 degrees
     ArcSides sides;
 
     friend bool operator==(const MonotoneArc& a, const MonotoneArc& b) = default;
 };
 
-/// All arcs that bound what shows of the bubbles of a frame, in no particular order.
+/// All arcs that bound the visible parts of the bubbles of a frame, in no particular order.
 struct CellArcs {
     RasterGrid grid;
-    std::int32_t shear = 0;  // subpixels by which a copy one period up lies to the right
-    std::vector<std::vector<MonotoneArc>> batches;  // one per task that made them
+    std::int32_t shear = 0;  // subpixels by which a copy one period up is moved right
+    std::vector<std::vector<MonotoneArc>> batches;  // one batch per task
     int unresolved = 0;  // parts left out because their boundary did not close; 0 for a valid foam
-    std::optional<BubbleId> outside = {};  // the ghost of a patch
+    std::optional<BubbleId> outside = {};  // the ghost bubble of a patch
 };
 
 /// The arcs that one task makes.
@@ -66,15 +66,16 @@ struct ArcBatch {
     int unresolved = 0;
 };
 
-/// Appends an arc whose ends were rounded, in monotone pieces. A piece that is level, to the
-/// subpixel, bounds no area and is left out. `sides` are those of the arc from tail to head.
+/// Appends the monotone pieces of an arc. `tail` and `head` are the rounded ends of the arc;
+/// `sides` is relative to the direction from tail to head. A piece whose rounded ends have the same
+/// height bounds no area and is left out.
 void append_arc(const PixelArc& arc,
                 SubpixelPoint tail,
                 SubpixelPoint head,
                 const ArcSides& sides,
                 std::vector<MonotoneArc>& to);
 
-/// Appends an arc that goes back neither in x nor in y, unless it is level.
+/// Appends an arc that is monotone in x and in y, unless its ends have the same height.
 void append_piece(SubpixelPoint tail,
                   SubpixelPoint head,
                   double sine,
@@ -88,8 +89,8 @@ double twice_area(std::span<const MonotoneArc> chain, std::uint32_t bubble);
 /// The number of bubbles whose arcs make_arcs should make in one task.
 inline constexpr std::size_t kBubblesPerTask = 256;
 
-/// Calls make(k, batch) for each k in [0, count), in tasks of `per_task`. Every task has its own
-/// object with this member, which new_maker() returns.
+/// Calls maker.make(k, batch) for each k in [0, count) and returns all arcs. Each task processes
+/// `per_task` values of k with a maker of its own, which new_maker() returns.
 template <class NewMaker>
 CellArcs make_arcs(const RasterGrid& grid,
                    std::size_t count,

@@ -32,7 +32,7 @@ struct PixelPatch {
 std::size_t region_count(const Frame& frame);
 
 /// The distance in pixels beyond the image at which arcs are cut off, because coordinates have 32
-/// bits. No pixel depends on arcs that are so far away.
+/// bits. No pixel depends on the shape of arcs at such a distance.
 inline constexpr double kGuard = kLargestSide;
 
 /// Returns true if a part of a loop may be visible. The test is conservative: it assumes that an

@@ -23,9 +23,9 @@ int quadrant_of(const Vec2& direction) {
 }
 
 // Returns the direction of the axis at which a quadrant begins.
-Vec2 axis(int quarter) {
+Vec2 axis(int quadrant) {
     constexpr std::array<double, 5> kCosines{1.0, 0.0, -1.0, 0.0, 1.0};
-    const auto k = static_cast<std::size_t>(quarter % 4);
+    const auto k = static_cast<std::size_t>(quadrant % 4);
     return {kCosines[k], -kCosines[k + 1]};
 }
 
@@ -39,10 +39,10 @@ MonotonePieces::MonotonePieces(const PixelArc& arc) {
     }
 }
 
-// Splits the arc at the points where its tangent is parallel to an axis. Between two points with
-// the unit tangents a and b, an arc that turns left moves by radius * (b - a), turned right by 90
-// degrees; |b - a| / 2 is the sine of half the angle between a and b. An arc that turns right is
-// mirrored.
+// Splits the arc at the points where its tangent is parallel to an axis. An arc that turns right is
+// mirrored first. Let a and b be the unit tangents at two points of an arc that turns left. The
+// vector from the first point to the second is radius * (b - a), rotated by 90 degrees to the
+// right. The sine of half the angle between a and b is |b - a| / 2.
 void MonotonePieces::split(const PixelArc& arc) {
     const double side = arc.sine < 0.0 ? -1.0 : 1.0;
     const Vec2 mirror(1.0, side);
@@ -58,8 +58,8 @@ void MonotonePieces::split(const PixelArc& arc) {
         end += 4;
     }
     Vec2 from = first;
-    for (int quarter = begin + 1; quarter <= end; ++quarter) {
-        const Vec2 to = axis(quarter);
+    for (int quadrant = begin + 1; quadrant <= end; ++quadrant) {
+        const Vec2 to = axis(quadrant);
         const Vec2 head = -radius * turned_left(to - first);
         append(mirror.cwiseProduct(head), 0.5 * side * (to - from).norm());
         from = to;

@@ -21,7 +21,7 @@ struct PixelFrame {
           snap(on, of.domain) {}
 
     SubpixelPoint junction(JunctionId junction) const { return snap(frame.positions[junction]); }
-    /// Returns all junctions, by their index.
+    /// Returns all junctions, indexed by JunctionId.
     std::vector<SubpixelPoint> junctions(int threads) const {
         constexpr std::size_t kPerTask = 8192;
         std::vector<SubpixelPoint> points(frame.positions.size());

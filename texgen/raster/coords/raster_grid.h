@@ -25,7 +25,7 @@ struct View {
 /// the unshifted grid, wrapped around the torus. Precondition on a sheared torus: 0 <= shift_y <
 /// height.
 struct RasterGrid {
-    int width = 0;  // all in pixels
+    int width = 0;  // all lengths are in pixels
     int height = 0;
     int shift_x = 0;
     int shift_y = 0;
@@ -39,7 +39,7 @@ inline constexpr int kLargestSide = 1 << 14;
 inline constexpr double kShortestSide = 1e-9;
 
 /// Returns the number of pixels per foam unit. Throws std::invalid_argument if a side of the grid
-/// is not in [1, kLargestSide], if the grid has no view of a plane or has a view of a torus, and if
+/// is not in [1, kLargestSide], if the grid has no view of a plane or has a view of a torus, or if
 /// the pixels on a torus are not square to one part in a million.
 double pixels_per_unit(const RasterGrid& grid, const Domain& domain);
 
@@ -66,7 +66,8 @@ class Snap {
     double up_;
 };
 
-/// Returns a position in the plane in pixels, from the lower left corner of a grid with a view.
+/// Converts a position in the plane, in foam units, to pixels from the lower left corner of a grid.
+/// Precondition: the grid has a view.
 inline Vec2 pixel_in_view(const RasterGrid& grid, const Vec2& position) {
     return grid.view->pixels_per_unit * (position - grid.view->center) +
            0.5 * Vec2(grid.width, grid.height);

@@ -42,8 +42,8 @@ int ArcBands::row_count(int band) const {
     return std::min(1 << row_bits_, grid_.height - first_row(band));
 }
 
-// Returns the tile of the lower end of an arc. On a torus, arcs of unwrapped outlines may be some
-// periods to the left or right of the image.
+// Returns the tile of the lower end of an arc. On a torus, arcs of unwrapped outlines may be
+// several periods to the left or right of the image.
 std::size_t ArcBands::tile_of(const Entry& entry) const {
     int column = pixel_of(entry.arc->low.x + entry.translation.x);
     if (grid_.view) {

@@ -12,9 +12,9 @@
 
 namespace foam::texgen {
 
-/// The rows of an image, divided into bands, and the arcs that overlap each band. Arcs are shifted
-/// as the grid requires and wrapped around the torus. Within a band, arcs are sorted by tiles from
-/// left to right, so that the sums to which an arc adds are mostly cached for the next arc.
+/// The rows of an image, divided into bands, and the arcs that overlap each band. Arcs are moved
+/// by the shift of the grid and wrapped around the torus. Within a band, arcs are sorted by tiles
+/// from left to right, so that the sums to which an arc adds are mostly cached for the next arc.
 class ArcBands {
   public:
     /// A copy of an arc, shifted, and on a torus moved up or down by whole periods. Its y is
@@ -45,7 +45,8 @@ class ArcBands {
     // numbered consecutively through all bands.
     template <class Visit>
     void visit_tiles(Batches batches, const Visit& visit) const;
-    // Both call visit(entry, band): for all copies of all arcs, and for one copy.
+    // Both call visit(entry, band) for each band that a copy overlaps: visit_copies for all copies
+    // of all arcs, visit_bands for one copy.
     template <class Visit>
     void visit_copies(Batches batches, const Visit& visit) const;
     template <class Visit>

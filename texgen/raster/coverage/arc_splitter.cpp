@@ -14,12 +14,12 @@ namespace foam::texgen {
 
 namespace {
 
-// An arc is split in stages: the crossings with borders of rows are computed, then the crossings
-// with borders of columns. Both sequences are then merged by position: the index of a crossing in
-// the merged sequence is its own index plus the number of crossings of the other kind before it.
-// That number is known without comparing crossings, so the merge has no unpredictable branches.
-// Finally the area to the left of each part is computed from its chord and the circular segment
-// beyond it.
+// An arc is split in stages. First its crossings with the borders between rows are computed, then
+// those with the borders between columns. The two sequences are then merged: the index of a
+// crossing in the merged sequence is its own index plus the number of crossings of the other kind
+// before it. That number is known without comparing crossings, so the merge has no unpredictable
+// branches. Finally the area to the left of each part is computed from its chord and the circular
+// segment beyond it.
 
 constexpr std::size_t kLanes = 16;  // number of parts that are measured at once
 
@@ -99,21 +99,21 @@ void ArcSplitter::find_columns(std::size_t k) {
     arc.first_part = k == 0 ? 0 : arcs_[k - 1].first_part + arcs_[k - 1].parts + 1;
 }
 
-// Stores the points at which an arc leaves each row. Each point is stored behind the slots for the
-// crossings of columns that come before it, so that no branch depends on their order. Minimum and
-// maximum keep x increasing in spite of rounding.
+// Stores the points at which an arc leaves each row. Slots are left free for the crossings with
+// borders between columns that come before each point, so that no branch depends on the order of
+// crossings. Minimum and maximum ensure that x never decreases in spite of rounding.
 void ArcSplitter::store_row_crossings(std::size_t k) {
     const Arc arc = arcs_[k];  // a copy, which the stores below cannot alias
     const ArcCrossings& rows = row_crossings_[k];
     const std::int32_t* xs = &xs_[rows.position];
     const std::int32_t first_column = column_of(arc, arc.from.x);
     std::int32_t* rows_left = rows_left_.data();
-    std::int32_t* to_x = &point_x_[arc.first_part];
-    std::int32_t* to_y = &point_y_[arc.first_part];
-    to_x[0] = arc.from.x;
-    to_y[0] = arc.from.y;
-    to_x[arc.parts] = arc.to.x;
-    to_y[arc.parts] = arc.to.y;
+    std::int32_t* point_x = &point_x_[arc.first_part];
+    std::int32_t* point_y = &point_y_[arc.first_part];
+    point_x[0] = arc.from.x;
+    point_y[0] = arc.from.y;
+    point_x[arc.parts] = arc.to.x;
+    point_y[arc.parts] = arc.to.y;
     const std::int32_t first_row = pixel_of(arc.from.y);
     const auto last = static_cast<std::int32_t>(rows.count) - 1;
     std::int32_t x = arc.from.x;
@@ -121,8 +121,8 @@ void ArcSplitter::store_row_crossings(std::size_t k) {
         x = std::min(std::max(x, xs[row]), arc.to.x);
         const std::int32_t columns = column_of(arc, x) - first_column;
         ++row;
-        to_x[row + columns] = x;
-        to_y[row + columns] = (first_row + row) * kSubpixel;
+        point_x[row + columns] = x;
+        point_y[row + columns] = (first_row + row) * kSubpixel;
         rows_left[columns] = row;
     }
 }
@@ -134,8 +134,8 @@ void ArcSplitter::store_column_crossings(std::size_t k) {
     const ArcCrossings& columns = column_crossings_[k];
     const std::int32_t* ys = ys_.data() + columns.position;
     std::int32_t* rows_left = rows_left_.data();
-    std::int32_t* to_x = &point_x_[arc.first_part + 1];
-    std::int32_t* to_y = &point_y_[arc.first_part + 1];
+    std::int32_t* point_x = &point_x_[arc.first_part + 1];
+    std::int32_t* point_y = &point_y_[arc.first_part + 1];
     const std::int32_t first_row = pixel_of(arc.from.y);
     const std::int32_t border = arc.border;
     const auto count = static_cast<std::int32_t>(columns.count);
@@ -143,16 +143,16 @@ void ArcSplitter::store_column_crossings(std::size_t k) {
     for (std::int32_t column = 0; column < count; ++column) {
         rows = std::max(rows, std::exchange(rows_left[column], 0));
         const std::int32_t low = (first_row + rows) * kSubpixel;
-        to_x[rows + column] = border + column * kSubpixel;
-        to_y[rows + column] = std::min(std::max(ys[column], low), low + kSubpixel);
+        point_x[rows + column] = border + column * kSubpixel;
+        point_y[rows + column] = std::min(std::max(ys[column], low), low + kSubpixel);
     }
     rows_left[count] = 0;
 }
 
 // Computes the parts of all arcs. The area to the left of a part's chord is a whole number that a
 // float represents exactly; the circular segment between chord and arc is added to it. The middle
-// of a part determines its pixel. A part without height may get another pixel, but adds nothing
-// there. Elements beyond the parts of an arc fill the last vector and have no size.
+// of a part determines its pixel. A part without height may be assigned to a neighboring pixel,
+// but adds nothing to it. Unused lanes of the last vector of an arc get parts without height.
 void ArcSplitter::measure_parts() {
     at_simd_level([arcs = std::span(arcs_).first(size_),
                    last_row = rows_ - 1,
@@ -170,7 +170,7 @@ inline void ArcSplitter::measure_arc(const Arc& arc,
                                      const std::int32_t* __restrict xs,
                                      const std::int32_t* __restrict ys,
                                      Part* __restrict parts) {
-    constexpr float kHalf = 0.5F;  // added before truncation, which rounds to the nearest
+    constexpr float kHalf = 0.5F;  // added before truncation in order to round to nearest
     const std::int32_t sign = arc.sign;
     const float half_curvature = arc.half_curvature;
     const std::size_t end = arc.first_part + arc.parts;

@@ -15,23 +15,25 @@ namespace foam::texgen {
 
 namespace {
 
-static_assert(kLargestSide <= std::numeric_limits<std::uint16_t>::max(), "begins have 16 bits");
+static_assert(kLargestSide <= std::numeric_limits<std::uint16_t>::max(),
+              "elements of RowSums::begins have 16 bits");
 
 constexpr std::size_t kFlagsPerWord = 64;
 
-// Returns the distance from row to row. Rows a power of two apart would compete for few cache sets,
-// as arcs go up and down.
+// Returns the distance between the starts of successive rows, in pixels. An arc touches pixels of
+// many rows. If the distance were a power of two, these pixels would compete for few cache sets.
 std::size_t stride_of(int width, std::size_t sum_bytes) {
-    constexpr std::size_t kOdd = 5;  // lines, modulo eight
+    constexpr std::size_t kLinesModulo8 = 5;  // number of cache lines of a row, modulo 8; odd
     const std::size_t per_line = kLineBytes / sum_bytes;
     std::size_t lines = static_cast<std::size_t>(width) / per_line + 1;
-    while (lines % 8 != kOdd) {
+    while (lines % 8 != kLinesModulo8) {
         ++lines;
     }
     return lines * per_line;
 }
 
-// Reads all channels before it writes any, so that they are vectorized.
+// Adds a multiple of a value to a sum. Reads all channels before it writes any, so that the loop is
+// vectorized.
 template <class Sum>
 void add_times(typename Sum::value_type factor, const Sum& value, Sum& to) {
     Sum sum = to;
@@ -43,9 +45,10 @@ void add_times(typename Sum::value_type factor, const Sum& value, Sum& to) {
 
 constexpr std::size_t kFlagsPerStep = 4;
 
-// Appends the positions of the flags that are set; returns how many there are. Writes up to
-// kFlagsPerStep more. Most words have few flags, and how many is hard to predict: four are taken
-// without asking.
+// Stores the positions of the flags that are set, in increasing order, and returns their number.
+// Positions are stored in steps of kFlagsPerStep, so that up to kFlagsPerStep elements after the
+// last position are overwritten. Most words have few flags, in unpredictable numbers; a loop over
+// single flags would often mispredict its end.
 [[gnu::always_inline]] inline std::size_t find_flags(std::span<const std::uint64_t> flags,
                                                      std::uint16_t* positions) {
     std::size_t count = 0;
@@ -66,7 +69,7 @@ constexpr std::size_t kFlagsPerStep = 4;
 
 }  // namespace
 
-// The arrays of a band.
+// Pointers to the arrays of a band.
 template <class Sums>
 struct Coverage<Sums>::Band {
     Sum* differences;
@@ -86,7 +89,7 @@ struct Coverage<Sums>::Band {
         add_times(on_left, across, to[1]);
     }
 
-    // A pixel and the one on its right.
+    // Sets the flags of a pixel and of the pixel on its right.
     static void touch(std::uint64_t* flags, std::size_t bit) {
         flags[0] |= std::uint64_t{3} << bit;
         if (bit + 1 == kFlagsPerWord) [[unlikely]] {
@@ -137,8 +140,8 @@ void Coverage<Sums>::finish() {
 template <class Sums>
 void Coverage<Sums>::add_inside(Parts parts, const Step& step) {
     const Band band{differences_.data(), stride_, touched_.data(), words_};
-    // A copy of `across` would let compilers merge both sums of a part into one wide store, on
-    // which the load of the next part, which overlaps it by half, stalls.
+    // `across` is captured by reference: with a copy, compilers merge the two sums of a part into
+    // one wide store. The load of the next part overlaps half of that store and would stall on it.
     at_simd_level([parts, &across = step.across, band] {
         for (const ArcSplitter::Part& part : parts) {
             band.add(static_cast<std::size_t>(part.row),
@@ -149,7 +152,8 @@ void Coverage<Sums>::add_inside(Parts parts, const Step& step) {
     });
 }
 
-// Adds an arc that lies in another period of its sides' outlines.
+// Accounts for the periods of an arc's sides: subtracts the height of the arc in each row, times
+// Step::around, from the start of the row.
 template <class Sums>
 void Coverage<Sums>::add_around(Parts parts, const Step& step) {
     for (const ArcSplitter::Part& part : parts) {
@@ -158,7 +162,7 @@ void Coverage<Sums>::add_around(Parts parts, const Step& step) {
     }
 }
 
-// Adds parts beyond the borders.
+// Adds an arc that has parts to the left or to the right of the band.
 template <class Sums>
 void Coverage<Sums>::add_outside(Parts parts, const Step& step) {
     const Band band{differences_.data(), stride_, touched_.data(), words_};
@@ -175,7 +179,8 @@ void Coverage<Sums>::add_outside(Parts parts, const Step& step) {
     }
 }
 
-// The pixel beyond the last one takes what leaves on the right, and is not shown.
+// The pixel after the last one receives what arcs add to the right of the row. It is not part of
+// the result.
 template <class Sums>
 void Coverage<Sums>::take_row(int row, const Sum& start, RowSums<Sum>& sums) {
     const auto index = static_cast<std::size_t>(row);
@@ -185,18 +190,19 @@ void Coverage<Sums>::take_row(int row, const Sum& start, RowSums<Sum>& sums) {
     grow(sums.sums, width + 2);
     Sum sum = start;
     add_times(1, std::exchange(starts_[index], Sum{}), sum);
-    const std::size_t untouched = (touched[0] & 1) == 0 ? 1 : 0;  // spans before the first arc
+    // 1 if a span without arcs precedes the first arc, otherwise 0.
+    const std::size_t leading_spans = (touched[0] & 1) == 0 ? 1 : 0;
     sums.begins[0] = 0;
     sums.sums[0] = sum;
     sums.count = at_simd_level([touched,
-                                untouched,
+                                leading_spans,
                                 sum,
                                 differences = &differences_[index * stride_],
                                 begins = sums.begins.data(),
                                 to = sums.sums.data()] {
-        const std::size_t count = untouched + find_flags(touched, &begins[untouched]);
+        const std::size_t count = leading_spans + find_flags(touched, &begins[leading_spans]);
         Sum running = sum;
-        for (std::size_t k = untouched; k < count; ++k) {
+        for (std::size_t k = leading_spans; k < count; ++k) {
             add_times(1, std::exchange(differences[begins[k]], Sum{}), running);
             to[k] = running;
         }

@@ -140,8 +140,9 @@ class Filler {
                                                         Channels);
     }
 
-    // Returns the value of pixels before any arc is added: on a torus the value of films, in a
-    // patch the value of the ghost bubble, which the outlines of the foam subtract inside it.
+    // Returns the value of pixels before any arc is added. On a torus this is the value of films.
+    // In a patch it is the value of the ghost bubble, which the outlines of the ghost subtract
+    // within the foam.
     std::span<const std::uint16_t, Channels> base() const {
         return cells_.outside ? value_of(*cells_.outside)
                               : std::span(values_.film).template first<Channels>();

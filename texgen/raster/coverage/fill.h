@@ -29,8 +29,8 @@ template <class Sample>
 using Encoding = std::array<Sample, 65536>;
 
 /// Fills an image with cells and films. Each pixel is the mean of the values in it, weighted by
-/// exact area (to the precision of subpixels) and rounded to the nearest. With films of no width
-/// the cells meet without gap or overlap, so that the value of films is not visible.
+/// exact area (to the precision of subpixels) and rounded to the nearest integer. With films of no
+/// width the cells meet without gap or overlap, so that the value of films is not visible.
 ///
 /// The result is the same to the bit for any number of threads. A shift of the grid shifts the
 /// image cyclically, to the bit. Throws std::invalid_argument if the image does not have the size
@@ -43,7 +43,8 @@ void fill_cells(const CellArcs& cells,
 /// Fills an image with colors whose last channel is their opacity. The values must be
 /// premultiplied, so that their means are premultiplied, too. The samples of the image are
 /// straight: each mean color is divided by the mean opacity before either is rounded. Samples of
-/// pixels without opacity are 0. Otherwise as fill_cells.
+/// pixels without opacity are 0. In all other respects, the function behaves like
+/// fill_cells.
 void fill_straight(const CellArcs& cells,
                    const CellValues& values,
                    int threads,

@@ -16,7 +16,7 @@
 
 namespace foam::texgen {
 
-/// Returns a pixel's samples in one word, in the order of memory from the lowest byte on.
+/// Returns the samples of a pixel in one word. The first byte in memory is the lowest byte.
 template <class Sample, std::size_t Channels>
 std::uint64_t packed(const std::array<Sample, Channels>& samples) {
     std::uint64_t pixel = 0;
@@ -30,7 +30,7 @@ std::uint64_t packed(const std::array<Sample, Channels>& samples) {
     return pixel;
 }
 
-/// Computes the means of sums.
+/// Converts sums to means.
 template <class Sums>
 void find_means(std::span<const typename Sums::Number> sums, std::uint16_t* to) {
     at_simd_level([sums, to] {
@@ -41,7 +41,7 @@ void find_means(std::span<const typename Sums::Number> sums, std::uint16_t* to) 
     });
 }
 
-/// Makes pixels of encoded means: encode(mean) is a sample. Buffers are reused between rows.
+/// Converts sums to pixels whose samples are encode(mean). Buffers are reused between rows.
 template <std::size_t Channels, class Sums, class Encode>
 class EncodedMeans {
   public:
@@ -67,7 +67,8 @@ class EncodedMeans {
     std::vector<std::uint16_t> means_;
 };
 
-/// Makes pixels of straight colors: the last mean is the opacity, the others are divided by it.
+/// Converts sums to pixels of straight colors. The last channel is the opacity; the other channels
+/// are divided by it.
 template <std::size_t Channels>
 struct StraightMeans {
     using Sums = ExactSums<Channels>;

@@ -25,7 +25,7 @@ void paint_spans(std::span<const std::uint16_t> begins,
                  const std::uint64_t* pixels,
                  std::uint8_t* row);
 
-/// Permutation the sums along a row into samples and writes them. to_samples(sums, pixels) computes
+/// Converts the sums along a row into samples and writes them. to_samples(sums, pixels) computes
 /// one pixel of `Channels` samples from each sum. Buffers are reused between rows.
 template <class Sums, std::size_t Channels, class Sample, class ToSamples>
 class RowWriter {

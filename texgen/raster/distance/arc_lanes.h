@@ -18,8 +18,9 @@ class ArcLanes {
     template <class Value>
     using Lanes = std::array<Value, kLanes>;
 
-    /// The smallest cosine of the half angle of an arc that bounds a region. Wider arcs are halved:
-    /// the test by half planes whether a point faces an arc requires that the arc turns by less.
+    /// The smallest cosine that the half angle of an arc may have in the boundary of a region. Arcs
+    /// with a larger half angle are halved, because they are too wide for the half-plane test that
+    /// decides whether a point faces an arc.
     static constexpr double kMinCosine = 0.5;
 
     /// Eight arcs. Lanes beyond the last arc have unspecified values.
@@ -33,7 +34,7 @@ class ArcLanes {
     /// tail, so that the tail itself may be the nearest point. Precondition: the chord is longer
     /// than kShortestSide.
     void add(const PixelArc& shape, const Vec2& tail, bool corner);
-    /// Adds the arc k of another object.
+    /// Adds a copy of the arc k of another object.
     void add(const ArcLanes& other, std::size_t k);
     /// Marks the tail of an arc as a corner of more than 180 degrees.
     void set_corner(std::size_t k);
@@ -50,8 +51,8 @@ class ArcLanes {
 
   private:
     template <class Value>
-    Value at(Lanes<Value> Block::*column, std::size_t k) const {
-        return (blocks_[k / kLanes].*column)[k % kLanes];
+    Value at(Lanes<Value> Block::*member, std::size_t k) const {
+        return (blocks_[k / kLanes].*member)[k % kLanes];
     }
 
     std::size_t size_ = 0;

@@ -22,7 +22,7 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 // rotation by the half angle combines them:
 //   f = sin a e + cos a h is 0 on the circle of the arc, has slope 1 there, and is positive on the
 //   left of the arc;
-//   t = cos a e - sin a h is 0 on the circle that crosses the arc's circle at right angles in both
+//   t = cos a e - sin a h is 0 on the circle that crosses the arc's circle at right angles at both
 //   ends, has slope 1 there, and is positive on the arc.
 //
 // The distance to the circle of the arc is 2 |f| / (1 + |grad f|), for any curvature. A point

@@ -18,10 +18,11 @@ class ArcView {
     /// point and these arcs.
     void evaluate(const ArcLanes& arcs, const Vec2& point);
 
-    /// Returns a distance from the point beyond which no arc is the nearest one of any other point
-    /// within `reach` of it: the distance of the nearest arc, plus twice the reach and a margin.
+    /// Returns a horizon: an arc that is farther from the point than the horizon is not the nearest
+    /// arc of any pixel within `reach` of the point. The horizon is the distance to the nearest arc
+    /// that the point faces, plus twice the reach and a margin.
     double horizon(double reach) const;
-    /// Returns true if the arc k may be as near to the point as a horizon.
+    /// Returns false if the arc k is certainly farther from the point than the horizon.
     bool is_within(std::size_t k, double horizon) const {
         return blocks_[k / kLanes].lower_bound[k % kLanes] <= horizon;
     }

@@ -10,7 +10,7 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr double kRounding = 2.0;  // subpixels; more than both ends of a side move when rounded
+constexpr double kRounding = 2.0;  // subpixels; rounding moves the ends of a side by less
 
 // The bounds of an outline, in subpixels.
 struct Bounds {

@@ -34,8 +34,8 @@ class Boundary {
 
     void clear();
 
-    /// Adds an exact arc. It begins where the last arc of its loop ended. An arc of no length is
-    /// ignored.
+    /// Adds an exact arc. An arc whose chord is at most kShortestSide is ignored. Precondition: the
+    /// tail is the head of the preceding arc of the loop.
     void add_arc(const PixelArc& shape, const Vec2& tail);
     /// Ends a loop of exact arcs.
     void close_loop();
@@ -43,8 +43,8 @@ class Boundary {
     /// Adds an arc to the outline, between whole subpixels.
     void add_edge(const Vec2& from, const Vec2& to, double cosine, double sine);
 
-    /// Returns a box that encloses the outline. It is larger than necessary by up to the largest
-    /// sagitta of an arc. Precondition: the outline is not empty.
+    /// Returns a box that encloses the outline. The box contains the ends of all arcs, plus a
+    /// margin that bounds the largest sagitta. Precondition: the outline is not empty.
     Extent extent() const;
 
     /// Returns the exact arcs. Arcs that are too wide for ArcLanes are halved.

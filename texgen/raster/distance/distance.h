@@ -18,8 +18,8 @@ DistanceField distance_field(const Frame& frame,
                              DistanceNeeds needs,
                              int threads);
 
-/// Writes the distance field of a frame into an existing field, and reuses its memory. Otherwise as
-/// distance_field.
+/// Writes the distance field of a frame into an existing field, whose memory it reuses. The result
+/// and the exceptions are the same as for distance_field.
 void write_distance_field(const Frame& frame,
                           const RasterGrid& grid,
                           DistanceNeeds needs,

@@ -21,9 +21,9 @@ namespace foam::texgen {
 
 namespace {
 
-// On a torus, bubbles are traced and painted at once if they are within one band of rows of the
-// unshifted grid, so that their boundaries need not be stored; bands are painted in parallel. All
-// other regions, and all regions of a patch, are stored, sorted by the bands of the image that they
+// On a torus, a bubble that is within one band of rows of the unshifted grid is painted immediately
+// after it is traced, so that its boundary is not stored. Bands are painted in parallel. All other
+// regions, and all regions of a patch, are stored, sorted by the bands of the image that they
 // overlap, and painted in parts. No two threads write the same rows, and the order in which
 // overlapping regions are painted depends neither on threads nor on shifts.
 
@@ -95,8 +95,8 @@ Buckets<RegionCopy> copies_by_band(std::span<const Region> regions,
 }
 
 // Traces the bubbles of a torus that begin in a band of rows of the unshifted grid. Bubbles that
-// are within the band are painted at once: for any shift, no other worker paints in the same rows.
-// The other bubbles are appended to `rest`.
+// are within the band are painted immediately, because no other worker paints in the same rows,
+// whatever the shift is. The other bubbles are appended to `rest`.
 class TorusPainter {
   public:
     TorusPainter(const TorusRegions& regions,

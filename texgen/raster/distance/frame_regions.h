@@ -22,7 +22,7 @@ using PaintRegion = std::function<void(
 ///
 /// Where regions overlap, the order in which they are painted does not depend on the number of
 /// workers or on the shift of the grid. In a patch the surroundings are painted first, and then the
-/// bubbles in the order of their ids. Throws std::invalid_argument as pixels_per_unit does.
+/// bubbles in the order of their ids. Throws std::invalid_argument if pixels_per_unit throws it.
 void paint_regions(const Frame& frame,
                    const RasterGrid& grid,
                    int workers,

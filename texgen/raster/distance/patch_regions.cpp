@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::size_t kRegionsPerTask = 256;
 
-// Converts a position in pixels to whole subpixels. The result is real, because it may not fit 32
+// Rounds a position in pixels to whole subpixels. The result has doubles, because it may not fit 32
 // bits.
 Vec2 rounded_to_subpixels(const Vec2& pixels) {
     return (kSubpixel * pixels.array() + 0.5).floor().matrix();

@@ -16,7 +16,7 @@ namespace foam::texgen {
 namespace {
 
 // Distances to arcs are kept as fractions 2 |f| / (1 + |grad f|) (arc_view.cpp) and compared by
-// multiplying crosswise, which avoids a division per arc. Only the smallest fraction of each pixel
+// cross-multiplication, which avoids a division per arc. Only the smallest fraction of each pixel
 // is divided. Smooth distances follow Biswas and Shapiro, "Approximate distance fields with
 // non-vanishing gradients" (2004): 1/s² is the sum of 1/phi² over the films of a bubble. All loops
 // are over lanes of pixels and have no branches, so that compilers vectorize them.
@@ -29,7 +29,7 @@ constexpr float kPastEnd = 1e-3F;
 constexpr float kMinSquare = 1e-12F;
 // The smallest root, which avoids 0 / 0 at the ends of a film.
 constexpr float kMinRoot = 1e-18F;
-// A sum of 1/phi² below this counts as 0: it belongs to a smooth distance of a million pixels.
+// A sum of 1/phi² below this counts as 0. The limit is the sum at a smooth distance of 1e6 pixels.
 constexpr float kMinSum = 1e-12F;
 
 // One float for each pixel of a block.
@@ -180,9 +180,9 @@ struct SmoothSums {
     Lanes y{};
 };
 
-// Adds a film to the sums. With f the function across the film, t the function along it and c its
-// chord: phi² = f² + r², r = (root - t) / 2, root = sqrt(t² + f^4 / c²), and
-// r grad r = r (f³ / c² grad f - r grad t) / root.
+// Adds a film to the sums. Let f be the function across the film, t the function along the film and
+// c its chord. Then phi² = f² + r² with r = (root - t) / 2 and root = sqrt(t² + f^4 / c²). The
+// gradient satisfies r grad r = r (f³ / c² grad f - r grad t) / root.
 [[gnu::always_inline]] inline void add_film(const FilmFunctions& film,
                                             const float* xs,
                                             const float* ys,

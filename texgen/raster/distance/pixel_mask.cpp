@@ -16,15 +16,15 @@ namespace foam::texgen {
 namespace {
 
 // Each arc is oriented upwards, and its crossing with the middle of every row between its ends is
-// computed (CrossingSolver). The crossing, rounded to a subpixel, determines the first column on
-// its right, from which on the pixels of the row are flipped. An arc whose tangent is horizontal
-// somewhere is first split into monotone pieces. Rounding depends only on the film, never on the
-// side, so two neighboring regions compute the same crossings.
+// computed (CrossingSolver). The crossing is rounded to a subpixel. All pixels of the row whose
+// middles are at or to the right of it are flipped. An arc whose tangent is horizontal somewhere is
+// first split into monotone pieces. Rounding depends only on the film, never on the side, so two
+// neighboring regions compute the same crossings.
 
 constexpr int kRows = 8;  // number of rows whose crossings are computed at once
 using Lanes = ArcLanes::Lanes<double>;
-constexpr double kWhole = 0x1p52;  // the sum with a smaller double is rounded to a whole number
-constexpr double kHalf = 0.5 * kSubpixel;
+constexpr double kTwoTo52 = 0x1p52;  // adding it to a smaller positive double rounds to an integer
+constexpr double kHalfPixel = 0.5 * kSubpixel;
 
 constexpr std::array<double, kRows> kRowSteps = [] {
     std::array<double, kRows> steps{};
@@ -37,33 +37,33 @@ constexpr std::array<double, kRows> kRowSteps = [] {
 // Returns the first column whose middle is at or to the right of x, in subpixels. Precondition: x
 // is a whole number in [0, 2^31).
 [[gnu::always_inline]] inline std::uint64_t first_column_from(double x) {
-    return std::bit_cast<std::uint64_t>((x - 0.5) / kSubpixel + kWhole) -
-           std::bit_cast<std::uint64_t>(kWhole);
+    return std::bit_cast<std::uint64_t>((x - 0.5) / kSubpixel + kTwoTo52) -
+           std::bit_cast<std::uint64_t>(kTwoTo52);
 }
 
-// The number that is added to a crossing before it is rounded down. kToNearest rounds to the
-// nearest subpixel. kUp rounds up, which decides as the exact crossing does, because the middles of
-// pixels are at whole subpixels. The difference of kUp from 1 is below the smallest fractional part
-// that the crossing of an edge can have.
+// One of these numbers is added to a crossing before it is rounded down. kToNearest rounds to the
+// nearest subpixel. kUp rounds up. Rounding up gives the same columns as the exact crossing,
+// because the middles of pixels are at whole subpixels. The difference of kUp from 1 is below the
+// smallest fractional part that the crossing of an edge can have.
 constexpr double kToNearest = 0.5;
 constexpr double kUp = 1.0 - 0x1p-27;
 
-// The words of a mask.
+// The words of a mask and its extent.
 struct MaskWords {
     std::uint64_t* words;
     std::size_t stride;
     std::size_t word_columns;
     PixelRows rows;
     int columns;      // pixels
-    double round_up;  // kToNearest or kUp
+    double rounding;  // kToNearest or kUp
 };
 
-// Eight arcs that go up and are nowhere horizontal, in subpixels, and the range of rows whose
-// middles they cross.
+// Eight arcs that go up, in subpixels, each with the range of rows whose middles it crosses.
 struct alignas(64) RisingArcs {
     Lanes low_x, low_y, half_x, half_y, sine, bulge, across, up;
     Lanes first, last;
-    Lanes other;  // not 0 if the tangent is horizontal somewhere; the range of rows is then empty
+    Lanes non_rising;  // not 0 if the tangent of the arc is horizontal somewhere; `first` and
+                       // `last` are then equal
 
     [[gnu::always_inline]] CrossingSolver<double> arc(std::size_t k) const {
         return CrossingSolver<double>({half_x[k], half_y[k], sine[k], bulge[k], across[k], up[k]});
@@ -72,7 +72,7 @@ struct alignas(64) RisingArcs {
 
 // Returns the first row whose middle is at or above a height in subpixels, clamped to the rows.
 [[gnu::always_inline]] inline double first_row_from(double y, PixelRows rows) {
-    const double row = std::ceil((y - kHalf) / kSubpixel);
+    const double row = std::ceil((y - kHalfPixel) / kSubpixel);
     return min_value(max_value(row, static_cast<double>(rows.begin)),
                      static_cast<double>(rows.end));
 }
@@ -80,7 +80,7 @@ struct alignas(64) RisingArcs {
 // Orients eight arcs of an outline, moved by (x, y), so that they go up.
 [[gnu::always_inline]] inline void turn_up(
     const Boundary::Outline& arcs, double x, double y, PixelRows rows, RisingArcs& rising) {
-#pragma GCC unroll 1  // unrolled, it would not be vectorized
+#pragma GCC unroll 1  // GCC would not vectorize the unrolled loop
     for (std::size_t k = 0; k < ArcLanes::kLanes; ++k) {
         const double from_x = arcs.from_x[k];
         const double from_y = arcs.from_y[k];
@@ -105,11 +105,11 @@ struct alignas(64) RisingArcs {
         rising.first[k] = first_row_from(low_y, rows);
         const double steepness = cosine * height - std::abs(sine * dx);
         rising.last[k] = first_row_from(low_y + (steepness > 0.0 ? height : 0.0), rows);
-        rising.other[k] = steepness > 0.0 ? 0.0 : std::abs(dx) + height;
+        rising.non_rising[k] = steepness > 0.0 ? 0.0 : std::abs(dx) + height;
     }
 }
 
-// Flips the pixels of a row from a column on.
+// Flips the pixels of a row from the given column to the end of the row.
 [[gnu::always_inline]] inline void flip_from(std::uint64_t column, int row, const MaskWords& mask) {
     constexpr std::size_t kColumns = PixelMask::kWordColumns;
     std::uint64_t* const word = mask.words + (row - mask.rows.begin);
@@ -120,8 +120,8 @@ struct alignas(64) RisingArcs {
     }
 }
 
-// Flips the pixels to the right of an arc in the rows [first, last). Rows are processed in groups;
-// words of a group beyond `last` are written back unchanged.
+// Flips the pixels to the right of an arc in the rows [first, last). Rows are processed in groups
+// of kRows. The words of a group from `last` on are written back unchanged.
 [[gnu::always_inline]] inline void flip_right_of_arc(const CrossingSolver<double>& rising,
                                                      double low_x,
                                                      double low_y,
@@ -130,23 +130,23 @@ struct alignas(64) RisingArcs {
                                                      const MaskWords& mask) {
     const CrossingSolver<double> arc = rising;
     const double last_x = mask.columns * kSubpixel;
-    const double round_up = mask.round_up;
+    const double rounding = mask.rounding;
     const auto column_at = [=](double y) {
-        const double x = low_x + std::floor(arc.unbounded_x_at(y) + round_up);
+        const double x = low_x + std::floor(arc.unbounded_x_at(y) + rounding);
         return first_column_from(min_value(max_value(x, 0.0), last_x));
     };
     if (mask.word_columns > 1) {
         for (int row = first; row < last; ++row) {
-            flip_from(column_at(row * kSubpixel + kHalf - low_y), row, mask);
+            flip_from(column_at(row * kSubpixel + kHalfPixel - low_y), row, mask);
         }
         return;
     }
-    const double end = last * kSubpixel + kHalf - low_y;
+    const double end = last * kSubpixel + kHalfPixel - low_y;
     int row = first;
     do {  // at least once, because a branch on an empty range would be unpredictable
-        const double y = row * kSubpixel + kHalf - low_y;
+        const double y = row * kSubpixel + kHalfPixel - low_y;
         std::uint64_t* const word = mask.words + (row - mask.rows.begin);
-#pragma GCC unroll 1  // unrolled, it would not be vectorized
+#pragma GCC unroll 1  // GCC would not vectorize the unrolled loop
         for (std::size_t k = 0; k < kRows; ++k) {
             const double at = y + kRowSteps[k];
             const std::uint64_t crossed = at < end ? ~std::uint64_t{0} : 0;
@@ -156,9 +156,9 @@ struct alignas(64) RisingArcs {
     } while (row < last);
 }
 
-// Flips the pixels to the right of an arc that goes both up and down, piece by piece. The arc is
-// split from its lower end on, or from its left end if it is level, so that both sides of a film
-// have the same pieces.
+// Flips the pixels to the right of an arc that is not monotone, piece by piece. The arc is split
+// from its lower end on, or from its left end if both ends are at the same height, so that both
+// sides of a film have the same pieces.
 void flip_right_of_pieces(
     const Vec2& from, const Vec2& to, double cosine, double sine, const MaskWords& mask) {
     const Vec2 ahead = to - from;
@@ -218,7 +218,7 @@ void PixelMask::flip_right_of(std::span<const Boundary::Outline> outline,
                 turn_up(outline[block], x, y, mask.rows, rising);
                 std::uint32_t bits = 0;
                 for (std::size_t k = 0; k < ArcLanes::kLanes; ++k) {
-                    bits |= rising.other[k] != 0.0 ? 1U << k : 0U;
+                    bits |= rising.non_rising[k] != 0.0 ? 1U << k : 0U;
                     flip_right_of_arc(rising.arc(k),
                                       rising.low_x[k],
                                       rising.low_y[k],

@@ -12,9 +12,10 @@ namespace foam::texgen {
 namespace {
 
 // Arcs are culled by distance. Let d be the distance from the middle of a batch to the nearest arc
-// that it faces, and r the reach, the distance to the farthest pixel. An arc that is farther from
-// the middle than d + 2 r is not the nearest one of any pixel (ArcView::horizon). The same test at
-// the middle of a block of tiles narrows the arcs for all its parts.
+// that the middle faces, and r the reach, the distance from the middle to the farthest pixel. An
+// arc that is farther from the middle than d + 2 r is not the nearest one of any pixel
+// (ArcView::horizon). The same test at the middle of a block of tiles narrows the arcs for all its
+// parts.
 
 // sqrt(7.5² + 3.5²), the distance from the middle of a tile to its farthest pixel center.
 constexpr double kTileReach = 8.276472678623424;
@@ -62,7 +63,7 @@ void RegionField::measure_at_once(const PixelMask& mask, int rows) {
 }
 
 // Measures a block of tiles. If the block is a single tile or has few arcs, its tiles are measured.
-// Otherwise the arcs are narrowed to those that may be nearest to a pixel of the block, and the
+// Otherwise arcs that cannot be the nearest arc of any pixel of the block are dropped, and the
 // quarters of the block are processed recursively.
 void RegionField::subdivide(const PixelMask& mask,
                             const ArcLanes& arcs,

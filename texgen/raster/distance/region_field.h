@@ -34,11 +34,11 @@ class RegionField {
                  const Visit& visit);
 
   private:
-    // A block of tiles, with as many rows as columns of tiles.
+    // A block with equal numbers of rows and columns of tiles.
     struct Block {
         int x;  // position of the first tile, in tiles
         int y;
-        int tiles;  // along a side, a power of two
+        int tiles;  // number of rows and of columns of tiles, a power of two
     };
 
     void measure_at_once(const PixelMask& mask, int rows);

@@ -18,10 +18,11 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr std::size_t kGroupsPerTask = 256;  // of films
+constexpr std::size_t kGroupsPerTask = 256;  // groups of films
 
-// By how many periods further right the film of each side lies in its bubble's unwrapped outline.
-// 0 except around bubbles of which a side crosses the border of the torus.
+// Returns, for each side, the number of periods by which its film is further right in the unwrapped
+// outline of its bubble. The number is 0 unless a side of the bubble crosses the left or right
+// border of the torus.
 std::vector<std::int16_t> periods_of_sides(const Network& network) {
     std::vector<std::int16_t> periods(2 * network.film_slots());
     const auto circulate = [&](BubbleId bubble) {
@@ -46,7 +47,7 @@ std::vector<std::int16_t> periods_of_sides(const Network& network) {
     return periods;
 }
 
-// The arcs of films without a width, for a group of films.
+// Makes the arcs of films without a width. make() processes one group of films.
 class FilmArcs {
   public:
     FilmArcs(const PixelFrame& pixels, const std::vector<std::int16_t>& periods)
@@ -73,7 +74,8 @@ class FilmArcs {
     const std::vector<std::int16_t>& periods_;
 };
 
-// The boundary of what films of a width leave free of the bubbles of a group.
+// Makes the arcs that bound the parts of bubbles that films of a given width do not cover. make()
+// processes one group of bubbles.
 class InsetArcs {
   public:
     static constexpr std::size_t kBubblesPerGroup = 16;
@@ -98,7 +100,7 @@ class InsetArcs {
   private:
     const Network& network() const { return pixels_.frame.network; }
 
-    // Coordinates are relative to the tail of the first side.
+    // Appends the outline of a bubble. Coordinates are relative to the tail of its first side.
     void add_outline(BubbleId bubble) {
         Vec2 tail = Vec2::Zero();
         const HalfEdgeId first = network().first(bubble);
@@ -128,7 +130,8 @@ class InsetArcs {
         batch.unresolved += loops.open_ends;
     }
 
-    // Drops a loop that is too small for subpixels, or of an invalid bubble.
+    // Appends a loop unless its area in subpixels is 0 or negative. Such a loop is too small, or
+    // its bubble is invalid.
     static void append_loop(std::span<const ArcLoops::Side> sides,
                             SubpixelPoint origin,
                             BubbleId bubble,

@@ -10,7 +10,7 @@ namespace foam::texgen {
 
 namespace {
 
-// Returns the part of a piece between two heights that are between those of its ends.
+// Returns the part of a piece between two heights. Precondition: the heights are within the piece.
 MonotonePieces::Piece between(const MonotonePieces::Piece& piece, double low, double high) {
     const CrossingSolver<double> arc(piece.head - piece.tail, piece.sine);
     const auto point_at = [&](double y) {

@@ -17,8 +17,8 @@ namespace foam::texgen {
 
 namespace {
 
-// Bounds within which the nearest points of two sides that meet lie on the sides themselves: of
-// half the angle that a side turns, and of the angle that they turn by where they meet.
+// Limits on the half angle of a side and on the left turn from one side to the next. Within these
+// limits, the nearest points of two sides that meet are on the sides, not beyond their ends.
 constexpr double kMinSideCosine = 0.5;
 constexpr double kMinCornerSine = 1e-3;
 constexpr double kMinCornerCosine = -0.5;
@@ -31,7 +31,7 @@ using Lanes = std::array<Number, kLanes>;
 
 }  // namespace
 
-// The loops over all sides.
+// The computations, as loops over all sides.
 struct FullInsets::Formulas {
     static OffsetArc side(const Columns& c, std::size_t k) {
         return {{c.middle_x[k], c.middle_y[k]},
@@ -71,8 +71,8 @@ struct FullInsets::Formulas {
         }
     }
 
-    // Cuts each offset where the next one crosses it: once, to the side on which it is too near to
-    // the next.
+    // Cuts each offset at its crossing with the next one. Beyond the crossing, the offset is too
+    // near to the next side. Two successive offsets must cross exactly once.
     static void cut_corners(Columns& c, std::size_t count) {
         for (std::size_t k = 0; k + 1 < count; ++k) {
             const OffsetArc first = offset(c, k);
@@ -122,13 +122,17 @@ struct FullInsets::Formulas {
         return fit > 0.0;
     }
 
-    // Every piece has to be on the left of the offsets of all other sides. At its ends it is p and
-    // q to the left; between them, t p + (1 - t) q less what the piece and the other circle bend
-    // away from their chords. That is at most t (1 - t) c² (k + k') by the theorem of intersecting
-    // chords, so that c² (k + k') <= (sqrt p + sqrt q)² suffices. With the offset of a neighbor a
-    // piece shares one end, and does not cross it again if the other end is on its left.
+    // Returns true if all pieces keep the distance from the eight sides from `first` on.
     //
-    // Tests all pieces against the eight sides from `first` on.
+    // Every piece must be on the left of the offsets of all other sides. Let p and q be the
+    // distances to the left of an offset at the ends of a piece, c the chord of the piece, and k
+    // and k' the curvatures of the piece and of the other side. At the fraction t of the chord, the
+    // distance is at least t p + (1 - t) q - t (1 - t) c² (k + k'). The last term bounds the
+    // deviations of both circles from their chords, by the intersecting chords theorem. The
+    // distance is not negative for any t if c² (k + k') <= (sqrt p + sqrt q)². The code tests
+    // against p + q + 2 min(p, q), which is a lower bound of the right side. A piece and the offset
+    // of a neighboring side share one end. They do not cross again if the other end of the piece is
+    // on the left of that offset.
     static bool keep_clear_of(const Columns& c,
                               const Loop& loop,
                               std::size_t first,
@@ -143,12 +147,13 @@ struct FullInsets::Formulas {
             before[lane] = own > 0 ? own - 1 : size - 1;
             after[lane] = own + 1 < size ? own + 1 : 0;
         }
-        Lanes<double> p{};  // of the last point
+        Lanes<double> p{};  // the distances of the preceding point
         p.fill(std::numeric_limits<double>::infinity());
         Lanes<std::int64_t> too_near{};
         const std::size_t begin = loop.begin;
         for (std::size_t k = 0; k <= loop.size; ++k) {
-            const std::size_t last = k > 0 ? k - 1 : loop.size - 1;  // the piece that ends here
+            const std::size_t last =
+                k > 0 ? k - 1 : loop.size - 1;  // the piece that ends at point k
             const auto piece = static_cast<std::int64_t>(last);
             const Point point(c.point_x[begin + k], c.point_y[begin + k]);
             const Point tail(c.point_x[begin + last], c.point_y[begin + last]);
@@ -169,7 +174,7 @@ struct FullInsets::Formulas {
                 p[lane] = q;
             }
         }
-        // Lanes beyond the loop hold sides of other loops.
+        // Lanes beyond the end of the loop contain sides of other loops and are ignored.
         std::int64_t any = 0;
         for (std::size_t lane = 0; lane < kLanes; ++lane) {
             any |= sides[lane] < size ? too_near[lane] : 0;
@@ -198,7 +203,8 @@ void FullInsets::trace(const ArcLoops& outlines, double distance) {
     });
 }
 
-// Returns how many sides there are, with the first of each loop twice.
+// Copies the sides of all loops that fit into the columns. Returns the number of sides stored,
+// including the repeated first side of each loop.
 std::size_t FullInsets::fill_columns(const ArcLoops& outlines) {
     Columns& c = *columns_;
     std::size_t count = 0;
@@ -214,7 +220,7 @@ std::size_t FullInsets::fill_columns(const ArcLoops& outlines) {
     loops_.clear();
     for (std::size_t k = 0; k < outlines.loop_ends.size(); ++k) {
         const std::span<const ArcLoops::Side> sides = outlines.loop(k);
-        // A block of lanes may reach beyond the last side.
+        // The last block of lanes may extend beyond the last side.
         if (count + sides.size() + 1 + kLanes > kCapacity) {
             loops_.push_back({});
             continue;

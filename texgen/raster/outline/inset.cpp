@@ -16,11 +16,13 @@ namespace {
 
 constexpr std::size_t kCorner = std::numeric_limits<std::size_t>::max();
 
-// In pixels. Coordinates within a bubble are good to 1e-11, crossings of arcs that touch at a small
-// angle to some 1e-7. Ends that belong together are found within less than a subpixel.
+// Tolerances in pixels. Coordinates within a bubble have errors of about 1e-11, and crossings of
+// arcs that meet at a small angle have errors of about 1e-7. A piece is linked to a successor whose
+// tail is at most kLargestGap away, which is about a subpixel.
 constexpr double kDistanceTolerance = 1e-7;
 constexpr double kLargestGap = 1e-3;
 
+// Returns false if two arcs are certainly farther apart than a distance.
 bool within(const OffsetArc& a, const OffsetArc& b, double distance) {
     const double reach = extent(a) + extent(b) + distance;
     return (a.middle - b.middle).squared_norm() <= reach * reach;
@@ -121,7 +123,7 @@ void InsetTracer::collect_pieces(std::size_t index) {
     const OffsetArc& arc = offsets_[index].arc;
     collect_cuts(offsets_[index]);
     collect_nearby(offsets_[index]);
-    bool continues = false;  // the piece before ends where this one begins
+    bool continues = false;  // true if the preceding piece was kept
     for (std::size_t k = 0; k + 1 < cuts_.size(); ++k) {
         const double from = cuts_[k];
         const double to = cuts_[k + 1];
@@ -139,8 +141,8 @@ void InsetTracer::collect_pieces(std::size_t index) {
     }
 }
 
-// Returns the piece that begins nearest to where this one ends: one that is still free, or the
-// first of the loop.
+// Returns the piece whose tail is nearest to the head of `piece`. Candidates are the pieces that
+// are not linked yet and the first piece of the loop. Returns null if none is within kLargestGap.
 InsetTracer::Piece* InsetTracer::successor(const Piece& piece, const Piece& first) {
     Piece* nearest = nullptr;
     double min_gap = kLargestGap * kLargestGap;

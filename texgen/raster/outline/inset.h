@@ -11,22 +11,22 @@
 
 namespace foam::texgen {
 
-/// Finds the part of a region that its films leave free: all points at least a distance away from
-/// all its sides. Its boundary consists of pieces of the sides' offsets and, around corners that
-/// turn by more than 180 degrees, of circles.
+/// Finds the inset of a region: all points whose distance from every side of the region is at least
+/// a given distance. The boundary of the inset consists of pieces of the offsets of the sides and
+/// of circular arcs around corners with an inner angle of more than 180 degrees.
 ///
-/// Each offset is cut where it crosses another; a piece between two cuts belongs to the boundary
-/// exactly if its middle keeps the distance. So sides that are too short to show drop out, a narrow
-/// bubble falls into several parts, and one that is all film into none, without any case being told
-/// apart. Where FullInsets finds an inset, it is the same to the last bit.
+/// Each offset is cut at its crossings with other offsets. A piece between two cuts belongs to the
+/// boundary if and only if the middle of the piece keeps the distance. Sides that are too short to
+/// be visible, bubbles that split into several parts and bubbles without an inset need no special
+/// cases. If FullInsets also finds the inset of a loop, both results have the same bits.
 ///
 /// Buffers are reused between regions.
 class InsetTracer {
   public:
-    /// Traces the inset of a region that is on the left of all its loops, which go
-    /// counter-clockwise around it, and clockwise around what is left out of it. Sides without a
-    /// length are left out. Precondition: distance > 0, in pixels. The result is valid until the
-    /// next call.
+    /// Traces the inset of a region. The region is on the left of its loops: outer loops are
+    /// counter-clockwise, loops around holes are clockwise. Sides with a chord of at
+    /// most kShortestSide are ignored. `distance` is in pixels. The result is valid until the next
+    /// call. Precondition: distance > 0.
     const ArcLoops& trace(const ArcLoops& region, double distance);
 
     /// Traces one of the loops as if it were the only one.
@@ -35,11 +35,11 @@ class InsetTracer {
   private:
     struct Offset {
         OffsetArc arc;
-        std::size_t side = 0;  // whose offset it is; kCorner for a circle around a corner
+        std::size_t side = 0;  // index of its side; kCorner for an arc around a corner
     };
     struct Piece {
         std::size_t offset = 0;
-        double from = 0.0;  // parameters
+        double from = 0.0;  // parameters on the offset
         double to = 0.0;
         Point tail;
         Point head;
@@ -63,7 +63,7 @@ class InsetTracer {
     ArcLoops loops_;
 
     std::vector<double> cuts_;         // parameters along one offset
-    std::vector<std::size_t> nearby_;  // sides that may come too near to one offset
+    std::vector<std::size_t> nearby_;  // indices of sides that may be too near to one offset
     std::vector<Piece> pieces_;
 };
 

@@ -22,8 +22,8 @@ OffsetArc corner_arc(const OffsetArc& before, const OffsetArc& after, double dis
 }
 
 // The nearest point of the circle has the parameter 2 u / (2 - k v - k d). Here u and v are the
-// coordinates of the point along the tangent and the normal in the middle, and d is its distance
-// from the circle.
+// coordinates of the given point along the tangent and the normal at the middle of the arc, and d
+// is its signed distance from the circle.
 double distance(const OffsetArc& arc, Point point) {
     const Point y = point - arc.middle;
     const double u = arc.direction.dot(y);

@@ -8,15 +8,15 @@
 
 namespace foam::texgen {
 
-/// A point or a vector of the plane as two numbers. Operations on Vec2 are Eigen's own vectors of
-/// two, which keep a compiler from computing a loop over many points at once.
+/// A point or a vector of the plane as two numbers. Vec2 is not used here, because Eigen computes
+/// it in vectors of two, which prevents compilers from vectorizing a loop over many points.
 struct Point {
     double x = 0.0;
     double y = 0.0;
 
     Point() = default;
     Point(double of_x, double of_y) : x(of_x), y(of_y) {}
-    Point(const Vec2& v) : x(v.x()), y(v.y()) {}  // NOLINT: the same thing
+    Point(const Vec2& v) : x(v.x()), y(v.y()) {}  // NOLINT: implicit
     operator Vec2() const { return {x, y}; }      // NOLINT
 
     double dot(Point b) const { return x * b.x + y * b.y; }
@@ -31,27 +31,28 @@ struct Point {
     friend Point turned_left(Point v) { return {-v.y, v.x}; }
 };
 
-/// A side of a bubble, or the offset of one, placed in the plane (pixels), with the bubble on its
-/// left.
+/// A side of a bubble, or the offset of a side, in pixels. The bubble is on its left.
 ///
-/// A point of it has the parameter s = 2 r tan(phi / 2), where r is the radius and phi the angle
-/// turned since the middle. It is finite on every arc, equals the arc length on a straight one, and
-/// is rational in the coordinates, so that no formula divides by a curvature.
+/// The position of a point on the arc is given by the parameter s = 2 r tan(phi / 2), where r is
+/// the radius and phi the angle by which the arc turns from its middle to the point. The parameter
+/// is finite on every arc and equals the arc length on a straight one. Coordinates are rational
+/// functions of the parameter, so that no formula divides by a curvature.
 ///
-/// What is inline here is also computed for many arcs at once (FullInsets).
+/// FullInsets vectorizes the inline functions below over many arcs.
 struct OffsetArc {
     Point middle;
-    Point direction;         // unit tangent in the middle
+    Point direction;         // unit tangent at the middle
     double curvature = 0.0;  // 1 / pixels, positive where the arc turns left
-    double cosine = 1.0;     // of half the angle that it turns
+    double cosine = 1.0;     // of half the angle by which it turns
     double sine = 0.0;
-    double reach = 0.0;  // parameter of the head; that of the tail is -reach
+    double reach = 0.0;  // parameter of the head; the tail has -reach
 };
 
-/// An offset whose radius shrinks to less than this fraction of the side's has vanished.
+/// An offset has vanished if its radius is below this fraction of the radius of its side.
 inline constexpr double kSmallestShrinkage = 1e-9;
 
-/// Precondition: the chord is not zero.
+/// Return an arc with a given tail. `cosine` and `sine` are those of the half angle. Precondition:
+/// the chord is not zero.
 inline OffsetArc place(Point chord, double cosine, double sine, Point tail) {
     const double length = chord.norm();
     const Point direction = chord / length;
@@ -71,13 +72,13 @@ inline Point head_tangent(const OffsetArc& arc) {
     return arc.cosine * arc.direction + arc.sine * turned_left(arc.direction);
 }
 
-/// Returns the radius of the offset to the left over the radius of the arc: 0 or less where the
-/// arc's center is no farther away than the distance.
+/// Returns the radius of the offset to the left divided by the radius of the arc. The ratio is 0 or
+/// less if the arc turns left with a radius of at most `distance`.
 inline double shrinkage(const OffsetArc& arc, double distance) {
     return 1.0 - arc.curvature * distance;
 }
 
-/// Returns the arc at a distance to the left. Precondition: its shrinkage is positive.
+/// Returns the offset of an arc to the left. Precondition: shrinkage(arc, distance) > 0.
 inline OffsetArc offset_left(const OffsetArc& arc, double distance) {
     const double shrunk = shrinkage(arc, distance);
     return {arc.middle + distance * turned_left(arc.direction),
@@ -88,11 +89,11 @@ inline OffsetArc offset_left(const OffsetArc& arc, double distance) {
             arc.reach * shrunk};
 }
 
-/// Returns the offset of a corner between two sides that turns right: the circle around the corner,
-/// from the offset of the first side to that of the second.
+/// Returns the offset of a right turn between two sides: the circular arc around the corner, from
+/// the offset of the first side to the offset of the second side.
 OffsetArc corner_arc(const OffsetArc& before, const OffsetArc& after, double distance);
 
-/// Returns the point with a parameter.
+/// Returns the point that has a given parameter.
 inline Point point_at(const OffsetArc& arc, double parameter) {
     const double tangent = 0.5 * arc.curvature * parameter;
     const double scale = parameter / (1.0 + tangent * tangent);
@@ -105,9 +106,9 @@ struct HalfAngle {
     double sine;
 };
 
-/// Returns half the angle by which an arc of a curvature turns between two parameters, from < to.
-/// Parameters are proportional to tangents of half the angle turned since the middle; the half
-/// angle of the piece is the difference of two such halves.
+/// Returns half the angle by which an arc turns between two parameters. A parameter is proportional
+/// to the tangent of half the angle from the middle of the arc to the point. The result is the
+/// difference of two such half angles. Precondition: from < to.
 inline HalfAngle half_angle_between(double curvature, double from, double to) {
     const double half = 0.5 * curvature;
     const double sine = half * (to - from);
@@ -116,14 +117,15 @@ inline HalfAngle half_angle_between(double curvature, double from, double to) {
     return {cosine * scale, sine * scale};
 }
 
-/// Parameters at which an arc, extended to its whole circle, crosses the whole circle of another:
-/// to the other's right side and to its left. Infinite or NaN where there is no such crossing.
+/// The parameters at which the circle of an arc crosses the circle of another arc, from its left to
+/// its right (`leaving`) and from its right to its left (`entering`). A parameter is infinite or
+/// NaN if there is no such crossing.
 struct Crossings {
     double leaving;
     double entering;
 };
 
-/// Returns where the circle of an arc crosses the circle of another.
+/// Computes the crossings of the circle of `arc` with the circle of `other`.
 ///
 /// The points of the first circle, relative to its middle, are
 /// y(s) = s / (1 + (k s / 2)²) (t + (k s / 2) n). Inserted into the equation of the second circle,
@@ -137,7 +139,7 @@ inline Crossings crossings(const OffsetArc& arc, const OffsetArc& other) {
     const double across = cross(arc.direction, m);
     const double a =
         0.5 * (arc.curvature * across - other.curvature) - 0.25 * e * arc.curvature * arc.curvature;
-    const double slope = std::sqrt(b * b + 4.0 * a * e);  // minus it at the one, plus at the other
+    const double slope = std::sqrt(b * b + 4.0 * a * e);  // -slope if leaving, else +slope
     return {(b <= 0.0 ? -2.0 * e : -(b + slope)) / (b <= 0.0 ? slope - b : 2.0 * a),
             (b >= 0.0 ? 2.0 * e : slope - b) / (b >= 0.0 ? b + slope : 2.0 * a)};
 }
@@ -145,13 +147,14 @@ inline Crossings crossings(const OffsetArc& arc, const OffsetArc& other) {
 /// Returns the distance of a point from the nearest point of the arc.
 double distance(const OffsetArc& arc, Point point);
 
-/// Returns the radius of the smallest disc around the middle that holds the arc.
+/// Returns the radius of the smallest disc around the middle of the arc that contains the arc.
 double extent(const OffsetArc& arc);
 
-/// Returns the signed distance of a point to the left of the whole circle of an arc.
+/// Returns the signed distance of a point from the circle of an arc, positive on the left.
 ///
-/// With f = n y - k / 2 y² for the point y seen from the middle, which is 0 on the circle and has a
-/// slope of 1 there, 1 - 2 k f is the squared distance from the center over the squared radius.
+/// Let y be the vector from the middle of the arc to the point, n the normal and k the curvature.
+/// The function f = n y - k / 2 y² is 0 on the circle and has slope 1 there. The squared distance
+/// from the center, divided by the squared radius, is 1 - 2 k f.
 inline double distance_left(const OffsetArc& arc, Point point) {
     const Point y = point - arc.middle;
     const double f = cross(arc.direction, y) - 0.5 * arc.curvature * y.squared_norm();

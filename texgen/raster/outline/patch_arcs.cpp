@@ -27,7 +27,7 @@ double area_of(std::span<const ArcLoops::Side> loop) {
     return area;
 }
 
-// Makes the arcs that bound what films leave free of each bubble and of the ghost.
+// Makes the arcs that bound the part of each bubble, and of the ghost, that films do not cover.
 class PatchArcs {
   public:
     PatchArcs(const PixelPatch& pixels, double film_width)
@@ -48,7 +48,7 @@ class PatchArcs {
 
   private:
     void append_insets(const ArcLoops& boundaries, BubbleId bubble, ArcBatch& batch) {
-        // Near the origin, coordinates are most exact.
+        // Coordinates relative to a point of the boundary have smaller rounding errors.
         const Vec2 anchor = boundaries.sides.front().tail;
         ArcLoops region = boundaries;
         for (ArcLoops::Side& side : region.sides) {
@@ -66,9 +66,10 @@ class PatchArcs {
         }
     }
 
-    // Rafts that overlap, which nothing forbids, have no common boundary: each has its own then.
-    // One that overlaps itself keeps its films without their outer half.
-    // `region` is the same as `boundaries`, relative to its anchor.
+    // Insets each loop by itself, because the loops together have no inset. This happens if rafts
+    // overlap, which nothing prevents. If a raft overlaps itself, the boundary of the ghost is the
+    // boundary of the raft without an inset, and the outer halves of the raft's outer films are not
+    // drawn. `region` is `boundaries` relative to its first tail.
     void append_each(const ArcLoops& boundaries,
                      const ArcLoops& region,
                      BubbleId bubble,
@@ -91,7 +92,8 @@ class PatchArcs {
         }
     }
 
-    // A loop of an invalid bubble may go clockwise; it is left out.
+    // Appends a loop unless it cannot be visible. Also leaves out a clockwise loop of a bubble,
+    // which only an invalid bubble has.
     void append_loop(std::span<const ArcLoops::Side> sides,
                      const Vec2& anchor,
                      BubbleId bubble,
@@ -112,7 +114,8 @@ class PatchArcs {
         }
     }
 
-    // Both sides of a film split it into the same pieces.
+    // Always splits from the end with the smaller x, so that both sides of a film have the same
+    // pieces.
     void append_side(const ArcLoops::Side& side,
                      const Vec2& head,
                      const ArcSides& sides,

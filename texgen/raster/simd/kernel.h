@@ -9,8 +9,8 @@
 
 namespace foam::texgen {
 
-/// std::min and std::max of values instead of references. As nothing has an address, compilers
-/// vectorize them.
+/// Return the smaller and the larger of two values. Unlike std::min and std::max they take no
+/// references, so compilers vectorize loops that call them.
 template <class Number>
 [[gnu::always_inline]] inline Number min_value(Number a, Number b) {
     return a < b ? a : b;
@@ -20,7 +20,8 @@ template <class Number>
     return a > b ? a : b;
 }
 
-/// Returns a && b, but evaluates both, so that compilers see no branch and vectorize it.
+/// Returns a && b without a branch: both operands are evaluated. Compilers can therefore vectorize
+/// loops that call it.
 [[gnu::always_inline]] inline bool and_nonshort(bool a, bool b) {
     return (static_cast<int>(a) & static_cast<int>(b)) != 0;
 }
