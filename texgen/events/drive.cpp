@@ -17,12 +17,14 @@ Keys<DriveOptions> drive_keys() {
             key("amplitude",
                 Reals{0.0, 0.9},
                 "amplitude of the oscillation of the target area, as a fraction of it",
-                &Options::amplitude),
-            key("period", Reals{1.0, 1e5}, "frames per oscillation", &Options::period),
+                &Options::amplitude)
+                .in("fraction of the target area"),
+            key("period", Reals{1.0, 1e5}, "frames per oscillation", &Options::period).in("frames"),
             key("phase",
                 Reals{-1.0, 1.0},
                 "phase of the oscillation at its start, in cycles",
-                &Options::phase),
+                &Options::phase)
+                .in("cycles"),
             key("phases",
                 kPhases,
                 "all bubbles oscillate in phase, or each with a random phase",

@@ -132,21 +132,22 @@ Keys<EventBase> time_keys() {
     const auto forget_time = [](EventBase& event) { event.time.reset(); };
     const auto forget_frames = [](EventBase& event) { event.frames = {}; };
     return {
-        replacing(key("frame",
-                      SingleFrames{},
-                      "frame at which the event is complete",
-                      &EventBase::frames),
-                  forget_time),
+        replacing(
+            key("frame", SingleFrames{}, "frame at which the event is complete", &EventBase::frames)
+                .in("frames"),
+            forget_time),
         replacing(key("frames",
                       FrameSpans{},
                       "instead of frame: first and last frame of the event",
-                      &EventBase::frames),
+                      &EventBase::frames)
+                      .in("frames"),
                   forget_time),
         replacing(
             key("time",
                 Maybe<Times>{},
                 "instead of frames: foam time at which the event is complete, or its start and end",
-                &EventBase::time),
+                &EventBase::time)
+                .in("foam time"),
             forget_frames)};
 }
 
@@ -164,20 +165,23 @@ Keys<EventBase> choice_keys(const std::vector<EventTraits>& kinds) {
                          Maybe<Points>{{{0.0, 1.0}}},
                          "position of the bubble, junction or film, in fractions of the image from "
                          "its lower left corner; without foam there, nothing happens",
-                         &EventBase::at)),
+                         &EventBase::at)
+                         .in("fraction of the image width and height")),
             taken_by(kinds,
                      &Traits::takes_bubbles,
                      key("sides",
                          IntegerLists{{2, 100}},
                          "number of sides: chooses the smallest bubbles with so many sides when "
                          "the event begins; several numbers take turns",
-                         &EventBase::sides)),
+                         &EventBase::sides)
+                         .in("sides")),
             taken_by(kinds,
                      &Traits::takes_count,
                      key("count",
                          Integers{1, kMaxBubbles},
                          "number of bubbles that sides chooses, or number of new bubbles",
-                         &EventBase::count))};
+                         &EventBase::count)
+                         .in("bubbles"))};
 }
 
 }  // namespace foam::texgen

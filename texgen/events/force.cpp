@@ -13,12 +13,14 @@ Keys<ForceOptions> force_keys() {
                 Reals{0.1, 500.0},
                 "radius of the region that is pushed, in foam units; at most half of the shorter "
                 "side of a torus",
-                &ForceOptions::radius),
+                &ForceOptions::radius)
+                .in("foam units"),
             key("push",
                 Points{{-100.0, 100.0}},
                 "total displacement of its center, in foam units; afterwards the foam relaxes, and "
                 "only swaps of neighbors remain",
-                &ForceOptions::push)};
+                &ForceOptions::push)
+                .in("foam units")};
 }
 
 void check_force(const EventCheck& check, const ForceOptions& options) {

@@ -19,12 +19,14 @@ Keys<NucleateOptions> nucleate_keys() {
             key("area",
                 Reals{0.0002, 100.0},
                 "target area of a new bubble, in foam units; above dynamics.t2_area",
-                &Options::area),
+                &Options::area)
+                .in("square foam units"),
             key("growth",
                 Integers{1, kLastEventFrame},
                 "number of frames in which a new bubble grows to its area; several bubbles start "
                 "evenly over the frames of the event",
-                &Options::growth)};
+                &Options::growth)
+                .in("frames")};
 }
 
 void check_nucleate(const EventCheck& check, const NucleateOptions& options) {

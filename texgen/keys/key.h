@@ -30,6 +30,7 @@ struct KeyInfo {
     std::string allowed;                       // "an integer from 4 to 1000000"
     std::string schema;                        // the same as a JSON Schema
     std::string_view meaning;                  // in one sentence
+    std::string_view unit{};                   // "pixels"; empty if there is none
     std::optional<Value> default_value{};      // nullopt if the key is unset by default
     std::optional<Condition> condition{};      // if it does not hold, the default must stay
     std::optional<std::string> upper_limit{};  // the path of a key whose number must be larger
@@ -52,6 +53,15 @@ struct Key : KeyInfo {
     std::function<std::optional<Value>(const Owner&)> write;
 
     bool is_default(const Owner& owner) const { return write(owner) == default_value; }
+
+    /// Returns this key with the unit of its numbers, such as "pixels" or "fraction of the frames".
+    /// If another key selects the unit, the text names the units and ends in "selected by PATH",
+    /// where PATH is the path of that key.
+    Key in(std::string_view unit_name) const {
+        Key key = *this;
+        key.unit = unit_name;
+        return key;
+    }
 
     /// Returns this key with a condition: it may differ from its default only if the other key has
     /// one of the given values.

@@ -20,7 +20,8 @@ Keys<AgeOptions> age_keys() {
             key("full",
                 Reals{1e-6, 1e9},
                 "age that a PNG stores as its largest code, in foam time",
-                &AgeOptions::full)};
+                &AgeOptions::full)
+                .in("foam time")};
 }
 
 NumberPixels draw_age(FrameLayers& layers, const AgeOptions& options) {

@@ -37,13 +37,16 @@ Keys<AlbedoOptions> bubble_keys() {
         key("variation",
             kFractions,
             "largest random change of brightness of a bubble, as a fraction; constant for its life",
-            &Options::variation),
+            &Options::variation)
+            .in("fraction of the brightness"),
         key("pressure_low", kPressures, "pressure of the first color", &Options::pressure_low)
+            .in("film tension / sqrt(mean area), selected by albedo.pressure_unit")
             .below("pressure_high"),
         key("pressure_high",
             kPressures,
             "pressure of the last color; above pressure_low",
-            &Options::pressure_high),
+            &Options::pressure_high)
+            .in("film tension / sqrt(mean area), selected by albedo.pressure_unit"),
         key("pressure_unit",
             kPressureUnits,
             "unit of pressures, film tension / sqrt(mean area), with the mean area of the seeded "
@@ -53,7 +56,8 @@ Keys<AlbedoOptions> bubble_keys() {
         key("shade_width",
             Reals{0.001, 10.0},
             "width of the shade, in diameters of a mean bubble of the seeded foam",
-            &Options::shade_width),
+            &Options::shade_width)
+            .in("mean bubble diameters of the seeded foam"),
         key("shade",
             kFractions,
             "strength of the shade right beside a film; 0 disables it",
@@ -66,20 +70,22 @@ Keys<AlbedoOptions> film_keys() {
         {{{"px", WidthUnit::Pixels}, {"diameter", WidthUnit::Diameters}}}};
     constexpr Choices<FilmProfile> kFilmProfiles = {
         {{{"even", FilmProfile::Even}, {"wet", FilmProfile::Wet}}}};
-    return {key("film_color", Colors{}, "sRGB color of the films", &Options::film_color),
-            key("film_width",
-                Reals{0.0, 1000.0},
-                "full width of a film; 0 draws no films",
-                &Options::film_width),
-            key("film_unit",
-                kWidthUnits,
-                "unit of film_width: pixels, or diameters of a mean bubble of the seeded foam",
-                &Options::film_unit),
-            key("film_profile",
-                kFilmProfiles,
-                "films of constant width, or wider where they meet, which gives bubbles rounded "
-                "corners",
-                &Options::film_profile)};
+    return {
+        key("film_color", Colors{}, "sRGB color of the films", &Options::film_color),
+        key("film_width",
+            Reals{0.0, 1000.0},
+            "full width of a film; 0 draws no films",
+            &Options::film_width)
+            .in("pixels or mean bubble diameters of the seeded foam, selected by albedo.film_unit"),
+        key("film_unit",
+            kWidthUnits,
+            "unit of film_width: pixels, or diameters of a mean bubble of the seeded foam",
+            &Options::film_unit),
+        key("film_profile",
+            kFilmProfiles,
+            "films of constant width, or wider where they meet, which gives bubbles rounded "
+            "corners",
+            &Options::film_profile)};
 }
 
 }  // namespace

@@ -15,7 +15,8 @@ Keys<AreaOptions> area_keys() {
             key("full",
                 Reals{1e-3, 1e6},
                 "area that a PNG stores as its largest code, in this unit",
-                &AreaOptions::full)};
+                &AreaOptions::full)
+                .in("mean bubble areas, selected by area.unit")};
 }
 
 NumberPixels draw_area(FrameLayers& layers, const AreaOptions& options) {

@@ -27,11 +27,13 @@ Keys<CurvatureOptions> curvature_keys() {
     return {key("radius",
                 Reals{0.001, 10.0},
                 "distance over which the curvature is measured, in bubble diameters",
-                &CurvatureOptions::radius),
+                &CurvatureOptions::radius)
+                .in(kReliefDiameters),
             key("full",
                 Reals{1e-6, 1e6},
                 "curvature that a PNG stores as its largest code; the negative of it is code 0",
-                &CurvatureOptions::full)};
+                &CurvatureOptions::full)
+                .in("per mean bubble diameter, selected by relief.mean_bubble")};
 }
 
 NumberPixels draw_curvature(FrameLayers& layers,

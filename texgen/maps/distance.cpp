@@ -24,7 +24,8 @@ Keys<DistanceOptions> distance_keys() {
             key("full",
                 Reals{1e-6, 1e6},
                 "distance that a PNG stores as its largest code, in this unit",
-                &DistanceOptions::full)};
+                &DistanceOptions::full)
+                .in("foam units or pixels, selected by distance.unit")};
 }
 
 NumberPixels draw_distance(FrameLayers& layers,

@@ -50,11 +50,13 @@ Keys<EventMapOptions> event_map_keys() {
         key("radius",
             Reals{0.01, 100.0},
             "radius of the disks of map event, in diameters of a mean bubble of the seeded foam",
-            &EventMapOptions::radius),
+            &EventMapOptions::radius)
+            .in("mean bubble diameters of the seeded foam"),
         key("fade",
             Integers{1, kRecordedFrames},
             "number of frames until a disk has faded out",
-            &EventMapOptions::fade)};
+            &EventMapOptions::fade)
+            .in("frames")};
 }
 
 NumberPixels draw_event(FrameLayers& layers, const EventMapOptions& options) {

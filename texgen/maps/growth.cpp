@@ -31,7 +31,8 @@ Keys<GrowthOptions> growth_keys() {
                 Reals{1e-9, 1e6},
                 "growth that a PNG stores as its largest code, in area per foam time; the negative "
                 "of it is code 0",
-                &GrowthOptions::full)};
+                &GrowthOptions::full)
+                .in("square foam units per foam time")};
 }
 
 NumberPixels draw_growth(FrameLayers& layers, const GrowthOptions& options) {

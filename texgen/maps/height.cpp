@@ -13,7 +13,8 @@ Keys<HeightOptions> height_keys() {
     return {key("full",
                 Reals{1e-6, 1e6},
                 "height that a PNG stores as its largest code, in bubble diameters",
-                &HeightOptions::full)};
+                &HeightOptions::full)
+                .in(kReliefDiameters)};
 }
 
 NumberPixels draw_height(FrameLayers& layers,

@@ -181,16 +181,19 @@ Keys<LitOptions> lit_keys() {
         key("azimuth",
             Reals{-360.0, 360.0},
             "direction of the light: degrees counterclockwise from the right",
-            &Options::azimuth),
+            &Options::azimuth)
+            .in("degrees"),
         key("elevation",
             Reals{1.0, 90.0},
             "angle of the light above the ground, degrees; does not change the color of flat "
             "ground",
-            &Options::elevation),
+            &Options::elevation)
+            .in("degrees"),
         key("ambient",
             kFractions,
             "fraction of the light that comes from the sky",
-            &Options::ambient),
+            &Options::ambient)
+            .in("fraction of the light"),
         key("gloss", Reals{0.0, 1000.0}, "brightness of highlights", &Options::gloss),
         key("shininess",
             Reals{1.0, 10000.0},
@@ -200,8 +203,10 @@ Keys<LitOptions> lit_keys() {
         key("glow",
             kFractions,
             "fraction of the color of films, and of the shade beside them, that is emitted light",
-            &Options::glow),
-        key("samples", Integers{1, 8}, "samples per pixel in each direction", &Options::samples)};
+            &Options::glow)
+            .in("fraction of the color"),
+        key("samples", Integers{1, 8}, "samples per pixel in each direction", &Options::samples)
+            .in("samples per pixel, in each direction")};
 }
 
 ColorPixels draw_lit(FrameLayers& layers, const LitOptions& options, const LitSurface& surface) {

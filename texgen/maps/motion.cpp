@@ -195,7 +195,8 @@ Keys<MotionOptions> motion_keys() {
                 Reals{1e-6, 10.0},
                 "motion that a PNG stores as its largest code, as a fraction of the image width; "
                 "the negative of it is code 0",
-                &MotionOptions::multiplier)};
+                &MotionOptions::multiplier)
+                .in("fraction of the image width")};
 }
 
 NumberPixels draw_motion(FrameLayers& layers, const MotionOptions& options) {

@@ -102,9 +102,13 @@ Keys<PressureOptions> pressure_keys() {
         key("percentile",
             Reals{0.0, 49.0},
             "for \"percentile\": percentage of bubbles excluded at each end",
-            &Options::percentile),
-        key("low", kPressures, "for \"range\": pressure of tone 0", &Options::low).below("high"),
-        key("high", kPressures, "for \"range\": pressure of tone 1; above low", &Options::high),
+            &Options::percentile)
+            .in("percent of the bubbles"),
+        key("low", kPressures, "for \"range\": pressure of tone 0", &Options::low)
+            .in("film tension / sqrt(mean area), selected by pressure.unit")
+            .below("high"),
+        key("high", kPressures, "for \"range\": pressure of tone 1; above low", &Options::high)
+            .in("film tension / sqrt(mean area), selected by pressure.unit"),
         key("unit",
             kPressureUnits,
             "unit of low and high, as albedo.pressure_unit",

@@ -17,11 +17,13 @@ Keys<ReliefOptions> relief_keys() {
             "shape of the surface of height, normal, occlusion, curvature and lit: domes, rounded "
             "ridges on films, or wet films with Plateau borders",
             &Options::profile),
-        key("angle", Reals{1.0, 85.0}, "slope of domes at films, degrees", &Options::angle),
+        key("angle", Reals{1.0, 85.0}, "slope of domes at films, degrees", &Options::angle)
+            .in("degrees"),
         key("width",
             Reals{0.001, 10.0},
             "width of a ridge from film to foot, or radius of Plateau borders, in bubble diameters",
-            &Options::width),
+            &Options::width)
+            .in(kReliefDiameters),
         key("strength", Reals{0.0, 100.0}, "factor that scales all heights", &Options::strength),
         key("mean_bubble",
             kMeanBubbles,

@@ -6,6 +6,8 @@
 #include "texgen/maps/mean_bubble.h"
 #include "texgen/maps/relief_section.h"
 
+#include <string_view>
+
 namespace foam::texgen {
 
 /// The options of the relief that the maps height, normal, occlusion, curvature and lit show.
@@ -17,6 +19,10 @@ struct ReliefOptions {
     double strength = 1.0;                         // factor on heights
     MeanBubble mean_bubble = MeanBubble::Current;  // the unit of heights and widths
 };
+
+/// The unit of keys that are lengths on the relief: the diameter of the relief's mean bubble.
+inline constexpr std::string_view kReliefDiameters =
+    "mean bubble diameters, selected by relief.mean_bubble";
 
 Keys<ReliefOptions> relief_keys();
 

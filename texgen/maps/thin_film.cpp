@@ -178,15 +178,18 @@ Keys<ThinFilmOptions> thin_film_keys() {
     return {key("thickness",
                 Reals{0.0, 3000.0},
                 "thickness of the soap film in the middle of a bubble, nanometers",
-                &ThinFilmOptions::thickness),
+                &ThinFilmOptions::thickness)
+                .in("nanometers"),
             key("variation",
                 Reals{0.0, 2.0},
                 "range of the thickness among bubbles, as a fraction of the thickness",
-                &ThinFilmOptions::variation),
+                &ThinFilmOptions::variation)
+                .in("fraction of the thickness"),
             key("drainage",
                 Reals{0.0, 10.0},
                 "added thickness at the rim of a bubble, as a fraction of the thickness",
-                &ThinFilmOptions::drainage),
+                &ThinFilmOptions::drainage)
+                .in("fraction of the thickness"),
             key("exposure",
                 Reals{0.0, 100.0},
                 "factor on the reflected light; a soap film reflects at most 8 % of the light",

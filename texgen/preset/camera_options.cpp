@@ -17,12 +17,14 @@ Keys<CameraOptions> camera_keys() {
                 "position in the image at zoom 1 that becomes the center, in fractions of the "
                 "image from its lower left corner",
                 &CameraOptions::center)
+                .in("fraction of the image width and height")
                 .only_for("foam.domain", {"patch"}),
             key("margin",
                 Reals{0.0, 0.45},
                 "free margin around the patch at zoom 1, as a fraction of the shorter side of the "
                 "image",
                 &CameraOptions::margin)
+                .in("fraction of the shorter side of the image")
                 .only_for("foam.domain", {"patch"})};
 }
 

@@ -12,19 +12,22 @@ Keys<FramesOptions> frames_keys() {
         {{{"equilibrium", FirstFrame::Equilibrium}, {"diagram", FirstFrame::Diagram}}}};
     constexpr Reals kTimes{0.0, 1e6};
     return {
-        key("count", Integers{1, 100'000}, "number of frames of the animation", &Options::count),
+        key("count", Integers{1, 100'000}, "number of frames of the animation", &Options::count)
+            .in("frames"),
         key("first",
             kFirstFrames,
             "what frame 1 shows: the foam in equilibrium, or the diagram of straight films that it "
             "starts from",
             &Options::first),
-        key("time_step", kTimes, "foam time from one frame to the next", &Options::time_step),
+        key("time_step", kTimes, "foam time from one frame to the next", &Options::time_step)
+            .in("foam time"),
         key("step_growth",
             Reals{0.1, 10.0},
             "growth factor from each time step to the next; values above 1 compensate for a foam "
             "that slows down",
             &Options::step_growth),
-        key("warm_up", kTimes, "foam time that passes before frame 1", &Options::warm_up)};
+        key("warm_up", kTimes, "foam time that passes before frame 1", &Options::warm_up)
+            .in("foam time")};
 }
 
 }  // namespace foam::texgen

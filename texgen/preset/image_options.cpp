@@ -40,11 +40,12 @@ struct Sizes {
 }  // namespace
 
 Keys<ImageOptions> image_keys() {
-    return {key_by<ImageOptions>("size", Sizes{}, "image size in pixels", std::identity()),
-            key("maps",
-                WordLists{map_names()},
-                "maps that are drawn of every frame",
-                &ImageOptions::maps)};
+    return {
+        key_by<ImageOptions>("size", Sizes{}, "image size in pixels", std::identity()).in("pixels"),
+        key("maps",
+            WordLists{map_names()},
+            "maps that are drawn of every frame",
+            &ImageOptions::maps)};
 }
 
 }  // namespace foam::texgen

@@ -26,30 +26,36 @@ Keys<LoopOptions> loop_keys() {
                 Reals{0.0, 0.9},
                 "for \"breathe\": relative amplitude of every bubble's area; for \"shear\": "
                 "amplitude of the strain, at most 0.4",
-                &Options::amplitude),
+                &Options::amplitude)
+                .in("fraction of the area, or strain, selected by loop.kind"),
             key("drift",
                 IntegerPairs{{-kMaxPeriods, kMaxPeriods}},
                 "number of whole images that the foam moves in a loop, to the right and up",
                 &Options::drift)
+                .in("image widths and heights")
                 .only_for("foam.domain", {"torus"}),
             key("cycles",
                 Integers{1, 1000},
                 "largest number of cycles that are simulated before frame 1 so that the loop "
                 "closes",
-                &Options::cycles),
+                &Options::cycles)
+                .in("cycles"),
             key("fade",
                 Reals{0.01, 1.0},
                 "for \"flow\": fraction of the frames, at the end, that fade into the beginning",
-                &Options::fade),
+                &Options::fade)
+                .in("fraction of the frames"),
             key("fade_spread",
                 Reals{0.0, 0.95},
                 "for \"flow\": fraction of the fade after which the last region of the image "
                 "begins to fade; 0 fades the whole image at the same time",
-                &Options::fade_spread),
+                &Options::fade_spread)
+                .in("fraction of the fade"),
             key("growth",
                 Integers{1, 1000},
                 "for \"flow\": number of frames in which a new bubble grows to the mean area",
-                &Options::growth)};
+                &Options::growth)
+                .in("frames")};
 }
 
 }  // namespace foam::texgen

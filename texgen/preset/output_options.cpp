@@ -26,7 +26,8 @@ Keys<OutputOptions> file_keys() {
             key("frames_per_second",
                 Integers{1, 1000},
                 "frame rate of the animation, which EXR files store",
-                &OutputOptions::frames_per_second),
+                &OutputOptions::frames_per_second)
+                .in("frames per second"),
             key("png_compression",
                 kCompressions,
                 "compression of PNG files; small takes ten times as long and saves a tenth",

@@ -21,7 +21,8 @@ Keys<SeedingOptions> seeding_keys() {
         key("bubbles",
             Integers{4, 1'000'000},
             "number of bubbles of the seeded foam, whose mean area is 1; approximate for a patch",
-            &Options::bubbles),
+            &Options::bubbles)
+            .in("bubbles"),
         key("seed",
             Integers{0, kLargestSeed},
             "seed of the random numbers; each seed gives a different foam of the same kind",
@@ -29,7 +30,8 @@ Keys<SeedingOptions> seeding_keys() {
         key("lloyd",
             Integers{0, 1000},
             "rounds of Lloyd relaxation: 0 is irregular, 10 and more is nearly regular",
-            &Options::lloyd_iterations),
+            &Options::lloyd_iterations)
+            .in("rounds"),
         key("area_ratio",
             Reals{.low = 1.0, .high = 100.0, .or_zero = true},
             "ratio of the largest to the smallest bubble area; 0 keeps the areas of the random "
@@ -55,25 +57,29 @@ Keys<SolverOptions> solver_keys() {
                 Reals{1e-9, 1e-2},
                 "largest relative error of areas and largest error of angles, in radians; use 1e-4 "
                 "for gauss-seidel",
-                &SolverOptions::tolerance)};
+                &SolverOptions::tolerance)
+                .in("fraction of the area, and radians")};
 }
 
 Keys<CoarseningOptions> coarsening_keys() {
     return {key("kappa",
                 Reals{0.0, 1000.0},
                 "diffusion constant: dA/dt = (2 pi / 3) surface_tension kappa (sides - 6)",
-                &CoarseningOptions::kappa)};
+                &CoarseningOptions::kappa)
+                .in("square foam units per foam time, for a surface tension of 1")};
 }
 
 Keys<TopologyThresholds> threshold_keys() {
     return {key("t1_distance",
                 Reals{0.001, 0.25},
                 "length below which a film may swap neighbors, in foam units",
-                &TopologyThresholds::t1_distance),
+                &TopologyThresholds::t1_distance)
+                .in("foam units"),
             key("t2_area",
                 Reals{0.0001, 0.25},
                 "area at or below which a three-sided bubble vanishes, in foam units",
-                &TopologyThresholds::t2_area)};
+                &TopologyThresholds::t2_area)
+                .in("square foam units")};
 }
 
 Keys<Preset> all_keys() {

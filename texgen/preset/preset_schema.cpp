@@ -47,6 +47,9 @@ Json key_schema(const KeyInfo& key) {
     if (key.default_value) {
         schema["default"] = to_json(*key.default_value);
     }
+    if (!key.unit.empty()) {
+        schema["x-unit"] = key.unit;
+    }
     if (key.condition) {
         schema["x-only-for"] = {{"key", key.condition->key}, {"values", key.condition->values}};
     }

@@ -26,7 +26,7 @@ struct Room {
 
 Keys<Lamp> lamp_keys() {
     return {
-        key("power", Integers{1, 100}, "of the lamp, watts", &Lamp::power),
+        key("power", Integers{1, 100}, "of the lamp, watts", &Lamp::power).in("watts"),
         key("color", Text{}, "of its light", &Lamp::color).only_for("room.kind", {"bar", "club"}),
         key("hours", IntegerLists{{0, 23}}, "in which it is on", &Lamp::hours)};
 }
@@ -59,6 +59,12 @@ TEST(Key, AConditionListsTheValuesOfAnotherKey) {
     EXPECT_FALSE(color.condition->allows("office"));
 }
 
+TEST(Key, HasAUnitOnlyIfItIsGiven) {
+    EXPECT_EQ(lamp_keys()[0].unit, "watts");
+    EXPECT_EQ(lamp_keys()[2].unit, "");
+    EXPECT_EQ(lamp_keys()[0].below("largest").only_for("kind", {"bar"}).unit, "watts");
+}
+
 TEST(Key, OfAMemberHasAPathInItsTable) {
     Keys<Lamp> keys = lamp_keys();
     keys[0] = keys[0].below("largest");
@@ -67,6 +73,7 @@ TEST(Key, OfAMemberHasAPathInItsTable) {
     EXPECT_EQ(of_room[0].table(), "lamp");
     EXPECT_EQ(of_room[0].name(), "power");
     EXPECT_EQ(of_room[0].upper_limit, "lamp.largest");
+    EXPECT_EQ(of_room[0].unit, "watts");
     EXPECT_EQ(of_room[1].condition->key, "room.kind");
     Room room;
     EXPECT_TRUE(of_room[0].read({std::int64_t{7}}, room));
