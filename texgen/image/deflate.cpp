@@ -14,10 +14,10 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr int kFastLevel =
-    2;  // of ISA-L, 0 to 3; level 3 saves 1 % of the size and takes 2 to 6 times as long
-constexpr int kSmallLevel =
-    7;  // of libdeflate, 1 to 12; level 9 saves 1 % and takes 2 to 4 times as long
+// The level of ISA-L, 0 to 3. Level 3 saves 1 % of the size and takes 2 to 6 times as long.
+constexpr int kFastLevel = 2;
+// The level of libdeflate, 1 to 12. Level 9 saves 1 % of the size and takes 2 to 4 times as long.
+constexpr int kSmallLevel = 7;
 
 // The number of bytes at the start of a stream that are flushed separately. ISA-L processes such a
 // short input in its loop for the end of the data, which needs at least this many bytes. If a

@@ -19,8 +19,7 @@ enum class PngFilter : std::uint8_t { None, Sub, Up, Average, Paeth };
 
 /// Filtering and compression of the samples. The pixels do not depend on them.
 struct PngEncoding {
-    PngFilter filter =
-        PngFilter::None;  // None suits flat cells; Up suits distance, height, normals
+    PngFilter filter = PngFilter::None;  // best for flat cells; Up is best for smooth maps
     Compression compression = Compression::Fast;
     int threads = 1;  // threads that compress, if Fast; the bytes do not depend on it
 };

@@ -8,9 +8,9 @@
 
 // Parallel compression of one picture. The rows are divided into parts of about 512 KiB. Each
 // thread filters and compresses one part, independently of all other parts, and computes the
-// Adler-32 checksum of the filtered bytes. The compressed parts are concatenated to one zlib stream
-// (RFC 1950). The checksums of the parts are combined to the checksum that ends the stream. Only
-// Compression::Fast allows a division; for the other kinds the whole picture is one part.
+// Adler-32 checksum of the filtered bytes. The compressed parts are concatenated into one zlib
+// stream (RFC 1950). The checksums of the parts are combined to the checksum that ends the stream.
+// Only Compression::Fast allows a division; for the other kinds the whole picture is one part.
 
 namespace foam::texgen {
 

@@ -35,8 +35,7 @@ struct Wave {
 std::vector<Wave> random_waves(const FadeOrder::Options& options) {
     Random random(options.seed);
     const double aspect = std::sqrt(static_cast<double>(options.width) / options.height);
-    const double mean =
-        std::sqrt(options.bubbles) / kBubblesInWave;  // mean number of waves across a square tile
+    const double mean = std::sqrt(options.bubbles) / kBubblesInWave;  // waves across a square tile
     std::vector<Wave> waves;
     for (int k = 0; k < kWaves; ++k) {
         const double direction = 2.0 * std::numbers::pi * random.uniform();

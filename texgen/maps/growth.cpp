@@ -37,8 +37,7 @@ Keys<GrowthOptions> growth_keys() {
 
 NumberPixels draw_growth(FrameLayers& layers, const GrowthOptions& options) {
     const Frame& frame = layers.frame();
-    const double time =
-        std::abs(layers.next().time - frame.time);  // time decreases in a pingpong loop
+    const double time = std::abs(layers.next().time - frame.time);  // may decrease in a pingpong
     const auto next_areas = areas_of(layers.next());
     const auto rate_of = [&](BubbleIdentity bubble, double area) {
         const auto next = next_areas.find(bubble);

@@ -26,8 +26,9 @@ namespace {
 // motions, and mean value coordinates interpolate them at the pixels of the bubble
 // (boundary_motion.h). Lone bubbles move and grow as circles.
 
-// An arc is divided into as many equal pieces as can each turn by this angle or more, in radians
-// (10 degrees). One side of the polygon replaces each piece.
+// The nominal turn of the piece of an arc that one side of the polygon replaces, in radians; about
+// 10 degrees. The actual turn is less than twice this angle, because the number of pieces is
+// rounded down.
 constexpr double kLargestTurn = 0.17;
 
 // The motion of a frame's bubbles, in pixels.

@@ -16,10 +16,9 @@ inline constexpr MapTraits kRoughnessMap = {
     .smooth_distance = SmoothDistance::UsedByFilms};
 
 struct RoughnessOptions {
-    double cell = 0.15;  // roughness of bubbles, which are smooth and wet
-    double film = 0.45;  // roughness of films, which are as wide as in albedo
-    double variation =
-        0.1;  // width of the range in which bubbles vary, constant for a bubble's life
+    double cell = 0.15;      // roughness of bubbles, which are smooth and wet
+    double film = 0.45;      // roughness of films, which are as wide as in albedo
+    double variation = 0.1;  // width of the range in which the roughness of bubbles varies
 };
 
 Keys<RoughnessOptions> roughness_keys();

@@ -10,7 +10,7 @@
 
 namespace foam::texgen {
 
-/// The file name of the script, which is in the folder of the tables.
+/// The file name of the gnuplot script, which is written into the folder of the tables.
 inline constexpr const char* kChartsScriptName = "charts.gp";
 
 /// The result of write_statistics.
@@ -19,10 +19,10 @@ struct StatisticsFiles {
     ChartStatus charts = ChartStatus::Drawn;
 };
 
-/// Writes the tables (csv.h) and the script of the charts (charts.h) into a folder, which is
-/// created if needed, and draws the charts if gnuplot is installed. Charts of an earlier run are
-/// removed. A table appears under its name only when it is complete. Throws OutputError if a file
-/// cannot be written.
+/// Writes the tables (csv.h) and the script of the charts (charts.h) into a folder, and draws the
+/// charts if gnuplot is installed. The folder is created if needed. Charts of an earlier run are
+/// removed first. A table appears under its name only when it is complete. Throws OutputError if a
+/// file cannot be written.
 StatisticsFiles write_statistics(const RunRecord& run, const std::filesystem::path& folder);
 
 }  // namespace foam::texgen

@@ -10,10 +10,10 @@ namespace foam::texgen {
 /// The result of measure_run.
 struct MeasureSummary {
     RunOutcome outcome;
-    RunRecord run;  // ends before a frame that failed
+    RunRecord run;  // if a frame failed, only the frames before it
 };
 
-/// Simulates the frames of a preset as a bake does, and measures them instead of drawing them.
+/// Simulates the same frames as a bake of the preset, and measures them instead of drawing them.
 MeasureSummary measure_run(const Preset& preset,
                            const BakeOptions& options,
                            const ProgressCallback& on_progress);

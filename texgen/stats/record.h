@@ -22,23 +22,23 @@ struct FrameRecord {
     FrameEffort effort;
 };
 
-/// The statistics of a run, and the parameters that are needed to interpret them.
+/// The statistics of a run, and the parameters needed to interpret them.
 struct RunRecord {
     std::string preset;         // name of the preset
     double film_tension = 1.0;  // T = 2 gamma
     double kappa = 0.0;         // diffusion constant of von Neumann's law (E6)
     std::vector<FrameRecord> frames;
 
-    /// Returns dA/dt of a bubble with a number of sides by von Neumann's law.
+    /// Returns the dA/dt that von Neumann's law gives for a bubble with a number of sides.
     double law_rate(int sides) const;
 };
 
-/// Records the statistics of the frames of a run, one frame after the other.
+/// Records the statistics of the frames of a run, which are passed one at a time and in order.
 class Recorder {
   public:
     explicit Recorder(const Preset& preset);
 
-    /// Appends the record of a frame, and keeps the frame until the next one.
+    /// Appends the record of a frame. Keeps the frame until the next call, to measure growth.
     void record(const std::shared_ptr<const Frame>& frame, const FrameEffort& effort);
 
     /// Returns a function for simulate_frames that calls record(). It borrows the recorder.
