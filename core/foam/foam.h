@@ -75,9 +75,9 @@ void fit_half_angle(Foam& foam, FilmId film);
 /// which the foam has no values yet.
 void complete_patch(Foam& foam);
 
-/// Moves the junction to a point anywhere in the plane. The point is unwrapped from the present
-/// position of the junction. The junction is wrapped into the torus' own cell, and the lattice
-/// offsets of its films are updated.
+/// Moves the junction to a point, wraps it into the torus' own cell, and updates the lattice
+/// offsets of its films. Precondition: the point is the present position of the junction plus its
+/// displacement; it may be outside of the torus' own cell.
 void place_junction(Foam& foam, JunctionId junction, const Vec2& point);
 
 /// Moves all junctions by the same vector. Lone bubbles are not moved.

@@ -50,7 +50,8 @@ void flip_film(Foam& foam, FilmId film);
 
 /// Opens a film that has collapsed to a point where four films meet. Flips the film if it can flip
 /// and these films would pull the flipped film harder than the present one. Gives the film the
-/// direction of the pull and the given length. Returns true if the film was flipped.
+/// direction of the pull and the given length, and keeps its midpoint. A flip is recorded as a T1
+/// and disarms the film, as in flip_film. Returns true if the film was flipped.
 bool reopen_film(Foam& foam, FilmId film, double length);
 
 /// Returns true if the film has the ghost at both ends (split.h) and both bubbles beside it have

@@ -17,7 +17,7 @@ inline constexpr EventTraits kNucleateEvent = {.name = "nucleate",
 
 struct NucleateOptions {
     NucleationSite on = NucleationSite::Junction;
-    double area = 0.5;  // foam units
+    double area = 0.5;  // target area, square foam units
     int growth = 1;     // number of frames in which a new bubble grows to its area
 };
 
