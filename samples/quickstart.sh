@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 #
-# Builds foamtex and bakes the preset sea_foam into out/. A fresh Debian 12 is all it needs.
+# Builds foamtex and bakes the preset sea_foam into out/. Needs only a fresh Debian 12.
 #
 #     samples/quickstart.sh [OPTION OF foamtex bake]...
 #     samples/quickstart.sh --frames 1-4 --size 256
 #
-# Relative paths among the options start at the top of the checkout.
+# Relative paths in the options are relative to the root of the checkout.
 set -euo pipefail
 
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." >/dev/null && pwd)
@@ -16,13 +16,13 @@ source samples/setup/build.sh
 
 bake() {
     mkdir -p out
-    # A second early: a file's time is coarse, and a quick bake's files could bear the same.
+    # One second early, because the times of files are coarse: files of a quick bake could have the same time.
     touch -d '1 second ago' build/quickstart/bake_started
     say "baking the preset sea_foam"
     "$foamtex" bake sea_foam "$@"
 }
 
-# One line for each file, or for each numbered sequence: its first and last file, and how many.
+# Prints one line per file. A numbered sequence has one line with its first and last file and the number of files.
 summarize() {
     sort | awk '
         { name = $0; sub(/[.][0-9]+[.][^.\/]*$/, ".#", name) }

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 #
-# Draws the diagrams that need no simulation, and fails if one of them differs from its file in samples/figures. The map of
-# the rooms does after a change of foam_room in a CMakeLists.txt file.
+# Draws the diagrams that need no simulation, and fails if one of them differs from its file in samples/figures. For
+# example, rooms.svg differs after a call of foam_room in a CMakeLists.txt file has changed.
 #
 #     tests/check_figures.sh
 set -euo pipefail

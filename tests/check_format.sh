@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 #
-# Fails where a source differs from what clang-format would write.
+# Fails if the format of a source differs from the output of clang-format.
 #
-#     tests/check_format.sh          only tells
+#     tests/check_format.sh          reports the differences
 #     tests/check_format.sh --fix    rewrites the files
 set -euo pipefail
 

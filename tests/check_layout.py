@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Checks the layout of core/ and texgen/, and prints its figures.
+"""Checks the layout of core/ and texgen/, and prints the number of files and lines of each folder.
 
 Usage: tests/check_layout.py [--functions]
 
 Fails if modules include each other in a cycle, if a source has more than 300 lines, if fewer than 85 % of the
-sources have a test file of the same name, or if a source or script does not name its license. A module is a header together with the source of the same name.
---functions also prints how long functions are; it needs Universal Ctags (Debian: universal-ctags).
+sources have a test file of the same name, or if a source or script does not name its license. A module is a header
+together with the source of the same name. --functions also prints the median, the 90th percentile and the maximum of
+the lengths of functions; it needs Universal Ctags (Debian: universal-ctags).
 """
 import collections
 import os
@@ -16,8 +17,8 @@ import subprocess
 import sys
 
 LARGEST_FILE = 300  # lines
-TESTED_SHARE = 0.85  # of the sources
-LICENSE_LINE = "SPDX-License-" "Identifier: Apache-2.0"  # in two parts, which reuse does not take for a license
+TESTED_SHARE = 0.85  # fraction of the sources
+LICENSE_LINE = "SPDX-License-" "Identifier: Apache-2.0"  # in two parts, so that reuse does not read it as a license
 LICENSED = (".h", ".cpp", ".in", ".py", ".sh", ".gp", ".slurm", "CMakeLists.txt", ".ci/run")
 INCLUDE = re.compile(r'^#include "((?:core|texgen)/[^"]+)"', re.M)
 
@@ -91,7 +92,7 @@ def rooms_table(files):
 
 
 def function_lengths(files):
-    """Returns the lines of every function that has a body in a source or header, longest first."""
+    """Returns (number of lines, name and file) of every function with a body, the longest first."""
     output = subprocess.check_output(
         ["ctags", "--kinds-C++=f", "--fields=+ne", "-f", "-", *files], text=True)
     lengths = []

@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 #
-# Fails on any clang-tidy finding in the sources that CMake builds, tests included.
+# Runs clang-tidy on the sources that CMake builds, including tests. Fails if there is any finding.
 #
-#     tests/check_tidy.sh                    all of them
-#     tests/check_tidy.sh core/network       those whose path contains one of the words given
+#     tests/check_tidy.sh                    all sources
+#     tests/check_tidy.sh core/network       the sources whose path contains one of the given words
 #
-# A source in which nothing was found is not looked at again until it changes, or what it includes, its comments, its
-# options, .clang-tidy or clang-tidy itself: their hash is kept in the user's cache folder for a month.
+# A source without findings is skipped until one of these changes: the source or its comments, a file that it includes,
+# its compiler options, .clang-tidy, or clang-tidy itself. A hash of all of these is kept in the user's cache folder for
+# a month.
 set -euo pipefail
 
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." >/dev/null && pwd)
@@ -18,7 +19,7 @@ source samples/setup/packages.sh
 export build_dir=build/tidy
 export cache_dir=${XDG_CACHE_HOME:-$HOME/.cache}/foamtex/tidy
 
-# compiled_sources [WORD]...
+# compiled_sources [WORD]...: prints the sources whose path contains one of the words; without a word, all sources.
 compiled_sources() {
     sed -nE 's/^ *"file": "(.*)",?$/\1/p' "$build_dir/compile_commands.json" |
         sort -u | filter_by_words "$@"
@@ -33,19 +34,20 @@ filter_by_words() {
     if (($# == 0)); then cat; else grep -F "${patterns[@]}" || true; fi
 }
 
-# hash_of SOURCE: of all that decides what is found in it, the same in any folder.
+# hash_of SOURCE: prints a hash of everything that determines its findings. It does not depend on the path of the
+# checkout.
 hash_of() (
     set -o pipefail
     compile=$(grep -m 1 -F -B 1 "\"file\": \"$1\"" "$build_dir/compile_commands.json" |
         sed -nE 's/^ *"command": "(.*) -o .*",$/\1/p' | sed 's/\\"/"/g')
     {
-        # All that the compiler sees, and comments.
+        # The preprocessed source, with comments, because they may contain NOLINT.
         eval "${compile#ccache } -E -C \"$1\"" && printf '%s\n' "$compile" &&
             find . -name .clang-tidy -not -path './build/*' | sort | xargs cat && clang-tidy --version
     } | sed "s|$PWD/*||g" | sha256sum | cut -d ' ' -f 1
 )
 
-# Prints nothing but findings; on its own line the file in work, so that a long run shows progress.
+# tidy_one SOURCE: prints the path of the source, so that a long run shows progress, and then its findings.
 tidy_one() {
     local hash output
     hash=$(hash_of "$1") || hash=none

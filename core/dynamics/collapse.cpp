@@ -12,16 +12,17 @@
 #include <vector>
 
 // The T2 process (E8; paper section 3, eq. 3 and Figure 2). The paper removes three-sided bubbles
-// and suggests T1s for bubbles with more sides. Here, the shortest film that can flip is flipped
-// until the bubble can vanish, without the test of forces that the T1 rule makes. At most twice as
-// many flips as the bubble has sides are tried. If a raft of a patch has two bubbles and one of
-// them vanishes, no junction is left, so the film between them is torn instead.
+// and suggests T1s for bubbles with more sides. Here, the shortest film of the bubble that can flip
+// is flipped, again and again, until the bubble can vanish. Unlike the T1 rule
+// (core/foam/t1_rule.h), these flips do not depend on forces. The number of flips is limited to
+// twice the number of sides of the bubble. If one bubble of a raft of two vanishes, no junction is
+// left, so the film between the two bubbles is torn instead.
 
 namespace foam {
 
 namespace {
 
-// Bubbles of more than three sides vanish at this fraction of the T2 area.
+// Bubbles of more than three sides vanish at a target area of this fraction of the T2 area.
 constexpr double kManySidedFraction = 0.1;
 // Bubbles that cannot vanish keep at least this fraction of the T2 area as their target area.
 constexpr double kMinFraction = 0.1;
@@ -71,7 +72,7 @@ void apply_t2(Foam& foam, BubbleId bubble) {
     }
 }
 
-// Returns the film between the two bubbles of a raft of two, or none.
+// Returns the film between the two bubbles if the bubble belongs to a raft of two, otherwise none.
 FilmId film_of_raft_of_two(const Network& network, BubbleId bubble) {
     for (const HalfEdgeId h : network.around(bubble)) {
         if (is_inside_double_bubble(network, film_of(h))) {
@@ -81,8 +82,9 @@ FilmId film_of_raft_of_two(const Network& network, BubbleId bubble) {
     return kNone<FilmId>;
 }
 
-// Removes a bubble of a raft of two. As in every T2, its neighbors get equal shares of its gas: the
-// other bubble gets one half, and the ghost gets the other half.
+// Removes a bubble of a raft of two by tearing `film`, the film between the two bubbles. As in
+// every T2, its neighbors get equal shares of its gas: the other bubble gets one half, and the
+// ghost gets the other half.
 void vanish_from_raft_of_two(Foam& foam, BubbleId bubble, FilmId film) {
     const HalfEdgeId h = forward_side(film);
     const bool is_left = foam.network.left(h) == bubble;

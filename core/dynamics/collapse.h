@@ -16,19 +16,22 @@ struct TopologyCounts {
 };
 
 /// Returns true if the target area of the bubble is so small that the bubble has to vanish (E8;
-/// paper eq. 3). The limit is the T2 area for bubbles of two or three sides, and a tenth of it for
-/// bubbles of more sides, which the paper does not discuss. Gas diffusion does not shrink bubbles
-/// of six or more sides.
+/// paper eq. 3). The limit is the T2 area for bubbles of two or three sides. For bubbles of more
+/// sides, for which the paper gives no limit, it is a tenth of the T2 area. Of these, only bubbles
+/// of four and five sides shrink by gas diffusion.
 bool is_due_to_vanish(const Foam& foam, BubbleId bubble, const TopologyThresholds& thresholds);
 
-/// Makes a bubble vanish. Its shortest films flip until it can vanish with three or two sides (T2).
-/// A bubble of three sides becomes one junction at the mean of its three junctions. Its gas goes to
-/// its last neighbors in equal shares. Returns false if no sequence of flips was found, for example
-/// among the last bubbles of a torus; the bubble then keeps its gas. In a raft of two bubbles, the
-/// other bubble becomes a lone bubble.
+/// Makes a bubble vanish. First its shortest films flip, until it has three or two sides and can
+/// vanish by a T2 (can_vanish). A bubble of three sides becomes one junction at the mean of its
+/// three junctions. The bubbles across the two or three sides that it has at the end get equal
+/// shares of its gas. In a raft of two bubbles, the other bubble becomes a lone bubble and gets
+/// half of the gas; the ghost gets the other half. Returns false if the flips do not make the
+/// bubble able to vanish, for example among the last bubbles of a torus; the bubble then keeps its
+/// gas, and the flips are not undone. Adds the T1s and T2s to `counts`.
 bool collapse(Foam& foam, BubbleId bubble, TopologyCounts& counts);
 
-/// Removes the lone bubbles for which `vanishes(bubble)` returns true. Returns their number.
+/// Removes the lone bubbles for which `vanishes(bubble)` returns true, and records a T2 of each.
+/// Returns their number.
 template <class Vanishes>
 int collapse_lone(Foam& foam, const Vanishes& vanishes) {
     return static_cast<int>(std::erase_if(foam.lone_bubbles, [&](const LoneBubble& bubble) {
@@ -40,10 +43,12 @@ int collapse_lone(Foam& foam, const Vanishes& vanishes) {
     }));
 }
 
-/// Collapses every bubble that is due to vanish (is_due_to_vanish). A vanished bubble with a
-/// negative target area takes gas from its neighbors. Neighbors that are left with almost no gas
-/// collapse too, until every target area is positive. Lone bubbles vanish at the T2 area. A bubble
-/// that cannot vanish gets a small target area at the cost of its largest neighbor.
+/// Collapses every bubble that is due to vanish (is_due_to_vanish). If the target area of a
+/// vanishing bubble is negative, its neighbors lose gas to it. Bubbles that are left with less than
+/// a tenth of the T2 area then collapse too; this is repeated until no further bubble vanishes.
+/// Lone bubbles vanish at the T2 area. The target area of a bubble that cannot vanish is raised to
+/// at least a tenth of the T2 area, at the cost of its largest neighbor. Returns the numbers of T1s
+/// and T2s.
 TopologyCounts collapse_due(Foam& foam, const TopologyThresholds& thresholds);
 
 }  // namespace foam

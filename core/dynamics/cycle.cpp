@@ -2,7 +2,7 @@
 
 #include "core/dynamics/cycle.h"
 
-#include "core/dynamics/hold_rafts.h"
+#include "core/dynamics/restore_rafts.h"
 #include "core/foam/random.h"
 
 #include <algorithm>
@@ -10,17 +10,19 @@
 #include <limits>
 #include <numbers>
 
-// At each position of the cycle, the target areas are A (1 + breath sin 2 pi (t + phase)), with a
-// random phase for each bubble, and the torus is sheared by strain * sin 2 pi t relative to the
-// start. Here t is the position divided by the number of steps. A step drives the foam from its
-// present state to these target areas and this shear (state_change.h). Drift is removed after each
-// step, because equilibrium does not determine the position of the foam.
+// At each position of the cycle, a bubble has the target area A (1 + area_amplitude sin 2 pi (t +
+// phase)). A is the target area of the bubble when the Cycle was constructed, and the phase of each
+// bubble is random. The shear strain of the torus is strain * sin 2 pi t, relative to the shear
+// when the Cycle was constructed. Here t is the position divided by the number of steps. A step
+// drives the foam from its present state to these target areas and this shear (state_change.h).
+// Drift is removed after each step, because equilibrium does not determine the position of the
+// foam.
 
 namespace foam {
 
 namespace {
 
-// Returns the junctions of a bubble, unwrapped from the first.
+// Returns the positions of the junctions of a bubble, unwrapped from the first junction.
 std::vector<Vec2> corners(const Foam& foam, BubbleId bubble) {
     std::vector<Vec2> all;
     Vec2 at = foam.positions[foam.network.tail(foam.network.first(bubble))];
@@ -39,8 +41,8 @@ Vec2 mean(const std::vector<Vec2>& points) {
     return sum / static_cast<double>(points.size());
 }
 
-// Returns the center of each bubble. On a torus it is the mean of the junctions of the bubble, at
-// any of its lattice copies.
+// Returns the center of each bubble. On a torus it is the mean of the junctions of the bubble, and
+// may belong to any lattice copy of the bubble.
 std::map<BubbleIdentity, Vec2> centers(const Foam& foam) {
     if (foam.domain.is_plane()) {
         return bubble_centers(foam);
@@ -53,7 +55,7 @@ std::map<BubbleIdentity, Vec2> centers(const Foam& foam) {
 }
 
 // Returns the largest distance from a corner in `from` to the nearest corner in `to`, modulo the
-// periods of the torus. The foams are not aligned with each other first.
+// periods of the torus. A translation of the whole foam between the two states is not removed.
 double farthest(const Domain& domain, const std::vector<Vec2>& from, const std::vector<Vec2>& to) {
     double largest = 0.0;
     for (const Vec2& a : from) {
@@ -81,10 +83,11 @@ Cycle::Cycle(const Foam& foam, const CycleOptions& options)
     : options_(options), shear_(foam.domain.shear), centers_(centers(foam)) {
     Random random(options.seed);
     for (const BubbleId bubble : foam.network.bubbles()) {
-        swings_.push_back({foam.identities[bubble], foam.target_areas[bubble], random.uniform()});
+        oscillations_.push_back(
+            {foam.identities[bubble], foam.target_areas[bubble], random.uniform()});
     }
     for (const LoneBubble& bubble : foam.lone_bubbles) {
-        swings_.push_back({bubble.identity, bubble.target_area, random.uniform()});
+        oscillations_.push_back({bubble.identity, bubble.target_area, random.uniform()});
     }
 }
 
@@ -96,32 +99,34 @@ StepSummary Cycle::step_to(int position,
     without_diffusion.coarsening.kappa = 0.0;
     const StepSummary summary =
         step(foam, time, change_to(position, foam.domain), without_diffusion);
-    hold(foam);
+    restore_positions(foam);
     return summary;
 }
 
-// The position is taken modulo the length of a cycle, so that every cycle computes the same bits.
+// Returns the change that leads a foam with the given domain to the given position. The position is
+// taken modulo the length of a cycle, so that every cycle has the same targets to the last bit.
 StateChange Cycle::change_to(int position, const Domain& domain) const {
-    const auto swing = [&](double phase) {
+    const auto sine = [&](double phase) {
         const double turns = static_cast<double>(position % options_.steps) / options_.steps;
         return std::sin(2.0 * std::numbers::pi * (turns + phase));
     };
     StateChange change;
-    for (const Swing& bubble : swings_) {
-        const double area = bubble.target_area * (1.0 + options_.breath * swing(bubble.phase));
+    for (const Oscillation& bubble : oscillations_) {
+        const double area =
+            bubble.target_area * (1.0 + options_.area_amplitude * sine(bubble.phase));
         change.driven.push_back({bubble.bubble, area, false});
     }
     if (options_.strain != 0.0) {
-        change.strain = options_.strain * swing(0.0) + (shear_ - domain.shear) / domain.height;
+        change.strain = options_.strain * sine(0.0) + (shear_ - domain.shear) / domain.height;
     }
     return change;
 }
 
 // Moves the foam back to where it was at the start: on a torus as a whole, by the mean displacement
 // of its bubbles; in a patch each raft by itself.
-void Cycle::hold(Foam& foam) const {
+void Cycle::restore_positions(Foam& foam) const {
     if (foam.domain.is_plane()) {
-        hold_rafts(foam, centers_);
+        restore_rafts(foam, centers_);
         return;
     }
     Vec2 sum = Vec2::Zero();

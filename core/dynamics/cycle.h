@@ -12,48 +12,49 @@ namespace foam {
 
 /// A periodic change of a foam (E9).
 struct CycleOptions {
-    int steps = 48;          // per cycle
-    double breath = 0.0;     // relative amplitude of each target area; phases are random
-    double strain = 0.0;     // amplitude of the shear of a torus
-    std::uint64_t seed = 1;  // seed of the random phases
+    int steps = 48;               // number of steps of one cycle
+    double area_amplitude = 0.0;  // relative amplitude of target areas, with random phases
+    double strain = 0.0;          // amplitude of the shear strain of a torus
+    std::uint64_t seed = 1;       // seed of the random phases
 };
 
-/// A periodic sequence of foams, for looping animations. A foam in equilibrium is a function of its
-/// topology, its target areas and its domain. If these are periodic, the foam returns to its state
-/// after each cycle, once the T1s and T2s of the first cycles have happened. No gas diffuses. After
-/// each step, the foam as a whole, or each raft of a patch, is moved back to its position at the
-/// start.
+/// A periodic sequence of foams, for looping animations. The equilibrium of a foam follows from its
+/// topology, its target areas and its domain. If the target areas and the domain change
+/// periodically, the foam returns to the same state after each cycle, once the T1s and T2s of the
+/// first cycles have happened. No gas diffuses. After each step, a torus as a whole, or each raft
+/// of a patch, is moved back to its position at the start.
 class Cycle {
   public:
     /// Stores the present target areas of the foam, around which they will oscillate, and its
     /// present position, to which each step moves the foam back.
     Cycle(const Foam& foam, const CycleOptions& options);
 
-    /// Steps the foam from position `position` - 1 of the cycle, or from a state near it, to
-    /// position `position`. Position 0 is the start of a cycle; positions may exceed the length of
-    /// one cycle. If the summary is not converged, the foam is left between the two positions.
+    /// Advances the foam from position `position` - 1 of the cycle, or from a state near it, to
+    /// position `position`. Positions count the steps from the start of the first cycle, which is
+    /// position 0, and may exceed CycleOptions::steps. `time` is the foam time that the step takes.
+    /// If the summary is not converged, the foam is left between the two positions.
     StepSummary step_to(int position, Foam& foam, double time, const StepOptions& options) const;
 
   private:
-    struct Swing {
+    struct Oscillation {
         BubbleIdentity bubble = 0;
-        double target_area = 0.0;
-        double phase = 0.0;  // in turns
+        double target_area = 0.0;  // mean of the oscillation
+        double phase = 0.0;        // in turns
     };
 
     StateChange change_to(int position, const Domain& domain) const;
-    void hold(Foam& foam) const;
+    void restore_positions(Foam& foam) const;
 
     CycleOptions options_;
     double shear_;  // shear of the domain at the start
-    std::vector<Swing> swings_;
+    std::vector<Oscillation> oscillations_;
     std::map<BubbleIdentity, Vec2> centers_;  // centers of the bubbles at the start
 };
 
 /// Returns the distance between two states of a foam: the largest distance from a junction of a
 /// bubble to the nearest junction of the same bubble in the other state, in diameters of a circle
-/// of the mean target area. Returns infinity if a bubble is missing in one state or has different
-/// numbers of sides. Lone bubbles do not count.
+/// of the mean target area. Returns infinity if a bubble is missing in one state, or if the number
+/// of sides of a bubble differs between the states. Lone bubbles do not count.
 double closing_error(const Foam& one, const Foam& other);
 
 }  // namespace foam

@@ -11,15 +11,18 @@ namespace foam {
 
 namespace {
 
-// Largest step, in units of the radius. The slope of (1 - u²)² is at most 1.54, so that a step of
-// less than 0.64 keeps the order of all points.
+// Largest step, in units of the radius. The slope of (1 - u²)² with u = r/R is at most 1.54. A step
+// of less than 0.64 radii therefore does not fold the plane: points keep their order along the
+// push. The step is much smaller because films flip only between steps.
 constexpr double kLargestStep = 0.1;
-// The T1 distance during a push, the upper end of the range that the paper recommends (eq. 16). A
-// film may flip if it is shorter and has lost half of its length. With the default of 0.05, hardly
-// any film would flip.
+// The T1 distance during a push, unless the given distance is larger. This value is the upper end
+// of the range that the paper recommends (eq. 16). With the default of TopologyThresholds, 0.05,
+// hardly any film would flip.
 constexpr double kT1Distance = 0.25;
+// A film may flip during a push if its length is below this fraction of its initial length.
 constexpr double kShortened = 0.5;
 
+// Returns the length of the chord.
 double length_of(const Foam& foam, FilmId film) {
     return chord(foam, forward_side(film)).norm();
 }
@@ -35,15 +38,17 @@ void move_junctions(Foam& foam, const Displacement& step) {
     }
 }
 
-// Applies the T1 rule to the short films that have lost more than half of their entry in `lengths`.
-// Returns the number of T1s.
+// Applies the T1 rule to the short films that have lost more than half of their length. `lengths`
+// has the length of each film at the start of the push or, if the film has flipped, after its last
+// flip; the entries of removed films are unused. Returns the number of T1s.
 int flip_shortened(Foam& foam, TopologyThresholds thresholds, Indexed<FilmId, double>& lengths) {
     thresholds.t1_distance = std::max(thresholds.t1_distance, kT1Distance);
     int flips = 0;
     for (const FilmId film : short_films(foam, thresholds)) {
-        if (length_of(foam, film) < kShortened * lengths[film] &&
+        // An earlier change may have removed the film: in a patch, films tear and holes close.
+        if (foam.network.is_live(film) && length_of(foam, film) < kShortened * lengths[film] &&
             apply_t1_rule(foam, film, thresholds)) {
-            lengths[film] = length_of(foam, film);
+            lengths[film] = foam.network.is_live(film) ? length_of(foam, film) : 0.0;
             ++flips;
         }
     }

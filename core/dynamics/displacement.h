@@ -7,18 +7,20 @@
 
 namespace foam {
 
-/// A push around a center (E9): junctions within the radius R move by (1 - r²/R²)² times the whole
-/// displacement, where r is their distance from the center. The center moves with the push.
-/// Precondition: the radius is positive and at most half of the shorter side of the torus.
+/// A push around a center (E9). A junction at the distance r from the center moves by (1 - r²/R²)²
+/// times the displacement `by` if r is less than the radius R; other junctions do not move. The
+/// push is made in small steps, and the center moves with each step. Precondition: the radius is
+/// positive and at most half of the shorter side of the torus.
 struct Displacement {
     Vec2 center{0.0, 0.0};  // foam units, anywhere in the plane
-    double radius = 1.0;
-    Vec2 by{0.0, 0.0};
+    double radius = 1.0;    // foam units
+    Vec2 by{0.0, 0.0};      // displacement of the center, foam units
 };
 
-/// Moves the junctions in steps so small that no films cross. After each step, the T1 rule (E7) is
-/// applied to short films that have lost more than half of their length. Leaves the foam far from
-/// equilibrium. Returns the number of T1s.
+/// Moves the junctions in steps so small that a step does not fold the plane. After each step, the
+/// T1 rule (E7) is applied to short films that have lost more than half of the length that they had
+/// at the start or, if they have flipped, after their last flip. The T1 distance for this rule is
+/// at least 0.25. Leaves the foam far from equilibrium. Returns the number of T1s.
 int displace(Foam& foam, const Displacement& displacement, const TopologyThresholds& thresholds);
 
 }  // namespace foam

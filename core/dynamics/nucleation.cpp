@@ -12,9 +12,9 @@
 #include <set>
 #include <vector>
 
-// Nucleation (E10) is the inverse of the T2 process. The new bubble is laid out in the shape that
-// it would have in equilibrium between straight films, and its pressure is set accordingly, so that
-// Newton's method starts near the solution.
+// Nucleation (E10) is the inverse of the T2 process. The new bubble gets the shape and the pressure
+// that it would have in equilibrium if the films at its corners were straight, so that Newton's
+// method starts near the solution.
 //
 // Let g be segment_shape (E3). A regular three-sided bubble has three arcs with a half angle of 30
 // degrees on an equilateral triangle of side c: its area is c² (sqrt(3)/4 + 3 g(1/2)/4), the radius
@@ -28,16 +28,17 @@ namespace {
 
 // Largest fraction of the gas of the surrounding bubbles that a new bubble may take.
 constexpr double kLargestGasFraction = 0.5;
-// Largest fraction of a film that a new bubble may cover at first, measured from one end of the
-// film or from its middle.
+// Largest fraction of the length of a film that a new bubble may cover before the equilibration. A
+// bubble at a junction covers the film from one end, a bubble on a film from its middle to each
+// side.
 constexpr double kLargestFilmFraction = 0.45;
 
-// Returns the side of the triangle of a regular three-sided bubble.
+// Returns the side of the triangle of a regular three-sided bubble of the given area.
 double triangle_side(double area) {
     return std::sqrt(area / (0.25 * std::numbers::sqrt3 + 0.75 * segment_shape(0.5)));
 }
 
-// Returns the chord of a regular two-sided bubble.
+// Returns the chord of a regular two-sided bubble of the given area.
 double lens_chord(double area) {
     return std::sqrt(area / (0.5 * segment_shape(0.5 * std::numbers::sqrt3)));
 }
@@ -67,8 +68,8 @@ double mean_pressure(const Foam& foam, const std::set<BubbleId>& bubbles) {
     return sum / static_cast<double>(bubbles.size());
 }
 
-// Appends values for the junctions, films and the bubble that the network has gained. The caller
-// places the new junctions.
+// Appends the values of the new junctions, the new films and the new bubble of the network. The new
+// junctions are at the origin until the caller places them.
 void complete(Foam& foam, double area, double pressure) {
     foam.positions.resize(foam.network.junction_slots(), Vec2(0.0, 0.0));
     foam.t1_armed.resize(foam.network.film_slots(), 1);
@@ -85,8 +86,9 @@ double fraction_of(const FilmArc& arc, double distance) {
     return std::min(distance / arc_length(arc), kLargestFilmFraction);
 }
 
-// Sets the half angle of an outer film after its arc was cut to the given part. Does nothing to
-// other films, because their half angles follow from the pressures.
+// Sets the half angle of an outer film of which a new bubble has cut off a part. `whole_half_angle`
+// is the half angle of the whole arc along h; `part_left` is the fraction of the arc's length that
+// is left. Does nothing to inner films, because their half angles follow from the pressures.
 void cut_film(Foam& foam, HalfEdgeId h, double whole_half_angle, double part_left) {
     if (foam.network.is_outer(film_of(h))) {
         foam.half_angles[film_of(h)] = (is_forward(h) ? 1.0 : -1.0) * part_left * whole_half_angle;
@@ -118,10 +120,10 @@ std::optional<BubbleId> nucleate_at_junction(Foam& foam, JunctionId junction, do
     std::array<double, 3> cut{};
     const double side = triangle_side(area);
     const auto [a, b, c] = foam.network.leaving(junction);
-    const std::array<HalfEdgeId, 3> outer{a, c, b};  // counter-clockwise, like the corners
+    const std::array<HalfEdgeId, 3> spokes{a, c, b};  // counter-clockwise, like the corners
     for (std::size_t k = 0; k < 3; ++k) {
-        around.insert(foam.network.left(outer[k]));
-        arcs[k] = film_arc(foam, outer[k]);
+        around.insert(foam.network.left(spokes[k]));
+        arcs[k] = film_arc(foam, spokes[k]);
         cut[k] = fraction_of(arcs[k], side / std::numbers::sqrt3);
         corners[k] = foam.positions[junction] + point_at(arcs[k], cut[k]);
     }
@@ -136,7 +138,7 @@ std::optional<BubbleId> nucleate_at_junction(Foam& foam, JunctionId junction, do
     const std::vector<HalfEdgeId> loop = foam.network.around(bubble);
     for (std::size_t k = 0; k < 3; ++k) {
         place_junction(foam, foam.network.tail(loop[k]), corners[k]);
-        cut_film(foam, outer[k], arcs[k].half_angle, 1.0 - cut[k]);
+        cut_film(foam, spokes[k], arcs[k].half_angle, 1.0 - cut[k]);
     }
     fit_films_around(foam, bubble);
     return bubble;

@@ -20,7 +20,7 @@ void reduce_lattice(Foam& foam) {
     if (std::abs(domain.shear) <= 0.5 * domain.width) {
         return;
     }
-    // An old vertical period is a new one plus this many horizontal periods.
+    // The old period (shear, height) equals the new one plus this many periods (width, 0).
     const auto widths = static_cast<std::int32_t>(std::lround(domain.shear / domain.width));
     domain.shear -= widths * domain.width;
     for (const FilmId film : foam.network.films()) {

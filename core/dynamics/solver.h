@@ -6,14 +6,15 @@
 
 namespace foam {
 
-/// The solver that brings a foam to equilibrium.
+/// The solvers that can bring a foam to equilibrium.
 enum class Solver {
     Newton,              // Newton's method for the whole foam (E3; core/equilibrium)
-    GaussSeidel,         // the paper's solver, block by block (E5; core/reference)
-    ColoredGaussSeidel,  // the paper's solver, many independent blocks at once
+    GaussSeidel,         // the paper's solver, one block after another (E5; core/reference)
+    ColoredGaussSeidel,  // the paper's solver, all blocks of a color at once (core/reference)
 };
 
-/// Brings the foam to mechanical equilibrium with the given solver.
+/// Brings the foam to mechanical equilibrium with the given solver. The summary tells whether it
+/// converged.
 EquilibriumSummary equilibrate_with(Solver solver, Foam& foam, const EquilibriumOptions& options);
 
 }  // namespace foam

@@ -12,7 +12,7 @@ namespace {
 
 // Largest fraction of a torus that driven bubbles may take if there are other bubbles.
 constexpr double kLargestDrivenFraction = 0.9;
-// Largest gain of a driven bubble at once, in units of its area.
+// Largest gain of area of a driven bubble in one substep, in units of its present target area.
 constexpr double kLargestGain = 3.0;
 
 struct LiveDrivenBubble {
@@ -38,6 +38,7 @@ std::vector<LiveDrivenBubble> live_driven_bubbles(const Foam& foam, const StateC
     return live;
 }
 
+// Returns the entry of the bubble, or nullptr if the bubble is not driven.
 const DrivenBubble* find_driven(const StateChange& change, BubbleIdentity bubble) {
     const auto found =
         std::find_if(change.driven.begin(), change.driven.end(), [&](const DrivenBubble& driven) {
@@ -46,16 +47,19 @@ const DrivenBubble* find_driven(const StateChange& change, BubbleIdentity bubble
     return found != change.driven.end() ? &*found : nullptr;
 }
 
-void drive_lone(Foam& foam, const StateChange& change, double part) {
+// Changes the target areas of driven lone bubbles, as drive does for the bubbles of the network.
+void drive_lone(Foam& foam, const StateChange& change, double fraction_of_rest) {
     for (LoneBubble& bubble : foam.lone_bubbles) {
         if (const DrivenBubble* driven = find_driven(change, bubble.identity)) {
-            bubble.target_area += part * (driven->target_area - bubble.target_area);
+            bubble.target_area += fraction_of_rest * (driven->target_area - bubble.target_area);
         }
     }
 }
 
-// Scales the target areas of a torus so that their sum is its area. Driven bubbles keep their
-// target areas, up to the largest fraction, and the other bubbles fill the rest.
+// Scales the target areas of a torus so that their sum is the area of the torus. Driven bubbles
+// keep their target areas, unless they would take more than kLargestDrivenFraction of the torus;
+// the other bubbles fill the rest. If there are no other bubbles, the driven bubbles fill the
+// torus. Does nothing if no bubble is driven.
 void scale_targets_to_torus(Foam& foam, const Indexed<BubbleId, char>& is_driven) {
     double driven = 0.0;
     double others = 0.0;
@@ -79,35 +83,35 @@ DrivenBubble forced_collapse(BubbleIdentity bubble, const TopologyThresholds& th
     return {bubble, thresholds.t2_area, true};
 }
 
-void drive(Foam& foam, const StateChange& change, double part) {
+void drive(Foam& foam, const StateChange& change, double fraction_of_rest) {
     Indexed<BubbleId, char> is_driven(foam.network.bubble_slots(), 0);
     for (const LiveDrivenBubble& live : live_driven_bubbles(foam, change)) {
         double& target = foam.target_areas[live.bubble];
-        target += part * (live.driven.target_area - target);
+        target += fraction_of_rest * (live.driven.target_area - target);
         is_driven[live.bubble] = 1;
     }
     if (foam.domain.is_plane()) {
-        drive_lone(foam, change, part);
+        drive_lone(foam, change, fraction_of_rest);
     } else {
         scale_targets_to_torus(foam, is_driven);
     }
 }
 
-double safe_part(const Foam& foam,
-                 const StateChange& change,
-                 double largest_loss,
-                 double vanishing_area) {
-    double part = 1.0;
+double max_fraction_of_change(const Foam& foam,
+                              const StateChange& change,
+                              double largest_loss,
+                              double vanishing_area) {
+    double fraction = 1.0;
     for (const LiveDrivenBubble& live : live_driven_bubbles(foam, change)) {
         const double area = foam.target_areas[live.bubble];
         const double gain = live.driven.target_area - area;
         if (gain > 0.0) {
-            part = std::min(part, kLargestGain * area / gain);
+            fraction = std::min(fraction, kLargestGain * area / gain);
         } else if (gain < 0.0 && area > vanishing_area) {
-            part = std::min(part, largest_loss * area / -gain);
+            fraction = std::min(fraction, largest_loss * area / -gain);
         }
     }
-    return part;
+    return fraction;
 }
 
 TopologyCounts collapse_forced(Foam& foam, const StateChange& change) {

@@ -2,7 +2,7 @@
 
 #include "core/dynamics/step.h"
 
-#include "core/dynamics/hold_rafts.h"
+#include "core/dynamics/restore_rafts.h"
 #include "core/dynamics/shear.h"
 
 #include <algorithm>
@@ -22,15 +22,17 @@ namespace foam {
 
 namespace {
 
-// A bubble of up to this many T2 areas may lose all its area in one substep.
+// A bubble whose target area is at most this many T2 areas may lose all its area in one substep.
 constexpr double kVanishingAreas = 4.0;
-// Smallest fraction of a driven step to which the change of areas limits a substep. It bounds the
-// number of substeps if the change is impossible, for example if every bubble is to shrink.
+// Smallest fraction of a step to which the imposed change of areas may limit a substep. This
+// constant bounds the number of substeps if the change is impossible, for example if every bubble
+// is to shrink.
 constexpr double kMinSubstepFraction = 0.01;
 constexpr double kLargestStrain = 0.05;  // largest strain of one substep
 
 // Returns the longest time in which a bubble loses at most the fraction `largest_loss` of its area;
-// infinity if it grows or is about to vanish.
+// infinity if the bubble does not shrink or is about to vanish (kVanishingAreas). `rate` is the
+// growth rate of the area.
 double safe_time(double area, double rate, const StepOptions& options) {
     const double vanishing = kVanishingAreas * options.equilibrium.thresholds.t2_area;
     return rate < 0.0 && area > vanishing ? options.largest_loss * area / -rate
@@ -51,8 +53,8 @@ double safe_time(const Foam& foam, const StepOptions& options) {
     return time;
 }
 
-// Scales the target areas of a torus to its area, to remove the rounding errors of many additions.
-// In the plane there is no total to restore.
+// Scales the target areas of a torus so that their sum is the area of the torus. This removes the
+// rounding errors of many additions. Does nothing in the plane, where the sum is free.
 void restore_total(Foam& foam) {
     if (foam.domain.is_plane()) {
         return;
@@ -66,20 +68,8 @@ void restore_total(Foam& foam) {
     }
 }
 
-// Moves every push by a fraction of its displacement. Returns the number of T1s.
-int push(Foam& foam,
-         const StateChange& change,
-         double fraction,
-         const TopologyThresholds& thresholds) {
-    int flips = 0;
-    for (Displacement part : change.pushes) {
-        part.by *= fraction;
-        flips += displace(foam, part, thresholds);
-    }
-    return flips;
-}
-
-// Brings a foam that is near equilibrium to equilibrium. The rafts of a patch stay where they are.
+// Brings a foam that is near equilibrium to equilibrium. The rafts of a patch stay where they are
+// (restore_rafts).
 EquilibriumSummary equilibrate_in_place(Foam& foam, const StepOptions& step_options) {
     EquilibriumOptions options = step_options.equilibrium;
     options.relaxes_first = false;
@@ -88,32 +78,50 @@ EquilibriumSummary equilibrate_in_place(Foam& foam, const StepOptions& step_opti
     }
     const std::map<BubbleIdentity, Vec2> before = bubble_centers(foam);
     const EquilibriumSummary summary = equilibrate_with(step_options.solver, foam, options);
-    compact(foam);  // films may have torn
+    compact(foam);  // films that tore have left dead slots
     if (summary.converged()) {
-        hold_rafts(foam, before);
+        restore_rafts(foam, before);
     }
     return summary;
 }
 
 // The extent of a substep.
-struct Extent {
+struct SubstepExtent {
     double time = 0.0;
-    double fraction = 1.0;  // fraction of the whole change
-    double part = 1.0;      // fraction of the remaining change
+    double done = 0.0;              // fraction of the whole change before the substep
+    double fraction = 1.0;          // fraction of the whole change in the substep
+    double fraction_of_rest = 1.0;  // the same as a fraction of the remaining change
 };
 
+// Applies the substep's fraction of every push. The center starts where the earlier substeps have
+// moved it. Returns the number of T1s.
+int push(Foam& foam,
+         const StateChange& change,
+         const SubstepExtent& extent,
+         const TopologyThresholds& thresholds) {
+    int flips = 0;
+    for (Displacement displacement : change.pushes) {
+        displacement.center += extent.done * displacement.by;
+        displacement.by *= extent.fraction;
+        flips += displace(foam, displacement, thresholds);
+    }
+    return flips;
+}
+
+// Makes one substep of the given extent. The counts of the summary include the T1s and T2s that
+// were made before the equilibration.
 EquilibriumSummary substep(Foam& foam,
-                           const Extent& extent,
+                           const SubstepExtent& extent,
                            const StateChange& change,
                            const StepOptions& options) {
     diffuse(foam, extent.time, options.coarsening);
-    drive(foam, change, extent.part);
+    drive(foam, change, extent.fraction_of_rest);
     if (change.strain != 0.0) {
         shear(foam, extent.fraction * change.strain);
     }
     TopologyCounts counts = collapse_due(foam, options.equilibrium.thresholds);
-    counts.t1 += push(foam, change, extent.fraction, options.equilibrium.thresholds);
-    if (extent.part == 1.0) {
+    counts.t1 += push(foam, change, extent, options.equilibrium.thresholds);
+    if (extent.fraction_of_rest == 1.0) {
         const TopologyCounts forced = collapse_forced(foam, change);
         counts.t1 += forced.t1;
         counts.t2 += forced.t2;
@@ -127,8 +135,10 @@ EquilibriumSummary substep(Foam& foam,
     return summary;
 }
 
-void add(StepSummary& sum, const EquilibriumSummary& part) {
-    EquilibriumSummary total = part;
+// Adds the counts of a substep to the sum. The status, the errors and the energy of the sum become
+// those of this substep.
+void add(StepSummary& sum, const EquilibriumSummary& substep_summary) {
+    EquilibriumSummary total = substep_summary;
     total.sweeps += sum.equilibrium.sweeps;
     total.iterations += sum.equilibrium.iterations;
     total.t1 += sum.equilibrium.t1;
@@ -137,28 +147,30 @@ void add(StepSummary& sum, const EquilibriumSummary& part) {
     ++sum.substeps;
 }
 
-// Makes a substep of the given length or, if no equilibrium is found, a shorter substep. Returns
-// the length of the substep, or 0 if none succeeded. `substep_of` takes the foam and the length.
-template <class Substep>
-double advance(Foam& foam,
-               double length,
-               const StepOptions& options,
-               StepSummary& summary,
-               const Substep& substep_of) {
-    std::vector<TopologyEvent> events = std::exchange(foam.events, {});  // to avoid copying them
+// Makes a substep of the given length. While no equilibrium is found, halves the length and tries
+// again, at most `max_halvings` times. Returns the length of the successful substep, or 0 if no
+// substep succeeded. `make_substep` takes the foam and the length. The length may be a time or a
+// fraction of the step; only `make_substep` interprets it.
+template <class MakeSubstep>
+double try_substep(Foam& foam,
+                   double length,
+                   const StepOptions& options,
+                   StepSummary& summary,
+                   const MakeSubstep& make_substep) {
+    std::vector<TopologyEvent> events = std::exchange(foam.events, {});  // not copied below
     for (int halvings = 0;; ++halvings, length *= 0.5) {
         Foam next = foam;
-        const EquilibriumSummary part = substep_of(next, length);
-        if (part.converged()) {
+        const EquilibriumSummary equilibrium = make_substep(next, length);
+        if (equilibrium.converged()) {
             events.insert(events.end(), next.events.begin(), next.events.end());
             foam = std::move(next);
             foam.events = std::move(events);
-            add(summary, part);
+            add(summary, equilibrium);
             return length;
         }
         if (halvings == options.max_halvings) {
             foam.events = std::move(events);
-            summary.equilibrium.status = part.status;
+            summary.equilibrium.status = equilibrium.status;
             return 0.0;
         }
     }
@@ -171,9 +183,10 @@ double safe_fraction(const Foam& foam,
                      double left,
                      const StepOptions& options) {
     const double vanishing = kVanishingAreas * options.equilibrium.thresholds.t2_area;
-    const double part = safe_part(foam, change, options.largest_loss, vanishing);
+    const double areas =
+        left * max_fraction_of_change(foam, change, options.largest_loss, vanishing);
     const double strained = change.strain == 0.0 ? left : kLargestStrain / std::abs(change.strain);
-    const double fraction = std::min({left, strained, std::max(part * left, kMinSubstepFraction)});
+    const double fraction = std::min({left, strained, std::max(areas, kMinSubstepFraction)});
     return time > 0.0 ? std::min(fraction, safe_time(foam, options) / time) : fraction;
 }
 
@@ -182,13 +195,13 @@ double safe_fraction(const Foam& foam,
 StepSummary step(Foam& foam, double time, const StepOptions& options) {
     StepSummary summary;
     for (double left = time; left > 0.0;) {
-        const double used = advance(foam,
-                                    std::min(left, safe_time(foam, options)),
-                                    options,
-                                    summary,
-                                    [&](Foam& next, double length) {
-                                        return substep(next, {.time = length}, {}, options);
-                                    });
+        const double used = try_substep(foam,
+                                        std::min(left, safe_time(foam, options)),
+                                        options,
+                                        summary,
+                                        [&](Foam& next, double length) {
+                                            return substep(next, {.time = length}, {}, options);
+                                        });
         if (used == 0.0) {
             break;
         }
@@ -203,15 +216,15 @@ StepSummary step(Foam& foam, double time, const StateChange& change, const StepO
     }
     StepSummary summary;
     for (double left = 1.0; left > 0.0;) {
-        const double used =
-            advance(foam,
-                    safe_fraction(foam, time, change, left, options),
-                    options,
-                    summary,
-                    [&](Foam& next, double fraction) {
-                        const Extent extent{fraction * time, fraction, fraction / left};
-                        return substep(next, extent, change, options);
-                    });
+        const double used = try_substep(
+            foam,
+            safe_fraction(foam, time, change, left, options),
+            options,
+            summary,
+            [&](Foam& next, double fraction) {
+                const SubstepExtent extent{fraction * time, 1.0 - left, fraction, fraction / left};
+                return substep(next, extent, change, options);
+            });
         if (used == 0.0) {
             break;
         }

@@ -52,8 +52,8 @@ class BubbleSet {
     }
 
   private:
-    // Returns the connected part of the set that holds `start`, found by breadth-first search, and
-    // removes its marks.
+    // Finds the connected part of the set that contains `start` by breadth-first search, removes
+    // the marks of its bubbles, and returns it.
     DefectRegion take_part(BubbleId start) {
         DefectRegion part{start};
         marks_[start] = 0;

@@ -13,23 +13,23 @@ namespace foam {
 /// Thresholds that decide where the foam is far from equilibrium, and the size of the regions
 /// around these defects.
 struct DefectOptions {
-    // A junction is a defect if the force on it is at least this, in film tensions.
+    // A junction is a defect if the force on it is at least this number of film tensions.
     double force = 0.1;
-    // A bubble is a defect if its relative area error is at least this.
+    // A bubble is a defect if the magnitude of its relative area error is at least this number.
     double area = 0.3;
-    int rings = 1;  // rings of neighbors that are added around the defects
+    int rings = 1;  // number of rings of neighbors around the defects
     // No region is returned if the regions would contain more than this share of all bubbles.
     double largest_fraction = 0.3;
 };
 
-/// A connected set of bubbles, in increasing order. Outside of all such regions the foam is near
-/// equilibrium.
+/// A connected set of bubbles around defects, in increasing order, that is solved or relaxed on its
+/// own.
 using DefectRegion = std::vector<BubbleId>;
 
-/// Returns the connected regions around all defects, in the order of their first bubbles. Returns
-/// no region if there is no defect, or if the regions would contain more than `largest_fraction` of
-/// the bubbles. Precondition: `unknowns` are all unknowns of the foam, and `residual` is their
-/// residual.
+/// Returns the connected regions around all defects, by increasing id of their first bubbles.
+/// Returns no region if there is no defect, or if the regions would contain more than
+/// `largest_fraction` of the bubbles. Precondition: `unknowns` are all unknowns of the foam, and
+/// `residual` is their residual.
 std::vector<DefectRegion> find_defect_regions(const Foam& foam,
                                               const Unknowns& unknowns,
                                               const Eigen::VectorXd& residual,

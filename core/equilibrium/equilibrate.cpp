@@ -17,12 +17,13 @@
 
 namespace foam {
 
-// Newton's method (E3) runs on the whole foam in rounds. Each round is followed by a response to
-// its result: T1s if films collapse or are too short, or relaxation (E4) of the worst regions or of
-// the whole foam if the method has stalled. After a T1, most of the residual is in the defect
-// regions. Newton's method takes several damped steps there, while one step is enough elsewhere.
-// The defect regions are therefore solved on their own between rounds, with everything else held.
-// README.md shows the algorithm. NOTES.md has the measurements behind the constants.
+// The equilibration is made in rounds. A round begins with Newton's method (E3) for the whole foam.
+// The response to its result follows: T1s if films collapse or are too short, or relaxation (E4) of
+// the worst regions or of the whole foam if the method has stalled. At the end of the round, the
+// defect regions are solved. After a T1, most of the residual is in the defect regions. Newton's
+// method takes several damped steps there, while one step is enough elsewhere. The defect regions
+// are therefore solved on their own, with everything else held. README.md shows the algorithm.
+// NOTES.md has the measurements behind the constants.
 
 namespace {
 
@@ -31,8 +32,9 @@ namespace {
 constexpr double kSlowRatio = 0.1;
 // After this many rounds without equilibrium, defect regions are no longer solved on their own.
 constexpr int kRoundsWithRegions = 20;
-// After one in this many stalls of Newton's method the whole foam is relaxed, after the others only
-// its worst regions.
+// The whole foam is relaxed at every stall of Newton's method whose number is a multiple of this
+// period. Only stalls for which there are worst regions are counted. At the other counted stalls,
+// only the worst regions are relaxed.
 constexpr int kGlobalRelaxationPeriod = 4;
 
 // The foam that all rounds work on, and the buffers that they reuse.
@@ -51,23 +53,25 @@ struct Progress {
     EquilibriumSummary summary;
     int rounds = 0;
     bool is_at_rest = false;  // Newton's method has converged and no T1 is due
-    // True while defect regions are solved on their own, up to kRoundsWithRegions.
+    // True while defect regions are solved on their own, in the first kRoundsWithRegions rounds.
+    // While it is true, Newton's method also predicts T1s.
     bool solves_regions = true;
     // True if Newton's method stops after a slow step, so that defect regions can be solved.
     bool stops_if_slow = false;
-    bool network_changed = true;  // since `whole` was started
-    int global_relaxations = 0;
-    int stalls_in_regions = 0;
+    bool needs_restart = true;   // Work::whole must be started before it is used
+    int global_relaxations = 0;  // number of relaxations of the whole foam
+    int stalls_in_regions = 0;   // stalls of Newton's method for which there were worst regions
 };
 
 void count_t1(int t1, Progress& progress) {
     progress.summary.t1 += t1;
-    progress.network_changed = progress.network_changed || t1 > 0;
+    progress.needs_restart = progress.needs_restart || t1 > 0;
 }
 
-// Returns the number of sweeps of the next relaxation of the whole foam. In a cycle of four this is
-// `sweeps`, a quarter, a sixteenth and a sixty-fourth of it, but at least one. Since the number
-// varies, Newton's method starts from a different state than the one in which it stalled.
+// Returns the number of sweeps of the next relaxation of the whole foam. The number cycles through
+// `sweeps`, a quarter, a sixteenth and a sixty-fourth of `sweeps`, rounded down, but is at least
+// one. Since the number varies, Newton's method starts from a different state than the one in which
+// it stalled.
 int next_sweeps(int sweeps, Progress& progress) {
     const int quarterings = progress.global_relaxations++ % 4;
     return std::max(1, sweeps >> (2 * quarterings));
@@ -83,7 +87,7 @@ void relax_all(Work& work, bool restarts, Progress& progress) {
     const RelaxationSummary relaxation = relax_globally(work.foam, options, work.local.soft);
     progress.summary.sweeps += relaxation.sweeps;
     count_t1(relaxation.t1, progress);
-    progress.network_changed = true;  // pressures and half angles may have been reset
+    progress.needs_restart = true;  // the factor belongs to the state before
 }
 
 // Solves the defect regions on their own and returns their number. Does nothing and returns 0 if
@@ -97,10 +101,10 @@ std::size_t solve_regions(Work& work, Progress& progress) {
     return local.regions;
 }
 
-// Responds to a stall of Newton's method. A large foam stalls because of a few bubbles, so usually
-// only the worst regions are relaxed, and everything else is kept. The whole foam is relaxed every
-// kGlobalRelaxationPeriod-th time, if there are no such regions, or if regions are no longer solved
-// on their own.
+// Responds to a stall of Newton's method. In a large foam, a few bubbles cause the stall, so
+// usually only the worst regions are relaxed, and everything else is kept. The whole foam is
+// relaxed instead every kGlobalRelaxationPeriod-th time, and also if there are no worst regions or
+// if regions are no longer solved on their own.
 void relax_where_stalled(Work& work, Progress& progress) {
     untangle(work.foam);  // a step of the whole foam may have tangled some junctions
     reopen_collapsed_bubbles(work.foam);
@@ -113,12 +117,12 @@ void relax_where_stalled(Work& work, Progress& progress) {
     }
 }
 
-Progress first_phase(Work& work) {
+Progress initial_phase(Work& work) {
     Progress progress;
     // Relaxation cannot reopen collapsed bubbles; it would raise their pressures without bound.
     reopen_collapsed_bubbles(work.foam);
-    // Newton's method must not start from a tangled foam, because it would request arbitrary T1s
-    // there.
+    // Newton's method must not start from a tangled foam, because it would request arbitrary T1s at
+    // the tangled junctions.
     if (untangle(work.foam) > 0 || work.options.relaxes_first) {
         relax_all(work, true, progress);
     }
@@ -127,9 +131,9 @@ Progress first_phase(Work& work) {
 }
 
 NewtonSummary solve_whole(Work& work, Progress& progress) {
-    if (progress.network_changed) {
+    if (progress.needs_restart) {
         work.whole.start(work.foam, all_unknowns(work.foam.network), work.options.threads);
-        progress.network_changed = false;
+        progress.needs_restart = false;
     }
     const bool stops_if_slow = progress.solves_regions && progress.stops_if_slow;
     NewtonSummary summary = newton(work.foam,
@@ -199,7 +203,7 @@ EquilibriumSummary equilibrate(Foam& foam, const EquilibriumOptions& options) {
         return conclude(foam, before, options, true, {});
     }
     Work work(foam, options);
-    Progress progress = first_phase(work);
+    Progress progress = initial_phase(work);
     while (!progress.is_at_rest && progress.rounds < options.max_rounds) {
         progress = next_round(work, progress);
     }
@@ -209,7 +213,7 @@ EquilibriumSummary equilibrate(Foam& foam, const EquilibriumOptions& options) {
 EquilibriumSummary conclude(Foam& foam,
                             const Positions& before,
                             const EquilibriumOptions& options,
-                            bool is_at_rest,
+                            bool has_stopped,
                             EquilibriumSummary summary) {
     undo_drift(foam, before);
     center_pressures(foam);
@@ -218,7 +222,7 @@ EquilibriumSummary conclude(Foam& foam,
     summary.area_error = errors.area;
     summary.angle_error = errors.angle;
     summary.energy = energy(foam);
-    if (is_at_rest) {
+    if (has_stopped) {
         summary.status = errors.are_below(options.tolerance) ? EquilibriumStatus::Converged
                                                              : EquilibriumStatus::ToleranceMissed;
     }

@@ -21,29 +21,32 @@ struct EquilibriumSummary {
     int sweeps = 0;  // relaxation sweeps over the whole foam
     // Steps of Newton's method for the whole foam, or sweeps of Gauss-Seidel.
     int iterations = 0;
-    int t1 = 0;
-    int t2 = 0;                // counted by dynamics/step; 0 after `equilibrate`
-    double area_error = 0.0;   // largest, relative to the target area
-    double angle_error = 0.0;  // largest, radians
-    double energy = 0.0;
+    int t1 = 0;                // number of T1s
+    int t2 = 0;                // number of T2s, counted by dynamics/step; 0 after `equilibrate`
+    double area_error = 0.0;   // largest area error, relative to the target area
+    double angle_error = 0.0;  // largest deviation of an angle from 120 degrees, radians
+    double energy = 0.0;       // film tension times the total length of the films
 
     bool converged() const { return status == EquilibriumStatus::Converged; }
 };
 
-/// Brings the foam to mechanical equilibrium (E2) at its target areas by Newton's method (E3).
-/// Makes a T1 (E7) where a film collapses and where a film is shorter than its T1 distance in
-/// equilibrium. On a torus, the resulting pressures have an area-weighted mean of 0. Preconditions:
-/// the network is valid; target areas are positive, and on a torus they add up to its area.
+/// Brings the foam to mechanical equilibrium (E2) at its target areas by relaxation (E4) and
+/// Newton's method (E3). Makes a T1 (E7) where a film collapses and where a film is shorter than
+/// its T1 distance in equilibrium. On a torus, the mean of the resulting pressures, weighted by
+/// target area, is 0. Preconditions: the network is valid; target areas are positive, and on a
+/// torus they add up to its area.
 EquilibriumSummary equilibrate(Foam& foam, const EquilibriumOptions& options);
 
-/// Ends an equilibration by any solver: undoes the drift from the positions `before`, centers the
-/// pressures, rearms grown films, and writes the errors, the energy and the status to the summary.
-/// `is_at_rest` is true if the solver has stopped by itself and no T1 is due. Otherwise the status
-/// is not changed.
+/// Performs the last steps of an equilibration, which are the same for all solvers. Undoes the
+/// drift since the positions `before` (undo_drift), centers the pressures (center_pressures) and
+/// rearms grown films (rearm_grown_films). Returns the given summary, completed by the remaining
+/// errors and the energy. `has_stopped` is true if the solver has stopped by itself; the status
+/// then becomes Converged or ToleranceMissed. It is false if the limit of rounds has stopped the
+/// solver; the status is then not changed.
 EquilibriumSummary conclude(Foam& foam,
                             const Positions& before,
                             const EquilibriumOptions& options,
-                            bool is_at_rest,
+                            bool has_stopped,
                             EquilibriumSummary summary);
 
 }  // namespace foam

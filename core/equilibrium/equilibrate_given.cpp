@@ -11,10 +11,10 @@
 
 namespace foam {
 
-// The foam is scaled to a mean area of 1 and a film tension of 1, since the thresholds are meant
-// for these units. Up to three attempts start from the given state: Newton's method alone, then
-// relaxation and Newton's method, and finally both with T1s. Each attempt may change more of the
-// state than the attempt before.
+// The foam is scaled to a mean area of 1 and a film tension of 1, since the default thresholds
+// (TopologyThresholds) apply to these units. Up to three attempts start from the given state:
+// Newton's method alone, then relaxation and Newton's method, and finally both with T1s. Each
+// attempt may change more of the state than the attempt before.
 
 namespace {
 
@@ -44,6 +44,9 @@ double total_area(const Foam& foam) {
 }
 
 Units units_of(const Foam& foam) {
+    if (foam.network.bubble_count() == 0) {  // no film has a length that could be the unit
+        return {1.0, foam.film_tension};
+    }
     const auto bubbles = static_cast<double>(foam.network.bubble_count());
     const double length = std::sqrt(total_area(foam) / bubbles);
     return {std::abs(length - 1.0) < kRounding ? 1.0 : length, foam.film_tension};
@@ -56,7 +59,9 @@ void scale_lone_bubbles(Foam& foam, double factor) {
     }
 }
 
+// Returns the foam in the given units, without its events.
 Foam in_units(Foam foam, const Units& units) {
+    foam.events.clear();
     foam.domain = {foam.domain.width / units.length,
                    foam.domain.height / units.length,
                    foam.domain.shear / units.length};
@@ -72,8 +77,9 @@ Foam in_units(Foam foam, const Units& units) {
     return foam;
 }
 
-// Copies the solution to the foam, in the units of the foam. The bits of the domain, the tension
-// and the target areas are not changed.
+// Copies the solution to the foam, in the units of the foam. The domain, the film tension and the
+// target areas keep their exact values. The events of the solution are appended to the events of
+// the foam.
 void take_solution(Foam& foam, Foam solved, const Units& units) {
     foam.network = std::move(solved.network);
     foam.t1_armed = std::move(solved.t1_armed);
@@ -87,6 +93,10 @@ void take_solution(Foam& foam, Foam solved, const Units& units) {
     }
     for (const BubbleId bubble : foam.network.bubbles()) {
         foam.pressures[bubble] = solved.pressures[bubble] * units.pressure();
+    }
+    for (TopologyEvent& event : solved.events) {
+        event.position *= units.length;
+        foam.events.push_back(std::move(event));
     }
 }
 
@@ -118,8 +128,10 @@ EquilibriumSummary equilibrate_given(Foam& foam, int threads) {
         summary = attempt;
         if (summary.converged()) {
             if (options.thresholds.t1_distance == 0.0) {
-                // At a T1 distance of 0 every film counted as grown and was armed. Therefore start
-                // again from the given flags, with the default distance.
+                // A film is armed when it is longer than twice its T1 distance (rearm_grown_films).
+                // With the distance 0 the solver has therefore armed all films (Foam::t1_armed).
+                // Restore the given flags, and arm only those disarmed films that are longer than
+                // twice their default T1 distance.
                 trial.t1_armed = given.t1_armed;
                 rearm_grown_films(trial, TopologyThresholds{});
             }

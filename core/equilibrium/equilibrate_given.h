@@ -7,10 +7,11 @@
 namespace foam {
 
 /// Brings a foam that was made elsewhere to mechanical equilibrium (E2), in its own units: its mean
-/// bubble area and its film tension may have any value. The topology is kept if that leads to an
-/// equilibrium, first by Newton's method alone, then with relaxation before it. Otherwise T1s are
-/// allowed, at the default T1 distance for a mean area of 1. If no attempt converges, the foam
-/// stays as it was given.
+/// bubble area and its film tension may have any value. The first two attempts keep the topology:
+/// the first uses Newton's method alone, the second relaxation before it. If neither attempt
+/// converges, the third attempt allows T1s. Its T1 distance is the default of TopologyThresholds,
+/// in units in which the mean bubble area is 1. If no attempt converges, the foam stays as it was
+/// given. The events of the T1s are appended to the events of the foam.
 ///
 /// In the summary, `iterations` and `sweeps` are sums over all attempts. All other members describe
 /// the last attempt. The energy is in the units of the foam if this attempt converged, otherwise in

@@ -22,7 +22,8 @@ bool is_within(const Foam& foam, const Unknowns& part, FilmId film) {
            part.junction_rank[foam.network.head(h)] >= 0;
 }
 
-// Erases dead ids: a film that tears takes its junctions with it, and sometimes a bubble.
+// Erases dead ids. If a film tears or a hole closes, junctions, films, and sometimes a bubble are
+// removed from the network.
 void remove_dead(const Network& network, Unknowns& part) {
     const auto is_dead = [&](auto id) { return !network.is_live(id); };
     std::erase_if(part.junctions, is_dead);

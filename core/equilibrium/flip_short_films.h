@@ -13,15 +13,15 @@ namespace foam {
 using FourBubbles = std::array<BubbleId, 4>;
 
 /// Called after the T1 rule has been applied to a film. The arguments are the film, the four
-/// bubbles that were around it, one of which may be the ghost, and whether the network changed. If
+/// bubbles that were around it, some of which may be the ghost, and whether the network changed. If
 /// it changed, the film and any of the bubbles may be dead. If not, the film may still have been
 /// reopened (reopen_film).
 using OnT1Rule = std::function<void(FilmId, const FourBubbles&, bool)>;
 
-/// Applies the T1 rule to the films of a part of the foam that are shorter than the T1 distance and
-/// have both ends in the part. Erases dead ids from the junctions, films and bubbles of the part,
-/// but does not update its ranks and its `outer_films`. Returns the number of changes of the
-/// network.
+/// Applies the T1 rule (core/foam/t1_rule.h) to each film of a part of the foam that has both ends
+/// in the part and a chord shorter than the T1 distance of the thresholds. Calls `on_t1_rule` after
+/// each application. Erases dead ids from the junctions, films and bubbles of the part, but updates
+/// neither its ranks nor its `outer_films`. Returns the number of changes of the network.
 int flip_short_films(Foam& foam,
                      Unknowns& part,
                      const TopologyThresholds& thresholds,

@@ -11,13 +11,18 @@ namespace foam {
 
 namespace {
 
-constexpr int kFewAtLimit = 10;        // films at the limit, for example around a two-sided bubble
+// If the first pass leaves at most this many films at the limit of their half angle, for example
+// around a two-sided bubble, these films are no reason for a further pass.
+constexpr int kFewAtLimit = 10;
 constexpr int kMaxFurtherPasses = 10;  // largest number of passes after the first one
 
-// Returns true if the foam is a patch whose defect regions would contain more than
-// DefectOptions::largest_fraction of its bubbles. Always returns false for a torus, which cannot
-// come apart: resetting its pressures in several relaxations would collapse its two-sided bubbles.
-bool is_far_all_over(const Foam& foam, int threads) {
+// Returns true if the foam is a patch with a large error for which find_defect_regions returns no
+// region. Either the regions would contain more than DefectOptions::largest_fraction of the
+// bubbles, or there is no defect, because the large error is an error of Laplace-Young's law at an
+// outer film, which is not a defect. Returns false for a torus: true would reset its pressures in
+// every call of relax_globally, and several resets in one equilibration would collapse its
+// two-sided bubbles.
+bool is_patch_far_from_equilibrium(const Foam& foam, int threads) {
     if (!foam.domain.is_plane()) {
         return false;
     }
@@ -34,18 +39,18 @@ RelaxationSummary relax_globally(Foam& foam,
                                  const GlobalRelaxationOptions& options,
                                  SoftFoam& memory) {
     const bool restarts = untangle(foam) > 0 || options.restarts || films_at_limit(foam) > 0 ||
-                          is_far_all_over(foam, options.threads);
+                          is_patch_far_from_equilibrium(foam, options.threads);
     RelaxationOptions pass{
         .sweeps = options.sweeps, .restarts = restarts, .thresholds = options.thresholds};
     RelaxationSummary sum = relax(foam, all_unknowns(foam.network), pass, memory);
     pass.sweeps = options.further_sweeps;
     pass.restarts = false;
     const bool has_many_at_limit = films_at_limit(foam) > kFewAtLimit;
-    const auto goes_on = [&] {
-        return is_far_all_over(foam, options.threads) ||
+    const auto needs_further_pass = [&] {
+        return is_patch_far_from_equilibrium(foam, options.threads) ||
                (has_many_at_limit && films_at_limit(foam) > 0);
     };
-    for (int k = 0; k < kMaxFurtherPasses && goes_on(); ++k) {
+    for (int k = 0; k < kMaxFurtherPasses && needs_further_pass(); ++k) {
         const RelaxationSummary further = relax(foam, all_unknowns(foam.network), pass, memory);
         sum.sweeps += further.sweeps;
         sum.t1 += further.t1;

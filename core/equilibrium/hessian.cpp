@@ -11,11 +11,12 @@
 
 namespace foam {
 
-// The matrix is assembled as in a finite element method: each film contributes a dense matrix of
-// the second derivatives of its term in L (E3). The matrix is 6 x 6 for an inner film and 7 x 7 for
-// an outer film, whose half angle is an unknown. Its blocks are added to precomputed slots of the
-// compressed column storage. The derivatives of inner films are evaluated in parallel. The sums are
-// taken in the order of the films, so that their bits do not depend on the number of threads.
+// The matrix is assembled as in a finite element method: each film contributes a small dense
+// matrix, the second derivatives of its term in L (E3). This film matrix is 6 x 6 for an inner film
+// and 7 x 7 for an outer film, whose half angle is an unknown. The blocks of the film matrices are
+// added at precomputed positions of the compressed column storage. The derivatives of inner films
+// are evaluated in parallel. The sums are taken in the order of the films, so that their bits do
+// not depend on the number of threads.
 
 namespace {
 
@@ -35,14 +36,15 @@ FilmMatrix film_matrix(const Vec2& d, double delta, const FilmEnergyHessian& hes
     Mat2 turn_right;
     turn_right << 0.0, 1.0, -1.0, 0.0;
     const Mat2 polygon = -0.5 * delta * turn_right;
-    const Vec2 push = -0.5 * turn_right * d;  // force on each end per unit of delta
+    // The polygon terms of the gradient at each end, per unit of the pressure difference.
+    const Vec2 polygon_gradient = -0.5 * turn_right * d;
     FilmMatrix m = FilmMatrix::Zero();
     m.block<2, 2>(0, 0) = hessian.chord_chord;
     m.block<2, 2>(2, 2) = hessian.chord_chord;
     m.block<2, 2>(0, 2) = polygon - hessian.chord_chord;
     m.block<2, 2>(2, 0) = m.block<2, 2>(0, 2).transpose();
-    m.block<2, 1>(0, 4) = push - hessian.chord_pressure;
-    m.block<2, 1>(2, 4) = push + hessian.chord_pressure;
+    m.block<2, 1>(0, 4) = polygon_gradient - hessian.chord_pressure;
+    m.block<2, 1>(2, 4) = polygon_gradient + hessian.chord_pressure;
     m.block<4, 1>(0, 5) = -m.block<4, 1>(0, 4);
     m.block<2, 4>(4, 0) = m.block<4, 2>(0, 4).transpose();
     m(4, 4) = m(5, 5) = hessian.pressure_pressure;
@@ -64,9 +66,11 @@ OuterFilmMatrix outer_film_matrix(const Vec2& d, double delta, const BulgeEnergy
     return m;
 }
 
-// Adds one block of a film's matrix to the values: the rows of the first node of the pair and the
-// columns of the second. If `is_own` is true, both are the same node of the foam, and only the
-// lower triangle of the block is added.
+// Adds one block of a film's matrix to `values`. The block has the rows of the first node of the
+// pair and the columns of the second node. `values` points to the first value of the block in the
+// Hessian. `stride` is FilmSlots::strides[b] for the second node b. `is_own` is true if the two
+// nodes of the pair are one node of the Hessian's pattern, as they always are for a node with
+// itself. Only the lower triangle of the block is then added.
 template <class Matrix>
 void add_block(
     double* values, int stride, const Matrix& film, std::array<std::size_t, 2> pair, bool is_own) {
@@ -87,10 +91,10 @@ void append_rows(int begin, int end, std::vector<int>& rows) {
 
 }  // namespace
 
-// The block pattern of the matrix: the later nodes that are coupled to each node, each once and in
-// increasing order.
+// The block pattern of the matrix: for each node, the coupled nodes with a larger index (the later
+// nodes), each once and in increasing order.
 struct Hessian::NodePattern {
-    std::vector<int> begins;  // start of each node's range in `later`, and the end of the last
+    std::vector<int> begins;  // start of each node's range in `later`; the last element is the end
     std::vector<int> later;
 
     NodePattern(std::size_t node_count, std::span<const FilmNodes> films) {
@@ -114,7 +118,8 @@ struct Hessian::NodePattern {
     }
 
   private:
-    static constexpr std::size_t kInnerPairs = 6;  // the pairs without a half angle
+    // The number of pairs at the start of kPairs that do not contain the half angle.
+    static constexpr std::size_t kInnerPairs = 6;
     static constexpr std::array<std::array<std::size_t, 2>, 10> kPairs = {
         {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}, {0, 4}, {1, 4}, {2, 4}, {3, 4}}};
 
@@ -176,8 +181,8 @@ Hessian::Hessian(const Network& network, const Unknowns& unknowns)
     }
 }
 
-// Fills the pattern column by column: the node's own rows from the diagonal down, then the rows of
-// the later nodes that are coupled to it.
+// Fills the sparsity pattern column by column. A column of a node has the node's own rows from the
+// diagonal down, and then the rows of the later nodes that are coupled to the node.
 void Hessian::fill_pattern(const NodePattern& pattern) {
     const auto node_count = static_cast<int>(pattern.begins.size()) - 1;
     std::vector<int> rows;
@@ -204,7 +209,7 @@ Hessian::FilmSlots Hessian::slots_of(const NodePattern& pattern, const FilmNodes
             continue;
         }
         const int* column = matrix_.outerIndexPtr() + first_row_of(nodes[b]);
-        slots.strides[b] = column[1] - column[0] - 1;  // the second column has one row less
+        slots.strides[b] = column[1] - column[0] - 1;  // column 2 begins one row lower
         for (std::size_t a = 0; a < kMaxNodes; ++a) {
             if (nodes[a] >= nodes[b]) {
                 slots.blocks[kMaxNodes * b + a] =

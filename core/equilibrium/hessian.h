@@ -12,8 +12,9 @@
 namespace foam {
 
 /// The Hessian of L with respect to the unknowns (E3) for one network, as a lower triangle. The
-/// pattern and the slots of each film's contributions are found once, so that `evaluate` only adds.
-/// Precondition: the unknowns outlive this object.
+/// constructor determines the sparsity pattern, and the positions in the array of matrix values to
+/// which each film contributes, so that `evaluate` only adds numbers. Precondition: the unknowns
+/// outlive this object.
 class Hessian {
   public:
     Hessian(const Network& network, const Unknowns& unknowns);
@@ -23,24 +24,29 @@ class Hessian {
     /// has the network that was given to the constructor.
     const Eigen::SparseMatrix<double>& evaluate(const Foam& foam, int threads = 1);
 
+    /// Returns the matrix of the last call of `evaluate`, with later changes of its diagonal.
     const Eigen::SparseMatrix<double>& matrix() const { return matrix_; }
 
-    /// Returns a reference to the diagonal entry of a row, which is the first entry of its column.
+    /// Returns a reference to the diagonal entry of a row. It is the first value of the column with
+    /// the same index, because only the lower triangle is stored.
     double& diagonal(int row) { return matrix_.valuePtr()[matrix_.outerIndexPtr()[row]]; }
 
   private:
     // The nodes of the pattern are the free junctions with two rows each, then the free bubbles and
     // the half angles of outer films with one row each. A film couples four nodes: its tail, its
-    // head, and the bubbles on its left and right. An outer film also couples its half angle.
+    // head, and the bubbles on its left and right. An outer film also couples a fifth node, its
+    // half angle.
     static constexpr std::size_t kMaxNodes = 5;
     using FilmNodes = std::array<int, kMaxNodes>;  // negative if the node is held fixed or absent
-    // The slots of a film's contributions in the array of the matrix values.
+    // The positions of a film's contributions in the array of matrix values.
     struct FilmSlots {
-        // For each pair of nodes (a, b) of the film, at index kMaxNodes b + a: the first slot of
-        // the block with the rows of a and the columns of b. Negative if the block is not in the
-        // lower triangle.
+        // Element b * kMaxNodes + a belongs to the nodes a and b of the film. It is the position of
+        // the first value of the block with the rows of a and the columns of b. It is negative if a
+        // node is held or absent, or if this block is not in the lower triangle.
         std::array<int, kMaxNodes * kMaxNodes> blocks;
-        std::array<int, kMaxNodes> strides;  // from a block's first column to its second
+        // For each node b with two rows: the number of positions from an entry in its first column
+        // to the entry of the same row in its second column. Unused for other nodes.
+        std::array<int, kMaxNodes> strides;
     };
     struct NodePattern;
 
@@ -57,7 +63,7 @@ class Hessian {
     const Unknowns& unknowns_;
     int junctions_;
     Eigen::SparseMatrix<double> matrix_;
-    std::vector<FilmSlots> slots_;  // one element per free film
+    std::vector<FilmSlots> slots_;  // one element per film of the unknowns
 };
 
 }  // namespace foam

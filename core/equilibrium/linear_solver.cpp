@@ -8,16 +8,19 @@ namespace foam {
 
 namespace {
 
-// The memory limit of a factor. Foams of 1,000 to 100,000 bubbles take up to 1,100 bytes per row in
-// double precision, and the constant part holds a dense factor of a small foam. Only a foam whose
-// positions are in disorder exceeds the limit, and Newton's method cannot start from such a foam.
+// The memory limit of a factor is kMaxBytesPerRow for each row, plus the constant
+// kMaxBytesOfFewRows. Factors of foams of 1,000 to 100,000 bubbles take up to 1,100 bytes per row
+// in double precision. The constant is enough for a dense factor of a small foam. Only a foam with
+// disordered positions exceeds the limit, and Newton's method would not converge from such a foam
+// anyway.
 constexpr std::size_t kMaxBytesPerRow = 2000;
-constexpr std::size_t kMaxBytesOfFewRows = std::size_t{32} << 20U;
+constexpr std::size_t kMaxBytesOfFewRows = std::size_t{32} << 20U;  // 32 MiB
 
 std::size_t max_bytes(const Eigen::SparseMatrix<double>& matrix) {
     return kMaxBytesOfFewRows + kMaxBytesPerRow * static_cast<std::size_t>(matrix.rows());
 }
 
+// Returns the mean position of the bubble's junctions, wrapped into the torus' own cell.
 Vec2 middle_of(const Foam& foam, BubbleId bubble) {
     const Vec2 start = foam.positions[foam.network.tail(foam.network.first(bubble))];
     Vec2 from_start = Vec2::Zero();

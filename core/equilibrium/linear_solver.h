@@ -12,28 +12,30 @@
 
 namespace foam {
 
-/// Returns the solver nodes of the unknowns, in the order of their rows. The node of a junction is
-/// at the junction, the node of a bubble's pressure at the mean of the bubble's junctions, and the
-/// node of an outer film's half angle at the middle of the film's chord.
+/// Returns the solver nodes (SolverNode in core/sparse/node_graph.h) of the unknowns, in the order
+/// of their rows. The node of a junction is at the junction, the node of a bubble's pressure at the
+/// mean of the bubble's junctions, and the node of an outer film's half angle at the middle of the
+/// film's chord.
 std::vector<SolverNode> solver_nodes(const Foam& foam, const Unknowns& unknowns);
 
-/// The precision of a factor. Single precision takes half the time and memory. It is sufficient for
-/// the steps of Newton's method, because the residual is computed in double precision. The
-/// exception is a matrix with a pivot that is nearly zero.
+/// The precision of a factor. Single precision takes half the memory and less time. It is
+/// sufficient for the steps of Newton's method, because the residual is computed in double
+/// precision. A matrix with a pivot that is nearly zero is an exception and requires double
+/// precision.
 enum class Precision { Single, Double };
 
-/// A direct solver for the Hessian of E3, which is given as a lower triangle. Near a stable state
-/// the Hessian is quasi-definite, so that no pivoting is needed.
+/// A direct solver for linear systems with the Hessian of E3. The Hessian is given as a lower
+/// triangle. Near a stable state the Hessian is quasi-definite, so that no pivoting is needed.
 class LinearSolver {
   public:
-    /// Prepares the solver for a network. The preparation stays valid while the foam moves, as long
-    /// as its network does not change: positions only guide the order of elimination. `threads` has
-    /// the same meaning as in parallel_for.
+    /// Prepares the solver for some unknowns of a foam. The preparation stays valid when the foam
+    /// moves, as long as its network does not change, because positions only guide the order of
+    /// elimination. `threads` has the same meaning as in parallel_for.
     void start(const Foam& foam, const Unknowns& unknowns, Precision precision, int threads = 0);
 
-    /// Factors a matrix. Returns false if a pivot vanished or the factor would take too much
-    /// memory; no factor is available then. Precondition: all matrices since `start` have the same
-    /// pattern.
+    /// Factors a matrix. Returns false if a pivot is zero or not finite, or if the factor would
+    /// take too much memory; no factor is available then. Precondition: `start` has been called,
+    /// and all matrices since then have the same sparsity pattern.
     bool factor(const Eigen::SparseMatrix<double>& matrix);
 
     /// Returns the solution for a right-hand side, to about six digits if the factor is in single

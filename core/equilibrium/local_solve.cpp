@@ -15,15 +15,17 @@ namespace foam {
 
 namespace {
 
-constexpr double kTolerance = 1e-3;  // loose, since the surroundings are held and will move later
-constexpr int kMaxIterations = 12;
-constexpr int kMaxRounds = 5;  // rounds of Newton's method, each followed by T1s or relaxation
+// Force tolerance, in film tensions, and relative area tolerance. They are loose, since the
+// surroundings of the region are held and will move later.
+constexpr double kTolerance = 1e-3;
+constexpr int kMaxIterations = 12;     // largest number of Newton steps in a round
+constexpr int kMaxRounds = 5;          // largest number of rounds
 constexpr int kRelaxationSweeps = 30;  // sweeps in a region in which Newton's method stalls
 constexpr int kWorstRings = 3;         // rings of neighbors around the worst defects
-// A defect is among the worst if its residual is at least this share of the largest.
+// A defect is among the worst if its force or area error is at least this share of the largest.
 constexpr double kWorstFraction = 0.2;
 
-// Erases bubbles that left their raft when a film of an earlier region tore.
+// Erases bubbles that are no longer in the network, because they left their raft when a film tore.
 void remove_dead(const Network& network, DefectRegion& region) {
     std::erase_if(region, [&](BubbleId bubble) { return !network.is_live(bubble); });
 }

@@ -12,8 +12,8 @@
 
 namespace foam {
 
-/// Buffers that are reused from region to region. Allocating them for each region would be costly,
-/// since SoftFoam has a slot for every bubble and film of the whole foam.
+/// Buffers of one foam that are reused from region to region. Allocating them for each region would
+/// be costly, since SoftFoam has a slot for every bubble and film of the whole foam.
 struct RegionBuffers {
     explicit RegionBuffers(Foam& foam) : soft(foam) {}
 
@@ -23,21 +23,24 @@ struct RegionBuffers {
 
 /// Counts the work of `solve_defect_regions`.
 struct LocalSummary {
-    std::size_t regions = 0;  // number of regions solved
+    std::size_t regions = 0;  // number of regions found
     int t1 = 0;               // number of T1s
 };
 
 /// Runs Newton's method on each defect region of the foam, with everything else held fixed, and
-/// applies the T1s that the method requests. A region in which the method stalls is relaxed once;
-/// if it stayed unsolved, it would also stall Newton's method on the whole foam. The tolerance is
-/// loose, since the surroundings move later. Does nothing if find_defect_regions finds no region.
+/// applies the T1s that the method requests. A region in which the method stalls or reaches its
+/// limit of iterations is relaxed once, because an unsolved region would also stall Newton's method
+/// on the whole foam. The tolerance is loose, since the surroundings of a region move later. Does
+/// nothing if find_defect_regions finds no region.
 LocalSummary solve_defect_regions(Foam& foam,
                                   const EquilibriumOptions& options,
                                   RegionBuffers& buffers);
 
-/// Returns the regions around the worst defects: the defects (DefectOptions) whose force or area
-/// error is at least a fifth of the largest one in the foam. Returns no region if the regions would
-/// hold too large a share of the foam.
+/// Returns the regions around the worst defects: the defects (DefectOptions) whose force is at
+/// least a fifth of the largest force in the foam, or whose area error is at least a fifth of the
+/// largest area error. A region contains three rings of neighbors. Returns no region if there is no
+/// such defect, or if the regions would contain more than DefectOptions::largest_fraction of the
+/// bubbles.
 std::vector<DefectRegion> worst_regions(const Foam& foam, int threads);
 
 /// Relaxes each of the regions, with everything else held fixed. Returns the number of T1s.

@@ -17,7 +17,7 @@ namespace foam {
 
 namespace {
 
-constexpr int kLimitSweeps = 4;
+constexpr int kLimitSweeps = 4;  // largest number of sweeps over the films in limit_moves
 
 Vec2 move_of(const Unknowns& unknowns, const Eigen::VectorXd& step, JunctionId junction) {
     const int row = unknowns.position_row(junction);
@@ -25,12 +25,12 @@ Vec2 move_of(const Unknowns& unknowns, const Eigen::VectorXd& step, JunctionId j
 }
 
 // Returns true if the film would be shorter than `length` after the whole step, can flip or tear,
-// and would stay open when flipped.
-bool awaits_flip(const Foam& foam,
-                 const Unknowns& unknowns,
-                 const Eigen::VectorXd& step,
-                 FilmId film,
-                 double length) {
+// and would stay open afterwards.
+bool would_flip_after_step(const Foam& foam,
+                           const Unknowns& unknowns,
+                           const Eigen::VectorXd& step,
+                           FilmId film,
+                           double length) {
     const HalfEdgeId h = forward_side(film);
     const Vec2 after = chord(foam, h) + move_of(unknowns, step, foam.network.head(h)) -
                        move_of(unknowns, step, foam.network.tail(h));
@@ -54,7 +54,7 @@ std::vector<FilmId> films_for_t1(const Foam& foam,
         }
         const double length = std::sqrt(squared_length);
         if (length < collapsed_length(foam, film, thresholds) ||
-            (length < t1_length(foam, film, thresholds) && is_due(film, length))) {
+            (length < t1_distance_at(foam, film, thresholds) && is_due(film, length))) {
             films.push_back(film);
         }
     }
@@ -191,7 +191,7 @@ std::vector<FilmId> collapsing_films(const Foam& foam,
                                      const Eigen::VectorXd& step,
                                      const TopologyThresholds& thresholds) {
     return films_for_t1(foam, unknowns, thresholds, [&](FilmId film, double length) {
-        return awaits_flip(foam, unknowns, step, film, 0.5 * length);
+        return would_flip_after_step(foam, unknowns, step, film, 0.5 * length);
     });
 }
 
@@ -200,7 +200,8 @@ std::vector<FilmId> closing_films(const Foam& foam,
                                   const Eigen::VectorXd& step,
                                   const TopologyThresholds& thresholds) {
     return films_for_t1(foam, unknowns, thresholds, [&](FilmId film, double) {
-        return awaits_flip(foam, unknowns, step, film, t1_length(foam, film, thresholds));
+        return would_flip_after_step(
+            foam, unknowns, step, film, t1_distance_at(foam, film, thresholds));
     });
 }
 

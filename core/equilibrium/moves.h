@@ -11,7 +11,7 @@
 
 namespace foam {
 
-/// The saved values of some unknowns, to undo a step.
+/// The saved values of some unknowns, in the order of these unknowns. Used to undo a step.
 struct State {
     std::vector<Vec2> positions;
     std::vector<double> pressures;
@@ -21,7 +21,7 @@ struct State {
 /// Returns the present values of the unknowns.
 State state_of(const Foam& foam, const Unknowns& unknowns);
 
-/// Sets the unknowns of the foam to a saved state plus a fraction of a step. Junctions may leave
+/// Sets the unknowns of the foam to a saved state plus `fraction` times a step. Junctions may leave
 /// the fundamental cell of the torus; `wrap` moves them back. Half angles are clamped to (-pi, pi).
 void set_state(Foam& foam,
                const Unknowns& unknowns,
@@ -32,32 +32,34 @@ void set_state(Foam& foam,
 /// Moves the free junctions back into the fundamental cell of the torus.
 void wrap(Foam& foam, const Unknowns& unknowns);
 
-/// Returns the largest fraction, up to 1, of a change of a film's chord that satisfies two limits.
-/// It must not shorten the chord by more than `largest` times its length. It must not move the two
-/// ends relative to each other across the chord by more than `largest` times the length, which is
-/// the new length if the whole change would lengthen the chord. Growth is not limited. Returns 1
-/// for a chord of no length.
+/// Returns the largest fraction, up to 1, of a change of a film's chord that may be made. This part
+/// of the change must stay within two limits. Along the chord, it may shorten the chord by at most
+/// `largest` times the chord length; lengthening is not limited. Across the chord, it may move the
+/// two ends relative to each other by at most `largest` times the chord length. If the whole change
+/// lengthens the chord, the limit across the chord is `largest` times the new length. Returns 1 for
+/// a chord of no length.
 double allowed_fraction(const Vec2& chord, const Vec2& change, double largest);
 
 /// Limits the relative motion of the two ends of each film to its allowed fraction
-/// (allowed_fraction), by a few sweeps over the films. The common motion of the two ends is kept,
-/// so that a short film can move far. The half angle of an outer film may change by up to `largest`
-/// radians, and by up to `largest` times its distance from pi (from -pi if it decreases). Returns
-/// true if the step was changed.
+/// (allowed_fraction), by a few sweeps over the films. Since a limited film changes the motion of
+/// its neighbors, a film may still exceed its limit after the last sweep. The common motion of the
+/// two ends is kept, so that a short film can move far. The half angle of an outer film may change
+/// by at most `largest` radians, and also by at most `largest` times its distance from pi (from -pi
+/// if the angle decreases). Returns true if the step was changed.
 bool limit_moves(const Foam& foam, const Unknowns& unknowns, double largest, Eigen::VectorXd& step);
 
 /// Returns the films that need a T1 before the step is made, in increasing order. These are films
-/// that have collapsed, and films below their T1 distance that the step would shorten by more than
-/// half and that would stay open when flipped.
+/// that have collapsed (collapsed_length), and films below their T1 distance that the step would
+/// shorten by more than half, that can flip or tear, and that would stay open afterwards.
 std::vector<FilmId> collapsing_films(const Foam& foam,
                                      const Unknowns& unknowns,
                                      const Eigen::VectorXd& step,
                                      const TopologyThresholds& thresholds);
 
 /// Returns the films that need a T1 before a step near equilibrium is made, in increasing order.
-/// Such a step predicts the lengths in equilibrium well. The films are therefore films that have
-/// collapsed, and films below their T1 distance that would still be below it after the step and
-/// would stay open when flipped.
+/// These are films that have collapsed, and films below their T1 distance that would still be below
+/// this distance after the step, that can flip or tear, and that would stay open afterwards. The
+/// length after the step decides because such a step predicts the length in equilibrium well.
 std::vector<FilmId> closing_films(const Foam& foam,
                                   const Unknowns& unknowns,
                                   const Eigen::VectorXd& step,

@@ -4,30 +4,36 @@
 
 #include "core/equilibrium/moves.h"
 #include "core/equilibrium/residual.h"
+#include "core/geometry/max_or_nan.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace foam {
 
 // Newton's method with backtracking line search (Nocedal and Wright, Numerical Optimization, 2006;
-// paper 4.1) on the gradient of L (E3). The merit function is the sum of squares of the
-// dimensionless residual. The chord method reuses a factor while its measured rate of convergence
-// promises at most kStepsPerFactor further steps, which cost about as much as a new factor. If
-// films need a T1 before a step, the step is not made and the films are returned to the caller.
+// paper section 4.1) on the gradient of L (E3). The merit function is the sum of squares of the
+// dimensionless residual. The chord method reuses a factor as long as, at the measured rate of
+// convergence, at most kStepsPerFactor further steps are expected. That many steps cost about as
+// much as a new factor. If films need a T1 before a step, the step is not made and the films are
+// returned to the caller.
 
 namespace {
 
-// Required decrease of the sum of squares, relative and per unit of the step.
+// Required relative decrease of the sum of squares, per unit of the fraction of the step that is
+// made.
 constexpr double kSufficientDecrease = 1e-4;
-constexpr double kSmallestStep = 1.0 / 64.0;
+constexpr double kSmallestStep = 1.0 / 64.0;  // smallest fraction of a step that is tried
 // A factor is kept while at most this many further steps with it are expected. A new factor costs
 // about as much as this many steps.
 constexpr double kStepsPerFactor = 6.0;
-// A new factor is kept if its first step leaves less than this share of the residual.
+// A new factor is kept if the first step with it leaves less than this share of the norm of the
+// residual.
 constexpr double kNewFactorRatio = 0.5;
-// T1s are predicted from the step if all forces and area errors are below this.
+// T1s are predicted from the step if all forces, in film tensions, and all relative area errors are
+// below this number.
 constexpr double kNearEquilibrium = 0.05;
 
 // The residual at the foam's present state.
@@ -113,8 +119,9 @@ Advance line_search(Foam& foam,
 }
 
 // Returns true if keeping the factor is expected to be cheaper than renewing it. The first step
-// with a factor is a full Newton step, so its ratio says little about the convergence of later
-// chord steps. It is therefore only compared with a fixed limit.
+// with a new factor is a Newton step, not a chord step, so its ratio says little about the
+// convergence of later chord steps. The ratio of this first step is therefore only compared with a
+// fixed limit.
 bool is_worth_keeping(const Advance& advance,
                       bool is_chord_step,
                       const ResidualNorms& norms,
@@ -125,9 +132,9 @@ bool is_worth_keeping(const Advance& advance,
     if (!is_chord_step) {
         return advance.ratio < kNewFactorRatio;
     }
-    const double digits = std::log(
+    const double log_reduction = std::log(
         std::max(norms.force / options.force_tolerance, norms.area / options.area_tolerance));
-    return digits < -kStepsPerFactor * std::log(advance.ratio);
+    return log_reduction < -kStepsPerFactor * std::log(advance.ratio);
 }
 
 }  // namespace
@@ -160,7 +167,7 @@ NewtonSummary newton(Foam& foam, NewtonSystem& system, const NewtonOptions& opti
     }
     wrap(foam, system.unknowns());
     summary.status = *end;
-    summary.residual = std::max(current.norms.force, current.norms.area);
+    summary.residual = max_or_nan(current.norms.force, current.norms.area);
     return summary;
 }
 

@@ -16,12 +16,14 @@ struct NewtonOptions {
     // every area error is below `area_tolerance`, relative to the target area.
     double force_tolerance = 1e-11;
     double area_tolerance = 1e-11;
-    // Largest relative motion of the two ends of a film in one iteration, in film lengths.
+    // Largest relative motion of the two ends of a film in one limited step, in chord lengths
+    // (limit_moves). Also limits the change of the half angle of an outer film, in radians.
     double largest_move = 0.4;
     // The method ends with the status Slow if a step with a new factor leaves more than this share
-    // of the norm of the residual.
+    // of the norm of the residual. The value 1 disables this status.
     double slow_ratio = 1.0;
-    // Near equilibrium, T1s are predicted from the step (closing_films).
+    // If true, T1s are predicted from the step near equilibrium (closing_films). Otherwise, and far
+    // from equilibrium, only collapsing films need a T1 (collapsing_films).
     bool predicts_t1 = true;
     TopologyThresholds thresholds{};
 };
@@ -31,7 +33,7 @@ enum class NewtonStatus {
     Converged,
     FilmsCollapse,  // films need a T1 before the next step
     Slow,           // see NewtonOptions::slow_ratio
-    Stalled,        // no step reduces the residual
+    Stalled,  // even a step with a new factor in double precision does not reduce the residual
     IterationLimit,
 };
 
@@ -47,9 +49,9 @@ struct NewtonSummary {
 /// Runs Newton's method on E3 from the present state of the foam, with everything held except the
 /// unknowns of the system. The method is globalized: a step is limited so that it shortens or turns
 /// a film by at most a fraction of its length (limit_moves), and a line search requires the
-/// residual to decrease. The step without limits is tried if the limited one fails. A factor is
-/// kept for further steps (the chord method) while that is expected to be cheaper than a new
-/// factor.
+/// residual to decrease. If the line search along the limited step fails, the step without limits
+/// is tried. A factor is kept for further steps (the chord method) while these steps are expected
+/// to cost less than a new factor.
 ///
 /// Precondition: the foam has the network with which the system was started.
 NewtonSummary newton(Foam& foam, NewtonSystem& system, const NewtonOptions& options);

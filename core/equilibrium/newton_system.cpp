@@ -9,18 +9,20 @@ namespace foam {
 
 namespace {
 
-// Regularization of the null modes (E3). It is relative to the film tension for junctions and half
-// angles, and relative to the diagonal entry for pressures. It is small compared with the softest
-// shear of the foam, and large compared with rounding errors in the factor. In a small foam a null
-// mode of the junctions may be determined only by a pressure that is eliminated later. One pivot is
-// then as small as the regularization and the next one as large as its inverse, which requires
-// double precision.
+// Regularization: a number that is added to each diagonal entry of the Hessian, because the Hessian
+// is singular. Its null modes are, for example, the translation of the whole foam and, on a torus,
+// a common change of all pressures (E3). The numbers are these fractions of the film tension for
+// junctions and half angles, and of the diagonal entry for pressures. The regularization is small
+// compared with the stiffness of the softest shear mode of the foam, and large compared with
+// rounding errors in the factor. In a small foam a null mode of the junctions may be determined
+// only by a pressure that is eliminated later. One pivot is then as small as the regularization and
+// the next one as large as its inverse, which requires double precision.
 constexpr double kSingleRegularization = 1e-6;
 constexpr double kDoubleRegularization = 1e-7;
-constexpr int kFewUnknowns = 500;  // with fewer unknowns, single precision saves nothing
+constexpr int kFewUnknowns = 500;  // with fewer unknowns, factors are in double precision
 
-// Subtracts the mean vector of all junctions from the vector of each junction. These vectors are
-// the first rows.
+// Subtracts the mean vector of all junctions from the vector of each junction. The vectors are in
+// the first rows, two rows per junction.
 void remove_mean(Eigen::VectorXd& rows, std::size_t junction_count) {
     const auto junctions = static_cast<Eigen::Index>(junction_count);
     auto vectors = rows.head(2 * junctions).reshaped(2, junctions);
@@ -60,9 +62,9 @@ Eigen::VectorXd NewtonSystem::step(const Foam& foam, const Eigen::VectorXd& resi
     }
     Eigen::VectorXd step = -solver_.solve(solvable_part(foam, residual));
     if (is_whole_) {
-        // Only the regularization determines the translation of the whole foam. Without this call,
-        // rounding errors in the factor of a softly sheared foam sometimes move the whole foam by
-        // the size of a bubble.
+        // Only the regularization determines the translation of the whole foam. Without the
+        // following call, rounding errors in the factor of a sheared foam sometimes move the whole
+        // foam by half the size of a bubble (NOTES.md).
         remove_mean(step, unknowns_.junctions.size());
     }
     return step;
@@ -82,10 +84,11 @@ void NewtonSystem::factor(const Foam& foam) {
     has_factor_ = solver_.factor(hessian_->matrix());
 }
 
-// Removes the components of the residual that no step can change. These are the mean force, since
-// no step moves the foam as a whole, and on a torus the mean area error, since a common pressure
-// changes no area. Both are zero except for rounding errors, which a factor in single precision
-// would concentrate in one bubble.
+// Returns the residual without its components along the null modes of the Hessian. No step can
+// change these components. They are the mean force, since a translation of the foam changes no
+// force and no area, and, on a torus, the mean area error, since a common change of all pressures
+// changes no force and no area. Both components are zero except for rounding errors, which a factor
+// in single precision would concentrate in one bubble.
 Eigen::VectorXd NewtonSystem::solvable_part(const Foam& foam, Eigen::VectorXd residual) const {
     if (is_whole_) {
         remove_mean(residual, unknowns_.junctions.size());

@@ -13,17 +13,17 @@
 namespace foam {
 
 /// The linear system of Newton's method (E3) for some unknowns of a foam: the regularized Hessian
-/// and its factor. The object is kept between steps in order to reuse the symbolic analysis, the
-/// memory, and a factor that is still good enough.
+/// and its factor. The caller keeps this object between steps in order to reuse the symbolic
+/// analysis, the memory, and a factor that is still good enough.
 class NewtonSystem {
   public:
     NewtonSystem() = default;
     NewtonSystem(const NewtonSystem&) = delete;  // the Hessian refers to the unknowns
     NewtonSystem& operator=(const NewtonSystem&) = delete;
 
-    /// Prepares the system for a foam and its unknowns, without a factor. Must be called before all
-    /// other functions, and again whenever the network has changed. `threads` has the same meaning
-    /// as in parallel_for.
+    /// Prepares the system for the given unknowns of a foam. Afterwards no factor is available.
+    /// Must be called before all other functions, and again whenever the network has changed.
+    /// `threads` has the same meaning as in parallel_for.
     void start(const Foam& foam, Unknowns unknowns, int threads);
 
     const Unknowns& unknowns() const { return unknowns_; }
@@ -35,14 +35,15 @@ class NewtonSystem {
     /// Makes the next step use a new factor.
     void drop_factor() { has_factor_ = false; }
 
-    /// Returns the step -H⁻¹ r for a residual r of the foam. Factors the Hessian at the present
-    /// state of the foam if no factor is available. With an older factor, this is the step of the
-    /// chord method. Returns zero, without a factor, if the Hessian cannot be factored.
-    /// Precondition: the foam has the network that was given to `start`.
+    /// Returns the step -H⁻¹ r for a residual r of the foam, where H is the regularized Hessian. If
+    /// no bubble is held, the step does not change the mean position of the junctions. Factors H at
+    /// the present state of the foam if no factor is available. With an older factor, this is the
+    /// step of the chord method. If H cannot be factored, returns a zero step, and no factor is
+    /// available afterwards. Precondition: the foam has the network that was given to `start`.
     Eigen::VectorXd step(const Foam& foam, const Eigen::VectorXd& residual);
 
-    /// Switches to factors in double precision and drops the present factor. Does nothing and
-    /// returns false if factors are in double precision already.
+    /// Switches to factors in double precision and drops the present factor. Returns false and does
+    /// nothing if factors are in double precision already.
     bool raise_precision(const Foam& foam);
 
   private:

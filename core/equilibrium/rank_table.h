@@ -4,6 +4,7 @@
 
 #include "core/network/ids.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <span>
@@ -11,15 +12,16 @@
 
 namespace foam {
 
-/// The inverse of a list of ids: maps an id to its rank, which is its index in the list. If the
-/// list contains at least one sixteenth of all ids, the ranks are stored in a table with a slot per
-/// id. For a shorter list they are stored in a hash table with linear probing, so that numbering a
-/// few bubbles is cheap in a large foam.
+/// The inverse of a list of ids: maps an id to its rank, which is the index of the id in the list.
+/// If the list contains at least one sixteenth of all ids, the ranks are stored in a table with a
+/// slot per id. For a shorter list they are stored in a hash table with linear probing, so that
+/// numbering a few bubbles is cheap in a large foam.
 template <class Id>
 class RankTable {
   public:
     RankTable() = default;
 
+    /// Builds the table of a list of ids. `slots` is the number of all ids, including dead slots.
     /// Precondition: each id of the list is below `slots` and occurs once.
     RankTable(std::span<const Id> list, std::size_t slots) {
         is_direct_ = list.size() * kSparse >= slots;
@@ -39,7 +41,7 @@ class RankTable {
     }
 
   private:
-    // A list is short if it contains less than this fraction of all ids: 1 / kSparse.
+    // A list is stored in a hash table if it contains less than 1 / kSparse of all ids.
     static constexpr std::size_t kSparse = 16;
     static constexpr std::size_t kSlotsPerId = 2;  // smallest number of hash table slots per id
 

@@ -13,30 +13,36 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace foam {
 
-// Relaxation (E4) is a nonlinear Gauss-Seidel method. Each junction, and then the half angle of
-// each film, makes a Newton step of its own while everything else is held. The areas of the bubbles
-// next to it are updated at once. The pressure of a bubble is a penalty on its area error. Every
-// kSweepsPerUpdate sweeps the pressure reached so far becomes the multiplier of the area constraint
-// (method of multipliers), so that the areas converge to their targets without a large stiffness.
+// Relaxation (E4) is a nonlinear Gauss-Seidel method. A sweep makes a Newton step for each
+// junction, and then for the half angle of each film, one at a time with everything else held. The
+// areas of the adjacent bubbles are updated after each step. The pressure of a bubble is the sum of
+// a multiplier of its area constraint and a penalty on its area error. After every kSweepsPerUpdate
+// sweeps, the present pressure becomes the multiplier (method of multipliers), so that the areas
+// converge to their targets without a large stiffness.
 
 namespace {
 
 constexpr int kSweepsPerUpdate = 10;  // sweeps between updates of the method of multipliers (E4)
 constexpr double kLargestBend = 0.3;  // largest change of a half angle in a sweep, radians
-// Smallest stiffness of a film against bending, as a fraction of the stiffness of a straight film.
-// Also the smallest stiffness of an outer film along its chord (Pull::stiffness).
+// Lower bound of cos alpha in the stiffness of a film against bending (`bend`), where alpha is the
+// half angle. Also the lower bound of Pull::stiffness of an outer film.
 constexpr double kMinStiffness = 0.1;
 
-// The force of an arc on the end of its chord c, in film tensions, when that end moves. Inner arcs
-// keep their half angles, so that their length c q and their segment c² h / 4 grow with the chord.
-// Outer arcs keep the area of their segments, since otherwise a bubble on a short chord would
-// collapse: with c² h constant, d(c q)/dc = cos alpha and d(alpha)/dc = -h / (w c) (E3).
+// How an arc acts on one end of its chord in the Newton step of the junction at this end
+// (`newton_step`). Tension and stiffness are in film tensions; c is the length of the chord; q, h
+// and w are the functions of the half angle alpha in E3. Inner arcs keep their half angles, so that
+// their length c q and the area of their segment, c² h / 4, grow with the chord. Outer arcs keep
+// the area of their segments, since otherwise a bubble on a short chord would collapse. With c² h
+// constant, d(c q)/dc = cos alpha and d(alpha)/dc = -h / (w c) (E3).
 struct Pull {
-    double tension = 0.0;    // along the chord
-    double segment = 0.0;    // h of E3, signed for the half-edge; 0 if the segment keeps its area
+    double tension = 0.0;  // along the chord
+    // h of E3, positive if the arc adds to the area on the left of the half-edge; 0 if the segment
+    // keeps its area.
+    double segment = 0.0;
     double stiffness = 0.0;  // stiffness along the chord, times c
 };
 
@@ -56,11 +62,11 @@ class Relaxation {
                 bend(film);
             }
             if ((summary.sweeps + 1) % kSweepsPerUpdate == 0) {
-                keep_pressures();
+                update_multipliers();
             }
             summary.t1 += flip_short();
         }
-        publish_pressures();
+        store_pressures();
         wrap(foam_, part_);
         return summary;
     }
@@ -87,8 +93,9 @@ class Relaxation {
         }
     }
 
-    // Returns the pressure that would balance the films if all bubbles had the same. In equilibrium
-    // the energy of the films is 2 sum p A.
+    // Returns the pressure that would balance the films if all bubbles of the part had the same
+    // pressure p. The formula follows from the energy of a patch in equilibrium, film tension times
+    // length = 2 sum p A (E3), with chord lengths and target areas.
     double mean_pressure() const {
         double length = 0.0;
         for (const FilmId film : part_.films) {
@@ -117,7 +124,8 @@ class Relaxation {
         for (std::size_t k = 0; k < 3; ++k) {
             const Vec2 across = 0.5 * turned_left(chords[k] - chords[(k + 2) % 3]);
             soft_.add_area(foam_.network.left(leaving[k]), -across.dot(step));
-            follow(film_of(leaving[k]), chords[k].squaredNorm(), (chords[k] - step).squaredNorm());
+            update_arc(
+                film_of(leaving[k]), chords[k].squaredNorm(), (chords[k] - step).squaredNorm());
         }
     }
 
@@ -130,14 +138,17 @@ class Relaxation {
         return {arc.shape.length, soft_.segment_of(h), 0.0};
     }
 
+    // Returns the displacement of a junction by one Newton step. Returns the force instead if the
+    // stiffness matrix is not positive definite.
     Vec2 newton_step(const std::array<HalfEdgeId, 3>& leaving,
                      const std::array<Vec2, 3>& chords) const {
         const std::array<Pull, 3> pulls{pull(leaving[0]), pull(leaving[1]), pull(leaving[2])};
         Vec2 force = Vec2::Zero();
         Mat2 stiffness = Mat2::Zero();
         for (std::size_t k = 0; k < 3; ++k) {
-            const std::size_t before = (k + 2) % 3;  // the film on the other side of the bubble
+            const std::size_t before = (k + 2) % 3;  // the bubble's other film at the junction
             const BubbleId bubble = foam_.network.left(leaving[k]);
+            // The gradient of the bubble's area with respect to the position of the junction.
             const Vec2 growth = -0.5 * turned_left(chords[k] - chords[before]) -
                                 0.5 * pulls[k].segment * chords[k] +
                                 0.5 * pulls[before].segment * chords[before];
@@ -157,8 +168,8 @@ class Relaxation {
         return determinant > 0.0 ? Vec2(stiffness.inverse() * force) : force;
     }
 
-    // Updates the arc of a film whose squared chord has changed from `before` to `after`.
-    void follow(FilmId film, double before, double after) {
+    // Updates the arc of a film whose squared chord length has changed from `before` to `after`.
+    void update_arc(FilmId film, double before, double after) {
         const SoftFoam::Arc& arc = soft_.arc(film);
         const double angle = foam_.network.is_outer(film) && after > 0.0
                                  ? half_angle_of_segment(arc.shape.segment * before / after)
@@ -166,7 +177,8 @@ class Relaxation {
         soft_.set_arc(film, angle, before, after);
     }
 
-    // Makes a Newton step of the half angle, with the junctions held.
+    // Makes a Newton step of the half angle of the film, with the junctions held. Does nothing if
+    // the chord is zero.
     void bend(FilmId film) {
         const HalfEdgeId h = forward_side(film);
         const BubbleId left = foam_.network.left(h);
@@ -191,20 +203,20 @@ class Relaxation {
         return foam_.network.is_outer(film) ? angle : std::clamp(angle, -largest, largest);
     }
 
-    void keep_pressures() {
+    void update_multipliers() {
         for (const BubbleId bubble : part_.bubbles) {
-            soft_.keep_pressure(bubble);
+            soft_.update_multiplier(bubble);
         }
     }
 
-    void publish_pressures() {
+    void store_pressures() {
         for (const BubbleId bubble : part_.bubbles) {
             foam_.pressures[bubble] = soft_.pressure(bubble);
         }
     }
 
     int flip_short() {
-        publish_pressures();
+        store_pressures();
         const auto renew = [this](FilmId film, const FourBubbles& around, bool changed) {
             renew_around(film, around, changed);
         };

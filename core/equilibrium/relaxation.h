@@ -8,36 +8,38 @@
 
 namespace foam {
 
-/// Options of relaxation (E4), the initial phase for a foam that is far from equilibrium. Films are
-/// arcs with half angles of their own, and bubbles are soft: their pressure depends on their area.
+/// Options of relaxation (E4), the initial phase for a foam that is far from equilibrium. The half
+/// angle of every film is an unknown of its own, and bubbles are soft: their pressure depends on
+/// their area.
 struct RelaxationOptions {
-    int sweeps = 60;
+    int sweeps = 60;          // number of sweeps to make
     double stiffness = 10.0;  // resistance of a bubble to a change of its area, in film tensions
-    // Largest relative motion of the two ends of a film in one move of a junction, in film lengths
+    // Largest relative motion of the two ends of a film in one move of a junction, in chord lengths
     // (allowed_fraction).
     double largest_move = 0.33;
-    // Starts from pressures and half angles that are estimated from target areas and film lengths,
-    // instead of those of the foam.
+    // If true, the relaxation starts from pressures and half angles that are estimated from target
+    // areas and chord lengths. If false, it starts from the present pressures and half angles of
+    // the foam.
     bool restarts = true;
     TopologyThresholds thresholds{};
 };
 
-/// The work of a relaxation.
+/// Counts the work of a relaxation.
 struct RelaxationSummary {
-    int sweeps = 0;
-    int t1 = 0;
+    int sweeps = 0;  // number of sweeps
+    int t1 = 0;      // number of T1s
 };
 
-/// Relaxes the whole foam. A sweep moves one junction, and then one half angle, after another by a
-/// Newton step of its own. T1s are made between sweeps. Afterwards each bubble has the pressure
-/// that corresponds to its remaining area error.
+/// Relaxes the whole foam. A sweep makes one Newton step for each junction in turn, and then one
+/// for each half angle in turn. T1s are made between sweeps. At the end, each bubble has the
+/// pressure that corresponds to its remaining area error.
 RelaxationSummary relax(Foam& foam, const RelaxationOptions& options);
 
-/// Relaxes a part of the foam; everything else is held.
+/// Relaxes a part of the foam: the unknowns `part` change, and everything else is held fixed.
 RelaxationSummary relax(Foam& foam, Unknowns part, const RelaxationOptions& options);
 
 /// Relaxes a part of the foam like the function above, but reuses `memory`, since clearing memory
-/// for a large foam is costly. Precondition: `memory` belongs to the same foam.
+/// for a large foam is costly. Precondition: `memory` was constructed for the same foam.
 RelaxationSummary relax(Foam& foam,
                         Unknowns part,
                         const RelaxationOptions& options,

@@ -15,7 +15,8 @@ namespace {
 
 // A bubble is collapsed if it has less than this fraction of its target area.
 constexpr double kCollapsedAreaFraction = 0.01;
-constexpr double kLargestMove = 1.0 / 3.0;  // largest move of an end, in lengths of its third film
+// Largest move of an end of a bubble, in chord lengths of the third film at this end.
+constexpr double kLargestMove = 1.0 / 3.0;
 
 // Returns the half-edge that leaves the tail of h along the film that does not belong to the
 // two-sided bubble on the left of h.

@@ -5,9 +5,9 @@
 #include "core/foam/measure.h"
 #include "core/geometry/bulge_energy.h"
 #include "core/geometry/film_energy.h"
+#include "core/geometry/max_or_nan.h"
 #include "core/parallel/parallel_for.h"
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -27,7 +27,8 @@ void for_each_index(std::size_t count, int threads, const Body& body) {
 }
 
 // The derivatives of one film's term in L with respect to its tail, its head, the pressure on its
-// right, and its half angle. The derivative with respect to the pressure on its left is -right.
+// right, and its half angle. The derivatives with respect to tail and head include the polygon
+// terms (E3). The derivative with respect to the pressure on the left of the film is -right.
 struct FilmGradient {
     Vec2 tail = Vec2::Zero();
     Vec2 head = Vec2::Zero();
@@ -39,19 +40,24 @@ FilmGradient film_gradient(const Foam& foam, FilmId film) {
     const HalfEdgeId h = forward_side(film);
     const Vec2 d = chord(foam, h);
     const double delta = pressure_difference(foam, h);
-    const Vec2 push = 0.5 * delta * turned_left(d);  // polygon term on each end (E3)
+    // The polygon terms of the gradient at each end (E3).
+    const Vec2 polygon_gradient = 0.5 * delta * turned_left(d);
     if (foam.network.is_outer(film)) {
         const BulgeEnergy energy =
             bulge_energy({d, foam.half_angles[film]}, delta, foam.film_tension);
-        return {
-            push - energy.gradient, push + energy.gradient, energy.segment_area, energy.by_angle};
+        return {polygon_gradient - energy.gradient,
+                polygon_gradient + energy.gradient,
+                energy.segment_area,
+                energy.by_angle};
     }
     const FilmEnergy energy = film_energy(d, delta, foam.film_tension);
-    return {push - energy.gradient, push + energy.gradient, energy.segment_area};
+    return {polygon_gradient - energy.gradient,
+            polygon_gradient + energy.gradient,
+            energy.segment_area};
 }
 
 // Adds a contribution to a row. Does nothing if the row is negative, which means that the unknown
-// is held.
+// is fixed.
 void add(Eigen::VectorXd& r, int row, const Vec2& force) {
     if (row >= 0) {
         r.segment<2>(row) += force;
@@ -120,20 +126,20 @@ ResidualNorms norms(const Foam& foam, const Unknowns& unknowns, const Eigen::Vec
     const auto rows = static_cast<Eigen::Index>(2 * unknowns.junctions.size());
     for (Eigen::Index row = 0; row < rows; row += 2) {
         const double force = residual.segment<2>(row).norm() / foam.film_tension;
-        norms.force = std::max(norms.force, force);
+        norms.force = max_or_nan(norms.force, force);
         norms.squares += force * force;
     }
     for (std::size_t k = 0; k < unknowns.bubbles.size(); ++k) {
         const double error =
             residual[rows + static_cast<Eigen::Index>(k)] / foam.target_areas[unknowns.bubbles[k]];
-        norms.area = std::max(norms.area, std::abs(error));
+        norms.area = max_or_nan(norms.area, std::abs(error));
         norms.squares += error * error;
     }
     for (const FilmId film : unknowns.outer_films) {
         const HalfEdgeId h = forward_side(film);
         const double error =
             laplace_young_error(film_arc(foam, h), pressure_difference(foam, h), foam.film_tension);
-        norms.force = std::max(norms.force, std::abs(error));
+        norms.force = max_or_nan(norms.force, std::abs(error));
         norms.squares += error * error;
     }
     return norms;

@@ -8,25 +8,27 @@
 
 namespace foam {
 
-/// Returns the function L of E3 for the whole foam.
+/// Returns the value of the function L of E3 for the whole foam.
 double lagrangian(const Foam& foam);
 
 /// Returns the gradient of the function L of E3 with respect to the unknowns, which is zero in
-/// equilibrium (E2). The rows of a junction are minus the force of films and pressures on it, the
-/// row of a bubble is its target area minus its area, and the row of an outer film is the
+/// equilibrium (E2). The two rows of a junction are minus the force of films and pressures on it,
+/// the row of a bubble is its target area minus its area, and the row of an outer film is the
 /// derivative with respect to its half angle (bulge_energy.h). `threads` has the same meaning as in
 /// parallel_for; the result has the same bits for any number of threads.
 Eigen::VectorXd residual(const Foam& foam, const Unknowns& unknowns, int threads = 1);
 
-/// Dimensionless norms of a residual: forces in film tensions, area errors in target areas. The
-/// error of Laplace-Young's law at an outer film counts as a force in `force` and `squares`.
+/// Dimensionless norms of a residual. Forces are in units of the film tension, area errors in units
+/// of the target area. The error of Laplace-Young's law at an outer film counts as a force in
+/// `force` and `squares`. If a residual is NaN, the norms that depend on it are NaN.
 struct ResidualNorms {
-    double force = 0.0;    // largest
-    double area = 0.0;     // largest
+    double force = 0.0;    // largest force
+    double area = 0.0;     // largest magnitude of an area error
     double squares = 0.0;  // sum of all squares; the merit function of the line search
 };
 
-/// Returns the norms of a residual of the unknowns.
+/// Returns the norms of a residual of the unknowns. Precondition: `residual` belongs to the present
+/// state of the foam.
 ResidualNorms norms(const Foam& foam, const Unknowns& unknowns, const Eigen::VectorXd& residual);
 
 }  // namespace foam

@@ -10,7 +10,8 @@ namespace foam {
 
 namespace {
 
-constexpr double kEmptyFraction = 0.5;  // a bubble with less of its target area counts as empty
+// A bubble with less than this fraction of its target area counts as empty.
+constexpr double kEmptyFraction = 0.5;
 
 SoftFoam::Arc arc_of(double half_angle) {
     return {half_angle, std::sin(half_angle), std::cos(half_angle), arc_shape(half_angle)};
@@ -43,7 +44,7 @@ void SoftFoam::load(BubbleId bubble) {
     measure(bubble);
 }
 
-void SoftFoam::keep_pressure(BubbleId bubble) {
+void SoftFoam::update_multiplier(BubbleId bubble) {
     bubbles_[bubble].pressure_at_target = pressure(bubble);
 }
 

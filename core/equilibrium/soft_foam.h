@@ -10,11 +10,13 @@
 namespace foam {
 
 /// The model of the foam in relaxation (E4): soft bubbles, whose pressure depends on their area,
-/// and films that are arcs with half angles of their own. The model consists of the bubbles that
-/// have been loaded and their films. Its memory has one slot for each bubble and each film of the
-/// foam, and is reused when one part of the foam after another is relaxed.
+/// and films that are arcs, each with its half angle as an unknown. The model consists of the
+/// loaded bubbles (`load`) and their films. It has one slot for each bubble and each film of the
+/// foam, so that its memory can be reused to relax one part of the foam after another.
 class SoftFoam {
   public:
+    /// The arc of a film: its half angle in radians, the sine and cosine of this angle, and its
+    /// shape.
     struct Arc {
         double half_angle = 0.0;
         double sine = 0.0;
@@ -24,12 +26,12 @@ class SoftFoam {
 
     explicit SoftFoam(Foam& foam) : foam_(foam) {}
 
-    /// Forgets all loaded bubbles. `stiffness` is the resistance of a bubble to a change of its
-    /// area (B of E4), in film tensions.
+    /// Unloads all bubbles and sets the stiffness. `stiffness` is the resistance of a bubble to a
+    /// change of its area (B of E4), in film tensions.
     void begin(double stiffness);
 
     /// Loads a bubble and its films from the foam. Does nothing if the bubble is loaded already, is
-    /// dead, or is the ghost, which has no stiffness and no pressure.
+    /// dead, or is the ghost, whose pressure stays 0.
     void load(BubbleId bubble);
 
     /// Returns the pressure of a loaded bubble: its pressure at the target area plus the slope
@@ -37,20 +39,23 @@ class SoftFoam {
     double pressure(BubbleId bubble) const { return bubbles_[bubble].pressure(); }
     /// Returns the decrease of the pressure per unit of gained area; 0 for the ghost.
     double slope(BubbleId bubble) const { return bubbles_[bubble].slope; }
-    /// Adds to the area of a bubble, which changes its pressure.
+    /// Adds `area` to the area of a bubble, which changes its pressure.
     void add_area(BubbleId bubble, double area) { bubbles_[bubble].area += area; }
     /// Makes the present pressure the pressure at the target area (method of multipliers, E4).
-    void keep_pressure(BubbleId bubble);
+    void update_multiplier(BubbleId bubble);
 
     /// Returns the arc of a film along its forward side.
     const Arc& arc(FilmId film) const { return arcs_[film]; }
-    /// Returns ArcShape::segment of the film's arc, with the sign for the half-edge.
+    /// Returns ArcShape::segment (h of E3) of the film's arc along the half-edge, positive if the
+    /// arc adds to the area on the left.
     double segment_of(HalfEdgeId h) const {
         const double segment = arcs_[film_of(h)].shape.segment;
         return is_forward(h) ? segment : -segment;
     }
-    /// Sets the half angle of a film; for an outer film also in the foam. Updates the areas of the
-    /// bubbles on both sides for this change and for a change of the squared chord.
+    /// Sets the half angle of a film along its forward side; for an outer film also in the foam.
+    /// Updates the areas of the bubbles on both sides for the change of the film's segment. This
+    /// change includes the change of the squared chord length from `squared_before` to
+    /// `squared_after`.
     void set_arc(FilmId film, double half_angle, double squared_before, double squared_after);
 
     /// Loads the arc of a film from the foam. The half angle of an inner film follows from the
@@ -63,7 +68,8 @@ class SoftFoam {
     void renew(BubbleId bubble, bool may_be_empty);
 
   private:
-    // The state of a loaded bubble. Its pressure is p + B (1 - A / A_target) / sqrt(A_target) (E4).
+    // The state of a loaded bubble. Its pressure is p + B (1 - A / A_target) / sqrt(A_target) (E4),
+    // which is p + slope (A_target - A).
     struct SoftBubble {
         double area = 0.0;                // A, the area within the arcs
         double pressure_at_target = 0.0;  // p
@@ -84,9 +90,9 @@ class SoftFoam {
     std::vector<BubbleId> loaded_;
 };
 
-/// Bends the outer films of a bubble so that the bubble gets its target area: their segments have
-/// equal shares of the target area minus the area of the polygon. Does nothing if the bubble has no
-/// outer film.
+/// Bends the outer films of a bubble so that the bubble gets its target area. The area that the
+/// polygon of the bubble lacks is divided equally among the segments of these films. Does nothing
+/// if the bubble has no outer film.
 void bulge_outer_films(Foam& foam, BubbleId bubble);
 
 }  // namespace foam

@@ -8,8 +8,9 @@ namespace foam {
 
 namespace {
 
+// Sorts the ids and removes duplicates.
 template <class Id>
-void sort_once(std::vector<Id>& ids) {
+void sort_unique(std::vector<Id>& ids) {
     std::sort(ids.begin(), ids.end());
     ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
 }
@@ -51,13 +52,13 @@ Unknowns unknowns_around(const Network& network, std::span<const BubbleId> bubbl
             unknowns.junctions.push_back(network.tail(h));
         }
     }
-    sort_once(unknowns.junctions);
+    sort_unique(unknowns.junctions);
     for (const JunctionId junction : unknowns.junctions) {
         for (const HalfEdgeId h : network.leaving(junction)) {
             unknowns.films.push_back(film_of(h));
         }
     }
-    sort_once(unknowns.films);
+    sort_unique(unknowns.films);
     rank_all(network, unknowns);
     return unknowns;
 }

@@ -11,8 +11,9 @@
 namespace foam {
 
 /// The unknowns of a solver, in the order of their rows: x and y of each free junction, then the
-/// pressure of each free bubble, then the half angle of each free outer film, all by increasing id.
-/// Everything else is held fixed. The ghost is always held.
+/// pressure of each free bubble, then the half angle of each free outer film. Each of the three
+/// kinds is ordered by increasing id. A free outer film is an outer film with a free end.
+/// Everything that is not free is held, that is, not changed. The ghost is always held.
 struct Unknowns {
     std::vector<JunctionId> junctions;
     std::vector<BubbleId> bubbles;
@@ -25,23 +26,25 @@ struct Unknowns {
     int size() const { return first_angle_row() + static_cast<int>(outer_films.size()); }
     int first_pressure_row() const { return static_cast<int>(2 * junctions.size()); }
     int first_angle_row() const { return first_pressure_row() + static_cast<int>(bubbles.size()); }
-    /// Returns the row of the pressure; negative if the bubble is held.
+    /// Returns the row of the pressure of the bubble; negative if the bubble is held.
     int pressure_row(BubbleId bubble) const {
         const int rank = bubble_rank[bubble];
         return rank < 0 ? -1 : first_pressure_row() + rank;
     }
-    /// Returns the row of the half angle. Precondition: the film is one of `outer_films`.
+    /// Returns the row of the half angle of the film. Precondition: the film is one of
+    /// `outer_films`.
     int angle_row(FilmId film) const { return first_angle_row() + outer_rank[film]; }
-    /// Returns the row of the x coordinate, which is followed by the row of y; negative if the
-    /// junction is held.
+    /// Returns the row of the x coordinate of the junction; the row of y is the next one. Negative
+    /// if the junction is held.
     int position_row(JunctionId junction) const { return 2 * junction_rank[junction]; }
 };
 
 /// Returns all unknowns of the foam.
 Unknowns all_unknowns(const Network& network);
 
-/// Returns the unknowns of some bubbles, of all their junctions, and of the outer films at these
-/// junctions. Precondition: the bubbles are in increasing order, each once, without the ghost.
+/// Returns the unknowns of a part of the foam, in which the given bubbles, all their junctions, and
+/// the outer films at these junctions are free. Precondition: the bubbles are in increasing order
+/// without duplicates, and the ghost is not one of them.
 Unknowns unknowns_around(const Network& network, std::span<const BubbleId> bubbles);
 
 }  // namespace foam

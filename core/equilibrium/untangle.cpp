@@ -16,9 +16,12 @@ namespace {
 
 // Largest number of films between a tangled junction and the junctions that move with it.
 constexpr int kReach = 2;
-constexpr int kSweeps = 20;          // enough for all of a thousand tested states
-constexpr double kNoLength = 1e-9;   // foam units
-constexpr double kSameAngle = 1e-9;  // radians; the two chords of a two-sided bubble coincide
+constexpr int kSweeps = 20;         // enough for all of a thousand tested states
+constexpr double kNoLength = 1e-9;  // a shorter chord counts as zero, foam units
+// Negative angles down to minus this value, in radians, are rounding errors of the angle 0, and not
+// almost a full turn. They occur because the two chords of a two-sided bubble have the same
+// direction.
+constexpr double kSameAngle = 1e-9;
 
 // Returns the clockwise angle from a to b, in [0, 2 pi) except for rounding errors.
 double clockwise_angle(const Vec2& a, const Vec2& b) {
@@ -88,8 +91,8 @@ void move_to_mean_of_neighbors(Foam& foam, JunctionId junction) {
 
 }  // namespace
 
-// The clockwise angles between successive films add up to one turn if the order is right, and to
-// two turns if it is reversed.
+// The clockwise angles between successive films of the junction add up to one turn if the films
+// leave in the right order, and to two turns if they leave in the reversed order.
 bool is_tangled(const Foam& foam, JunctionId junction) {
     const std::array<HalfEdgeId, 3> leaving = foam.network.leaving(junction);
     std::array<Vec2, 3> directions;

@@ -6,9 +6,11 @@
 #include <stdexcept>
 
 // Builds the network of a foam from polygons that tile the torus. Each side of a cell becomes a
-// half-edge; sides are paired by the cell across them and its lattice offset. A corner becomes one
-// junction, shared by the three half-edges that leave it. The lattice offset of a half-edge is the
-// difference between the lattice cells of the corners at its two ends.
+// half-edge. The cell across a side and the lattice offset of that cell identify the other
+// half-edge of the same film. The corners of the three cells that meet at a point become one
+// junction. Its position is this point, moved into the fundamental cell by whole periods. Each
+// corner is therefore at a periodic copy of its junction. The lattice offset of a half-edge is the
+// offset of the copy at its head minus the offset of the copy at its tail.
 
 namespace foam {
 
@@ -17,6 +19,9 @@ namespace {
 // The half-edge that starts at each corner, indexed by [cell][corner].
 using HalfEdgeTable = std::vector<std::vector<HalfEdgeId>>;
 
+// A side of `cell` starts at `corner`. Returns the index of the corner of the neighboring cell at
+// which the other side of the same film starts. Throws std::runtime_error if the neighboring cell
+// has no such corner.
 std::size_t matching_corner(const CellDiagram& cells, std::size_t cell, const CellCorner& corner) {
     const std::vector<CellCorner>& other = cells[corner.across];
     for (std::size_t k = 0; k < other.size(); ++k) {
@@ -27,6 +32,8 @@ std::size_t matching_corner(const CellDiagram& cells, std::size_t cell, const Ce
     throw std::runtime_error("cell diagram: an edge of a cell is missing in the neighboring cell");
 }
 
+// Adds one film for the two sides, in neighboring cells, of each edge of the tiling. Returns the
+// half-edges of all cells.
 HalfEdgeTable add_films(const CellDiagram& cells, Network& network) {
     HalfEdgeTable table(cells.size());
     for (std::size_t cell = 0; cell < cells.size(); ++cell) {
@@ -57,7 +64,7 @@ void add_bubbles(const HalfEdgeTable& table, Network& network) {
     }
 }
 
-// Adds the junction at the tail of h and sets it as the tail of the three half-edges that leave it.
+// Adds a junction at the tail of h and sets it as the tail of the three half-edges that leave it.
 void add_junction_at(HalfEdgeId h, const Vec2& point, Foam& foam) {
     const JunctionId junction = foam.network.add_junction();
     foam.positions.push_back(point - foam.domain.translation(foam.domain.cell_of(point)));

@@ -11,42 +11,50 @@
 #include <utility>
 
 // Clips a Voronoi diagram to an outline and joins the parts to a mesh with shared points. Each cell
-// is clipped separately, so that the cuts of neighboring cells agree only up to rounding. Nearby
-// points are therefore merged: a map from boxes of a fine grid to points is searched in the 3 x 3
-// boxes around a point. Slivers at the outline would become bubbles that vanish at once, so small
-// parts are then merged with their neighbors.
+// is clipped separately, so that the cuts of neighboring cells agree only up to rounding. Points
+// closer than a tolerance are therefore merged. To find them, the plane is divided into square
+// boxes as large as the tolerance, and the 3 x 3 boxes around a point are searched. Finally, small
+// parts are merged with their neighbors, because slivers at the outline would become bubbles that
+// vanish at once.
 
 namespace foam {
 
 namespace {
 
-// Boost.Geometry rounds intersections to a grid of 1e-7 of the size of the polygons. The grids of
-// neighboring cells differ.
-constexpr double kSamePoint = 3e-5;  // foam units
+// Points closer than these distances, in foam units, are merged: kSamePoint for points on the
+// outline, kSameCorner for corners of the diagram. kSamePoint is larger because Boost.Geometry
+// rounds intersections to a grid, and the grids of neighboring cells differ. The spacing of a grid
+// is 1e-7 of the size of the polygons: 1e-5 for the outline of 10,000 bubbles.
+constexpr double kSamePoint = 3e-5;
 constexpr double kSameCorner = 1e-9;
-constexpr double kSliverArea = 0.1;  // of the mean area
+constexpr double kSliverArea = 0.1;  // cells below this fraction of the mean area are merged
 
 using Cell = PolygonMesh::Cell;
 using Side = std::pair<std::uint32_t, std::uint32_t>;
 
-// A set of points that merges points closer than `same`.
+// A set of points. A point closer than the tolerance to a point of the set is merged with it.
 class PointSet {
   public:
-    PointSet(std::vector<Vec2>& points, double same) : points_(points), same_(same) {}
+    PointSet(std::vector<Vec2>& points, double tolerance)
+        : points_(points), tolerance_(tolerance) {}
 
+    // Returns the index of the point that the given point is merged with. If there is none, adds
+    // the given point and returns its index.
     std::uint32_t index_of_point(const Vec2& point) {
         const auto [x, y] = box_of(point);
         for (std::int64_t dx = -1; dx <= 1; ++dx) {
             for (std::int64_t dy = -1; dy <= 1; ++dy) {
-                const auto found = boxes_.find({x + dx, y + dy});
-                if (found != boxes_.end() && (points_[found->second] - point).norm() < same_) {
-                    return found->second;
+                const auto [begin, end] = boxes_.equal_range({x + dx, y + dy});
+                for (auto at = begin; at != end; ++at) {
+                    if ((points_[at->second] - point).norm() < tolerance_) {
+                        return at->second;
+                    }
                 }
             }
         }
         const auto index = static_cast<std::uint32_t>(points_.size());
         points_.push_back(point);
-        boxes_[{x, y}] = index;
+        boxes_.insert({{x, y}, index});
         return index;
     }
 
@@ -54,17 +62,19 @@ class PointSet {
     using Box = std::pair<std::int64_t, std::int64_t>;
 
     Box box_of(const Vec2& point) const {
-        return {std::llround(point.x() / same_), std::llround(point.y() / same_)};
+        return {std::llround(point.x() / tolerance_), std::llround(point.y() / tolerance_)};
     }
 
     std::vector<Vec2>& points_;
-    double same_;
-    std::map<Box, std::uint32_t> boxes_;
+    double tolerance_;
+    // A box may have several points, because its diagonal is longer than the tolerance.
+    std::multimap<Box, std::uint32_t> boxes_;
 };
 
 // The points of the mesh. Corners of the diagram agree between cells up to rounding and use a fine
-// tolerance; points at which the outline cuts the cells need a coarse tolerance. If all points used
-// the coarse tolerance, every second diagram of 10,000 cells would lose a short side.
+// tolerance; all other points, at which the outline cuts the cells or has a corner, need a coarse
+// tolerance. If all points used the coarse tolerance, every second diagram of 10,000 cells would
+// lose a short side.
 struct MeshPoints {
     explicit MeshPoints(std::vector<Vec2>& points)
         : corners(points, kSameCorner), cuts(points, kSamePoint) {}
@@ -73,6 +83,8 @@ struct MeshPoints {
     PointSet cuts;
 };
 
+// Converts a ring, a part of a clipped cell, to a cell of the mesh. `corners` are the corners of
+// the cell before clipping. May return fewer than three points, because points are merged.
 Cell cell_of_ring(const std::vector<Vec2>& ring,
                   const std::vector<Vec2>& corners,
                   MeshPoints& points) {
@@ -88,6 +100,7 @@ Cell cell_of_ring(const std::vector<Vec2>& ring,
     return cell;
 }
 
+// Returns the centroid of the polygon of a cell.
 Vec2 center_of(const PolygonMesh& mesh, const Cell& cell) {
     std::vector<CellCorner> corners;
     corners.reserve(cell.size());
@@ -97,7 +110,8 @@ Vec2 center_of(const PolygonMesh& mesh, const Cell& cell) {
     return cell_centroid(corners);
 }
 
-// Returns the sides of a cell, in the direction of its neighbors, and their lengths.
+// Returns the lengths of the sides of a cell. The key of a side is its direction in the neighboring
+// cell: from its end to its start.
 std::map<Side, double> reversed_sides(const PolygonMesh& mesh, const Cell& corners) {
     std::map<Side, double> sides;
     for (std::size_t k = 0; k < corners.size(); ++k) {
@@ -118,7 +132,7 @@ double length_of(const std::map<Side, double>& sides, const Cell& corners) {
     return length;
 }
 
-// Returns the neighbors by the length of the common border, the longest first.
+// Returns the neighbors of a cell, ordered by the length of the common border, the longest first.
 std::vector<std::size_t> neighbors_of(const PolygonMesh& mesh, std::size_t cell) {
     const std::map<Side, double> sides = reversed_sides(mesh, mesh.cells[cell]);
     std::map<std::size_t, double> borders;
@@ -141,6 +155,7 @@ std::vector<std::size_t> neighbors_of(const PolygonMesh& mesh, std::size_t cell)
 
 // Returns the union of two cells, or nothing if its boundary is not a single loop.
 std::optional<Cell> merged(const Cell& a, const Cell& b) {
+    // The successor of each point along the boundary of the union.
     std::map<std::uint32_t, std::uint32_t> next;
     std::size_t sides = 0;
     for (const auto& [own, other] : {std::pair(&a, &b), std::pair(&b, &a)}) {
@@ -179,6 +194,7 @@ double mean_area(const PolygonMesh& mesh) {
     return total / static_cast<double>(mesh.cells.size());
 }
 
+// Merges the cell into a neighbor, as merge_slivers specifies, and removes it from the mesh.
 void merge_or_drop(PolygonMesh& mesh, std::size_t cell) {
     for (const std::size_t neighbor : neighbors_of(mesh, cell)) {
         if (const std::optional<Cell> both = merged(mesh.cells[cell], mesh.cells[neighbor])) {

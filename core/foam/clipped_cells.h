@@ -16,15 +16,15 @@ struct ClippedCells {
 };
 
 /// Clips the cells to the outline. Precondition: no cell near the outline crosses the boundary of
-/// the torus' own cell.
+/// the fundamental cell of the torus.
 ClippedCells clip_cells(const Outline& outline, const CellDiagram& diagram);
 
-/// Returns the area of the polygon of a cell.
+/// Returns the area of a cell of the mesh.
 double polygon_area(const PolygonMesh& mesh, const PolygonMesh::Cell& cell);
 
-/// Merges every cell below a tenth of the mean area into the neighbor with which it shares the
-/// longest border. If the boundary of their union is not a single loop, tries the neighbor with the
-/// next longest border. Removes the small cell if no neighbor is left to try.
+/// Merges every cell smaller than a tenth of the mean area into the neighbor with which it shares
+/// the longest border. If the boundary of their union is not a single loop, tries the neighbor with
+/// the next longest border. Removes the small cell if no neighbor is left to try.
 void merge_slivers(PolygonMesh& mesh);
 
 }  // namespace foam

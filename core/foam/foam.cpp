@@ -7,15 +7,17 @@
 #include <algorithm>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace foam {
 
 namespace {
 
-// Limit for the half angle of an outer film. It is so near to a full circle that no film of a
-// bubble above the T2 area reaches it.
+// Largest half angle of an outer film, in radians. The chord of such an arc is 1e-6 of the diameter
+// of its circle. No film of a bubble above the T2 area is so close to a full circle.
 constexpr double kLargestHalfAngle = std::numbers::pi - 1e-6;
 
+// Keeps only the values of the given ids, in this order.
 template <class Id, class T>
 void keep(Indexed<Id, T>& values, const std::vector<Id>& kept) {
     Indexed<Id, T> dense;
@@ -23,16 +25,6 @@ void keep(Indexed<Id, T>& values, const std::vector<Id>& kept) {
         dense.push_back(values[id]);
     }
     values = std::move(dense);
-}
-
-// Returns true if the network has no dead slots and the ghost, if any, is the last bubble.
-bool is_compact(const Network& network) {
-    const std::size_t bubbles = network.bubble_count();
-    const bool has_ghost = network.ghost() != kNone<BubbleId>;
-    return network.junction_count() == network.junction_slots() &&
-           network.film_count() == network.film_slots() &&
-           network.bubble_slots() == bubbles + (has_ghost ? 1 : 0) &&
-           (!has_ghost || index_of(network.ghost()) == bubbles);
 }
 
 }  // namespace
@@ -62,8 +54,8 @@ FilmArc film_arc(const Foam& foam, HalfEdgeId h) {
 }
 
 void set_half_angle(Foam& foam, HalfEdgeId h, double angle) {
-    const double held = std::clamp(angle, -kLargestHalfAngle, kLargestHalfAngle);
-    foam.half_angles[film_of(h)] = is_forward(h) ? held : -held;
+    const double clamped = std::clamp(angle, -kLargestHalfAngle, kLargestHalfAngle);
+    foam.half_angles[film_of(h)] = is_forward(h) ? clamped : -clamped;
 }
 
 void fit_half_angle(Foam& foam, FilmId film) {
@@ -100,7 +92,7 @@ void translate(Foam& foam, const Vec2& by) {
 }
 
 void compact(Foam& foam) {
-    if (is_compact(foam.network)) {
+    if (foam.network.is_compact()) {
         return;
     }
     const Network::Kept kept = foam.network.compact();

@@ -6,12 +6,12 @@
 
 namespace foam {
 
-/// A bubble at one instant, in foam units.
+/// A bubble of the network at one instant, in foam units.
 struct FrameBubble {
     BubbleIdentity identity = 0;
-    double area = 0.0;  // within its arcs
+    double area = 0.0;  // area within the arcs of the bubble
     double target_area = 0.0;
-    double pressure = 0.0;  // on a torus up to a constant (center_pressures in measure.h)
+    double pressure = 0.0;  // on a torus determined only up to a common constant
 };
 
 /// One instant of a foam: an immutable snapshot, the input of the texture generator. The network
@@ -24,7 +24,7 @@ struct Frame {
     Network network;
     Indexed<JunctionId, Vec2> positions;
     Indexed<FilmId, FilmArc> arcs;           // of the forward sides
-    Indexed<BubbleId, FrameBubble> bubbles;  // no entry for the ghost, the network's last bubble
+    Indexed<BubbleId, FrameBubble> bubbles;  // without the ghost, the last bubble of the network
     std::vector<LoneBubble> lone_bubbles;
 
     /// Returns the arc of a film in the direction of the half-edge.

@@ -12,17 +12,21 @@ namespace foam {
 
 namespace {
 
-// Returns the steps in (column, row) to the neighbors of a hexagon with a corner at its top,
-// counter-clockwise from the right. Odd rows are shifted by half a hexagon to the right.
+// Returns the steps (column, row) from a hexagon of the given row to its six neighbors,
+// counter-clockwise, beginning with the neighbor on the right. Hexagons have a corner at the top.
+// Odd rows are shifted to the right by half of a hexagon.
 std::array<std::array<int, 2>, 6> neighbor_steps(int row) {
     const int shift = row % 2;
     return {{{1, 0}, {shift, 1}, {shift - 1, 1}, {-1, 0}, {shift - 1, -1}, {shift, -1}}};
 }
 
+// Returns a / b, rounded down. Precondition: b is positive.
 int floor_div(int a, int b) {
     return a >= 0 ? a / b : -((b - 1 - a) / b);
 }
 
+// Returns the corners of a hexagon of the given side length. Between corner k and the next corner
+// is the neighbor at step k of neighbor_steps.
 std::vector<CellCorner> hexagon(int column, int row, int columns, int rows, double side) {
     constexpr double kPi = 3.14159265358979323846;
     const double width = std::sqrt(3.0) * side;

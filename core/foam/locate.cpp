@@ -9,22 +9,24 @@
 #include <limits>
 
 // Locates points by winding numbers. The winding number of an outline of arcs is the winding number
-// of the polygon of its chords, plus or minus 1 for each circular segment between a chord and its
-// arc that contains the point. The winding number of the polygon is counted by crossings of a ray
-// to the right. By the inscribed angle theorem, a point is inside a segment if it is on the side of
-// the arc and the chord subtends an angle of more than 180 degrees minus the half angle at the
-// point. A point that is on a film up to rounding may have a winding number of 0 for every bubble;
-// bubble_at then tries points nearby.
+// of the polygon of its chords, plus or minus 1 for each arc that has the point between itself and
+// its chord. The winding number of the polygon is the number of times that its sides cross the ray
+// from the point to the right: a crossing counts as 1 if it is upwards and as -1 if it is
+// downwards. By the inscribed angle theorem, a point is between an arc and its chord under two
+// conditions: it is on the same side of the chord as the arc, and the chord, seen from the point,
+// subtends an angle of more than 180 degrees minus the half angle of the arc. If a point is on a
+// film, rounding may make the winding number of every bubble 0; bubble_at then tries points nearby.
 
 namespace foam {
 
 namespace {
 
-// Step by which bubble_at moves a point that no bubble contains, in square roots of the mean area.
+// If no bubble contains a point, bubble_at moves the point by multiples of this distance, in units
+// of the square root of the mean target area.
 constexpr double kNudge = 1e-7;
 
-// Returns the contribution of a chord to the winding number around the origin: 1 if it crosses the
-// ray to the right upwards, -1 if downwards, otherwise 0.
+// Returns the contribution of a chord to the winding number around the origin: 1 if the chord
+// crosses the positive x axis upwards, -1 if downwards, otherwise 0.
 int ray_crossings(const Vec2& from, const Vec2& to) {
     if ((from.y() <= 0.0) == (to.y() <= 0.0)) {
         return 0;
@@ -34,9 +36,8 @@ int ray_crossings(const Vec2& from, const Vec2& to) {
     return upwards == origin_is_left ? (upwards ? 1 : -1) : 0;
 }
 
-// Returns true if the origin is between an arc that starts at `from` and its chord: on the side to
-// which the arc bulges, where the angle that the chord subtends is more than 180 degrees minus the
-// half angle.
+// Returns true if the origin is between an arc and its chord. The arc starts at `from`. The
+// criterion is given at the top of this file.
 bool is_in_segment(const Vec2& from, const FilmArc& arc) {
     const Vec2 to = from + arc.chord;
     const double side = cross(from, to);  // positive if the origin is on the left
@@ -45,9 +46,9 @@ bool is_in_segment(const Vec2& from, const FilmArc& arc) {
 }
 
 struct BubbleOutline {
-    std::vector<Vec2> corners;  // relative to the first, in the plane
+    std::vector<Vec2> corners;  // in the plane, relative to the first corner
     std::vector<FilmArc> arcs;
-    double reach = 0.0;  // no point of the outline is farther from the first corner
+    double reach = 0.0;  // upper bound of the distance from the first corner to the outline
 };
 
 BubbleOutline outline_of(const Foam& foam, BubbleId bubble) {
@@ -63,6 +64,7 @@ BubbleOutline outline_of(const Foam& foam, BubbleId bubble) {
     return outline;
 }
 
+// Returns the winding number of the outline around a point, which is relative to the first corner.
 int winding_around(const BubbleOutline& outline, const Vec2& point) {
     int winding = 0;
     for (std::size_t k = 0; k < outline.arcs.size(); ++k) {
@@ -84,6 +86,7 @@ double mean_target_area(const Foam& foam) {
     return sum / std::max(1.0, static_cast<double>(foam.network.bubble_count()));
 }
 
+// Returns the first bubble with a positive winding number around the point, or nothing.
 std::optional<BubbleId> bubble_around(const Foam& foam, const Vec2& point) {
     for (const BubbleId bubble : foam.network.bubbles()) {
         if (winding_number(foam, bubble, point) > 0) {
@@ -93,14 +96,15 @@ std::optional<BubbleId> bubble_around(const Foam& foam, const Vec2& point) {
     return std::nullopt;
 }
 
+// Returns the distance from the origin to the straight segment from `from` to `from` + `along`.
 double distance_to_segment(const Vec2& from, const Vec2& along) {
     const double squared = along.squaredNorm();
     const double part = squared == 0.0 ? 0.0 : std::clamp(-from.dot(along) / squared, 0.0, 1.0);
     return (from + part * along).norm();
 }
 
-// Returns the distance from a film's chord to the nearest copy of the point. Tries all copies near
-// the chord, because the chord may be longer than the periods of the torus.
+// Returns the distance from a film's chord to the nearest copy of the point. Tries all copies of
+// the point near the chord, because the chord may be longer than the periods of the torus.
 double distance_to_chord(const Foam& foam, FilmId film, const Vec2& point) {
     const HalfEdgeId h = forward_side(film);
     const Vec2 along = chord(foam, h);
@@ -113,6 +117,7 @@ double distance_to_chord(const Foam& foam, FilmId film, const Vec2& point) {
     return min_distance;
 }
 
+// Returns the id with the smallest distance, or the first such id if several have this distance.
 template <class Id>
 Id argmin(const LiveRange<Id>& ids, const auto& distance) {
     Id nearest = *ids.begin();
@@ -154,7 +159,8 @@ std::optional<BubbleId> bubble_at(const Foam& foam, const Vec2& point) {
             return bubble;
         }
     }
-    // Bubbles cover a torus: some bubble contains the point, even if rounding hides which one.
+    // The bubbles of a torus cover it, so that one of them contains the point. Rounding hides which
+    // bubble it is, so the first bubble is returned.
     return foam.domain.is_plane() ? std::nullopt : std::optional(*foam.network.bubbles().begin());
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/geometry/bulge_energy.h"
 #include "core/geometry/film_energy.h"
+#include "core/geometry/max_or_nan.h"
 
 #include <array>
 #include <cmath>
@@ -13,12 +14,8 @@ namespace foam {
 
 namespace {
 
-// Returns the larger number, or NaN if either is NaN, so that a state that is not finite does not
-// seem to have small errors.
-double larger(double a, double b) {
-    return b > a || std::isnan(b) ? b : a;
-}
-
+// Returns the largest difference, in radians, between 120 degrees and an angle between two films at
+// the junction. Returns pi if a film at the junction has a chord of zero.
 double largest_angle_error(const Foam& foam, JunctionId junction) {
     const std::array<HalfEdgeId, 3> leaving = foam.network.leaving(junction);
     std::array<Vec2, 3> tangents;
@@ -35,11 +32,12 @@ double largest_angle_error(const Foam& foam, JunctionId junction) {
         const Vec2& a = tangents[k];
         const Vec2& b = tangents[(k + 1) % 3];
         const double angle = std::atan2(cross(b, a), a.dot(b));
-        largest = larger(largest, std::abs(angle - 2.0 * std::numbers::pi / 3.0));
+        largest = max_or_nan(largest, std::abs(angle - 2.0 * std::numbers::pi / 3.0));
     }
     return largest;
 }
 
+// Returns true if h is a side of an inner film whose half angle is clamped to the limit.
 bool is_at_limit(const Foam& foam, HalfEdgeId h) {
     if (foam.network.is_outer(film_of(h))) {
         return false;
@@ -122,18 +120,18 @@ EquilibriumErrors equilibrium_errors(const Foam& foam) {
     EquilibriumErrors errors;
     for (const BubbleId bubble : foam.network.bubbles()) {
         const double relative = bubble_area(foam, bubble) / foam.target_areas[bubble] - 1.0;
-        errors.area = larger(errors.area, std::abs(relative));
+        errors.area = max_or_nan(errors.area, std::abs(relative));
     }
     for (const JunctionId junction : foam.network.junctions()) {
-        errors.angle = larger(errors.angle, largest_angle_error(foam, junction));
+        errors.angle = max_or_nan(errors.angle, largest_angle_error(foam, junction));
     }
     for (const FilmId film : foam.network.films()) {
         if (foam.network.is_outer(film)) {
             const HalfEdgeId h = forward_side(film);
-            errors.arc =
-                larger(errors.arc,
-                       std::abs(laplace_young_error(
-                           film_arc(foam, h), pressure_difference(foam, h), foam.film_tension)));
+            errors.arc = max_or_nan(
+                errors.arc,
+                std::abs(laplace_young_error(
+                    film_arc(foam, h), pressure_difference(foam, h), foam.film_tension)));
         }
     }
     errors.films_at_limit = films_at_limit(foam);

@@ -19,22 +19,24 @@ Indexed<BubbleId, double> bubble_areas(const Foam& foam);
 /// is the film tension divided by this radius.
 double lone_radius(const LoneBubble& bubble);
 
-/// Shifts the pressures of a torus, which are known up to a constant, so that their mean weighted
-/// by target area is 0. Does nothing to a patch, where the ghost's pressure is 0.
+/// Shifts the pressures of a torus, which equilibrium determines only up to a common constant, so
+/// that their mean, weighted by target area, is 0. Does nothing to a patch, where pressures are
+/// relative to the pressure of the ghost.
 void center_pressures(Foam& foam);
 
-/// Returns the film tension times the length of all films, including those of lone bubbles.
+/// Returns the film tension times the total length of all films, including the circles of lone
+/// bubbles.
 double energy(const Foam& foam);
 
-/// Returns the number of inner films whose half angle is clamped to the limit (kLargestSine). A
-/// foam with such a film is not in equilibrium.
+/// Returns the number of films at the limit: inner films whose half angle is clamped to 80 degrees
+/// (kLargestSine). A foam with such a film is not in equilibrium.
 int films_at_limit(const Foam& foam);
 
-/// Distance from equilibrium (E2). If the foam contains a value that is not finite, the errors that
-/// depend on it are NaN, and are_below returns false for any tolerance.
+/// Distance from equilibrium (E2). If the foam contains a NaN, the errors that depend on this value
+/// are NaN, and are_below then returns false for any tolerance.
 struct EquilibriumErrors {
     double area = 0.0;   // largest |A / A_target - 1|
-    double angle = 0.0;  // largest |angle - 120 degrees| between two films, radians
+    double angle = 0.0;  // largest |angle between two films - 120 degrees|, radians
     double arc = 0.0;    // largest |sin(half angle) - Delta c / 2T| of outer films (E1)
     int films_at_limit = 0;
 

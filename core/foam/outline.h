@@ -16,26 +16,27 @@ struct Outline {
     std::vector<std::vector<Vec2>> holes;
 };
 
-/// Parses a WKT text, POLYGON((x y, ...), (...)). Rings may have either direction; repeating the
-/// first corner at the end is optional. Throws std::invalid_argument if the text is not a polygon,
-/// or if the polygon is not valid, for example because it crosses itself.
+/// Parses a polygon in the format WKT (well-known text), POLYGON((x y, ...), (...)): the outer
+/// ring, followed by the holes. Rings may have either direction; repeating the first corner at the
+/// end is optional. Throws std::invalid_argument if the text is not a polygon, or if the polygon is
+/// not valid, for example because it crosses itself.
 Outline outline_from_wkt(const std::string& text);
 
 /// Returns the unit disc as a regular polygon of 360 sides.
 Outline disc_outline();
 
-/// Returns a rectangle of height 1. `aspect` is its width over its height.
+/// Returns a rectangle of height 1. `aspect` is its width divided by its height.
 Outline rectangle_outline(double aspect);
 
 /// Returns the area within the outer ring minus the area of the holes.
 double outline_area(const Outline& outline);
 
-/// Returns true if the point is within the outer ring and in no hole. Points on the boundary are
-/// outside.
+/// Returns true if the point is inside the outer ring and in no hole. Points on the boundary count
+/// as outside.
 bool is_inside(const Outline& outline, const Vec2& point);
 
-/// Returns the parts of a convex polygon that are within the outline, each counter-clockwise. A
-/// hole that is entirely within one part is ignored.
+/// Returns the parts of a convex polygon that are within the outline, each counter-clockwise. If a
+/// hole of the outline is entirely within one part, the hole is ignored.
 std::vector<std::vector<Vec2>> clipped(const Outline& outline, const std::vector<Vec2>& polygon);
 
 }  // namespace foam

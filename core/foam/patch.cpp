@@ -13,13 +13,15 @@
 #include <numeric>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 // Seeds a patch from the Voronoi diagram of random points (paper section 5). The outline is scaled
-// to an area of 1 per bubble and placed in the middle of a torus twice as wide. Random sites are
-// drawn within the outline and may be relaxed by Lloyd's algorithm. Their Voronoi diagram on the
-// torus is clipped to the outline (clipped_cells.h) and converted to a foam (polygon_mesh.h). If a
-// draw gives no valid foam, new sites are drawn.
+// to an area of 1 per bubble and placed in the middle of a square torus, whose side is twice the
+// longer side of the bounding box of the outline. Random sites are drawn within the outline and, as
+// an option, moved by Lloyd's algorithm (seeding.cpp). Their Voronoi diagram on the torus is
+// clipped to the outline (clipped_cells.h) and converted to a foam (polygon_mesh.h). If a draw
+// gives no valid foam, new sites are drawn.
 
 namespace foam {
 
@@ -38,7 +40,8 @@ void check(const Outline& outline, const PatchOptions& options) {
         throw std::invalid_argument("the area ratio must be 0 or at least 1");
     }
     if (!(outline_area(outline) > 0.0)) {
-        throw std::invalid_argument("the outline has no area");
+        throw std::invalid_argument(
+            "the outline has no area: it needs at least three corners that are not on one line");
     }
 }
 
@@ -65,8 +68,9 @@ Outline moved_and_scaled(Outline outline, const Vec2& by, double scale) {
     return outline;
 }
 
-// The outline, scaled to an area of 1 per bubble, in the middle half of a torus. It is so far from
-// its own copies that the sites in the copies do not affect the cells within it.
+// The outline, scaled to an area of 1 per bubble, in the middle of the torus. Within the outline,
+// the lattice copies of sites do not affect the cells: because the torus is twice as wide and high
+// as the outline, a copy of a site is never nearer to a point of the outline than the site itself.
 struct PreparedOutline {
     Outline outline;
     Domain domain;
@@ -81,6 +85,8 @@ PreparedOutline prepare(const Outline& outline, int bubbles) {
     return {moved_and_scaled(outline, to_middle, scale), {side, side}};
 }
 
+// Returns `count` uniformly random points inside the outline. Draws points in its bounding box and
+// keeps the points inside the outline.
 std::vector<Vec2> random_sites(const Outline& outline, int count, Random& random) {
     const Box box = box_of(outline);
     std::vector<Vec2> sites;
@@ -98,6 +104,8 @@ ClippedCells cells_of(const PreparedOutline& prepared, const std::vector<Vec2>& 
     return clip_cells(prepared.outline, voronoi_cells(prepared.domain, sites));
 }
 
+// Draws random sites and applies Lloyd's algorithm to them. A site is not moved if the center of
+// its cell is outside of the outline. Returns the clipped cells of the final sites.
 ClippedCells draw_cells(const PreparedOutline& prepared,
                         const PatchOptions& options,
                         Random& random) {
@@ -113,7 +121,7 @@ ClippedCells draw_cells(const PreparedOutline& prepared,
     return cells;
 }
 
-// Centers the mesh at the origin and scales it to a mean area of 1.
+// Moves the mean of the points to the origin and scales the mesh to a mean cell area of 1.
 void normalize(PolygonMesh& mesh) {
     double area = 0.0;
     for (const PolygonMesh::Cell& cell : mesh.cells) {
@@ -127,6 +135,8 @@ void normalize(PolygonMesh& mesh) {
     }
 }
 
+// Merges slivers, normalizes the mesh and returns it as a foam. Throws std::runtime_error if the
+// foam is not valid.
 Foam foam_of(ClippedCells cells) {
     merge_slivers(cells.mesh);
     normalize(cells.mesh);
@@ -137,13 +147,21 @@ Foam foam_of(ClippedCells cells) {
     return foam;
 }
 
-// Spreads the target areas of all bubbles except the ghost, which is the last; their mean stays 1.
+// Spreads the target areas of all bubbles except the ghost, which is the last bubble, and scales
+// them to a mean of 1. Does nothing if the ratio is 0.
 void spread_targets(Foam& foam, double ratio) {
     const std::span<double> targets(foam.target_areas.begin(), foam.network.bubble_count());
     if (ratio > 0.0) {
         spread_areas(targets, ratio);
         scale_to_total(targets, static_cast<double>(targets.size()));
     }
+}
+
+std::string no_patch_message(int bubbles, const std::string& cause) {
+    return "no valid patch of " + std::to_string(bubbles) +
+           " bubbles fits into this outline: it is too narrow, or has parts too small for a "
+           "bubble; use more bubbles or a wider outline (" +
+           cause + ")";
 }
 
 }  // namespace
@@ -158,9 +176,9 @@ Foam seed_patch(const Outline& outline, const PatchOptions& options) {
             foam.film_tension = 2.0 * options.surface_tension;
             spread_targets(foam, options.area_ratio);
             return foam;
-        } catch (const std::runtime_error&) {
+        } catch (const std::runtime_error& error) {
             if (draw == kMaxPatchDraws) {
-                throw;
+                throw std::runtime_error(no_patch_message(options.bubbles, error.what()));
             }
         }
     }

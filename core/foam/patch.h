@@ -11,19 +11,20 @@ namespace foam {
 
 /// Options for seeding a patch.
 struct PatchOptions {
-    int bubbles = 100;             // at least 2; merging of slivers may reduce the actual number
-    int lloyd_iterations = 0;      // of Lloyd's algorithm; 0 leaves the raw random diagram
-    double area_ratio = 0.0;       // see SeedingOptions
+    int bubbles = 100;         // number of random sites, at least 2; the number of bubbles may
+                               // differ: the outline may divide cells, and small parts are merged
+    int lloyd_iterations = 0;  // iterations of Lloyd's algorithm; 0 keeps the random sites
+    double area_ratio = 0.0;   // see SeedingOptions (seeding.h)
     double surface_tension = 0.5;  // gamma; a film has two surfaces, so its tension is 2 gamma
     std::uint64_t seed = 1;
 };
 
-/// Returns a patch that is the Voronoi diagram of random sites within an outline. It is not in
-/// equilibrium. Cells are clipped to the outline, small parts are merged with their neighbors, and
-/// corners of the outline are dissolved into films. The patch is scaled to a mean area of 1 and
-/// centered at the origin. Throws std::invalid_argument if an option is out of range or the outline
-/// has no area. Throws std::runtime_error if none of several random draws gives a valid foam, for
-/// example if the outline is too narrow for its bubbles.
+/// Returns the Voronoi diagram of random sites within an outline as a patch that is not in
+/// equilibrium. Cells are clipped to the outline, and small parts are merged with their neighbors.
+/// Corners of the outline that do not become junctions are dropped (polygon_mesh.h). The patch is
+/// scaled to a mean area of 1 and centered at the origin. Throws std::invalid_argument if an option
+/// is out of range or the outline has no area. Throws std::runtime_error if none of several random
+/// draws gives a valid foam, for example if the outline is too narrow for its bubbles.
 Foam seed_patch(const Outline& outline, const PatchOptions& options);
 
 }  // namespace foam

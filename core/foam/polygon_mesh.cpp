@@ -2,7 +2,7 @@
 
 #include "core/foam/polygon_mesh.h"
 
-#include "core/network/outside.h"
+#include "core/network/ghost_boundary.h"
 
 #include <algorithm>
 #include <map>
@@ -20,9 +20,9 @@ using Side = std::pair<Point, Point>;  // from corner to corner
 constexpr std::size_t kFilmsOfJunction = 3;
 
 // Builds the network of a patch. Points where three sides meet become junctions. Each chain of
-// sides between two junctions becomes one film. The film is added with the first of the two cells
-// beside it; the second cell finds its half-edge by the first side of the chain in its own
-// direction. The half-edges that no cell claims belong to the ghost.
+// sides between two junctions becomes one film. The first of the two cells beside a film adds the
+// film; the second cell finds its half-edge of the film in `half_edges_`. Half-edges without a cell
+// belong to the ghost.
 class PatchBuilder {
   public:
     explicit PatchBuilder(const PolygonMesh& mesh) : mesh_(mesh) {}
@@ -32,7 +32,7 @@ class PatchBuilder {
         add_bubbles();
         add_films();
         link_cells();
-        add_outside(foam_.network);
+        add_ghost_boundary(foam_.network);
         foam_.t1_armed.resize(foam_.network.film_slots(), 1);
         complete_patch(foam_);
         return std::move(foam_);
@@ -59,6 +59,9 @@ class PatchBuilder {
         }
     }
 
+    // Adds a junction if the point has three neighbors. A neighbor may occur twice in `neighbors`,
+    // once for each cell beside the side between the point and this neighbor. Throws
+    // std::runtime_error if the point has one neighbor or more than three.
     void add_junction(Point point, std::vector<Point>& neighbors) {
         std::sort(neighbors.begin(), neighbors.end());
         neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
@@ -91,7 +94,8 @@ class PatchBuilder {
         return 0.5 * twice;
     }
 
-    // Adds a film for each chain of sides from junction to junction.
+    // Adds a film for each chain of sides from junction to junction. Stores the half-edges around
+    // each cell in `loops_`.
     void add_films() {
         for (std::size_t cell = 0; cell < mesh_.cells.size(); ++cell) {
             const PolygonMesh::Cell& corners = mesh_.cells[cell];
@@ -108,6 +112,8 @@ class PatchBuilder {
         }
     }
 
+    // Returns the half-edges of a cell in order, with `bubble` set as their left bubble. `corners`
+    // starts and ends with the same junction.
     std::vector<HalfEdgeId> half_edges_along(const PolygonMesh::Cell& corners, BubbleId bubble) {
         std::vector<HalfEdgeId> loop;
         std::size_t begin = 0;
@@ -122,8 +128,8 @@ class PatchBuilder {
         return loop;
     }
 
-    // Returns the half-edge of the chain of sides from corner `begin` to corner `end`. Adds its
-    // film unless the cell across it has already done so.
+    // Returns the half-edge of the chain of sides from corner `begin` to corner `end`. Adds the
+    // film unless the cell on the other side has already added it.
     HalfEdgeId half_edge_along(const PolygonMesh::Cell& corners,
                                std::size_t begin,
                                std::size_t end) {

@@ -14,30 +14,33 @@
 #include <numeric>
 #include <vector>
 
-// Topology changes at the ghost of a patch. Torn films separate rafts or open holes; small holes
-// close. The ghost has several boundaries if there are several rafts or holes. The network does not
-// tell which of the boundaries are holes; their signed areas do. The outer boundary of a raft runs
-// clockwise and has a large negative area. A hole has a positive area, or a small negative area if
-// the bubbles around it overlap.
+// Implements the topology changes at the ghost of a patch: films tear, which separates rafts or
+// opens holes, and small holes close. The ghost has several boundaries if there are several rafts
+// or holes. The network does not store which of these boundaries are holes, so holes are recognized
+// by the signed area that a boundary encloses. The outer boundary of a raft runs clockwise, because
+// the ghost is on its left, and has a large negative area. A hole has a positive area, or a small
+// negative area if the bubbles around it overlap.
 
 namespace foam {
 
 namespace {
 
 constexpr std::size_t kMaxSidesOfSmallHole = 3;
-// The outer boundary of a raft encloses more than this fraction of the areas of the bubbles along
-// it.
+// The outer boundary of a raft encloses more than this fraction of the total target area of the
+// bubbles along it.
 constexpr double kRaftAreaFraction = 0.5;
 
-// One of the bubbles beside a film that tears.
-struct TornSide {
-    HalfEdgeId kept;     // its outer film that ends at the torn one
+// One of the two outer films that result when a film tears. It joins the two outer films of one
+// bubble beside the torn film.
+struct JoinedFilm {
+    HalfEdgeId kept;     // half-edge of the bubble that ends at the torn film; is kept
     Vec2 at_tail;        // unit tangent at the tail of the joined film
     Vec2 at_head;        // unit tangent at the head of the joined film
-    LoneBubble as_lone;  // used if the bubble has no other film
+    LoneBubble as_lone;  // replaces the bubble if it has no other film
 };
 
-// Returns the bubble on the left of h as a circle that touches the film at the tail of h.
+// Returns the bubble on the left of h as a lone bubble, a circle that touches the film of h at the
+// tail of h.
 LoneBubble as_lone(const Foam& foam, HalfEdgeId h) {
     const BubbleId bubble = foam.network.left(h);
     LoneBubble lone{foam.identities[bubble], Vec2::Zero(), foam.target_areas[bubble]};
@@ -46,24 +49,30 @@ LoneBubble as_lone(const Foam& foam, HalfEdgeId h) {
     return lone;
 }
 
-TornSide torn_side(const Foam& foam, HalfEdgeId before, HalfEdgeId after) {
+// Returns the outer film that joins `before` and `after`, the half-edges of a bubble before and
+// after the torn film.
+JoinedFilm joined_film(const Foam& foam, HalfEdgeId before, HalfEdgeId after) {
     return {before,
             tangent_at_tail(film_arc(foam, before)),
             tangent_at_head(film_arc(foam, after)),
             as_lone(foam, before)};
 }
 
+// Returns the counter-clockwise angle from a to b, in radians, from -pi to pi.
 double angle_between(const Vec2& a, const Vec2& b) {
     return std::atan2(cross(a, b), a.dot(b));
 }
 
-void fit_joined(Foam& foam, const TornSide& side) {
+// Sets the half angle of the joined film to the mean of the two half angles that its tangents at
+// the tail and at the head require. Also arms the film (Foam::t1_armed).
+void fit_half_angle_of_joined_film(Foam& foam, const JoinedFilm& side) {
     const Vec2 d = chord(foam, side.kept);
     const double angle = 0.5 * (angle_between(side.at_tail, d) + angle_between(d, side.at_head));
     set_half_angle(foam, side.kept, angle);
     foam.t1_armed[film_of(side.kept)] = 1;
 }
 
+// Inserts the bubble so that the list stays ordered by identity.
 void add_lone(Foam& foam, const LoneBubble& bubble) {
     const auto position =
         std::find_if(foam.lone_bubbles.begin(), foam.lone_bubbles.end(), [&](const LoneBubble& b) {
@@ -72,6 +81,7 @@ void add_lone(Foam& foam, const LoneBubble& bubble) {
     foam.lone_bubbles.insert(position, bubble);
 }
 
+// Returns the half-edges of the ghost's boundary that contains the outer film, in order.
 std::vector<HalfEdgeId> boundary_at(const Network& network, FilmId film) {
     const HalfEdgeId forward = forward_side(film);
     const HalfEdgeId first = network.left(forward) == network.ghost() ? forward : twin(forward);
@@ -98,8 +108,8 @@ double area_along(const Foam& foam, const std::vector<HalfEdgeId>& boundary) {
     });
 }
 
-// Returns the area within the arcs. It is negative for the outer boundary of a raft, which runs
-// clockwise.
+// Returns the area that the arcs of a boundary enclose. It is negative for the outer boundary of a
+// raft, which runs clockwise.
 double enclosed_area(const Foam& foam, const std::vector<HalfEdgeId>& boundary) {
     double area = 0.0;
     Vec2 at = Vec2::Zero();
@@ -111,9 +121,10 @@ double enclosed_area(const Foam& foam, const std::vector<HalfEdgeId>& boundary) 
     return area;
 }
 
-// Returns true if the boundary is a hole, and false if it is the outer boundary of a raft. The
-// outer boundary runs clockwise and encloses at least all bubbles along it. The bubbles around a
-// hole may overlap, but by less than half of their total area.
+// Returns true if the boundary is a hole, and false if it is the outer boundary of a raft.
+// `enclosed` is its enclosed_area. The outer boundary runs clockwise and encloses at least all
+// bubbles along it. The bubbles around a hole may overlap, but it is assumed that they do so by
+// less than half of their total area.
 bool is_around_hole(const Foam& foam, const std::vector<HalfEdgeId>& boundary, double enclosed) {
     return enclosed > -kRaftAreaFraction * area_along(foam, boundary);
 }
@@ -128,15 +139,15 @@ bool is_inside_double_bubble(const Network& network, FilmId film) {
 
 void tear_film(Foam& foam, FilmId film) {
     const T1Site site = t1_site(foam.network, film);
-    const std::array<TornSide, 2> sides{torn_side(foam, site.before_left, site.after_left),
-                                        torn_side(foam, site.before_right, site.after_right)};
+    const std::array<JoinedFilm, 2> sides{joined_film(foam, site.before_left, site.after_left),
+                                          joined_film(foam, site.before_right, site.after_right)};
     const std::array<BubbleId, 2> bubbles{foam.network.left(site.film),
                                           foam.network.right(site.film)};
     record_t1(foam, film);
     split(foam.network, film);
     for (std::size_t k = 0; k < 2; ++k) {
         if (foam.network.is_live(bubbles[k])) {
-            fit_joined(foam, sides[k]);
+            fit_half_angle_of_joined_film(foam, sides[k]);
         } else {
             add_lone(foam, sides[k].as_lone);
         }
@@ -160,7 +171,7 @@ bool is_overlapping_hole(const Foam& foam, FilmId film) {
 
 bool close_hole(Foam& foam, FilmId film) {
     const std::vector<HalfEdgeId> boundary = boundary_at(foam.network, film);
-    if (boundary.size() > kMaxSidesOfSmallHole || !can_close(foam.network, boundary)) {
+    if (boundary.size() > kMaxSidesOfSmallHole || !can_close_hole(foam.network, boundary)) {
         return false;
     }
     Vec2 mean = Vec2::Zero();
@@ -173,7 +184,7 @@ bool close_hole(Foam& foam, FilmId film) {
         bubbles.push_back(foam.network.right(h));
     }
     record_event(foam, TopologyEventKind::T1, mean, bubbles);
-    const Vanished vanished = close(foam.network, boundary);
+    const Vanished vanished = close_hole(foam.network, boundary);
     if (vanished.junction != kNone<JunctionId>) {
         place_junction(foam, vanished.junction, mean);
     } else {

@@ -6,25 +6,28 @@
 
 namespace foam {
 
-/// Returns true if the film separates the two bubbles of a raft of two.
+/// Returns true if the film separates the two bubbles of a raft of two bubbles.
 bool is_inside_double_bubble(const Network& network, FilmId film);
 
-/// Tears a film with the ghost at both ends (split.h): the two outer films on each side become one
-/// arc, which fits their directions at its ends as closely as one arc can. A bubble that no longer
-/// touches another bubble becomes a lone bubble at the position of its outer film. Precondition:
-/// can_split.
+/// Tears a film with the ghost at both ends (split.h) and records a T1. On each side of the torn
+/// film, two outer films become one arc. Its half angle is the mean of the two half angles that fit
+/// the old tangents at its tail and at its head. A bubble that no longer touches another bubble
+/// becomes a lone bubble, whose circle touches the old outer film of this bubble at one end.
+/// Precondition: can_split.
 void tear_film(Foam& foam, FilmId film);
 
-/// Returns true if the outer film is at a hole of at most three films, all of them shorter than
+/// Returns true if the outer film is at a hole of at most three films, all with chords shorter than
 /// `length`.
 bool is_small_hole(const Foam& foam, FilmId film, double length);
 
-/// Returns true if the outer film is at a hole of negative area, in which bubbles overlap.
+/// Returns true if the outer film is at a hole in which bubbles overlap. The boundary of such a
+/// hole encloses a negative area.
 bool is_overlapping_hole(const Foam& foam, FilmId film);
 
-/// Closes the hole at an outer film. A hole of three films becomes a junction at the mean of their
-/// junctions; a hole of two films vanishes, and the films beside it become one. Returns false and
-/// changes nothing if the hole has more films, or if no valid network would remain. Precondition:
+/// Closes the hole at an outer film. A hole of three films becomes a junction at the mean of its
+/// three junctions. A hole of two films vanishes, and the films at its two junctions become one
+/// film. Records a T1 and returns true. If the hole has more than three films, or if the network
+/// would not be valid afterwards (can_close_hole), changes nothing and returns false. Precondition:
 /// the film is at a hole.
 bool close_hole(Foam& foam, FilmId film);
 

@@ -18,7 +18,7 @@ class Random {
     double uniform() { return static_cast<double>(engine_() >> 11U) * 0x1.0p-53; }
 
     /// Returns a uniform random integer in {0, ..., bound - 1}. Precondition: the bound is far
-    /// below 2^53.
+    /// below 2^53, otherwise the integers are not equally likely.
     std::uint64_t below(std::uint64_t bound) {
         return static_cast<std::uint64_t>(uniform() * static_cast<double>(bound));
     }

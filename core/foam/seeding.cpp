@@ -19,8 +19,8 @@ namespace foam {
 
 namespace {
 
-// A draw fails if two sites share a grid point or four are on one circle, with a probability of
-// about 1e-8 per diagram.
+// A draw fails if two sites share a grid point (voronoi.h) or if four sites are on one circle. For
+// 10,000 sites, the probability is about 1e-8 per diagram.
 constexpr int kMaxSeedDraws = 4;
 
 void check(const SeedingOptions& options) {

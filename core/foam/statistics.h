@@ -14,10 +14,10 @@ struct SidesStatistics {
     int sides = 0;
     int bubbles = 0;
     double mean_area = 0.0;      // within the arcs
-    double mean_pressure = 0.0;  // on a torus up to a constant (center_pressures in measure.h)
-    // The mean rate at which gas enters a bubble through its films, divided by kappa: the sum over
-    // the films of (outside pressure - own pressure) times length. In equilibrium, von Neumann's
-    // law (E6) gives (2 pi / 3) gamma (n - 6).
+    double mean_pressure = 0.0;  // on a torus determined only up to a common constant
+    // The mean rate at which gas enters a bubble through its films, divided by the diffusion
+    // constant kappa (E6): the sum over the films of (outside pressure - own pressure) times
+    // length. In equilibrium, von Neumann's law (E6) gives (2 pi / 3) gamma (n - 6) for n sides.
     double mean_inflow = 0.0;
 };
 
@@ -28,27 +28,28 @@ struct FoamStatistics {
     double mean_area = 0.0;
     double energy = 0.0;         // film tension times the length of all films
     double mean_sides = 0.0;     // 6 on a torus (Euler), fewer in a patch
-    double second_moment = 0.0;  // mu_2 = sum of p(n) (n - mean)^2; p(n) of bubbles have n sides
-    std::vector<SidesStatistics> by_sides;  // by increasing number of sides; only those that occur
+    double second_moment = 0.0;  // mu_2, the variance of the number of sides over all bubbles
+    std::vector<SidesStatistics> by_sides;  // by increasing number of sides; no empty groups
 };
 
 /// Returns the statistics of a frame.
 FoamStatistics statistics(const Frame& frame);
 
-/// Returns the mean area of all bubbles, including lone ones; 0 for a patch without bubbles.
+/// Returns the mean area of all bubbles, including lone bubbles. Returns 0 for a patch without
+/// bubbles.
 double mean_area(const Frame& frame);
 
 /// Mean growth rate of the bubbles with a given number of sides, measured from their areas.
 struct SidesGrowth {
     int sides = 0;
     int bubbles = 0;
-    double mean_rate = 0.0;  // change of the area divided by the elapsed time
+    double mean_rate = 0.0;  // change of the area divided by the elapsed foam time
 };
 
 /// Returns the growth rates between two instants of one foam, by increasing number of sides. Only
 /// bubbles with the same neighbors at both instants count, to leave out bubbles that took part in a
-/// topology change. A bubble that lost a neighbor and got it back in between still counts. Returns
-/// an empty list if no time has passed.
+/// topology change. A bubble that lost a neighbor and got it back in between still counts. Lone
+/// bubbles do not count. Returns an empty list if no time has passed.
 std::vector<SidesGrowth> growth_by_sides(const Frame& before, const Frame& after);
 
 }  // namespace foam

@@ -14,21 +14,21 @@
 // so that a flip does not have to be undone (E7). In units of the film tension, the flipped film
 // pulls the junctions at its ends together with a force of 1, and the neighboring films pull them
 // apart. The flipped film stays open if the neighboring films pull harder. The same forces decide
-// if a collapsed film is reopened in its present state or flipped.
+// whether a collapsed film is reopened as it is or flipped.
 
 namespace foam {
 
 namespace {
 
-// These lengths are in units of the T1 distance at the film.
+// These lengths are in units of the T1 distance at the film (scaled_distance).
 constexpr double kDisarmedFraction = 0.1;    // a disarmed film may flip again below this length
 constexpr double kCollapsedFraction = 0.05;  // a film counts as collapsed below this length
 constexpr double kRearmingFactor = 2.0;      // a disarmed film is armed again above this length
 // Length of a reopened film, in units of the length below which a film counts as collapsed.
 constexpr double kReopenedLength = 2.0;
 
-// Returns the T1 distance at the film. It is scaled down if the smallest target area of the four
-// bubbles around the film is below 1.
+// Returns the T1 distance at the film without regard to whether the film is armed. It is scaled
+// down if the smallest target area of the four bubbles around the film is below 1.
 double scaled_distance(const Foam& foam, FilmId film, const TopologyThresholds& thresholds) {
     const T1Site site = t1_site(foam.network, film);
     const double smallest = std::min({foam.target_areas[foam.network.left(site.film)],
@@ -44,11 +44,12 @@ Vec2 tangent(const Foam& foam, HalfEdgeId h) {
     return arc.chord == Vec2::Zero() ? Vec2(0.0, 0.0) : tangent_at_tail(arc);
 }
 
-// The pull by which the four neighboring films stretch a film. It is the mean over the two ends, in
-// units of the film tension.
+// The pull with which the four neighboring films stretch a film: half of the force on one end minus
+// half of the force on the other end, in units of the film tension. The flipped film is across the
+// present film: its left end is on the left of the present film.
 struct NeighborPull {
-    Vec2 present;  // for the film in its present state, from its tail to its head
-    Vec2 flipped;  // for the flipped film, from its right end to its left end
+    Vec2 present;  // on the present film: force on its head minus force on its tail
+    Vec2 flipped;  // on the flipped film: force on its left end minus force on its right end
 };
 
 NeighborPull neighbor_pull(const Foam& foam, FilmId film) {
@@ -62,7 +63,8 @@ NeighborPull neighbor_pull(const Foam& foam, FilmId film) {
 }
 
 // Moves the junctions of the film so that it has the given middle and the given vector from its
-// tail to its head. `middle` is unwrapped from the tail, as in middle_of.
+// tail to its head. `middle` is the new midpoint of the chord as middle_of would return it, before
+// the junctions are wrapped into the fundamental cell.
 void place_film(Foam& foam, FilmId film, const Vec2& middle, const Vec2& tail_to_head) {
     const HalfEdgeId h = forward_side(film);
     const Vec2 head_translation = foam.domain.translation(foam.network.offset(h));
@@ -72,9 +74,12 @@ void place_film(Foam& foam, FilmId film, const Vec2& middle, const Vec2& tail_to
     place_junction(foam, head, middle + 0.5 * tail_to_head - head_translation);
 }
 
+// Returns true if the film is shorter than its T1 distance, can flip or tear, and would stay open
+// afterwards. The comparison with the unscaled T1 distance is redundant, but rejects most films at
+// little cost.
 bool should_flip_or_tear(const Foam& foam, FilmId film, const TopologyThresholds& thresholds) {
     const double length = chord(foam, forward_side(film)).norm();
-    return length < thresholds.t1_distance && length < t1_length(foam, film, thresholds) &&
+    return length < thresholds.t1_distance && length < t1_distance_at(foam, film, thresholds) &&
            can_change(foam.network, film) && flipped_pulls_apart(foam, film);
 }
 
@@ -101,7 +106,7 @@ bool shrink_hole(Foam& foam, FilmId film) {
 
 }  // namespace
 
-double t1_length(const Foam& foam, FilmId film, const TopologyThresholds& thresholds) {
+double t1_distance_at(const Foam& foam, FilmId film, const TopologyThresholds& thresholds) {
     return scaled_distance(foam, film, thresholds) *
            (foam.t1_armed[film] != 0 ? 1.0 : kDisarmedFraction);
 }
@@ -122,8 +127,8 @@ void flip_film(Foam& foam, FilmId film) {
     const Vec2 middle = middle_of(foam, film);
     record_t1(foam, film);
     flip(foam.network, film);
-    place_film(foam, film, middle,
-               -right_to_left);  // the tail is now on the left side
+    // The flipped film runs from the left of the old film to its right.
+    place_film(foam, film, middle, -right_to_left);
     fit_half_angle(foam, film);
     foam.t1_armed[film] = 0;
 }

@@ -10,48 +10,55 @@
 
 namespace foam {
 
-/// Applies the T1 rule (E7): decides whether a film flips, tears, closes a hole or is reopened, and
-/// performs the change. The functions that change the network are in core/network (t1.h, split.h,
-/// t2.h) and rafts.h.
+/// Applies the T1 rule (E7): decides whether a film flips, tears or is reopened, or whether the
+/// hole beside the film closes, and performs the change. The functions that change the network are
+/// in core/network (t1.h, split.h, t2.h) and rafts.h. The first case that applies is decisive:
+/// - A film that can tear (can_tear) tears if it is shorter than its T1 distance (t1_distance_at)
+///   and would stay open afterwards (flipped_pulls_apart), or if it has collapsed
+///   (collapsed_length) and the neighboring films pull harder across it than along it. Such a film
+///   never flips, because the flipped film would have the ghost on both sides.
+/// - If an outer film is at a small hole (is_small_hole), the hole closes, if it can.
+/// - If an outer film is at a hole in which bubbles overlap (is_overlapping_hole), the hole closes
+///   or, if it cannot close, the film flips, if it can.
+/// - A collapsed film (collapsed_length) is reopened (reopen_film).
+/// - Any other film that is shorter than its T1 distance (t1_distance_at) flips if it can and if it
+///   would stay open afterwards (flipped_pulls_apart).
 ///
-/// The cases are tried in this order. A film with the ghost at both ends tears instead of flipping,
-/// because the flipped film would have the ghost on both sides. An outer film at a small hole
-/// closes the hole. An outer film at a hole in which bubbles overlap closes the hole or flips. A
-/// collapsed film is reopened (reopen_film). Any other short film flips if its flipped state stays
-/// open (flipped_pulls_apart).
-///
-/// Returns true if the network changed; the film may then have been removed.
+/// Returns true if the network changed. In this case, the film may have been removed.
 bool apply_t1_rule(Foam& foam, FilmId film, const TopologyThresholds& thresholds);
 
 /// Applies the T1 rule to the films in their order, except to films that an earlier change has
 /// removed. Returns the number of changes of the network.
 int apply_t1_rule(Foam& foam, std::span<const FilmId> films, const TopologyThresholds& thresholds);
 
-/// Returns the films below their T1 distance that would stay open when flipped, or would tear, in
-/// increasing order.
+/// Returns, by increasing id, the films that are shorter than their T1 distance (t1_distance_at),
+/// can flip or tear, and would stay open afterwards (flipped_pulls_apart).
 std::vector<FilmId> short_films(const Foam& foam, const TopologyThresholds& thresholds);
 
-/// Returns the length below which the film may flip: the T1 distance, times the square root of the
-/// smallest target area of the four bubbles around the film if that is below 1. For a film that has
-/// flipped and has not grown since (rearm_grown_films), it is a tenth of this length.
-double t1_length(const Foam& foam, FilmId film, const TopologyThresholds& thresholds);
+/// Returns the T1 distance of the film, the chord length below which the film may flip. This
+/// distance is the T1 distance of the thresholds. If the smallest target area of the four bubbles
+/// around the film is below 1, the distance is multiplied by the square root of this area. For a
+/// disarmed film (Foam::t1_armed), the distance is ten times smaller.
+double t1_distance_at(const Foam& foam, FilmId film, const TopologyThresholds& thresholds);
 
-/// Returns the length below which the film counts as collapsed to a point where four films meet.
+/// Returns the chord length below which the film counts as collapsed to a point where four films
+/// meet.
 double collapsed_length(const Foam& foam, FilmId film, const TopologyThresholds& thresholds);
 
-/// Returns true if the flipped film would stay open: if the mean pull of the four films at its
-/// ends, along the flipped film, exceeds its own tension. If the film would tear instead of flip,
-/// the threshold is 0, because no film then pulls the two sides together.
+/// Returns true if the film would stay open after a flip, that is, if the mean pull of the four
+/// films at its ends, along the flipped film, exceeds the tension of the flipped film. If the film
+/// can tear, the threshold is 0, because after tearing no film pulls the two sides together.
 bool flipped_pulls_apart(const Foam& foam, FilmId film);
 
-/// Flips the film (t1.h) and disarms it. The chord of the flipped film is the old chord, rotated by
-/// 90 degrees around its midpoint (paper section 3). Precondition: can_flip.
+/// Flips the film (t1.h), records a T1 and disarms the film (Foam::t1_armed). The chord of the
+/// flipped film is the old chord, rotated by 90 degrees around its midpoint (paper section 3).
+/// Precondition: can_flip.
 void flip_film(Foam& foam, FilmId film);
 
 /// Opens a film that has collapsed to a point where four films meet. Flips the film if it can flip
-/// and these films would pull the flipped film harder than the present one. Gives the film the
-/// direction of the pull and the given length, and keeps its midpoint. A flip is recorded as a T1
-/// and disarms the film, as in flip_film. Returns true if the film was flipped.
+/// and these four films would pull the flipped film harder than they pull the present film. Gives
+/// the film the direction of the pull and the given chord length, and keeps its midpoint. A flip is
+/// recorded as a T1 and disarms the film, as in flip_film. Returns true if the film was flipped.
 bool reopen_film(Foam& foam, FilmId film, double length);
 
 /// Returns true if the film has the ghost at both ends (split.h) and both bubbles beside it have
@@ -61,11 +68,12 @@ bool can_tear(const Network& network, FilmId film);
 /// Returns true if the film can flip or tear.
 bool can_change(const Network& network, FilmId film);
 
-/// Arms those of the given films that have grown to twice their T1 distance.
+/// Arms each disarmed film (Foam::t1_armed) among the given films that is longer than twice its T1
+/// distance. Here the T1 distance is t1_distance_at of the film if it were armed.
 void rearm_grown_films(Foam& foam,
                        std::span<const FilmId> films,
                        const TopologyThresholds& thresholds);
-/// Arms the films of the foam that have grown to twice their T1 distance.
+/// Arms each disarmed film of the foam under the same condition.
 void rearm_grown_films(Foam& foam, const TopologyThresholds& thresholds);
 
 }  // namespace foam

@@ -15,17 +15,18 @@ using BubbleIdentity = std::uint32_t;
 
 /// The kinds of topology changes.
 enum class TopologyEventKind {
-    T1,     // films swapped neighbors; in a patch also: a film tore or a hole closed
+    T1,     // bubbles swapped neighbors; in a patch also: a film tore or a hole closed
     T2,     // a bubble vanished
-    Birth,  // a new bubble
+    Birth,  // a bubble was added (nucleation)
 };
 
 /// The record of one topology change.
 struct TopologyEvent {
     TopologyEventKind kind = TopologyEventKind::T1;
-    double time = 0.0;        // foam time at the start of the substep
-    Vec2 position{0.0, 0.0};  // position at the time of the change; not wrapped to the torus' cell
-    // The bubbles whose neighbors changed, including one that vanished.
+    double time = 0.0;        // foam time at the start of the substep (core/dynamics/step.h)
+    Vec2 position{0.0, 0.0};  // at the time of the change; not wrapped into the fundamental cell
+    // The bubbles whose neighbors changed. For T2 and Birth, the first is the bubble that vanished
+    // or was added.
     std::vector<BubbleIdentity> bubbles{};
 
     friend bool operator==(const TopologyEvent&, const TopologyEvent&) = default;

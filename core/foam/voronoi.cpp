@@ -8,12 +8,17 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 // The periodic diagram is part of the planar Voronoi diagram (Boost.Polygon) of the sites and of
-// their copies within a margin around the torus' own cell. A cell is final if the circle through
-// the sites at each of its corners is within the margin, because no copy farther away can then cut
-// off a part of the cell. Otherwise the margin is doubled and the diagram computed again.
+// their lattice copies within a margin around the fundamental cell of the torus. Each corner of a
+// cell is the center of a circle through the sites of the cells that meet at this corner. A cell is
+// final if all these circles are within the margin, because no copy farther away can then cut off a
+// part of the cell. If a cell is not final, the margin is doubled and the diagram is computed
+// again.
 
 namespace foam {
 
@@ -22,8 +27,9 @@ namespace {
 using Diagram = boost::polygon::voronoi_diagram<double>;
 using GridPoint = boost::polygon::point_data<std::int32_t>;
 
-// Grid points along the longer period. With kMaxRings copies of the torus' own cell on each side,
-// coordinates are at most 2^30, within the 32-bit coordinates of Boost's builder.
+// kGridPoints is the number of grid points along the longer period. kMaxRings is the largest number
+// of copies of the fundamental cell on each side. Coordinates are then at most 2^30, within the
+// 32-bit coordinates of Boost's builder.
 constexpr double kGridPoints = 0x1.0p26;
 constexpr int kMaxRings = 15;
 
@@ -40,16 +46,16 @@ Grid grid_of(const Domain& domain) {
             static_cast<std::int32_t>(std::lround(domain.height / spacing))};
 }
 
-// A copy of a site on the lattice.
+// A copy of a site, translated by a lattice offset.
 struct SiteCopy {
     std::size_t site;
     LatticeOffset offset;
 };
 
-// The sites in their order, at offset 0, and then their copies.
+// The sites themselves, in their order and with offset 0; then their copies at other offsets.
 struct Copies {
     std::vector<SiteCopy> copies;
-    std::vector<GridPoint> points;
+    std::vector<GridPoint> points;  // position of each copy on the grid
 };
 
 void add_copy(
@@ -58,7 +64,8 @@ void add_copy(
     all.points.emplace_back(p.x() + offset.i * g.width, p.y() + offset.j * g.height);
 }
 
-// Adds the copies of the sites at one offset that are within a margin around the torus' own cell.
+// Adds those copies of the sites at one offset that are within a margin around the fundamental
+// cell. The margin is in grid points, here and below.
 void add_copies_at(Copies& all,
                    const std::vector<GridPoint>& sites,
                    LatticeOffset offset,
@@ -76,7 +83,7 @@ void add_copies_at(Copies& all,
     }
 }
 
-// Returns the sites, then all their copies within a margin around the torus' own cell.
+// Returns the sites, then all their copies within a margin around the fundamental cell.
 Copies copies_within(const std::vector<GridPoint>& sites, const Grid& grid, double margin) {
     Copies all;
     for (std::size_t k = 0; k < sites.size(); ++k) {
@@ -94,8 +101,9 @@ Copies copies_within(const std::vector<GridPoint>& sites, const Grid& grid, doub
     return all;
 }
 
-// Returns the corners of one cell. Returns nothing if the circle around a corner through its sites
-// may reach beyond the margin, because copies farther away might then cut off a part of the cell.
+// Returns the corners of one cell. Returns nothing if the cell is unbounded, or if a circle around
+// a corner, through the sites nearest to the corner, may reach beyond the margin: copies farther
+// away might then cut off a part of the cell.
 std::optional<std::vector<CellCorner>> corners_of(const Diagram::cell_type& cell,
                                                   const Copies& all,
                                                   const Grid& grid,
@@ -118,6 +126,7 @@ std::optional<std::vector<CellCorner>> corners_of(const Diagram::cell_type& cell
     return corners;
 }
 
+// Returns the cells of all sites, or nothing if the margin is too small for one of them.
 std::optional<CellDiagram> cells_within(const std::vector<GridPoint>& sites,
                                         const Grid& grid,
                                         double margin) {
@@ -138,13 +147,22 @@ std::optional<CellDiagram> cells_within(const std::vector<GridPoint>& sites,
     return cells;
 }
 
-// Throws std::runtime_error if a site has no cell: several sites on one grid point share one cell.
+// Throws std::runtime_error if a site has no cell, because it shares a grid point, and so its cell,
+// with another site.
 void check_every_site_has_a_cell(const CellDiagram& cells) {
     for (const std::vector<CellCorner>& cell : cells) {
         if (cell.empty()) {
-            throw std::runtime_error("Voronoi diagram: two sites coincide");
+            throw std::runtime_error(
+                "two random sites are at the same point of the grid; try another seed");
         }
     }
+}
+
+std::string sparse_message(const Domain& domain, std::size_t sites) {
+    std::ostringstream text;
+    text << "the torus (" << domain.width << " x " << domain.height << ") is too long for " << sites
+         << " bubbles; use more bubbles or an aspect nearer to 1";
+    return text.str();
 }
 
 }  // namespace
@@ -167,8 +185,7 @@ CellDiagram voronoi_cells(const Domain& domain, const std::vector<Vec2>& sites) 
             return std::move(*cells);
         }
         if (margin >= max_margin) {
-            throw std::runtime_error(
-                "Voronoi diagram: the sites are too sparse to cover the torus");
+            throw std::runtime_error(sparse_message(domain, sites.size()));
         }
     }
 }

@@ -4,14 +4,16 @@
 
 #include <cmath>
 
-// Derivatives of T c q(alpha) - delta c² h(alpha) / 4 by the chord, the pressure difference and the
-// half angle (E3), with q' = sin(alpha) w and h' = 2 w (ArcShape).
+// The energy is T c q(alpha) - delta c² h(alpha) / 4. Its derivatives with respect to the chord,
+// the pressure difference and the half angle (E3) follow from q' = sin(alpha) w and h' = 2 w
+// (ArcShape).
 
 namespace foam {
 
 namespace {
 
-// Returns the derivative of the energy by the chord length: the pull of the film along its chord.
+// Returns the derivative of the energy with respect to the chord length. This is the pull of the
+// film along its chord.
 double radial_force(double chord_length,
                     const ArcShape& shape,
                     double pressure_difference,

@@ -6,21 +6,24 @@
 
 namespace foam {
 
-/// The contribution of a film with a free half angle to the function whose stationary point is
-/// equilibrium (E3): energy(d, alpha, delta) = T length - delta segment_area. Length and area are
-/// those of E1 for any half angle in (-pi, pi); delta = p_left - p_right is the pressure
-/// difference. The energy is stationary in alpha if Laplace-Young's law holds:
-///     energy_alpha = c w (T sin alpha - delta c / 2) = 0,  with w as in ArcShape.
+/// The contribution of an outer film to the function L of E3:
+/// energy(d, alpha, delta) = T length - delta segment_area. Equilibrium is a stationary point of L.
+/// T is the film tension, d the chord, c its length, and delta = p_left - p_right the pressure
+/// difference. The half angle alpha in
+/// (-pi, pi) is an unknown of its own. Length and segment area are given by E1. The energy is
+/// stationary in alpha if Laplace-Young's law holds:
+///     d energy / d alpha = c w (T sin alpha - delta c / 2) = 0,  with w as in ArcShape.
 /// This formulation is regular at 90 degrees and beyond, where the law alone does not determine
 /// alpha.
 struct BulgeEnergy {
     double value = 0.0;
-    double segment_area = 0.0;  // minus the derivative by the pressure difference
-    Vec2 gradient{0.0, 0.0};    // derivative by the chord
-    double by_angle = 0.0;      // derivative by the half angle
+    double segment_area = 0.0;  // minus the derivative with respect to the pressure difference
+    Vec2 gradient{0.0, 0.0};    // derivative with respect to the chord
+    double by_angle = 0.0;      // derivative with respect to the half angle
 };
 
-/// Second derivatives of BulgeEnergy::value. The second derivative by the pressure difference is 0.
+/// Second derivatives of BulgeEnergy::value with respect to the chord, the half angle and the
+/// pressure difference. The second derivative with respect to the pressure difference alone is 0.
 struct BulgeEnergyHessian {
     Mat2 chord_chord = Mat2::Zero();
     Vec2 chord_pressure{0.0, 0.0};
@@ -29,17 +32,19 @@ struct BulgeEnergyHessian {
     double angle_angle = 0.0;
 };
 
-/// Returns the energy and its first derivatives, all zero if the chord is zero. Precondition: the
-/// tension T is positive.
+/// Returns the energy and its first derivatives, which are all zero if the chord is zero.
+/// `pressure_difference` is the pressure on the left minus the pressure on the right. Precondition:
+/// the tension T is positive.
 BulgeEnergy bulge_energy(const FilmArc& arc, double pressure_difference, double tension);
 
-/// Returns the second derivatives of the energy, all zero if the chord is zero. Precondition: the
-/// tension T is positive.
+/// Returns the second derivatives of the energy, which are all zero if the chord is zero.
+/// Precondition: the tension T is positive.
 BulgeEnergyHessian bulge_energy_hessian(const FilmArc& arc,
                                         double pressure_difference,
                                         double tension);
 
-/// Returns sin alpha - delta c / 2T, which is zero if Laplace-Young's law holds.
+/// Returns sin alpha - delta c / 2T, which is zero if Laplace-Young's law holds. Precondition: the
+/// tension T is positive.
 double laplace_young_error(const FilmArc& arc, double pressure_difference, double tension);
 
 }  // namespace foam

@@ -9,8 +9,9 @@ namespace foam {
 
 namespace {
 
-// Returns floor(x / period), corrected so that x minus this number of periods, as computed, is in
-// [0, period). Returns 0 if the number does not fit 32 bits or if x is NaN.
+// Returns k = floor(x / period), the number of whole periods in x. Corrects k for rounding errors,
+// so that x minus k periods is in [0, period) as computed. Returns 0 if k does not fit into 32 bits
+// or if x is NaN.
 std::int32_t periods_below(double x, double period) {
     double k = std::floor(x / period);
     if (x - k * period < 0.0) {
@@ -58,8 +59,11 @@ Vec2 Domain::nearest_copy(const Vec2& vector) const {
         return Vec2(x - width * std::round(x / width), vector.y() - j * height);
     };
     Vec2 nearest = nearest_in_row(middle);
-    // The nearest copy in the middle row is at most half a width away along x and half a height
-    // along y. Only rows within about half a width along y can contain a nearer copy.
+    // The copies of the vector form rows of equal y. The middle row is the row nearest to y = 0.
+    // Its shortest copy has |x| <= width / 2 and |y| <= height / 2, and so a length of at most
+    // (width + height) / 2. A shorter copy can only be in a row with |y| < (width + height) / 2.
+    // Such a row is less than width / (2 height) + 1 rows away from the middle row. Without shear
+    // the middle row contains the shortest copy.
     const double rows = shear == 0.0 ? 0.0 : std::ceil(0.5 * width / height) + 1.0;
     for (double j = middle - rows; j <= middle + rows; j += 1.0) {
         const Vec2 copy = nearest_in_row(j);

@@ -10,7 +10,8 @@
 
 namespace foam {
 
-/// A translation by whole periods of a torus.
+/// A translation by whole periods of a torus: i times the period (width, 0) plus j times the period
+/// (shear, height) of a Domain.
 struct LatticeOffset {
     std::int32_t i = 0;
     std::int32_t j = 0;
@@ -26,13 +27,14 @@ struct LatticeOffset {
 };
 
 /// The domain of a foam: a torus, or the plane. The torus is the plane modulo the periods (width,
-/// 0) and (shear, height). Its own cell, the lattice cell of offset zero, is the rectangle [0,
-/// width) x [0, height) for any shear. If all periods are 0, the domain is the plane, in which
-/// nothing wraps and all lattice offsets are zero.
+/// 0) and (shear, height). Its fundamental cell is the rectangle [0, width) x [0, height) for any
+/// shear. The cell of a lattice offset is the fundamental cell, translated by the offset. If width,
+/// height and shear are 0, the domain is the plane: nothing wraps, and all lattice offsets are
+/// zero.
 struct Domain {
     double width = 1.0;
     double height = 1.0;
-    double shear = 0.0;  // how far the upper neighbor of the cell is shifted to the right
+    double shear = 0.0;  // how far each row of cells is shifted to the right of the row below
 
     bool is_plane() const { return width == 0.0; }
 
@@ -41,31 +43,32 @@ struct Domain {
         assert(!is_plane());
         return width * height;
     }
-    /// Returns the translation by the periods of the offset.
+    /// Returns the offset as a vector.
     Vec2 translation(LatticeOffset offset) const {
         return {offset.i * width + offset.j * shear, offset.j * height};
     }
 
-    /// Returns the lattice offset of the cell that contains the point: the point minus its
-    /// translation is in the torus' own cell. A component of the offset is 0 if it would not fit 32
-    /// bits or if the coordinate is NaN. Returns zero in the plane.
+    /// Returns the lattice offset of the cell that contains the point. The point minus the
+    /// translation by this offset is in the fundamental cell. Exception: a component that would not
+    /// fit into 32 bits, or that belongs to a NaN, is 0. In the plane, returns the zero offset.
     LatticeOffset cell_of(const Vec2& point) const;
 
-    /// Returns, row by row, the offsets whose translations are within `reach` of the point along x
-    /// and along y. May also return offsets slightly farther away. Returns only the zero offset in
-    /// the plane.
+    /// Returns the offsets whose translations differ from the point by at most `reach` in x and in
+    /// y, and some offsets that are up to one period farther away. The offsets are ordered by j and
+    /// then by i. In the plane, returns only the zero offset.
     std::vector<LatticeOffset> offsets_near(const Vec2& point, double reach) const;
 
-    /// Returns the shortest copy of a vector modulo the periods.
+    /// Returns the shortest vector that differs from the given vector by whole periods. In the
+    /// plane, returns the given vector.
     Vec2 nearest_copy(const Vec2& vector) const;
 
-    /// Returns the change of the shear since an earlier state of this torus. A shear is determined
-    /// up to multiples of the width; the result is the change of smallest magnitude. Returns 0 in
-    /// the plane.
+    /// Returns the change of the shear since an earlier state of this torus. The shear of a torus
+    /// is determined only up to multiples of the width. Of the possible changes, the result is the
+    /// one of smallest magnitude. In the plane, returns 0.
     double shear_since(const Domain& earlier) const;
 };
 
-/// The plane.
+/// The plane as a domain.
 inline constexpr Domain kPlane{0.0, 0.0};
 
 }  // namespace foam

@@ -6,26 +6,32 @@
 #include <cmath>
 #include <numbers>
 
-// In the closed forms of most functions of an arc (E1, E3), terms cancel near a straight film.
-// There the functions are evaluated as power series in s = sin alpha, which follow term by term
-// from the binomial series of 1/sqrt(1 - s²).
+// In the closed forms of most functions of an arc (E1, E3), terms nearly cancel near a straight
+// film (half angle alpha = 0). There the functions are evaluated as power series in s = sin alpha.
+// The coefficients of these series follow from the coefficients of the binomial series of
+// 1/sqrt(1 - s²).
 
 namespace foam {
 
 namespace {
 
-// For |s| below this limit the closed forms lose accuracy by cancellation. The series leaves an
-// error of less than 1e-17 after 14 terms.
+// If |s| is below this limit, series replace the closed forms, which lose accuracy by cancellation.
+// After 14 terms, the truncation error is less than 1e-17, or less than 2e-16 for
+// kShapeSecondDerivative.
 constexpr double kSeriesLimit = 0.25;
 constexpr int kSeriesTerms = 14;
 
 constexpr double kHalfPi = 0.5 * std::numbers::pi;
-constexpr double kNearlyFullCircle = 1e8;  // above it, h = pi / (pi - alpha)² up to rounding
-constexpr int kSegmentIterations = 5;      // of Newton's method, which converges to rounding error
+// If h (ArcShape::segment) is at least this number, alpha = pi - sqrt(pi / h) with an error of less
+// than 1e-12.
+constexpr double kNearlyFullCircle = 1e8;
+// Number of Newton iterations of half_angle_of_segment. After these iterations its result is
+// accurate to rounding.
+constexpr int kSegmentIterations = 5;
 
 using Series = std::array<double, kSeriesTerms>;
 
-// Returns weight(k) times the coefficients of the series of 1/sqrt(1 - s²) in s².
+// Returns, for each k, weight(k) times the coefficient of s^(2k) in the series of 1/sqrt(1 - s²).
 template <class Weight>
 constexpr Series weighted_series(Weight weight) {
     Series series{};
@@ -37,15 +43,16 @@ constexpr Series weighted_series(Weight weight) {
     return series;
 }
 
+// The series of segment_shape(s), divided by s, and of segment_shape_derivative(s).
 constexpr Series kShape = weighted_series([](int k) { return 2.0 / (2 * k + 3); });
-constexpr Series kShapeSlope =
+constexpr Series kShapeDerivative =
     weighted_series([](int k) { return 2.0 * (2 * k + 1) / (2 * k + 3); });
-// The derivative of segment_shape_slope, divided by s.
-constexpr Series kShapeBend =
+// The series of the derivative of segment_shape_derivative(s), divided by s.
+constexpr Series kShapeSecondDerivative =
     weighted_series([](int k) { return 2.0 * (2 * k + 1) * (2 * k + 3) / (2 * k + 5); });
 
-// Evaluates a series by Horner's rule, separately for the even and the odd coefficients: the two
-// chains of dependent operations overlap.
+// Returns the sum over k of series[k] s^(2k), by Horner's rule. Coefficients of even k and of odd k
+// are summed separately, so that the two chains of dependent operations overlap.
 double sum_of(const Series& series, double s) {
     const double square = s * s;
     const double fourth = square * square;
@@ -68,14 +75,15 @@ double angle_over_sine(double angle) {
     return angle == 0.0 ? 1.0 : angle / std::sin(angle);
 }
 
-// Returns (alpha - sin alpha cos alpha) / sin² alpha on the whole range of half angles.
+// Returns (alpha - sin alpha cos alpha) / sin² alpha, for alpha = `half_angle` in (-pi, pi).
 double segment_shape_of_angle(double half_angle) {
     const double s = std::sin(half_angle);
     const double c = std::cos(half_angle);
     if (c > 0.0 && std::abs(s) < kSeriesLimit) {
         return segment_shape(s);
     }
-    // segment_shape(s) is not used here, because asin is ill-conditioned at 90 degrees.
+    // segment_shape(s) is not used here: asin(s) is ill-conditioned at 90 degrees, and is not the
+    // half angle beyond 90 degrees.
     return (half_angle - s * c) / (s * s);
 }
 
@@ -88,24 +96,25 @@ double segment_shape(double s) {
     return (std::asin(s) - s * std::sqrt((1.0 - s) * (1.0 + s))) / (s * s);
 }
 
-double segment_shape_slope(double s) {
+double segment_shape_derivative(double s) {
     if (std::abs(s) < kSeriesLimit) {
-        return sum_of(kShapeSlope, s);
+        return sum_of(kShapeDerivative, s);
     }
     return 2.0 / std::sqrt((1.0 - s) * (1.0 + s)) - 2.0 * segment_shape(s) / s;
 }
 
-// The terms of the closed forms of w and w' cancel near a straight film. There w and w' are
-// computed from series in s = sin alpha: h = segment_shape(s), so that 2 w = cos alpha
-// segment_shape_slope(s).
+// Near a straight film, the terms of the closed forms of w and w' nearly cancel. There w and w' are
+// computed from series in s = sin alpha. Since h = segment_shape(s), w follows from
+// 2 w = h' = cos alpha segment_shape_derivative(s), and w' from the derivative of this equation.
 ArcShape arc_shape(double half_angle) {
     const double s = std::sin(half_angle);
     const double c = std::cos(half_angle);
     ArcShape shape{angle_over_sine(half_angle), segment_shape_of_angle(half_angle), 1.0 / 3.0, 0.0};
     if (c > 0.0 && std::abs(s) < kSeriesLimit) {
-        const double slope = sum_of(kShapeSlope, s);
-        shape.bulging = 0.5 * c * slope;
-        shape.bulging_derivative = 0.5 * s * (c * c * sum_of(kShapeBend, s) - slope);
+        const double derivative = sum_of(kShapeDerivative, s);
+        shape.bulging = 0.5 * c * derivative;
+        shape.bulging_derivative =
+            0.5 * s * (c * c * sum_of(kShapeSecondDerivative, s) - derivative);
         return shape;
     }
     const double excess = s - half_angle * c;
@@ -115,11 +124,11 @@ ArcShape arc_shape(double half_angle) {
 }
 
 // Uses Newton's method. Up to 90 degrees it is applied to h, which is nearly linear in alpha there.
-// Beyond 90 degrees it is applied to h^(-1/2), which is nearly linear up to 180 degrees and tends
-// to sin(alpha) / sqrt(pi) there.
+// Beyond 90 degrees it is applied to h^(-1/2), which is nearly linear in alpha up to 180 degrees.
+// Near 180 degrees, h^(-1/2) tends to sin(alpha) / sqrt(pi).
 double half_angle_of_segment(double h) {
     const double size = std::abs(h);
-    const bool is_low = size < kHalfPi;  // h at 90 degrees
+    const bool is_low = size < kHalfPi;  // kHalfPi is h at 90 degrees
     double angle = is_low ? size * (1.5 - 0.5 * size / kHalfPi)
                           : 2.0 * kHalfPi - std::sqrt(2.0 * kHalfPi / size);
     for (int k = 0; k < kSegmentIterations && size < kNearlyFullCircle; ++k) {
@@ -154,7 +163,8 @@ Vec2 tangent_at_head(const FilmArc& arc) {
 }
 
 Vec2 point_at(const FilmArc& arc, double fraction) {
-    // The chord from the tail to the point is at the angle (fraction - 1) alpha to the whole chord.
+    // The vector from the tail to the point is the chord, rotated by (fraction - 1) times the half
+    // angle and scaled.
     const double scale =
         fraction * angle_over_sine(arc.half_angle) / angle_over_sine(fraction * arc.half_angle);
     return scale * rotated(arc.chord, (fraction - 1.0) * arc.half_angle);

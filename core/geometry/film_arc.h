@@ -6,22 +6,25 @@
 
 namespace foam {
 
-/// A film as a circular arc from its tail to its head (E1). An arc with a positive half angle
-/// bulges to the right of the chord and adds to the area on its left; it corresponds to a higher
-/// pressure on the left. The half angle is in (-pi, pi). If the chord is zero, the arc has no
-/// length.
+/// A film as a circular arc from its tail to its head (E1 in core/README.md). An arc with a
+/// positive half angle bulges to the right of the chord and adds to the area on its left. This
+/// corresponds to a higher pressure on the left. The half angle is in (-pi, pi). If the chord is
+/// zero, the arc has no length.
 struct FilmArc {
     Vec2 chord{0.0, 0.0};     // head minus tail, foam units
-    double half_angle = 0.0;  // radians; half the angle by which the tangent turns left
+    double half_angle = 0.0;  // radians; half of the left turn of the tangent along the arc
 };
 
-/// Returns the length of the arc, c alpha / sin alpha.
+/// Returns the length of the arc, c alpha / sin alpha, with c the length of the chord and alpha the
+/// half angle.
 double arc_length(const FilmArc& arc);
 
-/// Returns the area between the chord and the arc, positive if it adds to the left side (E1).
+/// Returns the area between the chord and the arc (E1). The area is positive if it adds to the area
+/// on the left of the arc.
 double segment_area(const FilmArc& arc);
 
-/// Returns the signed curvature, positive if the arc turns left; 0 if the chord is zero.
+/// Returns the signed curvature (1 / radius), which is positive if the arc, followed from tail to
+/// head, turns left. Returns 0 if the chord is zero.
 double curvature(const FilmArc& arc);
 
 /// Returns the unit tangent at the tail, in the direction from tail to head. Precondition: the
@@ -31,7 +34,8 @@ Vec2 tangent_at_tail(const FilmArc& arc);
 /// chord is not zero.
 Vec2 tangent_at_head(const FilmArc& arc);
 
-/// Returns the point of the arc at a fraction of its length, relative to the tail.
+/// Returns the vector from the tail to the point of the arc at the given fraction of its length,
+/// measured from the tail.
 Vec2 point_at(const FilmArc& arc, double fraction);
 
 /// Returns the same arc in the direction from head to tail.
@@ -39,15 +43,17 @@ inline FilmArc reversed(const FilmArc& arc) {
     return {-arc.chord, -arc.half_angle};
 }
 
-/// Returns (asin s - s sqrt(1 - s²)) / s² for s = sin alpha, the function g of E3: four times the
-/// segment area divided by the square of the chord (E1). Accurate to a few units in the last place
-/// for |s| <= 1; where the terms cancel, a series is used.
+/// Returns the function g of E3, (asin s - s sqrt(1 - s²)) / s². For an arc of half angle asin s,
+/// this is four times the segment area divided by the square of the chord length. The result is
+/// accurate to a few units in the last place for |s| <= 1: near s = 0, where the two terms nearly
+/// cancel, a series is used instead.
 double segment_shape(double s);
 
 /// Returns the derivative of segment_shape, the function g' of E3. Precondition: |s| < 1.
-double segment_shape_slope(double s);
+double segment_shape_derivative(double s);
 
-/// The shape of an arc as functions of its half angle alpha, on the whole range (-pi, pi) (E3):
+/// The shape of an arc as functions q, h and w of its half angle alpha in (-pi, pi) (E3). A prime
+/// denotes the derivative with respect to alpha. With c the length of the chord:
 ///     length = c q(alpha),  segment area = c²/4 h(alpha),  q' = sin(alpha) w,  h' = 2 w.
 struct ArcShape {
     double length = 1.0;              // q = alpha / sin alpha

@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-// The derivatives are those of E3. The energy of a Laplace-Young arc is stationary in the half
-// angle, so that its gradient is the partial derivative at a fixed half angle. At the limit the
-// half angle is constant, and all derivatives are taken at a fixed shape of the arc.
+// E3 gives the derivatives. The energy of a Laplace-Young arc is stationary in the half angle, so
+// the gradient of the energy is its partial derivative at a fixed half angle. At the limit
+// (kLargestSine) the half angle is constant, so all derivatives, also the second ones, are taken at
+// a fixed half angle.
 
 namespace foam {
 
@@ -25,8 +26,8 @@ FilmState film_state(double chord_length, double pressure_difference, double ten
     return {chord_length, limited, limited != s};
 }
 
-// Returns the derivative of the energy by the chord length at a fixed half angle: the pull of the
-// film along its chord. On a Laplace-Young arc this is T cos(alpha).
+// Returns the derivative of the energy with respect to the chord length at a fixed half angle. This
+// is the pull of the film along its chord. On a Laplace-Young arc this is T cos(alpha).
 double radial_force(const FilmState& state, double pressure_difference, double tension) {
     if (!state.at_limit) {
         return tension * std::sqrt((1.0 - state.s) * (1.0 + state.s));
@@ -78,7 +79,8 @@ FilmEnergyHessian film_energy_hessian(const Vec2& chord,
         const double tangent = state.s / std::sqrt((1.0 - state.s) * (1.0 + state.s));
         radial = -0.5 * pressure_difference * tangent;
         hessian.chord_pressure = -0.5 * c * tangent * u;
-        hessian.pressure_pressure = -c * c * c / (8.0 * tension) * segment_shape_slope(state.s);
+        hessian.pressure_pressure =
+            -c * c * c / (8.0 * tension) * segment_shape_derivative(state.s);
     }
     hessian.chord_chord = radial * u * u.transpose() + force / c * n * n.transpose();
     return hessian;

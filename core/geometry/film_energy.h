@@ -6,43 +6,49 @@
 
 namespace foam {
 
-/// The contribution of one film to the function whose stationary point is equilibrium (E3):
-/// energy(d, delta) = T length - delta segment_area. The arc is the Laplace-Young arc of the chord
-/// d under the pressure difference delta = p_left - p_right.
+/// The contribution of one film to the function L of E3:
+/// energy(d, delta) = T length - delta segment_area. Equilibrium is a stationary point of L. T is
+/// the film tension, d the chord, and delta = p_left - p_right the pressure difference. The film is
+/// a Laplace-Young arc: the arc that satisfies Laplace-Young's law (E1). The sine of its half angle
+/// is s = delta |d| / 2T.
 ///
-/// If the half angle of the Laplace-Young arc would exceed the limit (kLargestSine), or if there is
-/// no such arc (|s| >= 1), the half angle is clamped to the limit and `at_limit` is set. The
-/// gradient is continuous there, because the energy is stationary in the half angle of a
-/// Laplace-Young arc. So a state that is locally ill-defined has finite forces that lead out of it.
-/// A state that has a film at the limit does not count as an equilibrium.
+/// If the half angle of the Laplace-Young arc would exceed the limit (|s| > kLargestSine), or if
+/// there is no such arc (|s| > 1), the half angle is clamped to the limit and `at_limit` is set.
+/// The gradient is continuous at the limit, because the energy of a Laplace-Young arc is stationary
+/// in the half angle. So even a film that has no Laplace-Young arc exerts finite forces, which move
+/// the foam away from this state. A foam that has a film at the limit does not count as being in
+/// equilibrium.
 struct FilmEnergy {
-    double half_angle = 0.0;
+    double half_angle = 0.0;  // radians, clamped to the limit
     double value = 0.0;
-    double segment_area = 0.0;  // minus the derivative by the pressure difference
-    Vec2 gradient{0.0, 0.0};    // derivative by the chord
+    double segment_area = 0.0;  // minus the derivative with respect to the pressure difference
+    Vec2 gradient{0.0, 0.0};    // derivative with respect to the chord
     bool at_limit = false;
 };
 
-/// Second derivatives of FilmEnergy::value.
+/// Second derivatives of FilmEnergy::value with respect to the chord and the pressure difference.
 struct FilmEnergyHessian {
     Mat2 chord_chord = Mat2::Zero();
     Vec2 chord_pressure{0.0, 0.0};
     double pressure_pressure = 0.0;
 };
 
-/// The sine of the largest half angle of a film inside a foam, 80 degrees. This is well above the
-/// 60 degrees of a two-sided bubble on a straight film, and well below 90 degrees, where the
-/// derivatives diverge.
+/// The sine of the largest half angle of an inner film, 80 degrees. This angle is well above 60
+/// degrees, the half angle of both films of a two-sided bubble on a straight film. It is well below
+/// 90 degrees, where the derivatives diverge.
 inline constexpr double kLargestSine = 0.984807753012208;
 
-/// Returns the half angle of the Laplace-Young arc (E1), clamped to the limit (kLargestSine).
-/// Precondition: the tension T = 2 gamma is positive.
+/// Returns the half angle of the Laplace-Young arc (E1) in radians, clamped to the limit
+/// (kLargestSine). `pressure_difference` is the pressure on the left minus the pressure on the
+/// right. Precondition: the tension T = 2 gamma is positive.
 double laplace_young_half_angle(double chord_length, double pressure_difference, double tension);
 
-/// Returns the energy and its first derivatives, all zero if the chord is zero.
+/// Returns the energy and its first derivatives, which are all zero if the chord is zero.
+/// Precondition: the tension is positive.
 FilmEnergy film_energy(const Vec2& chord, double pressure_difference, double tension);
 
-/// Returns the second derivatives of the energy, all zero if the chord is zero.
+/// Returns the second derivatives of the energy, which are all zero if the chord is zero.
+/// Precondition: the tension is positive.
 FilmEnergyHessian film_energy_hessian(const Vec2& chord,
                                       double pressure_difference,
                                       double tension);

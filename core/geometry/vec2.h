@@ -6,7 +6,8 @@
 
 namespace foam {
 
-/// A point or a vector of the plane, in foam units; x to the right, y up.
+/// A point or a vector of the plane. Lengths are in foam units (core/README.md) unless stated
+/// otherwise. The x axis points right, the y axis points up.
 using Vec2 = Eigen::Vector2d;
 /// A 2 x 2 matrix.
 using Mat2 = Eigen::Matrix2d;

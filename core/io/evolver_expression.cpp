@@ -33,7 +33,8 @@ Function find_function(const std::string& name) {
     return found == functions.end() ? nullptr : found->second;
 }
 
-// A recursive descent parser: sum > product > power > primary.
+// A recursive descent parser. A sum consists of products, a product of powers, and a power of
+// primaries.
 class Parser {
   public:
     Parser(TokenReader& tokens, const Parameters& parameters)
@@ -50,8 +51,9 @@ class Parser {
     }
 
   private:
-    // Returns true if the operator continues the expression. Outside parentheses, the first token
-    // of a line ends the expression. So does a sign with white space before it and none after it.
+    // Returns true if the next token is the given operator and continues the expression. Outside
+    // parentheses, an operator that begins a line ends the expression, and so does a sign with
+    // white space before it and none after it.
     bool at_operator(char symbol) const {
         const Token& token = tokens_.peek();
         const bool is_sign =
@@ -107,6 +109,7 @@ class Parser {
         return value;
     }
 
+    // Returns the value of a parameter, a constant or a function call.
     double named_value() {
         const std::string name = lower(tokens_.peek().text);
         const auto parameter = parameters_.find(name);
@@ -127,6 +130,7 @@ class Parser {
         return function(parenthesized());
     }
 
+    // Returns inner(). Throws FormatError if the nesting is too deep.
     template <class Inner>
     double nested(Inner inner) {
         if (++depth_ > kDeepestNesting) {

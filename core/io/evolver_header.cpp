@@ -10,7 +10,8 @@ namespace foam::evolver {
 
 namespace {
 
-// Returns the keywords that are rejected, each with its error message.
+// Returns the keywords that are rejected, in lower case, each with a text. The error message
+// consists of the keyword and this text.
 const std::map<std::string, const char*>& rejected_keywords() {
     static constexpr const char* kEnergy =
         "adds an energy that is not supported; the energy of a foam is the length of its films";
@@ -38,9 +39,10 @@ const std::map<std::string, const char*>& rejected_keywords() {
     return rejected_words;
 }
 
+// A method of the file: a function of elements, such as the length of an edge.
 struct Method {
     std::string name;
-    bool global = false;
+    bool global = false;  // true if it applies to all elements
 };
 
 class HeaderReader {
@@ -94,9 +96,11 @@ class HeaderReader {
         (this->*(handler == handlers.end() ? &HeaderReader::skip_statement : handler->second))();
     }
 
+    // Handles a keyword that has no arguments and needs no action.
     void pass() {}
 
-    // Returns true at the end of a statement: before a line that begins with a word.
+    // Returns true at the end of a statement: at the end of the file, or before a line that begins
+    // with a word.
     bool at_statement_end() const {
         return tokens_.at_end() ||
                (tokens_.at_line_start() && tokens_.peek().kind == TokenKind::Word);
@@ -159,7 +163,7 @@ class HeaderReader {
         header_.parameters[name] = take_expression(tokens_, header_.parameters);
     }
 
-    // METHOD_INSTANCE name METHOD method [GLOBAL]
+    // Reads METHOD_INSTANCE name METHOD method [GLOBAL].
     void read_method_instance() {
         const std::string name = lower(tokens_.take_word("the name of a method instance"));
         if (tokens_.at_word("method")) {
@@ -170,20 +174,23 @@ class HeaderReader {
         skip_statement();
     }
 
-    // QUANTITY name; or QUANTITY name INFO_ONLY | ENERGY | FIXED | CONSERVED ...
+    // Reads QUANTITY name, or QUANTITY name INFO_ONLY | ENERGY | FIXED | CONSERVED ...
     void read_quantity() {
         const std::string name(tokens_.take_word("the name of a quantity"));
         if (tokens_.at_word("energy")) {
             read_energy(name);
         } else if (tokens_.at_word("fixed") || tokens_.at_word("conserved")) {
             header_.notes.push_back(
-                fmt::format("line {}: quantity '{}' is not kept fixed", line_, name));
+                fmt::format("line {}: quantity '{}' is FIXED or CONSERVED in the file; foamtex "
+                            "ignores this",
+                            line_,
+                            name));
         }
         skip_statement();
     }
 
     // Reads the energy of a quantity. Adds its modulus to the film tension if the energy is the
-    // length of all edges; rejects other energies.
+    // length of all edges. Rejects other energies, unless their modulus is 0.
     void read_energy(const std::string& name) {
         double modulus = 1.0;
         Method method;
@@ -209,11 +216,14 @@ class HeaderReader {
         header_.added_tension += modulus;
     }
 
+    // Returns true if the next token continues the statement of a quantity, even on a new line.
     bool at_quantity_word() const {
         return tokens_.at_word("modulus") || tokens_.at_word("method") ||
                tokens_.at_word("global_method") || tokens_.at_word("global");
     }
 
+    // Returns the method of the instance with this name. If there is no such instance, the name is
+    // the name of a method, and this method is returned.
     Method method_named(const std::string& name) const {
         const auto instance = methods_.find(name);
         return instance == methods_.end() ? Method{name, false} : instance->second;

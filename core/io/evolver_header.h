@@ -15,13 +15,18 @@ namespace foam::evolver {
 struct Header {
     Domain domain;  // the plane for a free cluster
     Parameters parameters;
-    double added_tension = 0.0;      // sum of the energies per length of all edges
-    std::vector<std::string> notes;  // statements that were dropped, one line each
+    // The sum of the moduli of the file's energies that are the length of all edges. It is added to
+    // the tension of the films.
+    double added_tension = 0.0;
+    std::vector<std::string> notes;  // remarks on ignored statements, one line each
 };
 
-/// Reads the top section, up to the section of the vertices. Ignores statements that do not affect
-/// the equilibrium of a foam. Throws FormatError if the file is not a string model in the plane or
-/// on a torus whose first period is along x, or if it adds an energy that this model does not have.
+/// Reads and returns the top section. The next token is then the keyword of the section of
+/// vertices. Ignores quantities that are not energies; adds a note if they are fixed or conserved.
+/// Also ignores all statements whose keyword it does not know. Throws FormatError if the file is
+/// not a string model in the plane or on a torus whose first period is along x, if it adds an
+/// energy other than the length of all edges, or if it has another statement that is not supported
+/// (README.md).
 Header read_header(TokenReader& tokens);
 
 }  // namespace foam::evolver

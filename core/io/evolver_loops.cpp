@@ -10,17 +10,18 @@
 #include <cmath>
 #include <cstdlib>
 
-// Converts faces to loops of films. First copies the loop of edges of each face, and reverses it if
-// its body is on the other side. Then checks that loops are closed and that each side of an edge
-// has at most one face. If the total area of all loops is negative, they are clockwise and all are
-// reversed. Finally splits each loop into films at the vertices of three edges.
+// Converts faces to loops of films. First, the loop of edges of each face is copied; if the body
+// refers to the reversed face, the loop is reversed. Then it is checked that the loops are closed
+// and that each side of an edge has one face; in the plane, one of the two sides may have none. If
+// the total area of all loops is negative, the loops are clockwise, and all of them are reversed.
+// Finally, each loop is split into films at the vertices of three edges.
 
 namespace foam::evolver {
 
 namespace {
 
 constexpr double kMaxCoordinate = 1e6;    // largest coordinate of a vertex, in periods
-constexpr double kCoverTolerance = 1e-6;  // relative tolerance for the sum of the areas of faces
+constexpr double kCoverTolerance = 1e-6;  // relative tolerance of the sum of the areas of faces
 
 using Loop = std::vector<EdgeSide>;
 
@@ -76,6 +77,7 @@ class LoopBuilder {
         }
     }
 
+    // Sets the wrap of every edge. In the plane all wraps are zero.
     void resolve_wraps() {
         const bool wrapped = std::any_of(mesh_.edges.begin(),
                                          mesh_.edges.end(),
@@ -89,6 +91,7 @@ class LoopBuilder {
         }
     }
 
+    // Returns the lattice offset of the copy of the head that is nearest to the tail.
     LatticeOffset nearest_copy(const Edge& edge) const {
         const Vec2 back = mesh_.vertices[edge.tail].point - mesh_.vertices[edge.head].point;
         const auto j = static_cast<std::int32_t>(std::lround(back.y() / domain_.height));
@@ -170,8 +173,8 @@ class LoopBuilder {
         return 0.5 * twice;
     }
 
-    // Makes all loops counter-clockwise. In a file, either all faces are counter-clockwise or all
-    // are clockwise.
+    // Makes all loops counter-clockwise. Precondition: either all loops are counter-clockwise or
+    // all are clockwise. Throws FormatError if the loops do not cover the torus once.
     void orient() {
         double total = 0.0;
         for (const Loop& loop : loops_) {
@@ -186,6 +189,8 @@ class LoopBuilder {
         }
     }
 
+    // Counts the edges at each vertex. Throws FormatError if a vertex joins one edge or more than
+    // three.
     void count_edges() {
         edge_counts_.assign(mesh_.vertices.size(), 0);
         for (const Edge& edge : mesh_.edges) {
@@ -214,6 +219,8 @@ class LoopBuilder {
         return all;
     }
 
+    // Splits the loop of a face into films. The first film starts at the first junction of the
+    // loop.
     FilmLoop split(const Face& face, Loop loop) const {
         const auto first = std::find_if(
             loop.begin(), loop.end(), [this](EdgeSide side) { return begins_at_junction(side); });
@@ -235,9 +242,9 @@ class LoopBuilder {
     const Mesh& mesh_;
     const Domain& domain_;
     const std::string& file_;
-    std::vector<LatticeOffset> wraps_;
-    std::vector<Loop> loops_;
-    std::vector<int> edge_counts_;  // number of edges at each vertex
+    std::vector<LatticeOffset> wraps_;  // per edge
+    std::vector<Loop> loops_;           // per face
+    std::vector<int> edge_counts_;      // number of edges at each vertex
 };
 
 }  // namespace

@@ -22,7 +22,7 @@ std::int32_t decoded_wrap(unsigned bits) {
     return low < 0x10 ? low : low - 0x20;
 }
 
-// Maps the numbers of one kind of element, which need not be contiguous, to indices.
+// Maps the numbers of one kind of element in the file, which need not be contiguous, to indices.
 class IdTable {
   public:
     IdTable(const TokenReader& tokens, const char* kind) : tokens_(tokens), kind_(kind) {}
@@ -36,10 +36,14 @@ class IdTable {
         }
     }
 
+    // Returns the index of the element with the number `id`. If there is none, throws FormatError;
+    // the message names `user`, the element that refers to it.
     std::size_t index_of(int id, int line, const std::string& user) const {
         const auto found = indices_.find(id);
         if (found == indices_.end()) {
-            tokens_.fail(line, fmt::format("{}: {} {} does not exist", user, kind_, id));
+            tokens_.fail(
+                line,
+                fmt::format("{} refers to {} {}, which the file does not define", user, kind_, id));
         }
         return found->second;
     }
@@ -50,6 +54,7 @@ class IdTable {
     std::unordered_map<int, std::size_t> indices_;
 };
 
+// A section of the file, which begins with one of `words`.
 struct Section {
     std::array<std::string_view, 4> words;
     const char* name = "";
@@ -98,8 +103,8 @@ class MeshReader {
         return false;
     }
 
-    // Returns true at the end of an element: before a line that begins with an integer or with the
-    // name of a section.
+    // Returns true at the end of an element: at the end of the file, or before a line that begins
+    // with an integer, with the name of a section or with `read`.
     bool at_element_end() const {
         return tokens_.at_end() ||
                (tokens_.at_line_start() &&
@@ -129,7 +134,7 @@ class MeshReader {
         const std::string name = fmt::format("edge {}", id);
         Edge edge{id, line, take_vertex(name), take_vertex(name), {}, 1.0};
         if (!tokens_.at_line_start() && tokens_.at_integer() && !at_wrap()) {
-            take_vertex(name);  // a midpoint: arcs follow from the pressures
+            take_vertex(name);  // skips a midpoint: arcs follow from the pressures
         }
         edge.wrap = take_wrap_symbols();
         read_attributes([&](const std::string& word, int attribute_line) {
@@ -144,6 +149,7 @@ class MeshReader {
         mesh_.edges.push_back(edge);
     }
 
+    // Reads the number of a vertex of the element `user`. Returns the index of the vertex.
     std::size_t take_vertex(const std::string& user) {
         const int line = tokens_.peek().line;
         return vertex_ids_.index_of(tokens_.take_integer("a vertex number"), line, user);
@@ -218,25 +224,27 @@ class MeshReader {
         mesh_.bodies.push_back(body);
     }
 
+    // Returns true if an integer follows on the same line.
     bool at_integer_of_element() const { return !tokens_.at_line_start() && tokens_.at_integer(); }
 
-    // Passes each word to `handle`, which may read the values that follow the word. Skips all other
-    // tokens.
+    // Reads the attributes of an element. Passes each word and its line to `handle`, which may read
+    // the values that follow the word. Skips all other tokens.
     template <class Handle>
     void read_attributes(Handle handle) {
         if (!at_element_end() && tokens_.peek().kind != TokenKind::Word) {
             tokens_.fail_expecting("an attribute or the end of the line");
         }
-        bool held = false;
+        bool is_constrained = false;
         while (!at_element_end()) {
             const Token token = tokens_.take();
             if (token.kind == TokenKind::Word) {
                 const std::string word = lower(token.text);
-                held = held || word == "fixed" || word == "constraint" || word == "constraints";
+                is_constrained = is_constrained || word == "fixed" || word == "constraint" ||
+                                 word == "constraints";
                 handle(word, token.line);
             }
         }
-        mesh_.held += held ? 1 : 0;
+        mesh_.constrained_count += is_constrained ? 1 : 0;
     }
 
     TokenReader& tokens_;

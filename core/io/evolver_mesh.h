@@ -25,7 +25,7 @@ struct Edge {
     int line = 0;
     std::size_t tail = 0;               // index in Mesh::vertices
     std::size_t head = 0;               // index in Mesh::vertices
-    std::optional<LatticeOffset> wrap;  // periodic copy of the head at which the edge ends
+    std::optional<LatticeOffset> wrap;  // offset of the copy of the head at which it ends
     double tension = 1.0;
 };
 
@@ -39,8 +39,8 @@ struct EdgeSide {
 struct Face {
     int id = 0;
     int line = 0;
-    std::vector<EdgeSide> sides;
-    bool has_body = false;  // true if the file has a body for this face
+    std::vector<EdgeSide> sides;  // in order around the face
+    bool has_body = false;        // true if the file has a body for this face
 };
 
 /// A body with its number and line in the file.
@@ -48,7 +48,7 @@ struct Body {
     int id = 0;
     int line = 0;
     std::size_t face = 0;   // index in Mesh::faces
-    bool reversed = false;  // true if the body is on the other side of the face
+    bool reversed = false;  // true if the file gives the number of the face with a minus sign
     std::optional<double> volume;
     std::optional<double> pressure;
 };
@@ -59,8 +59,9 @@ struct Mesh {
     std::vector<Edge> edges;
     std::vector<Face> faces;
     std::vector<Body> bodies;
-    int held = 0;      // number of elements that the file fixes or constrains; foamtex moves them
-    int end_line = 0;  // the line after the sections, for error messages
+    // Number of elements that the file fixes or constrains. foamtex moves these elements freely.
+    int constrained_count = 0;
+    int end_line = 0;  // line of `read` or of the end of the file, for error messages
 };
 
 /// Reads the sections of vertices, edges, faces and bodies, up to `read` or the end of the file.

@@ -3,7 +3,7 @@
 #include "core/io/evolver_file.h"
 #include "core/io/evolver_loops.h"
 #include "core/io/format_error.h"
-#include "core/network/outside.h"
+#include "core/network/ghost_boundary.h"
 #include "core/network/validate.h"
 
 #include <fmt/core.h>
@@ -14,8 +14,7 @@
 
 // Builds the foam from the loops of films around the faces (evolver_loops.h). Vertices at which
 // films meet become junctions, each film becomes two half-edges, and each face becomes a bubble.
-// The half-edges that no face claims belong to the ghost. Target areas and pressures come from the
-// bodies.
+// Half-edges without a face belong to the ghost. Target areas and pressures come from the bodies.
 
 namespace foam {
 
@@ -23,10 +22,11 @@ namespace evolver {
 
 namespace {
 
-// Largest relative difference between the sum of the volumes and the area of the torus. It admits
-// volumes that were rounded to six digits.
+// Largest relative difference that is accepted between the sum of the volumes and the area of the
+// torus. Rounding the volumes to six digits causes a smaller difference.
 constexpr double kVolumeTolerance = 1e-5;
-// A sum that differs by more than this is scaled to the area of the torus.
+// If the relative difference is larger than this, the volumes are scaled to the area of the torus.
+// A smaller difference can come from rounding errors of the sum.
 constexpr double kVolumeRounding = 1e-12;
 
 class FoamBuilder {
@@ -44,7 +44,7 @@ class FoamBuilder {
             add_bubble(loop);
         }
         if (foam_.domain.is_plane()) {
-            add_outside(foam_.network);
+            add_ghost_boundary(foam_.network);
         }
         if (const auto fault = find_fault(foam_.network)) {
             fail(mesh_.end_line, fmt::format("the faces do not form a valid foam: {}", *fault));
@@ -101,10 +101,13 @@ class FoamBuilder {
         }
     }
 
+    // Returns the index of a side of an edge in half_edges_.
     static std::size_t index(EdgeSide side) { return 2 * side.edge + (side.forward ? 0 : 1); }
     static std::size_t twin_index(EdgeSide side) { return index(side) ^ 1U; }
 
-    // Adds the films in the order and in the direction of their first edges.
+    // Adds the films. Each film has one or two sides in `loops_`. Films are in the order in which
+    // the first edges of these sides appear in half_edges_; the side that comes first becomes the
+    // forward side.
     void add_films() {
         std::vector<const FilmSide*> begins(2 * mesh_.edges.size(), nullptr);
         for (const FilmLoop& loop : loops_) {
@@ -138,6 +141,8 @@ class FoamBuilder {
         foam_.identities.push_back(foam_.next_identity++);
     }
 
+    // Wraps the junctions into the fundamental cell of the torus. In the file, their coordinates
+    // may be anywhere in the plane.
     void place_junctions() {
         for (const JunctionId junction : foam_.network.junctions()) {
             place_junction(foam_, junction, foam_.positions[junction]);
@@ -169,7 +174,7 @@ class FoamBuilder {
         return *body.volume;
     }
 
-    // Fills in missing target areas. One bubble of a torus may have no volume; it gets the rest of
+    // Completes missing target areas. One bubble of a torus may have no volume; it gets the rest of
     // the area of the torus. If every face has a body but no body has a volume, each bubble gets
     // the area of its polygon.
     void complete_areas() {
@@ -192,12 +197,15 @@ class FoamBuilder {
         }
     }
 
+    // Sets every target area to the area of the polygon of the face.
     void keep_areas() {
         for (std::size_t face = 0; face < loops_.size(); ++face) {
             foam_.target_areas[id_at<BubbleId>(face)] = loops_[face].polygon_area;
         }
     }
 
+    // Checks that target areas are positive. On a torus, also checks that their sum is the area of
+    // the torus within kVolumeTolerance, and scales them to this sum.
     void check_sum_of_areas() {
         double sum = 0.0;
         for (const BubbleId bubble : foam_.network.bubbles()) {
@@ -232,17 +240,17 @@ class FoamBuilder {
     const Mesh& mesh_;
     const std::string& file_;
     std::vector<FilmLoop> loops_;
-    std::vector<JunctionId> junctions_;   // by vertex; none for midpoints and dissolved vertices
-    std::vector<HalfEdgeId> half_edges_;  // by side of an edge; set for the first edge of a film
+    std::vector<JunctionId> junctions_;   // per vertex; none for midpoints and dissolved vertices
+    std::vector<HalfEdgeId> half_edges_;  // by index(); set if a film begins there
     Foam foam_;
 };
 
 std::vector<std::string> notes_of(const Header& header, const Mesh& mesh) {
     std::vector<std::string> notes = header.notes;
-    if (mesh.held > 0) {
+    if (mesh.constrained_count > 0) {
         notes.push_back(fmt::format("fixed positions and constraints of {} element{} are ignored",
-                                    mesh.held,
-                                    mesh.held == 1 ? "" : "s"));
+                                    mesh.constrained_count,
+                                    mesh.constrained_count == 1 ? "" : "s"));
     }
     const bool measured = std::none_of(
         mesh.bodies.begin(), mesh.bodies.end(), [](const Body& b) { return b.volume.has_value(); });

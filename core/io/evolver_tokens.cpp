@@ -38,6 +38,8 @@ double parse_real(std::string_view text) {
     return result.ec == std::errc() ? value : std::strtod(std::string(text).c_str(), nullptr);
 }
 
+// Returns the value of the digits, or infinity if it does not fit 64 bits or if there are no
+// digits.
 double parse_hexadecimal(std::string_view digits) {
     std::uint64_t value = 0;
     const std::from_chars_result result =
@@ -46,6 +48,7 @@ double parse_hexadecimal(std::string_view digits) {
                                     : std::numeric_limits<double>::infinity();
 }
 
+// Returns the token as it is quoted in an error message.
 std::string described(const Token& token) {
     if (token.kind == TokenKind::End) {
         return "the end of the file";
@@ -154,7 +157,8 @@ void TokenReader::advance() {
     next_.precedes_space = position_ == text_.size() || is_space(at(0));
 }
 
-// Skips white space, comments and continued lines. Returns true if anything was skipped.
+// Skips white space, comments, and backslashes at the ends of lines together with these line ends.
+// Returns true if anything was skipped.
 bool TokenReader::skip_space() {
     const std::size_t start = position_;
     while (position_ < text_.size()) {
@@ -187,6 +191,8 @@ void TokenReader::skip_comment() {
     position_ = end + 2;
 }
 
+// Skips a backslash at the end of a line, and the line feed. Returns false if there is no such
+// backslash.
 bool TokenReader::skip_continuation() {
     if (at(0) != '\\') {
         return false;

@@ -19,13 +19,13 @@ enum class TokenKind {
 /// A token of a Surface Evolver data file.
 struct Token {
     TokenKind kind = TokenKind::End;
-    std::string_view text;    // the characters in the file, without quotes
-    double number = 0.0;      // value of a Number
-    bool is_integer = false;  // true for a Number in hexadecimal, or without point and exponent
-    int line = 1;
-    bool starts_line = false;
-    bool follows_space = false;
-    bool precedes_space = false;
+    std::string_view text;        // the characters in the file, without quotes
+    double number = 0.0;          // value of a Number
+    bool is_integer = false;      // true for a Number in hexadecimal, or without point and exponent
+    int line = 1;                 // line of the file; the first is 1
+    bool starts_line = false;     // true for the first token of a line
+    bool follows_space = false;   // true if white space or a comment is before the token
+    bool precedes_space = false;  // true if white space or the end of the text is after it
 
     bool is_symbol(char symbol) const {
         return kind == TokenKind::Symbol && text.front() == symbol;
@@ -35,36 +35,39 @@ struct Token {
 /// Returns the word in lower case (ASCII only). Keywords of the format are case-insensitive.
 std::string lower(std::string_view word);
 
-/// Splits a data file into tokens. Comments and backslashes at the ends of lines are white space.
-/// Throws FormatError with the line if the text is malformed.
+/// Splits a data file into tokens. Comments count as white space. A backslash at the end of a line
+/// continues the line. Throws FormatError if a comment or a quoted text is not closed.
 class TokenReader {
   public:
-    /// `text` is the data file, `file` its name in error messages. Both must outlive the reader.
+    /// `text` is the contents of the data file, `file` its name in error messages. Both must
+    /// outlive the reader.
     TokenReader(std::string_view text, const std::string& file);
 
-    /// Returns the next token without taking it.
+    /// Returns the next token without consuming it.
     const Token& peek() const { return next_; }
-    /// Takes the next token.
+    /// Consumes the next token and returns it.
     Token take();
 
-    /// Returns true if the next token is the given word. Upper and lower case count as equal.
-    /// Precondition: `word` is in lower case.
+    /// Returns true if the next token is the given word. The comparison ignores case. Precondition:
+    /// `word` is in lower case.
     bool at_word(std::string_view word) const;
     bool at_symbol(char symbol) const { return next_.is_symbol(symbol); }
     bool at_line_start() const { return next_.starts_line; }
     bool at_end() const { return next_.kind == TokenKind::End; }
-    /// Returns true if an integer comes next, with or without a sign.
+    /// Returns true if the next token is an integer, or a sign that is directly followed by a
+    /// digit.
     bool at_integer() const;
 
-    // Each of these functions takes the next token and returns its value. Throws FormatError if the
-    // token is of another kind. The message says that `meaning` was expected.
+    // Each of these functions consumes the next token and returns its value; an integer may have a
+    // sign. The functions throw FormatError if the token is of another kind. The message says that
+    // `meaning` was expected.
     int take_integer(std::string_view meaning);
     std::string_view take_word(std::string_view meaning);
     std::string_view take_text(std::string_view meaning);
 
     /// Throws FormatError for the given line.
     [[noreturn]] void fail(int line, const std::string& message) const;
-    /// Throws FormatError with a message that `meaning` was expected instead of the next token.
+    /// Throws FormatError with the message that `meaning` was expected instead of the next token.
     [[noreturn]] void fail_expecting(std::string_view meaning) const;
 
   private:

@@ -4,16 +4,21 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <iterator>
+#include <stdexcept>
 #include <utility>
 
 namespace foam {
 
 namespace {
 
-constexpr unsigned kWrapBits = 6;  // per axis, in the numeric form of a wrap
+constexpr unsigned kWrapBits = 6;  // bits per axis in the numeric form of a wrap
+// The numeric form stores a number of periods in five bits, in two's complement.
+constexpr std::int32_t kMinWrap = -16;
+constexpr std::int32_t kMaxWrap = 15;
 
-// Returns the number of each live id in the file, starting from 1.
+// Returns the number in the file, from 1, of each live element.
 template <class Id>
 Indexed<Id, int> numbers(const LiveRange<Id>& live, std::size_t slots) {
     Indexed<Id, int> result(slots, 0);
@@ -65,7 +70,9 @@ class Writer {
         }
     }
 
-    // Writes the junctions and then the midpoints, each unwrapped from the tail of its film.
+    // Writes the junctions and then, if films are arcs, the midpoints of the films. A midpoint is
+    // not wrapped: if its film leaves the fundamental cell, the midpoint may be outside of this
+    // cell.
     void write_vertices() {
         put("\nvertices\n");
         for (const JunctionId junction : foam_.network.junctions()) {
@@ -85,6 +92,7 @@ class Writer {
         put("{} {} {}\n", number, point.x(), point.y());
     }
 
+    // Returns the number of the vertex that is the midpoint of a film.
     int midpoint(FilmId film) const {
         return static_cast<int>(foam_.network.junction_count()) + films_[film];
     }
@@ -101,7 +109,7 @@ class Writer {
                 put(" /*midpt*/ {}", midpoint(film));
             }
             if (!foam_.domain.is_plane()) {
-                write_wrap(foam_.network.offset(h));
+                write_wrap(films_[film], foam_.network.offset(h));
             }
             if (foam_.film_tension != 1.0) {
                 put(" tension {}", foam_.film_tension);
@@ -110,13 +118,13 @@ class Writer {
         }
     }
 
-    // Writes a wrap as symbols or, if it exceeds one period, as a number.
-    void write_wrap(LatticeOffset offset) {
+    // Writes the wrap of an edge as symbols or, if it exceeds one period, as a number.
+    void write_wrap(int edge, LatticeOffset offset) {
         const auto is_symbol = [](std::int32_t periods) { return -1 <= periods && periods <= 1; };
         if (is_symbol(offset.i) && is_symbol(offset.j)) {
             put(" {} {}", symbol(offset.i), symbol(offset.j));
         } else {
-            put(" wrap {}", wrap_bits(offset.i) | (wrap_bits(offset.j) << kWrapBits));
+            put(" wrap {}", wrap_bits(edge, offset.i) | (wrap_bits(edge, offset.j) << kWrapBits));
         }
     }
 
@@ -124,7 +132,18 @@ class Writer {
         return periods == 0 ? '*' : (periods > 0 ? '+' : '-');
     }
 
-    static unsigned wrap_bits(std::int32_t periods) {
+    // Returns the lower five bits of a number of periods. Throws std::range_error if the number
+    // needs more bits.
+    static unsigned wrap_bits(int edge, std::int32_t periods) {
+        if (periods < kMinWrap || periods > kMaxWrap) {
+            throw std::range_error(
+                fmt::format("edge {} wraps {} times around the torus; a Surface Evolver file can "
+                            "store only {} to {}",
+                            edge,
+                            periods,
+                            kMinWrap,
+                            kMaxWrap));
+        }
         return static_cast<unsigned>(periods) & 0x1fU;
     }
 

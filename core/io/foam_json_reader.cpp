@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "core/io/foam_json.h"
-#include "core/io/format_error.h"
-#include "core/io/json_tree.h"
+#include "core/io/json_item.h"
 #include "core/network/validate.h"
 
 #include <fmt/core.h>
@@ -17,30 +16,24 @@ namespace foam {
 
 namespace {
 
-// Largest relative difference between the sum of the target areas and the area of the torus. Time
-// steps keep the two equal except for rounding.
+// Largest relative difference that is accepted between the sum of the target areas and the area of
+// the torus. Time steps keep the two equal except for rounding.
 constexpr double kAreaTolerance = 1e-6;
-// Largest distance of a position from the fundamental cell of the torus, in periods. Rounding can
-// put a position slightly outside.
+// Largest accepted distance of a position from the fundamental cell of the torus, in periods.
+// Rounding can put a position slightly outside.
 constexpr double kCellSlack = 1e-9;
 
 class Reader {
   public:
-    Reader(const JsonTree& root, const std::string& file) : root_(root), file_(file) {}
+    Reader(const JsonTree& root, const std::string& file) : root_(root, file) {}
 
     Foam read() {
         check_format();
         read_scalars();
-        for (const JsonTree& item : array(member("junctions"))) {
-            read_junction(item);
-        }
+        for_each_element("junctions", [this](const JsonItem& item) { read_junction(item); });
         count_films_and_bubbles();
-        for (const JsonTree& item : array(member("films"))) {
-            read_film(item);
-        }
-        for (const JsonTree& item : array(member("bubbles"))) {
-            read_bubble(item);
-        }
+        for_each_element("films", [this](const JsonItem& item) { read_film(item); });
+        for_each_element("bubbles", [this](const JsonItem& item) { read_bubble(item); });
         if (foam_.domain.is_plane()) {
             read_patch();
         }
@@ -50,117 +43,68 @@ class Reader {
     }
 
   private:
-    [[noreturn]] void fail(int line, const std::string& message) const {
-        throw FormatError(file_, line, message);
-    }
-
-    const JsonTree& member(const char* name) const {
-        const JsonTree* found = root_.find(name);
-        if (found == nullptr) {
-            fail(root_.line, fmt::format("'{}' is missing", name));
+    template <class ReadElement>
+    void for_each_element(const char* name, const ReadElement& read_element) const {
+        const JsonItem list = root_.member(name);
+        for (std::size_t k = 0; k < list.size(); ++k) {
+            read_element(list.element(k));
         }
-        return *found;
     }
 
-    const JsonTree::Array& array(const JsonTree& value) const {
-        const auto* items = std::get_if<JsonTree::Array>(&value.data);
-        if (items == nullptr) {
-            fail(value.line, "expected an array");
-        }
-        return *items;
-    }
-
-    // Returns the items of an array. Throws FormatError if it does not have the given size.
-    const JsonTree::Array& row(const JsonTree& value, std::size_t size) const {
-        const JsonTree::Array& items = array(value);
-        if (items.size() != size) {
-            fail(value.line,
-                 fmt::format("expected an array of {} numbers, not {}", size, items.size()));
-        }
-        return items;
-    }
-
-    double number(const JsonTree& value) const {
-        const double* found = std::get_if<double>(&value.data);
-        if (found == nullptr || !std::isfinite(*found)) {
-            fail(value.line, "expected a finite number");
-        }
-        return *found;
-    }
-
-    double positive(const JsonTree& value) const {
-        const double found = number(value);
-        if (!(found > 0.0)) {
-            fail(value.line, fmt::format("expected a positive number, found {}", found));
-        }
-        return found;
-    }
-
-    double integer(const JsonTree& value, double min, double max) const {
-        const double found = number(value);
-        if (found != std::floor(found) || found < min || found > max) {
-            fail(value.line,
-                 fmt::format("expected an integer from {} to {}, found {}", min, max, found));
-        }
-        return found;
-    }
-
-    std::uint32_t index(const JsonTree& value, std::size_t size) const {
-        return static_cast<std::uint32_t>(integer(value, 0.0, static_cast<double>(size) - 1.0));
-    }
-
-    HalfEdgeId half_edge(const JsonTree& value) const {
-        return id_at<HalfEdgeId>(index(value, 2 * films_));
+    HalfEdgeId half_edge(const JsonItem& item) const {
+        return id_at<HalfEdgeId>(item.index(2 * films_, "film"));
     }
 
     void check_format() const {
-        const auto* format = std::get_if<std::string>(&member("format").data);
-        if (format == nullptr || *format != "foamtex-foam") {
-            fail(member("format").line, "not a foam state: 'format' must be \"foamtex-foam\"");
+        const JsonItem format = root_.member("format");
+        if (!format.is_text("foamtex-foam")) {
+            format.fail("must be \"foamtex-foam\", otherwise the file is not a foam state");
         }
-        const double version = integer(member("version"), 1.0, 1e9);
+        const JsonItem item = root_.member("version");
+        const double version = item.integer(1.0, 1e9);
         if (version > kFoamJsonVersion) {
-            fail(member("version").line,
-                 fmt::format(
-                     "foam state version {} is not supported; this program reads versions 1 to {}",
-                     version,
-                     kFoamJsonVersion));
+            item.fail(fmt::format(
+                "foam state version {} is not supported; this program reads versions 1 to {}",
+                version,
+                kFoamJsonVersion));
         }
     }
 
     void read_scalars() {
-        read_torus(member("torus"));
-        foam_.film_tension = positive(member("film_tension"));
-        foam_.time = number(member("time"));
-        foam_.next_identity = index(member("next_identity"), kNoIndex);
+        read_torus(root_.member("torus"));
+        foam_.film_tension = root_.member("film_tension").positive();
+        foam_.time = root_.member("time").number();
+        foam_.next_identity =
+            static_cast<BubbleIdentity>(root_.member("next_identity").integer(0.0, kNoIndex - 1.0));
     }
 
     // Reads the width, the height and, if there is a third number, the shear. A width and a height
     // of 0 mean the plane.
-    void read_torus(const JsonTree& item) {
-        const std::size_t size = array(item).size() == 3 ? 3 : 2;
-        const JsonTree::Array& domain = row(item, size);
-        const bool is_plane = number(domain[0]) == 0.0 && number(domain[1]) == 0.0;
-        foam_.domain = is_plane ? kPlane : Domain{positive(domain[0]), positive(domain[1])};
-        if (size == 3) {
-            foam_.domain.shear = number(domain[2]);
+    void read_torus(const JsonItem& item) {
+        const bool has_shear = item.size() == 3;
+        item.expect_size(has_shear ? 3 : 2);
+        const JsonItem width = item.value(0);
+        const JsonItem height = item.value(1);
+        const bool is_plane = width.number() == 0.0 && height.number() == 0.0;
+        foam_.domain = is_plane ? kPlane : Domain{width.positive(), height.positive()};
+        if (has_shear) {
+            foam_.domain.shear = item.value(2).number();
         }
         if (std::abs(foam_.domain.shear) > foam_.domain.width) {
-            fail(item.line,
-                 fmt::format("the shear of the torus must be from -{0} to {0}, its width, not {1}",
-                             foam_.domain.width,
-                             foam_.domain.shear));
+            item.fail(
+                fmt::format("the shear of the torus must be from -{0} to {0}, its width, not {1}",
+                            foam_.domain.width,
+                            foam_.domain.shear));
         }
     }
 
-    void read_junction(const JsonTree& item) {
-        const JsonTree::Array& values = row(item, 3);
-        const Vec2 position(number(values[0]), number(values[1]));
+    void read_junction(const JsonItem& item) {
+        item.expect_size(3);
+        const Vec2 position(item.value(0).number(), item.value(1).number());
         if (!foam_.domain.is_plane() && !(is_inside(position.x(), foam_.domain.width) &&
                                           is_inside(position.y(), foam_.domain.height))) {
-            fail(item.line,
-                 fmt::format(
-                     "junction at ({}, {}) is outside of the torus", position.x(), position.y()));
+            item.fail(fmt::format(
+                "the position ({}, {}) is outside of the torus", position.x(), position.y()));
         }
         foam_.network.add_junction();
         foam_.positions.push_back(position);
@@ -171,90 +115,104 @@ class Reader {
     }
 
     void count_films_and_bubbles() {
-        films_ = array(member("films")).size();
-        bubbles_ = array(member("bubbles")).size();
+        films_ = root_.member("films").size();
+        bubbles_ = root_.member("bubbles").size();
         if (films_ > std::numeric_limits<std::int32_t>::max() / 2) {
-            fail(member("films").line, fmt::format("{} films are too many", films_));
+            root_.member("films").fail(fmt::format("{} films are too many", films_));
         }
     }
 
-    void read_film(const JsonTree& item) {
-        const JsonTree::Array& values = row(item, 9);
-        const std::size_t junctions = foam_.network.junction_slots();
-        const HalfEdgeId h = forward_side(foam_.network.add_film());
-        foam_.network.set_tail(h, id_at<JunctionId>(index(values[0], junctions)));
-        foam_.network.set_tail(twin(h), id_at<JunctionId>(index(values[1], junctions)));
+    void read_film(const JsonItem& item) {
+        item.expect_size(9);
         const std::size_t regions = bubbles_ + (foam_.domain.is_plane() ? 1 : 0);  // with the ghost
-        foam_.network.set_left(h, id_at<BubbleId>(index(values[2], regions)));
-        foam_.network.set_left(twin(h), id_at<BubbleId>(index(values[3], regions)));
-        foam_.network.set_next(h, half_edge(values[4]));
-        foam_.network.set_next(twin(h), half_edge(values[5]));
-        foam_.network.set_offset(h, {periods(values[6]), periods(values[7])});
-        foam_.t1_armed.push_back(static_cast<std::uint8_t>(index(values[8], 2)));
+        const HalfEdgeId h = forward_side(foam_.network.add_film());
+        foam_.network.set_tail(h, junction(item.value(0)));
+        foam_.network.set_tail(twin(h), junction(item.value(1)));
+        foam_.network.set_left(h, id_at<BubbleId>(item.value(2).index(regions, "bubble")));
+        foam_.network.set_left(twin(h), id_at<BubbleId>(item.value(3).index(regions, "bubble")));
+        foam_.network.set_next(h, half_edge(item.value(4)));
+        foam_.network.set_next(twin(h), half_edge(item.value(5)));
+        foam_.network.set_offset(h, {periods(item.value(6)), periods(item.value(7))});
+        foam_.t1_armed.push_back(static_cast<std::uint8_t>(item.value(8).integer(0.0, 1.0)));
     }
 
-    std::int32_t periods(const JsonTree& value) const {
+    JunctionId junction(const JsonItem& item) const {
+        return id_at<JunctionId>(item.index(foam_.network.junction_slots(), "junction"));
+    }
+
+    static std::int32_t periods(const JsonItem& item) {
         constexpr double kMaxPeriods = 1e6;
-        return static_cast<std::int32_t>(integer(value, -kMaxPeriods, kMaxPeriods));
+        return static_cast<std::int32_t>(item.integer(-kMaxPeriods, kMaxPeriods));
     }
 
-    void read_bubble(const JsonTree& item) {
-        const JsonTree::Array& values = row(item, 5);
+    // Reads a number of sides.
+    int sides(const JsonItem& item) const {
+        return static_cast<int>(item.integer(0.0, 2.0 * static_cast<double>(films_)));
+    }
+
+    void read_bubble(const JsonItem& item) {
+        item.expect_size(5);
         const BubbleId bubble = foam_.network.add_bubble();
-        foam_.identities.push_back(identity_in(values[0]));
-        foam_.pressures.push_back(number(values[1]));
-        foam_.target_areas.push_back(positive(values[2]));
-        foam_.network.set_first(bubble, half_edge(values[3]));
-        foam_.network.set_sides(bubble, static_cast<int>(index(values[4], 2 * films_ + 1)));
+        foam_.identities.push_back(identity(item.value(0)));
+        foam_.pressures.push_back(item.value(1).number());
+        foam_.target_areas.push_back(item.value(2).positive());
+        foam_.network.set_first(bubble, half_edge(item.value(3)));
+        foam_.network.set_sides(bubble, sides(item.value(4)));
     }
 
-    BubbleIdentity identity_in(const JsonTree& value) {
-        const BubbleIdentity identity = index(value, foam_.next_identity);
-        if (!identities_.insert(identity).second) {
-            fail(value.line, fmt::format("duplicate bubble identity {}", identity));
+    BubbleIdentity identity(const JsonItem& item) {
+        const auto found = static_cast<BubbleIdentity>(item.integer(0.0, kNoIndex - 1.0));
+        if (found >= foam_.next_identity) {
+            item.fail(fmt::format("expected an identity below 'next_identity', {}, found {}",
+                                  foam_.next_identity,
+                                  found));
         }
-        return identity;
+        if (!identities_.insert(found).second) {
+            item.fail(fmt::format("duplicate bubble identity {}", found));
+        }
+        return found;
     }
 
     void read_patch() {
-        const JsonTree::Array& ghost_row = row(member("ghost"), 2);
+        const JsonItem ghost_item = root_.member("ghost");
+        ghost_item.expect_size(2);
         const BubbleId ghost = foam_.network.add_ghost();
-        const auto sides = static_cast<int>(index(ghost_row[1], 2 * films_ + 1));
-        foam_.network.set_sides(ghost, sides);
-        foam_.network.set_first(ghost, sides > 0 ? half_edge(ghost_row[0]) : kNone<HalfEdgeId>);
+        const int ghost_sides = sides(ghost_item.value(1));
+        foam_.network.set_sides(ghost, ghost_sides);
+        foam_.network.set_first(
+            ghost, ghost_sides > 0 ? half_edge(ghost_item.value(0)) : kNone<HalfEdgeId>);
         complete_patch(foam_);
-        const JsonTree::Array& angles = row(member("half_angles"), films_);
+        const JsonItem angles = root_.member("half_angles");
+        angles.expect_size(films_);
         for (const FilmId film : foam_.network.films()) {
-            foam_.half_angles[film] = half_angle(angles[index_of(film)]);
+            foam_.half_angles[film] = half_angle(angles.element(index_of(film)));
         }
-        for (const JsonTree& item : array(member("lone_bubbles"))) {
-            const JsonTree::Array& values = row(item, 4);
-            foam_.lone_bubbles.push_back({identity_in(values[0]),
-                                          {number(values[1]), number(values[2])},
-                                          positive(values[3])});
-        }
+        for_each_element("lone_bubbles", [this](const JsonItem& item) {
+            item.expect_size(4);
+            foam_.lone_bubbles.push_back({identity(item.value(0)),
+                                          {item.value(1).number(), item.value(2).number()},
+                                          item.value(3).positive()});
+        });
     }
 
-    double half_angle(const JsonTree& value) const {
-        const double angle = number(value);
+    static double half_angle(const JsonItem& item) {
+        const double angle = item.number();
         if (!(std::abs(angle) < std::numbers::pi)) {
-            fail(value.line, fmt::format("expected an angle between -pi and pi, found {}", angle));
+            item.fail(fmt::format("expected an angle between -pi and pi, found {}", angle));
         }
         return angle;
     }
 
-    // Sets the outgoing half-edge of each junction to the one in the file. It must be set last,
+    // Sets the outgoing half-edge of each junction to the one in the file. This must be done last,
     // because set_tail in read_film also sets it.
     void set_outgoing() {
-        const JsonTree::Array& rows = array(member("junctions"));
+        const JsonItem junctions = root_.member("junctions");
         for (const JunctionId junction : foam_.network.junctions()) {
-            const JsonTree& item = rows[index_of(junction)];
-            const HalfEdgeId h = half_edge(row(item, 3)[2]);
+            const JsonItem item = junctions.element(index_of(junction)).value(2);
+            const HalfEdgeId h = half_edge(item);
             if (foam_.network.tail(h) != junction) {
-                fail(item.line,
-                     fmt::format("half-edge {} does not leave junction {}",
-                                 index_of(h),
-                                 index_of(junction)));
+                item.fail(fmt::format(
+                    "half-edge {} does not leave junction {}", index_of(h), index_of(junction)));
             }
             foam_.network.set_tail(h, junction);
         }
@@ -262,10 +220,10 @@ class Reader {
 
     void check_foam() const {
         if (films_ == 0 && foam_.lone_bubbles.empty()) {
-            fail(member("films").line, "the foam has no films and no lone bubbles");
+            root_.member("films").fail("the foam has no films and no lone bubbles");
         }
         if (const auto fault = find_fault(foam_.network)) {
-            fail(member("films").line, fmt::format("the foam is not valid: {}", *fault));
+            root_.member("films").fail(fmt::format("the foam is not valid: {}", *fault));
         }
         if (foam_.domain.is_plane()) {
             return;
@@ -275,15 +233,14 @@ class Reader {
             sum += foam_.target_areas[bubble];
         }
         if (!(std::abs(sum / foam_.domain.area() - 1.0) < kAreaTolerance)) {
-            fail(member("bubbles").line,
-                 fmt::format("the target areas add up to {}, but the torus has an area of {}",
-                             sum,
-                             foam_.domain.area()));
+            root_.member("bubbles").fail(
+                fmt::format("the target areas add up to {}, but the torus has an area of {}",
+                            sum,
+                            foam_.domain.area()));
         }
     }
 
-    const JsonTree& root_;
-    const std::string& file_;
+    JsonItem root_;
     Foam foam_;
     std::size_t films_ = 0;
     std::size_t bubbles_ = 0;

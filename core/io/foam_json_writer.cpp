@@ -11,8 +11,9 @@ namespace foam {
 
 namespace {
 
-// Real numbers are written with a point or an exponent, so that -0.0 keeps its sign, and in the
-// fewest digits that read back to the same bits.
+// Writes a state. Real numbers have the fewest digits that read back to the same bits, and always a
+// point or an exponent. Without point and exponent, -0.0 would be read as the integer 0 and lose
+// its sign.
 class Writer {
   public:
     explicit Writer(const Foam& foam) : foam_(foam) {}
@@ -48,7 +49,7 @@ class Writer {
         fmt::format_to(std::back_inserter(text_), format, std::forward<Values>(values)...);
     }
 
-    // Writes no shear if it is 0, as in version 1.
+    // Writes the shear only if it is not 0, because version 1 has no shear.
     void put_torus() {
         put("\"torus\": [{:#}, {:#}", foam_.domain.width, foam_.domain.height);
         if (foam_.domain.shear != 0.0) {
@@ -124,24 +125,15 @@ class Writer {
     std::string text_;
 };
 
-// Returns true if there are no dead slots and the ghost, if there is one, is the last bubble.
-bool is_dense(const Network& network) {
-    const bool has_ghost = network.ghost() != kNone<BubbleId>;
-    return network.junction_slots() == network.junction_count() &&
-           network.film_slots() == network.film_count() &&
-           network.bubble_slots() == network.bubble_count() + (has_ghost ? 1 : 0) &&
-           (!has_ghost || index_of(network.ghost()) == network.bubble_count());
-}
-
 }  // namespace
 
 std::string write_foam_json(const Foam& foam) {
-    if (is_dense(foam.network)) {
+    if (foam.network.is_compact()) {
         return Writer(foam).write();
     }
-    Foam dense = foam;
-    compact(dense);
-    return Writer(dense).write();
+    Foam compacted = foam;
+    compact(compacted);
+    return Writer(compacted).write();
 }
 
 }  // namespace foam

@@ -10,7 +10,8 @@ namespace foam {
 
 namespace {
 
-// Replaces characters that are not printable ASCII: a message may quote arbitrary bytes of a file.
+// Replaces characters that are not printable ASCII by question marks, because a message may quote
+// arbitrary bytes of a file.
 std::string printable(std::string text) {
     std::replace_if(
         text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');

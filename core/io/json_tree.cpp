@@ -11,9 +11,9 @@
 #include <cstdint>
 #include <iterator>
 
-// nlohmann's own tree does not keep the lines of its values. This tree is built from the events of
-// nlohmann's SAX parser. An input iterator counts the lines that the parser has read; the line of a
-// value is the line of the last character read.
+// nlohmann's own JSON tree does not keep the lines of its values. This tree is built from the
+// events of nlohmann's SAX parser. An input iterator counts the lines that the parser has read; the
+// line of a value is the line of the last character read.
 
 namespace foam {
 
@@ -24,7 +24,7 @@ using Json = nlohmann::json;
 constexpr std::size_t kDeepest = 16;  // a state of a foam has three levels
 
 // The position up to which the parser has read. After a number, this is one character beyond the
-// end of the number.
+// end of the number. This character may be a line feed, which token_line() does not count.
 struct Progress {
     int line = 1;
     bool at_line_end = false;  // true if the last character read was a line feed
@@ -104,7 +104,7 @@ class TreeBuilder : public Json::json_sax_t {
     }
 
     // Returns the node for the next value. Pointers in open_ stay valid: nothing is appended to the
-    // container of an open node until that node is closed.
+    // container that contains an open node until this node is closed.
     JsonTree& next_node() {
         if (open_.empty()) {
             return root_;

@@ -23,7 +23,7 @@ struct JsonTree {
 };
 
 /// Parses a JSON text. Throws FormatError if the text is not JSON, if it is nested deeper than 16
-/// levels, or if an object has the same key twice. `file` is the name of the file in the message.
+/// levels, or if an object has the same key twice. `file` is the name in the error message.
 JsonTree parse_json(std::string_view text, const std::string& file);
 
 }  // namespace foam

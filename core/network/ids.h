@@ -8,13 +8,14 @@
 
 namespace foam {
 
-/// Indices of the network's elements. Each kind has a type of its own, so that they cannot be
-/// confused.
+/// Indices of the network's elements. Each kind of element has a type of index of its own, so that
+/// the compiler finds confused indices.
 enum class JunctionId : std::uint32_t {};
 enum class FilmId : std::uint32_t {};
 enum class BubbleId : std::uint32_t {};
-/// The index of a half-edge. The two sides of film k are the half-edges 2k, the forward side from
-/// tail to head, and 2k + 1.
+/// The index of a half-edge. Half-edge 2k is the forward side of film k. Half-edge 2k + 1 is the
+/// other side of this film and runs in the opposite direction. The tail and the head of the forward
+/// side are also called the tail and the head of the film.
 enum class HalfEdgeId : std::uint32_t {};
 
 inline constexpr std::uint32_t kNoIndex = std::numeric_limits<std::uint32_t>::max();

@@ -10,7 +10,8 @@
 
 namespace foam {
 
-/// A vector of one value per element of the network, indexed by the element's id.
+/// A vector with one value for each slot (network.h) of one kind of elements of a network:
+/// junctions, films or bubbles. It is indexed by the id.
 template <class Id, class T>
 class Indexed {
   public:
@@ -28,6 +29,7 @@ class Indexed {
 
     std::size_t size() const { return values_.size(); }
     void resize(std::size_t size, const T& value = T()) { values_.resize(size, value); }
+    /// Appends a value and returns its id.
     Id push_back(T value) {
         values_.push_back(std::move(value));
         return id_at<Id>(values_.size() - 1);

@@ -4,8 +4,9 @@
 
 #include <array>
 
-// Both insertions are the inverse of a T2 (t2.cpp). New films have a lattice offset of zero,
-// because all their junctions are in the lattice cell of an existing one.
+// Each of the two insertions is the inverse of a T2 (t2.cpp). New films have a lattice offset of
+// zero, because the new junctions are in the same lattice cell as the old junction or, for a lens,
+// the old tail of h.
 
 namespace foam {
 
@@ -32,7 +33,7 @@ BubbleId add_bubble_along(Network& network, HalfEdgeId first, int sides) {
 
 BubbleId insert_triangle(Network& network, JunctionId junction) {
     const auto [a, b, c] = network.leaving(junction);  // clockwise
-    const std::array<HalfEdgeId, 3> outer{a, c, b};
+    const std::array<HalfEdgeId, 3> outward{a, c, b};
     std::array<JunctionId, 3> corners{junction, network.add_junction(), network.add_junction()};
     std::array<HalfEdgeId, 3> loop{};
     for (HalfEdgeId& side : loop) {
@@ -41,14 +42,14 @@ BubbleId insert_triangle(Network& network, JunctionId junction) {
     const BubbleId triangle = add_bubble_along(network, loop[0], 3);
     for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t following = (k + 1) % 3;
-        network.set_tail(outer[k], corners[k]);
+        network.set_tail(outward[k], corners[k]);
         network.set_tail(loop[k], corners[k]);
         network.set_tail(twin(loop[k]), corners[following]);
         network.set_left(loop[k], triangle);
         network.set_next(loop[k], loop[following]);
-        join(network, twin(outer[following]), twin(loop[k]));
-        join(network, twin(loop[k]), outer[k]);
-        gain_sides(network, network.left(outer[k]), 1);
+        join(network, twin(outward[following]), twin(loop[k]));
+        join(network, twin(loop[k]), outward[k]);
+        gain_sides(network, network.left(outward[k]), 1);
     }
     return triangle;
 }

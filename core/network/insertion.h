@@ -8,17 +8,18 @@ namespace foam {
 
 /// Replaces a junction by a three-sided bubble and returns the bubble. This is the inverse of the
 /// T2 of that bubble (E8, E10). The junction becomes one of the three corners of the new bubble.
-/// Each bubble around the junction gains a side. `vanish` and `compact` restore the same network,
-/// because new junctions are in the lattice cell of the old one, new elements have the highest ids,
-/// and the first half-edge of the new bubble leaves the old junction.
+/// Each bubble around the junction gains a side. `vanish` followed by `compact` restores a compact
+/// network, except that other half-edges may be outgoing() of a junction or first() of a bubble.
+/// This is so because new junctions are in the lattice cell of the old junction, new elements have
+/// the highest ids, and the first half-edge of the new bubble leaves the old junction.
 BubbleId insert_triangle(Network& network, JunctionId junction);
 
-/// Inserts a two-sided bubble, a lens, into a film and returns the bubble. This is the inverse of
-/// the T2 of that bubble. Afterwards h starts at the lens and has the same head as before. A new
-/// film leads from the old tail of h to the lens. Each bubble beside the film gains two sides.
-/// `vanish` and `compact` restore the same network, because new junctions are in the lattice cell
-/// of the old tail, new elements have the highest ids, and the first half-edge of the new bubble
-/// leaves the new tail of h.
+/// Inserts a two-sided bubble, a lens, into the film of h and returns the bubble. This is the
+/// inverse of the T2 of that bubble (E10). Afterwards h starts at the lens and has the same head as
+/// before. A new film leads from the old tail of h to the lens. Each bubble beside the film gains
+/// two sides. `vanish` followed by `compact` restores a compact network with the same exception,
+/// because new junctions are in the lattice cell of the old tail, new elements have the highest
+/// ids, and the first half-edge of the new bubble leaves the new tail of h.
 BubbleId insert_lens(Network& network, HalfEdgeId h);
 
 }  // namespace foam

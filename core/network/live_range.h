@@ -9,8 +9,9 @@
 
 namespace foam {
 
-/// A range of the ids whose flag is set, in increasing order, for a range-based for loop.
-/// Precondition: the flags outlive the range.
+/// The ids whose flag is true, in increasing order, for a range-based for loop. The flags have one
+/// element per slot, which is true if the element in this slot is live. Precondition: the flags
+/// outlive the range.
 template <class Id>
 class LiveRange {
   public:

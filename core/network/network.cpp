@@ -3,21 +3,13 @@
 #include "core/network/network.h"
 
 #include <cassert>
+#include <utility>
 
 namespace foam {
 
 namespace {
 
-template <class Id>
-std::vector<Id> live_ids(const LiveRange<Id>& range) {
-    std::vector<Id> ids;
-    for (const Id id : range) {
-        ids.push_back(id);
-    }
-    return ids;
-}
-
-// Returns the new id for each old one; dead ids map to none.
+// Returns the new id for each old id; the new id of a dead id is kNone.
 template <class Id>
 Indexed<Id, Id> new_ids(const std::vector<Id>& kept, std::size_t slots) {
     Indexed<Id, Id> ids(slots, kNone<Id>);
@@ -106,7 +98,9 @@ void Network::rebase(JunctionId junction, LatticeOffset by) {
 }
 
 Network::Kept Network::compact() {
-    Kept kept{live_ids(junctions()), live_ids(films()), live_ids(bubbles())};
+    Kept kept{junctions().ids(junction_count()),
+              films().ids(film_count()),
+              bubbles().ids(bubble_count())};
     if (ghost_ != kNone<BubbleId>) {
         kept.bubbles.push_back(ghost_);
     }
@@ -139,6 +133,13 @@ Network::Kept Network::compact() {
     }
     *this = std::move(dense);
     return kept;
+}
+
+bool Network::is_compact() const {
+    const bool has_ghost = ghost_ != kNone<BubbleId>;
+    return junction_count() == junction_slots() && film_count() == film_slots() &&
+           bubble_slots() == bubble_count() + (has_ghost ? 1 : 0) &&
+           (!has_ghost || index_of(ghost_) == bubble_count());
 }
 
 }  // namespace foam

@@ -15,40 +15,44 @@ namespace foam {
 /// The topology of a foam in which every junction joins three films, on a torus or in the plane: a
 /// half-edge data structure without coordinates.
 ///
-/// Half-edges run counter-clockwise around the bubble on their left. Each stores the junction at
-/// its tail, that bubble, and its successor around the bubble. Each film stores a lattice offset:
-/// the number of periods from the junction at its head to the copy of that junction at which it
-/// ends, if it starts at its tail in the torus' own cell.
+/// Half-edges run counter-clockwise around the bubble on their left. Each half-edge stores the
+/// junction at its tail, the bubble on its left, and its successor around this bubble. Each film
+/// stores a lattice offset. A film starts at the junction at its tail, but on a torus it may end at
+/// a periodic copy of the junction at its head. The lattice offset is the translation from this
+/// junction to that copy.
 ///
-/// In the plane one more bubble, the ghost, is the space around the foam and in its holes (paper
-/// 4.2): it is on the other side of the outer films. It has an id and a slot, but is not one of
-/// `bubbles()`. It may have several boundaries, or none, so that no single traversal visits all its
-/// half-edges. `sides` of the ghost is the number of its films, and `first` is any of its
-/// half-edges.
+/// In the plane one more bubble, the ghost, represents the space around the foam and in its holes
+/// (paper 4.2). A film with the ghost on one side is an outer film. The ghost has an id and a slot,
+/// but is not one of `bubbles()`. It may have several boundaries, or none, so a traversal by next()
+/// does not always visit all its half-edges. `sides(ghost())` is the number of its half-edges in
+/// all boundaries. `first(ghost())` is any of its half-edges, and is not valid if the ghost has
+/// none.
 ///
 /// A removed element leaves a dead slot behind, so that the ids of other elements stay valid during
-/// a step; `compact` removes dead slots. Accessors take live ids only, unless stated otherwise.
+/// a time step; `compact` removes dead slots. Accessors take live ids only, unless stated
+/// otherwise.
 class Network {
   public:
-    // Numbers of slots, live and dead: the sizes of vectors that are indexed by such an id.
+    // Return the number of slots, live and dead. A vector that is indexed by ids of this kind has
+    // this size.
     std::size_t junction_slots() const { return outgoing_.size(); }
     std::size_t film_slots() const { return offsets_.size(); }
     std::size_t bubble_slots() const { return first_.size(); }
 
-    // Numbers of live elements, without the ghost.
+    // Return the number of live elements. The ghost is not counted.
     std::size_t junction_count() const { return junction_count_; }
     std::size_t film_count() const { return film_count_; }
     std::size_t bubble_count() const { return bubble_count_; }
 
-    /// Returns the ghost, or none on a torus.
+    /// Returns the ghost, or kNone on a torus.
     BubbleId ghost() const { return ghost_; }
-    /// Returns true if the film has the ghost on one side. No film has it on both sides.
+    /// Returns true if the film has the ghost on one side. No film has the ghost on both sides.
     bool is_outer(FilmId film) const {
         return ghost_ != kNone<BubbleId> &&
                (left(forward_side(film)) == ghost_ || right(forward_side(film)) == ghost_);
     }
 
-    // The live ids in increasing order, without the ghost.
+    // Return the live ids in increasing order, without the ghost.
     LiveRange<JunctionId> junctions() const { return LiveRange<JunctionId>(junction_live_); }
     LiveRange<FilmId> films() const { return LiveRange<FilmId>(film_live_); }
     LiveRange<BubbleId> bubbles() const { return LiveRange<BubbleId>(bubble_live_); }
@@ -65,14 +69,18 @@ class Network {
     BubbleId left(HalfEdgeId h) const { return half_edges_[index_of(h)].left; }
     BubbleId right(HalfEdgeId h) const { return left(twin(h)); }
     HalfEdgeId next(HalfEdgeId h) const { return half_edges_[index_of(h)].next; }
+    /// Returns the predecessor of h around the bubble on its left, found by circulating around the
+    /// tail of h.
     HalfEdgeId previous(HalfEdgeId h) const { return twin(next(twin(next(twin(h))))); }
+    /// Returns the lattice offset of h: the translation from the junction head(h) to the copy at
+    /// which h ends. The twin has the opposite offset.
     LatticeOffset offset(HalfEdgeId h) const {
         return is_forward(h) ? offsets_[film_of(h)] : -offsets_[film_of(h)];
     }
 
     /// Returns one of the half-edges that leave the junction.
     HalfEdgeId outgoing(JunctionId junction) const { return outgoing_[junction]; }
-    /// Returns the first half-edge of the bubble.
+    /// Returns the half-edge with which around() begins; for the ghost, any of its half-edges.
     HalfEdgeId first(BubbleId bubble) const { return first_[bubble]; }
     /// Returns the number of half-edges around the bubble.
     int sides(BubbleId bubble) const { return sides_[bubble]; }
@@ -83,8 +91,8 @@ class Network {
     /// bubble is not the ghost.
     std::vector<HalfEdgeId> around(BubbleId bubble) const;
 
-    // Building and surgery. These functions do not maintain the invariants; find_fault (validate.h)
-    // checks them.
+    // Functions for building and changing the network. They do not maintain the invariants;
+    // find_fault (validate.h) checks the invariants.
     JunctionId add_junction();
     FilmId add_film();
     BubbleId add_bubble();
@@ -98,21 +106,26 @@ class Network {
     void set_sides(BubbleId bubble, int sides) { sides_[bubble] = sides; }
     void remove(JunctionId junction);
     void remove(FilmId film);
-    void remove(BubbleId bubble);
+    void remove(BubbleId bubble);  // precondition: the bubble is not the ghost
 
-    /// Moves the junction by whole periods: its copy at the offset -by becomes the junction itself.
-    /// Chords are unchanged if the caller also moves its position by the translation of -by.
+    /// Moves the junction by whole periods: the copy of the junction at the offset -by becomes the
+    /// junction itself. This function changes only the lattice offsets of the films of the
+    /// junction. Chords stay the same if the caller also moves the position of the junction by the
+    /// translation of -by.
     void rebase(JunctionId junction, LatticeOffset by);
 
-    /// The old ids of the elements that are kept, in the new order: the old order without the dead
-    /// slots, with the ghost last.
+    /// For each new id after compact(), the old id of the element. The elements of each kind keep
+    /// their order, except that the ghost becomes the last bubble.
     struct Kept {
         std::vector<JunctionId> junctions;
         std::vector<FilmId> films;
         std::vector<BubbleId> bubbles;
     };
-    /// Removes the dead slots and renumbers all elements. Returns the old ids.
+    /// Removes the dead slots and renumbers all elements. Returns the old ids of the kept elements.
     Kept compact();
+    /// Returns true if there are no dead slots and the ghost, if any, is the last bubble. compact()
+    /// would then change nothing.
+    bool is_compact() const;
 
   private:
     struct HalfEdge {

@@ -11,7 +11,7 @@ namespace foam {
 
 namespace {
 
-// The two outer films of one bubble beside the torn film. The torn film separates them.
+// One bubble beside the torn film: its two outer films, which the torn film separates.
 struct TornSide {
     HalfEdgeId before;          // side of the bubble that ends at the torn film
     HalfEdgeId after;           // side of the bubble that begins at the torn film

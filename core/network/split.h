@@ -8,19 +8,21 @@
 
 namespace foam {
 
-/// Returns true if the film is between two bubbles and has the ghost at both ends. If such a film
-/// flipped, it would have the ghost on both sides; it tears instead.
+/// Returns true if the film is between two bubbles and has the ghost at both ends. Such a film
+/// cannot flip, because the flipped film would have the ghost on both sides. It may tear instead.
 bool can_split(const Network& network, FilmId film);
 
 /// The result of a split.
 struct Split {
-    std::vector<FilmId> joined;   // outer films, at most two, each the union of two
+    std::vector<FilmId> joined;   // outer films, at most two, each the union of two films
     std::vector<BubbleId> loose;  // bubbles beside the film that lost their last junction
 };
 
-/// Removes the film and both its junctions. On each side, the two outer films that it separated
-/// become one. A bubble that has no other film is removed from the network. The two bubbles then
-/// belong to different rafts, or a hole at one end of the film has opened. Precondition: can_split.
+/// Removes the film and both its junctions. On each side of the film, the two outer films that it
+/// separated become one. If a bubble beside the film has only one other film, this film and the
+/// bubble are also removed from the network. If both ends of the film were on the same boundary of
+/// the ghost, the two bubbles belong to different rafts afterwards. Otherwise, the two boundaries
+/// have become one; for example, a hole is now open to the outside. Precondition: can_split.
 Split split(Network& network, FilmId film);
 
 /// Sets the first half-edge of the ghost to one of its live half-edges, after a change that may

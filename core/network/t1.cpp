@@ -4,16 +4,16 @@
 
 #include <cassert>
 
-// The flip keeps the film and its two junctions, and moves one end of each of two neighboring
-// films: the next film along A is moved from w to v, and the next film along B from v to w. The
-// lattice offsets of these two films change by the offset of the flipped film.
+// The flip keeps the film and its two junctions v and w (see T1Site). It moves the tail of the
+// half-edge `after_left` from w to v, and the tail of `after_right` from v to w. The lattice
+// offsets of the films of these two half-edges change by the offset of the flipped film.
 
 namespace foam {
 
 namespace {
 
-// Returns true if the corner of C at v and the corner of D at w belong to one copy of one bubble.
-// The ghost counts as one copy, however many boundaries it has.
+// Returns true if the corner of C at v and the corner of D at w belong to the same copy of the same
+// bubble. The ghost counts as one copy, however many boundaries it has.
 bool ends_meet(const Network& network, const T1Site& site) {
     if (site.end_tail != site.end_head || site.end_tail == network.ghost()) {
         return site.end_tail == site.end_head;
@@ -33,15 +33,16 @@ bool ends_meet(const Network& network, const T1Site& site) {
     return false;
 }
 
-// Returns true if the bubble on the left of h keeps at least two sides after losing `lost`. If that
-// bubble is the ghost, the boundary that contains h must have more than two half-edges.
+// Returns true if the bubble on the left of h keeps at least two sides after the loss of `lost`
+// sides. If that bubble is the ghost, returns true if the boundary that contains h has more than
+// two half-edges.
 bool keeps_two_sides(const Network& network, HalfEdgeId h, int lost) {
     const BubbleId bubble = network.left(h);
     return bubble == network.ghost() ? network.next(network.next(h)) != h
                                      : network.sides(bubble) - lost >= 2;
 }
 
-void move_outer_films(Network& network, const T1Site& site) {
+void move_neighboring_films(Network& network, const T1Site& site) {
     const JunctionId v = network.tail(site.film);
     const JunctionId w = network.head(site.film);
     const LatticeOffset apart = network.offset(site.film);
@@ -88,7 +89,7 @@ void flip(Network& network, FilmId film) {
     const BubbleId a = network.left(h);
     const BubbleId b = network.left(t);
 
-    move_outer_films(network, site);
+    move_neighboring_films(network, site);
     network.set_next(site.before_left, site.after_left);
     network.set_next(site.before_right, site.after_right);
     network.set_next(twin(site.after_left), h);

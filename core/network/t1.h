@@ -6,8 +6,9 @@
 
 namespace foam {
 
-/// The neighborhood of a film that is to swap neighbors. The half-edge `film` runs from v to w,
-/// with bubble A on its left, B on its right, C beyond v and D beyond w.
+/// The neighborhood of a film that may be flipped. The half-edge `film` runs from junction v to
+/// junction w, with bubble A on its left, B on its right, C beyond v and D beyond w. A half-edge
+/// "along A" has A on its left.
 struct T1Site {
     HalfEdgeId film;
     HalfEdgeId before_left;   // arrives at v along A
@@ -21,17 +22,18 @@ struct T1Site {
 /// Returns the neighborhood of the film.
 T1Site t1_site(const Network& network, FilmId film);
 
-/// Returns true if the flip leaves a valid foam (E7): the bubbles beside the film keep at least two
-/// sides, the film is not a loop, and the bubbles at its ends are not the same copy of one bubble.
-/// Such a bubble would touch itself across the flipped film. If the ghost is beside the film, its
-/// boundary along the film must keep at least two films. A film with the ghost at both ends cannot
-/// flip (split.h).
+/// Returns true if the network stays valid when the film is flipped. The bubbles beside the film
+/// must keep at least two sides, and the film must not be a loop. The bubbles at its two ends must
+/// not be the same copy of the same bubble; otherwise, this bubble would touch itself across the
+/// flipped film. If the ghost is beside the film, its boundary along the film must keep at least
+/// two films. A film with the ghost at both ends cannot flip, but may tear (split.h).
 bool can_flip(const Network& network, FilmId film);
 
-/// Swaps neighbors at the film (E7; paper Figure 1). Afterwards both neighboring films along A end
-/// at v, both neighboring films along B end at w, and the film separates C from D. The forward side
-/// of the film runs from A to B, with D on its left. The lattice offset of the film is unchanged.
-/// Precondition: can_flip.
+/// Flips the film, which is a T1: the four bubbles around the film swap neighbors (E7; paper Figure
+/// 1). In the notation of T1Site, afterwards both neighboring films of A meet the film at v, both
+/// neighboring films of B meet it at w, and the film separates C from D. The forward side of the
+/// film still runs from v to w, now from A to B, with D on its left. The lattice offset of the film
+/// is unchanged. Precondition: can_flip.
 void flip(Network& network, FilmId film);
 
 }  // namespace foam

@@ -9,10 +9,10 @@
 #include <cassert>
 
 // A three-sided bubble is replaced by one of its junctions. The films at its three corners then all
-// end at this junction, so the offsets along the bubble's sides are added to their lattice offsets.
-// A two-sided bubble is removed with both its junctions, and the films at its two corners become
-// one film. A hole of two or three films closes in the same way; its loop is a boundary of the
-// ghost.
+// end at this junction, so the lattice offsets of these films change by the offsets along the
+// bubble's sides. A two-sided bubble is removed with both its junctions, and the films at its two
+// corners become one film. A hole of two or three films closes in the same way. The loop around a
+// hole is a boundary of the ghost.
 
 namespace foam {
 
@@ -36,7 +36,8 @@ void subtract_sides(Network& network, BubbleId bubble, int count) {
     network.set_sides(bubble, network.sides(bubble) - count);
 }
 
-// Removes the bubble inside the loop; if it is the ghost, only subtracts the sides of the hole.
+// Removes the bubble inside the loop. If this bubble is the ghost, only subtracts the sides of the
+// hole from the sides of the ghost.
 void remove_inside(Network& network, BubbleId inside, int sides) {
     if (inside == network.ghost()) {
         subtract_sides(network, inside, sides);
@@ -131,12 +132,12 @@ Vanished vanish(Network& network, BubbleId bubble) {
     return vanish_along(network, network.around(bubble));
 }
 
-bool can_close(const Network& network, const std::vector<HalfEdgeId>& boundary) {
+bool can_close_hole(const Network& network, const std::vector<HalfEdgeId>& boundary) {
     return (boundary.size() == 2 || boundary.size() == 3) && can_vanish_along(network, boundary);
 }
 
-Vanished close(Network& network, const std::vector<HalfEdgeId>& boundary) {
-    assert(can_close(network, boundary));
+Vanished close_hole(Network& network, const std::vector<HalfEdgeId>& boundary) {
+    assert(can_close_hole(network, boundary));
     Vanished vanished = vanish_along(network, boundary);
     renew_first_of_ghost(network);
     return vanished;

@@ -8,28 +8,33 @@
 
 namespace foam {
 
-/// Returns true if the bubble has two or three sides and each bubble around it would keep at least
-/// two sides if it vanished.
+/// Returns true if the bubble can vanish by a T2. It must have two or three sides and must not be
+/// its own neighbor, and each bubble around it must keep at least two sides. The films at the two
+/// corners of a two-sided bubble must be different films.
 bool can_vanish(const Network& network, BubbleId bubble);
 
-/// The elements that replace a vanished bubble.
+/// The result of a T2: the junction or film that replaces the bubble, and its former neighbors.
 struct Vanished {
-    // The junction where the films at the three corners of a three-sided bubble now meet.
+    // The junction where the films at the three corners of a three-sided bubble now meet; kNone
+    // after a two-sided bubble.
     JunctionId junction = kNone<JunctionId>;
-    // The union of the films at the two corners of a two-sided bubble.
+    // The union of the films at the two corners of a two-sided bubble; kNone after a three-sided
+    // bubble.
     FilmId film = kNone<FilmId>;
-    std::vector<BubbleId> neighbors;  // one entry per side, counter-clockwise
+    std::vector<BubbleId> neighbors;  // the bubble across each side, counter-clockwise
 };
 
 /// Removes a bubble by the T2 process (E8; paper Figure 2). Of the three junctions of a three-sided
-/// bubble, the tail of `first(bubble)` remains, in its own lattice cell. The films at all three
-/// corners then meet there. Precondition: can_vanish.
+/// bubble, the tail of `first(bubble)` remains, in the same cell of the torus as before. The films
+/// at all three corners then meet at this junction. A two-sided bubble is removed with both its
+/// junctions, and the films at its two corners become one film. Precondition: can_vanish.
 Vanished vanish(Network& network, BubbleId bubble);
 
-/// Returns true if a hole can close. The conditions are those of can_vanish. `boundary` is the
-/// boundary of the ghost in the hole: its half-edges, in order.
-bool can_close(const Network& network, const std::vector<HalfEdgeId>& boundary);
-/// Removes a hole as `vanish` removes a bubble. Precondition: can_close.
-Vanished close(Network& network, const std::vector<HalfEdgeId>& boundary);
+/// Returns true if a hole can close. The conditions are the conditions of can_vanish for a bubble
+/// in place of the hole. `boundary` contains the half-edges of the ghost around the hole, in order.
+bool can_close_hole(const Network& network, const std::vector<HalfEdgeId>& boundary);
+/// Removes a hole as `vanish` removes a bubble; boundary.front() takes the role of first(bubble).
+/// Precondition: can_close_hole.
+Vanished close_hole(Network& network, const std::vector<HalfEdgeId>& boundary);
 
 }  // namespace foam

@@ -7,9 +7,9 @@
 #include <sstream>
 #include <vector>
 
-// The checks go from the local to the global: half-edges, junctions and bubbles one by one, then
-// the counts, then Euler's relation. Later checks rely on the earlier ones, for example when they
-// follow successors.
+// The order of the checks is: each half-edge, each junction, each bubble, the counts, in the plane
+// the boundaries of the ghost and the lattice offsets, and Euler's relation. Later checks rely on
+// the earlier ones, for example when they follow successors.
 
 namespace foam {
 
@@ -29,8 +29,13 @@ Fault half_edge_fault(const Network& network, HalfEdgeId h) {
     if (index_of(next) >= 2 * network.film_slots() || !network.is_live(film_of(next))) {
         return fault("half-edge", h, "is followed by a film that does not exist");
     }
-    if (!network.is_live(network.tail(h)) || !network.is_live(network.left(h))) {
-        return fault("half-edge", h, "leaves a junction or borders a bubble that does not exist");
+    const JunctionId tail = network.tail(h);
+    if (index_of(tail) >= network.junction_slots() || !network.is_live(tail)) {
+        return fault("half-edge", h, "starts at a junction that does not exist");
+    }
+    const BubbleId left = network.left(h);
+    if (index_of(left) >= network.bubble_slots() || !network.is_live(left)) {
+        return fault("half-edge", h, "has a bubble on its left that does not exist");
     }
     if (network.tail(next) != network.head(h)) {
         return fault("half-edge", h, "does not end where its successor begins");
@@ -55,8 +60,8 @@ Fault junction_fault(const Network& network, JunctionId junction) {
 }
 
 // Checks the loop around a bubble. On a torus, a bubble may touch a periodic copy of itself: the
-// film then occurs twice in the loop, at different lattice offsets. The same offset twice means
-// that the bubble touches itself, which is a fault.
+// film then occurs twice in the loop, at different lattice offsets. If the film occurs twice at the
+// same offset, the bubble touches itself, which is a fault.
 Fault loop_fault(const Network& network, BubbleId bubble) {
     std::set<std::array<std::size_t, 3>> seen;
     LatticeOffset at;
@@ -79,7 +84,12 @@ Fault loop_fault(const Network& network, BubbleId bubble) {
     if (h != network.first(bubble)) {
         return fault("bubble", bubble, "has more sides than its stored count");
     }
-    return at == LatticeOffset{} ? std::nullopt : fault("bubble", bubble, "winds around the torus");
+    return at == LatticeOffset{}
+               ? std::nullopt
+               : fault("bubble",
+                       bubble,
+                       "has a boundary that does not close: its lattice offsets do not add up to "
+                       "zero");
 }
 
 Fault bubble_fault(const Network& network, BubbleId bubble) {
@@ -94,6 +104,13 @@ Fault bubble_fault(const Network& network, BubbleId bubble) {
     return loop_fault(network, bubble);
 }
 
+Fault wrong_count(const char* elements, std::size_t count, const char* factor, std::size_t films) {
+    std::ostringstream text;
+    text << "the number of " << elements << ", " << count << ", is not " << factor
+         << " the number of films, " << films;
+    return text.str();
+}
+
 Fault count_fault(const Network& network) {
     std::size_t sides = 0;
     for (const BubbleId bubble : network.bubbles()) {
@@ -102,11 +119,12 @@ Fault count_fault(const Network& network) {
     if (network.ghost() != kNone<BubbleId>) {
         sides += static_cast<std::size_t>(network.sides(network.ghost()));
     }
-    if (sides != 2 * network.film_count()) {
-        return "the number of sides is not twice the number of films";
+    const std::size_t films = network.film_count();
+    if (sides != 2 * films) {
+        return wrong_count("sides", sides, "twice", films);
     }
-    if (3 * network.junction_count() != 2 * network.film_count()) {
-        return "the number of junctions is not two thirds of the number of films";
+    if (3 * network.junction_count() != 2 * films) {
+        return wrong_count("junctions", network.junction_count(), "two thirds of", films);
     }
     return std::nullopt;
 }
@@ -152,14 +170,17 @@ class GhostBoundaries {
             h = network_.next(h);
         } while (h != start);
         return network_.next(start) == start
-                   ? fault("half-edge", start, "forms a boundary of the ghost bubble by itself")
+                   ? fault("film",
+                           film_of(start),
+                           "is the only film of a boundary of the ghost bubble; at least two are "
+                           "needed")
                    : std::nullopt;
     }
 
     const Network& network_;
     std::vector<bool> seen_;
     std::size_t count_ = 0;
-    int films_ = 0;  // half-edges of all boundaries
+    int films_ = 0;  // number of half-edges in all boundaries
 };
 
 // Marks all junctions that are connected to `start` by films.

@@ -9,15 +9,18 @@
 
 namespace foam {
 
-/// Returns a description of the first broken invariant, or nothing if the network is valid:
-/// - every junction joins three live films;
-/// - next, left, tail, first and outgoing half-edges are consistent;
+/// Returns a description of the first broken invariant, or nothing if the network is valid. The
+/// invariants, for V junctions, E films and F bubbles, are:
+/// - exactly three half-edges of live films leave each junction;
+/// - next, left, tail, first and outgoing half-edges are consistent (first is not checked for the
+///   ghost);
 /// - the loop around a bubble closes after `sides` half-edges, at least two, with no net lattice
 ///   offset, so that every bubble is a disc;
 /// - no film has the same copy of a bubble on both sides;
-/// - counts are consistent and satisfy Euler's relation: on a torus V - E + F = 0;
+/// - all numbers of sides add up to 2 E, and 3 V = 2 E;
+/// - Euler's relation holds: on a torus V - E + F = 0;
 /// - in the plane, all lattice offsets are zero, and each boundary of the ghost has at least two
-///   films; if each boundary counts as a face, V - E + F is twice the number of rafts.
+///   films; Euler's relation is V - E + F + B = 2 R for B boundaries and R rafts.
 std::optional<std::string> find_fault(const Network& network);
 
 }  // namespace foam

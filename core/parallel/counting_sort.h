@@ -11,30 +11,33 @@
 
 namespace foam {
 
-/// Items sorted into buckets, which are stored one after the other.
+/// Items sorted into buckets. The buckets are stored one after the other.
 template <class Item>
 struct Buckets {
     std::vector<Item> items;
-    std::vector<std::size_t> ends{0};  // bucket k is items[ends[k]] to items[ends[k + 1] - 1]
+    // For each bucket, the index of its first item in `items`; finally the size of `items`.
+    std::vector<std::size_t> begins{0};
 
-    /// Returns the items of the buckets [first, last).
-    std::span<const Item> of(std::size_t first, std::size_t last) const {
-        return std::span(items).subspan(ends[first], ends[last] - ends[first]);
+    /// Returns the items of all buckets in [first, last).
+    std::span<const Item> items_of(std::size_t first, std::size_t last) const {
+        return std::span(items).subspan(begins[first], begins[last] - begins[first]);
     }
 };
 
-/// Sorts items into buckets by a parallel counting sort, in two passes. Each pass calls visit(part,
-/// put) for each part in [0, parts), which must call put(bucket, item) for each item of the part.
-/// Within a bucket, items are ordered by part, then by call. The parts are distributed to up to
-/// thread_count(threads) threads; the result is the same for any number. Precondition: both calls
-/// of `visit` for a part make the same calls of `put`, with bucket < buckets.
+/// Returns items sorted into `buckets` buckets, by a parallel counting sort in two passes. The
+/// caller divides the items into `parts` parts. Each pass calls visit(part, put) once for each part
+/// in [0, parts), and `visit` must call put(bucket, item) for each item of the part. Within a
+/// bucket, items are ordered by part, and within a part by the order of the calls of `put`. Up to
+/// thread_count(threads) threads process different parts at the same time. The result is the same
+/// for any number of threads. Precondition: for each part, `visit` makes the same calls of `put` in
+/// the same order in both passes, with bucket < buckets.
 template <class Item, class Visit>
 Buckets<Item> counting_sort(std::size_t buckets,
                             std::size_t parts,
                             int threads,
                             const Visit& visit) {
     // The first pass counts the items of each part in each bucket. A prefix sum then replaces each
-    // count by the position of the first item of the part in the bucket.
+    // count by the index in `sorted.items` of the part's first item in the bucket.
     std::vector<std::vector<std::size_t>> next(parts);
     parallel_for(parts, 1, threads, [&](std::size_t part, std::size_t) {
         std::vector<std::size_t> counts(buckets);
@@ -42,13 +45,13 @@ Buckets<Item> counting_sort(std::size_t buckets,
         next[part] = std::move(counts);
     });
     Buckets<Item> sorted;
-    sorted.ends.resize(buckets + 1);
+    sorted.begins.resize(buckets + 1);
     std::size_t end = 0;
     for (std::size_t bucket = 0; bucket < buckets; ++bucket) {
         for (std::vector<std::size_t>& positions : next) {
             end += std::exchange(positions[bucket], end);
         }
-        sorted.ends[bucket + 1] = end;
+        sorted.begins[bucket + 1] = end;
     }
     sorted.items.resize(end);
     parallel_for(parts, 1, threads, [&](std::size_t part, std::size_t) {

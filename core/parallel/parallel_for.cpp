@@ -15,24 +15,25 @@ namespace foam {
 
 namespace {
 
-constexpr std::size_t kMaxThreads = 256;  // upper bound for any `threads` option
+constexpr std::size_t kMaxThreads = 256;  // no loop runs on more threads than this
 
-// The chunks of one parallel_for. Threads claim them one after another by a shared atomic counter.
+// The chunks of one parallel_for. A thread claims the next chunk by incrementing a shared atomic
+// counter.
 class Chunks {
   public:
     Chunks(std::size_t count,
            std::size_t grain,
            const std::function<void(std::size_t, std::size_t)>& body)
-        : count_(count), grain_(grain), body_(body) {}
+        : items_(count), grain_(grain), body_(body) {}
 
-    std::size_t chunks() const { return (count_ + grain_ - 1) / grain_; }
+    std::size_t count() const { return (items_ + grain_ - 1) / grain_; }
 
     // Processes chunks until none is left. May be called by any number of threads at once.
     void work() {
-        for (std::size_t k = next_++; k < chunks(); k = next_++) {
+        for (std::size_t k = next_++; k < count(); k = next_++) {
             try {
                 const std::size_t first = k * grain_;
-                body_(first, std::min(count_, first + grain_));
+                body_(first, std::min(items_, first + grain_));
             } catch (...) {
                 stop(std::current_exception());
             }
@@ -51,10 +52,10 @@ class Chunks {
         if (!failure_) {
             failure_ = std::move(failure);
         }
-        next_ = chunks();
+        next_ = count();
     }
 
-    std::size_t count_;
+    std::size_t items_;
     std::size_t grain_;
     const std::function<void(std::size_t, std::size_t)>& body_;
     std::atomic<std::size_t> next_{0};
@@ -79,7 +80,7 @@ void parallel_for(std::size_t count,
     }
     Chunks chunks(count, grain, body);
     const auto wanted = static_cast<std::size_t>(thread_count(threads));
-    const std::size_t used = std::min({wanted, chunks.chunks(), kMaxThreads});
+    const std::size_t used = std::min({wanted, chunks.count(), kMaxThreads});
     WorkerPool::shared().run(static_cast<int>(used) - 1, [&chunks] { chunks.work(); });
     chunks.rethrow();
 }

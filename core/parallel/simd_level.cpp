@@ -10,7 +10,7 @@
 namespace foam {
 
 // The level is decided at the first call of simd_level() and then stored in an atomic variable. If
-// several threads decide at once, all of them come to the same result.
+// several threads make this first call at once, all of them decide on the same level.
 
 namespace {
 
@@ -46,7 +46,7 @@ SimdLevel level_named(std::string_view name) {
         levels.begin(), levels.end(), [&](SimdLevel level) { return name_of(level) == name; });
     if (found == levels.end()) {
         throw std::invalid_argument("environment variable FOAMTEX_SIMD = '" + std::string(name) +
-                                    "': must be one of " + available_names());
+                                    "': this machine supports only " + available_names());
     }
     return *found;
 }
@@ -77,14 +77,17 @@ std::string_view name_of(SimdLevel level) {
 
 void force_simd_level(SimdLevel level) {
     if (!is_available(level)) {
-        throw std::invalid_argument("this machine does not support " + std::string(name_of(level)));
+        throw std::invalid_argument(
+            "SIMD level '" + std::string(name_of(level)) +
+            "' is not available on this machine; available: " + available_names());
     }
     detail::simd_level.store(static_cast<int>(level), std::memory_order_relaxed);
 }
 
 SimdLevel detail::decide_simd_level() {
     const char* const name = std::getenv("FOAMTEX_SIMD");
-    const SimdLevel level = name != nullptr ? level_named(name) : available_simd_levels().back();
+    const bool is_set = name != nullptr && *name != '\0';
+    const SimdLevel level = is_set ? level_named(name) : available_simd_levels().back();
     simd_level.store(static_cast<int>(level), std::memory_order_relaxed);
     return level;
 }

@@ -10,12 +10,12 @@
 
 namespace foam {
 
-/// Instruction sets that vectorized loops are compiled for. All levels perform the same IEEE
+/// The instruction sets for which vectorized loops are compiled. All levels perform the same IEEE
 /// operations, without fused multiply-add, so that results have the same bits on every level.
 enum class SimdLevel {
     Baseline,  // the baseline of the architecture: SSE2 on x86-64
     Avx2,
-    Avx512,  // x86-64-v4: F, BW, CD, DQ and VL
+    Avx512,  // the AVX-512 subsets of x86-64-v4: F, BW, CD, DQ and VL
 };
 
 /// Returns the levels that this machine can run, lowest first.
@@ -26,24 +26,26 @@ std::string_view name_of(SimdLevel level);
 
 namespace detail {
 inline constexpr int kUndecided = -1;
+// The level in use as a number, or kUndecided.
 inline std::atomic<int> simd_level{kUndecided};
+// Decides the level from FOAMTEX_SIMD and the available levels, stores it and returns it.
 SimdLevel decide_simd_level();
 }  // namespace detail
 
-/// Returns the level in use: the highest available one, unless the environment variable
-/// FOAMTEX_SIMD names another or force_simd_level was called. Throws std::invalid_argument if
-/// FOAMTEX_SIMD names no available level.
+/// Returns the level in use. This is the highest available level, unless the environment variable
+/// FOAMTEX_SIMD names another level or force_simd_level was called. Throws std::invalid_argument if
+/// FOAMTEX_SIMD is not empty and names no available level.
 inline SimdLevel simd_level() {
     const int level = detail::simd_level.load(std::memory_order_relaxed);
     return level != detail::kUndecided ? static_cast<SimdLevel>(level)
                                        : detail::decide_simd_level();
 }
 
-/// Makes all later kernels run at a level, for tests. Throws std::invalid_argument if the level is
-/// not available.
+/// Sets the level in use, which simd_level() returns from now on. Tests call this function. Throws
+/// std::invalid_argument if the level is not available.
 void force_simd_level(SimdLevel level);
 
-/// Forces a level for the duration of a scope, then restores the previous one.
+/// Forces a level for the duration of a scope, then restores the previous level.
 class ForcedSimdLevel {
   public:
     explicit ForcedSimdLevel(SimdLevel level) : previous_(simd_level()) { force_simd_level(level); }
@@ -63,6 +65,8 @@ class ForcedSimdLevel {
 
 namespace detail {
 
+// Calls kernel(Level) if the kernel (at_simd_level) accepts a level, otherwise kernel(). Returns
+// the result.
 template <SimdLevel Level, class Kernel>
 [[gnu::always_inline]] inline auto call_kernel(Kernel& kernel) {
     if constexpr (std::is_invocable_v<Kernel&, std::integral_constant<SimdLevel, Level>>) {
@@ -72,8 +76,8 @@ template <SimdLevel Level, class Kernel>
     }
 }
 
-// `flatten` inlines the kernel and everything that it calls, so that all of it is compiled for the
-// level.
+// These functions run a kernel at one level. The attribute `flatten` inlines the kernel and all
+// functions that the kernel calls, so that all of this code is compiled for the level.
 template <class Kernel>
 [[gnu::flatten, gnu::noinline]] auto run_at_baseline(Kernel kernel) {
     return call_kernel<SimdLevel::Baseline>(kernel);
@@ -91,10 +95,11 @@ template <class Kernel>
 
 }  // namespace detail
 
-/// Runs a kernel at simd_level(). The kernel is compiled once for each level. It is a lambda whose
-/// loops the compiler vectorizes. It is called as kernel(level) with a std::integral_constant if it
-/// accepts one, otherwise as kernel(). It should capture by value: a variable that is captured by
-/// reference has an address, so that the compiler must assume that every store might change it.
+/// Runs a kernel at simd_level() and returns its result. The kernel is a lambda whose loops the
+/// compiler vectorizes. It is compiled once for each level. If it accepts an argument of type
+/// std::integral_constant<SimdLevel, level>, it is called as kernel(level), otherwise as kernel().
+/// It should capture by value: a variable that is captured by reference has an address, so that the
+/// compiler must assume that every store might change it.
 ///
 /// Precondition: all functions that the kernel calls are defined in the same translation unit, so
 /// that they can be inlined.

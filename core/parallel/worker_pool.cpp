@@ -8,14 +8,16 @@
 
 namespace foam {
 
-// The caller of run() adds a task to a list and works itself. Idle threads of the pool claim the
-// last task of the list and call its work(). The caller removes the task when its own call has
-// returned, and waits for the helpers that are still inside work(). Caller and helpers spin for a
-// short time before they sleep on a condition variable.
+// The caller of run() adds a task to a list and also calls work() itself. Idle threads of the pool
+// claim the last task of the list and call the work() of this task. When the caller's own call has
+// returned, the caller removes the task from the list and waits for the helpers that are still
+// inside work(). Caller and helpers spin for a short time before they sleep on a condition
+// variable.
 
 namespace {
 
-// About the time that it takes to put a thread to sleep and to wake it again.
+// The time for which a thread spins before it sleeps: about as long as it takes to put a thread to
+// sleep and to wake it again.
 constexpr std::chrono::microseconds kSpinTime{50};
 
 // Spins until the condition is true or kSpinTime is over.
@@ -72,12 +74,14 @@ void WorkerPool::remove(Task& task) {
     task_count_ = tasks_.size();
 }
 
+// Starts threads until the pool has `count` threads. Precondition: mutex_ is locked.
 void WorkerPool::start_threads(int count) {
     while (threads_.size() < static_cast<std::size_t>(count)) {
         threads_.emplace_back([this] { serve(); });
     }
 }
 
+// Runs on every thread of the pool: waits for tasks and helps with them until the pool closes.
 void WorkerPool::serve() {
     while (true) {
         spin_until([this] { return task_count_ > 0; });
@@ -89,12 +93,17 @@ void WorkerPool::serve() {
         Task* task = claim();
         lock.unlock();
         (*task->work)();
+        // `running` changes under the lock, so that run() cannot miss the notification between its
+        // test of `running` and its sleep. As soon as the lock is released, run() may return and
+        // destroy the task.
         lock.lock();
         --task->running;
-        finished_.notify_all();  // under the lock, since the task may be destroyed right after it
+        finished_.notify_all();
     }
 }
 
+// Joins the last task of the list as a helper and returns it. Removes the task from the list if no
+// further helper may join. Precondition: mutex_ is locked and the list is not empty.
 WorkerPool::Task* WorkerPool::claim() {
     Task* task = tasks_.back();
     ++task->running;

@@ -12,12 +12,14 @@
 
 namespace foam {
 
-/// A pool of threads that are kept between tasks, since starting a thread takes longer than most
-/// loops of `parallel_for`. Waking a thread is also slow. An idle thread therefore first spins for
-/// 50 microseconds, yielding its processor to any other thread, and then sleeps.
+/// A pool of threads. A thread is kept after its task, since starting a thread takes longer than
+/// most calls of `parallel_for`. Waking a thread is also slow. An idle thread therefore first spins
+/// for up to 50 microseconds, and yields its processor to any other thread meanwhile. Then it
+/// sleeps.
 class WorkerPool {
   public:
-    /// Returns the only pool of the program. Its threads are started when they are first needed.
+    /// Returns the pool that the whole program shares. Its threads are started when they are first
+    /// needed.
     static WorkerPool& shared();
 
     WorkerPool() = default;
@@ -25,10 +27,11 @@ class WorkerPool {
     WorkerPool& operator=(const WorkerPool&) = delete;
     ~WorkerPool();
 
-    /// Calls work() on the caller's thread and concurrently on up to `helpers` threads of the pool.
-    /// Returns when all calls that have begun have returned. The caller does not wait for a helper
-    /// that has not begun when the caller's own call returns. Therefore work() may itself call
-    /// run(), and any number of threads may call run() at once.
+    /// Calls work() on the caller's thread and concurrently on up to `helpers` threads of the pool,
+    /// the helpers. Returns when all calls that have begun have returned. Once the call on the
+    /// caller's thread has returned, no further helper begins, so the caller then waits only for
+    /// helpers that are still inside work(). Therefore work() may itself call run(), and any number
+    /// of threads may call run() at once.
     ///
     /// Throws std::system_error if a thread cannot be started. Preconditions: work() does not
     /// throw, and is correct for any number of concurrent calls, including one.

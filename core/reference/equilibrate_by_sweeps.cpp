@@ -10,9 +10,10 @@
 
 namespace foam {
 
-// A round ends when the sweeps have converged or have reached their limit. If they have converged,
-// the T1s of the short films follow; if no T1 is due, the foam is in equilibrium. If they have
-// reached their limit, the equilibration ends with the status ToleranceMissed.
+// The sweeps of a round end when they have converged or their number has reached the limit
+// (GaussSeidelOptions::max_sweeps). If they have converged, the T1s of the short films follow; if
+// no T1 is due, the foam is in equilibrium. If the limit has been reached, the equilibration ends
+// with the status ToleranceMissed.
 
 namespace {
 
@@ -46,20 +47,20 @@ EquilibriumSummary equilibrate_by_sweeps(Foam& foam,
                                       .order = order,
                                       .threads = options.threads,
                                       .thresholds = options.thresholds};
-    bool is_at_rest = false;
-    for (int round = 0; round < options.max_rounds && !is_at_rest; ++round) {
+    bool has_stopped = false;
+    for (int round = 0; round < options.max_rounds && !has_stopped; ++round) {
         const GaussSeidelSummary sweeps = gauss_seidel(foam, sweeping);
         summary.iterations += sweeps.sweeps;
         summary.t1 += sweeps.t1;
-        is_at_rest = sweeps.status == GaussSeidelStatus::SweepLimit;
-        if (!is_at_rest) {
+        has_stopped = sweeps.status == GaussSeidelStatus::SweepLimit;
+        if (!has_stopped) {
             const int flips =
                 apply_t1_rule(foam, short_films(foam, options.thresholds), options.thresholds);
             summary.t1 += flips;
-            is_at_rest = flips == 0;
+            has_stopped = flips == 0;
         }
     }
-    return conclude(foam, before, options, is_at_rest, summary);
+    return conclude(foam, before, options, has_stopped, summary);
 }
 
 }  // namespace foam

@@ -15,25 +15,27 @@
 
 namespace foam {
 
-// Blocked nonlinear Gauss-Seidel (paper 4.1): the blocks of all junctions are solved one after
-// another, each from the state after the block before it. In colored order, junctions of one color
-// share no bubble. Their blocks are solved in parallel, and the changes are then applied in the
-// order of the junctions. The paper mentions this as future work, with the colors red and black.
-// Steps are limited, which the paper does not mention.
+// Blocked nonlinear Gauss-Seidel (paper section 4.1): the blocks of all junctions are solved one
+// after another. Each block starts from the state after the block before it. In colored order,
+// junctions of one color share no bubble. The blocks of one color are solved in parallel, and their
+// changes are then applied in the order of the junctions. The paper mentions colored order as
+// future work, with the colors red and black. The limit on the size of a step (largest_change) is
+// not in the paper.
 
 namespace {
 
 constexpr std::size_t kBlocksPerChunk = 16;  // about 300 microseconds of work
-// T1s of all short films are tried every kSweepsBetweenT1 sweeps. While areas are far from their
-// targets, in the first sweeps, a film may be short although it is long in equilibrium.
+
+// T1s of all short films are tried only every kSweepsBetweenT1 sweeps. In the first sweeps, while
+// areas are far from their targets, a film that will be long in equilibrium may be short.
 constexpr int kSweepsBetweenT1 = 30;
 
 struct OuterChange {
     FilmId film;
-    double half_angle;  // change along its forward side
+    double half_angle;  // change along the film's forward side, radians
 };
 
-// The changes of one block, in foam units.
+// The changes of one block: positions and pressures in foam units, half angles in radians.
 struct BlockChange {
     Vec2 move{0.0, 0.0};
     std::size_t bubble_count = 0;
@@ -42,8 +44,8 @@ struct BlockChange {
     std::vector<OuterChange> half_angles;
 };
 
-// Returns the step of the block, scaled down if it exceeds the largest allowed change. Returns no
-// change if a film of the junction has no length; the T1 rule handles such a film.
+// Returns the Newton step of the block, scaled down if it exceeds the largest allowed change. If a
+// film of the junction has length 0, returns a change of zero: the T1 rule handles such a film.
 BlockChange change_of(const JunctionBlock& block, const GaussSeidelOptions& options) {
     BlockChange change;
     if (block.is_degenerate()) {
@@ -89,8 +91,9 @@ class Sweeps {
         }
     }
 
-    // Applies the T1 rule to films that have collapsed and, every kSweepsBetweenT1 sweeps, to all
-    // films that are short. Returns the number of changes of the network.
+    // Applies the T1 rule after the sweep with the given number, counted from 1: to all short films
+    // if the number is a multiple of kSweepsBetweenT1, otherwise only to collapsed films
+    // (collapsed_length). Returns the number of changes of the network.
     int flip_short_films(int sweep) {
         int flips = 0;
         for (const FilmId film : foam_.network.films()) {
@@ -128,8 +131,8 @@ class Sweeps {
         }
     }
 
-    // Solves all blocks of a color before any change is applied. A block also reads the pressures
-    // of the neighbors of its bubbles, which another block of the color may change.
+    // Solves all blocks of a color before any change is applied, because a block also reads the
+    // pressures of the neighbors of its bubbles, and another block of the color may change them.
     void sweep_color(const std::vector<JunctionId>& color) {
         changes_.resize(color.size());
         parallel_for(color.size(),
@@ -149,7 +152,7 @@ class Sweeps {
 
     Foam& foam_;
     const GaussSeidelOptions& options_;
-    std::vector<std::vector<JunctionId>> colors_;  // empty if the network has changed
+    std::vector<std::vector<JunctionId>> colors_;  // empty until computed for the present network
     std::vector<BlockChange> changes_;
 };
 

@@ -16,37 +16,39 @@ enum class SweepOrder {
 
 /// Options of `gauss_seidel`.
 struct GaussSeidelOptions {
-    // The sweeps have converged when the errors of the foam are below this
+    // The sweeps have converged when the errors of the foam are below this tolerance
     // (EquilibriumErrors::are_below).
     double tolerance = 1e-4;
     int max_sweeps = 10000;
     SweepOrder order = SweepOrder::Sequential;
     // Number of threads of colored sweeps, with the same meaning as in parallel_for. The result has
-    // the same bits for any number.
+    // the same bits for any number of threads.
     int threads = 0;
-    // Largest change of a block in a sweep, in the dimensionless units of JunctionBlock. A larger
-    // step is scaled down as a whole.
+    // Largest change of each pressure and of each half angle of a block, and largest displacement
+    // of its junction, in one sweep. Changes are in the dimensionless units of JunctionBlock. A
+    // step that exceeds this limit is scaled down as a whole.
     double largest_change = 0.4;
     DifferenceOptions differences{};
     TopologyThresholds thresholds{};
 };
 
-/// How the sweeps ended.
+/// How the sweeps ended: the errors were below the tolerance, or max_sweeps was reached first.
 enum class GaussSeidelStatus { Converged, SweepLimit };
 
 /// The result of `gauss_seidel`.
 struct GaussSeidelSummary {
     GaussSeidelStatus status = GaussSeidelStatus::SweepLimit;
     int sweeps = 0;
-    int t1 = 0;
+    int t1 = 0;  // number of T1s
 };
 
-/// Runs the paper's solver (E5): sweeps over the junctions, with T1s (E7) between sweeps. Each
-/// junction is moved together with the pressures of its bubbles by the Newton step of its block
-/// (block_step.h).
+/// Runs the paper's solver (E5): sweeps over the junctions, with T1s (E7) between sweeps. The
+/// Newton step of a junction's block (block_step.h) changes the position of the junction, the
+/// pressures of its bubbles, and the half angles of the outer films of these bubbles together.
 ///
 /// Stops as soon as the errors are below the tolerance, even if a film is then shorter than its T1
-/// distance. Preconditions: the same as for `equilibrate`.
+/// distance. Stops after max_sweeps sweeps at the latest. Preconditions: the same as for
+/// `equilibrate`.
 GaussSeidelSummary gauss_seidel(Foam& foam, const GaussSeidelOptions& options);
 
 }  // namespace foam

@@ -16,33 +16,38 @@ namespace foam {
 using BlockVector = Eigen::VectorXd;
 using BlockMatrix = Eigen::MatrixXd;
 
-/// One block of the paper's solver (eq. 11): a junction and the bubbles that meet there, with
-/// everything else held.
+/// One block of the paper's solver (eq. 11): a junction and the bubbles that meet there. All other
+/// unknowns of the foam are fixed.
 ///
 /// The unknowns are the changes of the pressures of the bubbles, followed by the changes of x and y
-/// of the junction. There are as many constraints: the areas of the bubbles, followed by two angles
-/// between films of the junction. These are the angles on the left of the first two half-edges of
-/// Network::leaving; the third angle follows from them (paper eq. 13). A bubble that meets itself
-/// at the junction, around the torus, counts once: the block then has one pressure and one area
-/// less.
+/// of the junction. The number of constraints is the same. The constraints are the areas of the
+/// bubbles, followed by two angles between films of the junction. These are the angles on the left
+/// of the first two half-edges of Network::leaving; the third angle follows from them (paper eq.
+/// 13). A bubble may meet itself at the junction, around the torus. It then counts once: the block
+/// has one pressure and one area fewer.
 ///
 /// In a patch the ghost's pressure and area are left out of the block (paper eq. 15). Each outer
-/// film of the block's bubbles has its half angle as an unknown, after the pressures, and
-/// Laplace-Young's law as a constraint, after the areas. Where this law determines the half angle,
-/// the Newton step is the same as for a block without these unknowns and constraints. At 90 degrees
-/// the law does not determine the half angle, but the step is still well defined.
+/// film of the block's bubbles adds one unknown and one constraint. The unknown is the change of
+/// the film's half angle. These unknowns follow the pressures. The constraint is Laplace-Young's
+/// law (E1) at the film. These constraints follow the areas. Below 90 degrees, where the law
+/// determines the half angle, the Newton step is the same as without these unknowns and
+/// constraints. At 90 degrees, where the half angle has no finite derivative with respect to the
+/// pressures, the step is still well defined.
 ///
-/// All quantities are dimensionless, and of order one for bubbles of any size. Pressures are in
-/// film tensions over the square root of the bubble's target area, coordinates in lengths of the
-/// junction's shortest film, areas in target areas, angles in radians, and the error of
-/// Laplace-Young's law in film tensions.
+/// All quantities are dimensionless and of order one for bubbles of any size. The unit of a
+/// pressure is the film tension divided by the square root of the bubble's target area. The unit of
+/// coordinates is the chord length of the junction's shortest film. The unit of an area is the
+/// bubble's target area. Angles are in radians. The error of Laplace-Young's law is an error of the
+/// sine of the half angle (bulge_energy.h).
 class JunctionBlock {
   public:
-    /// Reads the block of a junction from the foam. Memory of an earlier block is reused.
+    /// Reads the block of a junction from the foam and replaces the present block, whose memory is
+    /// reused.
     void load(const Foam& foam, JunctionId junction);
 
-    /// Return the bubbles, each once, and the outer films, both in the order of the unknowns.
+    /// Returns the bubbles of the block without the ghost, each once, in the order of the unknowns.
     std::span<const BubbleId> bubbles() const { return {bubbles_.data(), bubble_count_}; }
+    /// Returns the outer films of these bubbles, in the order of the unknowns.
     std::span<const FilmId> outer_films() const { return outer_films_; }
 
     /// Returns the number of unknowns, which is also the number of constraints.
@@ -50,19 +55,21 @@ class JunctionBlock {
         return static_cast<Eigen::Index>(bubble_count_ + outer_films_.size()) + 2;
     }
 
-    /// Returns the chords of the junction's films, pointing away from it.
+    /// Returns the chords of the junction's films in foam units. The chords point away from the
+    /// junction.
     std::array<Vec2, 3> chords() const;
 
-    /// Returns true if a film of the junction has no length. The angles, and so the constraints,
-    /// are then undefined.
+    /// Returns true if a film of the junction has length 0. The angles between the films, and so
+    /// the constraints, are then undefined.
     bool is_degenerate() const { return move_unit_ == 0.0; }
 
     /// Returns the errors of the constraints after a change of the unknowns (paper eq. 8 and 12).
-    /// An error is the required value minus the actual value. For a bubble it is the target area
-    /// minus the area, divided by the target area. For an outer film it is minus
-    /// laplace_young_error (bulge_energy.h) along the forward side. For an angle it is 120 degrees
-    /// minus the angle, in [-pi, pi] radians. Half angles of other films are clamped to the limit
-    /// (film_energy.h). Precondition: the block is not degenerate.
+    /// An error is the required value minus the actual value. The error of a bubble is its target
+    /// area minus its area, divided by its target area. The error of an outer film is minus
+    /// laplace_young_error (bulge_energy.h) along the film's forward side. The error of an angle is
+    /// 120 degrees minus the angle, in [-pi, pi] radians. The half angles of inner films follow
+    /// from the pressures and are clamped to the limit (film_energy.h). Precondition: the block is
+    /// not degenerate.
     BlockVector constraint_errors(const BlockVector& change) const;
 
     /// Returns the change of a bubble's pressure, in foam units. `bubble` is an index in bubbles().
@@ -72,26 +79,28 @@ class JunctionBlock {
     double half_angle_change(const BlockVector& change, std::size_t outer_film) const {
         return change[static_cast<Eigen::Index>(bubble_count_ + outer_film)];
     }
-    /// Returns the motion of the junction, in foam units.
+    /// Returns the change of the junction's position, in foam units.
     Vec2 move(const BlockVector& change) const { return move_unit_ * change.tail<2>(); }
 
   private:
-    // A side of a film: either a side of one of the bubbles, which is on its left, or a side whose
+    // A side of a film: either a side with one of the block's bubbles on its left, or a side whose
     // tail is the junction.
     struct Side {
         Vec2 start{0.0, 0.0};  // tail, relative to the start of the traversal of the bubble
         Vec2 chord{0.0, 0.0};
-        double pressure = 0.0;      // left minus right, in film tensions per length
-        double segment = 0.0;       // area between arc and chord, counted for the left side
-        double half_angle = 0.0;    // only used for an outer film
+        double pressure = 0.0;      // left minus right, divided by the film tension
+        double segment = 0.0;       // area between arc and chord, positive if it adds to the left
+        double half_angle = 0.0;    // radians; only used for an outer film
         double start_weight = 0.0;  // 1 if the tail moves with the junction, else 0
-        double chord_weight = 0.0;  // 1 if only the head moves with it, -1 if only the tail does
-        int left = kHeld;           // index in bubbles_ of the bubble on the left
-        int right = kHeld;
-        int outer = kHeld;          // index in outer_films_
+        double chord_weight = 0.0;  // 1: only the head moves with the junction; -1: only the tail
+        int left = kFixed;          // index in bubbles_ of the bubble on the left, or kFixed
+        int right = kFixed;         // index in bubbles_ of the bubble on the right, or kFixed
+        int outer = kFixed;         // index in outer_films_, or kFixed for an inner film
         double forward_sign = 1.0;  // 1 along the film's forward side, -1 against it
     };
-    static constexpr int kHeld = -1;  // index of a bubble outside of the block or of an inner film
+    // Stands for the index of a bubble that is not in the block, and for the index of an inner
+    // film.
+    static constexpr int kFixed = -1;
 
     void add_bubble(const Foam& foam, BubbleId bubble);
     void add_outer_films(const Network& network, BubbleId bubble);
@@ -108,13 +117,13 @@ class JunctionBlock {
     JunctionId junction_ = kNone<JunctionId>;
     std::array<BubbleId, 3> bubbles_{};
     std::array<double, 3> targets_{};
-    std::array<double, 3> pressure_units_{};  // in film tensions per length
+    std::array<double, 3> pressure_units_{};  // divided by the film tension
     std::size_t bubble_count_ = 0;
     std::vector<FilmId> outer_films_;
     double tension_ = 1.0;
     double move_unit_ = 0.0;
-    std::array<Side, 3> leaving_;
-    std::vector<Side> sides_;  // sides of all bubbles
+    std::array<Side, 3> leaving_;  // sides whose tail is the junction
+    std::vector<Side> sides_;      // sides of all bubbles of the block
 };
 
 }  // namespace foam

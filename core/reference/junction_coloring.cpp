@@ -14,8 +14,8 @@ class Coloring {
     explicit Coloring(const Network& network)
         : network_(network), used_colors_(network.bubble_slots()) {}
 
-    // Returns the first color that is not yet used at any bubble of the junction, and marks it as
-    // used at these bubbles.
+    // Returns the first color that is not yet used at any bubble of the junction, and marks the
+    // color as used at these bubbles. The ghost does not count as a bubble.
     std::size_t take(JunctionId junction) {
         const std::array<HalfEdgeId, 3> leaving = network_.leaving(junction);
         std::size_t color = 0;
@@ -41,7 +41,7 @@ class Coloring {
     }
 
     const Network& network_;
-    Indexed<BubbleId, std::vector<bool>> used_colors_;  // for each color
+    Indexed<BubbleId, std::vector<bool>> used_colors_;  // for each color, true if used
 };
 
 }  // namespace

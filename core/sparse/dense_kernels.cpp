@@ -8,14 +8,14 @@
 
 namespace foam {
 
-// Products are blocked for registers. A tile of up to three vectors of rows by kGroup columns is
-// summed over all depths in registers and is then subtracted from the target. Each element has its
-// own lane and its own sum, taken in the order of depths, so that the width of the vectors does not
-// change any bit.
+// Products are blocked for registers. A tile of the product consists of kTileColumns columns and of
+// the rows of up to three SIMD vectors. It is summed over the whole depth in registers and is then
+// subtracted from the target. Each element is summed in one lane, in the order of the columns of
+// the factors, so that the width of the vectors does not change any bit.
 
 namespace {
 
-// A vector of `Bytes` bytes with element-wise arithmetic.
+// A SIMD vector of `Bytes` bytes, with element-wise arithmetic.
 template <class Real, int Bytes>
 using Vector [[gnu::vector_size(Bytes)]] = Real;
 
@@ -26,7 +26,7 @@ struct Kernels {
     using Index = std::ptrdiff_t;
 
     static constexpr Index kLanes = Bytes / Index{sizeof(Real)};
-    static constexpr Index kLargestStrip = 3;  // height of a strip of rows, in vectors
+    static constexpr Index kLargestStrip = 3;  // largest height of a strip of rows, in vectors
 
     static void subtract_product(const DenseProduct<Real>& product) {
         Index row = 0;
@@ -61,11 +61,11 @@ struct Kernels {
 
     template <Index Strip>
     struct Tile {
-        Lanes sums[size(kGroup)][size(Strip)];
+        Lanes sums[size(kTileColumns)][size(Strip)];
     };
 
-    // Vectors are passed by reference. By value they would change the calling convention of
-    // functions that are not compiled for the SIMD level.
+    // SIMD vectors are passed by reference. If they were passed by value, they would change the
+    // calling convention of functions that are not compiled for the SIMD level.
     static void load(const Real* source, Lanes& lanes) {
         std::memcpy(&lanes, source, sizeof lanes);
     }
@@ -91,9 +91,9 @@ struct Kernels {
             for (Index part = 0; part < Strip; ++part) {
                 load(left + k * stride + part * kLanes, rows[part]);
             }
-            for (Index col = 0; col < kGroup; ++col) {
+            for (Index col = 0; col < kTileColumns; ++col) {
                 for (Index part = 0; part < Strip; ++part) {
-                    tile.sums[col][part] += rows[part] * right[k * kGroup + col];
+                    tile.sums[col][part] += rows[part] * right[k * kTileColumns + col];
                 }
             }
         }
@@ -103,7 +103,7 @@ struct Kernels {
     template <Index Strip>
     static void subtract_strip(const DenseProduct<Real>& product, Index row) {
         const Index end = row + Strip * kLanes;
-        for (Index col = 0; col < product.cols && col < end; col += kGroup) {
+        for (Index col = 0; col < product.cols && col < end; col += kTileColumns) {
             const Tile<Strip> tile = multiply<Strip>(product.left + row,
                                                      product.left_stride,
                                                      product.right + col * product.depth,
@@ -112,16 +112,16 @@ struct Kernels {
         }
     }
 
-    // Handles the last rows, which are fewer than the lanes of a vector. Copies them into a buffer
-    // of whole vectors.
+    // Processes the last rows, which are fewer than the lanes of a vector. Copies the rows of
+    // `left` into a buffer of whole vectors.
     static void subtract_last_rows(const DenseProduct<Real>& product, Index row) {
-        Real rows[size(kLargestDepth * kLanes)];
+        Real rows[size(kMaxDepth * kLanes)];
         for (Index k = 0; k < product.depth; ++k) {
             Lanes lanes;
             load(product.left + row + k * product.left_stride, product.rows - row, lanes);
             store(rows + k * kLanes, lanes);
         }
-        for (Index col = 0; col < product.cols; col += kGroup) {
+        for (Index col = 0; col < product.cols; col += kTileColumns) {
             const Tile<1> tile =
                 multiply<1>(rows, kLanes, product.right + col * product.depth, product.depth);
             subtract_tile(product, tile, row, product.rows, col);
@@ -135,7 +135,7 @@ struct Kernels {
                               Index end,
                               Index first_col) {
         const bool is_whole = end == row + Strip * kLanes;
-        for (Index k = 0; k < kGroup && first_col + k < product.cols; ++k) {
+        for (Index k = 0; k < kTileColumns && first_col + k < product.cols; ++k) {
             const Index col = first_col + k;
             Real* target = product.target + col * product.target_stride;
             if (is_whole && col <= row) {
@@ -155,10 +155,10 @@ struct Kernels {
         }
     }
 
-    // Computes y = L D column by column, each column from the columns before it. Then computes L
-    // from y.
+    // Processes `count` rows from `row` on, at most as many as a vector has lanes. Computes y = L D
+    // column by column, each column from the columns before it. Then computes L from y.
     static void eliminate_strip(const DenseElimination<Real>& elimination, Index row, Index count) {
-        Lanes y[size(kNarrow)];
+        Lanes y[size(kMaxDirectColumns)];
         for (Index col = 0; col < elimination.pivots; ++col) {
             const Real* const source = elimination.target + row + col * elimination.stride;
             Lanes sum;
@@ -185,7 +185,8 @@ struct Kernels {
     }
 };
 
-// Avx512 uses vectors of 32 bytes like Avx2, and has twice as many registers for them.
+// At the level Avx512, vectors have 32 bytes as at the level Avx2, but there are twice as many
+// registers for them.
 template <class Real, SimdLevel Level>
 using KernelsAt = Kernels<Real, Level == SimdLevel::Baseline ? 16 : 32>;
 

@@ -12,15 +12,16 @@
 
 namespace foam {
 
-// Nested dissection by recursion on ranges of the order. PartDivider assigns the nodes of a range
-// to two zones and a separator. The range is then sorted into low zone, high zone and separator.
-// Both zones are dissected in turn, or by different threads if the range is large. The parts are
-// collected in postorder.
+// Nested dissection is a recursion on ranges of the order of elimination. The nodes of a range are
+// a part of the graph. PartDivider assigns the nodes of a range to two zones and a separator. The
+// range is then sorted into low zone, high zone and separator. Both zones are dissected one after
+// the other, or by different threads if the range is large. The parts are collected in postorder.
 
 namespace {
 
-// Parts with fewer rows are dissected by one thread, since a second one would save next to nothing.
-constexpr int kMinParallelRows = 2000;
+// A part with fewer rows is dissected by one thread, since a second thread would save next to
+// nothing.
+constexpr int kMinParallelDissectionRows = 2000;
 
 using Nodes = std::span<std::uint32_t>;
 
@@ -54,7 +55,8 @@ class Dissector {
     std::vector<DissectionPart> parts;
 
   private:
-    // A range of the order. Its nodes are divided by position if `box` is not empty.
+    // A range of the order. `box` is a box around the nodes of the range. If `box` has no value,
+    // the nodes are divided by the edges of the graph alone.
     struct Range {
         std::size_t begin = 0;
         std::size_t end = 0;
@@ -62,7 +64,7 @@ class Dissector {
     };
     using PartIndices = std::pair<std::size_t, std::size_t>;
 
-    // Dissects a range and returns the index of its part in `parts`.
+    // Dissects a range and returns the index in `parts` of the root of its tree.
     std::size_t dissect(const Range& range, int threads) {
         const auto [begin, end, box] = range;
         const Nodes part = Nodes(memory_.order).subspan(begin, end - begin);
@@ -77,7 +79,7 @@ class Dissector {
         }
         const Range low_range{begin, begin + low, boxes.low};
         const Range high_range{begin + low, begin + low + high, boxes.high};
-        const auto [left, right] = threads > 1 && rows >= kMinParallelRows
+        const auto [left, right] = threads > 1 && rows >= kMinParallelDissectionRows
                                        ? dissect_concurrently(low_range, high_range, threads)
                                        : dissect_sequentially(low_range, high_range);
         return add_part({begin + low + high, end, left, right});
@@ -128,8 +130,8 @@ class Dissector {
         return rows;
     }
 
-    // Sorts the part into low nodes, high nodes and the separator, and resets their zones. Returns
-    // the numbers of low and of high nodes.
+    // Sorts the part into low nodes, high nodes and the separator, and resets all zones to Outside.
+    // Returns the numbers of low and of high nodes.
     std::pair<std::size_t, std::size_t> sort_by_zone(Nodes part) {
         const auto in = [this](Zone zone) {
             return

@@ -14,33 +14,39 @@
 
 namespace foam {
 
-/// A range of nodes in the order of elimination: a leaf, or the separator between two earlier
-/// ranges.
+/// One element of the tree of a dissection: the nodes [begin, end) of the order of elimination.
+/// They are either a leaf (a part of the graph that is not divided further) or the separator of a
+/// divided part. The two sides of a separator are its two subtrees, whose nodes are earlier in the
+/// order.
 struct DissectionPart {
     static constexpr std::size_t kNoPart = std::numeric_limits<std::size_t>::max();
 
     std::size_t begin = 0;
     std::size_t end = 0;
-    std::size_t left = kNoPart;  // index of the left subtree's root; kNoPart if this is a leaf
-    std::size_t right = kNoPart;
+    std::size_t left = kNoPart;   // index of the left subtree's root; kNoPart if this is a leaf
+    std::size_t right = kNoPart;  // the same for the right subtree
 
     bool is_leaf() const { return left == kNoPart; }
 };
 
-/// A binary tree of parts. No node of a part's left subtree is coupled to a node of its right
-/// subtree.
+/// The result of nested dissection: an order of elimination, divided into a binary tree of
+/// DissectionParts. No node of the left subtree of a part is coupled (node_graph) to a node of its
+/// right subtree.
 struct Dissection {
     std::vector<std::uint32_t> order;  // nodes in the order of elimination
     // Every part is stored after both its subtrees; the last one is the root.
     std::vector<DissectionPart> parts;
 };
 
-/// Finds an order of elimination by nested dissection (George 1973): divides the nodes by a light
-/// separator, which is eliminated last, and then divides both sides in the same way. Separators are
-/// proposed by positions and checked against the graph (PartDivider). The first separators of a
-/// torus consist of two lines each, since one line divides neither a torus nor a band around it.
+/// Returns an order of elimination, found by nested dissection (George 1973). The nodes are divided
+/// by a light separator (a separator of few rows), which is eliminated last. Both sides are then
+/// divided in the same way, until a part has at most DissectionOptions::leaf_rows rows. Separators
+/// are found from positions, or from the edges of the graph where positions give heavy separators
+/// (PartDivider). On a torus, the separators of the first two levels consist of two lines each: one
+/// closed line does not divide a torus, and one line across a band around the torus does not divide
+/// this band.
 ///
-/// The order is valid for any positions. It is the same for any number of threads. `threads` has
+/// The order is valid for any positions, and is the same for any number of threads. `threads` has
 /// the same meaning as in thread_count. Precondition: there is at least one node.
 Dissection dissect(const NodeGraph& graph,
                    std::span<const SolverNode> nodes,

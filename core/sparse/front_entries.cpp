@@ -13,24 +13,25 @@ namespace {
 
 using Matrix = Eigen::SparseMatrix<double>;
 
-// Calls action(entry, column, row) for each entry of the matrix. `entry` is its index in storage
-// order. `column` ≤ `row` are its column and row in the order of elimination.
+// Calls action(entry, column, row) for each entry of the matrix. `entry` is the index of the entry
+// in storage order; `column` and `row` ≥ `column` are its column and row in the order of
+// elimination.
 template <class Action>
 void each_entry(const Matrix& lower, const FrontPlan& plan, const Action& action) {
     std::size_t entry = 0;
     for (Eigen::Index column = 0; column < lower.cols(); ++column) {
-        const std::uint32_t a = plan.elimination[static_cast<std::size_t>(column)];
+        const std::uint32_t a = plan.position_of_row[static_cast<std::size_t>(column)];
         for (Matrix::InnerIterator at(lower, column); at; ++at, ++entry) {
-            const std::uint32_t b = plan.elimination[static_cast<std::size_t>(at.row())];
+            const std::uint32_t b = plan.position_of_row[static_cast<std::size_t>(at.row())];
             action(entry, std::min(a, b), std::max(a, b));
         }
     }
 }
 
-// Returns the start of each column, and the end of the last, among the entries sorted by column in
-// the order of elimination.
+// For the entries sorted by their column in the order of elimination, returns the index of each
+// column's first entry, followed by the number of all entries.
 std::vector<std::size_t> begins_of_columns(const Matrix& lower, const FrontPlan& plan) {
-    std::vector<std::size_t> begins(plan.elimination.size() + 1, 0);
+    std::vector<std::size_t> begins(plan.position_of_row.size() + 1, 0);
     each_entry(lower, plan, [&](std::size_t, std::uint32_t column, std::uint32_t) {
         ++begins[column + 1];
     });
@@ -40,8 +41,9 @@ std::vector<std::size_t> begins_of_columns(const Matrix& lower, const FrontPlan&
     return begins;
 }
 
-// Returns the entries sorted by column. `target` is not final yet: it is the row of the entry in
-// the order of elimination.
+// Returns the entries sorted by column. `next_of_columns` must be begins_of_columns.
+// `Entry::target` does not have its final value yet: it is the row of the entry in the order of
+// elimination.
 std::vector<FrontPlan::Entry> sorted_entries(const Matrix& lower,
                                              const FrontPlan& plan,
                                              std::vector<std::size_t> next_of_columns) {
@@ -58,7 +60,7 @@ void locate_entries(const Matrix& lower_pattern, FrontPlan& plan) {
     assert(lower_pattern.isCompressed());
     const std::vector<std::size_t> begins = begins_of_columns(lower_pattern, plan);
     plan.entries = sorted_entries(lower_pattern, plan, begins);
-    std::vector<std::uint32_t> slots(plan.elimination.size());
+    std::vector<std::uint32_t> slots(plan.position_of_row.size());
     for (Front& front : plan.fronts) {
         plan.write_slots(front, slots);
         front.entries_begin = begins[front.first_row];

@@ -8,8 +8,10 @@
 
 namespace foam {
 
-/// Finds the index of every entry of the matrix in the panel of its front. Sets `entries` of the
-/// plan and the range of each front in them. Precondition: the plan has its fronts and borders.
+/// Finds, for every entry of the matrix, its index in the panel of its front. Sets
+/// FrontPlan::entries, and for each front the range of its entries (Front::entries_begin and
+/// entries_end). Preconditions: the pattern is compressed, and the fronts and borders of the plan
+/// are set.
 void locate_entries(const Eigen::SparseMatrix<double>& lower_pattern, FrontPlan& plan);
 
 }  // namespace foam

@@ -11,11 +11,10 @@
 
 namespace foam {
 
-// The multifrontal method (Duff, Reid 1983): fronts are processed in postorder. A front's panel is
-// the dense matrix of its pivots' columns. After elimination the panel holds a part of L and D. The
-// Schur complement over the front's border is the front's remainder, which is added to the parent.
-// The two subtrees of a front with `may_fork` are factored by different threads. All sums are taken
-// in the same order for any number of threads.
+// The multifrontal method (Duff, Reid 1983): fronts are processed in postorder. A front consists of
+// its panel and its update matrix (Front). The update matrix is added to the parent front. The two
+// subtrees of a front with `may_fork` are factored by different threads. All sums are taken in the
+// same order for any number of threads.
 
 namespace {
 
@@ -31,8 +30,8 @@ class Factorization {
     }
 
   private:
-    // Factors a subtree with the threads from `first_thread` on, each of which has scratch memory
-    // of its own.
+    // Factors a subtree with `threads` threads. Thread k of them, counted from 0, uses the scratch
+    // memory with the index first_thread + k.
     void factor_subtree(std::size_t root, std::size_t first_thread, std::size_t threads) {
         const Front& front = plan_.fronts[root];
         if (threads == 1 || !front.may_fork) {
@@ -61,43 +60,44 @@ class Factorization {
         const DenseView<Real> panel(memory_.factor.data() + front.panel_begin,
                                     signed_size(front.rows()),
                                     signed_size(front.pivots));
-        const DenseView<Real> remainder(memory_.workspace.data() + front.remainder_begin,
-                                        signed_size(front.border),
-                                        signed_size(front.border));
+        const DenseView<Real> update_matrix(memory_.workspace.data() + front.update_begin,
+                                            signed_size(front.border),
+                                            signed_size(front.border));
         if (factor_panel(panel, scratch)) {
-            update_remainder(panel, remainder, scratch);
+            complete_update_matrix(panel, update_matrix, scratch);
         } else {
             failed_ = true;
         }
     }
 
-    // Sets the panel and the remainder of a front to the sum of its entries of the matrix and the
-    // remainders of its children.
+    // Sets the panel and the update matrix of a front to the sum of its entries of the matrix and
+    // the update matrices of its children.
     void assemble(const Front& front) {
         const auto panel = memory_.factor.subspan(front.panel_begin, front.pivots * front.rows());
-        const auto remainder =
-            memory_.workspace.subspan(front.remainder_begin, front.border * front.border);
+        const auto update_matrix =
+            memory_.workspace.subspan(front.update_begin, front.border * front.border);
         std::fill(panel.begin(), panel.end(), Real(0));
-        std::fill(remainder.begin(), remainder.end(), Real(0));
+        std::fill(update_matrix.begin(), update_matrix.end(), Real(0));
         for (std::size_t k = front.entries_begin; k < front.entries_end; ++k) {
             const FrontPlan::Entry& entry = plan_.entries[k];
             panel[entry.target] = static_cast<Real>(memory_.values[entry.source]);
         }
         if (!front.is_leaf()) {
-            add_remainder(plan_.fronts[front.left], front);
-            add_remainder(plan_.fronts[front.right], front);
+            add_update_matrix(plan_.fronts[front.left], front);
+            add_update_matrix(plan_.fronts[front.right], front);
         }
     }
 
-    void add_remainder(const Front& child, const Front& front) {
+    // Adds the update matrix of a child to the panel and the update matrix of its parent front.
+    void add_update_matrix(const Front& child, const Front& front) {
         const std::span<const std::uint32_t> slots = plan_.slots_of_border(child);
-        const Real* source = memory_.workspace.data() + child.remainder_begin;
+        const Real* source = memory_.workspace.data() + child.update_begin;
         for (std::size_t column = 0; column < child.border; ++column) {
             const std::size_t slot = slots[column];
             const bool in_panel = slot < front.pivots;
             Real* target = in_panel
                                ? memory_.factor.data() + front.panel_begin + slot * front.rows()
-                               : memory_.workspace.data() + front.remainder_begin +
+                               : memory_.workspace.data() + front.update_begin +
                                      (slot - front.pivots) * front.border;
             const std::size_t first_slot = in_panel ? 0 : front.pivots;
             for (std::size_t row = column; row < child.border; ++row) {

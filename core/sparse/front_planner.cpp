@@ -15,13 +15,15 @@ namespace foam {
 
 // Symbolic factorization. Each part of the dissection becomes a front. The border of a front is the
 // union of the later neighbors of its nodes and the borders of its children, without its own nodes.
-// One pass in postorder therefore finds all borders. Then the workspace is laid out, the borders
-// are linked to the parent fronts, and each entry of the matrix gets its index in a panel.
+// One pass in postorder therefore finds all borders. Then the workspace is laid out, the slots of
+// the borders in the parent fronts are found, and each entry of the matrix gets its index in a
+// panel.
 
 namespace {
 
 using Indices = std::vector<std::uint32_t>;
 
+// Returns the first matrix row of each node, followed by the number of all rows.
 std::vector<std::size_t> first_rows_of(std::span<const SolverNode> nodes) {
     std::vector<std::size_t> first_rows(1, 0);
     for (const SolverNode& node : nodes) {
@@ -30,7 +32,8 @@ std::vector<std::size_t> first_rows_of(std::span<const SolverNode> nodes) {
     return first_rows;
 }
 
-// Finds the fronts and their borders. The turn of a node is its index in the order of elimination.
+// Finds the fronts and their borders. The position of a node is its index in the order of
+// elimination.
 class FrontBuilder {
   public:
     FrontBuilder(const NodeGraph& graph,
@@ -38,11 +41,11 @@ class FrontBuilder {
                  std::span<const SolverNode> nodes)
         : graph_(graph), dissection_(dissection) {
         order_rows(nodes);
-        seen_by_.assign(nodes.size(), narrow(dissection.parts.size()));
+        last_front_of_.assign(nodes.size(), narrow(dissection.parts.size()));
     }
 
-    // Returns the fronts with their borders, or nothing as soon as the factor alone exceeds the
-    // limit.
+    // Returns a plan with the fronts and their borders. Returns std::nullopt as soon as the factor
+    // alone exceeds the limit.
     std::optional<FrontPlan> run(std::size_t limit) && {
         for (const DissectionPart& part : dissection_.parts) {
             find_border(part);
@@ -55,49 +58,52 @@ class FrontBuilder {
     }
 
   private:
+    // Finds the positions of the nodes, the first row of each position, and the positions of the
+    // rows in the order of elimination.
     void order_rows(std::span<const SolverNode> nodes) {
         const std::vector<std::size_t> matrix_rows = first_rows_of(nodes);
-        plan_.elimination.resize(matrix_rows.back());
-        turns_.resize(nodes.size());
+        plan_.position_of_row.resize(matrix_rows.back());
+        position_of_node_.resize(nodes.size());
         std::size_t row = 0;
         for (const std::uint32_t node : dissection_.order) {
-            turns_[node] = narrow(first_rows_.size());
+            position_of_node_[node] = narrow(first_rows_.size());
             first_rows_.push_back(row);
             for (std::size_t k = matrix_rows[node]; k < matrix_rows[node + 1]; ++k) {
-                plan_.elimination[k] = narrow(row++);
+                plan_.position_of_row[k] = narrow(row++);
             }
         }
         first_rows_.push_back(row);
     }
 
-    // Finds the border of a part: the later nodes that its nodes are coupled to, directly or
+    // Finds the border of a part: the later nodes to which its nodes are coupled, directly or
     // through earlier nodes.
     void find_border(const DissectionPart& part) {
-        const std::size_t begin = border_turns_.size();
-        for (std::size_t turn = part.begin; turn < part.end; ++turn) {
-            for (const std::uint32_t neighbor : graph_.of(dissection_.order[turn])) {
-                add_to_border(part, turns_[neighbor]);
+        const std::size_t begin = border_positions_.size();
+        for (std::size_t position = part.begin; position < part.end; ++position) {
+            for (const std::uint32_t neighbor : graph_.neighbors_of(dissection_.order[position])) {
+                add_to_border(part, position_of_node_[neighbor]);
             }
         }
         if (!part.is_leaf()) {
             inherit_border(part, part.left);
             inherit_border(part, part.right);
         }
-        std::sort(border_turns_.begin() + static_cast<std::ptrdiff_t>(begin), border_turns_.end());
-        border_begins_.push_back(border_turns_.size());
+        std::sort(border_positions_.begin() + static_cast<std::ptrdiff_t>(begin),
+                  border_positions_.end());
+        border_begins_.push_back(border_positions_.size());
     }
 
     void inherit_border(const DissectionPart& part, std::size_t child) {
         for (std::size_t k = border_begins_[child]; k < border_begins_[child + 1]; ++k) {
-            add_to_border(part, border_turns_[k]);
+            add_to_border(part, border_positions_[k]);
         }
     }
 
-    void add_to_border(const DissectionPart& part, std::uint32_t turn) {
-        const std::uint32_t present = narrow(plan_.fronts.size());
-        if (turn >= part.end && seen_by_[turn] != present) {
-            seen_by_[turn] = present;
-            border_turns_.push_back(turn);
+    void add_to_border(const DissectionPart& part, std::uint32_t position) {
+        const std::uint32_t current_front = narrow(plan_.fronts.size());
+        if (position >= part.end && last_front_of_[position] != current_front) {
+            last_front_of_[position] = current_front;
+            border_positions_.push_back(position);
         }
     }
 
@@ -123,10 +129,11 @@ class FrontBuilder {
     }
 
     void add_border_rows() {
-        const std::size_t present = plan_.fronts.size();
-        for (std::size_t k = border_begins_[present]; k < border_begins_[present + 1]; ++k) {
-            const std::size_t turn = border_turns_[k];
-            for (std::size_t row = first_rows_[turn]; row < first_rows_[turn + 1]; ++row) {
+        const std::size_t current_front = plan_.fronts.size();
+        for (std::size_t k = border_begins_[current_front]; k < border_begins_[current_front + 1];
+             ++k) {
+            const std::size_t position = border_positions_[k];
+            for (std::size_t row = first_rows_[position]; row < first_rows_[position + 1]; ++row) {
                 plan_.border_rows.push_back(narrow(row));
             }
         }
@@ -135,18 +142,17 @@ class FrontBuilder {
     const NodeGraph& graph_;
     const Dissection& dissection_;
     FrontPlan plan_;
-    Indices turns_;                        // of each node
-    std::vector<std::size_t> first_rows_;  // first row of each turn, and the end of the last
-    Indices border_turns_;                 // the borders of all fronts, as turns
+    Indices position_of_node_;
+    std::vector<std::size_t> first_rows_;  // first row of each position, and the end of the last
+    Indices border_positions_;             // the borders of all fronts, as positions of nodes
     std::vector<std::size_t> border_begins_{0};
-    // For each turn, the last front to whose border it was added.
-    Indices seen_by_;
+    Indices last_front_of_;  // for each position, the last front to whose border it was added
 };
 
-// Finds the slots of the rows of every border in the parent front.
+// Finds, for every border, the slots of its rows in the parent front.
 void link_borders(FrontPlan& plan) {
     plan.border_slots.resize(plan.border_rows.size());
-    Indices slots(plan.elimination.size());
+    Indices slots(plan.position_of_row.size());
     for (const Front& front : plan.fronts) {
         if (front.is_leaf()) {
             continue;
@@ -169,7 +175,7 @@ std::optional<FrontPlan> plan_fronts(const Eigen::SparseMatrix<double>& lower_pa
                                      const DissectionOptions& options,
                                      std::size_t limit,
                                      int threads) {
-    const NodeGraph graph = coupling(lower_pattern, nodes);
+    const NodeGraph graph = node_graph(lower_pattern, nodes);
     const Dissection dissection = dissect(graph, nodes, domain, options, threads);
     std::optional<FrontPlan> plan = FrontBuilder(graph, dissection, nodes).run(limit);
     if (!plan) {
@@ -179,7 +185,7 @@ std::optional<FrontPlan> plan_fronts(const Eigen::SparseMatrix<double>& lower_pa
     if (plan->panels_size + plan->workspace_size > limit) {
         return std::nullopt;
     }
-    assert(plan->elimination.size() == static_cast<std::size_t>(lower_pattern.cols()));
+    assert(plan->position_of_row.size() == static_cast<std::size_t>(lower_pattern.cols()));
     link_borders(*plan);
     locate_entries(lower_pattern, *plan);
     return plan;

@@ -14,10 +14,10 @@
 namespace foam {
 
 /// Plans the factorization of matrices whose lower triangle has the given pattern. The first node
-/// has the first rows of the matrix, the second node the next ones, and so on. Returns std::nullopt
-/// if the factor and the remainders of fronts would take more than `limit` floating-point numbers.
-/// The plan is the same for any number of threads. `threads` has the meaning that thread_count
-/// (core/parallel) gives it. Precondition: the pattern is compressed and its columns are sorted.
+/// has the first rows of the matrix, the second node has the next rows, and so on. Returns
+/// std::nullopt if the factor and the update matrices of fronts would take more than `limit`
+/// floating-point numbers. The plan is the same for any number of threads. `threads` has the same
+/// meaning as in thread_count. Precondition: the pattern is compressed and its columns are sorted.
 std::optional<FrontPlan> plan_fronts(const Eigen::SparseMatrix<double>& lower_pattern,
                                      std::span<const SolverNode> nodes,
                                      const Domain& domain,

@@ -11,7 +11,7 @@ namespace foam {
 
 // Forward substitution processes the fronts in postorder, backward substitution in reverse
 // postorder. In each front, a dense triangular system is solved for the pivots, and one
-// matrix-vector product connects the pivots with the rows of the border.
+// matrix-vector product computes the terms between the pivots and the rows of the border.
 
 namespace {
 
@@ -30,9 +30,14 @@ class FrontSolve {
           top_(factor + front.panel_begin, pivots_, pivots_, stride(front)),
           below_(top_.data() + pivots_, signed_size(front.border), pivots_, stride(front)) {}
 
-    // Solves for the pivots in x and subtracts their contribution from the rows of the border. Rows
-    // below `limit` are rows of x; the other rows are rows of `beyond`.
-    void forward(Vector& x, Vector& beyond, std::size_t limit, Vector& scratch) const {
+    // Forward substitution: solves for the pivots in x, subtracts their contributions from the rows
+    // of the border, and divides the pivots' elements of x by D. Contributions to rows with an
+    // index less than `first_later_row` are subtracted from x, contributions to other rows from
+    // `later_rows`.
+    void forward(Vector& x,
+                 Vector& later_rows,
+                 std::size_t first_later_row,
+                 Vector& scratch) const {
         auto own = x.segment(first_row_, pivots_);
         auto change = scratch.head(signed_size(border_.size()));
         for (Index column = 0; column < pivots_; ++column) {
@@ -41,11 +46,12 @@ class FrontSolve {
         }
         change.noalias() = below_ * own;
         for (std::size_t k = 0; k < border_.size(); ++k) {
-            (border_[k] < limit ? x : beyond)[border_[k]] -= change[signed_size(k)];
+            (border_[k] < first_later_row ? x : later_rows)[border_[k]] -= change[signed_size(k)];
         }
         own.array() /= top_.diagonal().array();
     }
 
+    // Backward substitution: solves for the pivots in x. The rows of the border are already solved.
     void backward(Vector& x, Vector& scratch) const {
         auto own = x.segment(first_row_, pivots_);
         auto known = scratch.head(signed_size(border_.size()));
@@ -74,9 +80,10 @@ class FrontSolve {
     Window below_;  // the border's rows of L
 };
 
-// The two substitutions of all fronts. Of two subtrees that may be processed at the same time, the
-// right one subtracts its contributions to later rows from a separate vector, which is then added
-// to the result. Neither the order of the sums nor the bits depend on the number of threads.
+// The two substitutions of all fronts. If the two subtrees of a front may be processed at the same
+// time (forks), the right subtree subtracts its contributions to rows from the front's first row on
+// from a separate vector. This vector is then added to the result. This is done with any number of
+// threads, so that neither the order of the sums nor the bits of the result depend on this number.
 template <class Real>
 class Substitution {
   public:
@@ -87,47 +94,56 @@ class Substitution {
 
     void run(std::size_t threads) {
         const std::size_t root = plan_.fronts.size() - 1;
-        forward(root, x_, plan_.elimination.size(), threads);
+        forward(root, x_, plan_.position_of_row.size(), threads);
         backward(root, threads);
     }
 
   private:
     using Solve = FrontSolve<Real>;
 
-    // Substitutes forward in a subtree. Contributions to the rows from `limit` on are subtracted
-    // from `beyond`, which may be x itself.
-    void forward(std::size_t root, Vector& beyond, std::size_t limit, std::size_t threads) {
+    // Forward substitution in a subtree. Contributions to rows with an index of at least
+    // `first_later_row` are subtracted from `later_rows`, which may be x itself.
+    void forward(std::size_t root,
+                 Vector& later_rows,
+                 std::size_t first_later_row,
+                 std::size_t threads) {
         const Front& front = plan_.fronts[root];
         Vector scratch(signed_size(plan_.largest_border));
         if (!forks(front)) {
             for (std::size_t k = front.first_descendant; k <= root; ++k) {
-                Solve(plan_, plan_.fronts[k], factor_).forward(x_, beyond, limit, scratch);
+                Solve(plan_, plan_.fronts[k], factor_)
+                    .forward(x_, later_rows, first_later_row, scratch);
             }
             return;
         }
-        forward_both(front, beyond, limit, threads);
-        Solve(plan_, front, factor_).forward(x_, beyond, limit, scratch);
+        forward_both(front, later_rows, first_later_row, threads);
+        Solve(plan_, front, factor_).forward(x_, later_rows, first_later_row, scratch);
     }
 
-    void forward_both(const Front& front, Vector& beyond, std::size_t limit, std::size_t threads) {
+    // Forward substitution in both subtrees of a front, each with a part of the threads.
+    void forward_both(const Front& front,
+                      Vector& later_rows,
+                      std::size_t first_later_row,
+                      std::size_t threads) {
         const std::span<const std::uint32_t> changed =
             plan_.rows_of_border(plan_.fronts[front.right]);
-        Vector apart(x_.size());
+        Vector right_contributions(x_.size());
         for (const std::uint32_t row : changed) {
-            apart[row] = Real(0);
+            right_contributions[row] = Real(0);
         }
         both(threads, [&](bool is_left, std::size_t part) {
             if (is_left) {
-                forward(front.left, beyond, limit, part);
+                forward(front.left, later_rows, first_later_row, part);
             } else {
-                forward(front.right, apart, front.first_row, part);
+                forward(front.right, right_contributions, front.first_row, part);
             }
         });
         for (const std::uint32_t row : changed) {
-            (row < limit ? x_ : beyond)[row] += apart[row];
+            (row < first_later_row ? x_ : later_rows)[row] += right_contributions[row];
         }
     }
 
+    // Backward substitution in a subtree.
     void backward(std::size_t root, std::size_t threads) {
         const Front& front = plan_.fronts[root];
         Vector scratch(signed_size(plan_.largest_border));
@@ -143,13 +159,15 @@ class Substitution {
         });
     }
 
-    // Returns true if the two subtrees are processed separately. This does not depend on the number
-    // of threads, so neither does the order of the sums.
+    // Returns true if the two subtrees of the front are processed separately. The result does not
+    // depend on the number of threads, so the order of the sums does not depend on it either.
     bool forks(const Front& front) const {
         const std::size_t first_row = plan_.fronts[front.first_descendant].first_row;
         return front.may_fork && front.first_row + front.pivots - first_row >= kMinParallelRows;
     }
 
+    // Calls body(is_left, number of threads) for both subtrees of a front, at the same time if
+    // there are several threads. The number of threads may be 0, which means the same as 1.
     template <class Body>
     static void both(std::size_t threads, const Body& body) {
         const std::size_t half = threads / 2;

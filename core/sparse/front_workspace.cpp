@@ -14,13 +14,13 @@ namespace {
 constexpr int kForkLevels = 4;
 static_assert(kMaxWorkers == 1 << kForkLevels);
 
-std::size_t remainder_size(const Front& front) {
+std::size_t update_size(const Front& front) {
     return front.border * front.border;
 }
 
-// Two stacks of remainders: one for the even levels of the tree, one for the odd levels. A front
-// and its children use different stacks, so that the front's remainder never overlaps the
-// remainders of its children.
+// Two stacks of update matrices: one for the even levels of the tree, one for the odd levels. A
+// front and its children use different stacks, so that the front's update matrix never overlaps the
+// update matrices of its children.
 class Stacks {
   public:
     explicit Stacks(std::span<Front> fronts) : fronts_(fronts), odd_(fronts.size()) {}
@@ -28,31 +28,32 @@ class Stacks {
     std::size_t run() {
         lay_out(fronts_.size() - 1, 0, {0, 0});
         for (std::size_t k = 0; k < fronts_.size(); ++k) {
-            fronts_[k].remainder_begin += odd_[k] ? peaks_[0] : 0;
+            fronts_[k].update_begin += odd_[k] ? peaks_[0] : 0;
         }
         return peaks_[0] + peaks_[1];
     }
 
   private:
-    // Lays out a subtree above the given tops of the stacks.
+    // Lays out the update matrices of a subtree. `tops` holds, for each of the two stacks, the
+    // index from which on the subtree may use memory.
     void lay_out(std::size_t root, int level, std::array<std::size_t, 2> tops) {
         Front& front = fronts_[root];
         const std::size_t own = level % 2 == 0 ? 0 : 1;
         odd_[root] = own == 1;
-        front.remainder_begin = tops[own];
-        const std::size_t end = tops[own] + remainder_size(front);
+        front.update_begin = tops[own];
+        const std::size_t end = tops[own] + update_size(front);
         if (!front.is_leaf()) {
             front.may_fork = level < kForkLevels;
             lay_out(front.left, level + 1, tops);
-            tops[1 - own] += remainder_size(fronts_[front.left]);
+            tops[1 - own] += update_size(fronts_[front.left]);
             lay_out(front.right, level + 1, front.may_fork ? peaks_ : tops);
         }
         peaks_[own] = std::max(peaks_[own], end);
     }
 
     std::span<Front> fronts_;
-    std::vector<bool> odd_;  // true for each front on an odd level
-    std::array<std::size_t, 2> peaks_{0, 0};
+    std::vector<bool> odd_;                   // true for each front on an odd level
+    std::array<std::size_t, 2> peaks_{0, 0};  // largest size so far of each stack
 };
 
 }  // namespace

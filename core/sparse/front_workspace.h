@@ -12,10 +12,10 @@ namespace foam {
 /// The largest number of threads that can work on different subtrees at the same time.
 inline constexpr int kMaxWorkers = 16;
 
-/// Lays out the remainders of all fronts in one workspace. A remainder is needed only from the
-/// elimination of its front until the elimination of the parent front; before and after, its memory
-/// is used by other remainders. Sets `remainder_begin` and `may_fork` of every front. Returns the
-/// size of the workspace.
+/// Lays out the update matrices of all fronts in one workspace. An update matrix is needed only
+/// from the elimination of its front until it has been added to the parent front. Before and after,
+/// other update matrices use its memory. Sets `update_begin` and `may_fork` of every front. Returns
+/// the size of the workspace, in floating-point numbers. Precondition: there is at least one front.
 std::size_t share_workspace(std::span<Front> fronts);
 
 }  // namespace foam

@@ -13,27 +13,27 @@
 namespace foam {
 
 // Multilevel bisection (Karypis and Kumar 1998) by recursion: the graph is coarsened, the coarse
-// graph is bisected, its zones are projected to the finer graph, and the separator is refined. The
-// coarsest graph is divided by growing the zone Low from several nodes in turn; the division with
-// the lightest separator after refinement is kept.
+// graph is bisected, the zones are transferred to the finer graph, and the separator is refined.
+// The coarsest graph is divided by growing the zone Low from several nodes in turn; the division
+// with the lightest separator after refinement is kept.
 
 namespace {
 
 constexpr std::uint32_t kCoarsestNodes = 100;
 
-// Coarsening ends when it would reduce the number of nodes by less than a tenth.
-constexpr double kMinShrinkage = 0.9;
+// Coarsening ends when the coarser graph would have more than this fraction of the nodes.
+constexpr double kMaxSizeRatio = 0.9;
 
-// The largest number of breadth-first searches. They start at evenly spaced nodes of the coarsest
-// graph.
+// The largest number of breadth-first searches. They start at nodes of the coarsest graph with
+// evenly spaced indices.
 constexpr std::uint32_t kMaxSearches = 4;
 
 int total_weight(const WeightedGraph& graph) {
     return std::accumulate(graph.weights.begin(), graph.weights.end(), 0);
 }
 
-// Returns all nodes in the order of a breadth-first search from `start`. After each component of
-// the graph, the search continues at the first node that has not been found.
+// Returns all nodes in the order of a breadth-first search from `start`. If the graph has several
+// components, the search continues after each component at the first node that has not been found.
 std::vector<std::uint32_t> breadth_first(const WeightedGraph& graph, std::uint32_t start) {
     std::vector<std::uint32_t> order;
     std::vector<bool> is_found(graph.size(), false);
@@ -47,7 +47,7 @@ std::vector<std::uint32_t> breadth_first(const WeightedGraph& graph, std::uint32
     const auto find_component = [&](std::uint32_t node) {
         find(node);
         for (; next < order.size(); ++next) {
-            for (const WeightedGraph::Edge& edge : graph.of(order[next])) {
+            for (const WeightedGraph::Edge& edge : graph.edges_of(order[next])) {
                 find(edge.to);
             }
         }
@@ -59,8 +59,9 @@ std::vector<std::uint32_t> breadth_first(const WeightedGraph& graph, std::uint32
     return order;
 }
 
-// Grows the zone Low from a node. The nodes that a breadth-first search finds first are Low, up to
-// half of the weight. Their other neighbors are the separator, and all other nodes are High.
+// Grows the zone Low from a node. A breadth-first search adds nodes to Low as long as the weight of
+// Low is at most half of the total weight. The neighbors of Low are the separator, and all
+// remaining nodes are in High.
 std::vector<Zone> grow(const WeightedGraph& graph, std::uint32_t start) {
     std::vector<Zone> zones(graph.size(), Zone::High);
     int rest = total_weight(graph) / 2;
@@ -72,7 +73,7 @@ std::vector<Zone> grow(const WeightedGraph& graph, std::uint32_t start) {
         zones[node] = Zone::Low;
     }
     for (std::uint32_t node = 0; node < graph.size(); ++node) {
-        const auto edges = graph.of(node);
+        const auto edges = graph.edges_of(node);
         if (zones[node] == Zone::High && std::any_of(edges.begin(), edges.end(), [&](auto edge) {
                 return zones[edge.to] == Zone::Low;
             })) {
@@ -82,7 +83,7 @@ std::vector<Zone> grow(const WeightedGraph& graph, std::uint32_t start) {
     return zones;
 }
 
-// Refines the separator. Returns its weight and the difference of the zones' weights.
+// Refines the separator. Returns its cost (SeparatorRefinement::cost).
 std::pair<int, int> refine(const WeightedGraph& graph, std::vector<Zone>& zones) {
     SeparatorRefinement refinement(graph, heaviest_zone(total_weight(graph)), zones);
     refinement.run();
@@ -116,7 +117,7 @@ std::vector<Zone> bisect(const WeightedGraph& graph) {
     }
     const int max_weight = 3 * total_weight(graph) / (2 * static_cast<int>(kCoarsestNodes));
     const CoarseGraph coarse = coarsen(graph, max_weight);
-    if (coarse.graph.size() > kMinShrinkage * graph.size()) {
+    if (coarse.graph.size() > kMaxSizeRatio * graph.size()) {
         return bisect_coarsest(graph);
     }
     const std::vector<Zone> coarse_zones = bisect(coarse.graph);

@@ -19,10 +19,12 @@ std::vector<std::uint32_t> nodes_of_rows(std::span<const SolverNode> nodes) {
     return owners;
 }
 
-// Returns each coupled pair of nodes once. The lower index is first in each pair, and the pairs are
-// sorted by it.
+// Returns each pair of coupled nodes once. The node of lower index is first in each pair, and the
+// pairs are sorted by this index.
 std::vector<Pair> coupled_pairs(const Matrix& lower, std::span<const SolverNode> nodes) {
     const std::vector<std::uint32_t> owners = nodes_of_rows(nodes);
+    // For each node, the last node with which a pair was formed. This is enough to find duplicates,
+    // since the columns of a node are consecutive.
     std::vector<std::size_t> last_partner(nodes.size(), nodes.size());
     std::vector<Pair> pairs;
     for (Eigen::Index column = 0; column < lower.cols(); ++column) {
@@ -40,7 +42,7 @@ std::vector<Pair> coupled_pairs(const Matrix& lower, std::span<const SolverNode>
 
 }  // namespace
 
-NodeGraph coupling(const Matrix& lower, std::span<const SolverNode> nodes) {
+NodeGraph node_graph(const Matrix& lower, std::span<const SolverNode> nodes) {
     const std::vector<Pair> pairs = coupled_pairs(lower, nodes);
     NodeGraph graph;
     graph.begins.assign(nodes.size() + 1, 0);

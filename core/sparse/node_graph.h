@@ -13,27 +13,32 @@
 
 namespace foam {
 
-/// Consecutive rows of a symmetric matrix that belong together and have one position. For a foam
-/// these are the two coordinates of a junction, the pressure of a bubble, or the half angle of an
-/// outer film.
+/// A node: consecutive rows of a symmetric matrix that belong together and share one position. For
+/// a foam, the rows of a node are the two coordinates of a junction, the pressure of a bubble, or
+/// the half angle of an outer film.
 struct SolverNode {
     Vec2 position;
-    int rows = 1;
+    int rows = 1;  // number of rows
 };
 
-/// The graph of coupled nodes: undirected, without loops, as adjacency lists.
+/// The graph of coupled nodes as adjacency lists. It is undirected and has no edges from a node to
+/// itself.
 struct NodeGraph {
     std::vector<std::uint32_t> neighbors;  // neighbors of all nodes, sorted by node
-    std::vector<std::size_t> begins;  // start of each node's neighbors, and the end of the last
+    // For each node, the index of its first neighbor in `neighbors`; finally the size of
+    // `neighbors`.
+    std::vector<std::size_t> begins;
 
-    std::span<const std::uint32_t> of(std::size_t node) const {
+    /// Returns the neighbors of a node.
+    std::span<const std::uint32_t> neighbors_of(std::size_t node) const {
         return std::span(neighbors).subspan(begins[node], begins[node + 1] - begins[node]);
     }
 };
 
-/// Returns the graph in which two nodes are coupled if they share an entry of the matrix. `lower`
-/// is the lower triangle of the matrix. The first node has the first rows, the second node the next
-/// ones, and so on.
-NodeGraph coupling(const Eigen::SparseMatrix<double>& lower, std::span<const SolverNode> nodes);
+/// Returns the graph whose edges connect coupled nodes. Two nodes are coupled if the matrix has an
+/// entry in a row of one node and a column of the other. `lower` is the lower triangle of the
+/// matrix. The first node has the first rows of the matrix, the second node has the next rows, and
+/// so on.
+NodeGraph node_graph(const Eigen::SparseMatrix<double>& lower, std::span<const SolverNode> nodes);
 
 }  // namespace foam

@@ -16,21 +16,21 @@ namespace foam {
 
 // A part is halved at the median coordinate along the longer axis of its box. The lightest
 // separator in a band along the border of the halves is a minimum vertex cut (SeparatorSearch). In
-// large parts of large graphs the separator is then refined among the nodes near it
-// (SeparatorRefinement). If the result is heavier than a multiple of the square root of the part's
-// rows, multilevel bisection divides the part instead.
+// large parts of large graphs, the separator is then refined by moving it through the nodes near it
+// (SeparatorRefinement). If the result has more rows than a multiple of the square root of the
+// part's number of rows, the part is divided by multilevel bisection instead.
 
 namespace {
 
-// Smallest number of rows of a part whose separator is refined. In a smaller part, refinement takes
-// longer than it saves in factoring the fronts.
+// Smallest number of rows of a part whose separator is refined. In a smaller part, refinement would
+// take longer than factoring would become faster.
 constexpr int kMinRefinedPart = 2000;
 
-// Refinement of a separator may use this many layers of nodes on each side of it.
+// Refinement may move a separator through this many layers of nodes on each side of it.
 constexpr int kRefinedLayers = 4;
 
-// Returns the periods of the torus. For the plane, returns periods so large that every coordinate
-// is below half a period.
+// Returns the periods of the torus. For the plane, returns periods so large that no coordinate is
+// ever wrapped.
 Vec2 periods_of(const Domain& domain) {
     return domain.is_plane() ? Vec2(Vec2::Constant(std::numeric_limits<double>::max()))
                              : Vec2(domain.width, domain.height);
@@ -98,10 +98,10 @@ ZoneBoxes PartDivider::divide_by_position(Nodes part, const PartBox& box) {
     return {low_box, high_box};
 }
 
-// Assigns the two halves to the zones and returns the coordinate between them. Coordinates are
-// taken relative to the middle of the box and wrapped to at most half a period on either side, so
-// that a node slightly beyond an edge of the box stays near that edge. Coordinates that are not
-// finite count as the middle.
+// Assigns the half of the part with the lower coordinates to Low and the other half to High.
+// Returns the coordinate of the border. Coordinates are taken relative to the middle of the box and
+// wrapped on a torus to at most half a period on either side, so that a node slightly beyond an
+// edge of the box stays near that edge. A coordinate that is not finite is replaced by the middle.
 double PartDivider::split_at_median(Nodes part, const PartBox& box, Eigen::Index axis) {
     std::vector<double>& keys = memory_.keys;
     const double middle = 0.5 * (box.low[axis] + box.high[axis]);
@@ -123,7 +123,7 @@ double PartDivider::split_at_median(Nodes part, const PartBox& box, Eigen::Index
     return middle + keys[part[half]];
 }
 
-// Makes the separator lighter by moving it through the nodes near it.
+// Makes the separator lighter by moving nodes near it between the zones (SeparatorRefinement).
 void PartDivider::refine(Nodes part, int rows) {
     std::vector<std::uint32_t> near = nodes_near_separator(part);
     const WeightedGraph graph = graph_of_near(near, part);
@@ -139,8 +139,8 @@ void PartDivider::refine(Nodes part, int rows) {
     assign(near, zones);
 }
 
-// Returns the nodes of the separator, followed by those of kRefinedLayers layers around it. Numbers
-// the nodes in this order.
+// Returns the nodes of the separator, followed by the nodes of kRefinedLayers layers around it.
+// Numbers the nodes in this order (`number`).
 std::vector<std::uint32_t> PartDivider::nodes_near_separator(Nodes part) {
     std::vector<std::uint32_t> near;
     std::copy_if(part.begin(), part.end(), std::back_inserter(near), [this](std::uint32_t node) {
@@ -157,10 +157,11 @@ std::vector<std::uint32_t> PartDivider::nodes_near_separator(Nodes part) {
     return near;
 }
 
-// Appends and numbers the neighbors of a node that are in the zones Low and High and have no number
-// yet. Nodes of other parts are in the zone Outside.
+// Finds the neighbors of a node that are in the zone Low or High and have no number yet, numbers
+// them, and appends them to `nodes`. Neighbors in other parts are in the zone Outside and therefore
+// not appended.
 void PartDivider::add_unnumbered_neighbors(std::uint32_t node, std::vector<std::uint32_t>& nodes) {
-    for (const std::uint32_t neighbor : graph_.of(node)) {
+    for (const std::uint32_t neighbor : graph_.neighbors_of(node)) {
         std::uint32_t& index = memory_.part_indices[neighbor];
         if (memory_.zones[neighbor] != Zone::Outside && index == DivisionMemory::kNotInPart) {
             index = narrow(nodes.size());
@@ -186,13 +187,13 @@ WeightedGraph PartDivider::graph_of(Nodes part) {
     return graph;
 }
 
-// Appends a node and its edges to numbered neighbors. The result tells, first for the zone Low and
-// then for the zone High, if the node also has neighbors without a number in that zone.
+// Appends a node and its edges to numbered neighbors to the graph. Returns two flags, for Low and
+// for High. A flag is true if the node also has neighbors without a number in this zone.
 std::array<bool, 2> PartDivider::append_node(std::uint32_t node, WeightedGraph& graph) const {
     std::array<bool, 2> touches_rest{};
     graph.begins.push_back(narrow(graph.edges.size()));
     graph.weights.push_back(nodes_[node].rows);
-    for (const std::uint32_t neighbor : graph_.of(node)) {
+    for (const std::uint32_t neighbor : graph_.neighbors_of(node)) {
         const std::uint32_t number = memory_.part_indices[neighbor];
         const Zone zone = memory_.zones[neighbor];
         if (number != DivisionMemory::kNotInPart) {
@@ -204,9 +205,10 @@ std::array<bool, 2> PartDivider::append_node(std::uint32_t node, WeightedGraph& 
     return touches_rest;
 }
 
-// Returns the graph of the nodes `near` the separator and of two additional nodes. Each additional
-// node stands for all other nodes of the part in one zone, first Low, then High. Precondition: the
-// nodes `near` the separator are numbered in their order.
+// Returns the graph of the nodes in `near`, which are near the separator, and of two additional
+// nodes. The first additional node represents all other nodes of the part in the zone Low, the
+// second all other nodes in the zone High. Precondition: the nodes in `near` are numbered in their
+// order.
 WeightedGraph PartDivider::graph_of_near(Nodes near, Nodes part) const {
     WeightedGraph graph;
     std::array<std::vector<WeightedGraph::Edge>, 2> edges_of_rest;
@@ -229,6 +231,7 @@ WeightedGraph PartDivider::graph_of_near(Nodes near, Nodes part) const {
     return graph;
 }
 
+// Numbers the nodes in their order: stores their numbers in DivisionMemory::part_indices.
 void PartDivider::number(Nodes nodes) {
     for (std::size_t k = 0; k < nodes.size(); ++k) {
         memory_.part_indices[nodes[k]] = narrow(k);
@@ -241,7 +244,8 @@ void PartDivider::forget_numbers(Nodes nodes) {
     }
 }
 
-// Assigns the zones to the nodes one by one. `zones` may be longer than `nodes`.
+// Sets the zone of nodes[k] to zones[k], for all k. `zones` may be longer than `nodes`; the excess
+// is ignored.
 void PartDivider::assign(Nodes nodes, std::span<const Zone> zones) {
     for (std::size_t k = 0; k < nodes.size(); ++k) {
         memory_.zones[nodes[k]] = zones[k];

@@ -19,27 +19,28 @@
 
 namespace foam {
 
-/// A rectangle around the nodes of a part. A few nodes may be slightly outside.
+/// A rectangle around the nodes of a part. A few nodes may be slightly outside of it, because boxes
+/// end at the median coordinate and separators deviate from it.
 struct PartBox {
     Vec2 low;
     Vec2 high;
 };
 
-/// The boxes around the two zones of a divided part. Both are empty if the part was divided by its
-/// edges alone.
+/// The boxes around the two zones of a divided part. Both have no value if the part was divided by
+/// its edges alone.
 struct ZoneBoxes {
     std::optional<PartBox> low;
     std::optional<PartBox> high;
 };
 
-/// The working memory of PartDivider, with one element per node. Parts of the graph that a
-/// separator keeps apart may be divided at the same time, because the division of one part reads no
-/// element that the division of another part writes.
+/// The working memory of PartDivider, with one element per node of the graph. Parts of the graph
+/// that are separated from each other may be divided at the same time, because the division of one
+/// part reads no element that the division of another part writes.
 struct DivisionMemory {
     static constexpr std::uint32_t kNotInPart = std::numeric_limits<std::uint32_t>::max();
 
     std::vector<Zone> zones;                  // all Outside between divisions
-    std::vector<double> keys;                 // coordinate of each node, for the median
+    std::vector<double> keys;                 // coordinate of each node along the divided axis
     std::vector<std::uint32_t> band_indices;  // see SeparatorSearch
     std::vector<std::uint32_t> part_indices;  // index in the divided graph, or kNotInPart
 
@@ -50,10 +51,10 @@ struct DivisionMemory {
           part_indices(nodes, kNotInPart) {}
 };
 
-/// Divides parts of a graph by light separators. Positions propose a division: two halves at the
-/// median coordinate, and the lightest separator near their border. The proposal is rejected if its
-/// separator is heavy, which happens if neighbors in the graph are far apart. The part is then
-/// divided by its edges alone.
+/// Divides parts of a graph by light separators. First divides a part by position: into two halves
+/// at the median coordinate, separated by the lightest separator near their border. If this
+/// separator is heavy (DissectionOptions), for example because the positions of neighbors in the
+/// graph are far apart, divides the part by its edges alone.
 class PartDivider {
   public:
     PartDivider(const NodeGraph& graph,
@@ -62,12 +63,13 @@ class PartDivider {
                 const DissectionOptions& options,
                 DivisionMemory& memory);
 
-    /// Returns a box around all nodes.
+    /// Returns a box around all nodes; on a torus this is the fundamental cell.
     PartBox box_of_all() const;
 
     /// Divides a part with `rows` rows: assigns its nodes to the zones Low and High, and the nodes
-    /// of the separator to Outside. May change the order of the nodes in `part`. Positions are not
-    /// used if `box` is empty. Returns the boxes of both zones.
+    /// of the separator to Outside. May change the order of the nodes in `part`. If `box` has no
+    /// value, positions are not used. Returns the boxes of both zones. Precondition: all nodes of
+    /// other parts that are coupled to nodes of the part are in Outside.
     ZoneBoxes divide(std::span<std::uint32_t> part, int rows, const std::optional<PartBox>& box);
 
   private:
@@ -92,7 +94,7 @@ class PartDivider {
     const Domain& domain_;
     Vec2 periods_;
     const DissectionOptions& options_;
-    bool refines_;
+    bool refines_;  // true if the matrix has at least min_refined_rows rows
     DivisionMemory& memory_;
     SeparatorSearch separator_;
 };

@@ -8,10 +8,11 @@
 
 namespace foam {
 
-// Recursive, blocked L D Lᵀ: the left half of the columns is factored, its product is subtracted
-// from the right half, and the right half is factored. At most kNarrow columns are factored
-// directly. Most of the work is thus in large matrix products (dense_kernels.h), whose right factor
-// L D is packed.
+// The factorization is recursive and blocked: the left half of the columns is factored, the product
+// L D Lᵀ over this half is subtracted from the right half, and the right half is factored. Ranges
+// of at most kMaxDirectColumns columns are factored directly. Thus most of the work is in large
+// matrix products (dense_kernels.h). The two factors of a product are L and L D, of which L D is
+// packed (DenseProduct::right).
 
 namespace {
 
@@ -21,6 +22,7 @@ template <class Real>
 using Window =
     Eigen::Map<Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>, 0, Eigen::OuterStride<>>;
 
+// Returns a view of the rows from `row` on and the columns [begin, end) of a matrix.
 template <class Real>
 Window<Real> window(DenseView<Real>& matrix, Index row, Index begin, Index end) {
     return {matrix.data() + begin * matrix.rows() + row,
@@ -29,7 +31,8 @@ Window<Real> window(DenseView<Real>& matrix, Index row, Index begin, Index end) 
             Eigen::OuterStride<>(matrix.rows())};
 }
 
-// Packs rows of the right factor L D of a product in the layout of DenseProduct::right.
+// Stores L D in `packed`, in the layout of DenseProduct::right, for the given number of rows from
+// `first_row` on and the columns [begin, begin + depth).
 template <class Real>
 void pack_scaled(const DenseView<Real>& panel,
                  Index first_row,
@@ -37,12 +40,12 @@ void pack_scaled(const DenseView<Real>& panel,
                  Index begin,
                  Index depth,
                  Real* packed) {
-    for (Index group = 0; group < rows; group += kGroup) {
-        const Index width = std::min<Index>(kGroup, rows - group);
+    for (Index group = 0; group < rows; group += kTileColumns) {
+        const Index width = std::min<Index>(kTileColumns, rows - group);
         for (Index k = begin; k < begin + depth; ++k) {
             const Real* column = &panel.coeffRef(first_row + group, k);
             const Real pivot = panel.coeffRef(k, k);
-            for (Index row = 0; row < kGroup; ++row) {
+            for (Index row = 0; row < kTileColumns; ++row) {
                 *packed++ = row < width ? column[row] * pivot : Real(0);
             }
         }
@@ -50,14 +53,14 @@ void pack_scaled(const DenseView<Real>& panel,
 }
 
 // Subtracts L D Lᵀ over the factored columns [begin, end) from the target, on and below the
-// target's diagonal. The rows of the target are the last rows of the panel; its columns correspond
-// to the first of these rows.
+// target's diagonal. The rows of the target correspond to the last rows of the panel. The columns
+// of the target correspond to the first of these rows.
 template <class Real>
 void subtract_ldlt(
     const DenseView<Real>& panel, Index begin, Index end, Window<Real> target, Real* scratch) {
     const Index first_row = panel.rows() - target.rows();
-    for (Index k = begin; k < end; k += kLargestDepth) {
-        const Index depth = std::min(kLargestDepth, end - k);
+    for (Index k = begin; k < end; k += kMaxDepth) {
+        const Index depth = std::min(kMaxDepth, end - k);
         pack_scaled(panel, first_row, target.cols(), k, depth, scratch);
         subtract_product<Real>({.rows = target.rows(),
                                 .cols = target.cols(),
@@ -70,8 +73,9 @@ void subtract_ldlt(
     }
 }
 
-// Factors the rows [begin, end) of the columns [begin, end). Precondition: the products of all
-// earlier columns have been subtracted. Returns false if a pivot is zero or not finite.
+// Factors the rows [begin, end) of the columns [begin, end) of the panel. Precondition: the
+// products over all earlier columns have been subtracted. Returns false if a pivot is zero or not
+// finite.
 template <class Real>
 bool factor_triangle(DenseView<Real>& panel, Index begin, Index end) {
     for (Index j = begin; j < end; ++j) {
@@ -93,8 +97,9 @@ bool factor_triangle(DenseView<Real>& panel, Index begin, Index end) {
     return true;
 }
 
-// Factors all rows of the columns [begin, end). Precondition: the products of all earlier columns
-// have been subtracted. Returns false if a pivot is zero or not finite.
+// Factors the columns [begin, end) of the panel in all rows from `begin` on. Precondition: the
+// products over all earlier columns have been subtracted. Returns false if a pivot is zero or not
+// finite.
 template <class Real>
 bool factor_columns(DenseView<Real>& panel, Index begin, Index end) {
     if (!factor_triangle(panel, begin, end)) {
@@ -113,10 +118,11 @@ bool factor_columns(DenseView<Real>& panel, Index begin, Index end) {
 // the work is in large products.
 template <class Real>
 bool factor_range(DenseView<Real>& panel, Index begin, Index end, Real* scratch) {
-    if (end - begin <= kNarrow) {
+    if (end - begin <= kMaxDirectColumns) {
         return factor_columns(panel, begin, end);
     }
-    const Index middle = begin + ((end - begin) / 2 + kNarrow - 1) / kNarrow * kNarrow;
+    const Index middle =
+        begin + ((end - begin) / 2 + kMaxDirectColumns - 1) / kMaxDirectColumns * kMaxDirectColumns;
     if (!factor_range(panel, begin, middle, scratch)) {
         return false;
     }
@@ -132,15 +138,18 @@ bool factor_panel(DenseView<Real> panel, Real* scratch) {
 }
 
 template <class Real>
-void update_remainder(const DenseView<Real>& panel, DenseView<Real> remainder, Real* scratch) {
-    if (remainder.cols() > 0) {
-        subtract_ldlt(panel, 0, panel.cols(), window(remainder, 0, 0, remainder.cols()), scratch);
+void complete_update_matrix(const DenseView<Real>& panel,
+                            DenseView<Real> update_matrix,
+                            Real* scratch) {
+    if (update_matrix.cols() > 0) {
+        subtract_ldlt(
+            panel, 0, panel.cols(), window(update_matrix, 0, 0, update_matrix.cols()), scratch);
     }
 }
 
 template bool factor_panel(DenseView<float>, float*);
 template bool factor_panel(DenseView<double>, double*);
-template void update_remainder(const DenseView<float>&, DenseView<float>, float*);
-template void update_remainder(const DenseView<double>&, DenseView<double>, double*);
+template void complete_update_matrix(const DenseView<float>&, DenseView<float>, float*);
+template void complete_update_matrix(const DenseView<double>&, DenseView<double>, double*);
 
 }  // namespace foam

@@ -11,28 +11,32 @@
 
 namespace foam {
 
-/// A column-major matrix in memory of the caller. Its columns are adjacent.
+/// A view of a column-major matrix in memory of the caller, without gaps between the columns.
 template <class Real>
 using DenseView = Eigen::Map<Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>>;
 
-/// Returns the size of the scratch memory of factor_panel and update_remainder, in floating-point
-/// numbers.
+/// Returns the size of the scratch memory of factor_panel and complete_update_matrix, in
+/// floating-point numbers, for a front with `pivots` pivots and a border of `border` rows.
 constexpr std::size_t ldlt_scratch(std::size_t pivots, std::size_t border) {
-    const std::size_t group = kGroup;
-    return kLargestDepth * ((std::max(pivots, border) + group - 1) / group * group);
+    const std::size_t group = kTileColumns;
+    return kMaxDepth * ((std::max(pivots, border) + group - 1) / group * group);
 }
 
-/// Factors the first columns of a symmetric matrix as L D Lᵀ without pivoting, for float and
-/// double. The panel consists of all rows of these columns; only its lower part is read. Afterwards
-/// the panel has D on its diagonal and the unit lower triangular L below it. Elements above the
-/// diagonal are then undefined. Returns false if a pivot is zero or not finite; the panel is then
+/// Factors the first columns of a symmetric matrix as L D Lᵀ without pivoting. Instantiated for
+/// float and double. The panel consists of all rows of these columns; its elements above the
+/// diagonal are ignored. On return the panel holds D on its diagonal and the unit lower triangular
+/// L below the diagonal. Elements above the diagonal are then undefined. `scratch` has room for
+/// ldlt_scratch numbers. Returns false if a pivot is zero or not finite; the panel is then
 /// undefined.
 template <class Real>
 bool factor_panel(DenseView<Real> panel, Real* scratch);
 
-/// Subtracts the product L D Lᵀ of the factored columns from the remaining rows and columns of the
-/// matrix, `remainder`. Only the lower triangle of the remainder is computed.
+/// Subtracts the product L D Lᵀ over the columns of a factored panel from `update_matrix`, which
+/// holds the rows and columns of the matrix that are not pivots. Only the lower triangle of the
+/// update matrix is changed. `scratch` has room for ldlt_scratch numbers.
 template <class Real>
-void update_remainder(const DenseView<Real>& panel, DenseView<Real> remainder, Real* scratch);
+void complete_update_matrix(const DenseView<Real>& panel,
+                            DenseView<Real> update_matrix,
+                            Real* scratch);
 
 }  // namespace foam

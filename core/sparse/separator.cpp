@@ -6,9 +6,11 @@
 
 namespace foam {
 
-// The band is grown by breadth-first search from the border between the zones. Its outermost layers
-// are the sources and sinks of a minimum vertex cut, whose node weights are numbers of rows. The
-// rest of each zone touches the band only in the outermost layer, so the cut separates the zones.
+// The band is grown by breadth-first search from the border between the zones. The last layer that
+// was added in each zone is the rim. The nodes of the rim in Low are the sources of a minimum
+// vertex cut, the nodes of the rim in High are the sinks, and the weight of a node is its number of
+// rows. A node of a zone that is not in the band has no neighbors in the band except in the rim of
+// its own zone. So the cut separates the zones.
 
 void SeparatorSearch::separate(std::span<const std::uint32_t> part) {
     band_.clear();
@@ -26,8 +28,8 @@ void SeparatorSearch::separate(std::span<const std::uint32_t> part) {
 }
 
 // Adds layers of a zone to the band, beginning with the nodes that touch the other zone, until the
-// band has enough layers or the next one would make it too large (SeparatorOptions). Returns the
-// index in the band at which the last layer begins.
+// band has enough layers, the next layer would make the band too large (SeparatorOptions), or the
+// next layer is empty. Returns the index in the band at which the last layer, the rim, begins.
 std::size_t SeparatorSearch::grow_band(std::span<const std::uint32_t> part, Zone zone) {
     const std::size_t begin = band_.size();
     add_border(part, zone);
@@ -47,9 +49,8 @@ std::size_t SeparatorSearch::grow_band(std::span<const std::uint32_t> part, Zone
 }
 
 void SeparatorSearch::add_border(std::span<const std::uint32_t> part, Zone zone) {
-    const Zone other = zone == Zone::Low ? Zone::High : Zone::Low;
     for (const std::uint32_t node : part) {
-        if (zones_[node] == zone && touches(node, other)) {
+        if (zones_[node] == zone && touches(node, opposite(zone))) {
             add_to_band(node);
         }
     }
@@ -58,7 +59,7 @@ void SeparatorSearch::add_border(std::span<const std::uint32_t> part, Zone zone)
 void SeparatorSearch::add_layer(std::size_t rim, Zone zone) {
     const std::size_t end = band_.size();
     for (std::size_t k = rim; k < end; ++k) {
-        for (const std::uint32_t neighbor : graph_.of(band_[k])) {
+        for (const std::uint32_t neighbor : graph_.neighbors_of(band_[k])) {
             if (zones_[neighbor] == zone && band_indices_[neighbor] == kNotInBand) {
                 add_to_band(neighbor);
             }
@@ -67,7 +68,7 @@ void SeparatorSearch::add_layer(std::size_t rim, Zone zone) {
 }
 
 bool SeparatorSearch::touches(std::uint32_t node, Zone zone) const {
-    const std::span<const std::uint32_t> neighbors = graph_.of(node);
+    const std::span<const std::uint32_t> neighbors = graph_.neighbors_of(node);
     return std::any_of(neighbors.begin(), neighbors.end(), [&](std::uint32_t neighbor) {
         return zones_[neighbor] == zone;
     });
@@ -85,8 +86,8 @@ void SeparatorSearch::drop_from(std::size_t begin) {
     band_.resize(begin);
 }
 
-// Sets up the cut problem. The sources are the band's last layer in the zone Low, [low_rim,
-// low_end), and the sinks its last layer in the zone High, from high_rim on.
+// Sets up the cut problem. The sources are the rim in the zone Low, the indices [low_rim, low_end)
+// of the band. The sinks are the rim in the zone High, the indices from high_rim on.
 void SeparatorSearch::pose_cut(std::size_t low_rim, std::size_t low_end, std::size_t high_rim) {
     const auto is_source = [&](std::size_t k) { return k >= low_rim && k < low_end; };
     cut_.reset(band_.size());
@@ -99,7 +100,7 @@ void SeparatorSearch::pose_cut(std::size_t low_rim, std::size_t low_end, std::si
         if (is_source(k)) {
             cut_.make_source(k);
         }
-        for (const std::uint32_t neighbor : graph_.of(band_[k])) {
+        for (const std::uint32_t neighbor : graph_.neighbors_of(band_[k])) {
             const std::size_t index = band_indices_[neighbor];
             if (index != kNotInBand && !is_source(index)) {
                 cut_.connect(k, index);

@@ -16,21 +16,25 @@ namespace foam {
 
 /// Options of SeparatorSearch.
 struct SeparatorOptions {
-    // The band in which the separator is sought consists, in each zone, of the nodes that touch the
-    // other zone and of this many more layers.
+    // The separator is sought in a band along the border of the two zones. In each zone the band
+    // consists of the nodes that have a neighbor in the other zone, and of `band_layers` further
+    // layers. A further layer consists of the neighbors of the layer before it.
     int band_layers = 1;
-    // A layer is not added if the band would then hold more than this share of its zone.
+    // A further layer is not added if more than this fraction of the nodes of its zone would then
+    // be in the band.
     double band_fraction = 0.4;
 };
 
-/// Finds the lightest separator near the common border of two zones.
+/// Finds the lightest separator (the separator with the fewest rows) near the common border of two
+/// zones.
 class SeparatorSearch {
   public:
     static constexpr std::uint32_t kNotInBand = std::numeric_limits<std::uint32_t>::max();
 
     /// `zones` and `band_indices` have one element per node of the graph. All elements of
-    /// `band_indices` are kNotInBand on entry and between calls. Parts of the graph that are not
-    /// coupled to each other may be divided at the same time by different objects.
+    /// `band_indices` are kNotInBand on entry and between calls of `separate`. Different
+    /// SeparatorSearch objects may use the same `zones` and `band_indices` at the same time if they
+    /// divide parts of the graph that are not coupled to each other.
     SeparatorSearch(const NodeGraph& graph,
                     std::span<const SolverNode> nodes,
                     const SeparatorOptions& options,
@@ -43,9 +47,10 @@ class SeparatorSearch {
           band_indices_(band_indices) {}
 
     /// Finds the lightest separator in a band along the border of the zones Low and High, and moves
-    /// its nodes to the zone Outside. The other nodes of the band move to the zone on whose side of
-    /// the separator they are. No node of the zone Low is then coupled to a node of the zone High.
-    /// Precondition: `part` holds the nodes of both zones, half of them in each.
+    /// its nodes to the zone Outside. Each other node of the band moves to the zone on its side of
+    /// the separator. No node of the zone Low is then coupled to a node of the zone High.
+    /// Precondition: `part` holds the nodes of both zones, and half of these nodes are in each
+    /// zone.
     void separate(std::span<const std::uint32_t> part);
 
   private:
@@ -62,7 +67,7 @@ class SeparatorSearch {
     SeparatorOptions options_;
     std::span<Zone> zones_;
     std::span<std::uint32_t> band_indices_;
-    std::vector<std::uint32_t> band_;
+    std::vector<std::uint32_t> band_;  // nodes of the band, first in Low, then in High
     VertexCut cut_;
 };
 

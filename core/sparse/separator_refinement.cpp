@@ -7,26 +7,28 @@
 
 namespace foam {
 
-// The method of Fiduccia and Mattheyses (1982) for separators of nodes. A sweep takes the move with
-// the largest gain from a priority queue. When the gain of a node changes, its new move is added to
-// the queue; outdated moves are recognized by their gain and dropped when they reach the top of the
-// queue. Changes are recorded so that the best separator of a sweep can be restored.
+// The method of Fiduccia and Mattheyses (1982), adapted to vertex separators. A sweep takes the
+// move with the largest gain from a priority queue. When the gain of a node changes, a move with
+// the new gain is added to the queue. Outdated moves are recognized by their gain, and removed when
+// they reach the top of the queue. Changes are recorded so that the best separator of a sweep can
+// be restored.
 
 namespace {
 
 constexpr int kMaxSweeps = 20;
 
-// A sweep ends after kFutileMovesPerNode moves in a row, per node of the separator at the start of
-// the sweep, without a new best separator. It always ends after kMaxFutileMoves such moves.
-constexpr std::size_t kFutileMovesPerNode = 2;
-constexpr std::size_t kMaxFutileMoves = 300;
+// A sweep ends at the latest after a number of consecutive moves without a new best separator. This
+// number is kMovesWithoutProgressPerNode times the number of nodes of the separator at the start of
+// the sweep, but at most kMaxMovesWithoutProgress.
+constexpr std::size_t kMovesWithoutProgressPerNode = 2;
+constexpr std::size_t kMaxMovesWithoutProgress = 300;
 
 }  // namespace
 
 SeparatorRefinement::SeparatorRefinement(const WeightedGraph& graph,
                                          int max_weight,
                                          std::span<Zone> zones)
-    : graph_(graph), max_weight_(max_weight), zones_(zones), pulled_(graph.size()) {
+    : graph_(graph), max_weight_(max_weight), zones_(zones), pulled_weights_(graph.size()) {
     for (std::uint32_t node = 0; node < graph.size(); ++node) {
         weight(zones[node]) += graph.weights[node];
         if (zones[node] == Zone::Outside) {
@@ -42,28 +44,30 @@ std::pair<int, int> SeparatorRefinement::cost() const {
 
 void SeparatorRefinement::run() {
     Zone into = weight(Zone::Low) < weight(Zone::High) ? Zone::Low : Zone::High;
-    int futile = 0;
-    for (int sweeps = 0; sweeps < kMaxSweeps && futile < 2; ++sweeps) {
-        futile = sweep(into) ? 0 : futile + 1;
+    int sweeps_without_progress = 0;
+    for (int sweeps = 0; sweeps < kMaxSweeps && sweeps_without_progress < 2; ++sweeps) {
+        sweeps_without_progress = sweep(into) ? 0 : sweeps_without_progress + 1;
         into = opposite(into);
     }
 }
 
-// Moves the separator across the zone opposite to `into` and restores the best separator of the
-// sweep. Returns true if it is lighter than the separator before the sweep, or as heavy but with
-// better balanced zones.
+// Moves the separator through the zone opposite to `into` and restores the best separator of the
+// sweep. Returns true if the best separator is lighter than the separator before the sweep, or has
+// the same weight but better balanced zones.
 bool SeparatorRefinement::sweep(Zone into) {
     start_sweep(into);
     const std::pair<int, int> first_cost = cost();
     std::pair<int, int> best_cost = first_cost;
     std::size_t best_changes = 0;
-    const std::size_t max_futile =
-        std::min(kFutileMovesPerNode * separator_.size(), kMaxFutileMoves);
-    for (std::size_t futile = 0; futile < max_futile && make_best_move(into); ++futile) {
+    const std::size_t max_moves_without_progress =
+        std::min(kMovesWithoutProgressPerNode * separator_.size(), kMaxMovesWithoutProgress);
+    for (std::size_t moves_without_progress = 0;
+         moves_without_progress < max_moves_without_progress && make_best_move(into);
+         ++moves_without_progress) {
         if (cost() < best_cost) {
             best_cost = cost();
             best_changes = changes_.size();
-            futile = 0;
+            moves_without_progress = 0;
         }
     }
     undo_changes_from(best_changes);
@@ -77,13 +81,13 @@ void SeparatorRefinement::start_sweep(Zone into) {
     std::sort(separator_.begin(), separator_.end());
     separator_.erase(std::unique(separator_.begin(), separator_.end()), separator_.end());
     for (const std::uint32_t node : separator_) {
-        pulled_[node] = weight_of_neighbors(node, opposite(into));
+        pulled_weights_[node] = weight_of_neighbors(node, opposite(into));
         add_move(node);
     }
 }
 
-// Makes the move with the largest gain. Returns false, without a move, if no move is left or if
-// this move would make the zone too heavy.
+// Makes the move with the largest gain. Returns false and makes no move if no move is left, or if
+// this move would make the zone `into` too heavy.
 bool SeparatorRefinement::make_best_move(Zone into) {
     while (!moves_.empty() && (zones_[moves_.top().node] != Zone::Outside ||
                                moves_.top().gain != gain(moves_.top().node))) {
@@ -97,7 +101,7 @@ bool SeparatorRefinement::make_best_move(Zone into) {
         return false;
     }
     change(node, into);
-    for (const WeightedGraph::Edge& edge : graph_.of(node)) {
+    for (const WeightedGraph::Edge& edge : graph_.edges_of(node)) {
         if (zones_[edge.to] == opposite(into)) {
             pull_into_separator(edge.to, opposite(into));
         }
@@ -108,11 +112,11 @@ bool SeparatorRefinement::make_best_move(Zone into) {
 void SeparatorRefinement::pull_into_separator(std::uint32_t node, Zone from) {
     change(node, Zone::Outside);
     separator_.push_back(node);
-    pulled_[node] = weight_of_neighbors(node, from);
+    pulled_weights_[node] = weight_of_neighbors(node, from);
     add_move(node);
-    for (const WeightedGraph::Edge& edge : graph_.of(node)) {
+    for (const WeightedGraph::Edge& edge : graph_.edges_of(node)) {
         if (zones_[edge.to] == Zone::Outside) {
-            pulled_[edge.to] -= graph_.weights[node];
+            pulled_weights_[edge.to] -= graph_.weights[node];
             add_move(edge.to);
         }
     }
@@ -144,7 +148,7 @@ void SeparatorRefinement::undo_changes_from(std::size_t first) {
 
 int SeparatorRefinement::weight_of_neighbors(std::uint32_t node, Zone zone) const {
     int sum = 0;
-    for (const WeightedGraph::Edge& edge : graph_.of(node)) {
+    for (const WeightedGraph::Edge& edge : graph_.edges_of(node)) {
         sum += zones_[edge.to] == zone ? graph_.weights[edge.to] : 0;
     }
     return sum;

@@ -15,27 +15,29 @@
 
 namespace foam {
 
-/// Makes a separator lighter by moving nodes. Each node of the graph is in the zone Low, in the
-/// zone High, or in Outside, which is the separator. No node of Low is a neighbor of a node of
-/// High.
+/// Makes a separator lighter (of less total weight) by moving nodes between zones. Each node of the
+/// graph is in the zone Low, High or Outside; the nodes in Outside are the separator. No node of
+/// Low is a neighbor of a node of High.
 ///
 /// A move takes a node from the separator into one zone, and the node's neighbors in the other zone
-/// into the separator. In a sweep all moves are into the same zone, so that the separator moves
-/// across the other zone. The best move is made first, even if it makes the separator heavier. At
-/// the end the lightest separator of the sweep is restored. Sweeps into both zones alternate until
-/// neither makes the separator lighter or the zones better balanced. This is the method of Fiduccia
-/// and Mattheyses (1982) for separators of nodes (Karypis and Kumar 1998).
+/// into the separator. In a sweep all moves are into the same zone, so that the separator advances
+/// through the other zone. Each step makes the move that leaves the lightest separator, even if
+/// this separator is heavier than before. At the end of the sweep, its best separator (cost) is
+/// restored. Sweeps into both zones alternate until neither makes the separator lighter or the
+/// zones better balanced. This is the method of Fiduccia and Mattheyses (1982), adapted to vertex
+/// separators (Karypis and Kumar 1998).
 class SeparatorRefinement {
   public:
     /// No move makes a zone heavier than `max_weight`. Precondition: `zones` has one element per
     /// node, and no edge connects Low with High.
     SeparatorRefinement(const WeightedGraph& graph, int max_weight, std::span<Zone> zones);
 
-    /// Runs sweeps until neither direction improves the separator, but at most 20. Changes the
-    /// zones in place.
+    /// Runs sweeps until neither direction improves the separator, but at most 20 sweeps. Changes
+    /// the zones in place.
     void run();
 
-    /// Returns the weight of the separator and the difference of the zones' weights.
+    /// Returns the weight of the separator, and the absolute difference between the weights of Low
+    /// and High. Costs are compared lexicographically; the best separator has the lowest cost.
     std::pair<int, int> cost() const;
 
   private:
@@ -62,15 +64,18 @@ class SeparatorRefinement {
     void change(std::uint32_t node, Zone zone);
     void undo_changes_from(std::size_t first);
     int& weight(Zone zone) { return weights_[static_cast<std::size_t>(zone)]; }
-    int gain(std::uint32_t node) const { return graph_.weights[node] - pulled_[node]; }
+    int gain(std::uint32_t node) const { return graph_.weights[node] - pulled_weights_[node]; }
     int weight_of_neighbors(std::uint32_t node, Zone zone) const;
 
     const WeightedGraph& graph_;
     int max_weight_;
     std::span<Zone> zones_;
-    std::array<int, 3> weights_{};          // weight of each zone
-    std::vector<std::uint32_t> separator_;  // its nodes, and some that have left it
-    std::vector<int> pulled_;  // for each node, the weight that its move adds to the separator
+    std::array<int, 3> weights_{};  // weight of each zone
+    // Nodes of the separator. May also contain nodes that have left the separator.
+    std::vector<std::uint32_t> separator_;
+    // For each node of the separator, the weight of the nodes that its move pulls into the
+    // separator.
+    std::vector<int> pulled_weights_;
     std::priority_queue<Move> moves_;  // may contain outdated moves
     std::vector<Change> changes_;      // changes of the present sweep
 };

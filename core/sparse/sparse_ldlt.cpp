@@ -18,8 +18,10 @@ namespace foam {
 
 namespace {
 
+// Returns the number of threads that factor and solve a system: 1 for a small system, otherwise
+// thread_count(threads), but at most kMaxWorkers.
 std::size_t threads_for(const FrontPlan& plan, int threads) {
-    const bool is_small = plan.elimination.size() < kMinParallelRows;
+    const bool is_small = plan.position_of_row.size() < kMinParallelRows;
     return static_cast<std::size_t>(is_small ? 1 : std::min(thread_count(threads), kMaxWorkers));
 }
 
@@ -64,15 +66,15 @@ bool SparseLdlt<Real>::factor(const Eigen::SparseMatrix<double>& lower, int thre
 
 template <class Real>
 Eigen::VectorXd SparseLdlt<Real>::solve(const Eigen::VectorXd& right_hand_side, int threads) const {
-    const std::vector<std::uint32_t>& turns = plan_.elimination;
+    const std::vector<std::uint32_t>& positions = plan_.position_of_row;
     Eigen::Vector<Real, Eigen::Dynamic> x(right_hand_side.size());
-    for (std::size_t row = 0; row < turns.size(); ++row) {
-        x[turns[row]] = static_cast<Real>(right_hand_side[static_cast<Eigen::Index>(row)]);
+    for (std::size_t row = 0; row < positions.size(); ++row) {
+        x[positions[row]] = static_cast<Real>(right_hand_side[static_cast<Eigen::Index>(row)]);
     }
     solve_fronts(plan_, factor_.data(), x, threads_for(plan_, threads));
     Eigen::VectorXd solution(right_hand_side.size());
-    for (std::size_t row = 0; row < turns.size(); ++row) {
-        solution[static_cast<Eigen::Index>(row)] = static_cast<double>(x[turns[row]]);
+    for (std::size_t row = 0; row < positions.size(); ++row) {
+        solution[static_cast<Eigen::Index>(row)] = static_cast<double>(x[positions[row]]);
     }
     return solution;
 }

@@ -7,10 +7,10 @@
 
 namespace foam {
 
-// Dinic's maximum flow: repeatedly finds the levels of all vertices by breadth-first search and
-// pushes a blocking flow along arcs from one level to the next. When the sink is unreachable, the
-// cut consists of the nodes whose entry vertex can be reached and whose exit vertex cannot
-// (max-flow min-cut theorem).
+// Dinic's maximum flow algorithm alternates two steps: it finds the levels of all vertices by
+// breadth-first search, and pushes a blocking flow along arcs from each level to the next. When the
+// sink is unreachable, the cut consists of the nodes whose entry vertex can be reached and whose
+// exit vertex cannot be reached (max-flow min-cut theorem).
 
 namespace {
 
@@ -51,8 +51,9 @@ void VertexCut::add_arc(std::size_t from, std::size_t to, int capacity) {
     first_[to] = arc + 1;
 }
 
-// Finds the number of steps from the source to each vertex by breadth-first search, up to the sink.
-// Returns false if the sink is unreachable.
+// Finds the number of steps from the source to each vertex along arcs with free capacity, by
+// breadth-first search. Stops when the sink has been found. Returns false if the sink is
+// unreachable.
 bool VertexCut::find_levels() {
     levels_.assign(first_.size(), -1);
     queue_.assign(1, static_cast<std::uint32_t>(kSource));
@@ -70,8 +71,8 @@ bool VertexCut::find_levels() {
     return levels_[kSink] >= 0;
 }
 
-// Pushes at most `amount` of flow from a vertex to the sink along arcs to the next level. Returns
-// the amount that arrived.
+// Pushes at most `amount` of flow from a vertex to the sink, along arcs that lead from one level to
+// the next. Returns the amount that reached the sink.
 int VertexCut::push(std::size_t vertex, int amount) {
     if (vertex == kSink) {
         return amount;

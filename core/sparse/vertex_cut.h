@@ -8,13 +8,14 @@
 
 namespace foam {
 
-/// The side of the cut on which a node is, or the cut itself.
+/// The side of the cut on which a node is; Cut if the node is in the cut.
 enum class CutSide : std::uint8_t { Source, Cut, Sink };
 
-/// Finds the lightest set of nodes whose removal leaves no path from any source to any sink
-/// (minimum vertex cut), by Dinic's maximum flow with node capacities. The cut may contain sources
-/// and sinks. Connections are directed. Connections into sources and out of sinks may be omitted.
-/// Buffers are reused between problems.
+/// Finds the set of nodes of least total weight whose removal leaves no path from any source to any
+/// sink (minimum vertex cut). Uses Dinic's maximum flow algorithm; the weight of a node is its
+/// capacity. The cut may contain sources and sinks. Connections are directed. Connections into
+/// sources and out of sinks may be omitted, since they do not change the cut. Buffers are reused
+/// between problems.
 class VertexCut {
   public:
     /// Starts a new problem with the given number of nodes and no connections.
@@ -29,13 +30,13 @@ class VertexCut {
     /// Adds a connection from one node to another.
     void connect(std::size_t from, std::size_t to);
 
-    /// Returns the side of every node. Of several lightest cuts, returns the cut nearest to the
-    /// sources.
+    /// Returns the side of every node. If several cuts have the least weight, finds the cut nearest
+    /// to the sources.
     const std::vector<CutSide>& solve();
 
   private:
-    // An arc of the flow network. A node is an arc from its entry vertex to its exit vertex, with
-    // the weight as its capacity; a connection is an arc of unlimited capacity.
+    // An arc (directed edge) of the flow network. A node is an arc from its entry vertex to its
+    // exit vertex, with the weight as its capacity; a connection is an arc of unlimited capacity.
     struct Arc {
         std::uint32_t to = 0;
         std::uint32_t next = 0;  // next arc that leaves the same vertex
@@ -52,8 +53,10 @@ class VertexCut {
     std::size_t nodes_ = 0;
     std::vector<Arc> arcs_;             // an arc and its reverse are adjacent
     std::vector<std::uint32_t> first_;  // first arc that leaves each vertex
+    // For each vertex, the first of its arcs that may still carry flow. Reset after each call of
+    // find_levels.
     std::vector<std::uint32_t> untried_;
-    std::vector<int> levels_;  // steps from the source, -1 if unreachable
+    std::vector<int> levels_;  // for each vertex, steps from the source, -1 if unreachable
     std::vector<std::uint32_t> queue_;
     std::vector<CutSide> sides_;
 };

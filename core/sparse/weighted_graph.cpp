@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-// Returns the partner with which each node is merged, or the node itself if it stays alone.
+// Returns, for each node, the node with which it is merged, or the node itself if it is not merged.
 std::vector<std::uint32_t> match(const WeightedGraph& graph, int max_weight) {
     std::vector<std::uint32_t> partners(graph.size(), kNone);
     for (std::uint32_t node = 0; node < graph.size(); ++node) {
@@ -19,7 +19,7 @@ std::vector<std::uint32_t> match(const WeightedGraph& graph, int max_weight) {
         }
         std::uint32_t best = node;
         int best_weight = 0;
-        for (const auto& [to, weight] : graph.of(node)) {
+        for (const auto& [to, weight] : graph.edges_of(node)) {
             if (partners[to] == kNone && weight > best_weight &&
                 graph.weights[node] + graph.weights[to] <= max_weight) {
                 best = to;
@@ -32,9 +32,10 @@ std::vector<std::uint32_t> match(const WeightedGraph& graph, int max_weight) {
     return partners;
 }
 
-// Appends the edges of one coarse node, which consists of the given fine nodes. `edge_indices` has
-// the index of the edge to each coarse node. An index is valid only if it is at least `begin` and
-// the edge at this index leads to that coarse node.
+// Appends the edges of one coarse node, whose fine nodes are `members`. `edge_indices` holds, for
+// each coarse node, the index of the edge to it. The indices of earlier calls are not reset. So an
+// index is valid only if it is at least `begin` and the edge at this index leads to this coarse
+// node.
 void append_edges(const WeightedGraph& fine,
                   std::span<const std::uint32_t> members,
                   CoarseGraph& coarse,
@@ -43,7 +44,7 @@ void append_edges(const WeightedGraph& fine,
     const std::uint32_t begin = graph.begins.back();
     const std::uint32_t own = coarse.coarse_of[members.front()];
     for (const std::uint32_t member : members) {
-        for (const auto& [to, weight] : fine.of(member)) {
+        for (const auto& [to, weight] : fine.edges_of(member)) {
             const std::uint32_t other = coarse.coarse_of[to];
             if (other == own) {
                 continue;

@@ -10,32 +10,38 @@
 
 namespace foam {
 
-/// An undirected graph without loops, with weights of nodes and edges, as adjacency lists.
+/// An undirected graph with weights of nodes and edges, as adjacency lists. It has no edges from a
+/// node to itself.
 struct WeightedGraph {
     struct Edge {
         std::uint32_t to = 0;
         int weight = 1;
     };
 
-    std::vector<int> weights;           // weights of the nodes, positive
-    std::vector<Edge> edges;            // sorted by node; each edge occurs at both its ends
-    std::vector<std::uint32_t> begins;  // start of each node's edges, and the end of the last
+    std::vector<int> weights;  // weights of the nodes, not negative
+    std::vector<Edge> edges;   // sorted by node; each edge occurs at both its ends
+    // For each node, the index of its first edge in `edges`; finally the size of `edges`.
+    std::vector<std::uint32_t> begins;
 
+    /// Returns the number of nodes.
     std::uint32_t size() const { return static_cast<std::uint32_t>(weights.size()); }
-    std::span<const Edge> of(std::uint32_t node) const {
+    /// Returns the edges of a node.
+    std::span<const Edge> edges_of(std::uint32_t node) const {
         return std::span(edges).subspan(begins[node], begins[node + 1] - begins[node]);
     }
 };
 
-/// A coarser graph, in which some nodes of the fine graph are merged.
+/// A coarser graph, in which some pairs of nodes of the fine graph are merged.
 struct CoarseGraph {
     WeightedGraph graph;
     std::vector<std::uint32_t> coarse_of;  // coarse node of each fine node
 };
 
-/// Merges pairs of neighbors: each node is merged with the unmerged neighbor to which its edge is
-/// heaviest ("heavy-edge matching", Karypis and Kumar 1998). The weights of merged nodes and of
-/// parallel edges are added up. No merged pair is heavier than `max_weight`.
+/// Returns a coarser graph by merging pairs of neighbors. The nodes are visited in their order. A
+/// node that is not merged yet is merged with the unmerged neighbor to which it has the heaviest
+/// edge ("heavy-edge matching", Karypis and Kumar 1998). The weights of merged nodes are added up,
+/// and so are the weights of parallel edges. Two nodes whose weights add up to more than
+/// `max_weight` are not merged.
 CoarseGraph coarsen(const WeightedGraph& fine, int max_weight);
 
 }  // namespace foam

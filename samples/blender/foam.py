@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 
-# Blender's side of run.sh: pictures of a baked foam, and of its flipbook.
+# Renders pictures of a baked foam and of its flipbook. run.sh runs this script in Blender.
 #
 #     blender -b -P foam.py -- FOLDER
 #
-# FOLDER/tile holds albedo, normal and height of frame 1 as PNGs, FOLDER/book albedo of all frames and
-# their sheet. Where files lie and what they mean comes from manifest.json and the flipbook's JSON.
+# FOLDER/tile contains the maps albedo, normal and height of frame 1 as PNGs. FOLDER/book contains
+# albedo of all frames, and their sheet. The paths and the meaning of the files are read from
+# manifest.json and from the JSON of the flipbook.
 import json
 import math
 import pathlib
@@ -14,11 +15,11 @@ import sys
 import bpy
 import numpy
 
-SAMPLES = 24  # a pixel; even light needs fewer
+SAMPLES = 24  # per pixel; even light needs only FLAT_SAMPLES
 FLAT_SAMPLES = 4
 SIZE = (960, 540)
-GRID = 700  # vertices along a side of what is displaced
-TILES = 2  # along a side of the plane
+GRID = 700  # subdivisions along a side of the displaced surface
+TILES = 2  # number of tiles along a side of a plane
 
 
 def read_json(path):
@@ -26,7 +27,7 @@ def read_json(path):
 
 
 class Baked:
-    """What a folder holds of its one preset."""
+    """The images of the only preset in a folder, as its manifest describes them."""
 
     def __init__(self, folder):
         self.folder = folder
@@ -43,7 +44,7 @@ class Baked:
         return load(self.path(name, frame), found["color_space"])
 
     def height_of_white(self, frame):
-        """In widths of a tile; the map's range is in diameters of the mean bubble."""
+        """Returns the height that white represents, in tile widths. The range of the map is in bubble diameters."""
         height = next(m for m in self.set["maps"] if m["name"] == "height")
         foam = next(f for f in self.set["foam"] if f["frame"] == frame)
         width, image_height = self.set["size"]
@@ -65,7 +66,7 @@ def texture(nodes, image):
 
 
 def material(name):
-    """A material, its nodes, its links and its surface."""
+    """Returns a new material, its nodes, its links and its surface shader."""
     made = bpy.data.materials.new(name)
     made.use_nodes = True
     surface = made.node_tree.nodes["Principled BSDF"]
@@ -79,7 +80,7 @@ def normal_mapped(baked, frame):
     links.new(texture(nodes, baked.image("albedo", frame)).outputs[0], surface.inputs["Base Color"])
     normal = nodes.new("ShaderNodeNormalMap")
     color = texture(nodes, baked.image("normal", frame)).outputs[0]
-    if baked.set["conventions"]["normal_y"] == "down":  # Blender's own is up
+    if baked.set["conventions"]["normal_y"] == "down":  # Blender expects y up
         color = flipped(nodes, links, color)
     links.new(color, normal.inputs["Color"])
     links.new(normal.outputs[0], surface.inputs["Normal"])
@@ -114,7 +115,7 @@ def displaced(baked, frame):
 
 
 def flipbook(baked, book, image, number):
-    """Frame `number`, from 0, of a sheet, repeated as a tile: fract(uv) within its cell."""
+    """Returns a material that repeats frame `number`, from 0, of a sheet: fract(uv) is mapped to its cell."""
     layout = book["layout"]
     made, nodes, links, surface = material("flipbook")
     surface.inputs["Specular"].default_value = 0.0
@@ -126,7 +127,7 @@ def flipbook(baked, book, image, number):
     left = column * cell[0] + inset[0]
     top = row * cell[1] + inset[1]
     place.inputs[1].default_value = (size[0], size[1], 0)
-    place.inputs[2].default_value = (left, 1 - top - size[1], 0)  # Blender counts from below
+    place.inputs[2].default_value = (left, 1 - top - size[1], 0)  # v points up in Blender
     links.new(uv.outputs[0], fract.inputs[0])
     links.new(fract.outputs[0], place.inputs[0])
     sheet = texture(nodes, load(baked.folder / image["file"], image["color_space"]))
@@ -149,7 +150,7 @@ def frame_alone(baked, frame):
 
 
 def plane(surface, x, size, subdivisions=2):
-    """A square of TILES x TILES tiles, each of width 1, with its lower left corner at (x, 0)."""
+    """Adds a square of `size` x `size` tiles, each of width 1, with its lower left corner at (x, 0)."""
     bpy.ops.mesh.primitive_grid_add(
         x_subdivisions=subdivisions, y_subdivisions=subdivisions, size=size,
         location=(x + size / 2, size / 2, 0))
@@ -181,7 +182,7 @@ def empty_scene():
 
 
 def light(elevation, azimuth, energy):
-    """Of a sun; the azimuth is where it stands, counterclockwise from +x, all in degrees."""
+    """Adds a sun. The azimuth is its direction, counterclockwise from +x. Both angles are in degrees."""
     sun = bpy.data.lights.new("sun", "SUN")
     sun.energy = energy
     sun.angle = math.radians(2)
@@ -220,7 +221,7 @@ def render(scene, path):
 
 
 def render_relief(baked, pictures):
-    """Side by side, lit by one sun: a flat plane with the normal map, and the height map as a real surface."""
+    """Renders two squares side by side, lit by one sun: a flat plane with the normal map, and a displaced surface."""
     scene = empty_scene()
     plane(normal_mapped(baked, 1), 0, 1)
     plane(displaced(baked, 1), 1, 1, GRID)
@@ -232,7 +233,7 @@ def render_relief(baked, pictures):
 
 
 def likeness(path):
-    """The correlation of the greens of both halves of a picture."""
+    """Returns the correlation of the green channels of the left and the right half of a picture."""
     image = bpy.data.images.load(str(path))
     width, height = image.size
     green = numpy.array(image.pixels[:]).reshape(height, width, 4)[:, :, 1]
@@ -240,7 +241,7 @@ def likeness(path):
 
 
 def render_tiles(baked, pictures):
-    """A floor of tiles in perspective."""
+    """Renders a floor of tiles in perspective."""
     scene = empty_scene()
     plane(normal_mapped(baked, 1), 0, TILES)
     light(elevation=30, azimuth=110, energy=3)
@@ -249,7 +250,7 @@ def render_tiles(baked, pictures):
 
 
 def render_flipbook(baked, pictures):
-    """A few frames, tiled, twice: from the sheet, and from their own files."""
+    """Renders a few frames, tiled, twice: from the sheet, and from the files of the frames."""
     book = read_json(baked.folder / f"{baked.set['preset']}_sheet.json")
     found = next(i for i in book["images"] if i["map"] == "albedo")
     for number in range(0, book["frames"], book["frames"] // 4):
@@ -258,7 +259,7 @@ def render_flipbook(baked, pictures):
 
 
 def render_flat(make, arguments, path):
-    """Tiles in even light, from above."""
+    """Renders tiles in even light, from above. make(*arguments) returns their material."""
     scene = empty_scene()
     plane(make(*arguments), 0, TILES)
     light(elevation=90, azimuth=0, energy=3)

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 #
-# Bakes sea_foam, and has Blender render it: pictures in out/blender/, in two minutes. Blender's package is large.
+# Bakes sea_foam and renders it with Blender into out/blender/. This takes two minutes and needs a large package.
 #
 #     samples/blender/run.sh
-#     FOAM_FIGURES=1 samples/blender/run.sh      also makes the figures of the README anew
+#     FOAM_FIGURES=1 samples/blender/run.sh      also updates the pictures of the README
 set -euo pipefail
 
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." >/dev/null && pwd)
@@ -23,7 +23,7 @@ bake() {
     "$foamtex" flipbook "$out/book" --gutter 4
 }
 
-# The same pictures from the sheet and from the frames themselves, but for rounding.
+# Checks that the pictures drawn from the sheet and from the files of the frames are the same, up to rounding.
 compare() {
     local picture
     for picture in "$out"/sheet.*.png; do

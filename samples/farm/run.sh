@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 #
-# Bakes a loop in one go, then from a cache as a Slurm array job and by GNU parallel, and compares
-# every file. Needs a cluster that sees this folder, as slurm_node.sh makes one.
+# Bakes a loop directly. Then renders it from a cache, by a Slurm array job and by GNU parallel if
+# these are installed, and compares every file with the bake. The Slurm cluster must be able to
+# access this folder; slurm_node.sh sets up such a cluster.
 #
 #     samples/farm/run.sh [WORK_FOLDER]
 set -euo pipefail
@@ -39,7 +40,8 @@ seconds "$FOAMTEX" bake "${foam[@]}" "${maps[@]}" --out 'bake/{map}.####.png' -q
 printf 'simulate: '
 seconds "$FOAMTEX" simulate "${foam[@]}" --cache cache -q
 
-# The pattern is part of the preset that files tell of: that of the bake, in another folder.
+# Files contain the preset, which includes the file pattern. For equal files, the pattern must be that of the bake, so
+# another working folder is used.
 mkdir -p slurm parallel
 if command -v sbatch >/dev/null; then
     printf 'slurm, 4 tasks: '

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 #
-# Makes this machine a Slurm cluster of one node, to try bake.slurm on: installs Debian's slurm-wlm,
-# configures it for this host and starts its daemons. For a virtual machine or a container, as root;
-# a machine that has a slurm.conf of its own is left alone.
+# Sets up a Slurm cluster of one node on this machine, for trying bake.slurm: installs Debian's
+# slurm-wlm, configures it for this host and starts its daemons. It is meant for a virtual machine or
+# a container and must run as root. If the machine already has another slurm.conf, nothing is changed.
 #
-#     samples/farm/slurm_node.sh          sets up and starts
-#     samples/farm/slurm_node.sh stop     stops what it started
+#     samples/farm/slurm_node.sh          sets up and starts the cluster
+#     samples/farm/slurm_node.sh stop     stops the daemons
 set -euo pipefail
 
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." >/dev/null && pwd)

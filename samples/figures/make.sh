@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 #
-# Makes the pictures and diagrams of this folder anew, with the program of samples/quickstart.sh: all of them, or
-# those named.
+# Updates the pictures and diagrams of this folder: all of them, or the given ones. Uses the program that
+# samples/quickstart.sh builds.
 #
 #     samples/figures/make.sh
 #     samples/figures/make.sh figure_4 figure_7
@@ -17,20 +17,21 @@ source samples/setup/build.sh
 scratch=$(mktemp -d)
 trap 'rm -rf -- "$scratch"' EXIT
 
-# Runs the program, which is built when it is needed for the first time.
+# run_foamtex ARGUMENT...: runs the program. Builds it first if it does not exist.
 run_foamtex() {
     [[ -x $foamtex ]] || build_foamtex
     "$foamtex" "$@"
 }
 
-# Frames of a preset, each $size pixels wide, into the scratch folder; more options of bake may follow.
+# frames PRESET RANGE SIZE [OPTION]...: bakes frames of a preset into the scratch folder, SIZE x SIZE pixels each.
+# Options are passed to `foamtex bake`.
 frames() {
     local preset=$1 range=$2 size=$3
     shift 3
     run_foamtex bake "$preset" --frames "$range" --size "$size" --out "$scratch/$preset.####.png" -q "$@"
 }
 
-# The frames of a preset on white, so many in a row, as the picture of a name.
+# sheet PRESET COLUMNS PICTURE: joins the baked frames of a preset, on white, in rows of COLUMNS frames.
 sheet() {
     local preset=$1 columns=$2 picture=$3
     montage "$scratch/$preset".*.png -background white -tile "${columns}x" -geometry +6+6 -strip \
@@ -73,8 +74,8 @@ soap_raft() {
     sheet soap_raft 4 soap_raft
 }
 
-# Simulates frames of a preset and keeps their states in the scratch folder under a name, which diagrams read. More
-# options of simulate may follow.
+# states NAME PRESET RANGE [OPTION]...: simulates frames of a preset and stores their states in $scratch/NAME, from
+# which diagrams read them. Options are passed to `foamtex simulate`.
 states() {
     local name=$1 preset=$2 range=$3
     shift 3
@@ -93,7 +94,7 @@ t1_and_t2() {
 }
 
 half_edges() {
-    states torus sea_foam 1 --seed 4 --set foam.bubbles=9 --set foam.lloyd=3
+    states torus sea_foam 1 --seed 4 --set foam.bubbles=9 --set foam.lloyd=3 --set foam.area_ratio=0
     diagram half_edges
 }
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 #
-# Makes the thumbnails of the README anew, one of each shipped preset, or of those named, with the program of
-# samples/quickstart.sh or the one that $FOAMTEX names.
+# Updates the thumbnails of the README: of all shipped presets, or of the given presets. Uses the program that
+# samples/quickstart.sh builds, or the program given by $FOAMTEX.
 #
 #     samples/gallery/make.sh
 #     samples/gallery/make.sh lava sea_ice
@@ -17,10 +17,11 @@ foamtex=${FOAMTEX:-$foamtex}
 scratch=$(mktemp -d)
 trap 'rm -rf -- "$scratch"' EXIT
 
-# The frame that shows best what a preset is about, where that is not the first.
+# The most typical frame of a preset, if it is not frame 1.
 declare -A frames=([coarsening]=9 [collapse]=24 [honeycomb]=40 [relax]=2 [shear]=49 [soap_raft]=30)
 
-# The first of its maps, at twice the size of the thumbnail; what is transparent on white.
+# thumbnail PRESET: bakes the first map of a preset at twice the size of the thumbnail, replaces transparency by white,
+# and reduces the picture by half.
 thumbnail() {
     local preset=$1 map
     map=$("$foamtex" presets show "$preset" | sed -nE 's/^maps = \["([a-z_]+)".*/\1/p')

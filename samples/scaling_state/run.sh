@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 #
-# Follows a foam of 10,000 bubbles until ten are left: tables and charts in out/scaling_state/, which
-# takes minutes.
+# Simulates a foam of 10,000 bubbles until ten are left, and writes tables and charts to
+# out/scaling_state/. This takes minutes.
 #
 #     samples/scaling_state/run.sh [OPTION OF foamtex stats]...
-#     samples/scaling_state/run.sh --set foam.bubbles=1000 --frames 1-270     a tenth of it, in seconds
-#     FOAM_FIGURES=1 samples/scaling_state/run.sh          also makes the figures of the README anew
+#     samples/scaling_state/run.sh --set foam.bubbles=1000 --frames 1-270     a tenth of the bubbles; takes seconds
+#     FOAM_FIGURES=1 samples/scaling_state/run.sh          also updates the figures of the README
 set -euo pipefail
 
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." >/dev/null && pwd)
@@ -17,7 +17,7 @@ source samples/setup/build.sh
 sample=samples/scaling_state
 out=out/scaling_state
 
-# The mean time of the frames whose number of bubbles lies between two limits, in milliseconds.
+# mean_time LOW HIGH: prints the mean time, in milliseconds, of the frames after the first with LOW to HIGH bubbles.
 mean_time() {
     awk -F, -v low="$1" -v high="$2" '
         $1 > 1 && low <= $3 && $3 <= high { sum += $NF; count++ }

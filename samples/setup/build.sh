@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 
 # shellcheck shell=bash
-# The program that samples run, and how they build it. To be sourced at the top of the checkout.
+# The path of the program that the samples run, and a function that builds it. Other scripts source this file, with the
+# root of the checkout as working directory.
 
 # shellcheck source=samples/setup/packages.sh
 source samples/setup/packages.sh
@@ -9,7 +10,7 @@ source samples/setup/packages.sh
 # shellcheck disable=SC2034  # used where this file is sourced
 foamtex=build/quickstart/texgen/foamtex
 
-# The processor time of a build from nothing, in minutes.
+# The processor time of a build from scratch, in minutes.
 build_minutes=8
 
 build_foamtex() {

@@ -2,7 +2,7 @@
 
 # shellcheck shell=bash
 # shellcheck disable=SC2034  # the lists are used where this file is sourced
-# The Debian 12 packages foamtex needs, and how the scripts install them. To be sourced.
+# The Debian 12 packages that foamtex needs, and a function that installs them. Other scripts source this file.
 
 foam_build_packages=(
     g++ cmake ninja-build pkg-config
@@ -42,7 +42,7 @@ apt_get() {
     "${command[@]}" "$@"
 }
 
-# ensure_packages PACKAGE...: installs those that are missing, and says which.
+# ensure_packages PACKAGE...: installs the packages that are missing, and prints their names.
 ensure_packages() {
     if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
         die "this is not a Debian system; the packages needed are, by their Debian names: $*"

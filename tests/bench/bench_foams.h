@@ -13,12 +13,13 @@
 
 namespace foam::bench {
 
-/// A raw random diagram: no Lloyd iteration, not in equilibrium.
+/// Returns a raw diagram: the Voronoi diagram of random sites, without Lloyd iterations and not in
+/// equilibrium.
 inline Foam raw_foam(int bubbles) {
     return seed_foam({.bubbles = bubbles, .seed = 1});
 }
 
-/// The same foam in equilibrium, made once for each number of bubbles.
+/// Returns raw_foam(bubbles) in equilibrium. It is computed once for each number of bubbles.
 inline const Foam& equilibrated_foam(int bubbles) {
     static std::map<int, Foam> foams;
     const auto [entry, is_new] = foams.try_emplace(bubbles);
@@ -29,13 +30,13 @@ inline const Foam& equilibrated_foam(int bubbles) {
     return entry->second;
 }
 
-/// The same within a disc: a free patch.
+/// Returns the raw diagram of a free patch with the outline of a disc.
 inline Foam raw_patch(int bubbles, std::uint64_t seed) {
     return seed_patch(disc_outline(), {.bubbles = bubbles, .seed = seed});
 }
 
-/// The time in which a bubble of five or of seven sides, so nearly the mean bubble, changes by 1 %
-/// of the mean area: an ordinary frame.
+/// Returns the foam time of a frame: the time in which the area of a bubble of five or seven sides
+/// changes by 1 % of the mean area (E6).
 inline double ordinary_frame_time(const Foam& foam, const CoarseningOptions& coarsening) {
     double total = 0.0;
     for (const BubbleId bubble : foam.network.bubbles()) {

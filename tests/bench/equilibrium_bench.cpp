@@ -8,7 +8,7 @@ namespace foam::bench {
 
 namespace {
 
-// From a raw random diagram to area and angle errors below 1e-9.
+// Measures the time from a raw diagram to area and angle errors below 1e-9.
 void raw_to_equilibrium(benchmark::State& state) {
     const Foam raw = raw_foam(static_cast<int>(state.range(0)));
     EquilibriumSummary summary;

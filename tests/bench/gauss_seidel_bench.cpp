@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// The paper's solver beside the fast one:
+// Compares the paper's solver (Gauss-Seidel) with the fast solver (Newton's method):
 //
 //     gauss_seidel_bench [SECONDS] [--benchmark_filter=REGEX ...]
 //
-// A run of Gauss-Seidel ends after SECONDS, by default 140, whatever it has reached, and then says
-// so. All together take about 8 minutes.
+// A run of Gauss-Seidel that has not converged after SECONDS (140 by default) is stopped, and its
+// label says so. All benchmarks together take about 8 minutes.
 
 #include "core/foam/measure.h"
 #include "core/reference/gauss_seidel.h"
@@ -28,15 +28,15 @@ namespace foam::bench {
 namespace {
 
 constexpr double kDefaultLimit = 140.0;  // seconds
-// Gauss-Seidel is run in slices between which the time is looked at: as long as from one T1 of all
-// short films to the next, so that slices change nothing.
+// Gauss-Seidel runs in slices, and the time is checked between them. A slice has as many sweeps as
+// there are between two T1s of all short films, so that slicing does not change the result.
 constexpr int kSweepsPerSlice = 30;
 constexpr int kTolerances[] = {-2, -4, -6};  // powers of ten
-constexpr int kComparedTolerance = -4;       // with the fast solver at 1e-9
+constexpr int kComparedTolerance = -4;       // compared with the fast solver at 1e-9
 
 struct Seconds {
     double wall = 0.0;
-    double processor = 0.0;  // of all threads
+    double processor = 0.0;  // sum over all threads
 };
 
 class Stopwatch {
@@ -53,7 +53,8 @@ class Stopwatch {
     std::clock_t processor_start_ = std::clock();
 };
 
-// What a step hands to the solver: a foam in equilibrium whose targets are an ordinary frame on.
+// Returns the input of the solver in a time step: a foam in equilibrium whose target areas have
+// changed by the diffusion of one ordinary frame.
 Foam frame(int bubbles) {
     Foam foam = equilibrated_foam(bubbles);
     diffuse(foam, ordinary_frame_time(foam, {}), {});
@@ -62,7 +63,7 @@ Foam frame(int bubbles) {
     return foam;
 }
 
-// The fast solver to 1e-9 from the same start: the shortest of several runs.
+// Returns the shortest times of several runs of the fast solver to 1e-9 from the same start.
 Seconds fast_seconds(benchmark::State& state, const Foam& start, bool is_far) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     Seconds best{kInfinity, kInfinity};
@@ -80,13 +81,13 @@ Seconds fast_seconds(benchmark::State& state, const Foam& start, bool is_far) {
     return best;
 }
 
-// A foam on its way to equilibrium by Gauss-Seidel.
+// A foam that is brought to equilibrium by Gauss-Seidel.
 class SweptFoam {
   public:
     SweptFoam(Foam foam, SweepOrder order, double limit)
         : foam_(std::move(foam)), order_(order), limit_(limit) {}
 
-    // False where the time is up before errors are below the tolerance.
+    // Returns false if the time limit is reached before the errors are below the tolerance.
     bool sweep_to(double tolerance) {
         const GaussSeidelOptions options{
             .tolerance = tolerance, .max_sweeps = kSweepsPerSlice, .order = order_};
@@ -122,14 +123,14 @@ void compare(benchmark::State& state, const Seconds& sweeps, const Seconds& fast
 }
 
 std::string time_is_up(const SweptFoam& foam, bool has_compared) {
-    return fmt::format("time is up after {} sweeps, errors are {:.1e}{}",
+    return fmt::format("time limit reached after {} sweeps, errors are {:.1e}{}",
                        foam.sweeps(),
                        foam.error(),
                        has_compared ? "" : ": ratios are lower bounds");
 }
 
-// Counts the sweeps to each tolerance, and compares times at kComparedTolerance or, where it is not
-// reached, when the time is up.
+// Counts the sweeps to each tolerance. Compares times at kComparedTolerance or, if it is not
+// reached, at the time limit.
 void sweep(benchmark::State& state, SweptFoam foam, const Seconds& fast) {
     bool has_compared = false;
     for (const int exponent : kTolerances) {
@@ -149,7 +150,7 @@ void sweep(benchmark::State& state, SweptFoam foam, const Seconds& fast) {
 struct Case {
     const char* name;
     Foam (*start)(int bubbles);
-    bool is_far;  // from equilibrium, at the start
+    bool is_far;  // whether the start is far from equilibrium
     SweepOrder order;
     int largest;  // number of bubbles
 };
@@ -160,8 +161,9 @@ constexpr Case kCases[] = {
     {"raw_diagram/sequential", raw_foam, true, SweepOrder::Sequential, 1000},
 };
 
-// From one start to equilibrium: `to_1e-2` and so on are the sweeps to such errors, the ratios the
-// times of Gauss-Seidel to 1e-4 over those of the fast solver to 1e-9.
+// Adds a benchmark from one start to equilibrium. The counter `to_1e-2` is the number of sweeps to
+// errors below 1e-2, and so on. The ratios are the times of Gauss-Seidel to 1e-4 divided by the
+// times of the fast solver to 1e-9.
 void add_benchmark(const Case& c, double limit) {
     const auto run = [c, limit](benchmark::State& state) {
         const Foam start = c.start(static_cast<int>(state.range(0)));

@@ -10,9 +10,10 @@
 
 namespace foam::bench {
 
-/// Reads the command line of a table program, `PROGRAM [LARGEST]`, and returns LARGEST or, if it is
-/// not given, the default. Ends the program for --help after printing the usage, and with exit code
-/// 2 and one line on stderr for anything else but a positive whole number.
+/// Parses the command line `PROGRAM [LARGEST]` of a benchmark that prints tables. Returns LARGEST,
+/// or `default_value` if it is not given. For --help, prints the usage and exits with code 0. If
+/// the arguments are anything but one positive integer, prints one line on stderr and exits with
+/// code 2.
 inline int largest_argument(int argc, char** argv, int default_value, std::string_view usage) {
     if (argc < 2) {
         return default_value;

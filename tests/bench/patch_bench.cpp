@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// Processor times of free patches beside those of tori, per bubble, by turns in one run:
+// Compares the processor times per bubble of free patches with those of tori, alternately in one
+// run:
 //
 //     patch_bench [LARGEST]
 //
-// Foams of 1,000 and of 10,000 bubbles, or of up to LARGEST. All together take about a minute.
+// The foams have 1,000 and 10,000 bubbles, but at most LARGEST. All together take about a minute.
 
 #include "tests/bench/bench_foams.h"
 
@@ -19,12 +20,12 @@ namespace foam::bench {
 
 namespace {
 
-constexpr int kBubblesInAll = 20000;  // of the raw diagrams of a row
+constexpr int kBubblesInAll = 20000;  // total number of bubbles of the raw diagrams of a row
 constexpr int kFrames = 10;
 
 struct Times {
-    double raw = 0.0;    // microseconds per bubble, on all threads, from the diagram to equilibrium
-    double frame = 0.0;  // the same, of each of the first frames
+    double raw = 0.0;    // microseconds per bubble on all threads, from the diagram to equilibrium
+    double frame = 0.0;  // microseconds per bubble on all threads, mean of the first frames
 };
 
 template <class Work>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// Our PNG writer beside libpng, in one run and on one thread unless it is said otherwise: frames of
-// a foam as an albedo, as a distance to the films (16 bits) and as normals.
+// Compares our PNG writer with libpng, on one thread except in rows that name two threads. The
+// images are maps of a foam: albedo, distance to the films (16 bits) and normals.
 //
-//     png_bench [SIDE [BUBBLES]]           1024 pixels and 1000 bubbles if not given
+//     png_bench [SIDE [BUBBLES]]           default: 1024 pixels, 1000 bubbles
 #include "tests/bench/bench_foams.h"
 #include "texgen/image/png.h"
 #include "texgen/maps/albedo.h"
@@ -30,7 +30,7 @@ using texgen::ImageView;
 using texgen::PngFilter;
 
 constexpr int kRepeats = 7;
-constexpr double kSlope = 2.0;  // of the normals, where the distance grows fastest
+constexpr double kSlope = 2.0;  // slope of the normal map at the largest slope in row 0
 
 struct Cost {
     double milliseconds = std::numeric_limits<double>::infinity();
@@ -49,7 +49,7 @@ Cost min_cost(const std::function<std::size_t()>& encode) {
     return cost;
 }
 
-/// Distance to the nearest film, as 16 bits up to the largest.
+/// Returns the distance to the nearest film. The largest distance is mapped to 65535.
 Image<std::uint16_t> distance_map(const Frame& frame, int side) {
     const Image<float> distance = texgen::distance_field(frame, {side, side}, {}, 1).distance;
     const float largest = std::ranges::max(distance.samples());
@@ -60,7 +60,7 @@ Image<std::uint16_t> distance_map(const Frame& frame, int side) {
     return image;
 }
 
-/// The normals of a height, as 8-bit RGB.
+/// Returns the normals of a periodic height map, as 8-bit RGB.
 Image<std::uint8_t> normal_map(const Image<std::uint16_t>& height) {
     const int side = height.width();
     const auto at = [&](int x, int y) {
@@ -91,7 +91,8 @@ void append(png_structp png, png_bytep data, std::size_t count) {
     stream.insert(stream.end(), data, data + count);
 }
 
-/// The peer, into memory as ours; `stream` is used again.
+/// Encodes an image with libpng into memory, as our writer does. Returns the number of bytes.
+/// `stream` is a buffer whose memory is reused between calls.
 template <class Sample>
 std::size_t libpng_encode(ImageView<const Sample> image,
                           PngFilter filter,

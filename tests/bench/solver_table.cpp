@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// The solver's times beside their targets, as a Markdown table.
+// Prints the measured times of the solver and their targets, as a Markdown table.
 
 #include "tests/bench/bench_foams.h"
 #include "tests/bench/largest_argument.h"
@@ -23,12 +23,12 @@ namespace {
 
 constexpr const char* kUsage = R"(Usage: solver_table [LARGEST]
 
-Prints the solver's times beside their targets as a Markdown table. LARGEST is the largest number
-of bubbles, by default 100,000; a smaller one leaves out the rows of 100,000 bubbles, but no others.
-All together take about three minutes.
+Prints the measured times of the solver and their targets as a Markdown table. LARGEST is the largest
+number of bubbles, by default 100,000; a smaller number omits the rows of 100,000 bubbles, but no
+others. All together take about three minutes.
 )";
 constexpr int kFrames = 10;
-constexpr std::size_t kFewestBubbles = 11;  // of the paper's Figures 5 and 6
+constexpr std::size_t kFewestBubbles = 11;  // as in the paper's Figures 5 and 6
 
 template <class Work>
 double seconds(const Work& work) {
@@ -48,14 +48,14 @@ void print_row(const std::string& work, double ours, const std::string& unit, do
     static_cast<void>(std::fflush(stdout));
 }
 
-// The largest so far, of the whole process.
+// Returns the largest memory use of the process so far, in GiB.
 double peak_gibibytes() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
     return static_cast<double>(usage.ru_maxrss) / (1024.0 * 1024.0);
 }
 
-// The mean over seeds 1 to `seeds`.
+// Returns the mean time from a raw diagram to equilibrium over the seeds 1 to `seeds`, in seconds.
 double raw_seconds(int bubbles, std::uint64_t seeds) {
     double sum = 0.0;
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
@@ -65,7 +65,8 @@ double raw_seconds(int bubbles, std::uint64_t seeds) {
     return sum / static_cast<double>(seeds);
 }
 
-// The mean of the first frames of a foam that has just come to equilibrium.
+// Returns the mean time of the first frames of a foam that has just reached equilibrium, in
+// seconds.
 double frame_seconds(int bubbles) {
     Foam foam = raw_foam(bubbles);
     demand(equilibrate(foam, {}));
@@ -77,6 +78,7 @@ double frame_seconds(int bubbles) {
            kFrames;
 }
 
+// Returns the time from a raw diagram until kFewestBubbles bubbles are left, in seconds.
 double life_seconds(int bubbles) {
     Foam foam = raw_foam(bubbles);
     return seconds([&] {

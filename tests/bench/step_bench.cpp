@@ -8,7 +8,8 @@ namespace foam::bench {
 
 namespace {
 
-// One frame after another of a coarsening foam: diffusion, T1, T2, equilibrium to 1e-9.
+// Measures consecutive frames of a coarsening foam: diffusion, T1, T2, and equilibrium to errors
+// below 1e-9.
 void coarsening_frame(benchmark::State& state) {
     Foam foam = equilibrated_foam(static_cast<int>(state.range(0)));
     const StepOptions options;

@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::uint32_t kSix = 6;
 
-// Points on a circle, from the given angle on, in sixths of a turn.
+// Appends the corners of a regular hexagon around the origin. `angle` is the direction of the first
+// corner, in radians.
 void add_hexagon(double radius, double angle, std::vector<Vec2>& points) {
     for (std::uint32_t k = 0; k < kSix; ++k) {
         const double at = angle + std::numbers::pi / 3.0 * k;
@@ -29,7 +30,8 @@ Foam with_targets(Foam foam, double area) {
     return foam;
 }
 
-// Six cells between two hexagons: points 0 to 5 inside, 6 to 11 outside.
+// Returns six cells between two hexagons. Points 0 to 5 are on the inner hexagon, points 6 to 11 on
+// the outer hexagon.
 PolygonMesh hexagonal_ring() {
     PolygonMesh mesh;
     add_hexagon(0.6, 0.0, mesh.points);

@@ -8,19 +8,22 @@
 
 namespace foam::test {
 
-/// Two bubbles beside each other, far from equilibrium.
+/// Returns two bubbles that share one film, far from equilibrium. Bubble 0 is on the left. The
+/// arguments are target areas.
 Foam double_bubble(double left_area, double right_area);
 
-/// Three bubbles around a junction, each in touch with the other two and the ghost.
+/// Returns three bubbles around a junction. Each touches the other two and the ghost. `area` is
+/// their target area.
 Foam triple_bubble(double area);
 
-/// A bubble of six sides with six around it, all of the same area.
+/// Returns bubble 0, which has six sides, with six bubbles around it (petals). `area` is the target
+/// area of all bubbles.
 Foam flower(double area);
 
-/// Four bubbles of area 1 in a row.
+/// Returns four bubbles of target area 1 in a row, numbered from left to right.
 Foam chain();
 
-/// Six bubbles of area 1 around a hole.
+/// Returns six bubbles of target area 1 around a hole.
 Foam ring();
 
 }  // namespace foam::test

@@ -79,7 +79,7 @@ double log_uniform(Random& random, double low, double high) {
 
 // A new parameter must be drawn last. Otherwise every seed would give a different case.
 FoamCase draw_case(std::uint64_t seed) {
-    Random random(~seed);  // the seed itself draws the diagram
+    Random random(~seed);  // the seed itself is used for the diagram
     FoamCase drawn;
     SeedingOptions& seeding = drawn.seeding;
     TopologyThresholds& thresholds = drawn.step.equilibrium.thresholds;

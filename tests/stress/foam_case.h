@@ -29,19 +29,20 @@ double uniform(Random& random, double low, double high);
 /// 0 < low <= high.
 double log_uniform(Random& random, double low, double high);
 
-/// Draws the torus of a seed. A seed gives the same parameters in every run:
+/// Returns the torus of a seed. A seed gives the same parameters in every run:
 /// - 20 to 5,000 bubbles, 0 to 5 iterations of Lloyd's algorithm, an aspect of 1/4 to 4
-/// - target areas of the diagram itself (one case in four), or with a ratio of 1 to 100
+/// - the target areas of the diagram (one case in four), or a ratio of the largest to the smallest
+///   target area of 1 to 100
 /// - a T1 distance and a T2 area of 0.01 to 0.25, and kappa of 1e-3 to 1e3 (the paper's ranges)
-/// - frames of 0.3 % to 5 % of the mean area, or of 1 % to 5 % for more than 1,000 bubbles
-/// - in one case in ten, frames of 50 % of the mean area, which are far too long
+/// - a frame_fraction of 0.3 % to 5 %, or of 1 % to 5 % for more than 1,000 bubbles
+/// - in one case in ten, a frame_fraction of 50 %, which is far too long for one step
 ///
 /// All ranges except the iterations are uniform in the logarithm.
 FoamCase draw_case(std::uint64_t seed);
 
-/// Draws the patch of a seed: the parameters of draw_case, and a random outline. The outline is a
-/// star-shaped polygon of 3 to 16 corners, with spikes and bays. One outline in three has a hole of
-/// the same shape.
+/// Returns the patch of a seed: the parameters of draw_case, and a random outline. The outline is a
+/// star-shaped polygon of 3 to 16 corners, with spikes and bays. One outline in three has a hole,
+/// which is a smaller copy of the outline.
 FoamCase draw_patch(std::uint64_t seed);
 
 /// Returns the raw diagram of the case.
@@ -50,7 +51,8 @@ Foam seed_case(const FoamCase& foam_case);
 /// Returns the number of bubbles, including lone bubbles.
 std::size_t bubbles_of(const Foam& foam);
 
-/// Returns the duration of a frame (E6) at the present mean area of the foam.
+/// Returns the foam time of a frame: the time in which a five-sided bubble loses frame_fraction of
+/// the present mean area (E6).
 double frame_time(const Foam& foam, const FoamCase& foam_case);
 
 /// Returns all parameters that were drawn, in one line.

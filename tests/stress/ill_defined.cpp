@@ -27,6 +27,8 @@ bool happens(Random& random, double probability) {
     return random.uniform() < probability;
 }
 
+// Moves each junction, with the given probability, in a random direction by up to `farthest` mean
+// film lengths.
 void perturb_junctions(Foam& foam, Random& random, double probability, double farthest) {
     const double length = farthest * mean_film_length(foam);
     for (const JunctionId junction : foam.network.junctions()) {
@@ -39,7 +41,8 @@ void perturb_junctions(Foam& foam, Random& random, double probability, double fa
     }
 }
 
-// For a film of mean length, |s| = |difference| c / 2T is at most 10.
+// For a film of mean length c, the changes give |s| = |pressure difference| c / 2T of at most 10
+// (E1).
 void change_pressures(Foam& foam, Random& random) {
     const double largest = 10.0 * foam.film_tension / mean_film_length(foam);
     for (const BubbleId bubble : foam.network.bubbles()) {
@@ -73,7 +76,7 @@ void collapse_bubbles(Foam& foam, Random& random) {
 
 // Mirrors a bubble in the horizontal line through the mean of its junctions.
 void mirror(Foam& foam, BubbleId bubble) {
-    std::vector<double> heights;  // of the junctions above the first one
+    std::vector<double> heights;  // of the junctions relative to the first one
     Vec2 at = Vec2::Zero();
     double sum = 0.0;
     for (const HalfEdgeId h : foam.network.around(bubble)) {

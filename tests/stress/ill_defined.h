@@ -16,7 +16,7 @@ enum class Damage {
     Pressures,        // changes pressures so much that |s| >= 1 on many films (E1)
     ZeroFilms,        // gives a tenth of the films zero length
     Coincident,       // moves all junctions of a bubble to one point, for a tenth of the bubbles
-    Inverted,         // mirrors a tenth of the bubbles vertically
+    Inverted,         // mirrors a tenth of the bubbles in a horizontal line
     All,              // applies all kinds except PartlyPerturbed, one after another
 };
 

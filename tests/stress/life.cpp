@@ -17,7 +17,8 @@ namespace foam::stress {
 namespace {
 
 constexpr std::size_t kFewestBubbles = 4;  // a torus ends with this number of bubbles
-// The largest area that a five-sided bubble may lose without a T2, in mean areas.
+// A life fails if no T2 happens in the time in which a five-sided bubble would lose this many mean
+// areas.
 constexpr double kMaxAreasWithoutT2 = 100.0;
 
 bool is_honeycomb(const Network& network) {
@@ -49,14 +50,13 @@ class Life {
 
   private:
     void seed_and_equilibrate() {
-        before_ = foam_ = seed_case(case_);
+        foam_ = seed_case(case_);
         summary_.bubbles_left = bubbles_of(foam_);
         examine(equilibrate(foam_, case_.step.equilibrium));
     }
 
     void advance() {
         ++summary_.frames;
-        before_ = foam_;
         const StepSummary result = step(foam_, frame_time(foam_, case_), case_.step);
         summary_.substeps += result.substeps;
         const auto vanished = static_cast<std::size_t>(result.equilibrium.t2);
@@ -97,7 +97,7 @@ class Life {
     // Records the first failure. Later failures are ignored.
     void fail(const std::string& reason) {
         if (!summary_.failure) {
-            summary_.failure = LifeFailure{summary_.frames, reason, before_};
+            summary_.failure = LifeFailure{summary_.frames, reason};
         }
     }
 
@@ -119,7 +119,6 @@ class Life {
     const FoamCase& case_;
     const LifeOptions& options_;
     Foam foam_;
-    Foam before_;
     double areas_since_t2_ = 0.0;
     LifeSummary summary_;
 };

@@ -11,6 +11,7 @@
 
 namespace foam::stress {
 
+/// Options of `live`. The life of a foam is its coarsening from a raw diagram to its end.
 struct LifeOptions {
     int max_frames = 0;       // largest number of frames; 0 for no limit
     double tolerance = 1e-6;  // largest relative area error and angle error (radians)
@@ -21,7 +22,6 @@ struct LifeOptions {
 struct LifeFailure {
     int frame = 0;
     std::string reason;
-    Foam before;  // the foam before this frame; empty if seeding failed
 };
 
 /// The result of a life: sums and largest errors over its frames.
@@ -31,8 +31,8 @@ struct LifeSummary {
     int t1 = 0;
     int t2 = 0;
     std::size_t bubbles_left = 0;
-    EquilibriumErrors worst;
-    double seconds = 0.0;  // processor time
+    EquilibriumErrors worst;  // largest errors of all frames; only area and angle are set
+    double seconds = 0.0;     // processor time
     std::optional<LifeFailure> failure;
 };
 

@@ -71,7 +71,7 @@ std::uint64_t next_seed(std::uint64_t seed, int max_bubbles) {
     return seed;
 }
 
-/// Returns the seeds that belong to the shard, out of `count` seeds.
+/// Returns the seeds of the shard, out of the first `count` seeds whose foams are small enough.
 std::vector<std::uint64_t> shard_seeds(const Arguments& arguments, int count) {
     const Shard shard = parse_shard(arguments.shard);
     std::vector<std::uint64_t> seeds;
@@ -85,8 +85,8 @@ std::vector<std::uint64_t> shard_seeds(const Arguments& arguments, int count) {
     return seeds;
 }
 
-/// Prints a part of a line at once. The parameters of a foam are printed before its life, so that
-/// they are known if the program crashes.
+/// Prints a text followed by `end`, and flushes the output. The parameters of a foam are printed
+/// before its life, so that they are known if the program crashes.
 void print_part(const std::string& part, const char* end) {
     fmt::print("{}{}", part, end);
     std::fflush(stdout);

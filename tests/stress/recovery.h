@@ -18,8 +18,8 @@ struct StateCase {
     bool relaxes_first = true;  // if false, Newton's method starts from the damaged state
 };
 
-/// Draws the state of a seed: the torus of draw_case in equilibrium, damaged. The seed also selects
-/// the kind of damage; even seeds relax first.
+/// Returns the state of a seed: the torus of draw_case in equilibrium, with a kind of damage that
+/// depends on the seed. For even seeds the solver relaxes first.
 StateCase draw_state(std::uint64_t seed);
 
 /// The result of a recovery.
@@ -33,8 +33,9 @@ struct RecoverySummary {
 /// Damages the foam and brings it back to equilibrium with errors below 1e-9.
 RecoverySummary recover(const StateCase& state);
 
-/// Return the parameters that were drawn, and the result, in one line each.
+/// Returns the parameters that were drawn, in one line.
 std::string describe(const StateCase& state);
+/// Returns the result in one line.
 std::string describe(const RecoverySummary& summary);
 
 }  // namespace foam::stress

@@ -66,7 +66,7 @@ std::optional<std::string> find_error(const Foam& foam, double tolerance) {
     return std::nullopt;
 }
 
-// Checks that the energy of a patch is 2 sum p A.
+// Returns an error message if the energy of a patch differs from 2 sum p A (E3).
 std::optional<std::string> find_work_error(const Foam& foam, double tolerance) {
     double work = 0.0;
     for (const BubbleId bubble : foam.network.bubbles()) {

@@ -14,7 +14,7 @@ namespace foam::stress {
 /// Checks a foam that should be in equilibrium. Returns a description of the first fault, or
 /// nullopt if there is none. Faults are:
 /// - an invalid network, a number that is not finite, or a target area that is not positive
-/// - target areas whose sum differs from the area of the torus by more than 1e-9 of it
+/// - on a torus, target areas whose sum differs from its area by more than 1e-9 of this area
 /// - a relative area error or an angle error (radians) above the tolerance
 /// - a film whose half angle is clamped to the limit
 /// - in a patch, an outer film that violates Laplace-Young's law by more than the tolerance, or an

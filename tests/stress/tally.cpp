@@ -17,7 +17,7 @@ std::string describe(int count, const std::vector<std::uint64_t>& failed) {
         "{} of {} failed, of the seeds {}", failed.size(), count, fmt::join(failed, ", "));
 }
 
-// Returns the largest errors and times.
+// Returns two lines with the largest errors and times.
 template <class Tally>
 std::string describe_worst(const Tally& tally) {
     return fmt::format(

@@ -16,7 +16,7 @@ struct Worst {
     double value = 0.0;
     std::uint64_t seed = 0;
 
-    /// Keeps the larger of the present and the other value.
+    /// Replaces the value and the seed by the given ones if the given value is larger.
     void take(double other, std::uint64_t other_seed);
 };
 
@@ -49,8 +49,10 @@ struct RecoveryTally {
     void add(std::uint64_t seed, const RecoverySummary& summary);
 };
 
-/// Return a few lines that contain the failed seeds. `foams` is the name of the foams in the text.
+/// Returns a report of a few lines: sums, largest values and the seeds that failed. `foams` is the
+/// name of the foams in the report.
 std::string describe(const LifeTally& tally, const char* foams);
+/// Returns the same kind of report for recoveries.
 std::string describe(const RecoveryTally& tally);
 
 }  // namespace foam::stress

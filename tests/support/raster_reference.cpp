@@ -50,7 +50,8 @@ FilmCopy film_copy(const Vec2& tail, const FilmArc& arc, BubbleId left, BubbleId
     return copy;
 }
 
-// Returns a copy of a film, translated by `translation` (foam units).
+// Returns a copy of a film in pixels, translated by `translation` (foam units). `scale` is in
+// pixels per foam unit.
 FilmCopy film_copy(const Frame& frame, FilmId film, double scale, const Vec2& translation) {
     const HalfEdgeId h = forward_side(film);
     const FilmArc& arc = frame.arcs[film];

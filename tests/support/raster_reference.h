@@ -18,7 +18,7 @@ namespace foam::test {
 struct SampledCoverage {
     int width = 0;
     int height = 0;
-    std::vector<std::vector<double>> parts;  // by pixel and bubble, from 0 to 1
+    std::vector<std::vector<double>> parts;  // from 0 to 1, by pixel and bubble
 };
 
 /// The positions of the samples in a pixel that an edge crosses.
@@ -38,17 +38,17 @@ SampledCoverage sample_coverage(const Frame& frame,
                                 double film_width,
                                 Samples samples = Samples::Lattice);
 
-/// Samples the part of a patch in the view, with Samples::Lattice. Precondition: as above, for the
-/// angles.
+/// Samples the part of a patch in the view, with Samples::Lattice. Precondition: the angles of all
+/// bubbles at their junctions are less than 180 degrees.
 SampledCoverage sample_coverage(
     const Frame& frame, const texgen::View& view, int width, int height, double film_width);
 
 /// Finds the nearest film of a point of an image by comparing all films of a frame.
 class NearestFilms {
   public:
-    /// For a torus. `width` is the width of the image in pixels.
+    /// Prepares the search for a torus. `width` is the width of the image in pixels.
     NearestFilms(const Frame& frame, int width);
-    /// For a patch. `width` and `height` are the size of the image in pixels.
+    /// Prepares the search for a patch. `width` and `height` are the size of the image in pixels.
     NearestFilms(const Frame& frame, const texgen::View& view, int width, int height);
     ~NearestFilms();
     NearestFilms(const NearestFilms&) = delete;

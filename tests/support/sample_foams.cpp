@@ -139,7 +139,7 @@ Foam single_bubble() {
 
 BubbleId insert_lens(Foam& foam, FilmId film, double part_of_chord) {
     Network& network = foam.network;
-    const HalfEdgeId in = forward_side(film);  // from a junction a to the lens's tip p, ...
+    const HalfEdgeId in = forward_side(film);  // afterwards from its old tail to p
     const HalfEdgeId after_in = network.next(in);
     const HalfEdgeId before_back = network.previous(twin(in));
     const JunctionId far_end = network.head(in);
@@ -148,14 +148,14 @@ BubbleId insert_lens(Foam& foam, FilmId film, double part_of_chord) {
     const LatticeOffset offset = network.offset(in);
     const BubbleId left = network.left(in);
     const BubbleId right = network.right(in);
-    // s = sin 60 degrees = curvature x chord / 2.
+    // The films of the lens have half angles of 60 degrees: sin 60 = curvature x chord / 2.
     const double excess = foam.film_tension * std::numbers::sqrt3 / (part_of_chord * whole.norm());
     const BubbleId lens = add_bubble(foam, foam.pressures[left] + excess);
     const JunctionId p = add_junction(foam);
     const JunctionId q = add_junction(foam);
-    const HalfEdgeId upper = forward_side(add_film(foam));  // ... p to q, ...
+    const HalfEdgeId upper = forward_side(add_film(foam));  // from p to q, as `lower`
     const HalfEdgeId lower = forward_side(add_film(foam));
-    const HalfEdgeId out = forward_side(add_film(foam));  // ... and q to the film's old head
+    const HalfEdgeId out = forward_side(add_film(foam));  // from q to the old head of the film
     network.set_tail(twin(in), p);
     for (const HalfEdgeId h : {upper, lower}) {
         network.set_tail(h, p);

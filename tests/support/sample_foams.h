@@ -27,7 +27,7 @@ Foam patch_foam(int bubbles, std::uint64_t seed, const std::string& wkt = {});
 
 /// Returns six bubbles around a hole, not in equilibrium. The bubbles are between two hexagons
 /// around the origin with circumscribed radii of 1 and 2.2. The outer films bulge outwards from the
-/// bubbles: those of the inner hexagon have half angles of 0.3, those of the outer hexagon 0.7.
+/// bubbles. Their half angles are 0.3 on the inner hexagon and 0.7 on the outer hexagon.
 Foam ring_foam();
 
 /// Returns a patch in which no bubble touches another.

@@ -13,7 +13,8 @@
 
 namespace foam::texgen {
 
-/// Returns the samples of a picture of one group of 8-bit or 16-bit codes.
+/// Returns the samples of the first group of a picture, which must be codes of 8 bits (`codes8`) or
+/// of 16 bits (`codes16`).
 inline Image<std::uint8_t> codes8(const Picture& picture) {
     return std::get<Image<std::uint8_t>>(picture.groups.at(0).samples);
 }
@@ -21,7 +22,8 @@ inline Image<std::uint16_t> codes16(const Picture& picture) {
     return std::get<Image<std::uint16_t>>(picture.groups.at(0).samples);
 }
 
-/// Returns the samples of the only channel of a group.
+/// Returns the samples of a channel group, which must be floats (`floats`) or unsigned integers
+/// (`integers`).
 inline const Image<float>& floats(const ChannelGroup& group) {
     return std::get<Image<float>>(group.samples);
 }

@@ -11,7 +11,8 @@
 
 namespace foam::texgen {
 
-/// 40 bubbles in images of 64 x 64 pixels, and their files: quick to bake.
+/// Returns a preset of 40 bubbles and images of 64 x 64 pixels, which is quick to bake. `pattern`
+/// is the pattern of the file names.
 inline Preset small_preset(const std::filesystem::path& pattern) {
     Preset preset;
     preset.name = "small";
@@ -24,7 +25,7 @@ inline Preset small_preset(const std::filesystem::path& pattern) {
     return preset;
 }
 
-/// From 1 on.
+/// Returns the frame numbers from 1 to `last`.
 inline std::vector<int> frames_to(int last) {
     std::vector<int> frames(static_cast<std::size_t>(last));
     std::iota(frames.begin(), frames.end(), 1);

@@ -11,10 +11,11 @@
 
 namespace foam::texgen {
 
-/// An empty folder of its own for a test, gone afterwards.
+/// A new empty folder for a test. The destructor removes the folder with its content.
 class TemporaryFolder : public ScratchFolder {
   public:
-    /// The names of what lies in the folder, at any depth, folders not counted.
+    /// Returns the paths of all files in the folder and its subfolders, relative to the folder and
+    /// sorted.
     std::vector<std::string> files() const {
         std::vector<std::string> names;
         for (const auto& entry : std::filesystem::recursive_directory_iterator(path())) {

@@ -3,7 +3,7 @@
 #include "texgen/animation/camera.h"
 
 #include "core/foam/measure.h"
-#include "texgen/events/event_stage.h"
+#include "texgen/events/event_context.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ namespace foam::texgen {
 
 namespace {
 
-// The bounding box of all included points.
+// The bounding box of the points passed to `include`.
 struct Box {
     Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
     Vec2 high = -low;
@@ -26,14 +26,14 @@ struct Box {
     bool is_empty() const { return !(low.x() <= high.x()); }
 };
 
-// Includes the ends of the arc and its extreme points to the left, right, top and bottom, which are
-// the points where its tangent is parallel to an axis.
+// Extends the box by an arc: by its ends and by its leftmost, rightmost, highest and lowest points.
+// At these extreme points the tangent is parallel to an axis.
 void include_arc(const FilmArc& arc, const Vec2& tail, Box& box) {
     constexpr double kQuarter = 0.5 * std::numbers::pi;
     const double first = std::atan2(arc.chord.y(), arc.chord.x()) - arc.half_angle;
     box.include(tail);
     box.include(tail + arc.chord);
-    for (int k = -4; k <= 4; ++k) {  // angles of tangents are between -2 pi and 2 pi
+    for (int k = -4; k <= 4; ++k) {  // tangent angles are between -2 pi and 2 pi
         const double fraction = (k * kQuarter - first) / (2.0 * arc.half_angle);
         if (fraction > 0.0 && fraction < 1.0) {
             box.include(tail + point_at(arc, fraction));
@@ -55,6 +55,8 @@ Box box_of(const Frame& frame) {
     return box;
 }
 
+// Returns the view in which the box is centered and as large as possible within the margin, a
+// fraction of the shorter side of the image. `pixels` is the size of the image.
 View fitted_view(const Box& box, const Vec2& pixels, double margin) {
     if (box.is_empty()) {
         return {};

@@ -8,9 +8,11 @@
 
 namespace foam::texgen {
 
-/// Returns the view of a patch, which all frames share. At a zoom of 1 the first frame is centered
-/// in the image and as large as the margin allows. If the first frame is empty, a foam unit at a
-/// zoom of 1 is a pixel.
+/// Returns the view of a patch, which all frames share. With the default camera, the bounding box
+/// of the first frame's bubbles is centered in the image and as large as `camera.margin` allows.
+/// `camera.center` selects another center, in fractions of this view, and `camera.zoom` then
+/// magnifies the view. If the first frame has no bubbles, the view that these keys change is
+/// centered at the origin and shows one foam unit as one pixel.
 View camera_view(const Frame& first, const ImageOptions& image, const CameraOptions& camera);
 
 }  // namespace foam::texgen

@@ -6,14 +6,14 @@
 #include <utility>
 
 // Each frame is a request for one to four states. Requests are sorted by the last state that they
-// need, so a frame is handed out as soon as that state is added. The number of open requests per
-// state decides when a state is released.
+// need, so that a frame can be emitted as soon as that state is added. A state is released when no
+// further request needs it.
 
 namespace foam::texgen {
 
 namespace {
 
-// Returns the frame with the given number; copies it only if its number differs.
+// Returns the frame with its number set to `number`. Copies the frame only if its number differs.
 std::shared_ptr<const Frame> renumbered(const std::shared_ptr<const Frame>& frame, int number) {
     if (frame->number == number) {
         return frame;
@@ -29,9 +29,9 @@ FrameAssembly::FrameAssembly(const Preset& preset,
                              const std::vector<int>& numbers,
                              NextFrames next_frames,
                              FrameVisitor on_frame)
-    : hands_out_next_(next_frames == NextFrames::HandedOut), on_frame_(std::move(on_frame)) {
+    : includes_next_(next_frames == NextFrames::Included), on_frame_(std::move(on_frame)) {
     if (preset.shape.kind == FoamKind::Patch) {
-        uses_[1];
+        uses_[1];  // makes states() include state 1
     }
     for (const int number : numbers) {
         requests_.push_back(request_of(number, preset));
@@ -47,13 +47,13 @@ FrameAssembly::FrameAssembly(const Preset& preset,
 FrameAssembly::Request FrameAssembly::request_of(int number, const Preset& preset) const {
     const ShownStates shown = shown_states(number, preset.loop, preset.frames.count);
     Request request{number, shown, {shown.state}};
-    if (hands_out_next_) {
+    if (includes_next_) {
         request.states.push_back(shown.next);
     }
     if (shown.is_cross_fade()) {
-        request.states.push_back(shown.rising);
-        if (hands_out_next_) {
-            request.states.push_back(shown.rising_next());
+        request.states.push_back(shown.fading_in);
+        if (includes_next_) {
+            request.states.push_back(shown.next_fading_in());
         }
     }
     std::ranges::sort(request.states);
@@ -78,30 +78,30 @@ void FrameAssembly::add(const SimulatedFrame& state) {
     if (uses_.at(number) > 0) {
         kept_.emplace(number, state).first->second.effort = total_;
     }
-    while (handed_out_ < requests_.size() && requests_[handed_out_].states.back() <= number) {
-        hand_out(requests_[handed_out_]);
-        release(requests_[handed_out_]);
-        ++handed_out_;
+    while (emitted_ < requests_.size() && requests_[emitted_].states.back() <= number) {
+        emit(requests_[emitted_]);
+        release(requests_[emitted_]);
+        ++emitted_;
     }
 }
 
-void FrameAssembly::hand_out(const Request& request) {
+void FrameAssembly::emit(const Request& request) {
     const ShownStates& shown = request.shown;
     SimulatedFrame frame = kept_.at(shown.state);
     frame.effort = effort_since_last(frame.effort);
     static_cast<DrawnState&>(frame) = drawn(shown.state, shown.next);
     frame.frame = renumbered(frame.frame, request.number);
     if (shown.is_cross_fade()) {
-        frame.rising = drawn(shown.rising, shown.rising_next());
-        frame.rising.frame = renumbered(frame.rising.frame, request.number);
-        frame.faded = shown.faded;
+        frame.fading_in = drawn(shown.fading_in, shown.next_fading_in());
+        frame.fading_in.frame = renumbered(frame.fading_in.frame, request.number);
+        frame.fade_progress = shown.fade_progress;
     }
     on_frame_(frame);
 }
 
 DrawnState FrameAssembly::drawn(int state, int next) const {
     DrawnState drawn = kept_.at(state);
-    if (hands_out_next_) {
+    if (includes_next_) {
         drawn.next = kept_.at(next).frame;
     }
     return drawn;
@@ -115,8 +115,9 @@ void FrameAssembly::release(const Request& request) {
     }
 }
 
-// Returns the part of a total effort that no frame has reported. It is 0 if an earlier state is
-// shown again. The errors of the state are unchanged.
+// Returns the part of `total`, the effort from the seed to a state, that emitted frames have not
+// reported. This part is 0 if the state was shown by an earlier frame. The errors in the result are
+// the errors of the state.
 FrameEffort FrameAssembly::effort_since_last(const FrameEffort& total) {
     FrameEffort effort = total;
     if (total.seconds < reported_.seconds) {

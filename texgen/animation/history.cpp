@@ -11,8 +11,8 @@ namespace foam::texgen {
 
 History::History(const Foam& foam) : time_(foam.time), domain_(foam.domain) {}
 
-void History::take_events(Foam& foam, int frame) {
-    carry_events(foam.domain);
+void History::record_events(Foam& foam, int frame) {
+    shear_recorded_events(foam.domain);
     record_.births.resize(foam.next_identity, time_);
     record_.changes.resize(foam.next_identity, time_);
     for (const TopologyEvent& event : foam.events) {
@@ -35,8 +35,9 @@ void History::renumber(int frames) {
     }
 }
 
-// Shears each position by the shear since the previous frame, which is small.
-void History::carry_events(const Domain& domain) {
+// shear_since determines the change only up to multiples of the width. The result is right if the
+// torus has been sheared by less than half of its width since the previous frame.
+void History::shear_recorded_events(const Domain& domain) {
     if (domain.is_plane()) {
         return;
     }
@@ -47,7 +48,7 @@ void History::carry_events(const Domain& domain) {
     domain_ = domain;
 }
 
-void History::take_pressures(const Foam& foam) {
+void History::record_pressures(const Foam& foam) {
     record_.first_pressures = pressures_of(snapshot(foam, 1), PressureUnit::Current);
     std::sort(record_.first_pressures.begin(), record_.first_pressures.end());
 }

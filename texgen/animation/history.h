@@ -10,29 +10,32 @@ namespace foam::texgen {
 /// Keeps the record of a foam up to date while the foam advances from frame to frame.
 class History {
   public:
-    /// Begins with a foam at time 0.
+    /// Starts the record of a newly seeded foam. Its bubbles count as born at the present time of
+    /// the foam, which is 0.
     explicit History(const Foam& foam);
 
-    /// Records the foam's events as events of the step to the given frame, and clears them in the
-    /// foam. Also updates births and changes of bubbles.
-    void take_events(Foam& foam, int frame);
+    /// Moves the foam's topology events, which happened during the step to the given frame, into
+    /// the record. Also records when bubbles were born and when their neighbors last changed. Drops
+    /// events whose frame is at least kRecordedFrames frames before the given frame.
+    void record_events(Foam& foam, int frame);
 
-    /// Removes all events.
+    /// Removes all events from the record.
     void forget_events() { record_.events.clear(); }
 
-    /// Adds `frames` to the frame numbers of all events. Used between cycles of a loop, because
-    /// frame numbers start again in each cycle.
+    /// Adds `frames` to the frame numbers of all recorded events. Used between the cycles of a
+    /// loop, because frame numbers start again in each cycle.
     void renumber(int frames);
 
-    /// Records the foam's pressures, which scale the pressures of all frames
+    /// Records the foam's pressures, which define the pressure scale of all frames
     /// (FoamRecord::first_pressures).
-    void take_pressures(const Foam& foam);
+    void record_pressures(const Foam& foam);
 
     const FoamRecord& record() const { return record_; }
 
   private:
-    // Moves the recorded positions along with the shear of the domain.
-    void carry_events(const Domain& domain);
+    // Moves the positions of recorded events with the foam if the domain has been sheared since the
+    // previous frame.
+    void shear_recorded_events(const Domain& domain);
 
     FoamRecord record_;
     double time_ = 0.0;  // foam time of the previous frame

@@ -9,12 +9,12 @@
 
 namespace foam::texgen {
 
-/// The progress of a run after a frame is done: simulated, measured, or written.
+/// The progress of a run after a frame has been simulated, measured or written.
 struct RunProgress {
     int frame = 0;             // number of the frame
-    int done = 0;              // number of frames done so far
+    int done = 0;              // number of frames done so far, this one included
     int total = 0;             // number of frames in the run
-    int bubbles = 0;           // in this frame
+    int bubbles = 0;           // number of bubbles in this frame
     double area_error = 0.0;   // largest |A / A_target - 1| (E2)
     double angle_error = 0.0;  // largest deviation from 120 degrees (E2), radians
     double seconds = 0.0;      // wall time since the run began
@@ -23,11 +23,12 @@ struct RunProgress {
 /// Called from one thread at a time.
 using ProgressCallback = std::function<void(const RunProgress&)>;
 
-/// Counts the frames of a run and reports each. The run begins when the meter is constructed. Not
-/// thread-safe.
+/// Counts the frames of a run and reports each. The time since the run began is measured from the
+/// construction of the meter. Not thread-safe.
 class ProgressMeter {
   public:
-    /// Borrows the callback, which may be empty.
+    /// Keeps a reference to the callback, which may be empty. `total` is the number of frames in
+    /// the run.
     ProgressMeter(int total, const ProgressCallback& on_progress);
 
     /// Counts a frame that is done and reports it.

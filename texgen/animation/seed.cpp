@@ -29,17 +29,17 @@ PatchOptions patch_options_of(const SeedingOptions& seeding) {
 }  // namespace
 
 Foam seeded_foam(const Preset& preset) {
-    if (preset.shape.kind == FoamKind::Torus) {
-        return seed_foam(seeding_of(preset));
-    }
+    const bool is_torus = preset.shape.kind == FoamKind::Torus;
     try {
-        return seed_patch(outline_of(preset.shape), patch_options_of(preset.seeding));
+        return is_torus ? seed_foam(seeding_of(preset))
+                        : seed_patch(outline_of(preset.shape), patch_options_of(preset.seeding));
     } catch (const std::runtime_error& error) {
-        throw std::invalid_argument(fmt::format(
-            "foam.outline: cannot seed {} bubbles in this outline with foam.seed = {}: {}",
-            preset.seeding.bubbles,
-            preset.seeding.seed,
-            error.what()));
+        throw std::invalid_argument(
+            fmt::format("{}: cannot seed {} bubbles with foam.seed = {}: {}",
+                        is_torus ? "foam.bubbles" : "foam.outline",
+                        preset.seeding.bubbles,
+                        preset.seeding.seed,
+                        error.what()));
     }
 }
 

@@ -6,10 +6,10 @@
 #include <cmath>
 
 // Frame n of a loop of N frames shows
-// - in a pingpong the states 1, 2, ..., N/2 + 1, ..., 3, 2, after which comes 1 again;
-// - in a flow with a fade of A frames the state A + n. In the last A frames it fades into the state
-//   A + n - N, which is one of the A states before frame 1. In the last frame, n = N, the state A
-//   has nearly replaced the state A + N, and frame 1 shows the state A + 1;
+// - in a pingpong the states 1, 2, ..., N/2 + 1, ..., 3, 2; the next frame shows state 1 again;
+// - in a flow with a fade of A frames the state A + n. Each of the last A frames fades into the
+//   state A + n - N, which is one of the A states before frame 1. In the last frame, n = N, the
+//   state A has nearly replaced the state A + N. Frame 1 then shows the state A + 1;
 // - otherwise the state n.
 
 namespace foam::texgen {
@@ -22,17 +22,17 @@ int shown_in_pingpong(int number, int count) {
 }
 
 ShownStates shown_in_flow(int number, const LoopOptions& loop, int count) {
-    const int ahead = states_ahead(loop, count);
+    const int before = states_before_first_frame(loop, count);
     const int index = (number - 1) % count;
-    const int state = ahead + 1 + index;
-    const int rising = state - count;
-    if (rising < 1) {
+    const int state = before + 1 + index;
+    const int fading_in = state - count;
+    if (fading_in < 1) {
         return {.state = state, .next = state + 1};
     }
     return {.state = state,
             .next = state + 1,
-            .rising = rising,
-            .faded = static_cast<double>(rising) / (ahead + 1)};
+            .fading_in = fading_in,
+            .fade_progress = static_cast<double>(fading_in) / (before + 1)};
 }
 
 }  // namespace
@@ -53,7 +53,7 @@ ShownStates shown_states(int number, const LoopOptions& loop, int count) {
     return {.state = number, .next = number + 1};
 }
 
-int states_ahead(const LoopOptions& loop, int count) {
+int states_before_first_frame(const LoopOptions& loop, int count) {
     if (!loop.is_cross_faded()) {
         return 0;
     }
@@ -61,7 +61,7 @@ int states_ahead(const LoopOptions& loop, int count) {
 }
 
 int frame_of_state(int state, const LoopOptions& loop, int count) {
-    return std::max(state - states_ahead(loop, count), 1);
+    return std::max(state - states_before_first_frame(loop, count), 1);
 }
 
 }  // namespace foam::texgen

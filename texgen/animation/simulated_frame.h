@@ -12,33 +12,34 @@
 
 namespace foam::texgen {
 
-/// The effort to reach a frame from the frame handed out before it, or from the seed, and the
-/// errors of the frame.
+/// The effort of simulating a frame, and its equilibrium errors. The effort covers the steps since
+/// the previous frame that was passed to the visitor, or since the seed if there is none.
 struct FrameEffort {
-    int t1 = 0;
-    int t2 = 0;
+    int t1 = 0;                // number of T1s
+    int t2 = 0;                // number of T2s
     double area_error = 0.0;   // largest |A / A_target - 1| (E2)
     double angle_error = 0.0;  // largest deviation from 120 degrees (E2), radians
-    double seconds = 0.0;      // wall time of the steps
+    double seconds = 0.0;      // wall time of the simulation
 };
 
 /// A frame of the foam with everything that the maps need to draw it.
 struct DrawnState {
     std::shared_ptr<const Frame> frame;
     std::shared_ptr<const FoamRecord> record;
-    std::shared_ptr<const Frame> next;  // the frame after it; null if not requested
+    std::shared_ptr<const Frame> next;  // the frame after `frame`; null if not requested
 };
 
 /// A frame of an animation, or a state of the simulation, with all data for its images and its
 /// statistics.
 struct SimulatedFrame : DrawnState {
     FrameEffort effort;
-    std::optional<View> view = {};             // of a patch; the same in all frames
-    std::optional<double> closing_error = {};  // of a loop (Simulation::closing_error)
-    DrawnState rising = {};                    // in a cross-fade, the state that fades in
-    double faded = 0.0;                        // fraction of the fade that has passed, 0 to 1
+    std::optional<View> view = {};             // view of a patch, the same in all frames
+    std::optional<double> closing_error = {};  // Simulation::closing_error
+    DrawnState fading_in = {};                 // state that fades in; null without a cross-fade
+    double fade_progress = 0.0;                // fraction of the fade that has passed, 0 to 1
 };
 
+/// Receives each frame of a run, one at a time.
 using FrameVisitor = std::function<void(const SimulatedFrame&)>;
 
 }  // namespace foam::texgen

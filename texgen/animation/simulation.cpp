@@ -3,7 +3,7 @@
 #include "texgen/animation/simulation.h"
 
 #include "core/foam/measure.h"
-#include "texgen/animation/loop_pose.h"
+#include "texgen/animation/display_transform.h"
 #include "texgen/animation/seed.h"
 #include "texgen/animation/shown_states.h"
 
@@ -11,31 +11,33 @@
 #include <cmath>
 #include <vector>
 
-// Before frame 1 the foam is seeded, equilibrated and warmed up. Every further frame is one step
+// Before frame 1 the foam is seeded, equilibrated and warmed up (with FirstFrame::Diagram,
+// equilibrated and warmed up before frame 2). Every further frame is one step
 // (core/dynamics/step.h): gas diffuses while the changes of the timeline are imposed. Loops differ
-// as follows:
+// from this sequence as follows:
 // - breathe, shear: a periodic change without diffusion (core/dynamics/cycle.h). Cycles run before
-//   frame 1 until one ends within kClosed of its start; the frames are the steps of the next cycle.
-// - drift: no steps; the pose of each frame displaces the foam (loop_pose.h).
-// - flow: steps as without a loop, while the timeline makes new bubbles; a cross-fade of two states
-//   closes the loop (shown_states.h).
-// - pingpong: steps as without a loop; frames show the states forwards and backwards.
+//   frame 1 until the closing error of one cycle is below kClosed; the frames are the steps of the
+//   next cycle.
+// - drift: no steps; each frame shows the same foam at another position (display_transform.h).
+// - flow: steps as without a loop, while the timeline creates new bubbles; a cross-fade of two
+//   states closes the loop (shown_states.h).
+// - pingpong: steps as without a loop; the frames show the states forwards and then backwards.
 
 namespace foam::texgen {
 
 namespace {
 
-constexpr double kClosed = 1e-9;  // largest closing error of a loop, in mean diameters
+constexpr double kClosed = 1e-9;  // largest closing error of a loop, in diameters of a mean bubble
 
 CycleOptions cycle_options_of(const LoopOptions& loop, int steps, std::uint64_t seed) {
     CycleOptions options{.steps = steps, .seed = seed};
-    (loop.kind == LoopKind::Breathe ? options.breath : options.strain) = loop.amplitude;
+    (loop.kind == LoopKind::Breathe ? options.area_amplitude : options.strain) = loop.amplitude;
     return options;
 }
 
-void hold_above(double oldest, std::vector<double>& times) {
+void clamp_to_min(double min_time, std::vector<double>& times) {
     for (double& time : times) {
-        time = std::max(time, oldest);
+        time = std::max(time, min_time);
     }
 }
 
@@ -66,7 +68,7 @@ Simulation::Simulation(const Preset& preset, int threads)
 bool Simulation::advance() {
     ++number_;
     const bool found = reach_frame();
-    history_.take_events(foam_, number_);
+    history_.record_events(foam_, number_);
     return found;
 }
 
@@ -95,7 +97,7 @@ bool Simulation::reach_first_frame() {
     } else if (!equilibrate_and_warm_up()) {
         return false;
     }
-    history_.take_events(foam_, number_);
+    history_.record_events(foam_, number_);
     history_.forget_events();
     if (foam_.domain.is_plane()) {
         view_ = camera_view(frame(), image_, camera_);
@@ -105,34 +107,38 @@ bool Simulation::reach_first_frame() {
 }
 
 Frame Simulation::frame() const {
-    if (!is_posed(loop_)) {
+    if (!has_display_transform(loop_)) {
         return snapshot(foam_, number_);
     }
-    return snapshot(posed(foam_, loop_, passed()), number_);
+    return snapshot(transformed_for_display(foam_, loop_, loop_progress()), number_);
 }
 
 FoamRecord Simulation::record() const {
     FoamRecord record = history_.record();
     for (RecordedEvent& event : record.events) {
-        event.position = posed(event.position, foam_.domain, loop_, passed());
+        event.position =
+            transformed_for_display(event.position, foam_.domain, loop_, loop_progress());
     }
     if (loop_.is_cycle()) {
-        // Older times are clamped to one period ago, so that the record is the same in every cycle.
+        // Times of more than one period ago are raised to the time one period ago, so that the
+        // record is the same in every cycle.
         const double oldest = foam_.time - frames_.count * frames_.time_step;
-        hold_above(oldest, record.births);
-        hold_above(oldest, record.changes);
+        clamp_to_min(oldest, record.births);
+        clamp_to_min(oldest, record.changes);
     }
     return record;
 }
 
-double Simulation::passed() const {
-    const int number = number_ - states_ahead(loop_, frames_.count) + frames_.count;
+double Simulation::loop_progress() const {
+    const int number = number_ - states_before_first_frame(loop_, frames_.count) + frames_.count;
     return static_cast<double>((number - 1) % frames_.count) / frames_.count;
 }
 
-// Runs at most loop_.cycles cycles, until one ends where it began. The cycles before it are
-// transients: some of their T1s and T2s do not recur. The steps of each cycle are recorded with
-// frame numbers up to 1, so that the last cycle is the past of frame 1.
+// Runs cycles, at most loop_.cycles, until the closing error of a cycle is below kClosed. Returns
+// false if no cycle closes or if a step finds no equilibrium. The cycles before the last one are
+// transients: some of their T1s and T2s do not recur. The last step of each cycle is recorded as
+// the step to frame 1, and the other steps as steps to the frames before frame 1. The events of the
+// last cycle therefore have frame numbers of at most 1.
 bool Simulation::close_loop() {
     cycle_.emplace(foam_, cycle_options_of(loop_, frames_.count, seed_));
     bool found = step_cycle(0);
@@ -141,7 +147,7 @@ bool Simulation::close_loop() {
         history_.renumber(-frames_.count);
         for (int position = 1; position <= frames_.count && found; ++position) {
             found = step_cycle(position);
-            history_.take_events(foam_, 1 + position - frames_.count);
+            history_.record_events(foam_, 1 + position - frames_.count);
         }
         closing_error_ = foam::closing_error(start, foam_);
         if (found && *closing_error_ < kClosed) {
@@ -177,11 +183,13 @@ bool Simulation::equilibrate_and_warm_up() {
     if (!equilibrium_.converged() || !warm_up()) {
         return false;
     }
-    history_.take_pressures(foam_);
+    history_.record_pressures(foam_);
     return true;
 }
 
-// A flow warms up in steps of at most the time step of a frame. The last step leads to state 1.
+// The warm-up of a flow consists of equal steps, each at most as long as the time step of a frame.
+// Before each step, new bubbles replace the bubbles that have vanished. The last step leads to
+// state 1. Without a flow, the warm-up is one step.
 bool Simulation::warm_up() {
     if (loop_.kind != LoopKind::Flow) {
         return step_by(frames_.warm_up, {});

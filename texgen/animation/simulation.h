@@ -14,39 +14,41 @@
 
 namespace foam::texgen {
 
-/// Simulates the foam of a preset from its seed, one frame after the other.
+/// Simulates the foam of a preset from its seed, one frame after another. The frames of this class
+/// are the states of shown_states.h: a frame of an animation shows one or two of them.
 class Simulation {
   public:
-    /// Seeds the foam. Throws as seeded_foam does. The results are the same to the last bit for
-    /// any number of threads; 0 uses all hardware threads.
+    /// Seeds the foam. `threads` is the number of threads, 0 for all hardware threads; the results
+    /// have the same bits for any number of threads. Throws the exceptions of seeded_foam.
     explicit Simulation(const Preset& preset, int threads = 0);
 
-    /// Advances to the next frame. Before frame 1 the foam is equilibrated and warmed up (before
-    /// frame 2 if frame 1 shows the diagram), and a periodic loop runs cycles until it closes. Each
-    /// later frame takes one time step with the events of the preset, or one step of the loop. In a
-    /// flow, new bubbles replace bubbles that have vanished, also in the warm-up. Returns false if
-    /// no equilibrium is found or the loop does not close; the foam must not be used after that.
+    /// Advances to the next frame. Before frame 1, the foam is equilibrated and warmed up; if frame
+    /// 1 shows the raw diagram (FirstFrame::Diagram), this happens before frame 2. Before frame 1
+    /// of a breathe or shear loop, cycles are run until the loop closes. Each later frame takes one
+    /// time step with the events of the preset. In a breathe or shear loop it takes one step of the
+    /// cycle instead, and in a drift loop no step. In a flow, new bubbles replace bubbles that have
+    /// vanished, also in the warm-up. Returns false if no equilibrium is found or the loop does not
+    /// close; the foam must not be used after that.
     bool advance();
 
-    /// Returns the frame that was reached. An animation shows some frames of the simulation
-    /// (shown_states).
+    /// Returns the frame that was reached, as images show it (display_transform.h).
     Frame frame() const;
 
-    /// Returns the distance between the states at the start and at the end of the last cycle, in
-    /// diameters of a mean bubble (closing_error in core/dynamics/cycle.h); nullopt if no cycle was
-    /// run.
+    /// Returns the distance between the states at the start and at the end of the last cycle before
+    /// frame 1, in diameters of a mean bubble (closing_error in core/dynamics/cycle.h). Returns
+    /// nullopt if no cycle was run.
     const std::optional<double>& closing_error() const { return closing_error_; }
 
-    /// Returns the view of a patch, from frame 1 on; nullopt for a torus.
+    /// Returns the view of a patch once frame 1 has been reached; nullopt for a torus.
     const std::optional<View>& view() const { return view_; }
 
-    /// Returns the record that the maps of this frame need.
+    /// Returns the record that maps need to draw the frame that was reached.
     FoamRecord record() const;
 
-    /// Returns the number of the frame that was reached; 0 before the first.
+    /// Returns the number of the frame that was reached; 0 before the first call of advance().
     int number() const { return number_; }
 
-    /// Returns the effort and the accuracy of the last advance.
+    /// Returns the effort of the last advance() and the errors of the frame that it reached.
     const EquilibriumSummary& equilibrium() const { return equilibrium_; }
 
   private:
@@ -57,7 +59,7 @@ class Simulation {
     bool warm_up();
     bool close_loop();
     bool step_cycle(int position);
-    double passed() const;  // fraction of the loop before the frame that was reached
+    double loop_progress() const;  // fraction of the loop that precedes the present frame
     void add_effort(const EquilibriumSummary& before);
     bool step_by(double time, const StateChange& change);  // adds its effort to equilibrium_
 
@@ -65,7 +67,7 @@ class Simulation {
     LoopOptions loop_;
     ImageOptions image_;
     CameraOptions camera_;
-    double next_step_;  // foam time to the next frame
+    double next_step_;  // length of the step to the next frame, foam time
     StepOptions options_;
     Foam foam_;
     Timeline timeline_;

@@ -11,18 +11,20 @@ namespace foam::texgen {
 
 namespace {
 
-// Returns the seed of the random numbers of an event. It differs for each event and from the seed
-// of the foam. The renewal of a flow uses the index that follows the last event.
+// Returns the seed for the random numbers of the event with the given index, counted from 0. The
+// seeds of the events differ from each other and from the seed of the foam. The renewal of a flow
+// uses the index after the last event.
 std::uint64_t seed_of(const Preset& preset, std::size_t event) {
     return (preset.seeding.seed ^ 0x9e3779b97f4a7c15U) + 0xd1b54a32d192ed03U * (event + 1);
 }
 
-// Returns the state of a driven bubble at a frame.
-DrivenBubble driven_at(int frame, BubbleIdentity bubble, const DrivenCourse& driven) {
+// Returns the target area of a driven bubble at a frame, and whether the bubble vanishes at this
+// frame.
+DrivenBubble driven_at(int frame, BubbleIdentity bubble, const DrivenSchedule& driven) {
     const double passed = static_cast<double>(frame - driven.frames.first + 1) /
                           static_cast<double>(driven.frames.length());
     const bool is_last = frame == driven.frames.last;
-    return {bubble, target_at(driven.course, passed), driven.vanishes && is_last};
+    return {bubble, target_at(driven.schedule, passed), driven.vanishes && is_last};
 }
 
 }  // namespace
@@ -36,30 +38,32 @@ Timeline::Timeline(const Preset& preset)
     }
     for (std::size_t k = 0; k < preset.events.size(); ++k) {
         Event event = preset.events[k];
-        event.frames = *frames_of(event, preset.frames);  // never empty in a checked preset
+        event.frames = *frames_of(event, preset.frames);  // a checked preset always gives frames
         entries_.push_back({std::move(event), Random(seed_of(preset, k))});
     }
 }
 
 StateChange Timeline::changes_to(int frame, Foam& foam) {
-    std::erase_if(courses_, [&](const auto& entry) { return entry.second.frames.last < frame; });
+    std::erase_if(schedules_, [&](const auto& entry) { return entry.second.frames.last < frame; });
     StateChange change;
     for (auto& [event, random] : entries_) {
         if (frame >= event.frames.first && frame <= event.frames.last) {
-            EventStage stage{frame, foam, random, t2_area_, view_, image_size_, change, courses_};
-            find_event_kind(event.kind).advance(event, stage);
+            EventContext context{
+                frame, foam, random, t2_area_, view_, image_size_, change, schedules_};
+            find_event_kind(event.kind).advance(event, context);
         }
     }
     if (renewal_) {
         renew(frame, foam);
     }
-    for (const auto& [bubble, driven] : courses_) {
+    for (const auto& [bubble, driven] : schedules_) {
         change.driven.push_back(driven_at(frame, bubble, driven));
     }
     return change;
 }
 
-// Maintains the number of bubbles that the foam has at the first call.
+// Creates new bubbles until the foam has as many bubbles as at the first call, and schedules their
+// growth to the mean area. Creates fewer bubbles if nucleate_anywhere fails.
 void Timeline::renew(int frame, Foam& foam) {
     if (renewal_->bubbles == 0) {
         renewal_->bubbles = foam.network.bubble_count();
@@ -71,7 +75,7 @@ void Timeline::renew(int frame, Foam& foam) {
             nucleate_anywhere(NucleationSite::Junction, first, renewal_->random, foam);
         if (bubble) {
             const FrameSpan frames{frame, frame + renewal_->growth - 1};
-            grow_bubble(foam, *bubble, frames, area, courses_);
+            grow_bubble(foam, *bubble, frames, area, schedules_);
         }
     }
 }

@@ -14,35 +14,40 @@
 
 namespace foam::texgen {
 
-/// Applies the events of a preset, frame by frame, and the renewal of a flow.
+/// Applies the events of a preset, frame by frame. In a flow, also replaces bubbles that have
+/// vanished.
 class Timeline {
   public:
     explicit Timeline(const Preset& preset);
 
-    /// Begins the events that are due on the way to a frame: makes their new bubbles, small at
-    /// first, and returns the change to impose during the step to that frame. In a flow new bubbles
-    /// replace those that have vanished. Preconditions: the foam is in equilibrium; the function is
-    /// called once for each frame, in increasing order. If an event finds no bubble to choose, if a
-    /// position is outside of a patch, or if there is too little gas for a new bubble, nothing
-    /// happens; this is no error.
+    /// Begins the events that are due in the step to a frame and returns the change to impose
+    /// during that step. New bubbles of events are added to the foam, small at first. In a flow,
+    /// new bubbles replace the bubbles that have vanished. It is not an error if an event finds no
+    /// bubble to choose, if a new bubble would be outside of a patch, or if there is too little gas
+    /// for a new bubble: the event or the new bubble is skipped.
+    ///
+    /// Preconditions: the foam is in equilibrium; the function is called once for each frame, in
+    /// increasing order.
     StateChange changes_to(int frame, Foam& foam);
 
-    /// Sets the view of a patch, to which the positions of events refer. In the default view a foam
-    /// unit is a pixel.
+    /// Sets the view of a patch. The positions of events are fractions of this view. In the default
+    /// view one foam unit is one pixel.
     void set_view(const View& view) { view_ = view; }
 
   private:
-    // An event and its own random generator.
+    // An event and its own random number generator.
     struct Entry {
         Event event;
         Random random;
     };
 
-    // The renewal of a flow. New bubbles begin at random points of the torus. Their gas comes from
-    // the bubbles around them, mostly from large ones.
+    // The renewal of a flow: new bubbles appear at random points of the torus until there are as
+    // many bubbles as at the first call. The initial gas of a new bubble comes from its neighbors.
+    // The gas for its growth comes from all bubbles that have no schedule (DrivenSchedules). In
+    // both cases, the bubbles that lose gas lose it in proportion to their target areas.
     struct Renewal {
-        std::size_t bubbles = 0;  // number of bubbles to maintain
-        int growth = 1;           // frames in which a new bubble grows to the mean area
+        std::size_t bubbles = 0;  // number of bubbles to maintain; 0 before the first call of renew
+        int growth = 1;           // number of frames in which a new bubble grows to the mean area
         Random random;
     };
 
@@ -53,7 +58,7 @@ class Timeline {
     View view_;
     std::vector<Entry> entries_;
     std::optional<Renewal> renewal_;
-    DrivenCourses courses_;
+    DrivenSchedules schedules_;
 };
 
 }  // namespace foam::texgen

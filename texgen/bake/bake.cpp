@@ -17,9 +17,9 @@
 #include <stdexcept>
 
 // A pipeline of one producer and several consumers. The caller's thread takes frames from the
-// source, usually the simulation, and submits each as a job; worker threads draw, encode and write
-// one frame per job. The queue of jobs is bounded (bounded_workers.h), so memory does not grow with
-// the number of frames.
+// source, usually the simulation, and submits a job for each frame. Worker threads draw, encode and
+// write one frame per job. The queue of jobs is bounded (bounded_workers.h), so memory does not
+// grow with the number of frames.
 
 namespace foam::texgen {
 
@@ -43,7 +43,8 @@ FadeOrder::Options fade_order_options(const Preset& preset) {
             .seed = preset.seeding.seed};
 }
 
-/// Draws frames into files and reports them. `write` may be called from several threads.
+/// Draws frames, writes their files and reports them. `write` may be called from several threads at
+/// once.
 class FrameWriter {
   public:
     FrameWriter(const Preset& preset, int total, const BakeCallbacks& callbacks)
@@ -56,12 +57,13 @@ class FrameWriter {
         }
     }
 
-    /// Returns HandedOut if a map needs the frame after each frame, otherwise LeftOut.
+    /// Returns Included if drawing a frame also needs the frame after it, otherwise Omitted.
     NextFrames next_frames() const {
-        return files_.needs_next() ? NextFrames::HandedOut : NextFrames::LeftOut;
+        return files_.needs_next() ? NextFrames::Included : NextFrames::Omitted;
     }
 
-    /// Returns the files of the frames that are in `done`, in the order of `frames`.
+    /// Returns the paths of the files of all frames that are in both `frames` and `done`, in the
+    /// order of `frames`.
     std::vector<std::filesystem::path> paths(const std::vector<int>& frames,
                                              const std::set<int>& done) const {
         std::vector<std::filesystem::path> all;
@@ -78,9 +80,9 @@ class FrameWriter {
         const Clock::time_point begin = Clock::now();
         const RasterGrid grid{preset_.image.width, preset_.image.height, 0, 0, shown.view};
         ShownLayers layers{.layers = FrameLayers(input_of(shown), grid, 1)};
-        if (shown.rising.frame) {
-            layers.rising.emplace(input_of(shown.rising), grid, 1);
-            layers.weights = fade_order_->weights(shown.faded);
+        if (shown.fading_in.frame) {
+            layers.fading_in.emplace(input_of(shown.fading_in), grid, 1);
+            layers.weights = fade_order_->weights(shown.fade_progress);
         }
         BakedFrame baked{shown, files_.write(layers), 0.0};
         baked.seconds = seconds_since(begin);

@@ -4,10 +4,10 @@
 
 #include <utility>
 
-// A queue with one mutex and one condition variable. Every change wakes all threads that wait for a
-// job, and the caller if it waits in `finish` for the last job. This is cheap compared with a job,
-// which draws a frame. The mutex is not held while a job runs. A job that throws clears the queue,
-// and the first exception is kept for the caller.
+// A queue with one mutex and one condition variable. Every new job and every finished job wakes all
+// threads that wait for a job, and the caller if it waits in `finish` for the last job. Waking
+// threads is cheap compared with a job, which draws a frame. The mutex is not locked while a job
+// runs. If a job throws, the queue is cleared, and the first exception is kept for the caller.
 
 namespace foam::texgen {
 

@@ -15,24 +15,26 @@ namespace foam::texgen {
 
 /// A thread pool with a bounded queue. At most two jobs per thread wait in the queue. This limits
 /// the memory for the data of jobs, such as frames. If the queue is full, the caller runs a waiting
-/// job itself instead of blocking; the other waiting jobs keep the threads busy meanwhile.
+/// job itself instead of blocking; meanwhile, the other waiting jobs keep the threads busy.
 class BoundedWorkers {
   public:
-    /// Starts the threads. With 0 threads, `submit` runs each job on the caller's thread.
+    /// Starts the given number of threads. With 0 threads, `submit` runs each job on the caller's
+    /// thread.
     explicit BoundedWorkers(int threads);
 
-    /// Waits for the running jobs. Waiting jobs are dropped.
+    /// Waits for the running jobs. Drops the waiting jobs.
     ~BoundedWorkers();
 
     BoundedWorkers(const BoundedWorkers&) = delete;
     BoundedWorkers& operator=(const BoundedWorkers&) = delete;
 
     /// Adds a job to the queue. If the queue is full, first runs waiting jobs on the caller's
-    /// thread. If a job has thrown, drops the waiting jobs and throws the first of the exceptions.
+    /// thread. If an earlier job has thrown, its exception has emptied the queue; `submit` then
+    /// rethrows the first exception and does not add the job.
     void submit(std::function<void()> job);
 
-    /// Waits until all jobs are done. Meanwhile, runs waiting jobs on the caller's thread, too. If
-    /// a job has thrown, throws the first of the exceptions.
+    /// Waits until all jobs are done, and runs waiting jobs on the caller's thread meanwhile. If a
+    /// job has thrown, rethrows the first exception.
     void finish();
 
   private:

@@ -72,7 +72,7 @@ FilePattern::Piece FilePattern::take_word(std::string_view& rest) const {
     if (word == "{map}") {
         return MapName{};
     }
-    reject(fmt::format("unknown field '{}'; must be {{preset}} or {{map}}", word));
+    reject(fmt::format("unknown placeholder '{}'; must be {{preset}} or {{map}}", word));
 }
 
 FilePattern::Piece FilePattern::take_format(std::string_view& rest) const {
@@ -89,7 +89,7 @@ FilePattern::Piece FilePattern::take_format(std::string_view& rest) const {
 }
 
 void FilePattern::reject(std::string_view reason) const {
-    throw std::invalid_argument(fmt::format("output pattern '{}': {}", pattern_, reason));
+    throw std::invalid_argument(fmt::format("file name pattern '{}': {}", pattern_, reason));
 }
 
 template <class Alternative>
@@ -99,7 +99,7 @@ bool FilePattern::has() const {
     });
 }
 
-bool FilePattern::joins_maps() const {
+bool FilePattern::stores_all_maps_in_one_file() const {
     return format_->has_layers && !has<MapName>();
 }
 
@@ -108,7 +108,7 @@ void FilePattern::check_distinct(std::size_t frames, std::size_t maps) const {
         reject(
             fmt::format("must contain a frame number (####, @@@@ or %04d) for {} frames", frames));
     }
-    if (maps > 1 && !has<MapName>() && !joins_maps()) {
+    if (maps > 1 && !has<MapName>() && !stores_all_maps_in_one_file()) {
         reject(fmt::format("must contain {{map}} for {} maps", maps));
     }
 }
@@ -127,14 +127,14 @@ std::filesystem::path FilePattern::folder(std::string_view preset) const {
         } else if (std::holds_alternative<PresetName>(piece)) {
             filled += preset;
         } else {
-            filled += '_';  // stands for a text that differs between maps or frames
+            filled += '_';  // represents any map name or frame number
             break;
         }
     }
     return std::filesystem::path(filled).parent_path();
 }
 
-std::string FilePattern::sequence(std::string_view preset, std::string_view map) const {
+std::string FilePattern::path_pattern(std::string_view preset, std::string_view map) const {
     return fill(preset, map, std::nullopt);
 }
 

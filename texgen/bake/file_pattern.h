@@ -32,23 +32,24 @@ class FilePattern {
 
     const ImageFormat& format() const { return *format_; }
 
-    /// Returns true if all maps of a frame go into one file: the format has layers and the pattern
-    /// has no {map}.
-    bool joins_maps() const;
+    /// Returns true if all maps of a frame are stored in one file: the format has layers and the
+    /// pattern has no {map}.
+    bool stores_all_maps_in_one_file() const;
 
     /// Throws std::invalid_argument if several frames would share a file, or if several maps would
-    /// share a file and the pattern does not join maps. `frames` and `maps` are the numbers of
+    /// share a file although the format has no layers. `frames` and `maps` are the numbers of
     /// frames and maps.
     void check_distinct(std::size_t frames, std::size_t maps) const;
 
-    /// Returns the path of an image.
+    /// Returns the path of the image of a map and a frame.
     std::filesystem::path path(std::string_view preset, std::string_view map, int frame) const;
 
     /// Returns the deepest folder that contains the files of all maps and frames.
     std::filesystem::path folder(std::string_view preset) const;
 
-    /// Returns the path of a map's files with the placeholder of the frame left in it.
-    std::string sequence(std::string_view preset, std::string_view map) const;
+    /// Returns the path of the files of a map with the placeholder of the frame number left in it,
+    /// such as "out/foam_albedo.####.png".
+    std::string path_pattern(std::string_view preset, std::string_view map) const;
 
   private:
     struct PresetName {};

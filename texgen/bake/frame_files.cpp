@@ -23,7 +23,7 @@ namespace {
 
 using Texts = std::vector<std::pair<std::string, std::string>>;
 
-/// Returns the texts that all files of a bake contain.
+/// Returns the metadata texts that all files of a bake contain, as pairs of a keyword and a text.
 Texts texts_of(const Preset& preset) {
     if (preset.output.texts == FileTexts::LeftOut) {
         return {};
@@ -76,14 +76,14 @@ std::vector<std::filesystem::path> FrameFiles::paths(int frame) const {
     for (const Map* map : maps_) {
         all.push_back(path(*map, frame));
     }
-    if (pattern_.joins_maps()) {
+    if (pattern_.stores_all_maps_in_one_file()) {
         all.resize(1);
     }
     return all;
 }
 
 std::vector<WrittenFile> FrameFiles::write(ShownLayers& shown) const {
-    if (pattern_.joins_maps()) {
+    if (pattern_.stores_all_maps_in_one_file()) {
         return {write_maps(maps_, shown)};
     }
     std::vector<WrittenFile> written;
@@ -114,7 +114,8 @@ WrittenFile FrameFiles::write_maps(std::span<const Map* const> maps, ShownLayers
     return written;
 }
 
-// If the file contains several maps, the channels of each are in a layer with the name of the map.
+// Returns the picture of a file and adds a description of each map to `written`. If the file
+// contains several maps, the channels of each map are in a layer with the name of the map.
 Picture FrameFiles::picture_of(std::span<const Map* const> maps,
                                ShownLayers& shown,
                                WrittenFile& written) const {
@@ -137,8 +138,9 @@ Picture FrameFiles::picture_of(std::span<const Map* const> maps,
     return picture;
 }
 
-// A file of codes contains the name, unit and note of its map. In a file of numbers the samples are
-// already in the unit, so it contains only the notes of its maps.
+// Returns the metadata of a file. A file of codes contains the name, unit and note of its map. In a
+// file of numbers the samples are already in this unit, so the file contains only the notes of its
+// maps.
 ImageMetadata FrameFiles::metadata_of(std::span<const Map* const> maps) const {
     ImageMetadata metadata = metadata_;
     if (metadata.text.empty()) {

@@ -15,28 +15,30 @@
 
 namespace foam::texgen {
 
-/// Returns true if images of the domain tile. Those of a torus without shear tile; those of a plane
-/// or a sheared torus do not.
+/// Returns true if images of the domain tile. They tile only if the domain is a torus without
+/// shear.
 bool tiles(const Domain& domain);
 
 /// Writes the image files of a bake. Thread-safe: all functions may be called from several threads
 /// at once.
 class FrameFiles {
   public:
-    /// Borrows the preset.
+    /// Keeps a reference to the preset.
     explicit FrameFiles(const Preset& preset);
 
-    /// Returns the files of a frame.
+    /// Returns the paths of the files of a frame: one per map, or one for all maps if the file
+    /// pattern stores them in one file (FilePattern::stores_all_maps_in_one_file).
     std::vector<std::filesystem::path> paths(int frame) const;
 
-    /// Draws all maps of a frame and writes their files. Creates missing folders. Returns the files
-    /// in the order of `paths`. Throws OutputError if a file cannot be written.
+    /// Draws all maps of a frame and writes their files. Creates missing folders. Returns
+    /// descriptions of the files, in the order of `paths`. Throws OutputError if a file cannot be
+    /// written.
     std::vector<WrittenFile> write(ShownLayers& shown) const;
 
-    /// Returns which distance fields the maps need.
+    /// Returns the kinds of distance fields that the maps need.
     DistanceNeeds distance() const;
 
-    /// Returns true if the maps of a frame cannot be drawn without the frame after it.
+    /// Returns true if drawing the maps of a frame also needs the frame after it.
     bool needs_next() const;
 
   private:

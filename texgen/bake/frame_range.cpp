@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstddef>
 #include <cstdlib>
@@ -19,14 +20,15 @@ struct Range {
     int first = 0;
     int last = 0;
     int step = 1;
-    bool inverted = false;  // true for y, which selects the frames that x skips
+    bool inverted = false;  // true for ySTEP, which selects the frames that xSTEP skips
 };
 
 [[noreturn]] void reject(std::string_view text, std::string_view reason) {
     throw std::invalid_argument(fmt::format("frame range '{}': {}", text, reason));
 }
 
-/// Parses frame ranges from left to right. Each function consumes the front of the text.
+/// Parses frame ranges from left to right. Each function removes the characters that it has parsed
+/// from the front of the text.
 class Scanner {
   public:
     explicit Scanner(std::string_view text) : text_(text), rest_(text) {}
@@ -84,7 +86,7 @@ void expand(const Range& range, std::unordered_set<int>& seen, std::vector<int>&
     }
 }
 
-/// Returns the length of the longest prefix that is an arithmetic progression.
+/// Returns the number of frames in the longest prefix that is an arithmetic progression.
 std::size_t run_length(std::span<const int> frames) {
     std::size_t length = frames.size() < 2 ? frames.size() : 2;
     while (length < frames.size() && frames[length] - frames[length - 1] == frames[1] - frames[0]) {
@@ -129,6 +131,19 @@ std::string format_frame_range(std::span<const int> frames) {
         frames = frames.subspan(range ? length : 1);
     }
     return text;
+}
+
+bool closes_loop(std::span<const int> frames, int count) {
+    std::vector<int> cycle(frames.begin(), frames.end());
+    std::ranges::sort(cycle);
+    cycle.push_back(cycle.front());
+    const int step = cycle[1] - cycle[0];
+    for (std::size_t k = 1; k < cycle.size(); ++k) {
+        if ((cycle[k] - cycle[k - 1] - step) % count != 0) {
+            return false;
+        }
+    }
+    return true;
 }
 
 }  // namespace foam::texgen

@@ -12,8 +12,8 @@ namespace foam::texgen {
 /// The largest frame number that a range may contain.
 constexpr int kLastFrame = 1'000'000;
 
-/// Parses a frame range in the notation of film pipelines. Returns the frames in the order of the
-/// range, each once:
+/// Parses a frame range in the notation of programs for movie production. Returns the frames in the
+/// order of the range, each once:
 ///
 ///     5        one frame                     1-10     first to last
 ///     1-10x2   every second: 1 3 5 7 9       1-10y3   all but every third: 2 3 5 6 8 9
@@ -23,8 +23,15 @@ constexpr int kLastFrame = 1'000'000;
 /// range without any frame.
 std::vector<int> parse_frame_range(std::string_view text);
 
-/// Returns a short text that parse_frame_range parses to these frames. Arithmetic progressions
-/// become `a-bxs`.
+/// Returns a short text that parse_frame_range parses to these frames. Three or more frames from a
+/// to b in arithmetic progression become `a-bxs`, where s is the difference between neighbors. If s
+/// is 1, they become `a-b`, and two frames are enough. Precondition: each frame is given once.
 std::string format_frame_range(std::span<const int> frames);
+
+/// Returns true if the frames, played repeatedly in increasing order, advance evenly through a loop
+/// of `count` frames: the difference from each frame to the following one, modulo `count`, is the
+/// same for all frames, also from the last frame to the first one. Examples for a loop of 48 frames
+/// are 1-48, 1-48x2 and a single frame. Precondition: there is a frame.
+bool closes_loop(std::span<const int> frames, int count);
 
 }  // namespace foam::texgen

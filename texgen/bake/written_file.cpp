@@ -11,8 +11,6 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr int kWithOpacity = 4;
-
 std::string_view kind_of(const MapImage& image) {
     constexpr std::array<std::string_view, 3> kKinds = {"color", "number", "id"};
     return kKinds.at(image.index());
@@ -21,7 +19,7 @@ std::string_view kind_of(const MapImage& image) {
 /// Returns true for colors with an opacity channel, as in images of a patch.
 bool has_opacity(const MapImage& image) {
     const auto* colors = std::get_if<ColorPixels>(&image);
-    return colors != nullptr && colors->pixels.channels() == kWithOpacity;
+    return colors != nullptr && colors->pixels.channels() == kChannelsWithOpacity;
 }
 
 bool is_color(const MapImage& image) {

@@ -19,34 +19,35 @@ namespace foam::texgen {
 /// The format of the samples in the files of a map.
 struct MapSamples {
     std::string kind;         // "color", "number" or "id"
-    std::string channels;     // of the file, such as "R G B A"; "0" is a padding channel
-    std::string type;         // name_of a SampleType
+    std::string channels;     // channels of the file, such as "R G B A"; "0" is a padding channel
+    std::string type;         // name of the SampleType, such as "uint8"
     std::string color_space;  // "sRGB", "linear sRGB" or "data"
     std::string alpha;        // "none", "straight" or "premultiplied"
     // The numbers that the smallest and the largest code represent; only for kind "number". Formats
-    // that store numbers do not clamp them to this range. Previews show its ends as black and
-    // white.
+    // that store numbers do not clamp them to this range. Previews show its lower end as black and
+    // its upper end as white.
     std::optional<std::array<double, 2>> range;
 
     friend bool operator==(const MapSamples&, const MapSamples&) = default;
 };
 
-/// Describes the samples of a map in a file of the given format. `numbers` is the sample type of
-/// numbers in a format that stores numbers instead of codes.
+/// Returns a description of the samples of a map in a file of the given format. `numbers` is the
+/// sample type of numbers in a format that stores numbers instead of codes.
 MapSamples describe_samples(const Map& map,
                             const MapImage& image,
                             const ImageFormat& format,
                             SampleType numbers);
 
-/// Returns the number of bits of each code of a map in the given format.
+/// Returns the number of bits of each code of a map in the given format; 0 if the format stores
+/// numbers.
 int code_bits(const Map& map, const ImageFormat& format);
 
 /// One image file of a bake.
 struct WrittenFile {
     std::filesystem::path path;
-    std::vector<std::pair<const Map*, MapSamples>> maps;  // one map, or one per layer
-    std::uint64_t bytes = 0;                              // size of the file
-    std::string pixels;                                   // pixel_hash
+    std::vector<std::pair<const Map*, MapSamples>> maps;  // one entry, or one entry per layer
+    std::uint64_t bytes = 0;                              // size of the file in bytes
+    std::string pixels;                                   // pixel_hash of the picture
 };
 
 }  // namespace foam::texgen

@@ -14,8 +14,8 @@
 
 namespace foam::texgen {
 
-/// Thrown if content ends too early or is malformed. The message is the reason, without a file
-/// name.
+/// The exception for content that ends too early or is malformed. The message gives the reason, but
+/// no file name.
 class BadContent : public std::runtime_error {
     using runtime_error::runtime_error;
 };
@@ -39,8 +39,8 @@ class ByteWriter {
     Bytes bytes_;
 };
 
-/// Reads the numbers that a ByteWriter wrote. All functions throw BadContent if the bytes end too
-/// early.
+/// Reads the numbers that a ByteWriter wrote. The functions that read throw BadContent if the bytes
+/// end too early.
 class ByteReader {
   public:
     explicit ByteReader(std::span<const std::byte> bytes) : rest_(bytes) {}
@@ -54,15 +54,16 @@ class ByteReader {
         return number;
     }
 
-    /// Reads the number of elements that follow. Each element has at least `bytes_each` bytes.
-    /// Throws BadContent if the remaining bytes are too few for that many elements.
+    /// Reads a number of 32 bits: the count of the elements that follow it. Each element takes at
+    /// least `bytes_each` bytes. Throws BadContent if the remaining bytes are too few for these
+    /// elements.
     std::size_t take_count(std::size_t bytes_each) {
         const auto count = take<std::uint32_t>();
         check_left(count, bytes_each);
         return count;
     }
 
-    /// Reads an index. Throws BadContent unless it is below the limit.
+    /// Reads an index of 32 bits. Throws BadContent if the index is not below `limit`.
     std::uint32_t take_index(std::size_t limit) {
         const auto index = take<std::uint32_t>();
         if (index >= limit) {

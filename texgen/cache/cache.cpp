@@ -25,11 +25,12 @@ Cache::Cache(std::filesystem::path folder) : folder_(std::move(folder)), info_(r
 SimulatedFrame Cache::state(int number) const {
     const std::filesystem::path path = state_path(folder_, number);
     if (!std::filesystem::exists(path)) {
-        throw InputError(
-            fmt::format("the cache '{}' has no frame {}; it was simulated for frames {}",
-                        folder_.string(),
-                        number,
-                        format_frame_range(info_.frames)));
+        throw InputError(fmt::format(
+            "the cache '{}' has no state {}; it was simulated for frames {}, and only these can be "
+            "drawn",
+            folder_.string(),
+            number,
+            format_frame_range(info_.frames)));
     }
     try {
         return unpack_state(read_packed(path, {"state", info_.simulation}), first_pressures_);

@@ -11,23 +11,25 @@
 
 namespace foam::texgen {
 
-/// A read-only view of a folder with the states of a simulation, one file per state. Frames can be
-/// drawn from the states on any machine. Many programs may read a folder at once, also while a
-/// simulation still adds states.
+/// A read-only view of a cache: a folder with the states of a simulation, one file per state.
+/// Frames can be drawn from the states on any machine. Several programs may read the folder at
+/// once, also while a simulation still adds states.
 class Cache {
   public:
-    /// Opens a cache. Throws InputError if the folder is not a cache, if its file format is newer
-    /// than this program, or if its file of pressures is damaged.
+    /// Opens a cache. Throws InputError if the folder is not a cache, if the version of its file
+    /// format is newer than this program supports, or if its file of pressures is damaged.
     explicit Cache(std::filesystem::path folder);
 
     const CacheInfo& info() const { return info_; }
 
-    /// Returns the state with the given number. Throws InputError if it is missing or damaged.
+    /// Returns the state with the given number. Throws InputError if its file is missing or
+    /// damaged.
     SimulatedFrame state(int number) const;
 
-    /// Returns a source of frames. The frames equal those of a simulation of the preset to the last
-    /// bit. Precondition: the preset differs from the preset of the cache only in keys that change
-    /// no state (check_same_simulation). The source borrows the cache.
+    /// Returns a source of frames. The frames equal, to the last bit, the frames that a simulation
+    /// of the preset gives with the version of foamtex that wrote the cache. The source keeps a
+    /// reference to the cache. Precondition: the preset differs from the preset of the cache only
+    /// in keys that do not influence the states (check_same_simulation).
     FrameSource frames_of(const Preset& preset) const;
 
   private:
@@ -36,11 +38,11 @@ class Cache {
     std::vector<double> first_pressures_;
 };
 
-/// Simulates a preset and writes the states that the frames need to a cache, including the state
-/// after each frame, which maps such as motion need. Uses only `frames` and `threads` of the
-/// options. Creates the folder if necessary and overwrites files of an existing cache. Throws
-/// std::invalid_argument if there are no frames or one is below 1, OutputError if a file cannot be
-/// written, and the exceptions of Simulation.
+/// Simulates a preset and writes the states that the frames need to a cache. Also writes the state
+/// after each frame, because some maps, such as `motion`, need it. Uses only `frames` and `threads`
+/// of the options. Creates the folder if necessary and overwrites files of an existing cache.
+/// Throws std::invalid_argument if there are no frames or a frame number is below 1, OutputError if
+/// a file cannot be written, and the exceptions of Simulation.
 RunOutcome simulate_into_cache(const Preset& preset,
                                const BakeOptions& options,
                                const std::filesystem::path& folder,

@@ -45,7 +45,7 @@ std::filesystem::path pressures_path(const std::filesystem::path& folder) {
 void write_info(const CacheInfo& info, const std::filesystem::path& folder) {
     const Json value{{"format", kFormat},
                      {"version", kVersion},
-                     {"foamtex", FOAMTEX_VERSION},
+                     {"foamtex", info.version},
                      {"preset", info.preset.name},
                      {"frames", format_frame_range(info.frames)},
                      {"closing_error", number_or_null(info.closing_error)},
@@ -63,6 +63,7 @@ CacheInfo read_info(const std::filesystem::path& folder) {
     const auto closing_error = root.find("closing_error");
     return {
         .preset = preset_in(root, file),
+        .version = root["foamtex"].text(),
         .simulation = root["simulation"].text(),
         .frames = root["frames"].parsed(parse_frame_range, "a frame range such as 1-10 or 1-10x2"),
         .closing_error = closing_error ? std::optional(closing_error->number()) : std::nullopt};

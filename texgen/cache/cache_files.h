@@ -17,23 +17,25 @@ inline constexpr const char* kCacheName = "cache.json";
 /// The description of a cache.
 struct CacheInfo {
     Preset preset;
+    std::string version;                  // version of foamtex that simulated the states
     std::string simulation;               // simulation_hash
     std::vector<int> frames;              // frames that can be drawn from the cache
-    std::optional<double> closing_error;  // of a loop (Simulation::closing_error)
+    std::optional<double> closing_error;  // Simulation::closing_error
 };
 
-/// Returns true if the path is the folder of a cache.
+/// Returns true if the path is a folder that contains the description of a cache.
 bool is_cache(const std::filesystem::path& path);
 
-/// Return the paths of the file of a state and of the file of first-equilibrium pressures.
+/// Return the path of the file of a state, and the path of the file of the pressures of the first
+/// equilibrium.
 std::filesystem::path state_path(const std::filesystem::path& folder, int number);
 std::filesystem::path pressures_path(const std::filesystem::path& folder);
 
 /// Writes the description of a cache. Throws OutputError if the file cannot be written.
 void write_info(const CacheInfo& info, const std::filesystem::path& folder);
 
-/// Reads the description of a cache. Throws InputError if the folder is not a cache, or if its file
-/// format is newer than this program.
+/// Reads the description of a cache. Throws InputError if the folder is not a cache, or if the
+/// version of its file format is newer than this program supports.
 CacheInfo read_info(const std::filesystem::path& folder);
 
 }  // namespace foam::texgen

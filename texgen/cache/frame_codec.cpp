@@ -9,19 +9,20 @@
 #include <utility>
 #include <vector>
 
-// The topology is rebuilt from the three half-edges that leave each junction, in clockwise order:
-// the half-edge that follows the twin of one of them is the next of the three. This gives every
-// `next`, and so the loop of half-edges around every bubble, of which one half-edge is stored.
+// The topology is rebuilt from the half-edges that leave each junction, in clockwise order. Let a
+// and b be two consecutive half-edges of a junction: then b is the `next` of the twin of a. This
+// determines all `next` links. One stored half-edge per bubble then determines all of its sides.
 // Half-edges that belong to no bubble belong to the ghost bubble. A foam without a ghost bubble has
-// no such half-edges. `snapshot` computes the geometry from the stored unknowns. It also made the
-// original frame, so both are equal to the last bit. Every index is checked, and find_fault checks
-// the whole network, so damaged content throws BadContent.
+// no such half-edges.
+//
+// The function `snapshot` computes the geometry from the stored values. The same function made the
+// original frame, so both frames are equal to the last bit. Every index is checked, and find_fault
+// checks the whole network, so damaged content throws BadContent.
 
 namespace foam::texgen {
 
 namespace {
 
-constexpr std::size_t kPerJunction = 2;  // two junctions have the six ends of three films
 constexpr BubbleId kNoBubble = kNone<BubbleId>;
 
 std::uint32_t number_of(HalfEdgeId h) {
@@ -38,7 +39,7 @@ Vec2 read_point(ByteReader& reader) {
     return {x, reader.take<double>()};
 }
 
-void write_torus(const Frame& frame, ByteWriter& writer) {
+void write_header(const Frame& frame, ByteWriter& writer) {
     writer.put(std::int32_t{frame.number});
     for (const double number : {frame.time,
                                 frame.domain.width,
@@ -133,8 +134,8 @@ class FrameReader {
 
     HalfEdgeId read_half_edge() { return id_at<HalfEdgeId>(reader_.take_index(half_edges())); }
 
-    // Reads a half-edge that leaves a junction. Throws BadContent if it leaves another junction,
-    // too.
+    // Reads a half-edge that leaves a junction. Throws BadContent if the half-edge has already been
+    // read.
     HalfEdgeId take_side() {
         const HalfEdgeId h = read_half_edge();
         if (taken_[index_of(h)]) {
@@ -144,23 +145,27 @@ class FrameReader {
         return h;
     }
 
-    // Reads the three half-edges that leave each junction and links them: each one is the `next` of
-    // the twin of the previous one. Then reads the lattice offsets of the films.
+    // Reads the three half-edges that leave each junction and links them: each is the `next` of the
+    // twin of the previous one, cyclically. Then reads the lattice offsets of the films.
     void read_junctions() {
         const std::size_t count = reader_.take_count(3 * sizeof(std::uint32_t));
-        if (count % kPerJunction != 0) {
+        // Three films end at each junction and each film has two ends, so there are three films for
+        // every two junctions.
+        if (count % 2 != 0) {
             throw BadContent("the number of junctions is odd");
         }
         for (std::size_t k = 0; k < count; ++k) {
             network().add_junction();
         }
-        for (std::size_t k = 0; k < 3 * count / kPerJunction; ++k) {
+        for (std::size_t k = 0; k < 3 * count / 2; ++k) {
             network().add_film();
         }
         taken_.assign(half_edges(), false);
         for (std::size_t k = 0; k < count; ++k) {
             const std::array leaving{take_side(), take_side(), take_side()};
-            for (const std::size_t one : {2U, 1U, 0U}) {  // the last set_tail defines outgoing()
+            // The order is reversed, so that the first half-edge becomes outgoing() of the
+            // junction: each call of set_tail replaces it.
+            for (const std::size_t one : {2U, 1U, 0U}) {
                 network().set_tail(leaving[one], id_at<JunctionId>(k));
                 network().set_next(twin(leaving[one]), leaving[(one + 1) % 3]);
             }
@@ -183,7 +188,7 @@ class FrameReader {
         }
     }
 
-    // Assigns to a bubble the loop of half-edges that starts with its first one.
+    // Assigns the half-edges from `first` along `next` to a bubble, until `first` is reached again.
     void claim_loop(BubbleId bubble, HalfEdgeId first) {
         network().set_first(bubble, first);
         int sides = 0;
@@ -199,7 +204,7 @@ class FrameReader {
         network().set_sides(bubble, sides);
     }
 
-    // Assigns all remaining half-edges to the ghost bubble.
+    // Assigns all remaining half-edges to the ghost bubble and reads its first half-edge.
     void read_ghost() {
         const BubbleId ghost = network().add_ghost();
         const std::vector<HalfEdgeId> sides = unclaimed();
@@ -266,13 +271,13 @@ class FrameReader {
 
     ByteReader& reader_;
     Foam foam_;
-    std::vector<bool> taken_;  // by half-edge: true if it leaves a junction that was read
+    std::vector<bool> taken_;  // by half-edge: true once it has been assigned to a junction
 };
 
 }  // namespace
 
 void write_frame(const Frame& frame, ByteWriter& writer) {
-    write_torus(frame, writer);
+    write_header(frame, writer);
     write_topology(frame.network, writer);
     write_values(frame, writer);
     if (frame.network.ghost() != kNoBubble) {

@@ -8,15 +8,15 @@
 namespace foam::texgen {
 
 // A compact encoding of a frame: about 105 bytes per bubble before compression. The topology is
-// stored as the half-edges that leave each junction and one half-edge of each bubble; the rest
-// follows from these. The geometry is stored as the values from which arcs and areas are computed.
-// README.md lists the stored values.
+// stored as the half-edges that leave each junction and one half-edge of each bubble; all other
+// links follow from these. The geometry is stored as the values from which arcs and areas are
+// computed. README.md lists the stored values.
 
 /// Appends an encoded frame to the bytes of the writer.
 void write_frame(const Frame& frame, ByteWriter& writer);
 
-/// Decodes the next frame of the reader. The result equals the frame given to write_frame to the
-/// last bit. Throws BadContent if the bytes are not a valid frame.
+/// Decodes the frame at the present position of the reader. The result equals the frame given to
+/// write_frame to the last bit. Throws BadContent if the bytes are not a valid frame.
 Frame read_frame(ByteReader& reader);
 
 }  // namespace foam::texgen

@@ -19,9 +19,9 @@ namespace foam::texgen {
 namespace {
 
 constexpr std::string_view kMagic = "foamtex";
-constexpr int kLevel = 6;  // of libdeflate, 1 to 12
-// The largest compression ratio of deflate. A header whose size would need a larger ratio is
-// rejected before memory is allocated for the content.
+constexpr int kLevel = 6;  // compression level of libdeflate, from 1 to 12
+// The largest compression ratio of deflate. A header that claims a larger ratio is rejected before
+// memory is allocated for the content.
 constexpr std::size_t kLargestRatio = 1032;
 
 struct FreeCompressor {
@@ -33,18 +33,19 @@ struct FreeCompressor {
     }
 };
 
-/// The header of a packed file, as it is stored.
+/// The header of a packed file, in the layout of the file.
 struct Header {
     std::array<char, 8> magic{};
     std::array<char, 8> kind{};
     std::uint32_t version = kPackedVersion;
     std::uint32_t unused = 0;
-    std::array<char, 32> belongs{};
-    std::uint64_t size = 0;  // of the content
+    std::array<char, 32> simulation_hash{};
+    std::uint64_t size = 0;  // size of the uncompressed content, in bytes
     std::uint64_t sum = 0;   // XXH3 of the compressed bytes, which follow the header
 };
 static_assert(sizeof(Header) == 72, "a header has no gaps");
 
+// Returns the characters of a text, cut or padded with zero bytes to the given size.
 template <std::size_t size>
 std::array<char, size> letters(std::string_view text) {
     std::array<char, size> array{};
@@ -66,7 +67,7 @@ Bytes compressed(std::span<const std::byte> content) {
 
 Bytes decompressed(std::span<const std::byte> packed, std::uint64_t size) {
     if (size / kLargestRatio > packed.size()) {
-        throw BadContent("the stored size is too large");
+        throw BadContent("the file is damaged: its header gives an impossible content size");
     }
     const std::unique_ptr<libdeflate_decompressor, FreeCompressor> decompressor(
         libdeflate_alloc_decompressor());
@@ -93,7 +94,7 @@ void check(const Header& header, const PackedLabel& label, std::span<const std::
     if (header.sum != XXH3_64bits(packed.data(), packed.size())) {
         throw BadContent("the file is damaged: its checksum does not match");
     }
-    if (header.belongs != letters<32>(label.belongs)) {
+    if (header.simulation_hash != letters<32>(label.simulation_hash)) {
         throw BadContent("the file belongs to a different simulation than its cache");
     }
 }
@@ -117,7 +118,7 @@ void write_packed(const std::filesystem::path& path,
     const Bytes packed = compressed(content);
     const Header header{.magic = letters<8>(kMagic),
                         .kind = letters<8>(label.kind),
-                        .belongs = letters<32>(label.belongs),
+                        .simulation_hash = letters<32>(label.simulation_hash),
                         .size = content.size(),
                         .sum = XXH3_64bits(packed.data(), packed.size())};
     Bytes file(sizeof(Header) + packed.size());

@@ -15,20 +15,20 @@ namespace foam::texgen {
 /// The version of the format of packed files. Files of another version are rejected.
 inline constexpr std::uint32_t kPackedVersion = 1;
 
-/// The label of a packed file. A file is read only if both members match.
+/// The label of a packed file. A file is rejected unless both members have the expected values.
 struct PackedLabel {
-    std::string_view kind;     // kind of content, such as "state"; at most 8 letters
-    std::string_view belongs;  // hash of the simulation, 32 hexadecimal digits
+    std::string_view kind;             // kind of content, such as "state"; at most 8 characters
+    std::string_view simulation_hash;  // hash of the simulation, 32 hexadecimal digits
 };
 
-/// Compresses content and writes it atomically to a file with a checksum. Throws OutputError if the
-/// file cannot be written.
+/// Compresses content and writes it atomically to a file with a checksum. Precondition: the folder
+/// exists. Throws OutputError if the file cannot be written.
 void write_packed(const std::filesystem::path& path,
                   const PackedLabel& label,
                   std::span<const std::byte> content);
 
-/// Returns the content of a packed file. Throws InputError if the file is missing or damaged, or
-/// has another version or label.
+/// Returns the uncompressed content of a packed file. Throws InputError if the file is missing or
+/// damaged, or has another version or label.
 Bytes read_packed(const std::filesystem::path& path, const PackedLabel& label);
 
 }  // namespace foam::texgen

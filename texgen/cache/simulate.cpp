@@ -15,8 +15,8 @@ namespace foam::texgen {
 
 namespace {
 
-// Writes states to a cache as they are simulated. cache.json is written with the first state, so a
-// simulation that fails before its first state leaves no cache.
+// Writes states to a cache as they are simulated. cache.json is written together with the first
+// state, so a simulation that fails before its first state leaves no cache.
 class CacheWriter {
   public:
     CacheWriter(CacheInfo info, std::filesystem::path folder)
@@ -65,9 +65,14 @@ RunOutcome simulate_into_cache(const Preset& preset,
                                const std::filesystem::path& folder,
                                const ProgressCallback& on_progress) {
     check(options);
-    CacheWriter writer({preset, simulation_hash(preset), options.frames, {}}, folder);
+    CacheWriter writer({.preset = preset,
+                        .version = FOAMTEX_VERSION,
+                        .simulation = simulation_hash(preset),
+                        .frames = options.frames,
+                        .closing_error = {}},
+                       folder);
     const std::vector<int> states =
-        FrameAssembly(preset, options.frames, NextFrames::HandedOut, {}).states();
+        FrameAssembly(preset, options.frames, NextFrames::Included, {}).states();
     ProgressMeter meter(static_cast<int>(states.size()), on_progress);
     return simulate_states(preset, options.threads, states, [&](const SimulatedFrame& state) {
         writer.write(state);

@@ -19,18 +19,21 @@ namespace foam::texgen {
 
 namespace {
 
-// The tables that only influence how states are drawn, in addition to the tables of maps.
+// The tables that influence only how states are drawn, apart from two exceptions: see needs_camera
+// and needs_aspect. The tables of maps have the same property, but are not listed here.
 constexpr std::array<std::string_view, 4> kAppearanceTables = {
     "preset", "image", "camera", "output"};
 
-// Returns true if the camera influences the states. It does if events of a patch have positions,
-// because these positions are fractions of the image.
+// Returns true if the camera influences the states. This is the case if events of a patch have
+// positions, because these positions are fractions of the image.
 bool needs_camera(const Preset& preset) {
     return preset.shape.kind == FoamKind::Patch &&
            std::ranges::any_of(preset.events,
                                [](const Event& event) { return event.at.has_value(); });
 }
 
+// Returns true if the aspect ratio of the image influences the states: it is the aspect ratio of a
+// torus, and positions of events of a patch are fractions of the image.
 bool needs_aspect(const Preset& preset) {
     return preset.shape.kind == FoamKind::Torus || needs_camera(preset);
 }

@@ -8,10 +8,11 @@
 #include <algorithm>
 #include <memory>
 
-// A state is its frame (frame_codec.h), its effort and its record, in this order. Values per bubble
-// are in the order of the bubbles of the frame, then of its lone bubbles, so identities are stored
-// only once, in the frame. A flag tells whether the pressures of the first equilibrium equal those
-// in pressures.foam; if they differ, they follow the flag.
+// An encoded state consists of its frame (frame_codec.h), its effort and its record, in this order.
+// Values per bubble are in the order of the bubbles of the frame, followed by its lone bubbles, so
+// identities are stored only once, in the frame. The pressures of the first equilibrium are last in
+// the record, after a flag. If the flag is 1, they equal the pressures in pressures.foam and are
+// left out.
 
 namespace foam::texgen {
 

@@ -11,14 +11,14 @@
 namespace foam::texgen {
 
 /// Encodes a state: the frame, the effort of its simulation (FrameEffort), and the record of
-/// earlier frames that maps need. The pressures of the first equilibrium are left out if they equal
-/// `first_pressures`. Births and changes of bubbles that have vanished are left out, because no map
-/// needs them.
+/// earlier frames that maps need (FoamRecord). The pressures of the first equilibrium are left out
+/// if they equal `first_pressures` and are not empty. The times of births and changes are left out
+/// for bubbles that have vanished, because no map needs them.
 Bytes pack_state(const SimulatedFrame& state, const std::vector<double>& first_pressures);
 
 /// Decodes a state. Maps drawn from the decoded state have the same bits as maps drawn from the
-/// original. Throws BadContent if the bytes are not a state, or if the state was encoded without
-/// its first pressures and `first_pressures` is empty.
+/// original state. Throws BadContent if the bytes are not a state, or if the state was encoded
+/// without its first pressures and `first_pressures` is empty.
 SimulatedFrame unpack_state(std::span<const std::byte> content,
                             const std::vector<double>& first_pressures);
 

@@ -2,6 +2,7 @@
 
 #include "texgen/cli/command.h"
 #include "texgen/cli/image_run.h"
+#include "texgen/cli/report.h"
 #include "texgen/cli/run_arguments.h"
 
 #include <CLI/CLI.hpp>
@@ -17,6 +18,7 @@ constexpr const char* kBakeExamples = R"(Examples:
   foamtex bake sea_foam --size 2048 --seed 7 --out 'foam/{map}.####.png'
   foamtex bake my.toml --frames 1-120x2 --set albedo.colormap=magma
   foamtex bake sea_foam --maps albedo,film --out 'out/layers.####.exr'
+A preset with a loop closes after frames.count frames; --set frames.count=N makes the loop shorter.
 Keys for --set: foamtex presets keys)";
 
 struct BakeArguments {
@@ -28,7 +30,12 @@ ExitCode run_bake(const BakeArguments& arguments) {
     const Preset preset = preset_of(arguments.run, assignments_of(arguments.images));
     const BakeOptions options{.frames = frames_of(arguments.run, preset),
                               .threads = arguments.run.threads};
-    return run_images(preset, options, arguments.images, verbosity_of(arguments.run));
+    const ExitCode code =
+        run_images(preset, options, arguments.images, verbosity_of(arguments.run));
+    if (code == ExitCode::Success && !arguments.run.quiet && !arguments.images.json) {
+        note_open_loop(preset, options.frames);
+    }
+    return code;
 }
 
 }  // namespace

@@ -5,10 +5,10 @@
 #include <fmt/core.h>
 #include <fmt/format.h>
 
-// The script follows the words of the command line to find the path of subcommands. A first `case`
-// completes the value of the option before the cursor; it has an entry for each path and option
-// with a value. A second `case` completes options, subcommands and positional arguments; it has an
-// entry for each path.
+// The generated script reads the words of the command line to find the command path: the program,
+// its subcommand and further subcommands. A first `case` completes the value of the option before
+// the cursor; it has an entry for each command path and each option with a value. A second `case`
+// completes options, subcommands and positional arguments; it has an entry for each command path.
 
 namespace foam::texgen {
 
@@ -115,9 +115,10 @@ class BashScript {
         }
     }
 
-    // Adds the words that complete a command. After a hyphen, these are its options. Otherwise they
-    // are its subcommands and the values of its positional arguments. If none of these match and a
-    // positional argument may be a file, files are completed.
+    // Adds the entry of a command to the second `case`. A word that begins with a hyphen is
+    // completed to an option. Any other word is completed to a subcommand or a value of a
+    // positional argument. If none of these match and a positional argument may be a file, files
+    // are completed.
     void add_words(const CommandGrammar& command,
                    const std::string& path,
                    const std::vector<std::string>& options) {

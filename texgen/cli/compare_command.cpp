@@ -43,21 +43,27 @@ struct CompareArguments {
 
 using Paths = std::pair<std::filesystem::path, std::filesystem::path>;
 
-/// Returns the pairs of images to compare: one pair, or one per frame of --frames.
+/// Returns the pairs of images to compare: one pair, or one per frame of --frames. Throws
+/// std::invalid_argument if there are several frames and a pattern has no frame number.
 std::vector<Paths> pairs_of(const CompareArguments& arguments) {
     if (!arguments.frames) {
         return {{arguments.a, arguments.b}};
     }
+    const std::vector<int> frames = parse_frame_range(*arguments.frames);
     const FilePattern a(arguments.a);
     const FilePattern b(arguments.b);
+    a.check_distinct(frames.size(), 1);
+    b.check_distinct(frames.size(), 1);
     std::vector<Paths> pairs;
-    for (const int frame : parse_frame_range(*arguments.frames)) {
+    pairs.reserve(frames.size());
+    for (const int frame : frames) {
         pairs.emplace_back(a.path({}, {}, frame), b.path({}, {}, frame));
     }
     return pairs;
 }
 
-const char* word_of(Verdict verdict) {
+/// Returns the value of a verdict in JSON. Programs read these values, so they must not change.
+const char* json_value_of(Verdict verdict) {
     switch (verdict) {
         case Verdict::Same:
             return "same";
@@ -70,8 +76,13 @@ const char* word_of(Verdict verdict) {
     }
 }
 
+const char* text_of(Verdict verdict) {
+    return verdict == Verdict::DifferentLayout ? "different size or channels"
+                                               : json_value_of(verdict);
+}
+
 void print_line(const Paths& paths, const Comparison& found) {
-    fmt::print("{}: {}", paths.second.string(), word_of(found.verdict));
+    fmt::print("{}: {}", paths.second.string(), text_of(found.verdict));
     if (found.largest > 0.0) {
         fmt::print(
             ", largest difference {:.6g} in {} at {},{}, mean {:.3g}, {} samples above the limits",
@@ -88,7 +99,7 @@ void print_line(const Paths& paths, const Comparison& found) {
 Json to_json(const Paths& paths, const Comparison& found) {
     return {{"a", paths.first.string()},
             {"b", paths.second.string()},
-            {"verdict", word_of(found.verdict)},
+            {"verdict", json_value_of(found.verdict)},
             {"largest", number_or_null(found.largest)},
             {"mean", number_or_null(found.mean)},
             {"channel", found.channel},
@@ -105,14 +116,14 @@ Comparison compare_files(const Paths& paths, const CompareArguments& arguments) 
     if (!arguments.quiet && !arguments.json) {
         print_line(paths, found);
     }
-    if (arguments.difference && found.verdict != Verdict::OtherSize) {
+    if (arguments.difference && found.verdict != Verdict::DifferentLayout) {
         write_png(
             *arguments.difference, difference_picture(a, b).view(), {}, {.filter = PngFilter::Up});
     }
     return found;
 }
 
-/// Compares all pairs. The exit code is the worst of the verdicts.
+/// Compares all pairs and returns the worst verdict as the exit code.
 ExitCode run_compare(const CompareArguments& arguments) {
     Verdict worst = Verdict::Same;
     Json images = Json::array();
@@ -122,7 +133,7 @@ ExitCode run_compare(const CompareArguments& arguments) {
         images.push_back(to_json(paths, found));
     }
     if (arguments.json) {
-        print_json({{"status", word_of(worst)}, {"images", images}});
+        print_json({{"status", json_value_of(worst)}, {"images", images}});
     }
     return static_cast<ExitCode>(worst);
 }
@@ -155,7 +166,7 @@ void add_compare_command(CLI::App& app, Action& action) {
                      "Difference above which the result is a warning (default 1e-6)")
         ->check(any_distance)
         ->option_text("T");
-    add_frames_option(*command, arguments->frames, "Frames of the sequences, such as 1-10x2");
+    add_frames_option(*command, arguments->frames, "Frames of both sequences");
     command->add_option("--diff", arguments->difference, "Write the differences as a gray PNG")
         ->excludes("--frames")
         ->option_text("FILE");

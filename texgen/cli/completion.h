@@ -13,13 +13,14 @@ namespace foam::texgen {
 struct CompletionWords {
     std::vector<std::string> presets;
     std::vector<std::string> maps;
-    std::vector<std::string> keys;  // of presets
+    std::vector<std::string> keys;  // keys of presets, such as "foam.seed"
 };
 
-/// Return a script that completes command lines of a program, for bash and for zsh. The script
-/// offers map names after --maps, keys after --set, preset names and files for PRESET, and only
-/// preset names for NAME. For an option with a placeholder such as "a|b|c", it offers the words a,
-/// b and c. For all other values, it offers files.
+/// Return a script that completes the command lines of a program, for bash and for zsh. The script
+/// offers map names after --maps and keys after --set. It offers preset names and files for the
+/// positional argument PRESET, but only preset names for the positional argument NAME. For an
+/// option with a placeholder such as "a|b|c", it offers the words a, b and c. For all other values,
+/// it offers files.
 std::string bash_completion(const CommandGrammar& program, const CompletionWords& words);
 std::string zsh_completion(const CommandGrammar& program, const CompletionWords& words);
 

@@ -9,7 +9,7 @@
 
 namespace foam::texgen {
 
-/// The kind of value that an argument has, for completion.
+/// The kind of values that completion offers for an argument.
 enum class ValueKind {
     Words,  // one of the words
     List,   // several of the words, separated by commas
@@ -20,13 +20,13 @@ enum class ValueKind {
 /// The values that completion offers for an argument.
 struct Values {
     ValueKind kind = ValueKind::Path;
-    std::vector<std::string> words{};
+    std::vector<std::string> words{};  // empty for paths
 };
 
 /// Returns the values that completion offers for an argument.
 Values values_of(const ArgumentGrammar& argument, const CompletionWords& words);
 
-/// Joins words with blanks between them.
+/// Returns the words, separated by spaces.
 std::string joined(const std::vector<std::string>& words);
 
 }  // namespace foam::texgen

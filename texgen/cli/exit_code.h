@@ -4,13 +4,14 @@
 
 namespace foam::texgen {
 
-/// The exit codes of the program. Its help lists them, too. The exception is `compare`: like
-/// OpenImageIO's idiff, it returns its Verdict (0 to 3), or BadInput if an image is unreadable.
+/// The exit codes of the program. The help of the program also lists them. `compare` differs: like
+/// OpenImageIO's idiff, it returns its Verdict (0 to 3) as the exit code if all images are
+/// readable.
 enum class ExitCode : int {
     Success = 0,
     InternalFailure = 1,  // a bug, or out of memory
     BadRequest = 2,       // wrong command line or preset, including a missing preset file
-    NoEquilibrium = 3,    // the foam has no equilibrium, or its loop could not be closed
+    NoEquilibrium = 3,    // the foam did not reach equilibrium, or its loop did not close
     BadInput = 4,         // an input file is unreadable or malformed
     OutputFailed = 5,     // an output could not be written
     CheckFailed = 6,      // verify: a check failed

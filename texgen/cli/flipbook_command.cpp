@@ -30,7 +30,7 @@ constexpr const char* kFlipbookExamples = R"(Examples:
   foamtex flipbook out --strip --frames 1-48x2  for texture arrays
   foamtex flipbook out --out sheets             into another folder)";
 
-// The largest width and height of a texture that graphics hardware supports.
+// The largest width and height, in pixels, of a texture that graphics hardware usually supports.
 constexpr int kLargestTexture = 16384;
 constexpr int kLargestGutter = 1024;
 
@@ -56,7 +56,8 @@ void warn_of_size(const SheetLayout& layout) {
     }
 }
 
-/// Prints the JSON object of the command, which names the sheets and the file with their layout.
+/// Prints the JSON object of the command. It contains the paths of the sheets and of the file that
+/// describes their layout.
 void print_report(const BakedSet& set, const std::vector<int>& frames, const Flipbook& flipbook) {
     Json report = json_report();
     report["preset"] = set.preset;
@@ -91,9 +92,9 @@ void add_choices(CLI::App& command, FlipbookArguments& arguments) {
     command.add_option("DIR", arguments.given, "Folder with the manifest.json of a bake")
         ->required()
         ->option_text(" ");
-    add_set_option(command, arguments.preset);
+    add_preset_name_option(command, arguments.preset);
     add_maps_option(command, arguments.maps, "Maps, separated by commas (default: all)");
-    add_frames_option(command, arguments.frames, "Frames, such as 1-48 or 1-48x2 (default: all)");
+    add_frames_option(command, arguments.frames, "Frames (default: all)");
 }
 
 void add_layout(CLI::App& command, FlipbookArguments& arguments) {

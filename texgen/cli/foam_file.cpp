@@ -10,6 +10,7 @@
 
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -38,6 +39,16 @@ std::string_view text_of(const Bytes& bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
+// Returns the foam as text in the format that the extension selects. Throws OutputError if the
+// format cannot store the foam.
+std::string text_for(const std::filesystem::path& path, const Foam& foam) {
+    try {
+        return format_of(path) == FoamFormat::Json ? write_foam_json(foam) : write_evolver(foam);
+    } catch (const std::range_error& error) {
+        throw OutputError(fmt::format("cannot write '{}': {}", path.string(), error.what()));
+    }
+}
+
 }  // namespace
 
 void check_foam_name(const std::filesystem::path& path) {
@@ -55,8 +66,7 @@ LoadedFoam load_foam(const std::filesystem::path& path) {
 }
 
 void save_foam(const std::filesystem::path& path, const Foam& foam) {
-    const std::string text =
-        format_of(path) == FoamFormat::Json ? write_foam_json(foam) : write_evolver(foam);
+    const std::string text = text_for(path, foam);
     write_file(path, std::as_bytes(std::span(text)));
 }
 

@@ -10,22 +10,23 @@
 
 namespace foam::texgen {
 
-/// A foam from a file.
+/// A foam that was read from a file.
 struct LoadedFoam {
     Foam foam;
     std::vector<std::string> notes;  // parts of the file that were ignored, one line each
 };
 
-/// Throws std::invalid_argument, with a message that lists the allowed extensions, unless the name
-/// ends in one of them: .fe or .dmp for files of Surface Evolver, .json for a state of foamtex.
+/// Throws std::invalid_argument unless the name ends in an allowed extension: .fe or .dmp for files
+/// of Surface Evolver, .json for a state of foamtex. The message lists the extensions.
 void check_foam_name(const std::filesystem::path& path);
 
-/// Reads a foam from a file. Throws InputError if the file cannot be read, FormatError if it is
-/// malformed, and the exceptions of check_foam_name.
+/// Reads a foam from a file. The extension selects the format. Throws InputError if the file cannot
+/// be read, FormatError if it is malformed, and the exceptions of check_foam_name.
 LoadedFoam load_foam(const std::filesystem::path& path);
 
-/// Writes a foam to a file, atomically (write_file). Throws OutputError if the file cannot be
-/// written, and the exceptions of check_foam_name.
+/// Writes a foam atomically to a file (write_file). The extension selects the format. Throws
+/// OutputError if the file cannot be written or the format cannot store the foam, and the
+/// exceptions of check_foam_name.
 void save_foam(const std::filesystem::path& path, const Foam& foam);
 
 }  // namespace foam::texgen

@@ -13,8 +13,8 @@ namespace foam::texgen {
 
 /// An option or a positional argument of a command.
 struct ArgumentGrammar {
-    std::vector<std::string> names;  // such as "-o" and "--out"; a positional argument has one
-    std::string value;               // placeholder of the value, such as "W[xH]"; empty if none
+    std::vector<std::string> names;  // such as "-o" and "--out"; one name for a positional argument
+    std::string value;               // placeholder of an option's value ("W[xH]"), else empty
     std::string meaning;
 };
 

@@ -23,8 +23,9 @@ namespace foam::texgen {
 
 namespace {
 
-/// Prints a line per map, or one line if all maps share a file. The line is the name of the file,
-/// or the pattern of the sequence and its frames in the notation of image viewers.
+/// Prints one line per map, or one line if all maps share a file. For a single frame, the line is
+/// the name of the file. Otherwise it is the file name pattern of the map and the frame range, a
+/// notation that image viewers accept.
 void print_images(const Preset& preset,
                   const FilePattern& pattern,
                   const std::vector<int>& frames) {
@@ -32,9 +33,10 @@ void print_images(const Preset& preset,
         if (frames.size() == 1) {
             fmt::print("{}\n", pattern.path(preset.name, map, frames.front()).string());
         } else {
-            fmt::print("{} {}\n", pattern.sequence(preset.name, map), format_frame_range(frames));
+            fmt::print(
+                "{} {}\n", pattern.path_pattern(preset.name, map), format_frame_range(frames));
         }
-        if (pattern.joins_maps()) {
+        if (pattern.stores_all_maps_in_one_file()) {
             return;
         }
     }

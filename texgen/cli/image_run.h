@@ -14,7 +14,7 @@
 
 namespace foam::texgen {
 
-/// The options of the commands that draw images, as given on the command line.
+/// The options of `bake` and `render` for images, as given on the command line.
 struct ImageArguments {
     std::optional<std::string> maps;
     std::optional<std::string> normal_y;
@@ -28,11 +28,11 @@ struct ImageArguments {
 /// parsing.
 void add_image_options(CLI::App& command, ImageArguments& arguments);
 
-/// Returns one assignment for each given option that stands for a key of the preset.
+/// Returns one assignment for each given option that sets a key of the preset.
 std::vector<Assignment> assignments_of(const ImageArguments& arguments);
 
-/// Draws the frames of a preset into files with a manifest, and writes statistics if requested.
-/// Prints the names of the files, or a JSON object. Returns the exit code.
+/// Draws the frames of a preset, writes the image files and their manifest, and writes statistics
+/// if requested. Prints the names of the files, or a JSON object. Returns the exit code.
 ExitCode run_images(const Preset& preset,
                     const BakeOptions& options,
                     const ImageArguments& arguments,

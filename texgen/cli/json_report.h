@@ -7,15 +7,17 @@
 
 namespace foam::texgen {
 
-/// Returns the initial JSON object (--json) of a command that simulates no foam. Its only member is
+/// Returns the JSON object (--json) of a command that simulates no foam. Its only member is
 /// `status`, which is "complete". The command adds further members.
 Json json_report();
 
-/// Returns the initial JSON object of a command that runs frames. Its members are `status`
-/// ("complete", "no_equilibrium" or "open_loop"), `failed_frame` and `closing_error`.
+/// Returns the JSON object of a command that simulates or draws frames. Its members are `status`
+/// ("complete", "no_equilibrium" or "open_loop"), `failed_frame` (null if complete) and
+/// `closing_error` (null if no cycle was simulated, or if infinite). The command adds further
+/// members.
 Json json_report(const RunOutcome& outcome);
 
-/// Prints an object on stdout, in one line.
+/// Prints an object on stdout as one line.
 void print_json(const Json& object);
 
 }  // namespace foam::texgen

@@ -12,8 +12,9 @@ namespace foam::texgen {
 
 namespace {
 
-// Escapes a text for troff. Hyphens become "\-", so that they can be copied. A line that begins
-// with a period or an apostrophe gets the prefix "\&", so that troff does not read it as a request.
+// Escapes a text for troff. Hyphens become "\-", so that text copied from the page contains plain
+// hyphens. A line that begins with a period or an apostrophe gets the prefix "\&", so that troff
+// does not interpret it as a request.
 std::string escaped(std::string_view text) {
     std::string result;
     bool begins_line = true;
@@ -44,7 +45,8 @@ std::string verbatim(std::string_view text) {
     return text.empty() ? "" : fmt::format(".nf\n{}\n.fi\n", escaped(text));
 }
 
-// Returns the section of a command, followed by the sections of its subcommands.
+// Returns the text of a command, followed by the texts of its subcommands. `path` is the full name
+// of the command, such as "foamtex presets keys".
 std::string command_section(const CommandGrammar& command, const std::string& path) {
     std::string usage = path + (command.options.empty() ? "" : " [OPTIONS]");
     for (const ArgumentGrammar& positional : command.positionals) {

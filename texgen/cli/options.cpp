@@ -9,6 +9,8 @@ namespace foam::texgen {
 namespace {
 
 constexpr int kMaxThreads = 1024;
+constexpr const char* kRangeExamples =
+    ": 5, 1-10, 1-10x2 (every second), 1-10y3 (all but every third) or 1-3,7";
 
 }  // namespace
 
@@ -28,15 +30,17 @@ void add_threads_option(CLI::App& command, int& threads) {
         ->option_text("N");
 }
 
-void add_frames_option(CLI::App& command, std::optional<std::string>& frames, const char* meaning) {
-    command.add_option("--frames", frames, meaning)->option_text("RANGE");
+void add_frames_option(CLI::App& command,
+                       std::optional<std::string>& frames,
+                       const std::string& meaning) {
+    command.add_option("--frames", frames, meaning + kRangeExamples)->option_text("RANGE");
 }
 
 void add_maps_option(CLI::App& command, std::optional<std::string>& maps, const char* meaning) {
     command.add_option("--maps", maps, meaning)->option_text("A,B");
 }
 
-void add_set_option(CLI::App& command, std::string& preset) {
+void add_preset_name_option(CLI::App& command, std::string& preset) {
     command
         .add_option("--preset", preset, "Preset to use if the folder has images of several presets")
         ->option_text("NAME");

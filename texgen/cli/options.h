@@ -3,7 +3,7 @@
 #pragma once
 
 // Options that several commands share. Each function adds one option to a command. The variable
-// for the value must outlive the parsing.
+// that receives the value must exist until the command line has been parsed.
 
 #include <filesystem>
 #include <optional>
@@ -16,7 +16,7 @@ class Option;
 
 namespace foam::texgen {
 
-/// Adds --json: the command prints one JSON object (json_report.h).
+/// Adds --json, with which the command prints one JSON object (json_report.h).
 void add_json_option(CLI::App& command, bool& json);
 
 /// Adds -q, --quiet. `meaning` is the text of the option in the help.
@@ -24,19 +24,21 @@ CLI::Option* add_quiet_option(CLI::App& command,
                               bool& quiet,
                               const char* meaning = "Print only errors");
 
-/// Adds --threads, where 0 means one per hardware thread.
+/// Adds --threads, the number of threads. 0, the default, uses all hardware threads.
 void add_threads_option(CLI::App& command, int& threads);
 
-/// Adds --frames, a range in the notation of parse_frame_range.
+/// Adds --frames, a range in the notation of parse_frame_range. `meaning` is the first part of the
+/// text of the option in the help; examples of ranges follow it.
 void add_frames_option(CLI::App& command,
                        std::optional<std::string>& frames,
-                       const char* meaning = "Frames, such as 5, 1-10, 1-10x2, 1-10y3 or 1-3,7");
+                       const std::string& meaning = "Frames");
 
 /// Adds --maps, names separated by commas.
 void add_maps_option(CLI::App& command, std::optional<std::string>& maps, const char* meaning);
 
-/// Adds --preset. choose_set selects the set of images of this preset.
-void add_set_option(CLI::App& command, std::string& preset);
+/// Adds --preset, the name of the preset whose images are used if a folder contains images of
+/// several presets (choose_set).
+void add_preset_name_option(CLI::App& command, std::string& preset);
 
 /// Adds -o, --out: the output folder.
 void add_out_folder_option(CLI::App& command,

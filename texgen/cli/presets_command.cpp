@@ -18,6 +18,21 @@ namespace foam::texgen {
 
 namespace {
 
+constexpr const char* kPresetsExamples = R"(Examples:
+  foamtex presets                           lists the shipped presets
+  foamtex presets show sea_foam > my.toml   a starting point for a preset of your own
+  foamtex presets keys foam                 explains the keys of the table [foam])";
+
+constexpr const char* kKeysExamples = R"(Examples:
+  foamtex presets keys                      explains all keys, table by table
+  foamtex presets keys event                explains the keys of events
+  foamtex presets keys --json-schema > foamtex.schema.json
+A key is set in the file of a preset, or by an option such as --set foam.bubbles=300.)";
+
+constexpr const char* kShowExamples = R"(Examples:
+  foamtex presets show sea_foam > my.toml
+  foamtex bake my.toml)";
+
 ExitCode list_presets() {
     std::size_t width = 0;
     for (const ShippedPreset& shipped : shipped_presets()) {
@@ -68,7 +83,9 @@ void add_list(CLI::App& presets, Action& action) {
     presets.preparse_callback([&action, json](std::size_t) {
         action = [json] { return *json ? print_presets_as_json() : list_presets(); };
     });
-    presets.add_subcommand("list", "List the shipped presets (the default)")->fallthrough();
+    presets.add_subcommand("list", "List the shipped presets (the default)")
+        ->fallthrough()
+        ->footer("");
 }
 
 void add_keys(CLI::App& presets, Action& action) {
@@ -77,11 +94,15 @@ void add_keys(CLI::App& presets, Action& action) {
     const auto table = std::make_shared<std::string>();
     const auto schema = std::make_shared<bool>(false);
     CLI::Option* name =
-        keys->add_option("TABLE", *table, "Only the keys of one table, such as foam or event");
-    keys->add_flag(
-            "--json-schema", *schema, "Print a JSON Schema, with which editors complete presets")
+        keys->add_option(
+                "TABLE", *table, "List only the keys of this table, such as foam, loop or event")
+            ->option_text(" ");
+    keys->add_flag("--json-schema",
+                   *schema,
+                   "Print a JSON Schema of all keys instead, with which editors complete presets")
         ->option_text(" ")
         ->excludes(name);
+    keys->footer(kKeysExamples);
     keys->callback([&action, table, schema] {
         action = [table, schema] { return *schema ? print_schema() : show_keys(*table); };
     });
@@ -92,13 +113,15 @@ void add_keys(CLI::App& presets, Action& action) {
 void add_presets_command(CLI::App& app, Action& action) {
     CLI::App* presets = app.add_subcommand("presets", "List and explain presets");
     presets->require_subcommand(0, 1);
+    presets->footer(kPresetsExamples);
     add_list(*presets, action);
     add_keys(*presets, action);
 
     CLI::App* show =
         presets->add_subcommand("show", "Print a preset, as a starting point for your own");
     const auto name = std::make_shared<std::string>();
-    show->add_option("NAME", *name, "Name of a shipped preset")->required();
+    show->add_option("NAME", *name, "Name of a shipped preset")->required()->option_text(" ");
+    show->footer(kShowExamples);
     show->callback([&action, name] { action = [name] { return show_preset(*name); }; });
 }
 

@@ -66,7 +66,7 @@ PreviewOptions options_of(const PreviewArguments& arguments) {
     return options;
 }
 
-/// The preset and the frames that were shown, and the files that were made.
+/// The name of the preset and the frames that were previewed, and the files that were written.
 struct Shown {
     std::string preset;
     std::vector<int> frames;
@@ -100,8 +100,9 @@ ExitCode preview_folder(const PreviewArguments& arguments) {
     return ExitCode::Success;
 }
 
-/// Returns the preset with only the maps to preview, by default the first map. Its images are PNG
-/// files in `folder`.
+/// Returns the preset to bake. It is the preset that the arguments name, with two changes: its maps
+/// are the maps to preview, by default only the first map, and its images are PNG files in
+/// `folder`.
 Preset preset_to_bake(const PreviewArguments& arguments, const std::filesystem::path& folder) {
     std::vector<Assignment> assignments;
     if (arguments.maps) {
@@ -156,7 +157,7 @@ void add_choices(CLI::App& command, PreviewArguments& arguments) {
                     "Longer side of animations in pixels (default: 384)")
         ->check(CLI::Range(1, kMaxAnimationSize))
         ->option_text("PX");
-    add_set_option(command, arguments.shown_preset);
+    add_preset_name_option(command, arguments.shown_preset);
     add_out_folder_option(
         command, arguments.out, "Folder for the previews (default: out, or the given folder)");
 }

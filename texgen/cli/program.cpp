@@ -6,8 +6,8 @@
 #include "core/parallel/simd_level.h"
 #include "texgen/cli/command.h"
 #include "texgen/image/file_io.h"
+#include "texgen/keys/nearest.h"
 #include "texgen/preset/assignment.h"
-#include "texgen/preset/nearest.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -36,8 +36,8 @@ Exit codes: 0 success, 1 unexpected internal failure, 2 bad command line or pres
   3 the foam did not reach equilibrium, or its loop does not close, 4 an input file
   is unreadable or malformed, 5 an output could not be written, 6 a check of verify failed)";
 
-/// Prints a message on stderr as one line and returns the code. Newlines in the message become
-/// blanks.
+/// Prints a message on stderr as one line, in which newlines are replaced by spaces. Returns the
+/// given exit code.
 ExitCode report(std::string message, ExitCode code) {
     std::replace_if(
         message.begin(), message.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
@@ -55,8 +55,8 @@ std::vector<std::string> subcommand_names(const CLI::App& command) {
     return names;
 }
 
-/// Returns a message that says what is wrong with the command line. If an unknown word is given
-/// where a subcommand is expected, the message suggests the nearest existing subcommand.
+/// Returns a message that describes the error in the command line. If an unknown word is given
+/// instead of a subcommand, the message suggests the most similar subcommand.
 std::string message_of(const CLI::App& app, const CLI::ParseError& error) {
     const CLI::App* command = &app;
     while (!command->get_subcommands().empty()) {
@@ -68,15 +68,14 @@ std::string message_of(const CLI::App& app, const CLI::ParseError& error) {
         return error.what();
     }
     const std::vector<std::string_view> candidates(names.begin(), names.end());
-    const std::string_view meant = nearest(words.front(), candidates);
     return fmt::format("{} has no command '{}'{}",
                        command->get_name(),
                        words.front(),
-                       meant.empty() ? "" : fmt::format("; did you mean '{}'?", meant));
+                       did_you_mean(words.front(), candidates));
 }
 
-/// Reports an exception of the parser and returns the exit code. CLI11 also throws for --help and
-/// --version, with the code 0.
+/// Reports an exception of the parser and returns the exit code. CLI11 also throws an exception for
+/// --help and --version; its code is then 0.
 ExitCode report_parse(const CLI::App& app, const CLI::ParseError& error) {
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
         app.exit(error);
@@ -85,8 +84,8 @@ ExitCode report_parse(const CLI::App& app, const CLI::ParseError& error) {
     return report(message_of(app, error) + " (see foamtex --help)", ExitCode::BadRequest);
 }
 
-/// Flushes stdout and returns the code, or OutputFailed if output was lost, for example on a full
-/// disk.
+/// Flushes stdout. Returns the given exit code, or OutputFailed if output was lost, for example on
+/// a full disk.
 ExitCode flushed(ExitCode code) {
     const bool arrived = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
     return arrived ? code : report("cannot write to standard output", ExitCode::OutputFailed);

@@ -6,8 +6,8 @@
 
 namespace foam::texgen {
 
-/// Runs the program foamtex with the arguments of main(). Reports every error as one line on stderr
-/// and by the exit code. Throws nothing.
+/// Runs the program foamtex with the arguments of main() and returns the exit code. Reports every
+/// error as one line on stderr. Throws nothing.
 ExitCode run_program(int argc, char** argv);
 
 }  // namespace foam::texgen

@@ -16,8 +16,9 @@ namespace {
 
 constexpr int kBarWidth = 24;  // characters between the brackets
 
-/// Returns the estimated time left in minutes and seconds. Precondition: at least one frame is
-/// done. The remaining frames are assumed to take as long as the frames so far.
+/// Returns the estimated time left in minutes and seconds, such as "0:14 left". The remaining
+/// frames are assumed to take as long as the frames so far. Precondition: at least one frame is
+/// done.
 std::string time_left(const RunProgress& progress) {
     const double ratio = static_cast<double>(progress.total - progress.done) / progress.done;
     const auto seconds = static_cast<long>(std::ceil(progress.seconds * ratio));
@@ -29,8 +30,7 @@ bool wants_color() {
     return no_color == nullptr || *no_color == '\0';
 }
 
-/// Overwrites the previous bar with the present one. The last bar ends with a newline, so it stays
-/// visible.
+/// Draws the bar over the previous one. The last bar ends with a newline, so that it stays visible.
 void draw_bar(const RunProgress& progress, bool color) {
     const std::string bar = progress_bar(progress);
     const char* end = progress.done == progress.total ? "\n" : "";

@@ -8,14 +8,14 @@
 
 namespace foam::texgen {
 
-/// The amount of progress that a run reports on stderr.
+/// The level of detail with which a run reports its progress on stderr.
 enum class Verbosity {
     Quiet,
-    Normal,   // a progress bar, on a terminal only
+    Normal,   // a progress bar if stderr is a terminal
     Verbose,  // a line per frame
 };
 
-/// Returns the progress bar, without a newline. Example:
+/// Returns the text of the progress bar, without a newline. Example:
 /// "[######------------------] 12/48  583 bubbles  0:14 left".
 std::string progress_bar(const RunProgress& progress);
 
@@ -23,8 +23,8 @@ std::string progress_bar(const RunProgress& progress);
 /// "frame 12: 583 bubbles, area error 1.2e-14, angle error 3.1e-15, 4.21 s".
 std::string progress_line(const RunProgress& progress);
 
-/// Returns a callback that reports progress on stderr. The bar is drawn only on a terminal. It is
-/// in color only if the environment variable NO_COLOR is unset or empty.
+/// Returns a callback that reports progress on stderr. The bar is drawn only if stderr is a
+/// terminal. It is in color only if the environment variable NO_COLOR is unset or empty.
 ProgressCallback progress_reporter(Verbosity verbosity);
 
 }  // namespace foam::texgen

@@ -4,6 +4,7 @@
 #include "texgen/cache/simulation_keys.h"
 #include "texgen/cli/command.h"
 #include "texgen/cli/image_run.h"
+#include "texgen/cli/report.h"
 #include "texgen/cli/run_arguments.h"
 
 #include <CLI/CLI.hpp>
@@ -30,6 +31,9 @@ ExitCode run_render(const RenderArguments& arguments) {
     const CacheInfo& info = cache.info();
     const Preset preset = changed(info.preset, arguments.run, assignments_of(arguments.images));
     check_same_simulation(info.preset, preset);
+    if (!arguments.run.quiet) {
+        note_other_version(info, arguments.run.preset);
+    }
     const BakeOptions options{
         .frames = arguments.run.frames ? frames_of(arguments.run, preset) : info.frames,
         .threads = arguments.run.threads,

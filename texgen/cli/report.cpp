@@ -2,6 +2,8 @@
 
 #include "texgen/cli/report.h"
 
+#include "texgen/bake/frame_range.h"
+
 #include <fmt/core.h>
 
 #include <cmath>
@@ -27,6 +29,29 @@ void note_missing_charts(const StatisticsFiles& statistics) {
                missing ? "is not installed" : "failed",
                statistics.paths.front().parent_path().string(),
                kChartsScriptName);
+}
+
+void note_other_version(const CacheInfo& cache, const std::filesystem::path& folder) {
+    if (cache.version != FOAMTEX_VERSION) {
+        fmt::print(stderr,
+                   "foamtex: note: the cache '{}' was simulated by foamtex {}; this is foamtex {}, "
+                   "which may simulate the same preset differently\n",
+                   folder.string(),
+                   cache.version,
+                   FOAMTEX_VERSION);
+    }
+}
+
+void note_open_loop(const Preset& preset, std::span<const int> frames) {
+    const int count = preset.frames.count;
+    if (preset.loop.kind != LoopKind::None && !closes_loop(frames, count)) {
+        fmt::print(stderr,
+                   "foamtex: note: the frames {} alone do not loop; the loop of '{}' has the "
+                   "frames 1-{}, and --set frames.count=N changes its length\n",
+                   format_frame_range(frames),
+                   preset.name,
+                   count);
+    }
 }
 
 ExitCode report_failure(const RunOutcome& outcome) {

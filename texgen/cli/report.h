@@ -3,7 +3,9 @@
 #pragma once
 
 #include "texgen/animation/simulate_frames.h"
+#include "texgen/cache/cache_files.h"
 #include "texgen/cli/exit_code.h"
+#include "texgen/preset/preset.h"
 #include "texgen/stats/files.h"
 
 #include <filesystem>
@@ -14,8 +16,16 @@ namespace foam::texgen {
 /// Prints the paths of files on stdout, one per line.
 void print_files(std::span<const std::filesystem::path> files);
 
-/// If no charts were drawn, prints the reason and the command that draws them on stderr.
+/// If no charts were drawn, prints on stderr why, and the command that draws them.
 void note_missing_charts(const StatisticsFiles& statistics);
+
+/// Prints a note on stderr if another version of foamtex simulated the states of a cache. `folder`
+/// is the folder of the cache.
+void note_other_version(const CacheInfo& cache, const std::filesystem::path& folder);
+
+/// Prints a note on stderr if the preset has a loop, but the frames that were baked do not close it
+/// (closes_loop).
+void note_open_loop(const Preset& preset, std::span<const int> frames);
 
 /// Prints on stderr why a run failed, and returns the exit code for this failure. Precondition: the
 /// run failed.

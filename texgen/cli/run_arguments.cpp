@@ -17,8 +17,8 @@ namespace foam::texgen {
 
 namespace {
 
-/// Returns the list [W, H] for "WxH", or [W, W] for "W". Parts that are not numbers are rejected
-/// when they are assigned to the key.
+/// Returns the list [W, H] for "WxH", or [W, W] for "W". A part that is not a number is rejected
+/// later, when the list is assigned to the key.
 Value size_value(const std::string& size) {
     const std::size_t x = size.find('x');
     const std::string width = size.substr(0, x);
@@ -26,7 +26,7 @@ Value size_value(const std::string& size) {
     return {Value::List{read_value(width), read_value(height)}};
 }
 
-/// Splits a text such as "a,b" into the list ["a", "b"].
+/// Returns the list ["a", "b"] for the text "a,b".
 Value list_value(const std::string& words) {
     Value::List list;
     for (const std::string& word : CLI::detail::split(words, ',')) {
@@ -35,8 +35,8 @@ Value list_value(const std::string& words) {
     return {std::move(list)};
 }
 
-/// Returns the assignments of every `--set`, then of the options that set a key. The options
-/// override `--set`, because later assignments win.
+/// Returns the assignments of every `--set`, followed by the assignments of the other options that
+/// set a key. The other options override `--set`, because later assignments win.
 std::vector<Assignment> assignments_of(const RunArguments& arguments) {
     std::vector<Assignment> assignments;
     for (const std::string& set : arguments.sets) {

@@ -17,9 +17,9 @@ class App;
 namespace foam::texgen {
 
 /// The arguments of commands that simulate or draw the frames of a preset, as given on the command
-/// line. The values of keys have not been checked yet.
+/// line. Values for keys have not been checked yet.
 struct RunArguments {
-    std::string preset;
+    std::string preset;  // positional argument: a preset, a cache, or a folder of images
     std::vector<std::string> sets;
     std::optional<std::string> frames;
     std::optional<std::string> size;
@@ -38,23 +38,24 @@ void add_frame_options(CLI::App& command, RunArguments& arguments);
 /// Adds --threads, -q and -v. The arguments must outlive the parsing.
 void add_run_options(CLI::App& command, RunArguments& arguments);
 
-/// Returns the assignment that the option `--maps A,B` makes, for preset_of. `maps` is "A,B".
+/// Returns the assignment that the option `--maps A,B` makes, as an argument of preset_of. `maps`
+/// is the text "A,B".
 Assignment maps_assignment(const std::string& maps);
 
-/// Loads the preset that the arguments name and applies assignments in this order: every `--set`,
-/// the other options that set a key, and `more`. Later assignments override earlier ones. Throws
+/// Returns the preset that the arguments name, after assignments in this order: every `--set`, the
+/// other options that set a key, and `more`. Later assignments override earlier ones. Throws
 /// PresetError if a value is not allowed.
 Preset preset_of(const RunArguments& arguments, const std::vector<Assignment>& more = {});
 
-/// Applies the assignments of preset_of to a preset that has already been loaded, and returns it.
-/// Throws PresetError if a value is not allowed.
+/// Returns the given preset after the same assignments as in preset_of. Throws PresetError if a
+/// value is not allowed.
 Preset changed(Preset preset,
                const RunArguments& arguments,
                const std::vector<Assignment>& more = {});
 
 /// Returns the frames of the option --frames, or all frames of the preset if the option is not
-/// given. The option may give frames beyond frames.count of the preset. Throws
-/// std::invalid_argument if the range is malformed.
+/// given. The option may also give frames above the last frame of the preset, whose number is
+/// frames.count. Throws std::invalid_argument if the range is malformed.
 std::vector<int> frames_of(const RunArguments& arguments, const Preset& preset);
 
 Verbosity verbosity_of(const RunArguments& arguments);

@@ -44,6 +44,9 @@ std::filesystem::path folder_of(const StatsArguments& arguments, const Preset& p
 Preset cached_preset(const Cache& cache, const RunArguments& arguments) {
     Preset preset = changed(cache.info().preset, arguments);
     check_same_simulation(cache.info().preset, preset);
+    if (!arguments.quiet) {
+        note_other_version(cache.info(), arguments.preset);
+    }
     return preset;
 }
 

@@ -11,8 +11,8 @@ namespace foam::texgen {
 
 namespace {
 
-// Escapes a text for use within single quotes and within an argument specification of _arguments,
-// in which brackets and colons have a special meaning.
+// Escapes a text for single quotes and for the specifications that _arguments and _describe read.
+// In these specifications brackets and colons have a special meaning.
 std::string zsh_escaped(std::string_view text) {
     std::string result;
     for (const char c : text) {

@@ -26,10 +26,12 @@ std::span<const std::string_view> kind_names() {
     return names;
 }
 
-// A kind of values: the name of a kind of event. An empty member means that the key is unset.
+// A kind of values (value_kinds.h): the name of a kind of event. An empty member means that the key
+// is unset.
 struct KindNames {
     std::string allowed() const { return Words{kind_names()}.allowed(); }
     std::string schema() const { return Words{kind_names()}.schema(); }
+    std::span<const std::string_view> words() const { return kind_names(); }
     bool read(const Value& value, std::string& member) const {
         return Words{kind_names()}.read(value, member);
     }
@@ -46,7 +48,7 @@ Keys<EventBase> shared_keys() {
 }
 
 Keys<Event> all_keys() {
-    Keys<Event> all = keys_by<Event>("", std::identity(), shared_keys());
+    Keys<Event> all = make_nested_keys<Event>("", std::identity(), shared_keys());
     for (const EventKind& kind : kEventKinds) {
         for (const Key<Event>& key : kind.keys()) {
             all.push_back(key.only_for("kind", {std::string(kind.name)}));

@@ -4,7 +4,10 @@
 
 #include "core/foam/locate.h"
 
+#include <algorithm>
+#include <map>
 #include <optional>
+#include <utility>
 
 namespace foam::texgen {
 
@@ -37,23 +40,31 @@ std::optional<ChosenBubble> choose_identity(const Foam& foam, BubbleIdentity ide
     return std::nullopt;
 }
 
-// Chooses the bubbles with the smallest target areas among those with given numbers of sides. The
-// numbers take turns, beginning with the one at index `turn`; a number without further bubbles is
-// skipped.
+// Returns up to `count` bubbles with the given numbers of sides, no bubble twice. The numbers take
+// turns, starting with the number at the index `first_index`, modulo the length of the list. In
+// each turn, the remaining bubble with the smallest target area is chosen among the bubbles with
+// this number of sides. A number that is listed several times has several turns. A number without
+// remaining bubbles is skipped.
 std::vector<ChosenBubble> choose_by_sides(const std::vector<int>& numbers,
                                           const Foam& foam,
-                                          std::size_t turn,
+                                          std::size_t first_index,
                                           std::size_t count) {
-    std::vector<std::vector<BubbleId>> found;
-    for (std::size_t k = 0; k < numbers.size(); ++k) {
-        found.push_back(bubbles_of_sides(foam, numbers[(turn + k) % numbers.size()]));
+    std::map<int, std::vector<BubbleId>> candidates;  // by sides; the smallest bubble is last
+    for (const int number : numbers) {
+        std::vector<BubbleId> bubbles = bubbles_of_sides(foam, number);
+        std::ranges::reverse(bubbles);
+        candidates[number] = std::move(bubbles);
+    }
+    std::size_t available = 0;
+    for (const auto& [number, bubbles] : candidates) {
+        available += bubbles.size();
     }
     std::vector<ChosenBubble> all;
-    for (std::size_t rank = 0; rank < foam.network.bubble_count(); ++rank) {
-        for (const std::vector<BubbleId>& of_number : found) {
-            if (rank < of_number.size() && all.size() < count) {
-                all.push_back(chosen(foam, of_number[rank]));
-            }
+    for (std::size_t k = first_index; all.size() < std::min(count, available); ++k) {
+        std::vector<BubbleId>& bubbles = candidates.at(numbers[k % numbers.size()]);
+        if (!bubbles.empty()) {
+            all.push_back(chosen(foam, bubbles.back()));
+            bubbles.pop_back();
         }
     }
     return all;
@@ -61,10 +72,10 @@ std::vector<ChosenBubble> choose_by_sides(const std::vector<int>& numbers,
 
 std::vector<ChosenBubble> choose_by_identity(const std::vector<BubbleIdentity>& bubbles,
                                              const Foam& foam,
-                                             std::size_t turn,
+                                             std::size_t first_index,
                                              std::size_t count) {
     std::vector<ChosenBubble> all;
-    for (std::size_t k = turn; k < turn + count; ++k) {
+    for (std::size_t k = first_index; k < first_index + count; ++k) {
         if (const auto one = choose_identity(foam, bubbles[k])) {
             all.push_back(*one);
         }
@@ -75,20 +86,20 @@ std::vector<ChosenBubble> choose_by_identity(const std::vector<BubbleIdentity>& 
 }  // namespace
 
 std::vector<ChosenBubble> choose_bubbles(const EventBase& event,
-                                         const EventStage& stage,
-                                         std::size_t turn,
+                                         const EventContext& context,
+                                         std::size_t first_index,
                                          std::size_t count) {
-    const Foam& foam = stage.foam;
+    const Foam& foam = context.foam;
     if (count == 0) {
         return all_bubbles(foam);
     }
     if (!event.sides.empty()) {
-        return choose_by_sides(event.sides, foam, turn, count);
+        return choose_by_sides(event.sides, foam, first_index, count);
     }
     if (!event.at) {
-        return choose_by_identity(event.bubbles, foam, turn, count);
+        return choose_by_identity(event.bubbles, foam, first_index, count);
     }
-    const auto found = identity_at(foam, stage.point_at(*event.at));
+    const auto found = identity_at(foam, context.point_at(*event.at));
     return found ? std::vector{*choose_identity(foam, *found)} : std::vector<ChosenBubble>{};
 }
 

@@ -3,30 +3,32 @@
 #pragma once
 
 #include "texgen/events/event_check.h"
-#include "texgen/events/event_stage.h"
+#include "texgen/events/event_context.h"
 
 #include <cstddef>
 #include <vector>
 
 namespace foam::texgen {
 
-/// A bubble that an event acts on; it may be a lone bubble.
+/// A bubble that an event acts on. The bubble may be a lone bubble.
 struct ChosenBubble {
     BubbleIdentity bubble = 0;
-    double area = 0.0;  // target area, foam units
+    double area = 0.0;  // target area, square foam units
 };
 
-/// Returns up to `count` of the bubbles that an event names, or all bubbles of the foam if `count`
-/// is 0. `turn` is the number of bubbles that earlier calls have chosen; a list of identities or of
-/// numbers of sides continues at this index. Returns fewer bubbles, or none, if they do not exist.
+/// Returns up to `count` of the bubbles that an event chooses, or all bubbles of the foam if
+/// `count` is 0. An event may call this function several times. `first_index` is the number of
+/// bubbles that the earlier calls were to choose. The event's list of identities continues at this
+/// index, and its list of numbers of sides at this index modulo its length. Bubbles that do not
+/// exist are left out, so that the result may be shorter or empty.
 std::vector<ChosenBubble> choose_bubbles(const EventBase& event,
-                                         const EventStage& stage,
-                                         std::size_t turn,
+                                         const EventContext& context,
+                                         std::size_t first_index,
                                          std::size_t count);
 
 /// Rejects an event that has more than one of the keys bubble, at and sides, which choose bubbles.
-/// Rejects an event that has none of them, unless `may_choose_all` is true. Rejects a count without
-/// sides.
+/// Also rejects an event that has none of them, unless `may_choose_all` is true, and an event that
+/// has the key count without the key sides.
 void check_choice(const EventCheck& check, bool may_choose_all);
 
 }  // namespace foam::texgen

@@ -21,7 +21,7 @@ Keys<CollapseOptions> collapse_keys() {
 
 void check_collapse(const EventCheck& check, const CollapseOptions& options) {
     check_choice(check, false);
-    const std::size_t bubbles = check.event.bubbles_named();
+    const std::size_t bubbles = check.event.chosen_count();
     const auto frames = static_cast<std::size_t>(check.frames.length());
     check.require(
         options.order == EventOrder::AtOnce || bubbles <= frames,
@@ -32,17 +32,19 @@ void check_collapse(const EventCheck& check, const CollapseOptions& options) {
             frames));
 }
 
-void advance_collapse(const EventBase& event, const CollapseOptions& options, EventStage& stage) {
-    const std::size_t count = event.bubbles_named();
+void advance_collapse(const EventBase& event,
+                      const CollapseOptions& options,
+                      EventContext& context) {
+    const std::size_t count = event.chosen_count();
     const std::size_t parts = options.order == EventOrder::InTurn ? count : 1;
     for (std::size_t part = 0; part < parts; ++part) {
         const FrameSpan frames = part_of(event.frames, part, parts);
-        if (frames.first != stage.frame) {
+        if (frames.first != context.frame) {
             continue;
         }
-        for (const ChosenBubble& one : choose_bubbles(event, stage, part, count / parts)) {
-            const TargetCourse course{.from = one.area, .to = stage.t2_area};
-            stage.courses[one.bubble] = {frames, course, true};
+        for (const ChosenBubble& one : choose_bubbles(event, context, part, count / parts)) {
+            const TargetAreaSchedule schedule{.from = one.area, .to = context.t2_area};
+            context.schedules[one.bubble] = {frames, schedule, true};
         }
     }
 }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "texgen/events/event_check.h"
-#include "texgen/events/event_stage.h"
+#include "texgen/events/event_context.h"
 
 namespace foam::texgen {
 
@@ -26,7 +26,11 @@ struct CollapseOptions {
 Keys<CollapseOptions> collapse_keys();
 void check_collapse(const EventCheck& check, const CollapseOptions& options);
 
-/// Drives the chosen bubbles to the T2 area. They vanish at their last frame.
-void advance_collapse(const EventBase& event, const CollapseOptions& options, EventStage& stage);
+/// Schedules the collapse of the bubbles that begin to collapse in the step to the context's frame:
+/// their target areas shrink to the T2 area, and the bubbles vanish at the last frame of their
+/// collapse. With EventOrder::AtOnce, this is the last frame of the event.
+void advance_collapse(const EventBase& event,
+                      const CollapseOptions& options,
+                      EventContext& context);
 
 }  // namespace foam::texgen

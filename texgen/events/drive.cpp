@@ -16,7 +16,7 @@ Keys<DriveOptions> drive_keys() {
                 &Options::scale),
             key("amplitude",
                 Reals{0.0, 0.9},
-                "amplitude of the oscillation of the target area, as a fraction of it",
+                "amplitude of the oscillation, as a fraction of the target area",
                 &Options::amplitude)
                 .in("fraction of the target area"),
             key("period", Reals{1.0, 1e5}, "frames per oscillation", &Options::period).in("frames"),
@@ -35,19 +35,19 @@ void check_drive(const EventCheck& check, const DriveOptions& /*options*/) {
     check_choice(check, true);
 }
 
-void advance_drive(const EventBase& event, const DriveOptions& options, EventStage& stage) {
-    if (stage.frame != event.frames.first) {
+void advance_drive(const EventBase& event, const DriveOptions& options, EventContext& context) {
+    if (context.frame != event.frames.first) {
         return;
     }
-    for (const ChosenBubble& one : choose_bubbles(event, stage, 0, event.bubbles_named())) {
-        const double more = options.phases == Phases::Random ? stage.random.uniform() : 0.0;
-        stage.courses[one.bubble] = {event.frames,
-                                     {.from = one.area,
-                                      .to = options.scale * one.area,
-                                      .amplitude = options.amplitude,
-                                      .swings = event.frames.length() / options.period,
-                                      .phase = options.phase + more},
-                                     false};
+    for (const ChosenBubble& one : choose_bubbles(event, context, 0, event.chosen_count())) {
+        const double more = options.phases == Phases::Random ? context.random.uniform() : 0.0;
+        context.schedules[one.bubble] = {event.frames,
+                                         {.from = one.area,
+                                          .to = options.scale * one.area,
+                                          .amplitude = options.amplitude,
+                                          .oscillations = event.frames.length() / options.period,
+                                          .phase = options.phase + more},
+                                         false};
     }
 }
 

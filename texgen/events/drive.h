@@ -3,7 +3,7 @@
 #pragma once
 
 #include "texgen/events/event_check.h"
-#include "texgen/events/event_stage.h"
+#include "texgen/events/event_context.h"
 
 namespace foam::texgen {
 
@@ -16,21 +16,23 @@ inline constexpr EventTraits kDriveEvent = {
     .takes_position = true,
     .takes_count = true};
 
-/// Selects whether several bubbles oscillate with the same phase or with random phases.
+/// Selects whether all bubbles of an event oscillate with the same phase, or each with an
+/// additional random phase.
 enum class Phases { Same, Random };
 
 struct DriveOptions {
-    double scale = 1.0;      // factor on the area, reached at the last frame
-    double amplitude = 0.0;  // of the oscillation, as a fraction of the area
-    double period = 24.0;    // of the oscillation, in frames
-    double phase = 0.0;      // of the oscillation at its start, in cycles
+    double scale = 1.0;      // target area at the last frame divided by the area at the start
+    double amplitude = 0.0;  // amplitude of the oscillation, as a fraction of the target area
+    double period = 24.0;    // period of the oscillation, in frames
+    double phase = 0.0;      // phase of the oscillation at its start, in cycles
     Phases phases = Phases::Same;
 };
 
 Keys<DriveOptions> drive_keys();
 void check_drive(const EventCheck& check, const DriveOptions& options);
 
-/// Makes the target areas of the chosen bubbles follow a ramp and an oscillation (E9).
-void advance_drive(const EventBase& event, const DriveOptions& options, EventStage& stage);
+/// At the first frame of the event, chooses bubbles and schedules their target areas: a ramp times
+/// an oscillation (E9). Does nothing at later frames.
+void advance_drive(const EventBase& event, const DriveOptions& options, EventContext& context);
 
 }  // namespace foam::texgen

@@ -16,7 +16,7 @@ namespace {
 constexpr int kMaxBubbles = 1'000'000;
 constexpr std::int64_t kLargestIdentity = std::numeric_limits<BubbleIdentity>::max() - 1;
 
-// A kind of values: a single frame, stored as a span of one frame.
+// A kind of values (value_kinds.h): a single frame, stored as a span of one frame.
 struct SingleFrames {
     Integers frame{2, kLastEventFrame};
 
@@ -33,7 +33,7 @@ struct SingleFrames {
     }
 };
 
-// A kind of values: a span of frames, written [first, last].
+// A kind of values: a span of frames, written as [first, last].
 struct FrameSpans {
     Integers frame{2, kLastEventFrame};
 
@@ -85,8 +85,8 @@ struct Times {
     }
 };
 
-// Returns a key that calls `forget` after it has read a value. In this way frames replace a time,
-// and a time replaces frames.
+// Returns a copy of the key that calls `forget` after it has read an allowed value. Frames that are
+// read thus replace a time, and a time replaces frames.
 Key<EventBase> replacing(Key<EventBase> key, void (*forget)(EventBase& event)) {
     key.read = [read = key.read, forget](const Value& value, EventBase& event) {
         const bool allowed = read(value, event);
@@ -98,7 +98,7 @@ Key<EventBase> replacing(Key<EventBase> key, void (*forget)(EventBase& event)) {
     return key;
 }
 
-// Restricts a key to the kinds of events that have a trait.
+// Returns a copy of the key that is restricted to the kinds of events whose member `takes` is true.
 Key<EventBase> taken_by(const std::vector<EventTraits>& kinds,
                         bool EventTraits::*takes,
                         const Key<EventBase>& key) {
@@ -121,7 +121,7 @@ FrameSpan part_of(const FrameSpan& frames, std::size_t index, std::size_t parts)
     return {start(index), start(index + 1) - 1};
 }
 
-std::size_t EventBase::bubbles_named() const {
+std::size_t EventBase::chosen_count() const {
     if (!bubbles.empty()) {
         return bubbles.size();
     }
@@ -153,35 +153,38 @@ Keys<EventBase> time_keys() {
 
 Keys<EventBase> choice_keys(const std::vector<EventTraits>& kinds) {
     using Traits = EventTraits;
-    return {taken_by(kinds,
-                     &Traits::takes_bubbles,
-                     key("bubble",
-                         IntegerLists{{0, kLargestIdentity}},
-                         "identities of the bubbles; a seeded foam has 0 to bubbles - 1",
-                         &EventBase::bubbles)),
-            taken_by(kinds,
-                     &Traits::takes_position,
-                     key("at",
-                         Maybe<Points>{{{0.0, 1.0}}},
-                         "position of the bubble, junction or film, in fractions of the image from "
-                         "its lower left corner; without foam there, nothing happens",
-                         &EventBase::at)
-                         .in("fraction of the image width and height")),
-            taken_by(kinds,
-                     &Traits::takes_bubbles,
-                     key("sides",
-                         IntegerLists{{2, 100}},
-                         "number of sides: chooses the smallest bubbles with so many sides when "
-                         "the event begins; several numbers take turns",
-                         &EventBase::sides)
-                         .in("sides")),
-            taken_by(kinds,
-                     &Traits::takes_count,
-                     key("count",
-                         Integers{1, kMaxBubbles},
-                         "number of bubbles that sides chooses, or number of new bubbles",
-                         &EventBase::count)
-                         .in("bubbles"))};
+    return {
+        taken_by(kinds,
+                 &Traits::takes_bubbles,
+                 key("bubble",
+                     IntegerLists{{0, kLargestIdentity}},
+                     "identities of the bubbles; a seeded foam has 0 to bubbles - 1",
+                     &EventBase::bubbles)),
+        taken_by(kinds,
+                 &Traits::takes_position,
+                 key("at",
+                     Maybe<Points>{{{0.0, 1.0}}},
+                     "position of the bubble, of the new bubble or of the push, in fractions of "
+                     "the image from its lower left corner; if there is no foam at this "
+                     "position, no bubble is chosen or created, but a push still moves the "
+                     "junctions within its radius",
+                     &EventBase::at)
+                     .in("fraction of the image width and height")),
+        taken_by(kinds,
+                 &Traits::takes_bubbles,
+                 key("sides",
+                     IntegerLists{{2, 100}},
+                     "numbers of sides: chooses the smallest bubbles with these numbers of "
+                     "sides when the event begins; several numbers take turns",
+                     &EventBase::sides)
+                     .in("sides")),
+        taken_by(kinds,
+                 &Traits::takes_count,
+                 key("count",
+                     Integers{1, kMaxBubbles},
+                     "number of bubbles that sides chooses, or number of new bubbles",
+                     &EventBase::count)
+                     .in("bubbles"))};
 }
 
 }  // namespace foam::texgen

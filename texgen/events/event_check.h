@@ -13,34 +13,37 @@ namespace foam::texgen {
 /// The properties of a foam that its events depend on.
 struct EventSetting {
     bool is_patch = false;
-    double t2_area = 0.0;       // foam units
-    double shorter_side = 0.0;  // of a torus, foam units
+    double t2_area = 0.0;       // square foam units
+    double shorter_side = 0.0;  // shorter side of a torus, foam units
 };
 
-/// The arguments of the check of one event of a preset. The check covers conditions between the
-/// keys of the event, and conditions between the event and the foam.
+/// The arguments of the check of one event of a preset. The check covers conditions that involve
+/// several keys of the event, or a key of the event and a property of the foam. It runs after a
+/// file or a command line has assigned keys of the preset. Here a key counts as assigned only if
+/// this file or command line assigns it.
 struct EventCheck {
     const EventBase& event;
-    FrameSpan frames;  // frames of the event, computed if it has a time
+    FrameSpan frames;  // frames of the event; computed from its time if it has one
     EventSetting setting;
-    std::string name;         // "event[2]"
-    bool is_touched = false;  // false if only keys outside of the event were assigned
+    std::string name;               // name of the event in messages, such as "event[2]"
+    bool has_assigned_key = false;  // true if a key of this event was assigned
     std::function<bool(std::string_view key)> is_given;  // true if the key was assigned
     std::function<void(std::string_view key, std::string_view reason)> reject;  // throws
 
-    /// Rejects the key for the given reason unless the condition holds.
+    /// Calls `reject` with the key and the reason unless the condition `holds`.
     void require(bool holds, std::string_view key, std::string_view reason) const {
         if (!holds) {
             reject(key, reason);
         }
     }
-    /// Returns `text`. If only keys outside of the event were assigned, the error message begins
-    /// with one of these keys. The result is then "event[2].key" + separator + text, so that the
-    /// message also names the key of the event.
-    std::string about(std::string_view key,
-                      std::string_view separator,
-                      std::string_view text) const {
-        return is_touched
+    /// Returns the reason to report for a wrong value of a key of the event. If a key of the event
+    /// was assigned, the reason is `text`. Otherwise the error message begins with a key outside of
+    /// the event that was assigned. The result is then "event[2].key" + separator + text, so that
+    /// the message also names the key of the event.
+    std::string qualified_reason(std::string_view key,
+                                 std::string_view separator,
+                                 std::string_view text) const {
+        return has_assigned_key
                    ? std::string(text)
                    : name + '.' + std::string(key) + std::string(separator) + std::string(text);
     }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "texgen/events/event_check.h"
-#include "texgen/events/event_stage.h"
+#include "texgen/events/event_context.h"
 
 #include <array>
 
@@ -16,15 +16,16 @@ inline constexpr EventTraits kForceEvent = {.name = "force",
                                             .takes_position = true};
 
 struct ForceOptions {
-    double radius = 2.0;                   // foam units
-    std::array<double, 2> push{1.0, 0.0};  // total of all frames, foam units
+    double radius = 2.0;                   // radius of the pushed region, foam units
+    std::array<double, 2> push{1.0, 0.0};  // total displacement of the center, foam units
 };
 
 Keys<ForceOptions> force_keys();
 void check_force(const EventCheck& check, const ForceOptions& options);
 
-/// Pushes the foam around a point by an equal part of the push in each frame. The point moves by
-/// the same part.
-void advance_force(const EventBase& event, const ForceOptions& options, EventStage& stage);
+/// Adds the push, divided by the number of frames of the event, to the change of this step. The
+/// push displaces the junctions around a center. The center starts at the position `at` and moves
+/// along with the push from frame to frame. Is called once for each frame of the event.
+void advance_force(const EventBase& event, const ForceOptions& options, EventContext& context);
 
 }  // namespace foam::texgen

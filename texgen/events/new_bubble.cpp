@@ -13,7 +13,7 @@ namespace foam::texgen {
 namespace {
 
 constexpr int kMaxTries = 100;
-constexpr double kFirstAreas = 2.0;  // initial area of a new bubble, in T2 areas
+constexpr double kFirstAreas = 2.0;  // initial target area of a new bubble, in T2 areas
 
 // Returns a random point of the torus, or of the bounding box of the patch's junctions.
 Vec2 random_point(const Foam& foam, Random& random) {
@@ -67,8 +67,8 @@ void grow_bubble(const Foam& foam,
                  BubbleId bubble,
                  const FrameSpan& frames,
                  double area,
-                 DrivenCourses& courses) {
-    courses[foam.identities[bubble]] = {
+                 DrivenSchedules& schedules) {
+    schedules[foam.identities[bubble]] = {
         frames, {.from = foam.target_areas[bubble], .to = area}, false};
 }
 

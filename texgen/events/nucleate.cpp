@@ -18,7 +18,7 @@ Keys<NucleateOptions> nucleate_keys() {
                 &Options::on),
             key("area",
                 Reals{0.0002, 100.0},
-                "target area of a new bubble, in foam units; above dynamics.t2_area",
+                "target area of a new bubble, in square foam units; must be above dynamics.t2_area",
                 &Options::area)
                 .in("square foam units"),
             key("growth",
@@ -33,27 +33,29 @@ void check_nucleate(const EventCheck& check, const NucleateOptions& options) {
     const double t2_area = check.setting.t2_area;
     check.require(options.area > t2_area,
                   "area",
-                  check.is_touched
+                  check.has_assigned_key
                       ? fmt::format("must be above dynamics.t2_area = {}", t2_area)
                       : fmt::format("must be below {}.area = {}", check.name, options.area));
     check.require(!check.event.at || check.event.count == 1,
                   "count",
-                  "must be 1 if the event has a position, at");
+                  "must be 1 if the event has the key at (a position)");
 }
 
-void advance_nucleate(const EventBase& event, const NucleateOptions& options, EventStage& stage) {
-    const double first = first_area(options.area, stage.t2_area);
+void advance_nucleate(const EventBase& event,
+                      const NucleateOptions& options,
+                      EventContext& context) {
+    const double first = first_area(options.area, context.t2_area);
     const auto count = static_cast<std::size_t>(event.count);
     for (std::size_t k = 0; k < count; ++k) {
-        if (part_of(event.frames, k, count).first != stage.frame) {
+        if (part_of(event.frames, k, count).first != context.frame) {
             continue;
         }
         const std::optional<BubbleId> bubble =
-            event.at ? nucleate_near(options.on, stage.point_at(*event.at), first, stage.foam)
-                     : nucleate_anywhere(options.on, first, stage.random, stage.foam);
+            event.at ? nucleate_near(options.on, context.point_at(*event.at), first, context.foam)
+                     : nucleate_anywhere(options.on, first, context.random, context.foam);
         if (bubble) {
-            const FrameSpan frames{stage.frame, stage.frame + options.growth - 1};
-            grow_bubble(stage.foam, *bubble, frames, options.area, stage.courses);
+            const FrameSpan frames{context.frame, context.frame + options.growth - 1};
+            grow_bubble(context.foam, *bubble, frames, options.area, context.schedules);
         }
     }
 }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "texgen/events/event_check.h"
-#include "texgen/events/event_stage.h"
+#include "texgen/events/event_context.h"
 #include "texgen/events/new_bubble.h"
 
 namespace foam::texgen {
@@ -24,7 +24,10 @@ struct NucleateOptions {
 Keys<NucleateOptions> nucleate_keys();
 void check_nucleate(const EventCheck& check, const NucleateOptions& options);
 
-/// Creates the bubbles that are due before this frame, and schedules their growth to their area.
-void advance_nucleate(const EventBase& event, const NucleateOptions& options, EventStage& stage);
+/// Creates the bubbles that are to appear in the step to the context's frame, and schedules their
+/// growth to options.area. A bubble that cannot be created is left out.
+void advance_nucleate(const EventBase& event,
+                      const NucleateOptions& options,
+                      EventContext& context);
 
 }  // namespace foam::texgen

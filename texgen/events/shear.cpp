@@ -15,15 +15,15 @@ Keys<ShearOptions> shear_keys() {
 }
 
 void check_shear(const EventCheck& check, const ShearOptions& /*options*/) {
-    check.require(
-        !check.setting.is_patch,
-        "kind",
-        check.about("kind", " = ", "\"shear\" is only allowed with foam.domain = \"torus\""));
+    check.require(!check.setting.is_patch,
+                  "kind",
+                  check.qualified_reason(
+                      "kind", " = ", "\"shear\" is only allowed with foam.domain = \"torus\""));
 }
 
-void advance_shear(const EventBase& event, const ShearOptions& options, EventStage& stage) {
+void advance_shear(const EventBase& event, const ShearOptions& options, EventContext& context) {
     const double part = 1.0 / event.frames.length();
-    stage.change.strain += part * options.strain;
+    context.change.strain += part * options.strain;
 }
 
 }  // namespace foam::texgen

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "texgen/events/event_check.h"
-#include "texgen/events/event_stage.h"
+#include "texgen/events/event_context.h"
 
 namespace foam::texgen {
 
@@ -14,13 +14,14 @@ inline constexpr EventTraits kShearEvent = {
         "a whole width"};
 
 struct ShearOptions {
-    double strain = 1.0;  // total of all frames
+    double strain = 1.0;  // total shear strain over all frames
 };
 
 Keys<ShearOptions> shear_keys();
 void check_shear(const EventCheck& check, const ShearOptions& options);
 
-/// Shears the whole torus by an equal part of the strain in each frame.
-void advance_shear(const EventBase& event, const ShearOptions& options, EventStage& stage);
+/// Adds the strain divided by the number of frames of the event to the change of this step. Is
+/// called once for each frame of the event.
+void advance_shear(const EventBase& event, const ShearOptions& options, EventContext& context);
 
 }  // namespace foam::texgen

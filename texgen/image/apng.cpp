@@ -13,22 +13,25 @@
 #include <utility>
 #include <vector>
 
-// Joins encoded PNGs without decoding them. The stream begins with the chunks of the first frame
-// that precede its data. An acTL chunk follows, with the number of frames and of plays. Each frame
-// consists of an fcTL chunk (extents and duration) and its data. The data of the first frame are
-// IDAT chunks. The data of later frames are fdAT chunks, which are IDAT chunks with a sequence
-// number in front. All other chunks of later frames are dropped.
+// Joins encoded PNGs without decoding them. The stream begins with the signature of PNG and the
+// chunks of the first frame that precede its data. Then an acTL chunk gives the number of frames
+// and how often the animation is played. Each frame consists of an fcTL chunk, which gives its
+// width, height and duration, and of its data. The data of the first frame are IDAT chunks. The
+// data of later frames are fdAT chunks, whose content is a sequence number and the content of an
+// IDAT chunk. All other chunks of later frames are dropped.
 
 namespace foam::texgen {
 
 namespace {
 
-// Sizes in bytes.
+// The first bytes of every PNG.
 constexpr std::array<unsigned char, 8> kSignature = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-constexpr std::size_t kWord = 4;           // a length, a type or a check sum
-constexpr std::size_t kExtents = 8;        // width and height, which begin the content of an IHDR
+// Sizes in bytes.
+constexpr std::size_t kWord = 4;           // the length, the type or the checksum of a chunk
+constexpr std::size_t kSizeBytes = 8;      // width and height, at the start of an IHDR's content
 constexpr std::size_t kFrameControl = 26;  // the content of an fcTL
-constexpr std::uint32_t kPlayForever = 0;  // number of plays that means an endless loop
+// The number of plays in an acTL that means an endless loop.
+constexpr std::uint32_t kPlayForever = 0;
 
 using Content = std::span<const std::byte>;
 
@@ -41,6 +44,7 @@ struct Chunk {
     throw std::invalid_argument("a frame is not a PNG stream");
 }
 
+/// Returns the big-endian number in the first 4 bytes. Precondition: there are at least 4 bytes.
 std::uint32_t number_at(Content bytes) {
     std::uint32_t number = 0;
     for (const std::byte byte : bytes.first(kWord)) {
@@ -53,6 +57,7 @@ void append(Bytes& to, Content bytes) {
     to.insert(to.end(), bytes.begin(), bytes.end());
 }
 
+/// Appends a number in big-endian byte order.
 template <class Number>
 void append_number(Bytes& to, Number number) {
     for (int shift = 8 * static_cast<int>(sizeof(Number)) - 8; shift >= 0; shift -= 8) {
@@ -60,8 +65,8 @@ void append_number(Bytes& to, Number number) {
     }
 }
 
-/// Appends length, type, content, and the CRC of type and content (section 5.3 of the PNG
-/// specification).
+/// Appends a chunk: the length of its content, its type, its content, and the CRC of type and
+/// content (section 5.3 of the PNG specification).
 void append_chunk(Bytes& to, std::string_view type, Content content) {
     append_number(to, static_cast<std::uint32_t>(content.size()));
     const std::size_t begin = to.size();
@@ -71,7 +76,8 @@ void append_chunk(Bytes& to, std::string_view type, Content content) {
     append_number(to, static_cast<std::uint32_t>(crc32_z(0, checked, to.size() - begin)));
 }
 
-/// Returns the stream without its signature. Throws std::invalid_argument if it has none.
+/// Returns the stream without its signature. Throws std::invalid_argument if the stream does not
+/// begin with the signature of PNG.
 Content after_signature(Content png) {
     const Content signature = std::as_bytes(std::span(kSignature));
     if (png.size() < signature.size() ||
@@ -94,15 +100,15 @@ Chunk take_chunk(Content& rest) {
     return chunk;
 }
 
-/// Returns all chunks of a PNG. They refer to the stream. Throws std::invalid_argument unless the
-/// first chunk is IHDR and at least one chunk is IDAT, and for a PNG with a palette.
+/// Returns all chunks of a PNG. They refer to the bytes of `png`. Throws std::invalid_argument if
+/// the first chunk is not IHDR, if no chunk is IDAT, or if the PNG has a palette.
 std::vector<Chunk> chunks_of(Content png) {
     std::vector<Chunk> chunks;
     for (Content rest = after_signature(png); !rest.empty();) {
         chunks.push_back(take_chunk(rest));
     }
     const bool has_data = std::ranges::find(chunks, "IDAT", &Chunk::type) != chunks.end();
-    if (!has_data || chunks.front().type != "IHDR" || chunks.front().content.size() < kExtents) {
+    if (!has_data || chunks.front().type != "IHDR" || chunks.front().content.size() < kSizeBytes) {
         reject_stream();
     }
     if (std::ranges::find(chunks, "PLTE", &Chunk::type) != chunks.end()) {
@@ -112,16 +118,19 @@ std::vector<Chunk> chunks_of(Content png) {
     return chunks;
 }
 
-bool is_delay(int number) {
+/// Returns true if an fcTL chunk can store the number as the numerator or denominator of a
+/// duration.
+bool is_positive_uint16(int number) {
     return number >= 1 && number <= std::numeric_limits<std::uint16_t>::max();
 }
 
 }  // namespace
 
 ApngMuxer::ApngMuxer(int frames, FrameRate rate) : frames_(frames), rate_(rate) {
-    if (frames < 1 || !is_delay(rate.frames) || !is_delay(rate.seconds)) {
+    if (frames < 1 || !is_positive_uint16(rate.frames) || !is_positive_uint16(rate.seconds)) {
         throw std::invalid_argument(
-            fmt::format("an animation cannot have {} frames at a rate of {} in {} s",
+            fmt::format("an animation needs at least one frame, and a frame rate whose numerator "
+                        "and denominator are from 1 to 65535, not {} frames at {}/{}",
                         frames,
                         rate.frames,
                         rate.seconds));
@@ -182,11 +191,11 @@ void ApngMuxer::append_frame() {
     Bytes control;
     control.reserve(kFrameControl);
     append_number(control, sequence_++);
-    append(control, Content(header_).first(kExtents));
-    append_number(control, std::uint64_t{0});  // no offset
+    append(control, Content(header_).first(kSizeBytes));
+    append_number(control, std::uint64_t{0});  // offset of the frame in x and y
     append_number(control, static_cast<std::uint16_t>(rate_.seconds));
     append_number(control, static_cast<std::uint16_t>(rate_.frames));
-    append_number(control, std::uint16_t{0});  // dispose_op none, blend_op source: replaces pixels
+    append_number(control, std::uint16_t{0});  // dispose_op none, blend_op source: replace pixels
     append_chunk(stream_, "fcTL", control);
 }
 

@@ -11,18 +11,18 @@
 
 namespace foam::texgen {
 
-/// Joins pictures, each encoded as a PNG, into an animation that repeats endlessly (APNG, third
-/// edition of the PNG specification). Programs that do not support APNG show its first frame. The
-/// color space and the texts of the first frame apply to all frames.
+/// Joins frames, each encoded as a PNG, into an animation that repeats endlessly (APNG, third
+/// edition of the PNG specification). Programs that do not support APNG show the first frame. The
+/// color space and the texts of the first frame apply to the whole animation.
 class ApngMuxer {
   public:
-    /// Starts an animation of `frames` frames. Throws std::invalid_argument unless `frames` is
-    /// positive and both members of `rate` are from 1 to 65535.
+    /// Starts an animation of `frames` frames at the given frame rate. Throws std::invalid_argument
+    /// unless `frames` is positive and both members of `rate` are from 1 to 65535.
     ApngMuxer(int frames, FrameRate rate);
 
-    /// Appends the next frame, encoded by encode_png. Throws std::invalid_argument if the stream is
-    /// not a PNG or has a palette, if its size or type of samples differs from the first frame, or
-    /// if all frames have already been added.
+    /// Appends the next frame. `png` is a PNG as encode_png returns it. Throws
+    /// std::invalid_argument if `png` is not a PNG or has a palette, if its width, height or type
+    /// of samples differs from the first frame, or if all frames have already been added.
     void add(std::span<const std::byte> png);
 
     /// Completes the stream and returns it. May be called only once. Throws std::invalid_argument
@@ -39,7 +39,7 @@ class ApngMuxer {
     FrameRate rate_;
     int added_ = 0;
     std::uint32_t sequence_ = 0;  // the next sequence number of fcTL and fdAT chunks
-    Bytes header_;                // the content of the first frame's IHDR
+    Bytes header_;                // the content of the IHDR chunk of the first frame
     Bytes stream_;
 };
 

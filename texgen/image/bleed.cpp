@@ -8,17 +8,18 @@
 #include <vector>
 
 // The pull-push algorithm (Gortler et al., "The Lumigraph", 1996). Pull: each coarser level has
-// half the width and height of the level before. The color of a texel is the mean of up to four
-// finer texels, weighted by opacity; its opacity is the sum of their opacities. Push: from the
-// coarsest level to the finest, a texel without opacity gets the color of the coarser texel that
-// contains it. In the finest level, the image itself, a pixel without opacity gets the weighted
-// mean of its eight neighbors instead, if any of them has an opacity above 0.
+// half the width and height of the level before, rounded up. The color of a texel is the mean color
+// of up to four finer texels, weighted by opacity; its opacity is the sum of their opacities. Push:
+// from the coarsest level to the finest, a texel without opacity gets the color of the coarser
+// texel that contains it. The image itself is the finest level. There, a pixel without opacity gets
+// the weighted mean of its eight neighbors instead, if any of them has an opacity above 0.
 
 namespace foam::texgen {
 
 namespace {
 
-// A straight color, which is the mean of some pixels, and the sum of the opacities of these pixels.
+// Three components of a color, which is not premultiplied, and an opacity. The color is the mean
+// color of the pixels that the texel covers, and the opacity is the sum of their opacities.
 using Texel = std::array<float, 4>;
 
 struct Level {
@@ -47,13 +48,16 @@ void add_weighted(Texel& sum, const Texel& texel) {
     sum[3] += texel[3];
 }
 
-// Divides the colors of a sum by its opacity.
+// Converts a sum that add_weighted has computed to a mean: divides its color by its opacity.
+// Returns zeros if the opacity is 0.
 Texel weighted_mean(const Texel& sum) {
     return sum[3] > 0.0F ? Texel{sum[0] / sum[3], sum[1] / sum[3], sum[2] / sum[3], sum[3]}
                          : Texel{};
 }
 
-// Returns the mean of up to four texels of a level; (x, y) is the lower left texel.
+// Returns the mean of up to four texels of a level, weighted by opacity. The level has the given
+// width and height, and finer(i, j) returns its texel (i, j). The texel (x, y) is the lower left
+// one of the four.
 template <class Finer>
 Texel mean_of_four(int width, int height, const Finer& finer, int x, int y) {
     Texel sum{};
@@ -65,6 +69,8 @@ Texel mean_of_four(int width, int height, const Finer& finer, int x, int y) {
     return weighted_mean(sum);
 }
 
+// Returns the next coarser level. The finer level has the given width and height, and finer(x, y)
+// returns its texel (x, y).
 template <class Finer>
 Level halved(int width, int height, const Finer& finer) {
     Level level{(width + 1) / 2, (height + 1) / 2, {}};
@@ -78,7 +84,8 @@ Level halved(int width, int height, const Finer& finer) {
     return level;
 }
 
-// Returns all levels that are coarser than the image. The last level has one texel.
+// Returns all levels that are coarser than the image, from fine to coarse. The last level has one
+// texel.
 std::vector<Level> coarser_levels(ImageView<std::uint16_t> image) {
     std::vector<Level> levels{
         halved(image.width(), image.height(), [&](int x, int y) { return texel_of(image, x, y); })};
@@ -94,6 +101,7 @@ void take_color(Texel& texel, const Texel& from) {
     std::copy_n(from.begin(), 3, texel.begin());
 }
 
+// Gives every texel without opacity the color of the coarser texel that contains it.
 void bleed_into(Level& level, Level& coarser) {
     for (int y = 0; y < level.height; ++y) {
         for (int x = 0; x < level.width; ++x) {
@@ -116,8 +124,8 @@ Texel mean_around(ImageView<std::uint16_t> image, int x, int y) {
     return weighted_mean(sum);
 }
 
-// Returns true if the coarser texels that cover a pixel and its eight neighbors have no opacity. If
-// so, mean_around need not be called.
+// Returns true if the coarser texels that cover a pixel and its eight neighbors have no opacity. In
+// this case mean_around would return an opacity of 0, too, and need not be called.
 bool is_clear_around(Level& coarser, int x, int y) {
     const int right = std::min((x + 1) / 2, coarser.width - 1);
     const int above = std::min((y + 1) / 2, coarser.height - 1);
@@ -127,6 +135,8 @@ bool is_clear_around(Level& coarser, int x, int y) {
            coarser.at(left, above)[3] == 0.0F && coarser.at(right, above)[3] == 0.0F;
 }
 
+// Gives every pixel without opacity the mean color of its neighbors, or else the color of the
+// coarser texel that contains it.
 void bleed_into(ImageView<std::uint16_t> image, Level& coarser) {
     for (int y = 0; y < image.height(); ++y) {
         for (int x = 0; x < image.width(); ++x) {

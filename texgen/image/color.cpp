@@ -17,6 +17,8 @@ namespace {
 constexpr double kToeEncoded = 0.04045;
 constexpr double kToeLinear = 0.0031308;
 
+/// Returns the sRGB code nearest to a value of linear light. The value is clamped to [0, 1]; NaN
+/// counts as 0.
 std::uint8_t to_code(double linear) {
     if (!(linear > 0.0)) {
         return 0;

@@ -27,16 +27,18 @@ struct Srgb8 {
 };
 
 /// Convert between an sRGB-encoded value and linear light by the transfer function of IEC
-/// 61966-2-1. Both values are in [0, 1].
+/// 61966-2-1. Arguments and results are in [0, 1].
 double srgb_to_linear(double encoded);
 double linear_to_srgb(double linear);
 
+/// Returns the color in linear light.
 LinearRgb to_linear(Srgb8 color);
 
 /// Returns (1 - part) a + part b.
 LinearRgb mixed(const LinearRgb& a, const LinearRgb& b, double part);
 
-/// Encodes a color and rounds it to the nearest codes. Light is clamped to [0, 1]; NaN becomes 0.
+/// Returns the sRGB encoding of a color, rounded to the nearest codes. Each component of the color
+/// is clamped to [0, 1]; NaN becomes 0.
 Srgb8 to_srgb8(const LinearRgb& color);
 
 /// Parses "#rrggbb", with six hexadecimal digits in either case. Throws std::invalid_argument for

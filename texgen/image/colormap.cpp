@@ -30,7 +30,7 @@ constexpr ColorTable gray_table() {
 
 constexpr ColorTable kGray = gray_table();
 
-// Names and maps are in the same order.
+// The names of the color maps, and the color maps in the same order.
 constexpr std::array<std::string_view, 8> kNames = {
     "viridis", "magma", "inferno", "plasma", "cividis", "grey", "labyrinth_blue", "sea_water"};
 constexpr std::array<ColorMap, kNames.size()> kMaps = {ColorMap(kViridis),
@@ -42,6 +42,7 @@ constexpr std::array<ColorMap, kNames.size()> kMaps = {ColorMap(kViridis),
                                                        ColorMap(kLabyrinthBlue),
                                                        ColorMap(kSeaWater)};
 
+/// Interpolates between two sRGB codes and returns the result as linear light.
 double mixed(int from, int to, double weight) {
     return srgb_to_linear((from + weight * (to - from)) / 255.0);
 }

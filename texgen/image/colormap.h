@@ -11,7 +11,7 @@
 
 namespace foam::texgen {
 
-/// The 256 entries of a color map. An entry is 0xRRGGBB in sRGB.
+/// The 256 entries of a color map. An entry is an sRGB color in the form 0xRRGGBB.
 using ColorTable = std::array<std::uint32_t, 256>;
 
 /// A color map: a function from [0, 1] to colors that interpolates between the entries of a table.
@@ -23,16 +23,16 @@ class ColorMap {
     /// Returns entry i. Precondition: 0 <= i < 256.
     Srgb8 entry(int i) const;
 
-    /// Returns the color at t, clamped to [0, 1]; NaN counts as 0. Interpolates between two entries
-    /// in sRGB, because the maps are designed to be perceptually uniform in this space.
+    /// Returns the color at t. t is clamped to [0, 1]; NaN counts as 0. Two neighboring entries are
+    /// interpolated in sRGB, not in linear light, because steps in sRGB look more uniform.
     LinearRgb at(double t) const;
 
   private:
     const ColorTable* table_;
 };
 
-/// Returns the color map with a name. Throws std::invalid_argument, whose message lists all names,
-/// if no color map has the name.
+/// Returns the color map with the given name. Throws std::invalid_argument if there is none; the
+/// message lists all names.
 const ColorMap& find_colormap(std::string_view name);
 
 /// Returns the names of all color maps.

@@ -167,10 +167,12 @@ inline constexpr std::array<std::uint32_t, 256> kCividis = {
     0xf3db42, 0xf5dc41, 0xf6dd3f, 0xf7de3e, 0xf8df3c, 0xf9e03a, 0xfbe138, 0xfce236, 0xfde334,
     0xfee434, 0xfee535, 0xfee636, 0xfee838};
 
-// The project's own ramps. The OKLab lightness L changes linearly. Chroma C and hue h (degrees) are
-// monotone cubic interpolants of the listed points (t; C, h).
+// The color maps below were made for foamtex, in the polar form of the color space OKLab. The
+// lightness L changes linearly. The chroma C and the hue h (in degrees) are monotone cubic
+// interpolants of the listed points (t; C, h), where t from 0 to 1 is the position in the color
+// map.
 
-// Near-white to navy: L 0.975 to 0.235; (0; 0.010, 230) (0.25; 0.060, 238) (0.5; 0.120, 248)
+// Near-white to navy: L from 0.975 to 0.235; (0; 0.010, 230) (0.25; 0.060, 238) (0.5; 0.120, 248)
 // (0.72; 0.130, 256) (1; 0.072, 264).
 inline constexpr std::array<std::uint32_t, 256> kLabyrinthBlue = {
     0xf0f8fc, 0xeff7fc, 0xedf6fb, 0xecf6fb, 0xebf5fa, 0xe9f4fa, 0xe8f3f9, 0xe6f2f9, 0xe5f1f8,
@@ -203,7 +205,7 @@ inline constexpr std::array<std::uint32_t, 256> kLabyrinthBlue = {
     0x0f244e, 0x0f234d, 0x0f224c, 0x0e224a, 0x0e2149, 0x0e2048, 0x0e2047, 0x0d1f45, 0x0d1e44,
     0x0d1e43, 0x0c1d42, 0x0c1c41, 0x0c1c40};
 
-// Deep water to spray: L 0.50 to 0.975; (0; 0.082, 236) (0.35; 0.078, 218) (0.65; 0.060, 200)
+// Deep water to spray: L from 0.50 to 0.975; (0; 0.082, 236) (0.35; 0.078, 218) (0.65; 0.060, 200)
 // (0.88; 0.032, 184) (1; 0.012, 178).
 inline constexpr std::array<std::uint32_t, 256> kSeaWater = {
     0x2e6a8c, 0x2e6b8c, 0x2e6b8d, 0x2f6c8d, 0x2f6c8e, 0x306d8e, 0x306e8e, 0x306e8f, 0x316f8f,

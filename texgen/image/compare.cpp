@@ -16,21 +16,22 @@ namespace {
 constexpr double kWhite = 65535.0;
 
 /// Returns |a - b|; 0 if both are NaN, and infinity if only one is NaN.
-double difference(double a, double b) {
+double absolute_difference(double a, double b) {
     if (a == b || (std::isnan(a) && std::isnan(b))) {
         return 0.0;
     }
-    const double apart = std::abs(a - b);
-    return std::isnan(apart) ? std::numeric_limits<double>::infinity() : apart;
+    const double distance = std::abs(a - b);
+    return std::isnan(distance) ? std::numeric_limits<double>::infinity() : distance;
 }
 
-bool have_one_form(const Picture& a, const Picture& b) {
+/// Returns true if the pictures have the same width, height and channel names.
+bool have_same_layout(const Picture& a, const Picture& b) {
     return a.width() == b.width() && a.height() == b.height() &&
            std::ranges::equal(
                channels_of(a), channels_of(b), {}, &PictureChannel::name, &PictureChannel::name);
 }
 
-/// Calls visit(channel name, x, y, difference) for every sample.
+/// Calls visit(channel name, x, y, difference) for every sample. y counts from the bottom row.
 template <class Visit>
 void visit_differences(const Picture& a, const Picture& b, const Visit& visit) {
     const std::vector<PictureChannel> left = channels_of(a);
@@ -43,7 +44,7 @@ void visit_differences(const Picture& a, const Picture& b, const Visit& visit) {
             read_numbers(right[k], y, right_row);
             for (int x = 0; x < a.width(); ++x) {
                 const auto at = static_cast<std::size_t>(x);
-                visit(left[k].name, x, y, difference(left_row[at], right_row[at]));
+                visit(left[k].name, x, y, absolute_difference(left_row[at], right_row[at]));
             }
         }
     }
@@ -60,19 +61,19 @@ Verdict verdict_of(const Comparison& comparison) {
 
 Comparison compare(const Picture& a, const Picture& b, const CompareLimits& limits) {
     Comparison found;
-    if (!have_one_form(a, b)) {
-        found.verdict = Verdict::OtherSize;
+    if (!have_same_layout(a, b)) {
+        found.verdict = Verdict::DifferentLayout;
         return found;
     }
     double sum = 0.0;
     std::size_t count = 0;
-    visit_differences(a, b, [&](std::string_view channel, int x, int y, double apart) {
-        sum += apart;
+    visit_differences(a, b, [&](std::string_view channel, int x, int y, double difference) {
+        sum += difference;
         ++count;
-        found.warnings += apart > limits.warn ? 1U : 0U;
-        found.failures += apart > limits.fail ? 1U : 0U;
-        if (apart > found.largest) {
-            found.largest = apart;
+        found.warnings += difference > limits.warn ? 1U : 0U;
+        found.failures += difference > limits.fail ? 1U : 0U;
+        if (difference > found.largest) {
+            found.largest = difference;
             found.channel = channel;
             found.x = x;
             found.y = a.height() - 1 - y;
@@ -84,17 +85,18 @@ Comparison compare(const Picture& a, const Picture& b, const CompareLimits& limi
 }
 
 Image<std::uint16_t> difference_picture(const Picture& a, const Picture& b) {
-    assert(have_one_form(a, b));
+    assert(have_same_layout(a, b));
     Image<double> maxima(a.width(), a.height(), 1);
     double largest = 0.0;
-    visit_differences(a, b, [&](std::string_view, int x, int y, double apart) {
-        const double finite = std::min(apart, std::numeric_limits<double>::max());
+    visit_differences(a, b, [&](std::string_view, int x, int y, double difference) {
+        const double finite = std::min(difference, std::numeric_limits<double>::max());
         maxima.pixel(x, y)[0] = std::max(maxima.pixel(x, y)[0], finite);
         largest = std::max(largest, finite);
     });
     Image<std::uint16_t> picture(a.width(), a.height(), 1);
-    std::ranges::transform(maxima.samples(), picture.samples().begin(), [&](double apart) {
-        return static_cast<std::uint16_t>(largest > 0.0 ? apart / largest * kWhite + 0.5 : 0.0);
+    std::ranges::transform(maxima.samples(), picture.samples().begin(), [&](double difference) {
+        return static_cast<std::uint16_t>(largest > 0.0 ? difference / largest * kWhite + 0.5
+                                                        : 0.0);
     });
     return picture;
 }

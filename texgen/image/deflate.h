@@ -15,12 +15,12 @@ namespace foam::texgen {
 
 /// The trade-off between the time of compression and the size of its output.
 enum class Compression {
-    None,   // stored blocks
-    Fast,   // the size of zlib's level 1 in a fraction of its time
-    Small,  // the size of zlib's level 9 in the time of its level 6
+    None,   // no compression: stored blocks
+    Fast,   // as small as the output of zlib at level 1, in a fraction of its time
+    Small,  // as small as the output of zlib at level 9, at least as fast as its level 6
 };
 
-/// Compresses data by deflate (RFC 1951). Its buffers are reused between calls.
+/// Compresses data to the deflate format (RFC 1951). Its buffers are reused between calls.
 class Deflater {
   public:
     Deflater();
@@ -28,12 +28,12 @@ class Deflater {
     Deflater(Deflater&&) noexcept;
     Deflater& operator=(Deflater&&) noexcept;
 
-    /// Returns the compressed blocks of one part of the data, valid until the next call. The blocks
-    /// end at a byte boundary and do not refer to earlier parts, so the outputs for consecutive
-    /// parts can be concatenated. The last part ends the stream. The bytes depend only on the
-    /// arguments, but differ between versions of the libraries and may differ between processors.
-    /// Precondition: `last` is true unless `compression` is Compression::Fast, because the other
-    /// kinds compress all data at once.
+    /// Compresses one part of a stream. Returns the compressed blocks, valid until the next call.
+    /// The blocks end at a byte boundary and do not refer to earlier parts, so the outputs for
+    /// consecutive parts can be concatenated. If `last` is true, the blocks end the stream. On one
+    /// machine the returned bytes depend only on the arguments. The bytes can differ between
+    /// versions of the libraries and between processors. Precondition: `last` is true unless
+    /// `compression` is Compression::Fast, because the other kinds compress all data at once.
     std::span<const std::byte> deflate(Compression compression,
                                        std::span<const std::byte> data,
                                        bool last = true);

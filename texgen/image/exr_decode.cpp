@@ -22,11 +22,21 @@ namespace foam::texgen {
 
 namespace {
 
-// The largest compression ratio of deflate. An image that would need a larger ratio is rejected
-// before its pixels are allocated.
-constexpr std::size_t kLargestRatio = 1032;
+// The largest compression ratio of deflate. The other methods of EXR, except DWA, compress samples
+// of 16 bits by at most this ratio, too.
+constexpr double kMaxDeflateRatio = 1032.0;
+// DWA first reduces each block of 64 samples to at least one number.
+constexpr double kMaxDwaRatio = 64.0 * kMaxDeflateRatio;
 
-// Standard string attributes of EXR, which are not returned as texts.
+// Returns an upper bound on the compression ratio of a file. A file is rejected, before its pixels
+// are allocated, if an image of the size in its header would need a larger ratio.
+double max_ratio(Imf::Compression compression) {
+    const bool is_dwa =
+        compression == Imf::DWAA_COMPRESSION || compression == Imf::DWAB_COMPRESSION;
+    return is_dwa ? kMaxDwaRatio : kMaxDeflateRatio;
+}
+
+// The names of standard string attributes of EXR. They are not returned as texts.
 constexpr std::array<std::string_view, 4> kNoTexts = {"wrapmodes", "name", "type", "view"};
 
 SampleType type_of(const Imf::Channel& channel) {
@@ -42,8 +52,9 @@ struct Extent {
     int height;
 };
 
-/// Returns the extent of a window. Throws InputError if the file has no channels or a subsampled
-/// channel, or if `bytes`, the size of the file, is too small for the pixels of the window.
+/// Returns the width and height of a window in pixels. `bytes` is the size of the file. Throws
+/// InputError if the file has no channels or a subsampled channel, or if it is too small to contain
+/// the pixels of the window. The smallest samples, half floats, have 2 bytes.
 Extent extent_of(const Imath::Box2i& window, const Imf::Header& header, std::size_t bytes) {
     const auto width = std::int64_t{window.max.x} - window.min.x + 1;
     const auto height = std::int64_t{window.max.y} - window.min.y + 1;
@@ -59,7 +70,7 @@ Extent extent_of(const Imath::Box2i& window, const Imf::Header& header, std::siz
         throw InputError("the file has no channels");
     }
     const auto area = static_cast<double>(width) * static_cast<double>(height);
-    const auto max_bytes = static_cast<double>(bytes) * static_cast<double>(kLargestRatio);
+    const double max_bytes = static_cast<double>(bytes) * max_ratio(header.compression());
     if (area * static_cast<double>(2 * channels) > max_bytes) {
         throw InputError("the data is too short for an image of this size");
     }
@@ -91,7 +102,7 @@ Imf::FrameBuffer buffer_of(Groups& groups, const Imath::Box2i& window) {
     return buffer;
 }
 
-/// Reverses the order of the rows: they run upward in an Image and downward in a file.
+/// Reverses the order of the rows, which run upward in an Image and downward in a file.
 template <class Sample>
 void flip_rows(Image<Sample>& image) {
     for (int y = 0; 2 * y + 1 < image.height(); ++y) {
@@ -99,7 +110,8 @@ void flip_rows(Image<Sample>& image) {
     }
 }
 
-/// Returns the channels of a window. `read(buffer)` fills them with the pixels of the file.
+/// Returns the channels of a window, one group per channel. `bytes` is the size of the file.
+/// `read(buffer)` must read the pixels of the window into a frame buffer.
 template <class Read>
 Groups read_groups(const Imf::Header& header,
                    const Imath::Box2i& window,

@@ -25,10 +25,10 @@ namespace foam::texgen {
 namespace {
 
 constexpr int kTileSide = 64;
-constexpr std::size_t kLongestName = 31;  // old readers reject a file with a longer name
+constexpr std::size_t kLongestName = 31;  // characters; old readers reject longer attribute names
 
-// Optional standard attributes of EXR. The list does not contain the required attributes, because
-// every Imf::Header has them and is_text_name searches the header, too.
+// The names of optional standard attributes of EXR, which texts must not have. The required
+// attributes are not listed: every Imf::Header has them, and is_text_name searches the header, too.
 constexpr std::array<std::string_view, 7> kReservedNames = {
     "chromaticities", "wrapmodes", "framesPerSecond", "name", "type", "view", "chunkCount"};
 
@@ -45,7 +45,7 @@ void check_channel(const ExrChannel& channel, const ExrSize& size) {
         reject_exr(
             fmt::format("channel '{}' has a different size than the first channel", channel.name));
     }
-    if (channel.channel < 0 || channel.channel >= channels_of(channel)) {
+    if (channel.channel_index < 0 || channel.channel_index >= channels_of(channel)) {
         reject_exr(
             fmt::format("channel '{}' is not one of the channels of its pixels", channel.name));
     }
@@ -77,6 +77,7 @@ Imf::Compression compression_of(ExrCompression compression) {
     return kKinds.at(static_cast<std::size_t>(compression));
 }
 
+/// Returns true if a text attribute with this name can be added to the header.
 bool is_text_name(const Imf::Header& header, const std::string& name) {
     return !name.empty() && name.size() <= kLongestName && header.find(name) == header.end() &&
            std::ranges::find(kReservedNames, name) == kReservedNames.end();
@@ -117,8 +118,9 @@ Imf::Header header_of(std::span<const ExrChannel> channels,
     return header;
 }
 
-/// Returns the number of threads of OpenEXR's pool that a file may use; 0 means only the caller's
-/// thread. Enlarges the pool, which the whole process shares, if it has fewer threads.
+/// Returns the number of threads of OpenEXR's thread pool that one file may use. The result 0 means
+/// that only the caller's thread is used. All files of the process share the pool. Enlarges the
+/// pool if it has fewer threads than requested. `threads` is as for thread_count.
 int library_threads(int threads) {
     static std::mutex mutex;
     if (threads == 1) {

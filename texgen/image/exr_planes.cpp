@@ -27,7 +27,7 @@ Stored stored_number(float number, const std::string& channel) {
     return stored;
 }
 
-/// Returns the converted samples of a channel, the top row first.
+/// Returns the samples of a channel, each converted by `convert`, with the top row first.
 template <class Sample, class Convert>
 Bytes stored_rows(ImageView<const Sample> view, int channel, const Convert& convert) {
     using Stored = decltype(convert(Sample()));
@@ -48,16 +48,16 @@ Bytes stored_rows(ImageView<const Sample> view, int channel, const Convert& conv
 Bytes stored_rows(const ExrChannel& channel) {
     if (channel.type == SampleType::Uint32) {
         return stored_rows(std::get<ImageView<const std::uint32_t>>(channel.pixels),
-                           channel.channel,
+                           channel.channel_index,
                            [](std::uint32_t id) { return id; });
     }
     const auto view = std::get<ImageView<const float>>(channel.pixels);
     if (channel.type == SampleType::Half) {
-        return stored_rows(view, channel.channel, [&](float number) {
+        return stored_rows(view, channel.channel_index, [&](float number) {
             return stored_number<half>(number, channel.name);
         });
     }
-    return stored_rows(view, channel.channel, [&](float number) {
+    return stored_rows(view, channel.channel_index, [&](float number) {
         return stored_number<float>(number, channel.name);
     });
 }
@@ -66,9 +66,10 @@ using Level = std::variant<Image<float>, Image<std::uint32_t>>;
 
 Level smaller_level(const ExrChannel& channel) {
     if (const auto* view = std::get_if<ImageView<const float>>(&channel.pixels)) {
-        return mean_level(*view, channel.channel);
+        return mean_level(*view, channel.channel_index);
     }
-    return central_level(std::get<ImageView<const std::uint32_t>>(channel.pixels), channel.channel);
+    return central_level(std::get<ImageView<const std::uint32_t>>(channel.pixels),
+                         channel.channel_index);
 }
 
 }  // namespace
@@ -104,7 +105,7 @@ std::vector<ExrChannel> exr_channels(const Picture& picture) {
         ExrChannel& added = channels.emplace_back();
         added.name = channel.name;
         added.type = channel.group->type;
-        added.channel = channel.index;
+        added.channel_index = channel.index;
         if (const auto* ids = std::get_if<Image<std::uint32_t>>(&channel.group->samples)) {
             added.pixels = ids->view();
         } else if (const auto* numbers = std::get_if<Image<float>>(&channel.group->samples)) {
@@ -134,7 +135,7 @@ void ExrLevels::advance() {
     }
     levels_ = std::move(smaller);
     for (std::size_t k = 0; k < levels_.size(); ++k) {
-        channels_[k].channel = 0;
+        channels_[k].channel_index = 0;
         std::visit([&](const auto& level) { channels_[k].pixels = level.view(); }, levels_[k]);
     }
 }

@@ -16,6 +16,7 @@
 
 namespace foam::texgen {
 
+/// The width and height of a channel in pixels.
 struct ExrSize {
     int width = 0;
     int height = 0;
@@ -25,42 +26,50 @@ struct ExrSize {
 
 ExrSize size_of(const ExrChannel& channel);
 
+/// Returns the type of OpenEXR that corresponds to a sample type. Throws std::invalid_argument for
+/// Uint8 and Uint16, the types of codes.
 Imf::PixelType pixel_type(SampleType type);
 
 /// Throws std::invalid_argument with a message that ends with `why`.
 [[noreturn]] void reject_exr(const std::string& why);
 
-/// Returns the channels of a picture. They refer to the samples of the picture, which must outlive
-/// them. Throws std::invalid_argument if the samples are codes of 8 or 16 bits.
+/// Returns the channels of a picture in the order of their names. They refer to the samples of the
+/// picture, which must outlive them. Throws std::invalid_argument if the samples are codes of 8 or
+/// 16 bits.
 std::vector<ExrChannel> exr_channels(const Picture& picture);
 
-/// All channels of one level in the layout that OpenEXR writes: planar, the top row first, in the
-/// sample types of the file. Throws std::invalid_argument for a number that its type cannot hold.
+/// All channels of one mip level in the layout that OpenEXR writes: one array per channel, with the
+/// top row first, in the sample types of the file.
 class ExrPlanes {
   public:
+    /// Converts the samples. Throws std::invalid_argument for a number that is not finite or that
+    /// its type cannot hold.
     explicit ExrPlanes(std::span<const ExrChannel> channels);
 
+    /// Returns the frame buffer for OpenEXR. It refers to the memory of this object.
     const Imf::FrameBuffer& buffer() const { return buffer_; }
 
   private:
-    std::vector<Bytes> rows_;
+    std::vector<Bytes> rows_;  // the converted samples of each channel
     Imf::FrameBuffer buffer_;
 };
 
-/// An iterator over mip levels; it holds the channels of the current level.
+/// Computes the mip levels of channels one after the other, beginning with the full size.
 class ExrLevels {
   public:
     explicit ExrLevels(std::span<const ExrChannel> channels)
         : channels_(channels.begin(), channels.end()) {}
 
+    /// Returns the channels of the current level, valid until the next call of `advance`.
     std::span<const ExrChannel> channels() const { return channels_; }
 
-    /// Replaces the channels by those of the next smaller level.
+    /// Replaces the channels by the channels of the next smaller level.
     void advance();
 
   private:
     std::vector<ExrChannel> channels_;
-    std::vector<std::variant<Image<float>, Image<std::uint32_t>>> levels_;  // memory of `channels_`
+    // The samples to which `channels_` refers; empty at the full size, whose samples are borrowed.
+    std::vector<std::variant<Image<float>, Image<std::uint32_t>>> levels_;
 };
 
 }  // namespace foam::texgen

@@ -15,7 +15,8 @@
 
 namespace foam::texgen {
 
-/// An output stream that appends to a borrowed buffer. After a seek it overwrites the buffer.
+/// An output stream that writes to a buffer of the caller, at the current position. The buffer
+/// grows if a write goes beyond its end.
 class ExrOutput : public Imf::OStream {
   public:
     explicit ExrOutput(Bytes& bytes) : Imf::OStream("EXR"), bytes_(bytes) {}
@@ -34,11 +35,13 @@ class ExrOutput : public Imf::OStream {
     std::size_t at_ = 0;
 };
 
-/// An input stream over borrowed bytes. Throws Iex::InputExc if a read goes beyond their end.
+/// An input stream that reads bytes of the caller, which must outlive it.
 class ExrInput : public Imf::IStream {
   public:
     explicit ExrInput(std::span<const std::byte> bytes) : Imf::IStream("EXR"), bytes_(bytes) {}
 
+    /// Copies the next `count` bytes to `data`. Returns false if they are the last bytes of the
+    /// stream. Throws Iex::InputExc if fewer than `count` bytes are left.
     bool read(char data[], int count) override {
         const auto size = static_cast<std::size_t>(count);
         if (count < 0 || at_ > bytes_.size() || size > bytes_.size() - at_) {

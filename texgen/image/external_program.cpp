@@ -11,20 +11,29 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <filesystem>
 #include <system_error>
 
 namespace foam::texgen {
 
 namespace {
 
-/// The standard streams and the working directory of the new process.
+constexpr mode_t kErrorFileMode = 0666;  // reduced by the umask of the process
+
+/// Sets the standard streams and the working directory of a new process.
 class SpawnActions {
   public:
     explicit SpawnActions(const ExternalOptions& options) {
         posix_spawn_file_actions_init(&actions_);
         posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
         posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-        if (!options.shows_errors) {
+        if (!options.error_file.empty()) {
+            posix_spawn_file_actions_addopen(&actions_,
+                                             STDERR_FILENO,
+                                             options.error_file.c_str(),
+                                             O_WRONLY | O_CREAT | O_TRUNC,
+                                             kErrorFileMode);
+        } else if (!options.shows_errors) {
             posix_spawn_file_actions_addopen(&actions_, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
         }
         if (!options.folder.empty()) {
@@ -42,10 +51,17 @@ class SpawnActions {
 };
 
 [[noreturn]] void fail(const std::string& program, int error) {
-    throw OutputError(
-        fmt::format("cannot start {}: {}", program, std::generic_category().message(error)));
+    throw OutputError(fmt::format(
+        "cannot start the program '{}': {}", program, std::generic_category().message(error)));
 }
 
+/// Returns true if a working directory is given but does not exist.
+bool is_missing(const std::filesystem::path& folder) {
+    std::error_code ignored;
+    return !folder.empty() && !std::filesystem::exists(folder, ignored);
+}
+
+/// Waits until a process ends. Returns its exit code, or -1 if a signal ended it.
 int wait_for(const std::string& program, pid_t child) {
     int status = 0;
     while (waitpid(child, &status, 0) < 0) {
@@ -71,6 +87,13 @@ std::optional<int> run_external(std::vector<std::string> arguments,
     pid_t child = 0;
     const int error =
         posix_spawnp(&child, program.c_str(), actions.get(), nullptr, pointers.data(), environ);
+    // The error ENOENT means that the program or its working directory does not exist.
+    if (error == ENOENT && is_missing(options.folder)) {
+        throw OutputError(
+            fmt::format("cannot start the program '{}': its working directory '{}' does not exist",
+                        program,
+                        options.folder.string()));
+    }
     if (error == ENOENT) {
         return std::nullopt;
     }

@@ -11,15 +11,23 @@ namespace foam::texgen {
 
 /// Options of run_external.
 struct ExternalOptions {
-    std::filesystem::path folder = {};  // working directory; if empty, that of this process
-    bool shows_errors = true;           // inherits standard error; if false, it is discarded
+    /// The working directory of the program. If the path is empty, the program runs in the working
+    /// directory of this process.
+    std::filesystem::path folder = {};
+    /// If true, the program writes to the standard error of this process. If false, its standard
+    /// error is discarded.
+    bool shows_errors = true;
+    /// If not empty, the program writes its standard error to this file, whatever `shows_errors`
+    /// is. The file is created, or truncated if it exists.
+    std::filesystem::path error_file = {};
 };
 
-/// Runs a program and waits until it ends. No shell is used, so that no character of an argument
-/// has a special meaning. The first argument is the name of the program, which is searched in PATH.
-/// Standard input is empty and standard output is discarded. Returns the exit code, -1 if a signal
-/// ended the program, or nullopt if the program is not installed. Throws OutputError if the program
-/// cannot be started for another reason.
+/// Runs a program and waits until it ends. `arguments` must not be empty. Its first element is the
+/// name of the program, which is looked up in PATH. No shell is used, so no character of an
+/// argument has a special meaning. Standard input is empty and standard output is discarded.
+/// Returns the exit code, -1 if a signal ended the program, or nullopt if the program does not
+/// exist. Throws OutputError if the working directory does not exist, or if the program cannot be
+/// started for another reason.
 std::optional<int> run_external(std::vector<std::string> arguments,
                                 const ExternalOptions& options = {});
 

@@ -18,7 +18,7 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr std::size_t kReadBlock = 1 << 16;
+constexpr std::size_t kReadBlock = 1 << 16;  // bytes
 
 std::string reason(int error) {
     return std::generic_category().message(error);
@@ -64,7 +64,8 @@ class TemporaryFile {
     }
 
   private:
-    // Returns a name that is unique among all threads and processes of one machine.
+    // Returns a path in the folder of the target that no other thread or process of the same
+    // machine uses.
     static std::filesystem::path unique_sibling(const std::filesystem::path& target) {
         static std::atomic<unsigned> count{0};
         std::filesystem::path sibling = target;

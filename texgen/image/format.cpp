@@ -30,7 +30,7 @@ constexpr std::array kFormats = {
         .decode = [](std::span<const std::byte> content) { return decode_exr(content); }},
 };
 
-/// Joins one member of all formats to a list "a, b or c".
+/// Returns the values of one member of all formats as a text such as "a, b or c".
 std::string alternatives(std::string_view ImageFormat::*word) {
     std::string list;
     for (std::size_t k = 0; k < kFormats.size(); ++k) {

@@ -24,8 +24,11 @@ struct EncodingOptions {
 
 /// The kind of samples that a format stores.
 enum class FormatSamples {
-    Codes,    // one group of 1 to 4 interleaved channels of integer codes; colors as sRGB
-    Numbers,  // any number of named channels of numbers or ids; colors as premultiplied light
+    /// One group of 1 to 4 interleaved channels of 8-bit or 16-bit codes. Colors are sRGB.
+    Codes,
+    /// Any number of named channels of floating-point numbers or 32-bit integers. Colors are linear
+    /// light, premultiplied by the opacity.
+    Numbers,
 };
 
 /// A still-image format. The rest of the program uses formats only through this interface.
@@ -36,8 +39,12 @@ struct ImageFormat {
     FormatSamples samples = FormatSamples::Codes;
     int code_bits = 0;        // the largest number of bits of a code; 0 for numbers
     bool has_layers = false;  // true if one file can store several maps
+
+    /// Returns the content of a file that stores the picture.
     Bytes (*encode)(const Picture& picture, const EncodingOptions& options) = nullptr;
-    Picture (*decode)(std::span<const std::byte> content) = nullptr;  // throws InputError
+    /// Returns the picture that a file with this content stores. Throws InputError if the content
+    /// is malformed.
+    Picture (*decode)(std::span<const std::byte> content) = nullptr;
 };
 
 /// Returns all formats.

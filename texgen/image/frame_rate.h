@@ -5,7 +5,7 @@
 namespace foam::texgen {
 
 /// A frame rate as a fraction: `frames` frames in `seconds` seconds. For example, 24000 frames in
-/// 1001 seconds are 23.976 frames per second.
+/// 1001 seconds are about 23.976 frames per second.
 struct FrameRate {
     int frames = 24;
     int seconds = 1;

@@ -16,9 +16,10 @@
 
 namespace foam::texgen {
 
-/// Borrows the samples of an Image; `ImageView<const Sample>` is read-only. Rows run upward, like
-/// the y axis of the foam: row 0 is the bottom row of the picture. A row has `width` pixels of
-/// `channels` interleaved samples. A view is small and should be passed by value.
+/// A view of the samples of an Image. The view does not own the samples. `ImageView<const Sample>`
+/// is read-only. Rows run upward, like the y axis of the foam: row 0 is the bottom row of the
+/// picture. A row has `width` pixels of `channels` interleaved samples. A view is small and should
+/// be passed by value.
 template <class Sample>
 class ImageView {
   public:
@@ -35,14 +36,18 @@ class ImageView {
     int height() const { return height_; }
     int channels() const { return channels_; }
     Sample* data() const { return samples_; }
+
+    /// Returns the number of samples in a row.
     std::size_t row_samples() const {
         return static_cast<std::size_t>(width_) * static_cast<std::size_t>(channels_);
     }
 
+    /// Returns the samples of row y.
     std::span<Sample> row(int y) const {
         assert(y >= 0 && y < height_);
         return {samples_ + static_cast<std::size_t>(y) * row_samples(), row_samples()};
     }
+    /// Returns the samples of one pixel, one per channel. x counts from the left.
     std::span<Sample> pixel(int x, int y) const {
         assert(x >= 0 && x < width_);
         const auto channels = static_cast<std::size_t>(channels_);

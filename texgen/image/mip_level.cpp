@@ -6,11 +6,13 @@
 #include <cstddef>
 #include <vector>
 
-// A box filter for arbitrary extents. Along each axis, a pixel of the smaller level covers `from` /
-// `to` pixels of the larger level: 2 if the larger extent is even, up to 3 if it is odd, and 1 if
-// it is 1. The mean weights every covered pixel by the covered part of its area. The filter is
-// separable, so means are computed first along rows and then across rows. Ids cannot be averaged,
-// so for integers the pixel in the middle of the covered area is chosen.
+// A box filter for images of any width and height. If the larger level has `from` pixels along an
+// axis and the smaller level has `to` pixels, a pixel of the smaller level covers from / to pixels
+// of the larger level. The quotient is 2 if `from` is even, 1 if `from` is 1, and more than 2 and
+// at most 3 if `from` is any other odd number. The mean weights every covered pixel by the covered
+// fraction of its area. The filter is separable, so means are computed first along rows and then
+// across rows. Integers are ids, which cannot be averaged. For them the pixel in the middle of the
+// covered area is chosen.
 
 namespace foam::texgen {
 
@@ -22,25 +24,28 @@ int half_of(int extent) {
 
 /// The interval that a pixel of the smaller level covers along one axis of the larger level.
 struct Footprint {
-    int from;   // extent of the larger level
-    int to;     // extent of the smaller level
-    int pixel;  // index in the smaller level
+    int from;   // number of pixels of the larger level
+    int to;     // number of pixels of the smaller level
+    int pixel;  // index of the pixel in the smaller level
 
+    /// The interval overlaps the pixels first(), ..., last() - 1 of the larger level.
     int first() const { return pixel * from / to; }
-    int last() const { return ((pixel + 1) * from + to - 1) / to; }  // excluded
+    int last() const { return ((pixel + 1) * from + to - 1) / to; }
 
     /// Returns the fraction of the interval that is in the given pixel of the larger level. The
-    /// fractions of all pixels add up to 1. In units of 1 / `to` pixel the ends of all intervals
-    /// are integers.
+    /// fractions of all pixels add up to 1. Lengths are measured in 1 / `to` of a pixel of the
+    /// larger level, so that the ends of all intervals are integers.
     double weight(int larger) const {
         const int begin = std::max(pixel * from, larger * to);
         const int end = std::min((pixel + 1) * from, (larger + 1) * to);
         return static_cast<double>(end - begin) / from;
     }
+    /// Returns the pixel of the larger level that contains the middle of the interval.
     int middle() const { return (2 * pixel + 1) * from / (2 * to); }
 };
 
-/// Adds to `sums` the means along row y of the larger level, multiplied by `weight`.
+/// Computes the mean over each interval of row y of the larger level and adds it, multiplied by
+/// `weight`, to `sums`. `sums` has one element per pixel of a row of the smaller level.
 void add_means(
     ImageView<const float> pixels, int channel, int y, double weight, std::vector<double>& sums) {
     const int width = static_cast<int>(sums.size());

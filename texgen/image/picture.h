@@ -16,22 +16,28 @@
 
 namespace foam::texgen {
 
-/// The type of a sample in a file: a code of 8 or 16 bits, a floating-point number of 16 bits (up
-/// to 65504, with 11 bits of precision) or 32 bits, or an integer of 32 bits.
+/// The type of a sample in a file. Uint8 and Uint16 are codes: unsigned integers whose largest
+/// value stands for the number 1. Half (up to 65504, with 11 bits of precision) and Float are
+/// floating-point numbers of 16 and 32 bits. Uint32 is an integer that stands for itself, such as
+/// the id of a bubble.
 enum class SampleType : std::uint8_t { Uint8, Uint16, Half, Float, Uint32 };
 
 /// Returns the names of all sample types in the order of the enumeration: "uint8", "uint16",
 /// "half", "float", "uint32".
 std::span<const std::string_view> sample_type_names();
+
+/// Returns the name of a sample type, such as "uint8".
 std::string_view name_of(SampleType type);
 
-/// Samples in memory. Half floats are converted to floats.
+/// Samples in memory. Samples of the types Half and Float are both stored as floats.
 using Samples =
     std::variant<Image<std::uint8_t>, Image<std::uint16_t>, Image<float>, Image<std::uint32_t>>;
 
 /// Channels of a picture whose samples are interleaved in one image.
 struct ChannelGroup {
-    std::vector<std::string> names;  // one per channel: "R"; "height.Y" is in the layer "height"
+    /// One name per channel, such as "R". A name such as "height.Y" is the channel Y of the layer
+    /// "height".
+    std::vector<std::string> names;
     SampleType type = SampleType::Uint8;
     Samples samples;
 
@@ -41,7 +47,7 @@ struct ChannelGroup {
     bool has_codes() const { return type == SampleType::Uint8 || type == SampleType::Uint16; }
 };
 
-/// Properties of the samples that a file records. A format omits the members that it cannot store.
+/// Properties of a picture that its file records. A format omits the members that it cannot store.
 struct ImageMetadata {
     /// True if the samples are colors with the primaries and the white point of sRGB. Codes are
     /// encoded with the sRGB transfer function; numbers are linear light. False for data, such as
@@ -54,8 +60,8 @@ struct ImageMetadata {
     std::vector<std::pair<std::string, std::string>> text = {};
 };
 
-/// A picture as a file stores it: one group of interleaved codes, or groups of numbers. All groups
-/// have the same size.
+/// A picture as a file stores it: either one group of codes, or any number of groups of
+/// floating-point numbers and 32-bit integers. All groups have the same width and height.
 struct Picture {
     std::vector<ChannelGroup> groups;
     ImageMetadata metadata = {};
@@ -68,26 +74,28 @@ struct Picture {
 /// "RGB" or "RGBA". Precondition: 1 to 4 channels.
 std::string_view code_channel_names(int channels);
 
-/// Returns a group with the samples of an image of codes and the names of its channels.
+/// Returns a group that holds the samples of an image of codes. Its channels have the names that
+/// code_channel_names returns.
 ChannelGroup code_channels(Image<std::uint8_t> codes);
 ChannelGroup code_channels(Image<std::uint16_t> codes);
 
-/// Returns the groups of one layer. A group without a layer belongs to every layer.
+/// Returns pointers to the groups of one layer. A group whose names have no layer belongs to every
+/// layer. Precondition: all channels of a group are in the same layer.
 std::vector<const ChannelGroup*> groups_of(const Picture& picture, std::string_view layer);
 
-/// One channel of a picture; borrows the picture.
+/// One channel of a picture. Refers to the picture, which must outlive it.
 struct PictureChannel {
     std::string_view name;
     const ChannelGroup* group = nullptr;
-    int index = 0;  // in the group
+    int index = 0;  // index of the channel in the group
 };
 
 /// Returns all channels of a picture in the order of their names.
 std::vector<PictureChannel> channels_of(const Picture& picture);
 
-/// Reads a row of a channel as numbers. Codes are scaled so that the largest code is 1; numbers and
-/// 32-bit integers are not scaled. Row 0 is the bottom row. Precondition: the size of `to` is the
-/// width of the picture.
+/// Writes the samples of one row of a channel to `to` as numbers. Codes are scaled so that the
+/// largest code becomes 1. Floating-point numbers and 32-bit integers are not scaled. Row 0 is the
+/// bottom row. Precondition: the size of `to` is the width of the picture.
 void read_numbers(const PictureChannel& channel, int row, std::span<double> to);
 
 }  // namespace foam::texgen

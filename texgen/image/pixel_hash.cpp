@@ -22,7 +22,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little,
               "samples are hashed in little-endian order");
 
-/// Computes the XXH3-128 hash of all data that are added.
+/// Computes the XXH3-128 hash of all data that have been added.
 class Hasher {
   public:
     Hasher() : state_(XXH3_createState(), XXH3_freeState) {
@@ -38,6 +38,7 @@ class Hasher {
 
     void add(std::string_view text) { add(std::as_bytes(std::span(text))); }
 
+    /// Returns the hash as 32 hexadecimal digits.
     std::string digits() const {
         const XXH128_hash_t hash = XXH3_128bits_digest(state_.get());
         return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
@@ -67,7 +68,7 @@ void add_codes(const ChannelGroup& group, Hasher& hasher) {
         group.samples);
 }
 
-/// Adds the samples of one channel, each converted to its stored form.
+/// Adds the samples of one channel, each converted by `convert` to the form that a file stores.
 template <class Sample, class Convert>
 void add_channel(const Image<Sample>& image, int channel, const Convert& convert, Hasher& hasher) {
     std::vector<decltype(convert(Sample()))> row(static_cast<std::size_t>(image.width()));

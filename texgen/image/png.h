@@ -13,22 +13,26 @@
 
 namespace foam::texgen {
 
-/// The filter types of PNG, which predict each byte of a row before compression. The values are the
-/// same as in the file format.
+/// The filter types of PNG. A filter replaces each byte of a row by its difference from a
+/// prediction, so that the row compresses better. The values are the same as in the file format.
 enum class PngFilter : std::uint8_t { None, Sub, Up, Average, Paeth };
 
-/// Filtering and compression of the samples. The pixels do not depend on them.
+/// Options of filtering and compression. The pixels do not depend on them.
 struct PngEncoding {
-    PngFilter filter = PngFilter::None;  // best for flat cells; Up is best for smooth maps
+    PngFilter filter = PngFilter::None;  // best for cells of one color; Up is best for smooth maps
     Compression compression = Compression::Fast;
-    int threads = 1;  // threads that compress, if Fast; the bytes do not depend on it
+    /// The number of threads that compress a picture with Compression::Fast, as for thread_count
+    /// (core/parallel/parallel_for.h). The other kinds use one thread. The bytes do not depend on
+    /// the number of threads.
+    int threads = 1;
 };
 
-/// Encodes samples of 8 or 16 bits: 1 channel is gray, 2 gray and alpha, 3 RGB, 4 RGBA with an
-/// alpha that is not premultiplied. Rows of a view run upward and rows of a PNG downward, so the
-/// encoder flips them. A color image carries the chunks sRGB (perceptual intent), gAMA and cHRM;
-/// `periodic` and `frame_rate` are not stored. Throws std::invalid_argument for an empty view, for
-/// other numbers of channels, and for a keyword that PNG forbids. Throws OutputError if libpng
+/// Returns samples of 8 or 16 bits encoded as a PNG. One channel is gray, two channels are gray and
+/// alpha, three are RGB, and four are RGBA. Colors are not premultiplied by alpha. Rows of a view
+/// run upward and rows of a PNG downward, so the encoder reverses their order. If `metadata.color`
+/// is set, the file has the chunks sRGB (perceptual intent), gAMA and cHRM. The members `periodic`
+/// and `frame_rate` of `metadata` are not stored. Throws std::invalid_argument for an empty view,
+/// for other numbers of channels, and for a keyword that PNG forbids. Throws OutputError if libpng
 /// fails.
 Bytes encode_png(ImageView<const std::uint8_t> pixels,
                  const ImageMetadata& metadata = {},
@@ -37,8 +41,8 @@ Bytes encode_png(ImageView<const std::uint16_t> pixels,
                  const ImageMetadata& metadata = {},
                  const PngEncoding& encoding = {});
 
-/// Encodes a picture of one group of codes. Throws std::invalid_argument for any other picture, and
-/// the exceptions of the functions above.
+/// Encodes a picture that consists of one group of codes. Throws std::invalid_argument for any
+/// other picture, and the same exceptions as the functions above.
 Bytes encode_png(const Picture& picture, const PngEncoding& encoding = {});
 
 /// Decodes a PNG to one group of codes. The codes have 16 bits if the file has 16 bits per sample,
@@ -46,7 +50,7 @@ Bytes encode_png(const Picture& picture, const PngEncoding& encoding = {});
 /// color becomes an alpha channel. Throws InputError for a malformed stream.
 Picture decode_png(std::span<const std::byte> content);
 
-/// Encodes and writes a file. Throws as encode_png and write_file do.
+/// Encodes samples and writes them to a file. Throws the exceptions of encode_png and write_file.
 void write_png(const std::filesystem::path& path,
                ImageView<const std::uint8_t> pixels,
                const ImageMetadata& metadata = {},

@@ -7,20 +7,22 @@
 #include <algorithm>
 
 // Parallel compression of one picture. The rows are divided into parts of about 512 KiB. Each
-// thread filters and compresses one part, independently of all other parts, and computes the
-// Adler-32 checksum of the filtered bytes. The compressed parts are concatenated into one zlib
-// stream (RFC 1950). The checksums of the parts are combined to the checksum that ends the stream.
-// Only Compression::Fast allows a division; for the other kinds the whole picture is one part.
+// thread filters and compresses one part at a time, independently of all other parts, and computes
+// the Adler-32 checksum of the filtered bytes. The compressed parts are concatenated into one zlib
+// stream (RFC 1950), which ends with the checksum of all filtered bytes. This checksum is computed
+// from the checksums of the parts. Only Compression::Fast can compress parts; for the other kinds
+// the whole picture is one part.
 
 namespace foam::texgen {
 
 namespace {
 
-// The size of a filtered part in bytes, so that a part fits into the second-level cache. The
+// The approximate size of a part in bytes. Parts of this size fit into the second-level cache. The
 // division makes files less than 1 % larger.
 constexpr std::size_t kPartBytes = std::size_t{1} << 19;
 
-// The first bytes of a zlib stream (RFC 1950): deflate with a window of 32 KiB.
+// The first bytes of a zlib stream (RFC 1950). They mean: compressed by deflate with a window of
+// 32 KiB.
 constexpr std::array<std::byte, 2> kZlibHeader = {std::byte{0x78}, std::byte{0x01}};
 
 int rows_per_part(const PngRows& rows, Compression compression) {
@@ -54,7 +56,7 @@ std::span<const PngData::Chunk> PngData::next_chunks() {
         ++count;
     }
     parallel_for(count, 1, encoding_.threads, [this](std::size_t k, std::size_t) {
-        make(parts_[k], first_row(k), first_row(k + 1));
+        compress(parts_[k], first_row(k), first_row(k + 1));
     });
     for (std::size_t k = 0; k < count; ++k) {
         chunks_[k] = chunk_of(parts_[k], first_row(k) == 0, first_row(k + 1) == rows_.height());
@@ -69,7 +71,7 @@ int PngData::first_row(std::size_t part) const {
     return static_cast<int>(std::min(row, static_cast<std::size_t>(rows_.height())));
 }
 
-void PngData::make(PngPart& part, int first, int last) const {
+void PngData::compress(PngPart& part, int first, int last) const {
     const std::span<const std::byte> filtered =
         part.filter.filter(rows_, encoding_.filter, first, last);
     part.size = filtered.size();

@@ -13,47 +13,54 @@
 
 namespace foam::texgen {
 
-/// One part of the rows, with the buffers for filtering and compressing it.
+/// One part of the rows of a picture, with the buffers for filtering and compressing it.
 struct PngPart {
     RowFilter filter;
     Deflater deflater;
-    std::size_t size = 0;       // size of the filtered rows in bytes
-    std::uint32_t adler32 = 1;  // checksum of the filtered rows
-    std::span<const std::byte> deflated;
+    std::size_t size = 0;                 // size of the filtered rows in bytes
+    std::uint32_t adler32 = 1;            // Adler-32 checksum of the filtered rows
+    std::span<const std::byte> deflated;  // the compressed rows, in the memory of `deflater`
 };
 
-/// Compresses the filtered rows of a picture to a zlib stream, in parts that are compressed in
-/// parallel. Neither the division into parts nor the bytes depend on the number of threads.
+/// Filters the rows of a picture and compresses them to a zlib stream (RFC 1950). The rows are
+/// divided into parts, which are compressed in parallel. Neither the division nor the bytes depend
+/// on the number of threads.
 class PngData {
   public:
     /// The content of an IDAT chunk in three consecutive pieces.
     struct Chunk {
-        std::span<const std::byte> begin;   // the header of the zlib stream, in the first chunk
+        std::span<const std::byte> begin;   // zlib header; empty except in the first chunk
         std::span<const std::byte> middle;  // the compressed rows
-        std::span<const std::byte> end;     // the checksum of the zlib stream, in the last chunk
+        std::span<const std::byte> end;     // zlib checksum; empty except in the last chunk
     };
 
-    /// Borrows both arguments.
+    /// Refers to both arguments, which must outlive this object.
     PngData(const PngRows& rows, const PngEncoding& encoding);
 
+    /// Returns true if next_chunks has returned all chunks of the stream.
     bool complete() const { return next_row_ == rows_.height(); }
 
-    /// Returns the next chunks, at most one per thread. Returns no chunk if the stream is complete.
-    /// The chunks are valid until the next call.
+    /// Compresses the next parts, at most one per thread, and returns one chunk per part. Returns
+    /// no chunk if the stream is complete. The chunks are valid until the next call.
     std::span<const Chunk> next_chunks();
 
   private:
+    // Returns the first row of a part, counted from the top. Part 0 is the next part to compress.
     int first_row(std::size_t part) const;
-    void make(PngPart& part, int first, int last) const;
+    // Filters and compresses the rows first, first + 1, ..., last - 1.
+    void compress(PngPart& part, int first, int last) const;
+    // Returns the chunk of a compressed part and adds the part to the checksum. Must be called for
+    // the parts in the order of the rows. `first` and `last` are true for the first and the last
+    // part of the picture.
     Chunk chunk_of(const PngPart& part, bool first, bool last);
 
     const PngRows& rows_;
     const PngEncoding& encoding_;
-    std::vector<PngPart> parts_;  // one per thread
+    std::vector<PngPart> parts_;  // the parts that one call of next_chunks compresses
     std::vector<Chunk> chunks_;
     int rows_per_part_;
     int next_row_ = 0;
-    std::uint32_t adler32_ = 1;         // checksum of all rows so far
+    std::uint32_t adler32_ = 1;         // checksum of all rows that have been compressed
     std::array<std::byte, 4> check_{};  // adler32_ as bytes, which end the stream
 };
 

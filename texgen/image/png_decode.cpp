@@ -14,11 +14,12 @@ namespace {
 /// The part of the stream that has not been read yet.
 using Source = std::span<const std::byte>;
 
-// The largest compression ratio of deflate. An image that would need a larger ratio is rejected
-// before its pixels are allocated.
-constexpr std::size_t kLargestRatio = 1032;
+// The largest compression ratio of deflate. A stream is rejected, before its pixels are allocated,
+// if an image of the size in its header would need a larger ratio.
+constexpr std::size_t kMaxCompressionRatio = 1032;
 
-void take(png_structp png, png_bytep data, std::size_t count) {
+/// The read callback of libpng: copies the next `count` bytes of the source to `data`.
+void read_callback(png_structp png, png_bytep data, std::size_t count) {
     auto& source = *static_cast<Source*>(png_get_io_ptr(png));
     if (count > source.size()) {
         png_error(png, "unexpected end of the data");
@@ -27,22 +28,21 @@ void take(png_structp png, png_bytep data, std::size_t count) {
     source = source.subspan(count);
 }
 
-/// Reports an error to libpng if `left` bytes are too few for an image of the size in the header.
+/// Reports an error to libpng if the rest of the stream, which has `left` bytes, is too short for
+/// an image of the size in the header.
 void check_stream_length(const PngSession& session, std::size_t left) {
     const std::size_t promised = png_get_rowbytes(session.png(), session.info()) *
                                  png_get_image_height(session.png(), session.info());
-    if (promised / kLargestRatio > left) {
+    if (promised / kMaxCompressionRatio > left) {
         png_error(session.png(), "the data is too short for an image of this size");
     }
 }
 
-/// Requests samples of 1 to 4 channels in the layout of an Image.
+/// Makes libpng return 1 to 4 channels of samples of type Sample in the layout of an Image.
+/// Precondition: Sample has at least as many bits as the samples of the file.
 template <class Sample>
-void ask_for_samples(const PngSession& session) {
+void request_samples(const PngSession& session) {
     png_structp png = session.png();
-    if (sizeof(Sample) == 1 && png_get_bit_depth(png, session.info()) > 8) {
-        png_error(png, "16 bits per sample are not supported");
-    }
     png_set_expand(png);
     if (sizeof(Sample) == 2) {
         png_set_expand_16(png);
@@ -51,16 +51,14 @@ void ask_for_samples(const PngSession& session) {
         }
     }
     png_set_interlace_handling(png);
+    png_read_update_info(png, session.info());
 }
 
-/// Reads everything before the pixels.
-template <class Sample>
+/// Reads all chunks that precede the pixels.
 void read_header(const PngSession& session, Source& source) {
-    png_set_read_fn(session.png(), &source, take);
+    png_set_read_fn(session.png(), &source, read_callback);
     png_read_info(session.png(), session.info());
     check_stream_length(session, source.size());
-    ask_for_samples<Sample>(session);
-    png_read_update_info(session.png(), session.info());
 }
 
 template <class Sample>
@@ -112,17 +110,16 @@ ImageMetadata metadata_of(const PngSession& session) {
     return metadata;
 }
 
-void check_decoded(const PngSession& session, bool survived) {
-    if (!survived) {
+void check_decoded(const PngSession& session, bool succeeded) {
+    if (!succeeded) {
         throw InputError(fmt::format("malformed PNG: {}", session.error()));
     }
 }
 
+/// Reads the pixels and all chunks that follow them.
 template <class Sample>
-Picture decode(std::span<const std::byte> content) {
-    Source source = content;
-    PngSession session(PngDirection::Read);
-    check_decoded(session, session.run([&] { read_header<Sample>(session, source); }));
+Picture decode_pixels(PngSession& session) {
+    check_decoded(session, session.run([&] { request_samples<Sample>(session); }));
     Image<Sample> pixels = blank_image<Sample>(session);
     std::vector<png_bytep> rows = rows_from_top(pixels.view());
     check_decoded(session, session.run([&] {
@@ -135,9 +132,11 @@ Picture decode(std::span<const std::byte> content) {
 }  // namespace
 
 Picture decode_png(std::span<const std::byte> content) {
-    constexpr std::size_t kDepth = 24;  // offset of the bit depth in the stream
-    const bool deep = content.size() > kDepth && content[kDepth] == std::byte{16};
-    return deep ? decode<std::uint16_t>(content) : decode<std::uint8_t>(content);
+    Source source = content;
+    PngSession session(PngDirection::Read);
+    check_decoded(session, session.run([&] { read_header(session, source); }));
+    const bool is_deep = png_get_bit_depth(session.png(), session.info()) > 8;
+    return is_deep ? decode_pixels<std::uint16_t>(session) : decode_pixels<std::uint8_t>(session);
 }
 
 }  // namespace foam::texgen

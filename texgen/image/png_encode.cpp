@@ -15,10 +15,10 @@ namespace foam::texgen {
 
 namespace {
 
-/// The write callback of libpng. Exceptions must not propagate through libpng, so std::bad_alloc is
-/// converted to a libpng error. png_error is called outside of the catch block because it does not
-/// return but calls longjmp.
-void append(png_structp png, png_bytep data, std::size_t count) {
+/// The write callback of libpng: appends `count` bytes to the stream that png_get_io_ptr returns.
+/// Exceptions must not propagate through libpng, so std::bad_alloc is converted to a libpng error.
+/// png_error is called outside of the catch block, because it does not return but calls longjmp.
+void write_callback(png_structp png, png_bytep data, std::size_t count) {
     auto& stream = *static_cast<Bytes*>(png_get_io_ptr(png));
     const auto* bytes = reinterpret_cast<const std::byte*>(data);
     bool fits = true;
@@ -42,15 +42,15 @@ bool is_keyword(const std::string& key) {
            std::all_of(key.begin(), key.end(), is_printable_ascii);
 }
 
-/// Returns the kind of chunk for a text. ASCII texts are stored as tEXt (Latin-1), which every
-/// program can read. All other texts are stored as iTXt (UTF-8).
+/// Returns libpng's constant for the kind of chunk that stores a text. ASCII texts are stored as
+/// tEXt (Latin-1), which every program can read. All other texts are stored as iTXt (UTF-8).
 int text_kind(const std::string& text) {
     const bool ascii = std::all_of(text.begin(), text.end(), [](char c) { return c > 0; });
     return ascii ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
 }
 
-/// Returns the texts as libpng's structures, which borrow the strings. Throws std::invalid_argument
-/// for a keyword that PNG forbids.
+/// Returns the texts as structures of libpng, which refer to the strings of `metadata`. Throws
+/// std::invalid_argument for a keyword that PNG forbids.
 std::vector<png_text> text_chunks(const ImageMetadata& metadata) {
     std::vector<png_text> chunks;
     for (const auto& [key, text] : metadata.text) {
@@ -106,8 +106,8 @@ void write_end(png_structp png) {
     png_write_chunk(png, kType.data(), nullptr, 0);
 }
 
-void check_encoded(const PngSession& session, bool survived) {
-    if (!survived) {
+void check_encoded(const PngSession& session, bool succeeded) {
+    if (!succeeded) {
         throw OutputError(fmt::format("cannot encode a PNG: {}", session.error()));
     }
 }
@@ -119,7 +119,7 @@ Bytes encode(const PngRows& rows, const ImageMetadata& metadata, const PngEncodi
     PngSession session(PngDirection::Write);
     png_structp png = session.png();
     check_encoded(session, session.run([&] {
-        png_set_write_fn(png, &stream, append, nullptr);
+        png_set_write_fn(png, &stream, write_callback, nullptr);
         set_header(png, session.info(), rows, metadata.color);
         png_set_text(png, session.info(), texts.data(), static_cast<int>(texts.size()));
         png_write_info(png, session.info());

@@ -11,22 +11,24 @@
 
 // The filters of section 9 of the PNG specification. Each byte is replaced by its difference,
 // modulo 256, from a prediction. The prediction is 0 (None), the byte to the left (Sub), the byte
-// above (Up), their mean (Average), or the byte among left, above and above left that is nearest to
-// left + above - above left (Paeth). The byte to the left is the corresponding byte of the pixel to
-// the left. Bytes outside of the image count as 0. Therefore a pixel of zeros precedes each row in
-// memory.
+// above (Up) or the mean of these two bytes (Average). The prediction of Paeth is one of the bytes
+// left, above and above left: the byte whose value is nearest to left + above - above left. The
+// byte to the left is the corresponding byte of the pixel to the left. Bytes outside of the image
+// count as 0. Therefore a pixel of zeros precedes each row in memory.
 
 namespace foam::texgen {
 
 namespace {
 
-/// The first pixels of a row and of the row above it.
+/// Pointers to the first pixel of a row and to the first pixel of the row above it.
 struct Neighbors {
     const std::uint8_t* current;
     const std::uint8_t* above;
     std::size_t pixel_bytes;
 };
 
+/// Returns a pointer to the first pixel of a row. `row` contains a pixel of zeros, followed by the
+/// pixels of the row.
 const std::uint8_t* first_pixel(const Bytes& row, std::size_t pixel_bytes) {
     return reinterpret_cast<const std::uint8_t*>(row.data()) + pixel_bytes;
 }

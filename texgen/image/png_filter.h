@@ -12,8 +12,8 @@
 
 namespace foam::texgen {
 
-/// The rows of a picture of 8-bit or 16-bit samples in the order of PNG: the top row first, and the
-/// high byte of 16-bit samples first. Borrows the samples.
+/// The rows of a picture of 8-bit or 16-bit samples in the order of PNG: the top row is first, and
+/// the high byte of a 16-bit sample is first. Refers to the samples, which must outlive it.
 class PngRows {
   public:
     explicit PngRows(ImageView<const std::uint8_t> view) : PngRows(view, 1) {}
@@ -38,25 +38,25 @@ class PngRows {
           channels_(view.channels()),
           sample_bytes_(sample_bytes) {}
 
-    const std::byte* bottom_;
+    const std::byte* bottom_;  // the samples, beginning with the bottom row
     int width_;
     int height_;
     int channels_;
     std::size_t sample_bytes_;
 };
 
-/// Filters rows by the filters of section 9 of the PNG specification. Its buffers are reused
+/// Applies the filters of section 9 of the PNG specification to rows. Its buffers are reused
 /// between calls.
 class RowFilter {
   public:
-    /// Returns the filtered rows first, first + 1, ..., last - 1, counted from the top, each
-    /// preceded by the byte of its filter type. Valid until the next call.
+    /// Returns the filtered rows first, first + 1, ..., last - 1, counted from the top. The byte of
+    /// the filter type precedes each row. The result is valid until the next call.
     std::span<const std::byte> filter(const PngRows& rows, PngFilter filter, int first, int last);
 
   private:
-    Bytes above_;  // the preceding row, after a pixel of zeros
-    Bytes current_;
-    Bytes filtered_;
+    Bytes above_;     // a pixel of zeros and the row above the current row
+    Bytes current_;   // a pixel of zeros and the current row
+    Bytes filtered_;  // the result of `filter`
 };
 
 }  // namespace foam::texgen

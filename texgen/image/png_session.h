@@ -18,10 +18,11 @@ enum class PngDirection { Write, Read };
 
 /// Owns the libpng structures of one stream.
 ///
-/// libpng reports an error by longjmp, which must not skip a stack frame whose objects have
-/// destructors. Every libpng call that can fail is therefore in a step passed to `run`, the only
-/// function that longjmp returns to. Objects that own memory belong to the callers of `run`, whose
-/// stack frames longjmp does not skip.
+/// libpng reports an error by a longjmp, which must not skip a stack frame whose objects have
+/// destructors. Therefore all libpng calls that can fail this way are in steps. A step is a
+/// callable that owns no memory and is passed to `run`. On an error, longjmp returns to `run`.
+/// Objects that own memory belong to the callers of `run`, whose stack frames longjmp does not
+/// skip.
 class PngSession {
   public:
     explicit PngSession(PngDirection direction) : direction_(direction) {
@@ -41,12 +42,12 @@ class PngSession {
     png_structp png() const { return png_; }
     png_infop info() const { return info_; }
 
-    /// Returns libpng's message for the step that failed.
+    /// Returns the error message of libpng for the step that failed.
     const char* error() const { return error_.data(); }
 
-    /// Runs a step. Returns false if libpng reported an error; then only `error` and the destructor
-    /// may be called. The step must be trivially destructible, since longjmp may skip its
-    /// destructor.
+    /// Runs a step. Returns true if it succeeded, and false if libpng reported an error. After an
+    /// error, only `error` and the destructor may be called. The step must be trivially
+    /// destructible, because longjmp may skip its destructor.
     template <class Step>
     bool run(const Step& step) {
         static_assert(std::is_trivially_destructible_v<Step>);

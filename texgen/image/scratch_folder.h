@@ -6,8 +6,8 @@
 
 namespace foam::texgen {
 
-/// A new empty folder in the system's folder of temporary files. The destructor removes it with its
-/// content.
+/// A new empty folder in the system's folder for temporary files. The destructor removes the folder
+/// with its content.
 class ScratchFolder {
   public:
     /// Throws OutputError if the folder cannot be created.

@@ -15,9 +15,9 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr std::size_t kMaxShownBytes = 60;  // longer values are truncated in messages
+constexpr std::size_t kMaxShownBytes = 60;  // longer values are truncated in error messages
 
-/// Returns the text of a value for a message, truncated if it is long.
+/// Returns a value as JSON for an error message, truncated if it is long.
 std::string shown(const nlohmann::json& json) {
     const std::string text = json.dump();
     return text.size() <= kMaxShownBytes ? text : text.substr(0, kMaxShownBytes) + "...";

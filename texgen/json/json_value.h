@@ -16,9 +16,10 @@
 
 namespace foam::texgen {
 
-/// A value of a JSON file that knows its path in the file, such as "sets[0].size". Borrows the
-/// document. Every function throws InputError if the value is of a different kind. The message
-/// names the file, the path, the value, and the allowed values.
+/// A value of a JSON file, and its path in the file, such as "sets[0].size". It refers to the
+/// JsonDocument, which must outlive it. Every function throws InputError if the value does not have
+/// the JSON type that the function needs. The message names the file, the path, the value, and the
+/// allowed values.
 class JsonValue {
   public:
     /// Returns a member of an object. Throws InputError if it is missing or null.
@@ -28,17 +29,21 @@ class JsonValue {
     /// Returns the items of an array.
     std::vector<JsonValue> items() const;
 
+    /// Returns a string.
     const std::string& text() const;
-    /// Returns a text. Throws InputError unless it is one of the given words.
+    /// Returns a string. Throws InputError unless it is one of `words`.
     const std::string& word(std::span<const std::string_view> words) const;
     /// Returns an integer. Throws InputError unless it is from `low` to `high`.
     std::int64_t integer(std::int64_t low, std::int64_t high) const;
-    int count() const;  // an integer of 0 or more
+    /// Returns an integer. Throws InputError if it is negative or does not fit an int.
+    int count() const;
+    /// Returns a number.
     double number() const;
+    /// Returns true or false.
     bool flag() const;
 
-    /// Returns parse(text()). If `parse` throws std::invalid_argument, throws an InputError that
-    /// says that the text must be `must_be`.
+    /// Returns parse(text()). If `parse` throws std::invalid_argument, throws InputError; its
+    /// message ends with "must be " + must_be.
     template <class Parse>
     auto parsed(const Parse& parse, std::string_view must_be) const {
         try {
@@ -48,7 +53,8 @@ class JsonValue {
         }
     }
 
-    /// Throws an InputError that says that the value must be `must_be`.
+    /// Throws InputError. Its message gives the file, the path and the value, and ends with
+    /// "must be " + must_be.
     [[noreturn]] void reject(std::string_view must_be) const;
 
   private:
@@ -63,8 +69,8 @@ class JsonValue {
 /// The content of a JSON file.
 class JsonDocument {
   public:
-    /// Parses a text. `file` is the file name for error messages. Throws InputError if the text is
-    /// not valid JSON.
+    /// Parses the content of a file. `file` is its name for error messages. Throws InputError if
+    /// the content is not valid JSON.
     JsonDocument(std::string_view text, std::string file);
     ~JsonDocument();
     JsonDocument(const JsonDocument&) = delete;
@@ -73,12 +79,12 @@ class JsonDocument {
     /// Reads a file. Throws InputError if it cannot be read or is not valid JSON.
     static JsonDocument read(const std::filesystem::path& path);
 
-    /// Returns the root value, which borrows the document.
+    /// Returns the root value, which refers to this document.
     JsonValue root() const;
 
-    /// Checks the members "format" and "version" of the root. Throws InputError if the format
-    /// differs or if the version is newer than `version`. Messages call the format `what`, such as
-    /// "a manifest".
+    /// Checks the members "format" and "version" of the root. Throws InputError unless the format
+    /// is `format` and the version is from 1 to `version`. `what` describes the format in messages,
+    /// for example "a manifest".
     void check_format(std::string_view what, std::string_view format, int version) const;
 
   private:

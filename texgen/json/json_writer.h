@@ -11,17 +11,17 @@
 
 namespace foam::texgen {
 
-/// A JSON value to be written. Members keep the order in which they are added.
+/// A JSON value to be written. Members of an object keep the order in which they are added.
 using Json = nlohmann::ordered_json;
 
-/// Returns a number, or null if it is missing or not finite. JSON cannot represent infinities and
-/// NaN.
+/// Returns a number as JSON, or null if the number is missing or not finite. JSON cannot represent
+/// infinities and NaN.
 Json number_or_null(const std::optional<double>& number);
 
-/// Returns an array of paths.
+/// Returns a JSON array of paths, as strings.
 Json path_list(std::span<const std::filesystem::path> paths);
 
-/// Returns the text of a JSON file: indented by two spaces, with a newline at the end.
+/// Returns a JSON value as the text of a file: indented by two spaces, with a newline at the end.
 std::string indented(const Json& value);
 
 }  // namespace foam::texgen

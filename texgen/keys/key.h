@@ -15,25 +15,29 @@
 
 namespace foam::texgen {
 
-/// A dependency on the value of another key, such as foam.domain = "patch".
+/// A condition on the value of another key, such as foam.domain = "patch".
 struct Condition {
     std::string_view key;               // the path of the other key
-    std::vector<std::string> values{};  // the values that it may have
+    std::vector<std::string> values{};  // the values of the other key that meet the condition
 
-    /// Returns true if the other key may have this value.
+    /// Returns true if this value of the other key meets the condition.
     bool allows(std::string_view value) const;
 };
 
-/// The part of a key that does not depend on the type of the object that it sets.
+/// The properties of a key that do not depend on the type of the object that the key sets.
 struct KeyInfo {
-    std::string path;                          // "foam.bubbles", or "bubbles" outside of a table
-    std::string allowed;                       // "an integer from 4 to 1000000"
-    std::string schema;                        // the same as a JSON Schema
-    std::string_view meaning;                  // in one sentence
-    std::string_view unit{};                   // "pixels"; empty if there is none
-    std::optional<Value> default_value{};      // nullopt if the key is unset by default
-    std::optional<Condition> condition{};      // if it does not hold, the default must stay
-    std::optional<std::string> upper_limit{};  // the path of a key whose number must be larger
+    std::string path;     // "foam.bubbles", or "bubbles" outside of a table
+    std::string allowed;  // the allowed values: "an integer from 4 to 1000000"
+    std::string schema;   // the allowed values as a JSON Schema
+    /// The words that are allowed as a value, or as items of a list. Other texts may be allowed,
+    /// too. The list is empty if the values are not words.
+    std::vector<std::string_view> words{};
+    std::string_view meaning;              // the meaning in one sentence
+    std::string_view unit{};               // the unit, such as "pixels"; empty if there is none
+    std::optional<Value> default_value{};  // nullopt if the key is unset by default
+    std::optional<Condition> condition{};  // unless it is met, the key must keep its default
+    /// The path of another key. The number of this key must be below the number of that key.
+    std::optional<std::string> upper_limit{};
 
     /// Returns the part of the path before the dot; the whole path if there is no dot.
     std::string_view table() const;
@@ -41,38 +45,42 @@ struct KeyInfo {
     std::string_view name() const;
 };
 
-/// Returns the entry of a key in the reference of all keys: default, meaning, and allowed values.
+/// Returns the entry of a key in the reference of all keys: name, default, meaning and allowed
+/// values.
 std::string describe(const KeyInfo& key);
 
-/// A key of an object of type Owner: everything that is needed to read, check, write and document
-/// one of its values. `read` stores a value in the object, or returns false and changes nothing if
-/// the value is not allowed. `write` returns the value, or nullopt if it is unset.
+/// A key of an object of type Owner. It contains everything that is needed to read, check, write
+/// and document one value in the object. `read` stores a value in the object and returns true. If
+/// the value is not allowed, `read` returns false and changes nothing. `write` returns the value
+/// that the object holds, or nullopt if the key is unset.
 template <class Owner>
 struct Key : KeyInfo {
     std::function<bool(const Value&, Owner&)> read;
     std::function<std::optional<Value>(const Owner&)> write;
 
+    /// Returns true if the object holds the default of the key.
     bool is_default(const Owner& owner) const { return write(owner) == default_value; }
 
-    /// Returns this key with the unit of its numbers, such as "pixels" or "fraction of the frames".
-    /// If another key selects the unit, the text names the units and ends in "selected by PATH",
-    /// where PATH is the path of that key.
+    /// Returns a copy of this key with the unit of its numbers, such as "pixels" or "fraction of
+    /// the frames". If another key selects the unit, the text names the units and ends in "selected
+    /// by PATH", where PATH is the path of that key.
     Key in(std::string_view unit_name) const {
         Key key = *this;
         key.unit = unit_name;
         return key;
     }
 
-    /// Returns this key with a condition: it may differ from its default only if the other key has
-    /// one of the given values.
+    /// Returns a copy of this key with a condition: the key must keep its default unless the other
+    /// key has one of the given values. `other` is the complete path of the other key, because
+    /// make_nested_keys does not change it.
     Key only_for(std::string_view other, std::vector<std::string> values) const {
         Key key = *this;
         key.condition = Condition{other, std::move(values)};
         return key;
     }
 
-    /// Returns this key with an upper limit: its number must be below the number of another key of
-    /// the same owner.
+    /// Returns a copy of this key with an upper limit: the number of the key must be below the
+    /// number of another key of the same owner. `other` is the path of the other key in this owner.
     Key below(std::string_view other) const {
         Key key = *this;
         key.upper_limit = other;
@@ -83,17 +91,30 @@ struct Key : KeyInfo {
 template <class Owner>
 using Keys = std::vector<Key<Owner>>;
 
-/// Makes a key. `member`, a pointer to a member or another callable, returns a reference to the
-/// value in an owner. `kind` is one of the kinds of value_kinds.h, or has the same functions.
+/// Returns the words that a kind of values allows; empty if the kind has no function words().
+template <class ValueKind>
+std::vector<std::string_view> words_of(const ValueKind& kind) {
+    if constexpr (requires { kind.words(); }) {
+        const auto words = kind.words();
+        return {words.begin(), words.end()};
+    } else {
+        return {};
+    }
+}
+
+/// Returns a key. `member` is a pointer to a member or another callable, which returns a reference
+/// to the value in an owner. `kind` gives the allowed values; it is one of the kinds of values in
+/// value_kinds.h, or has the same functions.
 template <class Owner, class ValueKind, class Member>
-Key<Owner> key_by(std::string_view name,
-                  const ValueKind& kind,
-                  std::string_view meaning,
-                  const Member& member) {
+Key<Owner> make_key(std::string_view name,
+                    const ValueKind& kind,
+                    std::string_view meaning,
+                    const Member& member) {
     Key<Owner> key;
     key.path = name;
     key.allowed = kind.allowed();
     key.schema = kind.schema();
+    key.words = words_of(kind);
     key.meaning = meaning;
     key.read = [=](const Value& value, Owner& owner) {
         return kind.read(value, std::invoke(member, owner));
@@ -105,20 +126,20 @@ Key<Owner> key_by(std::string_view name,
     return key;
 }
 
-/// Makes a key of a member.
+/// Returns a key that reads and writes a member of Owner. `kind` is as for make_key.
 template <class Owner, class Member, class ValueKind>
 Key<Owner> key(std::string_view name,
                const ValueKind& kind,
                std::string_view meaning,
                Member Owner::*member) {
-    return key_by<Owner>(name, kind, meaning, member);
+    return make_key<Owner>(name, kind, meaning, member);
 }
 
-/// Turns keys of a part into keys of the object that contains it. `part`, a pointer to a
-/// member or another callable, returns the part of an object. Each path becomes "table.name"; with
-/// an empty table the paths stay unchanged.
+/// Converts keys of an Inner object to keys of an Outer object that contains it. `part` is a
+/// pointer to a member or another callable, which returns a reference to the Inner object of an
+/// Outer object. The path "name" becomes "table.name". If `table` is empty, paths stay unchanged.
 template <class Outer, class Inner, class Part>
-Keys<Outer> keys_by(std::string_view table, const Part& part, const Keys<Inner>& keys) {
+Keys<Outer> make_nested_keys(std::string_view table, const Part& part, const Keys<Inner>& keys) {
     const std::string prefix = table.empty() ? "" : std::string(table) + '.';
     Keys<Outer> all;
     all.reserve(keys.size());
@@ -138,13 +159,13 @@ Keys<Outer> keys_by(std::string_view table, const Part& part, const Keys<Inner>&
     return all;
 }
 
-/// Turns keys of a member into keys of the object that contains it.
+/// Converts keys of a member to keys of the object that contains it, as make_nested_keys does.
 template <class Outer, class Inner>
-Keys<Outer> keys_in(std::string_view table, Inner Outer::*member, const Keys<Inner>& keys) {
-    return keys_by<Outer>(table, member, keys);
+Keys<Outer> nested_keys(std::string_view table, Inner Outer::*member, const Keys<Inner>& keys) {
+    return make_nested_keys<Outer>(table, member, keys);
 }
 
-/// Joins lists of keys.
+/// Returns the concatenation of lists of keys.
 template <class Owner>
 Keys<Owner> joined(std::initializer_list<Keys<Owner>> lists) {
     Keys<Owner> all;

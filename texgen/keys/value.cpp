@@ -10,6 +10,7 @@ namespace foam::texgen {
 
 namespace {
 
+/// Returns a character as it is written in a basic string of TOML.
 std::string escaped(char c) {
     switch (c) {
         case '"':
@@ -28,6 +29,7 @@ std::string escaped(char c) {
     }
 }
 
+/// Converts the data of a value to TOML, one overload per type.
 struct Writer {
     std::string operator()(bool flag) const { return flag ? "true" : "false"; }
     std::string operator()(std::int64_t integer) const { return fmt::format("{}", integer); }

@@ -11,10 +11,12 @@ namespace foam::texgen {
 
 /// A TOML value, independent of the library that parses it.
 struct Value {
-    struct Table {  // [a.b] or {...}; its entries are separate keys and not part of this value
+    /// A table, written [a.b] or {...}. Its entries are separate keys and not part of this value.
+    struct Table {
         friend bool operator==(const Table&, const Table&) = default;
     };
-    struct Opaque {  // a date or a time, which no key allows
+    /// A date or a time as text. No key allows such a value.
+    struct Opaque {
         std::string text;
         friend bool operator==(const Opaque&, const Opaque&) = default;
     };
@@ -25,8 +27,8 @@ struct Value {
     friend bool operator==(const Value& a, const Value& b) { return a.data == b.data; }
 };
 
-/// Returns the value as TOML. Parsing the text gives an equal value; reals are equal to the last
-/// bit. The exception is a table, whose text is "{...}".
+/// Returns the value as TOML. Parsing the text gives an equal value; real numbers are equal to the
+/// last bit. The only exception is a table, whose text is "{...}".
 std::string to_toml(const Value& value);
 
 }  // namespace foam::texgen

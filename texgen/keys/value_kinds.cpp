@@ -19,6 +19,7 @@ const T* get(const Value& value) {
     return std::get_if<T>(&value.data);
 }
 
+/// Returns the number of a value that is an integer or a real number, or nullopt for other values.
 std::optional<double> real(const Value& value) {
     if (const auto* integer = get<std::int64_t>(value)) {
         return static_cast<double>(*integer);
@@ -40,6 +41,7 @@ bool contains(const auto& words, std::string_view word) {
     return std::find(words.begin(), words.end(), word) != words.end();
 }
 
+/// Stores a string in the member if `allows` returns true for it. Returns true if it was stored.
 bool read_text(const Value& value, std::string& member, const auto& allows) {
     const auto* text = get<std::string>(value);
     if (text == nullptr || !allows(*text)) {
@@ -49,6 +51,7 @@ bool read_text(const Value& value, std::string& member, const auto& allows) {
     return true;
 }
 
+/// Returns the words in quotes, separated by commas.
 std::string quoted(std::span<const std::string_view> words) {
     std::string list;
     for (const std::string_view word : words) {
@@ -164,24 +167,24 @@ Value ColorLists::write(const std::vector<std::string>& member) const {
 }
 
 std::string Words::allowed() const {
-    return (words.size() > 1 ? "one of " : "") + quoted(words);
+    return (list.size() > 1 ? "one of " : "") + quoted(list);
 }
 
 std::string Words::schema() const {
-    return fmt::format(R"({{"enum": [{}]}})", quoted(words));
+    return fmt::format(R"({{"enum": [{}]}})", quoted(list));
 }
 
 bool Words::read(const Value& value, std::string& member) const {
     return read_text(
-        value, member, [this](const std::string& text) { return contains(words, text); });
+        value, member, [this](const std::string& text) { return contains(list, text); });
 }
 
 std::string WordLists::allowed() const {
-    return fmt::format("a list, without duplicates, of {}", quoted(words));
+    return fmt::format("a list, without duplicates, of {}", quoted(list));
 }
 
 std::string WordLists::schema() const {
-    const std::string word = Words{words}.schema();
+    const std::string word = Words{list}.schema();
     return any_of_schema(
         word,
         fmt::format(R"({{"type": "array", "items": {}, "minItems": 1, "uniqueItems": true}})",
@@ -189,11 +192,11 @@ std::string WordLists::schema() const {
 }
 
 bool WordLists::read(const Value& value, std::vector<std::string>& member) const {
-    const auto* list = get<Value::List>(value);
+    const auto* items = get<Value::List>(value);
     std::vector<std::string> found;
-    for (const Value& item : list != nullptr ? *list : Value::List{value}) {
+    for (const Value& item : items != nullptr ? *items : Value::List{value}) {
         std::string word;
-        if (!Words{words}.read(item, word) || contains(found, word)) {
+        if (!Words{list}.read(item, word) || contains(found, word)) {
             return false;
         }
         found.push_back(std::move(word));

@@ -17,16 +17,18 @@
 
 namespace foam::texgen {
 
-// The kinds of values that keys accept. Each has four functions. allowed() describes the allowed
-// values in words, and schema() describes them as a JSON Schema (draft 2020-12). read() stores a
-// value in a member; if the value is not allowed, it returns false and changes nothing. write()
-// converts the member back to a value; it returns nullopt if the member is unset.
+// The kinds of values that keys accept. Each kind is a struct with four functions. allowed()
+// returns a description of the allowed values in words, and schema() returns them as a JSON Schema
+// (draft 2020-12). read() stores a value in a member and returns true; if the value is not allowed,
+// it returns false and changes nothing. write() converts a member back to a value, or returns
+// nullopt if the member is unset. Kinds whose values are words also have the function words(),
+// which returns these words; the memory of the words must be static.
 
-/// Returns the schema of a list of `min_items` to `max_items` items; 0 means that there is no
-/// limit.
+/// Returns the JSON Schema of a list with `min_items` to `max_items` items. A limit of 0 means that
+/// there is no limit. `item` is the schema of an item.
 std::string list_schema(const std::string& item, std::size_t min_items, std::size_t max_items);
 
-/// Returns the schema of values that either schema allows.
+/// Returns the JSON Schema of the values that at least one of the two schemas allows.
 std::string any_of_schema(const std::string& one, const std::string& other);
 
 /// Integers from low to high, stored in any integer type.
@@ -36,6 +38,7 @@ struct Integers {
 
     std::string allowed() const;
     std::string schema() const;
+    /// Returns the integer of a value, or nullopt if the value is not allowed.
     std::optional<std::int64_t> accepted(const Value& value) const;
 
     template <class Integer>
@@ -50,8 +53,8 @@ struct Integers {
     }
 };
 
-/// Finite numbers from low to high, written with or without a decimal point. With `or_zero`, the
-/// value 0 is allowed, too, and means "none".
+/// Finite numbers from low to high, written with or without a decimal point. If `or_zero` is true,
+/// the value 0 is also allowed.
 struct Reals {
     double low = 0.0;
     double high = 0.0;
@@ -65,7 +68,7 @@ struct Reals {
 
 inline constexpr Reals kFractions{0.0, 1.0};
 
-/// Strings. The empty string is allowed only with `or_empty`.
+/// Strings. The empty string is allowed only if `or_empty` is true.
 struct Text {
     bool or_empty = false;
 
@@ -91,10 +94,11 @@ struct ColorLists {
     Value write(const std::vector<std::string>& member) const;
 };
 
-/// One of the given words.
+/// Strings that are one of the given words.
 struct Words {
-    std::span<const std::string_view> words;
+    std::span<const std::string_view> list;
 
+    std::span<const std::string_view> words() const { return list; }
     std::string allowed() const;
     std::string schema() const;
     bool read(const Value& value, std::string& member) const;
@@ -104,16 +108,17 @@ struct Words {
 /// Lists of at least one of the given words, each at most once. A single word may be written
 /// without brackets.
 struct WordLists {
-    std::span<const std::string_view> words;
+    std::span<const std::string_view> list;
 
+    std::span<const std::string_view> words() const { return list; }
     std::string allowed() const;
     std::string schema() const;
     bool read(const Value& value, std::vector<std::string>& member) const;
     Value write(const std::vector<std::string>& member) const;
 };
 
-/// Lists of at least one integer. An empty member means that the key is unset. A single integer may
-/// be written without brackets.
+/// Lists of at least one integer. An empty vector in the member means that the key is unset. A
+/// single integer may be written without brackets.
 struct IntegerLists {
     Integers item;
 
@@ -174,7 +179,7 @@ struct Pairs {
 using Points = Pairs<Reals>;
 using IntegerPairs = Pairs<Integers>;
 
-/// A value that may be unset.
+/// The values of another kind, stored in a member that may be unset.
 template <class ValueKind>
 struct Maybe {
     ValueKind kind;
@@ -195,11 +200,12 @@ struct Maybe {
     }
 };
 
-/// The values of an enumeration, each written as a word.
+/// The values of an enumeration, each written as a word. `choices` has the word of each value.
 template <class Enum, std::size_t count = 2>
 struct Choices {
     std::array<std::pair<std::string_view, Enum>, count> choices;
 
+    /// Returns the words of all values.
     std::array<std::string_view, count> words() const {
         std::array<std::string_view, count> all;
         for (std::size_t k = 0; k < count; ++k) {
@@ -219,6 +225,7 @@ struct Choices {
         }
         return false;
     }
+    /// Returns the word of a value. Precondition: `choices` contains the value.
     std::string_view name_of(Enum member) const {
         const auto found = std::find_if(choices.begin(), choices.end(), [&](const auto& choice) {
             return choice.second == member;

@@ -16,7 +16,7 @@ namespace foam::texgen {
 
 namespace {
 
-const char* called(LoopKind kind) {
+const char* description_of(LoopKind kind) {
     switch (kind) {
         case LoopKind::Breathe:
             return "a seamless loop: bubbles grow and shrink periodically";
@@ -38,7 +38,7 @@ const char* called(LoopKind kind) {
 ManifestLoop loop_of(const Preset& preset) {
     const LoopKind kind = preset.loop.kind;
     return {.kind = std::get<std::string>(find_key("loop.kind")->write(preset)->data),
-            .called = called(kind),
+            .description = description_of(kind),
             .period = kind == LoopKind::None ? 0 : preset.frames.count,
             .cross_faded = preset.loop.is_cross_faded(),
             .closing_error = {}};
@@ -53,8 +53,8 @@ ManifestConventions conventions_of(const MapOptions& maps) {
     };
 }
 
-/// Returns a hash of the version, the preset's name and all keys except image.maps, so that bakes
-/// of different maps belong to one set.
+/// Returns a hash of the version of foamtex, the name of the preset and all its keys except
+/// image.maps, so that bakes of different maps belong to one set.
 std::string parameters_of(Preset preset) {
     preset.image.maps = Preset().image.maps;
     return text_hash(FOAMTEX_VERSION "\n" + preset.name + "\n" + to_toml(preset));
@@ -75,7 +75,7 @@ std::vector<ManifestMap> maps_of(const Preset& preset, std::vector<int> frames) 
     return maps;
 }
 
-ManifestFrame numbers_of(const BakedFrame& baked) {
+FrameStatistics statistics_of(const BakedFrame& baked) {
     const Frame& frame = *baked.shown.frame;
     const FrameEffort& effort = baked.shown.effort;
     return {.frame = frame.number,
@@ -103,7 +103,8 @@ ManifestFile file_of(const WrittenFile& written, int frame, const std::filesyste
     return file;
 }
 
-void note_samples(BakedSet& set, const WrittenFile& written) {
+// Stores the format of the samples of each map in a file.
+void store_sample_formats(BakedSet& set, const WrittenFile& written) {
     for (const auto& [map, samples] : written.maps) {
         std::ranges::find(set.maps, map->name, &ManifestMap::name)->samples = samples;
     }
@@ -125,17 +126,17 @@ BakedSet describe(const Preset& preset, const std::vector<int>& frames) {
             .conventions = conventions_of(preset.maps),
             .maps = maps_of(preset, frames),
             .files = {},
-            .foam = {},
+            .frame_statistics = {},
             .failure = {}};
 }
 
 void add_frame(BakedSet& set, const BakedFrame& baked, const std::filesystem::path& folder) {
     const int frame = baked.shown.frame->number;
     for (const WrittenFile& written : baked.files) {
-        note_samples(set, written);
+        store_sample_formats(set, written);
         set.files.push_back(file_of(written, frame, folder));
     }
-    set.foam.push_back(numbers_of(baked));
+    set.frame_statistics.push_back(statistics_of(baked));
     set.loop.closing_error = baked.shown.closing_error;
 }
 

@@ -11,13 +11,16 @@
 
 namespace foam::texgen {
 
-/// Returns the set of a bake of these frames, without any files yet.
+/// Returns a set that describes a bake of the given frames of a preset. The set has no files yet.
 BakedSet describe(const Preset& preset, const std::vector<int>& frames);
 
-/// Adds a frame whose files have been written. Their paths are stored relative to the folder.
+/// Adds a frame to a set, after the files of the frame have been written. `folder` is the folder of
+/// the manifest; the paths of the files are stored relative to it. Precondition: the set has all
+/// maps of the files.
 void add_frame(BakedSet& set, const BakedFrame& baked, const std::filesystem::path& folder);
 
-/// Returns a path relative to the folder of the manifest, with '/', as manifests store it.
+/// Returns a path relative to the folder of the manifest, with '/' as separator, as manifests store
+/// it.
 std::string relative_path(const std::filesystem::path& path, const std::filesystem::path& folder);
 
 }  // namespace foam::texgen

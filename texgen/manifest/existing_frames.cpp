@@ -16,7 +16,8 @@ namespace foam::texgen {
 
 namespace {
 
-// Compares the size first, which is cheap and differs for most damaged files.
+// Returns true if a file exists and has the recorded pixels. Compares the size first, because this
+// is fast and most damaged files differ in size.
 bool has_recorded_pixels(const ManifestFile& file, const std::filesystem::path& folder) {
     const std::filesystem::path path = folder / file.path;
     std::error_code error;

@@ -12,8 +12,9 @@
 
 namespace foam::texgen {
 
-/// Returns those of `frames` whose files all exist in the folder, were baked with the same
-/// parameters and version, and still have the pixels that the manifest records.
+/// Returns the subset of `frames` whose files can be kept by a resumed bake: for every map of the
+/// preset, the file exists, is in a set with the same BakedSet::parameters, and still has the
+/// pixels that the manifest records. `folder` is the folder of the manifest.
 std::set<int> existing_frames_of(const Preset& preset,
                                  const std::vector<int>& frames,
                                  const std::filesystem::path& folder,

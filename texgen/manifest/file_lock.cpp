@@ -14,18 +14,18 @@
 #include <system_error>
 #include <utility>
 
-// The lock is an exclusive flock on a file that its owner removes before unlocking. A waiting
-// program may therefore get a lock on a removed file, while another program locks a new file at the
-// same path. A lock is valid only if the path still leads to the locked file; otherwise the attempt
-// is repeated.
+// The lock is an exclusive flock on a file. The owner of the lock removes the file before releasing
+// the lock. A waiting program may therefore get a lock on a removed file, while another program
+// locks a new file at the same path. A lock is valid only if the file at the path is still the
+// locked file; otherwise the attempt is repeated.
 
 namespace foam::texgen {
 
 namespace {
 
-constexpr mode_t kMode = 0666;  // the umask of the process applies
+constexpr mode_t kMode = 0666;  // permissions of the file, reduced by the umask of the process
 
-/// Returns true if the open file is still the file at the path.
+/// Returns true if the open file is still the file at the path. `file` is a file descriptor.
 bool is_file_at(int file, const std::filesystem::path& path) {
     struct stat held {};
     struct stat found {};
@@ -33,6 +33,8 @@ bool is_file_at(int file, const std::filesystem::path& path) {
            held.st_ino == found.st_ino && held.st_dev == found.st_dev;
 }
 
+// Waits until the file is locked. Returns without a lock if flock fails, for example because the
+// file system does not support it.
 void wait_for_lock(int file) {
     while (flock(file, LOCK_EX) != 0 && errno == EINTR) {
     }

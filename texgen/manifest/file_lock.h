@@ -6,12 +6,13 @@
 
 namespace foam::texgen {
 
-/// A lock file for mutual exclusion between programs and between threads. At any time only one
-/// FileLock of a path exists. The file exists only while it is locked. On a file system without
-/// flock there is no mutual exclusion.
+/// A lock file for mutual exclusion between programs and between threads. At any time, at most one
+/// FileLock holds the lock of a path. The destructor removes the file and releases the lock. On a
+/// file system without flock there is no mutual exclusion.
 class FileLock {
   public:
-    /// Waits for the lock. Throws OutputError if the file cannot be created.
+    /// Creates the lock file `path` if it does not exist, and waits until this object holds the
+    /// lock. Throws OutputError if the file cannot be created.
     explicit FileLock(std::filesystem::path path);
     ~FileLock();
 
@@ -19,11 +20,12 @@ class FileLock {
     FileLock& operator=(const FileLock&) = delete;
 
   private:
-    // Opens and locks the file. Returns false if the previous owner removed it meanwhile.
+    // Opens and locks the file. Returns false if the previous owner of the lock removed the file
+    // meanwhile.
     bool try_lock();
 
     std::filesystem::path path_;
-    int file_ = -1;
+    int file_ = -1;  // descriptor of the locked file
 };
 
 }  // namespace foam::texgen

@@ -37,25 +37,28 @@ void merge_maps(BakedSet& into, const std::vector<ManifestMap>& more) {
     }
 }
 
-// Returns the sort key of a file: its frame, then the position of its first map in the list of
-// maps.
+// Returns the sort key of a file: its frame, then the index of its first map in the list of maps of
+// the set.
 auto sort_key_of(const BakedSet& set, const ManifestFile& file) {
     const auto map = std::ranges::find(set.maps, file.maps.front(), &ManifestMap::name);
     return std::pair(file.frame, map - set.maps.begin());
 }
 
+// Merges a set into a set with the same parameters.
 void merge_into(BakedSet& into, const BakedSet& more) {
     into.toml = more.toml;
     const std::optional<double> closing_error = into.loop.closing_error;
     into.loop = more.loop;
     into.loop.closing_error = more.loop.closing_error ? more.loop.closing_error : closing_error;
     merge_maps(into, more.maps);
-    for (const ManifestFrame& frame : more.foam) {
-        std::erase_if(into.foam, [&](const auto& old) { return old.frame == frame.frame; });
+    for (const FrameStatistics& frame : more.frame_statistics) {
+        std::erase_if(into.frame_statistics,
+                      [&](const auto& old) { return old.frame == frame.frame; });
     }
-    into.foam.insert(into.foam.end(), more.foam.begin(), more.foam.end());
+    into.frame_statistics.insert(
+        into.frame_statistics.end(), more.frame_statistics.begin(), more.frame_statistics.end());
     into.files.insert(into.files.end(), more.files.begin(), more.files.end());
-    std::ranges::sort(into.foam, {}, &ManifestFrame::frame);
+    std::ranges::sort(into.frame_statistics, {}, &FrameStatistics::frame);
     std::ranges::sort(into.files, {}, [&](const auto& file) { return sort_key_of(into, file); });
     into.failure = into.complete() ? "" : more.failure;
 }
@@ -94,8 +97,8 @@ const ManifestFile* BakedSet::find_file(std::string_view map, int frame) const {
     return found != files.end() ? &*found : nullptr;
 }
 
-const ManifestFrame* BakedSet::find_frame(int frame) const {
-    return find_by(foam, &ManifestFrame::frame, frame);
+const FrameStatistics* BakedSet::find_frame(int frame) const {
+    return find_by(frame_statistics, &FrameStatistics::frame, frame);
 }
 
 BakedSet* find_same_set(Manifest& manifest, const BakedSet& set) {

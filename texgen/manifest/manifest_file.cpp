@@ -27,7 +27,8 @@ std::string line_of(const BakedSet& set) {
     return fmt::format("{} (seed {}, {} x {})", set.preset, set.seed, set.width, set.height);
 }
 
-// Returns the error message if `count` sets match the preset. Precondition: `count` is not 1.
+// Returns the error message for the case that `count` sets match the preset. `sets` is the list of
+// all sets as text, with commas. Precondition: `count` is not 1.
 std::string choice_error(const std::string& file,
                          std::string_view preset,
                          int count,
@@ -39,11 +40,11 @@ std::string choice_error(const std::string& file,
         return fmt::format(
             "'{}' has no images of preset '{}'; must be one of: {}", file, preset, sets);
     }
-    return fmt::format(
-        "'{}' has several sets of images: {}; {}",
-        file,
-        sets,
-        preset.empty() ? "choose one with --preset NAME" : "bake each into its own folder");
+    return fmt::format("'{}' has several sets of images: {}; {}",
+                       file,
+                       sets,
+                       preset.empty() ? "choose one with --preset NAME"
+                                      : "bake each set into its own folder with --out");
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ constexpr Words kKinds = {"color", "number", "id"};
 constexpr Words kColorSpaces = {"sRGB", "linear sRGB", "data"};
 constexpr Words kAlphas = {"none", "straight", "premultiplied"};
 constexpr std::array<std::string_view, 2> kDirections = {"up", "down"};
-constexpr int kLargestExtent = 1 << 20;
+constexpr int kLargestExtent = 1 << 20;  // largest accepted width and height of images, pixels
 
 std::vector<int> frames_in(const JsonValue& value) {
     std::vector<int> frames =
@@ -30,8 +30,8 @@ std::vector<int> frames_in(const JsonValue& value) {
     return frames;
 }
 
-/// Returns the number of a member, or NaN if the member is missing or null. Manifests store numbers
-/// that are not finite as null.
+/// Returns the number of a member, or NaN if the member is missing or null. Manifests store
+/// infinity and NaN as null.
 double number_in(const std::optional<JsonValue>& value) {
     return value ? value->number() : std::numeric_limits<double>::quiet_NaN();
 }
@@ -82,7 +82,7 @@ ManifestFile file_in(const JsonValue& value) {
     return file;
 }
 
-ManifestFrame frame_in(const JsonValue& value) {
+FrameStatistics frame_in(const JsonValue& value) {
     return {.frame = value["frame"].count(),
             .tiles = value["tiles"].flag(),
             .time = value["time"].number(),
@@ -99,7 +99,7 @@ ManifestFrame frame_in(const JsonValue& value) {
 ManifestLoop loop_in(const JsonValue& value) {
     const auto closing_error = value.find("closing_error");
     return {.kind = value["kind"].text(),
-            .called = value["called"].text(),
+            .description = value["called"].text(),
             .period = value["period"].count(),
             .cross_faded = value["cross_faded"].flag(),
             .closing_error = closing_error ? std::optional(closing_error->number()) : std::nullopt};
@@ -130,7 +130,8 @@ std::vector<Item> list_in(const JsonValue& list, Item (*item_in)(const JsonValue
     return items;
 }
 
-/// Throws InputError if a file has a map that is not in the list of maps of the set.
+/// Throws InputError if a file has a map that is not in the list of maps of the set. `files` is the
+/// JSON list of the files.
 void check_maps(const BakedSet& set, const JsonValue& files) {
     const std::vector<JsonValue> items = files.items();
     for (std::size_t k = 0; k < set.files.size(); ++k) {
@@ -158,7 +159,7 @@ BakedSet set_in(const JsonValue& value) {
                  .conventions = conventions_in(value["conventions"]),
                  .maps = list_in(value["maps"], map_in),
                  .files = list_in(value["files"], file_in),
-                 .foam = list_in(value["foam"], frame_in),
+                 .frame_statistics = list_in(value["foam"], frame_in),
                  .failure = failure ? failure->text() : ""};
     check_maps(set, value["files"]);
     return set;

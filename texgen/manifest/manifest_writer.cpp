@@ -37,7 +37,7 @@ Json to_value(const ManifestFile& file) {
             {"pixels", file.pixels}};
 }
 
-Json to_value(const ManifestFrame& frame) {
+Json to_value(const FrameStatistics& frame) {
     return {{"frame", frame.frame},
             {"tiles", frame.tiles},
             {"time", frame.time},
@@ -53,7 +53,7 @@ Json to_value(const ManifestFrame& frame) {
 
 Json to_value(const ManifestLoop& loop) {
     return {{"kind", loop.kind},
-            {"called", loop.called},
+            {"called", loop.description},
             {"period", loop.period},
             {"cross_faded", loop.cross_faded},
             {"closing_error", number_or_null(loop.closing_error)}};
@@ -67,10 +67,10 @@ Json to_value(const ManifestConventions& conventions) {
             {"motion_multiplier", conventions.motion_multiplier}};
 }
 
-Json time_used(const std::vector<ManifestFrame>& frames) {
+Json time_used(const std::vector<FrameStatistics>& frames) {
     double simulating = 0.0;
     double drawing = 0.0;
-    for (const ManifestFrame& frame : frames) {
+    for (const FrameStatistics& frame : frames) {
         simulating += frame.simulating;
         drawing += frame.drawing;
     }
@@ -100,10 +100,10 @@ std::string to_text(const BakedSet& set) {
         {"frames_per_second", Json(set.frames_per_second).dump()},
         {"loop", to_value(set.loop).dump()},
         {"conventions", to_value(set.conventions).dump()},
-        {"seconds", time_used(set.foam).dump()},
+        {"seconds", time_used(set.frame_statistics).dump()},
         {"maps", lines_of(set.maps)},
         {"files", lines_of(set.files)},
-        {"foam", lines_of(set.foam)},
+        {"foam", lines_of(set.frame_statistics)},
         {"toml", Json(set.toml).dump()}};
     std::string text;
     for (const auto& [name, value] : members) {

@@ -11,7 +11,9 @@
 #include <fmt/core.h>
 
 #include <chrono>
+#include <cmath>
 #include <exception>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,13 +24,14 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Approximate upper limit on the fraction of the time of a bake that is spent on writing manifests.
+// Approximate upper limit on the fraction of the duration of a bake that is spent on writing the
+// manifest.
 constexpr double kMaxSaveFraction = 0.05;
 
-// Writes the manifest of a running bake.
+// Updates the manifest during a bake.
 class ManifestWriter {
   public:
-    /// Describes the bake. Writes nothing yet.
+    /// Prepares the description of the bake. Does not write the manifest yet.
     ManifestWriter(const Preset& preset, const BakeOptions& options)
         : folder_(manifest_folder(preset)),
           set_(describe(preset, options.frames)),
@@ -46,6 +49,7 @@ class ManifestWriter {
         }
     }
 
+    /// Adds a frame, and writes the manifest if enough time has passed since it was last written.
     void add(const BakedFrame& baked) {
         add_frame(set_, baked, folder_);
         if (Clock::now() >= next_save_) {
@@ -53,6 +57,8 @@ class ManifestWriter {
         }
     }
 
+    /// Writes the manifest at the end of the bake. `failure` is the reason why the bake ended
+    /// early, or empty.
     void close(const std::string& failure) {
         begin();
         set_.failure = failure;
@@ -62,7 +68,8 @@ class ManifestWriter {
     bool begun() const { return begun_; }
 
   private:
-    // Returns the relative paths of the files that the bake will write.
+    // Returns the paths, relative to the folder of the manifest, of the files that the bake will
+    // write.
     std::vector<std::string> paths_of(const Preset& preset, const BakeOptions& options) const {
         const FrameFiles files(preset);
         std::vector<std::string> paths;
@@ -92,21 +99,35 @@ class ManifestWriter {
     Clock::time_point next_save_{};
 };
 
+// Returns the message for a run that ended early because its loop does not close. `closing_error`
+// is infinite if bubbles have different neighbors at the end of the cycle.
+std::string open_loop_failure(const std::optional<double>& closing_error) {
+    if (!closing_error || !std::isfinite(*closing_error)) {
+        return "the loop does not close: bubbles at the end of the cycle have different neighbors "
+               "than at its start";
+    }
+    return fmt::format(
+        "the loop does not close: the foam at the end of the cycle differs from the foam at its "
+        "start by {:.2g} mean diameters",
+        *closing_error);
+}
+
+// Returns the reason why a run ended early; empty if it is complete.
 std::string failure_of(const RunOutcome& outcome) {
     switch (outcome.status) {
         case RunStatus::NoEquilibrium:
             return fmt::format("frame {}: the foam did not reach equilibrium",
                                outcome.failed_frame);
         case RunStatus::OpenLoop:
-            return "the loop does not close";
+            return open_loop_failure(outcome.closing_error);
         case RunStatus::Complete:
             break;
     }
     return "";
 }
 
-// Records the failure of a bake that ends with an exception, unless no frame has been simulated.
-// Ignores further exceptions, so that the caller can rethrow the original one.
+// Records the failure of a bake that ends with an exception, if at least one frame has been
+// simulated. Ignores further exceptions, so that the caller can rethrow the original exception.
 void close_after_failure(ManifestWriter& writer, const std::string& failure) {
     try {
         if (writer.begun()) {
@@ -125,6 +146,7 @@ std::filesystem::path manifest_folder(const Preset& preset) {
 
 namespace {
 
+// Bakes a preset and updates the manifest in the callbacks of the bake.
 BakeSummary bake_and_record(const Preset& preset,
                             const BakeOptions& options,
                             const BakeCallbacks& callbacks,
@@ -145,8 +167,8 @@ BakeSummary bake_and_record(const Preset& preset,
     return bake(preset, options, recording);
 }
 
-/// Returns the summary of a bake whose files all exist already. The closing error of the loop comes
-/// from the manifest.
+/// Returns the summary of a bake whose files all exist already. The closing error of the loop is
+/// read from the manifest.
 BakeSummary summary_of_existing(const Preset& preset,
                                 const std::vector<int>& frames,
                                 const Manifest& manifest) {

@@ -8,18 +8,21 @@
 
 namespace foam::texgen {
 
-/// Returns the folder of the manifest of a preset: the deepest folder that contains all of its
-/// images, for any maps and frames.
+/// Returns the folder of the manifest of a bake of a preset: the deepest folder that contains all
+/// images of the preset, whichever maps and frames are baked.
 std::filesystem::path manifest_folder(const Preset& preset);
 
 /// Selects whether a bake keeps the files of an earlier bake that was stopped.
 enum class Resume { No, Yes };
 
-/// Bakes and keeps a manifest. The manifest is written when the first frame has been simulated,
-/// repeatedly while files are written, and at the end of the bake, also if it fails. It lists only
-/// files that have been written. With Resume::Yes, the files of the frames that existing_frames_of
-/// returns are kept. These frames are simulated nevertheless, unless all frames exist and
-/// `on_frame` is empty. Throws the exceptions of bake and update_manifest.
+/// Bakes a preset and records its images in a manifest. The manifest is written when the first
+/// frame has been simulated, repeatedly while files are written, and at the end of the bake. It is
+/// also written if the bake fails, unless the bake throws an exception before the first frame has
+/// been simulated. Of the files of this bake, the manifest lists only those that have been written
+/// or kept. With Resume::Yes, the files of the frames that existing_frames_of returns are kept. The
+/// frames of these files are simulated nevertheless, unless all requested frames exist and
+/// `callbacks.on_frame` is empty. Returns the summary of the bake, including the files that were
+/// kept. Throws the exceptions of bake and update_manifest.
 BakeSummary bake_recorded(const Preset& preset,
                           const BakeOptions& options,
                           const BakeCallbacks& callbacks,

@@ -16,19 +16,20 @@ inline constexpr MapTraits kAgeMap = {
 
 /// The moment at which a bubble's age begins.
 enum class AgeSince {
-    Birth,   // the birth of the bubble; foam time 0 for seeded bubbles
-    Change,  // the last gain or loss of a neighbor
+    Birth,   // the birth of the bubble (FoamRecord::births)
+    Change,  // the last gain or loss of a neighbor; the birth if there has been none
 };
 
 struct AgeOptions {
     AgeSince since = AgeSince::Birth;
-    double full = 50.0;  // age stored as the largest code of a PNG, in foam time
+    double full = 50.0;  // age that a PNG stores as its largest code, in foam time
 };
 
 Keys<AgeOptions> age_keys();
 
 /// Draws the age of every bubble in foam time. A pixel that several bubbles share has the mean of
-/// their ages, weighted by area. The image has one channel and is 0 around a patch.
+/// their ages, weighted by the part of the pixel that each bubble covers. The image has one channel
+/// and is 0 around a patch.
 NumberPixels draw_age(FrameLayers& layers, const AgeOptions& options);
 
 }  // namespace foam::texgen

@@ -5,7 +5,7 @@
 #include "texgen/image/color.h"
 #include "texgen/maps/cell_color.h"
 #include "texgen/maps/cell_fill.h"
-#include "texgen/maps/film_look.h"
+#include "texgen/maps/film_coverage.h"
 #include "texgen/maps/quantize.h"
 
 #include <cstddef>
@@ -45,8 +45,8 @@ ColorPixels draw_shaded(FrameLayers& layers, const AlbedoOptions& options) {
 }  // namespace
 
 ColorPixels draw_albedo(FrameLayers& layers, const AlbedoOptions& options) {
-    return distance_of_look(options).smooth ? draw_shaded(layers, options)
-                                            : draw_flat(layers, options);
+    return film_distance_needs(options).smooth ? draw_shaded(layers, options)
+                                               : draw_flat(layers, options);
 }
 
 Image<std::uint8_t> albedo(const Frame& frame,
@@ -54,7 +54,7 @@ Image<std::uint8_t> albedo(const Frame& frame,
                            const AlbedoOptions& options,
                            int threads) {
     const FoamRecord record;
-    FrameLayers layers({frame, record, nullptr, distance_of_look(options)}, grid, threads);
+    FrameLayers layers({frame, record, nullptr, film_distance_needs(options)}, grid, threads);
     return srgb_codes(draw_albedo(layers, options));
 }
 

@@ -19,13 +19,15 @@ inline constexpr MapTraits kAlbedoMap = {
     .channels = "R G B",
     .smooth_distance = SmoothDistance::UsedByFilms};
 
-/// Draws the colors of bubbles and films. It uses fill_colors for even films without a shade, and
-/// paint_films for wet films and for shades. Throws as cell_colors does, and std::invalid_argument
-/// for an invalid color of films or of the shade.
+/// Draws the colors of bubbles and films. Films are drawn by fill_colors (cell_fill.h) if they are
+/// even and have no shade beside them, otherwise by paint_films (film_coverage.h). Throws as
+/// cell_colors and cell_arcs do. Also throws std::invalid_argument if the color of films is
+/// invalid, or if a shade is drawn and its color is invalid.
 ColorPixels draw_albedo(FrameLayers& layers, const AlbedoOptions& options);
 
-/// Draws the albedo of a single frame and encodes it as sRGB. The result does not depend on the
-/// number of threads. Throws as draw_albedo and cell_arcs do.
+/// Draws the albedo of a single frame and encodes it as 8-bit sRGB. The image has three channels; a
+/// patch has a fourth, the opacity. The result does not depend on the number of threads. Throws as
+/// draw_albedo does.
 Image<std::uint8_t> albedo(const Frame& frame,
                            const RasterGrid& grid,
                            const AlbedoOptions& options,

@@ -25,7 +25,10 @@ Keys<AlbedoOptions> bubble_keys() {
             "what determines the color of a bubble: its pressure, its area (the mean area has the "
             "middle color), its number of sides (3 to 9), or a random value that it keeps",
             &Options::color_by),
-        key("colormap", Words{colormap_names()}, "the colors", &Options::colormap),
+        key("colormap",
+            Words{colormap_names()},
+            "color map of the bubbles; not used if albedo.colors is set",
+            &Options::colormap),
         key("colors",
             ColorLists{},
             "custom colors that replace the colormap, from first to last",

@@ -2,7 +2,8 @@
 
 #include "texgen/maps/all_maps.h"
 
-#include "texgen/maps/film_look.h"
+#include "texgen/keys/nearest.h"
+#include "texgen/maps/film_coverage.h"
 
 #include <fmt/format.h>
 
@@ -17,7 +18,7 @@ namespace {
 bool uses_smooth_distance(const Map& map, const MapOptions& options) {
     return map.smooth_distance == SmoothDistance::Used ||
            (map.smooth_distance == SmoothDistance::UsedByFilms &&
-            distance_of_look(options.albedo).smooth);
+            film_distance_needs(options.albedo).smooth);
 }
 
 }  // namespace
@@ -42,8 +43,10 @@ const Map& find_map(std::string_view name) {
     const auto* const found =
         std::find_if(kMaps.begin(), kMaps.end(), [&](const Map& map) { return map.name == name; });
     if (found == kMaps.end()) {
-        throw std::invalid_argument(
-            fmt::format("unknown map '{}'; must be one of {}", name, fmt::join(map_names(), ", ")));
+        throw std::invalid_argument(fmt::format("unknown map '{}'; must be one of {}{}",
+                                                name,
+                                                fmt::join(map_names(), ", "),
+                                                did_you_mean(name, map_names())));
     }
     return *found;
 }

@@ -16,6 +16,7 @@
 #include "texgen/maps/id_color.h"
 #include "texgen/maps/lit.h"
 #include "texgen/maps/map.h"
+#include "texgen/maps/maze.h"
 #include "texgen/maps/motion.h"
 #include "texgen/maps/normal.h"
 #include "texgen/maps/occlusion.h"
@@ -51,33 +52,35 @@ struct MapOptions {
     OcclusionOptions occlusion;
     CurvatureOptions curvature;
     ThinFilmOptions thin_film;
+    MazeOptions maze;  // used by maze and maze_solution
 };
 
 /// Returns the keys of all maps, such as "height.full", in the order in which presets list them.
 /// The table of the map `event` is named event_map, because the table [[event]] describes an event
-/// of the foam. This is a template so that only the few sources that call it spend time compiling
-/// it.
+/// of the foam. The function is a template so that only the few source files that call it spend
+/// time compiling it.
 template <class M = MapOptions>
 Keys<M> map_keys() {
-    return joined({keys_in("albedo", &M::albedo, albedo_keys()),
-                   keys_in("lit", &M::lit, lit_keys()),
-                   keys_in("pressure", &M::pressure, pressure_keys()),
-                   keys_in("area", &M::area, area_keys()),
-                   keys_in("roughness", &M::roughness, roughness_keys()),
-                   keys_in("age", &M::age, age_keys()),
-                   keys_in("growth", &M::growth, growth_keys()),
-                   keys_in("event_map", &M::event_map, event_map_keys()),
-                   keys_in("motion", &M::motion, motion_keys()),
-                   keys_in("distance", &M::distance, distance_keys()),
-                   keys_in("relief", &M::relief, relief_keys()),
-                   keys_in("height", &M::height, height_keys()),
-                   keys_in("normal", &M::normal, normal_keys()),
-                   keys_in("occlusion", &M::occlusion, occlusion_keys()),
-                   keys_in("curvature", &M::curvature, curvature_keys()),
-                   keys_in("thin_film", &M::thin_film, thin_film_keys())});
+    return joined({nested_keys("albedo", &M::albedo, albedo_keys()),
+                   nested_keys("lit", &M::lit, lit_keys()),
+                   nested_keys("pressure", &M::pressure, pressure_keys()),
+                   nested_keys("area", &M::area, area_keys()),
+                   nested_keys("roughness", &M::roughness, roughness_keys()),
+                   nested_keys("age", &M::age, age_keys()),
+                   nested_keys("growth", &M::growth, growth_keys()),
+                   nested_keys("event_map", &M::event_map, event_map_keys()),
+                   nested_keys("motion", &M::motion, motion_keys()),
+                   nested_keys("distance", &M::distance, distance_keys()),
+                   nested_keys("relief", &M::relief, relief_keys()),
+                   nested_keys("height", &M::height, height_keys()),
+                   nested_keys("normal", &M::normal, normal_keys()),
+                   nested_keys("occlusion", &M::occlusion, occlusion_keys()),
+                   nested_keys("curvature", &M::curvature, curvature_keys()),
+                   nested_keys("thin_film", &M::thin_film, thin_film_keys()),
+                   nested_keys("maze", &M::maze, maze_keys())});
 }
 
-/// Makes a map that is drawn by draw(layers, options.*members...). `note` is Map::note.
+/// Returns a map that is drawn by draw(layers, options.*members...). `note` becomes Map::note.
 template <auto draw, auto... members>
 constexpr Map map_of(const MapTraits& traits, std::string (*note)(const MapOptions&) = nullptr) {
     return {traits,
@@ -87,7 +90,7 @@ constexpr Map map_of(const MapTraits& traits, std::string (*note)(const MapOptio
             note};
 }
 
-/// Every map, in the order in which programs list them.
+/// All maps, in the order in which the program lists them.
 inline constexpr std::array kMaps = [] {
     using M = MapOptions;
     return std::array{
@@ -116,7 +119,9 @@ inline constexpr std::array kMaps = [] {
         map_of<draw_growth, &M::growth>(kGrowthMap),
         map_of<draw_motion, &M::motion>(
             kMotionMap, [](const M& options) { return note_on_motion(options.motion); }),
-        map_of<draw_event, &M::event_map>(kEventMap)};
+        map_of<draw_event, &M::event_map>(kEventMap),
+        map_of<draw_maze, &M::maze>(kMazeMap),
+        map_of<draw_maze_solution, &M::maze>(kMazeSolutionMap)};
 }();
 
 /// Returns every map.
@@ -125,14 +130,15 @@ std::span<const Map> all_maps();
 /// Returns the names of all maps, in the order of kMaps.
 std::span<const std::string_view> map_names();
 
-/// Returns the map with the given name. Throws std::invalid_argument, with a list of the known
-/// names, if there is none.
+/// Returns the map with the given name. Throws std::invalid_argument if there is none; the message
+/// lists all names and, if a name is similar, suggests it.
 const Map& find_map(std::string_view name);
 
-/// Returns the union of the needs of the maps with the given names.
+/// Returns the images of the distance field that at least one of the maps with the given names
+/// needs. Throws as find_map does.
 DistanceNeeds distance_needs(std::span<const std::string> names, const MapOptions& options);
 
-/// Returns the table of all maps that README.md contains, as Markdown.
+/// Returns the table of all maps in README.md, as Markdown.
 std::string describe_maps_in_markdown();
 
 }  // namespace foam::texgen

@@ -14,7 +14,7 @@ Keys<AreaOptions> area_keys() {
                 &AreaOptions::unit),
             key("full",
                 Reals{1e-3, 1e6},
-                "area that a PNG stores as its largest code, in this unit",
+                "area that a PNG stores as its largest code, in the unit area.unit",
                 &AreaOptions::full)
                 .in("mean bubble areas, selected by area.unit")};
 }

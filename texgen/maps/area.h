@@ -16,13 +16,15 @@ inline constexpr MapTraits kAreaMap = {.name = "area",
 
 struct AreaOptions {
     MeanBubble unit = MeanBubble::Current;
-    double full = 4.0;  // area stored as the largest code of a PNG, in this unit
+    double full = 4.0;  // area that a PNG stores as its largest code, in mean areas (`unit`)
 };
 
 Keys<AreaOptions> area_keys();
 
-/// Draws the area that the arcs of every bubble enclose. A pixel that several bubbles share has the
-/// mean of their values, weighted by area. The image has one channel and is 0 around a patch.
+/// Draws the area that the arcs of every bubble enclose, divided by the area of the mean bubble
+/// that options.unit selects. A pixel that several bubbles share has the mean of their values,
+/// weighted by the part of the pixel that each bubble covers. The image has one channel and is 0
+/// around a patch.
 NumberPixels draw_area(FrameLayers& layers, const AreaOptions& options);
 
 }  // namespace foam::texgen

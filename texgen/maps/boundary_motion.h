@@ -15,9 +15,9 @@ struct BoundaryMotion {
 };
 
 /// Returns the motion of a point within or just outside the polygon, interpolated between the
-/// corners by mean value coordinates (Floater 2003, Hormann and Floater 2006). The motion is smooth
-/// away from the polygon and linear along each side of it. Precondition: the polygon has at least
-/// one corner.
+/// corners by mean value coordinates (Floater 2003, Hormann and Floater 2006). The motion is a
+/// smooth function of the point except at the corners of the polygon, and linear along each side.
+/// Precondition: the polygon has at least one corner.
 Vec2 motion_at(const BoundaryMotion& boundary, const Vec2& point);
 
 }  // namespace foam::texgen

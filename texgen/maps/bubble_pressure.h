@@ -9,7 +9,7 @@ namespace foam::texgen {
 
 /// The unit of a pressure.
 enum class PressureUnit {
-    Seed,     // film tension / sqrt(mean area of the seeded foam), where that area is 1
+    Seed,     // film tension / sqrt(mean area of the seeded foam); this mean area is 1
     Current,  // film tension / sqrt(mean area of the frame), which preserves contrast while
               // the foam coarsens
 };
@@ -17,10 +17,10 @@ enum class PressureUnit {
 inline constexpr Choices<PressureUnit> kPressureUnits = {
     {{{"seed", PressureUnit::Seed}, {"current", PressureUnit::Current}}}};
 
-/// The range of pressures that keys accept, in either unit.
+/// The range of pressures that keys of a preset accept, in either unit.
 inline constexpr Reals kPressures{-1e6, 1e6};
 
-/// Returns the pressures of all bubbles of a frame.
+/// Returns the pressures of all bubbles of a frame in the given unit.
 PerBubble<double> pressures_of(const Frame& frame, PressureUnit unit);
 
 }  // namespace foam::texgen

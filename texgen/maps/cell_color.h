@@ -9,15 +9,16 @@
 
 namespace foam::texgen {
 
-/// Returns the position of every bubble on the scale of options.color_by: 0 at its start, 1 at its
-/// end. Pressures and numbers of sides beyond the scale have positions outside [0, 1]. Throws
-/// std::invalid_argument if options.color_by is Pressure and pressure_low is not below
+/// Returns the position of every bubble on the scale of options.color_by: 0 is the start of the
+/// scale, 1 its end. Pressures and numbers of sides beyond the scale have positions outside [0, 1].
+/// Throws std::invalid_argument if options.color_by is Pressure and pressure_low is not below
 /// pressure_high.
-PerBubble<double> tones_of(const Frame& frame, const AlbedoOptions& options);
+PerBubble<double> scale_positions(const Frame& frame, const AlbedoOptions& options);
 
-/// Returns the color of every bubble: the color at its position on the scale, made lighter or
-/// darker by at most options.variation. Each bubble keeps its own variation for life. Throws
-/// std::invalid_argument for an unknown color map or an invalid color, and as tones_of does.
+/// Returns the color of every bubble: the color at its position on the scale, times a factor.
+/// Positions are clamped to [0, 1]. The factor differs from 1 by at most options.variation, and a
+/// bubble keeps it for life. Throws std::invalid_argument for an unknown color map or an invalid
+/// color, and as scale_positions does.
 PerBubble<LinearRgb> cell_colors(const Frame& frame, const AlbedoOptions& options);
 
 }  // namespace foam::texgen

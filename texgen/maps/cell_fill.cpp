@@ -18,11 +18,14 @@ namespace {
 
 constexpr std::uint16_t kFullValue = 65535;
 
-// The samples of one pixel; a fill uses the first `channels` of them.
+// The value of a bubble or of the films, in up to kMaxChannels channels.
 using Texel = std::array<std::uint16_t, kMaxChannels>;
 
-// Collects the values of all cells in the order of CellValues. In a patch the surroundings come
-// after the bubbles of the network and before the lone bubbles, and have the value 0.
+// Returns the values of all bubbles, and of the surroundings of a patch, in the order of
+// CellValues. texel_of(k) returns the value of bubble k in the order of PerBubble, and `count` is
+// the number of bubbles. Only the first `channels` channels of a value are used. In a patch the
+// surroundings come after the bubbles of the network and before the lone bubbles, and have the
+// value 0.
 template <class TexelOf>
 CellValues cell_values(const FrameLayers& layers,
                        std::size_t channels,
@@ -30,9 +33,9 @@ CellValues cell_values(const FrameLayers& layers,
                        const TexelOf& texel_of) {
     CellValues values{channels, {}, {}};
     const auto append = [&](const Texel& texel) {
-        values.cells.insert(values.cells.end(),
-                            texel.begin(),
-                            texel.begin() + static_cast<std::ptrdiff_t>(channels));
+        values.bubbles.insert(values.bubbles.end(),
+                              texel.begin(),
+                              texel.begin() + static_cast<std::ptrdiff_t>(channels));
     };
     for (std::size_t k = 0; k < count; ++k) {
         if (layers.is_patch() && k == layers.frame().bubbles.size()) {
@@ -47,11 +50,12 @@ CellValues cell_values(const FrameLayers& layers,
 }
 
 Texel light_of(const LinearRgb& color) {
-    return {light_step(color.r), light_step(color.g), light_step(color.b), kFullValue};
+    return {to_sample(color.r), to_sample(color.g), to_sample(color.b), kFullValue};
 }
 
-// A linear scale of 65535 steps from the smallest to the largest number of an image. It converts
-// numbers to the 16-bit integers of the rasterizer and back.
+// A linear scale of 65535 steps. The scale begins at the smallest of the numbers in a CellNumbers
+// and ends at the largest of them. The class converts numbers to steps, which are the 16-bit
+// integers of the rasterizer, and back.
 class Steps {
   public:
     explicit Steps(const CellNumbers& numbers) {
@@ -62,7 +66,7 @@ class Steps {
         range_ = (any ? std::max(*high, numbers.film) : numbers.film) - low_;
     }
     std::uint16_t step(double number) const {
-        return range_ > 0.0 ? light_step((number - low_) / range_) : std::uint16_t{0};
+        return range_ > 0.0 ? to_sample((number - low_) / range_) : std::uint16_t{0};
     }
     float number(std::uint16_t step) const {
         return static_cast<float>(low_ + range_ * (step / kWhite));
@@ -82,8 +86,8 @@ Image<float> numbers_of(const Image<std::uint16_t>& steps, const Steps& scale) {
     return image;
 }
 
-// Converts the image of a patch, whose second channel is the opacity. Pixels with an opacity of 0
-// become 0.
+// Converts the image of a patch to numbers. The second channel of `steps` is the opacity; pixels
+// with an opacity of 0 become 0.
 Image<float> covered_numbers_of(const Image<std::uint16_t>& steps, const Steps& scale) {
     Image<float> image(steps.width(), steps.height(), 1);
     const std::span<const std::uint16_t> from = steps.samples();
@@ -138,8 +142,8 @@ Image<float> fill_numbers(FrameLayers& layers, const CellNumbers& numbers, doubl
 }
 
 Image<float> fill_numbers(FrameLayers& layers, const PerBubble<double>& bubbles) {
-    // No pixel shows a film of width 0. Any number within the range of the bubbles leaves the scale
-    // unchanged.
+    // No pixel shows a film of width 0, but CellNumbers::film affects the scale (Steps). If it
+    // equals the number of a bubble, the scale depends only on bubbles.
     const double film = bubbles.empty() ? 0.0 : bubbles.front();
     return fill_numbers(layers, {bubbles, film}, 0.0);
 }
@@ -153,7 +157,7 @@ IdPixels paint_ids(FrameLayers& layers, const PerBubble<std::uint32_t>& ids) {
     return image;
 }
 
-Image<float> fill_cover(FrameLayers& layers, Part part, double film_width) {
+Image<float> fill_coverage(FrameLayers& layers, Part part, double film_width) {
     const std::uint16_t cell = part == Part::Foam ? kFullValue : 0;
     const std::size_t count = layers.frame().bubbles.size() + layers.frame().lone_bubbles.size();
     CellValues values = cell_values(layers, 1, count, [&](std::size_t) {

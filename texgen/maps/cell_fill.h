@@ -13,11 +13,12 @@
 
 namespace foam::texgen {
 
-/// Fills bubbles and films with colors. A pixel that several of them share has the mean of their
-/// linear light, weighted by exact area. The surroundings of a patch are transparent: the opacity
-/// is the fraction of a pixel that the patch covers, including the outer half of its outer films.
-/// Transparent pixels take the colors of opaque pixels nearby (bleed_colors). The film width is in
-/// pixels. Throws as fill_cells does.
+/// Returns an image of bubbles in the given colors and of films in the color `film`. A pixel that
+/// several bubbles and films share has the mean of their linear light, weighted by exact area. The
+/// surroundings of a patch are transparent: the opacity is the fraction of a pixel that the patch
+/// covers, including the outer half of its outer films. Fully transparent pixels get a mean color
+/// of other pixels nearby (bleed_colors). The film width is in pixels. Throws as cell_arcs and
+/// fill_cells do.
 ColorPixels fill_colors(FrameLayers& layers,
                         const PerBubble<LinearRgb>& colors,
                         const LinearRgb& film,
@@ -29,13 +30,15 @@ struct CellNumbers {
     double film = 0.0;
 };
 
-/// Gives every pixel the mean of the numbers in it, weighted by exact area. Numbers are rounded to
-/// 65535 steps from the smallest to the largest. Around a patch the number is 0; a pixel on its rim
-/// has the mean of its covered part. The film width is in pixels. The image has one channel. Throws
-/// as fill_cells does.
+/// Returns an image whose pixels are means of the numbers of the bubbles and films in them,
+/// weighted by exact area. The numbers and their means are rounded to 65535 equal steps from the
+/// smallest to the largest number. Pixels around a patch are 0; a pixel on the rim of the patch has
+/// the mean over the part that the patch covers. The film width is in pixels. The image has one
+/// channel. Throws as cell_arcs and fill_cells do.
 Image<float> fill_numbers(FrameLayers& layers, const CellNumbers& numbers, double film_width);
 
-/// Fills an image as the function above does for a film width of 0: only numbers of bubbles count.
+/// Returns the image that the function above returns for a film width of 0, so that only bubbles
+/// count.
 Image<float> fill_numbers(FrameLayers& layers, const PerBubble<double>& bubbles);
 
 /// Returns a table of values indexed by the ids of a DistanceField. The values of the bubbles of
@@ -50,16 +53,16 @@ std::vector<Value> by_cell_id(const FrameLayers& layers, PerBubble<Value> values
     return values;
 }
 
-/// Gives every pixel the integer of the bubble at its center, and 0 around a patch. The image has
-/// one channel.
+/// Returns an image in which each pixel has the integer of the bubble at the center of the pixel,
+/// or 0 around a patch. Integers are not mixed. The image has one channel.
 IdPixels paint_ids(FrameLayers& layers, const PerBubble<std::uint32_t>& ids);
 
-/// The part of a picture that a mask covers: films only, or bubbles and films.
+/// The part of the foam that a mask covers: films only, or bubbles and films.
 enum class Part { Films, Foam };
 
-/// Returns the fraction of every pixel that a part of the foam covers, and 0 around a patch. The
-/// film width is in pixels. The image has one channel with values from 0 to 1 in steps of 1/65535.
-/// Throws as fill_cells does.
-Image<float> fill_cover(FrameLayers& layers, Part part, double film_width);
+/// Returns the fraction of every pixel that a part of the foam covers. The film width is in pixels;
+/// outer films of a patch extend outward by half of this width. The image has one channel with
+/// values from 0 to 1 in steps of 1/65535. Throws as cell_arcs and fill_cells do.
+Image<float> fill_coverage(FrameLayers& layers, Part part, double film_width);
 
 }  // namespace foam::texgen

@@ -9,23 +9,26 @@
 
 namespace foam::texgen {
 
-/// The content of a frame: one foam or, in a cross-fade, two foams. The rising foam replaces the
-/// other one.
+/// The content of a frame: one foam or, in a cross-fade, two foams.
 struct ShownLayers {
-    FrameLayers layers;
-    std::optional<FrameLayers> rising = {};
-    Image<float> weights = {};  // weight of `rising` in every pixel, from 0 to 1
+    FrameLayers layers;  // the only foam or, in a cross-fade, the foam that fades out
+    std::optional<FrameLayers> fading_in = {};  // in a cross-fade, the foam that fades in
+    Image<float> weights = {};  // in a cross-fade, weight of `fading_in` in every pixel, 0 to 1
 };
 
-/// Draws a map of a frame, and cross-fades the maps of both foams if there are two.
+/// Draws a map of a frame. If the frame contains two foams, draws the map of each and returns the
+/// cross-fade of both images.
 MapImage draw(const Map& map, ShownLayers& shown, const MapOptions& options);
 
-/// Fades an image into a rising one of the same size and kind. `weights` holds the weight of the
-/// rising image in every pixel, from 0 to 1. Every channel of colors, opacity included, is mixed
-/// linearly by itself. Numbers are mixed by value or by slope. Ids are not mixed: each pixel takes
-/// the id of the image with the larger weight.
-MapImage cross_fade(MapImage falling,
-                    const MapImage& rising,
+/// Returns a mixture of two images. `weights` contains for every pixel the weight of the image that
+/// fades in, from 0 to 1; the image that fades out has the remaining weight. Each channel of
+/// colors, the opacity included, is interpolated linearly and independently of the others. For
+/// numbers, `mixing` selects what is interpolated. Ids are not mixed: each pixel has the id of the
+/// image that fades in if the weight is at least 0.5, otherwise the id of the other image.
+/// Preconditions: the two images and the weights have the same size; both images are of the same
+/// kind and have the same number of channels.
+MapImage cross_fade(MapImage fading_out,
+                    const MapImage& fading_in,
                     const Image<float>& weights,
                     Mixing mixing);
 

@@ -12,9 +12,9 @@ namespace foam::texgen {
 
 namespace {
 
-// Returns the curvature of a section as a difference over a radius (curvature.h). All lengths are
-// in the section's unit.
-double bend(const ReliefSection& section, double smooth, double radius) {
+// Returns the curvature of a section at a smooth distance from the film, by the formula in
+// curvature.h without the factor of the diameter. All lengths are in the section's unit.
+double curvature_at(const ReliefSection& section, double smooth, double radius) {
     const double distance = section.distance(smooth);
     const double outside =
         section.height_along(distance - radius) + section.height_along(distance + radius);
@@ -45,9 +45,10 @@ NumberPixels draw_curvature(FrameLayers& layers,
     for (std::size_t k = 0; k < image.samples().size(); ++k) {
         const double unit = relief.unit(k);
         if (unit > 0.0) {
-            const double bent = bend(relief.section(), relief.smooth(k), radius / unit) / unit;
+            const double curvature =
+                curvature_at(relief.section(), relief.smooth(k), radius / unit) / unit;
             image.samples()[k] =
-                static_cast<float>(relief_options.strength * bent * relief.diameter());
+                static_cast<float>(relief_options.strength * curvature * relief.diameter());
         }
     }
     return {std::move(image), -options.full, options.full};

@@ -11,7 +11,7 @@ namespace foam::texgen {
 inline constexpr MapTraits kCurvatureMap = {
     .name = "curvature",
     .meaning = "curvature of the relief: above 0 on crests, below 0 in furrows",
-    .unit = "per bubble diameter; PNG: 0.5 is 0, 1 is curvature.full",
+    .unit = "per bubble diameter; PNG: 0.5 stands for 0, 1 is curvature.full",
     .channels = "Y",
     .png_bits = 16,
     .png_filter = PngFilter::Up,
@@ -19,15 +19,17 @@ inline constexpr MapTraits kCurvatureMap = {
 
 struct CurvatureOptions {
     double radius = 0.08;  // radius of the neighborhood, in diameters of the relief's mean bubble
-    double full = 10.0;    // curvature stored as the largest code of a PNG; code 0 is its negative
+    double full = 10.0;    // curvature stored as the largest code of a PNG; code 0 stands for -full
 };
 
 Keys<CurvatureOptions> curvature_keys();
 
-/// Draws the curvature of the relief across the nearest film, as a difference of heights over a
-/// radius a: (2 h(x) - h(x - a) - h(x + a)) / a², times the diameter of the mean bubble. It is
-/// positive on crests, negative in furrows, and 0 where the relief is flat or has a constant slope.
-/// The image has one channel and is 0 away from a patch.
+/// Draws the curvature of the relief across the nearest film, times the diameter of the mean
+/// bubble. The curvature is a difference of heights: (2 h(x) - h(x - a) - h(x + a)) / a². x is the
+/// distance of the pixel from the film, h(x) the height of the relief's section at the distance x
+/// (ReliefSection::height_along), and a is options.radius. The curvature is positive on crests,
+/// negative in furrows, and 0 where the relief is flat or has a constant slope. The image has one
+/// channel and is 0 around a patch, apart from the outer half of ridges and wet films.
 NumberPixels draw_curvature(FrameLayers& layers,
                             const ReliefOptions& relief,
                             const CurvatureOptions& options);

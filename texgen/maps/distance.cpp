@@ -5,6 +5,7 @@
 #include "texgen/keys/value_kinds.h"
 #include "texgen/maps/frame_layers.h"
 
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -23,7 +24,7 @@ Keys<DistanceOptions> distance_keys() {
             key("unit", kUnits, "foam units or pixels", &DistanceOptions::unit),
             key("full",
                 Reals{1e-6, 1e6},
-                "distance that a PNG stores as its largest code, in this unit",
+                "distance that a PNG stores as its largest code, in the unit distance.unit",
                 &DistanceOptions::full)
                 .in("foam units or pixels, selected by distance.unit")};
 }
@@ -38,14 +39,18 @@ NumberPixels draw_distance(FrameLayers& layers,
     const double unit =
         options.unit == DistanceUnit::Foam ? pixels_per_unit(layers.grid(), domain) : 1.0;
     const double outwards = is_signed ? -1.0 : 0.0;
+    const double low = is_signed ? -options.full : 0.0;
     Image<float> image(layers.grid().width, layers.grid().height, 1);
     for (std::size_t k = 0; k < image.samples().size(); ++k) {
         const double distance = static_cast<double>(field.distance.samples()[k]);
-        const bool around = layers.is_around(field.ids.samples()[k]);
-        image.samples()[k] =
-            static_cast<float>(((around ? outwards * distance : distance) - edge) / unit);
+        const bool around = layers.is_surroundings(field.ids.samples()[k]);
+        // A patch whose last bubble has vanished has no film, so the distance is infinite. An EXR
+        // cannot store infinite numbers.
+        image.samples()[k] = static_cast<float>(
+            std::isfinite(distance) ? ((around ? outwards * distance : distance) - edge) / unit
+                                    : low);
     }
-    return {std::move(image), is_signed ? -options.full : 0.0, options.full};
+    return {std::move(image), low, options.full};
 }
 
 }  // namespace foam::texgen

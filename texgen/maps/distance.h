@@ -18,9 +18,10 @@ inline constexpr MapTraits kDistanceMap = {
     .png_bits = 16,
     .png_filter = PngFilter::Up};
 
+/// The line of a film from which distances are measured, and their sign.
 enum class DistanceKind {
     Plain,   // from the center line of the nearest film; 0 around a patch
-    Signed,  // from the edge of the nearest film; negative in films and around a patch
+    Signed,  // from the film's edge on the side of the bubble; negative in films and around a patch
 };
 
 enum class DistanceUnit { Pixels, Foam };
@@ -28,14 +29,17 @@ enum class DistanceUnit { Pixels, Foam };
 struct DistanceOptions {
     DistanceKind kind = DistanceKind::Plain;
     DistanceUnit unit = DistanceUnit::Foam;
-    double full = 1.0;  // distance stored as the largest code of a PNG, in this unit; if signed,
-                        // code 0 is its negative
+    // The distance that a PNG stores as its largest code, in the unit `unit`. Code 0 stands for 0,
+    // or for -full if distances are signed.
+    double full = 1.0;
 };
 
 Keys<DistanceOptions> distance_keys();
 
 /// Draws the distance from the center of every pixel to the nearest film, computed from the film's
-/// exact arc. Signed distances use the film width of albedo. The image has one channel.
+/// exact arc. Signed distances use the film width of albedo, and treat wet films like even films of
+/// this width. The image has one channel. If no bubble is left in a patch, plain distances are 0
+/// and signed distances are -options.full.
 NumberPixels draw_distance(FrameLayers& layers,
                            const DistanceOptions& options,
                            const AlbedoOptions& films);

@@ -18,9 +18,9 @@ namespace {
 
 // A disk to paint.
 struct EventDisk {
-    double radius;  // pixels
-    float height;
-    std::size_t channel;
+    double radius;        // pixels
+    float height;         // value at the center
+    std::size_t channel;  // channel of the image: 0 red, 1 green, 2 blue
 };
 
 // Paints one copy of a disk, with its center at `middle`.

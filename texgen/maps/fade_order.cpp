@@ -18,18 +18,18 @@ namespace {
 // The order is a tileable random field. It is the sum of plane waves with random directions and
 // phases, each with a whole number of periods across the tile, so that the field is periodic. Such
 // a sum is nearly normally distributed. The cumulative distribution function of the normal
-// distribution converts it to ranks that are spread evenly over [0, 1]. A pixel of rank t begins to
-// fade at the fraction `spread` * t of the time, and its fade lasts for the fraction 1 - `spread`
-// of the time.
+// distribution therefore converts the sum to ranks that are spread almost evenly over [0, 1]. A
+// pixel of rank t begins to fade after the fraction `spread` * t of the cross-fade, and its fade
+// lasts for the fraction 1 - `spread` of the cross-fade.
 
 constexpr int kWaves = 24;
-constexpr double kBubblesInWave = 4.0;  // mean wavelength, in mean bubble widths
+constexpr double kBubblesInWave = 4.0;  // typical wavelength, in mean bubble widths
 
 // A plane wave with whole numbers of periods across the tile in x and y.
 struct Wave {
     int across = 0;
     int up = 0;
-    double phase = 0.0;
+    double phase = 0.0;  // radians
 };
 
 std::vector<Wave> random_waves(const FadeOrder::Options& options) {
@@ -51,8 +51,8 @@ std::vector<Wave> random_waves(const FadeOrder::Options& options) {
     return waves;
 }
 
-// Adds cos(2 pi (across x + up y) + phase) at the center of every pixel; x and y are in fractions
-// of the tile.
+// Adds cos(2 pi (across x + up y) + phase) to the sum at the center of every pixel; x and y are in
+// fractions of the tile.
 void add(const Wave& wave, Image<float>& sum) {
     const auto angle = [](int times, int index, int count) {
         return 2.0 * std::numbers::pi * times * (index + 0.5) / count;
@@ -78,27 +78,27 @@ void add(const Wave& wave, Image<float>& sum) {
 }  // namespace
 
 FadeOrder::FadeOrder(const Options& options)
-    : spread_(options.spread), turns_(options.width, options.height, 1) {
+    : spread_(options.spread), ranks_(options.width, options.height, 1) {
     for (const Wave& wave : random_waves(options)) {
-        add(wave, turns_);
+        add(wave, ranks_);
     }
-    // A sum of many waves is nearly normally distributed. Each wave has a mean square of 1/2, which
-    // gives the standard deviation. The cumulative distribution function converts the sum to a
-    // rank.
+    // Each wave has a mean square of 1/2, so the standard deviation of the sum is sqrt(kWaves / 2).
+    // The cumulative distribution function of the normal distribution converts the sum to a rank.
     const double deviations = 1.0 / std::sqrt(0.5 * kWaves);
-    for (float& turn : turns_.samples()) {
-        turn = static_cast<float>(0.5 * std::erfc(-deviations * turn / std::numbers::sqrt2));
+    for (float& rank : ranks_.samples()) {
+        rank = static_cast<float>(0.5 * std::erfc(-deviations * rank / std::numbers::sqrt2));
     }
 }
 
 Image<float> FadeOrder::weights(double passed) const {
+    // The fade of a pixel of rank t has progressed by (passed - spread * t) / (1 - spread).
     const auto begun = static_cast<float>(passed / (1.0 - spread_));
     const auto later = static_cast<float>(spread_ / (1.0 - spread_));
-    Image<float> weights(turns_.width(), turns_.height(), 1);
-    const auto turns = turns_.samples();
+    Image<float> weights(ranks_.width(), ranks_.height(), 1);
+    const auto ranks = ranks_.samples();
     const auto to = weights.samples();
     for (std::size_t k = 0; k < to.size(); ++k) {
-        to[k] = smooth_step(std::clamp(begun - later * turns[k], 0.0F, 1.0F));
+        to[k] = smooth_step(std::clamp(begun - later * ranks[k], 0.0F, 1.0F));
     }
     return weights;
 }

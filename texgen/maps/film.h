@@ -15,8 +15,8 @@ inline constexpr MapTraits kFilmMap = {
     .smooth_distance = SmoothDistance::UsedByFilms};
 
 /// Draws the fraction of every pixel that films cover. Films have the width and shape that the
-/// options of albedo give. The image has one channel with values from 0 to 1 and is 0 around a
-/// patch.
+/// options of albedo give; outer films of a patch extend outward by half their width. The image has
+/// one channel with values from 0 to 1.
 NumberPixels draw_film(FrameLayers& layers, const AlbedoOptions& options);
 
 }  // namespace foam::texgen

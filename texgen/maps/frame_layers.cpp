@@ -13,7 +13,8 @@ FrameLayers::FrameLayers(const FrameInput& input, const RasterGrid& grid, int th
 
 const Frame& FrameLayers::next() const {
     if (input_.next == nullptr) {
-        throw std::invalid_argument("this map needs the next frame");
+        throw std::invalid_argument(
+            "this map shows the change to the next frame, but no next frame was given");
     }
     return *input_.next;
 }

@@ -12,17 +12,17 @@
 
 namespace foam::texgen {
 
-/// A frame, and everything else that maps need to draw it. Both frames and the record are borrowed.
+/// A frame, and everything else that maps need to draw it. Borrows both frames and the record.
 struct FrameInput {
     const Frame& frame;
     const FoamRecord& record;
-    const Frame* next = nullptr;  // the frame after `frame`, for maps that need it
-    DistanceNeeds distance{};     // the union of the needs of all maps
+    const Frame* next = nullptr;  // the frame after `frame`; null if no map needs it
+    DistanceNeeds distance{};     // images of the distance field that maps need
 };
 
 /// A frame on a raster grid, and the intermediate results that its maps share. Each result is
-/// computed when a map first needs it, and then kept. Not thread-safe: one thread may use an object
-/// at a time.
+/// computed when a map first needs it, and then kept. The class is not thread-safe: only one thread
+/// at a time may use an object.
 class FrameLayers {
   public:
     /// `threads` is the number of threads that draw this one frame.
@@ -36,13 +36,16 @@ class FrameLayers {
     int threads() const { return threads_; }
     bool is_patch() const { return frame().domain.is_plane(); }
 
-    /// Returns the outlines of cells and films for a film width in pixels. Throws as cell_arcs
-    /// does.
+    /// Returns the outlines of the visible parts of bubbles (cell_arcs) for a film width in pixels.
+    /// Throws as cell_arcs does.
     const CellArcs& arcs(double film_width);
-    /// Returns the distances to films, with the images named in FrameInput::distance.
+    /// Returns the distance field of the frame. It contains the ids, the distances and the images
+    /// that FrameInput::distance lists.
     const DistanceField& distance();
     /// Returns true if an id of the distance field stands for the surroundings of a patch.
-    bool is_around(std::uint32_t id) const { return is_patch() && id == frame().bubbles.size(); }
+    bool is_surroundings(std::uint32_t id) const {
+        return is_patch() && id == frame().bubbles.size();
+    }
 
   private:
     FrameInput input_;

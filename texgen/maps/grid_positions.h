@@ -15,10 +15,11 @@ inline SubpixelPoint pixel_center(int x, int y) {
     return {x * kSubpixel + kSubpixel / 2, y * kSubpixel + kSubpixel / 2};
 }
 
-/// Calls visit(copy) for each copy of a point that is in the image or at most `reach` pixels
-/// outside it. In the plane a point has one copy; on a torus it has one per period. Copies are
-/// rounded to the nearest subpixel of the shifted grid, so that a shift of the grid moves them by
-/// whole pixels.
+/// Finds the periodic copies of a point, and calls visit(copy) for each copy that is in the image
+/// or, in x and in y, at most `reach` pixels outside it. The point is in foam units, a copy is a
+/// SubpixelPoint of the shifted grid. In the plane a point has one copy; on a torus it has one copy
+/// for each lattice offset. The point is rounded to the nearest subpixel before the shift of the
+/// grid is subtracted, so that a shift moves the copies by exactly whole pixels.
 template <class Visit>
 void for_each_copy(const RasterGrid& grid,
                    const Domain& domain,

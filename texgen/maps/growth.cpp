@@ -37,7 +37,8 @@ Keys<GrowthOptions> growth_keys() {
 
 NumberPixels draw_growth(FrameLayers& layers, const GrowthOptions& options) {
     const Frame& frame = layers.frame();
-    const double time = std::abs(layers.next().time - frame.time);  // may decrease in a pingpong
+    // The time decreases from frame to frame in the second half of a pingpong loop.
+    const double time = std::abs(layers.next().time - frame.time);
     const auto next_areas = areas_of(layers.next());
     const auto rate_of = [&](BubbleIdentity bubble, double area) {
         const auto next = next_areas.find(bubble);

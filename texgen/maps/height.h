@@ -24,7 +24,7 @@ struct HeightOptions {
 Keys<HeightOptions> height_keys();
 
 /// Draws the height of the relief in diameters of the relief's mean bubble. The image has one
-/// channel.
+/// channel and is 0 around a patch, apart from the outer half of ridges and wet films.
 NumberPixels draw_height(FrameLayers& layers,
                          const ReliefOptions& relief,
                          const HeightOptions& options);

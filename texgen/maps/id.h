@@ -13,9 +13,9 @@ inline constexpr MapTraits kIdMap = {
     .channels = "Y",
     .png_bits = 16};
 
-/// Draws the identity of the bubble at the center of every pixel, plus 1, and 0 around a patch. Ids
-/// are never mixed. A bubble keeps its identity for its whole life. A PNG stores the lowest 16
-/// bits.
+/// Draws the identity of the bubble at the center of every pixel, plus 1; pixels around a patch are
+/// 0. Identities are never mixed. A bubble keeps its identity for its whole life. A PNG stores the
+/// lowest 16 bits.
 IdPixels draw_id(FrameLayers& layers);
 
 }  // namespace foam::texgen

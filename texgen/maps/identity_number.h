@@ -6,14 +6,14 @@
 
 namespace foam::texgen {
 
-/// Two sequences of numbers, indexed by identity. The pairs of numbers with equal index are spread
-/// evenly in the unit square: the steps are 1/p and 1/p², where p is the root of x³ = x + 1 (the R2
-/// sequence of M. Roberts, 2018).
+/// Two sequences of numbers, indexed by the identity of a bubble. The number of the identity n is
+/// the fractional part of n + 1 times a step: 1/p in the first sequence and 1/p² in the second,
+/// where p is the real root of x³ = x + 1 (the R2 sequence of M. Roberts, 2018). With these steps
+/// the points (first number, second number) of all identities are spread evenly in the unit square.
 enum class IdentityStream { First, Second };
 
 /// Returns a number in [0, 1) that a bubble keeps for life. Consecutive identities have distant
-/// numbers, and all numbers together are spread evenly (low discrepancy), because they are the
-/// fractional parts of multiples of an irrational step.
+/// numbers, and all numbers together are spread evenly (low discrepancy).
 double identity_number(BubbleIdentity identity, IdentityStream stream);
 
 }  // namespace foam::texgen

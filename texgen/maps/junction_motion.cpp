@@ -14,14 +14,15 @@ namespace {
 
 // Junctions have no identity that lasts from frame to frame, but bubbles do. A junction is
 // therefore identified by its corner: the identities of its three bubbles in cyclic order. If
-// several junctions of the next frame have the same corner, the nearest one is taken. A junction
+// several junctions of the next frame have the same corner, the nearest one is used. A junction
 // whose corner does not exist in the next frame gets the mean motion of its neighbors. Such motions
-// are computed ring by ring, beginning beside the junctions whose motion is known.
+// are computed ring by ring: first for the neighbors of the junctions whose motion is known, then
+// for the neighbors of these, and so on.
 
 using Corner = std::array<BubbleIdentity, 3>;
 using Motion = Indexed<JunctionId, std::optional<Vec2>>;
 
-// Returns kNoIndex, which no bubble has as its identity, for the ghost bubble.
+// Returns the identity of a bubble; for the ghost bubble kNoIndex, which is no bubble's identity.
 BubbleIdentity identity_of(const Frame& frame, BubbleId bubble) {
     return bubble == frame.network.ghost() ? kNoIndex : frame.bubbles[bubble].identity;
 }
@@ -45,6 +46,8 @@ std::map<Corner, std::vector<Vec2>> positions_by_corner(const Frame& frame) {
     return positions;
 }
 
+// Returns the shortest displacement from a point to a copy of one of the positions, or nullopt if
+// there are no positions.
 std::optional<Vec2> shortest_motion(const Domain& domain,
                                     const Vec2& from,
                                     const std::vector<Vec2>& positions) {
@@ -58,7 +61,9 @@ std::optional<Vec2> shortest_motion(const Domain& domain,
     return shortest;
 }
 
-Motion motion_of_kept(const Frame& frame, const Frame& next) {
+// Returns the motion of the junctions whose corner matches a corner of the next frame, nullopt for
+// all others.
+Motion motion_of_matched(const Frame& frame, const Frame& next) {
     const std::map<Corner, std::vector<Vec2>> positions = positions_by_corner(next);
     Motion motion;
     for (const JunctionId junction : frame.network.junctions()) {
@@ -71,7 +76,7 @@ Motion motion_of_kept(const Frame& frame, const Frame& next) {
     return motion;
 }
 
-// Returns the mean motion of the neighbors whose motion is known, if there are any.
+// Returns the mean motion of the neighbors whose motion is known, or nullopt if there are none.
 std::optional<Vec2> motion_beside(const Network& network,
                                   const Motion& motion,
                                   JunctionId junction) {
@@ -86,7 +91,8 @@ std::optional<Vec2> motion_beside(const Network& network,
     return known > 0 ? std::optional<Vec2>(sum / known) : std::nullopt;
 }
 
-// Extends the known motion by one ring of junctions. Returns false if nothing was added.
+// Sets the motion of each junction that has none but has a neighbor with known motion. Returns
+// false if there is no such junction.
 bool spread(const Network& network, Motion& motion) {
     const Motion before = motion;
     bool added = false;
@@ -102,7 +108,7 @@ bool spread(const Network& network, Motion& motion) {
 }  // namespace
 
 Indexed<JunctionId, Vec2> junction_motion(const Frame& frame, const Frame& next) {
-    Motion motion = motion_of_kept(frame, next);
+    Motion motion = motion_of_matched(frame, next);
     while (spread(frame.network, motion)) {
     }
     Indexed<JunctionId, Vec2> motions;

@@ -5,7 +5,7 @@
 #include "texgen/image/bleed.h"
 #include "texgen/keys/value_kinds.h"
 #include "texgen/maps/albedo.h"
-#include "texgen/maps/film_look.h"
+#include "texgen/maps/film_coverage.h"
 #include "texgen/maps/relief.h"
 
 #include <Eigen/Core>
@@ -23,15 +23,17 @@ namespace foam::texgen {
 
 namespace {
 
-// The shading is a sum of three terms. Diffuse light is a mix of Lambert's cosine law and the
-// visible fraction of the sky. The highlight depends on the halfway vector (J. F. Blinn, "Models of
-// light reflection for computer synthesized pictures", 1977). The rim light grows with the slope.
-// Direct light is divided by its value on flat ground, and the highlight of flat ground is
-// subtracted, so that flat ground keeps its color. The part of films and their shade that glows is
-// not shaded. The picture is drawn on a finer grid, and squares of its pixels are averaged.
+// A shaded color is the color of the map times the diffuse light, plus a highlight and a rim light.
+// Diffuse light is a mix of direct light (Lambert's cosine law) and the visible fraction of the
+// sky. The highlight depends on the halfway vector (J. F. Blinn, "Models of light reflection for
+// computer synthesized pictures", 1977). The rim light grows with the slope. Direct light is
+// divided by its value on flat ground, and the highlight of flat ground is subtracted, so that flat
+// ground keeps its color. The glowing fraction of the color of films, and of the shade beside them,
+// is not shaded. The picture is drawn on a finer grid, whose pixels are called samples, and squares
+// of samples are averaged.
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr int kRimPower = 3;
+constexpr int kRimPower = 3;  // exponent of the rim light
 
 using Direction = Eigen::Vector3d;  // right, up, towards the viewer
 
@@ -41,6 +43,7 @@ int samples_for(const RasterGrid& grid, int wanted) {
     return std::clamp(kLargestSide / std::max(grid.width, grid.height), 1, wanted);
 }
 
+// Returns the grid with `samples` times as many pixels in each direction, for the same view.
 RasterGrid finer(RasterGrid grid, int samples) {
     grid.width *= samples;
     grid.height *= samples;
@@ -52,7 +55,8 @@ RasterGrid finer(RasterGrid grid, int samples) {
     return grid;
 }
 
-// Converts film widths in pixels to pixels of the finer grid.
+// Returns the options for the finer grid: if the film width is in pixels, it is multiplied by
+// `samples`.
 AlbedoOptions finer(AlbedoOptions options, int samples) {
     if (options.film_unit == WidthUnit::Pixels) {
         options.film_width *= samples;
@@ -71,8 +75,9 @@ class Lighting {
           halfway_((light_ + Direction::UnitZ()).normalized()),
           flat_highlight_(highlight(Direction::UnitZ())) {}
 
-    // Returns a color as it appears at a point with a slope. `sky` is the fraction of the sky that
-    // is visible from the point. `glowing` is the fraction of the color that is emitted light.
+    // Returns the shaded color of a point. `slope` is the gradient of the height at the point.
+    // `sky` is the fraction of the sky that is visible from the point. `glowing` is the fraction of
+    // the color that is emitted light.
     LinearRgb lit(const LinearRgb& color, const Vec2& slope, double sky, double glowing) const {
         const Direction normal = Direction(-slope.x(), -slope.y(), 1.0).normalized();
         const double direct = std::max(normal.dot(light_), 0.0) / light_.z();
@@ -93,12 +98,12 @@ class Lighting {
     const LitOptions& options_;
     Direction light_;
     Direction halfway_;
-    double flat_highlight_;  // the highlight of flat ground, which is subtracted everywhere
+    double flat_highlight_;  // the highlight of flat ground
 };
 
-// Returns the fraction of every pixel that glows.
+// Returns the fraction of every pixel's color that is emitted light.
 Image<float> glow_of(FrameLayers& layers, const AlbedoOptions& albedo, double glow) {
-    Image<float> shining = film_cover(layers, albedo);
+    Image<float> shining = film_coverage(layers, albedo);
     const Image<float> shade = albedo.shade > 0.0 ? film_shade(layers, albedo) : shining;
     std::transform(shining.samples().begin(),
                    shining.samples().end(),
@@ -110,6 +115,7 @@ Image<float> glow_of(FrameLayers& layers, const AlbedoOptions& albedo, double gl
     return shining;
 }
 
+// Draws the shaded colors, one sample per pixel of the layers.
 ColorPixels draw_samples(FrameLayers& layers, const LitOptions& lit, const LitSurface& surface) {
     ColorPixels colors = lit.colors == LitColors::Albedo
                              ? draw_albedo(layers, surface.albedo)
@@ -128,19 +134,20 @@ ColorPixels draw_samples(FrameLayers& layers, const LitOptions& lit, const LitSu
                          relief.slope(k),
                          static_cast<double>(sky.pixels.samples()[k]),
                          glow.samples().empty() ? 0.0 : static_cast<double>(glow.samples()[k]));
-        pixel[0] = light_step(shown.r);
-        pixel[1] = light_step(shown.g);
-        pixel[2] = light_step(shown.b);
+        pixel[0] = to_sample(shown.r);
+        pixel[1] = to_sample(shown.g);
+        pixel[2] = to_sample(shown.b);
     }
     return colors;
 }
 
-// Averages squares of samples. If the image has an opacity, its fourth channel, colors are weighted
-// by it.
+// Averages squares of samples. If the image has a fourth channel, the opacity, colors are weighted
+// by the opacity.
 class Means {
   public:
     Means(const Image<std::uint16_t>& fine, int samples) : fine_(fine), samples_(samples) {}
 
+    // Writes the mean of the samples of the pixel (x, y) to `pixel`.
     void write(int x, int y, std::span<std::uint16_t> pixel) const {
         std::array<std::uint64_t, 4> sums{};
         std::uint64_t weights = 0;
@@ -191,15 +198,18 @@ Keys<LitOptions> lit_keys() {
             .in("degrees"),
         key("ambient",
             kFractions,
-            "fraction of the light that comes from the sky",
+            "fraction of the diffuse light that comes from the sky",
             &Options::ambient)
-            .in("fraction of the light"),
+            .in("fraction of the diffuse light"),
         key("gloss", Reals{0.0, 1000.0}, "brightness of highlights", &Options::gloss),
         key("shininess",
             Reals{1.0, 10000.0},
-            "larger values make smaller highlights",
+            "exponent of highlights; larger values make them smaller",
             &Options::shininess),
-        key("rim", Reals{0.0, 1000.0}, "brightness of steep slopes", &Options::rim),
+        key("rim",
+            Reals{0.0, 1000.0},
+            "brightness added to steep slopes, such as the rims of bubbles",
+            &Options::rim),
         key("glow",
             kFractions,
             "fraction of the color of films, and of the shade beside them, that is emitted light",
@@ -227,7 +237,7 @@ ColorPixels draw_lit(FrameLayers& layers, const LitOptions& options, const LitSu
     }
     if (layers.is_patch()) {
         const LinearRgb film = to_linear(parse_color(surface.albedo.film_color));
-        bleed_colors(image.view(), {light_step(film.r), light_step(film.g), light_step(film.b)});
+        bleed_colors(image.view(), {to_sample(film.r), to_sample(film.g), to_sample(film.b)});
     }
     return {std::move(image)};
 }

@@ -18,25 +18,30 @@ inline constexpr MapTraits kLitMap = {
     .channels = "R G B",
     .png_filter = PngFilter::Up};
 
-/// The map that is lit.
+/// The map whose colors are lit.
 enum class LitColors { Albedo, ThinFilm };
 
 /// A distant light, and how the surface reflects it. The viewer is straight above the foam.
 struct LitOptions {
     LitColors colors = LitColors::Albedo;
-    double azimuth = 135.0;   // direction of the light: degrees from the right, counterclockwise
-    double elevation = 50.0;  // height of the light: degrees above the plane
-    double ambient = 0.4;     // fraction of the light that comes from a uniform sky
+    double azimuth = 135.0;   // direction to the light, degrees counterclockwise from the right
+    double elevation = 50.0;  // angle of the light above the plane of the foam, degrees
+    double ambient = 0.4;     // fraction of the diffuse light that comes from a uniform sky
     double gloss = 0.25;      // brightness of highlights
     double shininess = 40.0;  // exponent of highlights; larger values make them smaller
     double rim = 0.0;         // brightness added to steep slopes, such as the rims of bubbles
-    double glow = 0.0;        // fraction of the color of films and shades that is emitted light
-    int samples = 2;          // samples per pixel in each direction; their mean is drawn
+    // The fraction of the color that is emitted light, on films and where AlbedoOptions::shade
+    // colors the bubbles beside them. It is weighted by the coverage of the film or by the weight
+    // of the shade, whichever is larger.
+    double glow = 0.0;
+    // Samples per pixel in each direction; a pixel shows their mean. Fewer are used if a side of
+    // the image of samples would exceed kLargestSide.
+    int samples = 2;
 };
 
 Keys<LitOptions> lit_keys();
 
-/// The options of the maps that are lit.
+/// The options of the colors and of the relief that are lit. Borrows them.
 struct LitSurface {
     const AlbedoOptions& albedo;
     const ThinFilmOptions& thin_film;
@@ -44,10 +49,10 @@ struct LitSurface {
     const OcclusionOptions& occlusion;
 };
 
-/// Draws the colors of the foam on its relief, lit by a distant light. Flat ground keeps its color.
-/// Highlights follow J. F. Blinn, "Models of light reflection for computer synthesized pictures"
-/// (1977). The visible sky is computed by draw_occlusion. The surroundings of a patch are
-/// transparent.
+/// Draws the colors of the foam on its relief, lit by a distant light. Flat ground keeps its color
+/// if the whole sky is visible from it. Highlights follow J. F. Blinn, "Models of light reflection
+/// for computer synthesized pictures" (1977). draw_occlusion computes the visible fraction of the
+/// sky. The surroundings of a patch are transparent.
 ColorPixels draw_lit(FrameLayers& layers, const LitOptions& options, const LitSurface& surface);
 
 }  // namespace foam::texgen

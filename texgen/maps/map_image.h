@@ -10,22 +10,28 @@
 
 namespace foam::texgen {
 
-/// Colors as linear light with the primaries of sRGB: red, green, blue and, for a patch, an
-/// opacity. White and full opacity are kWhite. Colors are straight: not premultiplied.
+/// Colors as linear light with the primaries of sRGB. The channels are red, green, blue and, for a
+/// patch, opacity. Samples are from 0 to kWhite. Colors are straight: they are not multiplied by
+/// the opacity.
 struct ColorPixels {
     Image<std::uint16_t> pixels;
 };
 
+/// The sample of full opacity, and of each color channel of white.
 inline constexpr double kWhite = 65535.0;
 
-/// Converts light from 0 to 1 to the integers of ColorPixels.
-inline std::uint16_t light_step(double light) {
+/// The number of channels of ColorPixels with an opacity: red, green, blue and opacity.
+inline constexpr int kChannelsWithOpacity = 4;
+
+/// Returns light or an opacity as a sample of ColorPixels, rounded to nearest. Precondition:
+/// `light` is from 0 to 1.
+inline std::uint16_t to_sample(double light) {
     return static_cast<std::uint16_t>(std::lround(light * kWhite));
 }
 
 /// Numbers in the map's own unit, and the range of numbers that a PNG can store: code 0 is `low`,
-/// and the largest code is `high`. A file of floats stores all numbers unchanged, including numbers
-/// outside that range.
+/// and the largest code is `high`. A file of floating-point numbers, such as an EXR, also stores
+/// numbers outside this range.
 struct NumberPixels {
     Image<float> pixels;
     double low = 0.0;

@@ -7,7 +7,7 @@
 
 namespace foam::texgen {
 
-/// The mean bubble that is the unit of areas and lengths.
+/// The mean bubble whose area and diameter are units of areas and lengths.
 enum class MeanBubble {
     Seed,     // the mean area of the seeded foam, which is 1
     Current,  // the mean area of the frame, so that maps keep their look while a foam coarsens
@@ -16,7 +16,7 @@ enum class MeanBubble {
 inline constexpr Choices<MeanBubble> kMeanBubbles = {
     {{{"seed", MeanBubble::Seed}, {"current", MeanBubble::Current}}}};
 
-/// Returns the area of a mean bubble in foam units. The area is above 0, even if no bubble is left.
+/// Returns the area of a mean bubble in foam units; 1 if the frame has no bubbles.
 double area_of(MeanBubble bubble, const Frame& frame);
 
 /// Returns the diameter of a circle that has the area of a mean bubble, in foam units.

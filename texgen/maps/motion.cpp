@@ -21,15 +21,15 @@ namespace foam::texgen {
 
 namespace {
 
-// The motion of junctions is known (junction_motion.h). Along films it is interpolated linearly
-// between junctions. The outline of each bubble is converted to a polygon whose corners have these
-// motions, and mean value coordinates interpolate them at the pixels of the bubble
-// (boundary_motion.h). Lone bubbles move and grow as circles.
+// The function junction_motion returns the motion of junctions. Along films the motion is
+// interpolated linearly between junctions. The outline of each bubble is converted to a polygon
+// whose corners have these motions, and mean value coordinates interpolate between the corners at
+// the pixels of the bubble (boundary_motion.h). Lone bubbles move and grow as circles.
 
-// The nominal turn of the piece of an arc that one side of the polygon replaces, in radians; about
-// 10 degrees. The actual turn is less than twice this angle, because the number of pieces is
-// rounded down.
-constexpr double kLargestTurn = 0.17;
+// Each side of the polygon replaces a piece of an arc. kNominalTurn is the nominal angle by which a
+// piece turns, in radians; about 10 degrees. The number of pieces of an arc is rounded down to at
+// least 1, so a piece may turn by more, but by less than twice this angle.
+constexpr double kNominalTurn = 0.17;
 
 // The motion of a frame's bubbles, in pixels.
 class FoamMotion {
@@ -40,19 +40,19 @@ class FoamMotion {
           junctions_(junction_motion(frame_, layers.next())),
           shear_(layers.next().domain.shear_since(frame_.domain)) {}
 
-    // Returns the polygon of a bubble and its motion. Points are relative to the bubble's first
-    // junction.
+    // Returns the polygon of a bubble and its motion, in pixels. Points are relative to the
+    // bubble's first junction.
     BoundaryMotion around(BubbleId bubble) const {
         BoundaryMotion boundary;
         Vec2 tail = Vec2::Zero();
-        LatticeOffset lift;
+        LatticeOffset offset;
         for (const HalfEdgeId h : frame_.network.around(bubble)) {
-            const Vec2 from = lifted(frame_.network.tail(h), lift);
-            lift = lift + frame_.network.offset(h);
-            const Vec2 to = lifted(frame_.network.head(h), lift);
+            const Vec2 from = motion_at_offset(frame_.network.tail(h), offset);
+            offset = offset + frame_.network.offset(h);
+            const Vec2 to = motion_at_offset(frame_.network.head(h), offset);
             const FilmArc arc = frame_.arc(h);
             const int pieces =
-                std::max(1, static_cast<int>(2.0 * std::abs(arc.half_angle) / kLargestTurn));
+                std::max(1, static_cast<int>(2.0 * std::abs(arc.half_angle) / kNominalTurn));
             for (int k = 0; k < pieces; ++k) {
                 const double part = static_cast<double>(k) / pieces;
                 const Vec2 at = part > 0.0 ? Vec2(tail + point_at(arc, part)) : tail;
@@ -65,18 +65,20 @@ class FoamMotion {
     }
 
   private:
-    Vec2 lifted(JunctionId junction, LatticeOffset lift) const {
-        return junctions_[junction] + Vec2(lift.j * shear_, 0.0);
+    // Returns the motion, in foam units, of the copy of a junction at a lattice offset.
+    Vec2 motion_at_offset(JunctionId junction, LatticeOffset offset) const {
+        return junctions_[junction] + Vec2(offset.j * shear_, 0.0);
     }
 
     const Frame& frame_;
-    double scale_;
-    Indexed<JunctionId, Vec2> junctions_;
-    double shear_;
+    double scale_;                         // pixels per foam unit
+    Indexed<JunctionId, Vec2> junctions_;  // motion of junctions, in foam units
+    double shear_;                         // change of the shear until the next frame
 };
 
-// The motion of a lone bubble. If it is still a lone bubble in the next frame, its points move
-// linearly from its circle to the circle in that frame. Otherwise they do not move.
+// The motion of a lone bubble. If the bubble is still a lone bubble in the next frame, its points
+// move by the translation and scaling that map its present circle to its circle in the next frame.
+// Otherwise its points do not move.
 class CircleMotion {
   public:
     CircleMotion(const LoneBubble& bubble, const Frame& next, double scale) : scale_(scale) {
@@ -94,9 +96,9 @@ class CircleMotion {
     }
 
   private:
-    double scale_;
-    Vec2 displacement_{0.0, 0.0};
-    double growth_ = 0.0;  // growth of the radius, as a fraction of the radius
+    double scale_;                 // pixels per foam unit
+    Vec2 displacement_{0.0, 0.0};  // of the center, in foam units
+    double growth_ = 0.0;          // growth of the radius, as a fraction of the radius
 };
 
 // Paints motion into the pixels of all bubbles.
@@ -115,7 +117,7 @@ class MotionPainter {
         const auto paint =
             [&](int, const Region& region, SubpixelPoint translation, PixelRows rows) {
                 if (region.kind != RegionKind::Surroundings) {
-                    pixels_.place(region, translation, rows);
+                    pixels_.rasterize(region, translation, rows);
                     paint_region(region, translation, image.view());
                 }
             };
@@ -174,9 +176,9 @@ class MotionPainter {
 
     FrameLayers& layers_;
     FoamMotion foam_;
-    double scale_;
-    double unit_;
-    double up_;
+    double scale_;  // pixels per foam unit
+    double unit_;   // unit of the image, in pixels
+    double up_;     // 1 if positive y points up, -1 if it points down
     RegionPixels pixels_;
 };
 

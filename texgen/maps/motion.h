@@ -19,7 +19,7 @@ inline constexpr MapTraits kMotionMap = {
     .png_filter = PngFilter::Up,
     .needs_next = true};
 
-/// The unit of a motion map. A PNG is the same for both.
+/// The unit of the numbers of a motion map, in x and y. A PNG is the same for both units.
 enum class MotionUnit {
     Image,   // fractions of the image's width
     Pixels,  // pixels, which compositing programs expect
@@ -31,22 +31,28 @@ enum class MotionY { Up, Down };
 struct MotionOptions {
     MotionUnit unit = MotionUnit::Image;
     MotionY y = MotionY::Up;
-    // The motion that a PNG stores as its largest code, as a fraction of the image width, which
-    // game engines expect. Code 0 is its negative.
+    // The motion that a PNG stores as its largest code, as a fraction of the image width. Code 0
+    // stands for the opposite motion. A program that plays the PNGs needs this number to convert
+    // codes to motion.
     double multiplier = 0.005;
 };
 
 Keys<MotionOptions> motion_keys();
 
-/// Draws the displacement of every point of the foam until the next frame. The motion of junctions
-/// is exact. Along a film it is interpolated linearly between the two junctions, and inside a
-/// bubble smoothly between the points of its films. The image has two channels: motion to the
-/// right, and motion up or down. It is 0 around a patch. On a torus whose shear changes, a bubble
-/// moves like the copy of it that begins at its first junction, even where the image shows a copy
-/// one period above or below. Throws std::invalid_argument if there is no next frame.
+/// Draws the displacement of every point of the foam until the next frame. Junctions have the
+/// motion that junction_motion returns. Along a film the motion is interpolated linearly between
+/// its two junctions, and inside a bubble smoothly between the points of its films. A lone bubble
+/// moves and grows as a circle. The image has two channels: motion to the right, and motion up or
+/// down (options.y). It is 0 around a patch.
+///
+/// If the shear of a torus changes, two copies of a bubble that are one period apart in y have
+/// different motions. All copies are drawn with the motion of one of them: the copy whose first
+/// junction (the tail of Network::first) is in the fundamental cell of the torus
+/// (geometry/domain.h). Throws std::invalid_argument if there is no next frame.
 NumberPixels draw_motion(FrameLayers& layers, const MotionOptions& options);
 
-/// Returns a text for files, such as "y up; the largest code of a PNG is 0.005 of the image width".
+/// Returns a text for the metadata of files, such as "y up; the largest code of a PNG is 0.005 of
+/// the image width".
 std::string note_on_motion(const MotionOptions& options);
 
 }  // namespace foam::texgen

@@ -13,17 +13,16 @@ namespace foam::texgen {
 inline constexpr MapTraits kNormalMap = {
     .name = "normal",
     .meaning = "normals of the relief, y up (OpenGL) or down (DirectX)",
-    .unit = "-1 to 1; PNG: 0.5 is 0",
+    .unit = "-1 to 1; PNG: 0.5 stands for 0",
     .channels = "X Y Z",
     .png_filter = PngFilter::Up,
     .smooth_distance = SmoothDistance::Used,
-    .around = 1.0,
     .mixing = Mixing::Slopes};
 
-/// The direction of the green channel of a normal map.
+/// The direction in which the second channel (green in a PNG) is positive.
 enum class NormalY {
-    Up,    // OpenGL: Blender, Godot, Unity
-    Down,  // DirectX: Unreal
+    Up,    // convention of OpenGL, used by Blender, Godot and Unity
+    Down,  // convention of DirectX, used by Unreal
 };
 
 struct NormalOptions {
@@ -32,8 +31,9 @@ struct NormalOptions {
 
 Keys<NormalOptions> normal_keys();
 
-/// Draws the unit normals of the relief from its slopes: x to the right, z towards the viewer. The
-/// image has three channels with values from -1 to 1; they are (0, 0, 1) where the relief is flat.
+/// Draws the unit normals of the relief, computed from its slopes: x to the right, y up or down
+/// (options.y), z towards the viewer. The image has three channels with values from -1 to 1; they
+/// are (0, 0, 1) where the relief is flat.
 NumberPixels draw_normal(FrameLayers& layers,
                          const ReliefOptions& relief,
                          const NormalOptions& options);

@@ -11,8 +11,6 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr int kWithOpacity = 4;
-
 // Removes the first word from a text and returns it. Returns an empty word if the text is empty.
 std::string_view take_word(std::string_view& words) {
     const std::size_t end = std::min(words.find(' '), words.size());
@@ -58,11 +56,11 @@ Image<float> premultiplied(const ColorPixels& colors) {
     std::ranges::transform(from.samples(), light.samples().begin(), [](std::uint16_t value) {
         return static_cast<float>(value) / static_cast<float>(kWhite);
     });
-    if (from.channels() == kWithOpacity) {
+    if (from.channels() == kChannelsWithOpacity) {
         const auto samples = light.samples();
-        for (std::size_t k = 0; k < samples.size(); k += kWithOpacity) {
-            for (std::size_t channel = 0; channel + 1 < kWithOpacity; ++channel) {
-                samples[k + channel] *= samples[k + kWithOpacity - 1];
+        for (std::size_t k = 0; k < samples.size(); k += kChannelsWithOpacity) {
+            for (std::size_t channel = 0; channel + 1 < kChannelsWithOpacity; ++channel) {
+                samples[k + channel] *= samples[k + kChannelsWithOpacity - 1];
             }
         }
     }

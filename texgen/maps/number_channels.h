@@ -11,19 +11,22 @@ namespace foam::texgen {
 
 /// The names of a map's channels in a file of floats or integers, such as an EXR.
 struct ChannelNames {
-    std::string_view layer;     // empty for no layer
-    std::string_view channels;  // separated by spaces; a further channel is an opacity named A
+    std::string_view layer;  // empty for no layer
+    // The names, separated by spaces, such as "R G B". If the image has one channel more, the
+    // additional channel is the opacity and gets the name "A".
+    std::string_view channels;
 };
 
-/// Converts a map to channels of numbers. Colors become half floats: linear light from 0 to 1,
-/// premultiplied by the opacity. Numbers keep their unit and are stored as the type `numbers`. Ids
-/// become integers of 32 bits.
+/// Returns the image of a map as channels of numbers. Colors become half floats: linear light from
+/// 0 to 1, premultiplied by the opacity. Numbers keep their unit and get the sample type `numbers`.
+/// Ids become integers of 32 bits.
 ChannelGroup number_channels(MapImage map, const ChannelNames& names, SampleType numbers);
 
-/// Returns the type of the samples into which number_channels converts a map.
+/// Returns the sample type of the group that number_channels returns for the same arguments.
 SampleType number_type(const MapImage& map, SampleType numbers);
 
-/// Converts straight colors of 16 bits to linear light from 0 to 1, premultiplied by the opacity.
+/// Returns straight 16-bit colors as linear light from 0 to 1. If they have an opacity, red, green
+/// and blue are multiplied by it.
 Image<float> premultiplied(const ColorPixels& colors);
 
 }  // namespace foam::texgen

@@ -19,16 +19,17 @@ namespace foam::texgen {
 
 namespace {
 
-// Occlusion is computed once per frame for points of a section through the relief. Every pixel
-// looks it up by its distance from the nearest film. The section is treated as the cross-section of
-// an endless furrow. There the visible fraction of a uniform sky is (sin a + sin b) / 2, where a
-// and b are the angles from the normal to both horizons. Each horizon is the steepest line from the
-// point to a sample of the section, or the tangent at the point.
+// The visible fraction of the sky is computed once per frame for points of a ReliefSection. For
+// each pixel, the fraction is looked up by the distance from the nearest film. The section is
+// treated as the cross-section of an endless furrow. In a furrow the visible fraction of a uniform
+// sky is (sin a + sin b) / 2, where a and b are the angles from the normal to the horizons on both
+// sides. The horizon on one side is the steepest line from the point to a sample of the section on
+// that side, or the tangent at the point if that is steeper.
 
 constexpr int kSteps = 128;  // samples per unit of a section
 
-// A table of the visible fraction of the sky along a section whose heights are multiplied by a
-// strength.
+// A table of the visible fraction of the sky along a section. The heights of the section are
+// multiplied by `strength`.
 class VisibleSky {
   public:
     VisibleSky(const ReliefSection& section, double strength) {
@@ -43,7 +44,8 @@ class VisibleSky {
         }
     }
 
-    // Returns the visible fraction at a distance from the film, interpolated between samples.
+    // Returns the visible fraction at a distance from the film, in the section's unit. Interpolates
+    // between samples.
     double at(double distance) const {
         const double last = static_cast<double>(sky_.size() - 1);
         const double step = std::min(distance * kSteps, last);
@@ -52,6 +54,8 @@ class VisibleSky {
     }
 
   private:
+    // Returns the derivative of the section's height with respect to the distance x from the film.
+    // For domes the smooth distance is s = x - x²/2, which is below 1 at x = 1; otherwise s = x.
     static double slope_at(const ReliefSection& section, double distance) {
         const double smooth = section.smooth(distance);
         const double slope_of_smooth = section.smooth(1.0) < 1.0 ? 1.0 - distance : 1.0;  // ds/dx
@@ -60,8 +64,11 @@ class VisibleSky {
 
     static double distance_at(int step) { return static_cast<double>(step) / kSteps; }
 
-    // Returns (sin a + sin b) / 2, where a and b are the angles from the normal to both horizons.
+    // Returns the visible fraction of the sky at the sample `current`, where the section has the
+    // given slope.
     static double visible(std::span<const double> heights, int current, double slope) {
+        // Returns the slope of the line to the horizon in the direction `step`, which is -1 or 1.
+        // The slope is positive if the line rises.
         const auto steepest = [&](int step) {
             double steepness = step * slope;
             const double height = heights[static_cast<std::size_t>(current)];

@@ -14,8 +14,7 @@ inline constexpr MapTraits kOcclusionMap = {
     .unit = "0 to 1",
     .channels = "Y",
     .png_filter = PngFilter::Up,
-    .smooth_distance = SmoothDistance::Used,
-    .around = 1.0};
+    .smooth_distance = SmoothDistance::Used};
 
 struct OcclusionOptions {
     double strength = 1.0;  // exponent of the visible fraction
@@ -23,10 +22,11 @@ struct OcclusionOptions {
 
 Keys<OcclusionOptions> occlusion_keys();
 
-/// Draws the fraction of a uniform sky that is visible from the relief, to the power of
-/// options.strength. It is 1 in the open. The fraction is computed for an endless furrow whose
-/// cross-section is the section of the relief across the nearest film (ReliefSection). The image
-/// has one channel and is 1 away from a patch.
+/// Draws the fraction of a uniform sky that is visible from the relief, raised to the power
+/// options.strength. The fraction is 1 where nothing hides the sky. It is computed for an endless
+/// furrow whose cross-section is the section of the relief across the nearest film (ReliefSection).
+/// The image has one channel and is 1 around a patch, apart from the outer half of ridges and wet
+/// films.
 NumberPixels draw_occlusion(FrameLayers& layers,
                             const ReliefOptions& relief,
                             const OcclusionOptions& options);

@@ -14,9 +14,9 @@ inline constexpr MapTraits kOpacityMap = {
     .channels = "Y",
     .smooth_distance = SmoothDistance::UsedByFilms};
 
-/// Draws the fraction of every pixel that bubbles and films cover, which is the alpha channel of
-/// albedo. The outer films of a patch extend outward by half their width. The image has one channel
-/// with values from 0 to 1. It is 1 everywhere on a torus.
+/// Draws the fraction of every pixel that bubbles and films cover, which is also the alpha channel
+/// of the map albedo. The outer films of a patch extend outward by half their width. The image has
+/// one channel with values from 0 to 1. It is 1 everywhere on a torus.
 NumberPixels draw_opacity(FrameLayers& layers, const AlbedoOptions& options);
 
 }  // namespace foam::texgen

@@ -5,13 +5,19 @@
 #include "texgen/image/colormap.h"
 #include "texgen/keys/value_kinds.h"
 #include "texgen/maps/cell_fill.h"
+#include "texgen/maps/neighbor_mean.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
+#include <numeric>
 #include <span>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace foam::texgen {
@@ -33,8 +39,8 @@ double tone_in_range(double pressure, double low, double high) {
     return low < high ? (pressure - low) / (high - low) : kMiddle;
 }
 
-// Returns a percentile of sorted numbers, interpolated between two of them. Precondition: `sorted`
-// is not empty.
+// Returns a percentile of sorted numbers, interpolated between the two nearest numbers.
+// `percentile` is from 0 to 100. Precondition: `sorted` is not empty.
 double percentile_of(std::span<const double> sorted, double percentile) {
     const double position = percentile / 100.0 * static_cast<double>(sorted.size() - 1);
     const auto below = static_cast<std::size_t>(position);
@@ -43,7 +49,8 @@ double percentile_of(std::span<const double> sorted, double percentile) {
 }
 
 // Returns the rank of a pressure among sorted pressures: 0 for the lowest, 1 for the highest. Equal
-// pressures have the mean of their ranks. Between two pressures the rank is interpolated.
+// pressures have the mean of their ranks. Between two pressures the rank is interpolated; beyond
+// the lowest and highest it is 0 and 1. Precondition: `sorted` is not empty.
 double rank_among(std::span<const double> sorted, double pressure) {
     const auto [first, last] = std::equal_range(sorted.begin(), sorted.end(), pressure);
     const auto lower = static_cast<double>(first - sorted.begin());
@@ -57,6 +64,20 @@ double rank_among(std::span<const double> sorted, double pressure) {
     }
     const double below = *(first - 1);
     return (lower - 1.0 + (pressure - below) / (*first - below)) / steps;
+}
+
+// Returns the pressures, in increasing order, among which ranks and percentiles are measured: those
+// of the end of the warm-up, or if pressures are smoothed or flattened, the resulting ones of this
+// frame.
+std::vector<double> scale_of(const FrameLayers& layers,
+                             const PerBubble<double>& pressures,
+                             const PressureOptions& options) {
+    if (options.smoothing == 0 && options.flattening == 0) {
+        return layers.record().first_pressures;
+    }
+    std::vector<double> scale = pressures;
+    std::sort(scale.begin(), scale.end());
+    return scale;
 }
 
 double tone_of(double pressure, std::span<const double> scale, const PressureOptions& options) {
@@ -74,12 +95,63 @@ double tone_of(double pressure, std::span<const double> scale, const PressureOpt
                          percentile_of(scale, 100.0 - options.percentile));
 }
 
-PerBubble<double> tones_of(const FrameLayers& layers, const PressureOptions& options) {
-    const bool own_unit = options.scaling == PressureScaling::Range;
+// Returns the fraction of the area of all bubbles that has a lower pressure than each bubble. The
+// bubble itself, and bubbles of the same pressure, count half.
+PerBubble<double> area_shares(const Frame& frame, const PerBubble<double>& pressures) {
+    const auto areas = per_bubble<double>(
+        frame,
+        [&](BubbleId bubble) { return frame.bubbles[bubble].area; },
+        [](const LoneBubble& bubble) { return bubble.target_area; });
+    std::vector<std::size_t> order(pressures.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return std::pair(pressures[a], a) < std::pair(pressures[b], b);
+    });
+    const double whole = std::accumulate(areas.begin(), areas.end(), 0.0);
+    PerBubble<double> shares(pressures.size());
+    double lower = 0.0;
+    for (std::size_t first = 0; first < order.size();) {
+        double equal = 0.0;
+        std::size_t last = first;
+        for (; last < order.size() && pressures[order[last]] == pressures[order[first]]; ++last) {
+            equal += areas[order[last]];
+        }
+        for (; first < last; ++first) {
+            shares[order[first]] = (lower + 0.5 * equal) / whole;
+        }
+        lower += equal;
+    }
+    return shares;
+}
+
+// Averages pressures with those of neighbors, and subtracts a wider average. The pressures that are
+// left vary over distances between both widths, so that corridors are about equally wide.
+void smooth_and_flatten(const Frame& frame,
+                        const PressureOptions& options,
+                        PerBubble<double>& pressures) {
+    average_with_neighbors(frame, options.smoothing, pressures);
+    if (options.flattening > 0) {
+        PerBubble<double> wide = pressures;
+        average_with_neighbors(frame, options.flattening, wide);
+        std::transform(
+            pressures.begin(), pressures.end(), wide.begin(), pressures.begin(), std::minus<>());
+    }
+}
+
+PerBubble<double> pressure_tones(const FrameLayers& layers, const PressureOptions& options) {
+    const bool is_range = options.scaling == PressureScaling::Range;
     PerBubble<double> tones =
-        pressures_of(layers.frame(), own_unit ? options.unit : PressureUnit::Current);
+        pressures_of(layers.frame(), is_range ? options.unit : PressureUnit::Current);
+    smooth_and_flatten(layers.frame(), options, tones);
+    if (options.scaling == PressureScaling::Share) {
+        tones = area_shares(layers.frame(), tones);
+    } else {
+        const std::vector<double> scale = scale_of(layers, tones, options);
+        for (double& tone : tones) {
+            tone = tone_of(tone, scale, options);
+        }
+    }
     for (double& tone : tones) {
-        tone = tone_of(tone, layers.record().first_pressures, options);
         tone = kMiddle + options.exaggeration * (tone - kMiddle);
     }
     return tones;
@@ -89,15 +161,17 @@ PerBubble<double> tones_of(const FrameLayers& layers, const PressureOptions& opt
 
 Keys<PressureOptions> pressure_keys() {
     using Options = PressureOptions;
-    constexpr Choices<PressureScaling, 3> kScalings = {
+    constexpr Choices<PressureScaling, 4> kScalings = {
         {{{"range", PressureScaling::Range},
           {"percentile", PressureScaling::Percentile},
-          {"rank", PressureScaling::Rank}}}};
+          {"rank", PressureScaling::Rank},
+          {"share", PressureScaling::Share}}}};
     return {
         key("scaling",
             kScalings,
-            "how pressures become tones: by a fixed range, by a percentile range of the first "
-            "frame, or by rank among the bubbles of the first frame",
+            "how pressures become tones: by the fixed range low to high; by percentiles or by rank "
+            "among the pressures at the end of the warm-up, or in this frame if it is smoothed or "
+            "flattened; or by the share of the frame's area in which the pressure is lower",
             &Options::scaling),
         key("percentile",
             Reals{0.0, 49.0},
@@ -111,8 +185,21 @@ Keys<PressureOptions> pressure_keys() {
             .in("film tension / sqrt(mean area), selected by pressure.unit"),
         key("unit",
             kPressureUnits,
-            "unit of low and high, as albedo.pressure_unit",
+            "unit of low and high; the same choices as albedo.pressure_unit",
             &Options::unit),
+        key("smoothing",
+            Integers{0, 1000},
+            "rounds in which the pressure of every bubble is averaged with those of its neighbors; "
+            "walls of a labyrinth become several bubbles wide",
+            &Options::smoothing)
+            .in("rounds"),
+        key("flattening",
+            Integers{0, 1000},
+            "rounds of a wider average that is subtracted, so that the corridors of a labyrinth "
+            "are "
+            "about equally wide; 0 subtracts nothing",
+            &Options::flattening)
+            .in("rounds"),
         key("exaggeration",
             Reals{0.0, 1000.0},
             "factor on the contrast around the middle tone; a large factor leaves only two tones",
@@ -125,9 +212,12 @@ Keys<PressureOptions> pressure_keys() {
 
 MapImage draw_pressure(FrameLayers& layers, const PressureOptions& options) {
     if (!(options.low < options.high)) {
-        throw std::invalid_argument("the low end of the pressures must be below the high end");
+        throw std::invalid_argument(
+            fmt::format("pressure.low is {}, but must be below pressure.high, which is {}",
+                        options.low,
+                        options.high));
     }
-    const PerBubble<double> tones = tones_of(layers, options);
+    const PerBubble<double> tones = pressure_tones(layers, options);
     if (options.colormap == "none") {
         return NumberPixels{fill_numbers(layers, tones), 0.0, 1.0};
     }

@@ -17,32 +17,41 @@ inline constexpr MapTraits kPressureMap = {
     .channels = "Y",
     .png_bits = 16};
 
-/// The scale that turns pressures into numbers from 0 to 1.
+/// The scale that converts pressures to tones. Its ends have the tones 0 and 1. Percentiles and
+/// ranks refer to FoamRecord::first_pressures, so that all frames have the same scale, unless
+/// pressures are smoothed or flattened: then they refer to the resulting pressures of the frame.
 enum class PressureScaling {
-    Range,       // from a lowest to a highest pressure
-    Percentile,  // from a low to a high percentile of the first frame's bubbles
-    Rank,        // the fraction of the first frame's bubbles with a lower pressure, which gives
-                 // every tone the same number of bubbles
+    Range,       // from PressureOptions::low to PressureOptions::high
+    Percentile,  // from a low to a high percentile of the first pressures
+    Rank,        // the rank among the first pressures, which spreads the bubbles evenly over all
+                 // tones
+    Share,       // the fraction of the area of the frame's bubbles in which the pressure is lower,
+                 // which spreads the area evenly over all tones
 };
 
-/// The scale of pressures, which is the same in all frames to prevent flicker.
+/// The options of the map. The scale of pressures is the same in all frames to prevent flicker.
 struct PressureOptions {
     PressureScaling scaling = PressureScaling::Percentile;
     PressureUnit unit = PressureUnit::Current;  // the unit of low and high, for Range
-    double low = -0.5;
-    double high = 0.5;
-    double percentile = 2.0;        // percentage of bubbles left out at either end
-    double exaggeration = 1.0;      // factor on the difference from the middle tone
-    std::string colormap = "none";  // "none" leaves gray numbers
+    double low = -0.5;                          // pressure of tone 0, for Range
+    double high = 0.5;                          // pressure of tone 1, for Range
+    double percentile = 2.0;    // for Percentile: percentage of bubbles left out at either end
+    int smoothing = 0;          // rounds of averaging with neighbors (average_with_neighbors)
+    int flattening = 0;         // rounds of a wider average that is subtracted; 0 subtracts nothing
+    double exaggeration = 1.0;  // factor on the difference from the middle tone, 0.5
+    std::string colormap = "none";  // "none" draws the tones as numbers
 };
 
 Keys<PressureOptions> pressure_keys();
 
-/// Draws the pressures of bubbles as tones, without films. Tones are numbers or colors of a color
-/// map. Pressures within the scale become numbers from 0 to 1, and pressures outside the scale
-/// become numbers outside that range. If all pressures of the scale are equal, the tone is 0.5.
-/// Numbers have one channel and are 0 around a patch; colors are transparent there. Throws
-/// std::invalid_argument for an unknown color map, and if low is not below high.
+/// Draws the pressures of bubbles as tones, without films. A tone is the position of a pressure on
+/// the scale, with its difference from 0.5 multiplied by options.exaggeration. Tones are drawn as
+/// numbers or as colors of a color map. Numbers may be outside the range from 0 to 1; colors are
+/// clamped to the ends of the color map. Tones are 0.5 if both percentiles are equal, or if
+/// percentiles and ranks are unknown because FoamRecord::first_pressures is empty. Numbers have one
+/// channel and are 0 around a patch; colors are transparent there. Throws std::invalid_argument for
+/// an unknown color map, and if options.low is not below options.high, even if the scaling is not
+/// Range.
 MapImage draw_pressure(FrameLayers& layers, const PressureOptions& options);
 
 }  // namespace foam::texgen

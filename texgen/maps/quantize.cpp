@@ -16,8 +16,9 @@ namespace {
 
 using Encoding = std::array<std::uint8_t, 65536>;
 
-// Tabulates the sRGB code of every 16-bit value of linear light. Code k covers the values whose
-// sRGB encoding rounds to k, so its last value is below the light that encodes to k + 1/2.
+// Returns a table of the 8-bit sRGB code of every 16-bit value of linear light. Code k covers the
+// values whose sRGB encoding rounds to k, so its last value is below the light whose encoding is
+// (k + 1/2) / 255.
 Encoding make_srgb_encoding() {
     Encoding encoding{};
     std::size_t value = 0;
@@ -36,6 +37,7 @@ const Encoding& srgb_encoding() {
     return encoding;
 }
 
+// Returns the 8-bit code nearest to a 16-bit opacity. 65535 is 257 times 255.
 std::uint8_t opacity_code(std::uint32_t opacity) {
     return static_cast<std::uint8_t>((opacity + 128) / 257);
 }
@@ -90,9 +92,9 @@ Image<std::uint8_t> srgb_codes(const ColorPixels& colors) {
     std::transform(light.begin(), light.end(), coded.begin(), [&](std::uint16_t value) {
         return encoding[value];
     });
-    constexpr std::size_t kWithOpacity = 4;
-    if (static_cast<std::size_t>(from.channels()) == kWithOpacity) {
-        for (std::size_t k = kWithOpacity - 1; k < light.size(); k += kWithOpacity) {
+    if (from.channels() == kChannelsWithOpacity) {
+        for (std::size_t k = kChannelsWithOpacity - 1; k < light.size();
+             k += kChannelsWithOpacity) {
             coded[k] = opacity_code(light[k]);
         }
     }

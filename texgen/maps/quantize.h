@@ -19,10 +19,11 @@ struct CodedImage {
 /// linear.
 Image<std::uint8_t> srgb_codes(const ColorPixels& colors);
 
-/// Encodes a map as integers of 8 or 16 bits. Colors always become 8-bit srgb_codes. The number
-/// `low` becomes code 0 and `high` the largest code; numbers outside of this range are clamped, and
-/// NaN becomes 0. Images of two channels get a third channel of 0, because the second channel of a
-/// PNG with two channels is an opacity. Of ids, the lowest `bits` bits are kept.
+/// Encodes the image of a map as integers of 8 or 16 bits. Colors always become 8-bit srgb_codes.
+/// NumberPixels::low becomes code 0 and NumberPixels::high the largest code; numbers outside this
+/// range are clamped, and NaN becomes code 0. Numbers with two channels get a third channel of 0,
+/// because the second channel of a PNG with two channels is an opacity. Ids keep their lowest
+/// `bits` bits. Precondition: `bits` is 8 or 16.
 CodedImage quantize(const MapImage& map, int bits);
 
 }  // namespace foam::texgen

@@ -14,9 +14,9 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-// Returns the unit of length of the relief section for every cell, in pixels. For domes it is the
-// radius of a circle with the area of the bubble. For other profiles it is the width of ridges or
-// Plateau borders.
+// Returns the section's unit of length in pixels, indexed by the ids of the distance field. For
+// domes the unit is the radius of a circle with the area of the bubble. For other profiles the unit
+// is ReliefOptions::width.
 std::vector<double> units_of(FrameLayers& layers, const ReliefOptions& options, double diameter) {
     const Frame& frame = layers.frame();
     if (options.profile != ReliefProfile::Dome) {

@@ -13,14 +13,15 @@ namespace foam::texgen {
 /// The options of the relief that the maps height, normal, occlusion, curvature and lit show.
 struct ReliefOptions {
     ReliefProfile profile = ReliefProfile::Dome;
-    double angle = 50.0;  // slope angle of domes at films, degrees
-    double width = 0.2;   // distance from a film to the foot of its ridge, or radius of borders; in
-                          // diameters of the mean bubble; not used by domes
-    double strength = 1.0;                         // factor on heights
-    MeanBubble mean_bubble = MeanBubble::Current;  // the unit of heights and widths
+    double angle = 50.0;    // slope angle of domes at films, degrees
+    double width = 0.2;     // distance from a film to the foot of its ridge, or radius of Plateau
+                            // borders; in diameters of the mean bubble; not used by domes
+    double strength = 1.0;  // factor on heights
+    MeanBubble mean_bubble = MeanBubble::Current;  // its diameter is the unit of heights and widths
 };
 
-/// The unit of keys that are lengths on the relief: the diameter of the relief's mean bubble.
+/// The name of the unit of keys that are lengths on the relief: the diameter of the relief's mean
+/// bubble.
 inline constexpr std::string_view kReliefDiameters =
     "mean bubble diameters, selected by relief.mean_bubble";
 

@@ -9,9 +9,9 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr double kRidgeHeight = 0.5;
-// The two fillets at a film would meet in an infinitely steep edge. Up to this distance from the
-// film a parabola replaces them.
+constexpr double kRidgeHeight = 0.5;  // in the section's unit
+// The two fillets on both sides of a film would meet in an infinitely steep edge. Up to this
+// distance from the film, in the section's unit, a parabola replaces the fillets.
 constexpr double kCrest = 0.1;
 
 // Return the height and the slope of a fillet: a quarter of a circle of radius 1 that is tangent to
@@ -53,8 +53,10 @@ double ReliefSection::slope(double smooth) const {
     switch (profile_) {
         case ReliefProfile::Dome:
             return 1.0 / std::sqrt(cotangent_ * cotangent_ + 2.0 * smooth);
-        case ReliefProfile::Ridge:
-            return -4.0 * kRidgeHeight * smooth * std::max(1.0 - smooth * smooth, 0.0);
+        case ReliefProfile::Ridge: {
+            const double clamped = std::min(smooth, 1.0);
+            return -4.0 * kRidgeHeight * clamped * (1.0 - clamped * clamped);
+        }
         default:
             return fillet_slope(std::clamp(smooth, kCrest, 1.0)) * std::min(smooth / kCrest, 1.0);
     }

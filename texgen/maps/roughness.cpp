@@ -4,7 +4,7 @@
 
 #include "texgen/keys/value_kinds.h"
 #include "texgen/maps/cell_fill.h"
-#include "texgen/maps/film_look.h"
+#include "texgen/maps/film_coverage.h"
 #include "texgen/maps/identity_number.h"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ Keys<RoughnessOptions> roughness_keys() {
                 &RoughnessOptions::film),
             key("variation",
                 kFractions,
-                "width of the range around roughness.cell in which bubbles vary",
+                "width of the range, centered on roughness.cell, of the roughness of bubbles",
                 &RoughnessOptions::variation)};
 }
 
@@ -43,11 +43,11 @@ NumberPixels draw_roughness(FrameLayers& layers,
         return {fill_numbers(layers, {cells, options.film}, width), 0.0, 1.0};
     }
     Image<float> image = fill_numbers(layers, cells);
-    const Image<float> cover = film_cover(layers, films);
-    const Image<float> foam = foam_cover(layers, films, cover);
+    const Image<float> coverage = film_coverage(layers, films);
+    const Image<float> foam = foam_coverage(layers, films, coverage);
     for (std::size_t k = 0; k < image.samples().size(); ++k) {
         const float whole = foam.samples()[k];
-        const float part = whole > 0.0F ? cover.samples()[k] / whole : 0.0F;
+        const float part = whole > 0.0F ? coverage.samples()[k] / whole : 0.0F;
         image.samples()[k] = std::lerp(image.samples()[k], static_cast<float>(options.film), part);
     }
     return {std::move(image), 0.0, 1.0};

@@ -17,15 +17,16 @@ inline constexpr MapTraits kRoughnessMap = {
 
 struct RoughnessOptions {
     double cell = 0.15;      // roughness of bubbles, which are smooth and wet
-    double film = 0.45;      // roughness of films, which are as wide as in albedo
-    double variation = 0.1;  // width of the range in which the roughness of bubbles varies
+    double film = 0.45;      // roughness of films, which have the width and shape of albedo
+    double variation = 0.1;  // width of the range of bubbles around `cell`, clamped to [0, 1]
 };
 
 Keys<RoughnessOptions> roughness_keys();
 
-/// Draws the roughness of the surface for a material: 0 is a mirror. A pixel that bubbles and films
-/// share has the mean of their values, weighted by area. The image has one channel with values from
-/// 0 to 1 and is 0 around a patch.
+/// Draws the roughness of the surface, as renderers define it in a material: 0 is a mirror. A pixel
+/// that bubbles and films share has the mean of their values, weighted by the part of the pixel
+/// that each bubble or film covers. The image has one channel with values from 0 to 1 and is 0
+/// around a patch.
 NumberPixels draw_roughness(FrameLayers& layers,
                             const RoughnessOptions& options,
                             const AlbedoOptions& films);

@@ -5,7 +5,7 @@
 #include "core/foam/measure.h"
 #include "texgen/keys/value_kinds.h"
 #include "texgen/maps/cell_fill.h"
-#include "texgen/maps/film_look.h"
+#include "texgen/maps/film_coverage.h"
 #include "texgen/maps/identity_number.h"
 
 #include <algorithm>
@@ -24,15 +24,15 @@ namespace {
 // integrated over the visible spectrum with the CIE 1931 color matching functions, in the
 // multi-lobe approximation of Wyman, Sloan and Shirley ("Simple analytic approximations to the CIE
 // XYZ color matching functions", 2013). The result is converted to linear sRGB and divided by the
-// color of a perfect mirror. A table contains the color for every nanometer of thickness. A film is
-// thinnest in the middle of its bubble and thickest at the rim; the thickness is a function of the
-// smooth distance from films.
+// color of a perfect mirror. A table contains the color for every nanometer of thickness. The soap
+// film that spans a bubble is thinnest in the middle of the bubble and thickest at its rim; the
+// thickness is a function of the smooth distance from the films between bubbles.
 
-constexpr double kIndex = 1.33;       // refractive index of soapy water
-constexpr double kFirstWave = 380.0;  // nanometers
-constexpr double kWaveStep = 5.0;
-constexpr int kWaves = 81;       // up to 780 nanometers
-constexpr int kThickest = 4000;  // nanometers; thicker films are practically white
+constexpr double kIndex = 1.33;             // refractive index of soapy water
+constexpr double kFirstWavelength = 380.0;  // shortest wavelength, nanometers
+constexpr double kWavelengthStep = 5.0;     // nanometers
+constexpr int kWavelengths = 81;            // number of wavelengths, up to 780 nanometers
+constexpr int kThickest = 4000;             // nanometers; thicker films are practically white
 
 struct Xyz {
     double x = 0.0;
@@ -40,21 +40,25 @@ struct Xyz {
     double z = 0.0;
 };
 
-// Returns a Gaussian with different widths below and above its middle.
-double lobe(double wave, double height, double middle, double below, double above) {
-    const double t = (wave - middle) / (wave < middle ? below : above);
+// Returns the value of a Gaussian curve at a wavelength. Its extreme value, at the wavelength
+// `middle`, is `height`. Its standard deviation is `below` at shorter wavelengths and `above` at
+// longer ones. Wavelengths are in nanometers.
+double lobe(double wavelength, double height, double middle, double below, double above) {
+    const double t = (wavelength - middle) / (wavelength < middle ? below : above);
     return height * std::exp(-0.5 * t * t);
 }
 
 // Returns the CIE 1931 color matching functions at a wavelength in nanometers, by Wyman, Sloan and
 // Shirley (2013).
-Xyz color_matching(double wave) {
-    return {lobe(wave, 1.056, 599.8, 37.9, 31.0) + lobe(wave, 0.362, 442.0, 16.0, 26.7) +
-                lobe(wave, -0.065, 501.1, 20.4, 26.2),
-            lobe(wave, 0.821, 568.8, 46.9, 40.5) + lobe(wave, 0.286, 530.9, 16.3, 31.1),
-            lobe(wave, 1.217, 437.0, 11.8, 36.0) + lobe(wave, 0.681, 459.0, 26.0, 13.8)};
+Xyz color_matching(double wavelength) {
+    return {
+        lobe(wavelength, 1.056, 599.8, 37.9, 31.0) + lobe(wavelength, 0.362, 442.0, 16.0, 26.7) +
+            lobe(wavelength, -0.065, 501.1, 20.4, 26.2),
+        lobe(wavelength, 0.821, 568.8, 46.9, 40.5) + lobe(wavelength, 0.286, 530.9, 16.3, 31.1),
+        lobe(wavelength, 1.217, 437.0, 11.8, 36.0) + lobe(wavelength, 0.681, 459.0, 26.0, 13.8)};
 }
 
+// Converts CIE XYZ to linear sRGB.
 LinearRgb to_rgb(const Xyz& c) {
     return {3.2404542 * c.x - 1.5371385 * c.y - 0.4985314 * c.z,
             -0.9692660 * c.x + 1.8760108 * c.y + 0.0415560 * c.z,
@@ -63,23 +67,23 @@ LinearRgb to_rgb(const Xyz& c) {
 
 // Returns the fraction of light of one wavelength that a film reflects (Airy's sum). Thickness and
 // wavelength are in nanometers.
-double reflectance(double thickness, double wave) {
+double reflectance(double thickness, double wavelength) {
     const double at_surface = (kIndex - 1.0) / (kIndex + 1.0);
     const double once = at_surface * at_surface;
-    const double half_phase = 2.0 * std::numbers::pi * kIndex * thickness / wave;
+    const double half_phase = 2.0 * std::numbers::pi * kIndex * thickness / wavelength;
     const double interference = 4.0 * once * std::sin(half_phase) * std::sin(half_phase);
     return interference / ((1.0 - once) * (1.0 - once) + interference);
 }
 
-// Returns the color of a spectrum whose values are between 0 and 1, before it is divided by the
-// color of a perfect mirror.
+// Returns the color of a spectrum in linear sRGB, not yet divided by the color of a perfect mirror.
+// spectrum(wavelength) returns a fraction from 0 to 1 for a wavelength in nanometers.
 template <class Spectrum>
-LinearRgb seen(const Spectrum& spectrum) {
+LinearRgb spectrum_to_rgb(const Spectrum& spectrum) {
     Xyz sum;
-    for (int k = 0; k < kWaves; ++k) {
-        const double wave = kFirstWave + kWaveStep * k;
-        const Xyz matching = color_matching(wave);
-        const double value = spectrum(wave);
+    for (int k = 0; k < kWavelengths; ++k) {
+        const double wavelength = kFirstWavelength + kWavelengthStep * k;
+        const Xyz matching = color_matching(wavelength);
+        const double value = spectrum(wavelength);
         sum.x += value * matching.x;
         sum.y += value * matching.y;
         sum.z += value * matching.z;
@@ -87,7 +91,7 @@ LinearRgb seen(const Spectrum& spectrum) {
     return to_rgb(sum);
 }
 
-// Returns the reflectance for every nanometer of thickness up to kThickest.
+// Returns film_reflectance for every whole number of nanometers from 0 to kThickest.
 std::vector<LinearRgb> make_reflectances() {
     std::vector<LinearRgb> all;
     for (int thickness = 0; thickness <= kThickest; ++thickness) {
@@ -96,7 +100,8 @@ std::vector<LinearRgb> make_reflectances() {
     return all;
 }
 
-LinearRgb tabled_reflectance(double thickness) {
+// Returns film_reflectance(thickness), interpolated in a table. `thickness` is in nanometers.
+LinearRgb reflectance_from_table(double thickness) {
     static const std::vector<LinearRgb> table = make_reflectances();
     const double position = std::clamp(thickness, 0.0, static_cast<double>(kThickest));
     const std::size_t below = std::min(static_cast<std::size_t>(position), table.size() - 2);
@@ -104,7 +109,8 @@ LinearRgb tabled_reflectance(double thickness) {
     return mixed(table[below], table[below + 1], part);
 }
 
-// Mixes a color with gray of the same luminance until it is within [0, 1].
+// Returns a color whose components are from 0 to 1: the given color, mixed with as little gray of
+// the same luminance as possible.
 LinearRgb within_srgb(const LinearRgb& color) {
     const double gray =
         std::clamp(0.2126 * color.r + 0.7152 * color.g + 0.0722 * color.b, 0.0, 1.0);
@@ -116,12 +122,13 @@ LinearRgb within_srgb(const LinearRgb& color) {
     return {inside(color.r), inside(color.g), inside(color.b)};
 }
 
-// The film of a bubble, which is thicker at its rim.
+// The soap film that spans a bubble.
 struct Film {
     double thickness = 0.0;  // nanometers, in the middle
-    double radius = 0.0;     // pixels; 0 around a patch
+    double radius = 0.0;     // of a circle with the bubble's area, in pixels; 0 around a patch
 };
 
+// Returns the soap films of all bubbles, indexed by the ids of the distance field.
 std::vector<Film> films_of(FrameLayers& layers, const ThinFilmOptions& options) {
     const Frame& frame = layers.frame();
     const double scale = pixels_per_unit(layers.grid(), frame.domain);
@@ -141,8 +148,9 @@ std::vector<Film> films_of(FrameLayers& layers, const ThinFilmOptions& options) 
     return by_cell_id(layers, films, Film{});
 }
 
-// Returns the thickness at a smooth distance from the rim. In the middle of a circle of radius R
-// the smooth distance is R / 2.
+// Returns the thickness in nanometers at a smooth distance, in pixels, from the rim. The variable
+// `rim` is 1 at the rim and 0 in the middle, because in the middle of a circle of radius R the
+// smooth distance is R / 2.
 double thickness_at(const Film& film, double smooth, double drainage) {
     const double rim = 1.0 - std::min(2.0 * smooth / film.radius, 1.0);
     return film.thickness * (1.0 + drainage * rim * rim);
@@ -154,14 +162,15 @@ class FilmColors {
     FilmColors(FrameLayers& layers, const ThinFilmOptions& options)
         : options_(options), field_(layers.distance()), films_(films_of(layers, options)) {}
 
-    // Returns the color at the index of a pixel, or nullopt around a patch.
+    // Returns the color at the pixel with the given index, or nullopt around a patch.
     std::optional<LinearRgb> at(std::size_t index) const {
         const Film& film = films_[field_.ids.samples()[index]];
         if (!(film.radius > 0.0)) {
             return std::nullopt;
         }
         const auto smooth = static_cast<double>(field_.smooth.samples()[index]);
-        const LinearRgb light = tabled_reflectance(thickness_at(film, smooth, options_.drainage));
+        const LinearRgb light =
+            reflectance_from_table(thickness_at(film, smooth, options_.drainage));
         const double exposure = options_.exposure;
         return within_srgb({exposure * light.r, exposure * light.g, exposure * light.b});
     }
@@ -197,8 +206,9 @@ Keys<ThinFilmOptions> thin_film_keys() {
 }
 
 LinearRgb film_reflectance(double nanometers) {
-    const LinearRgb white = seen([](double) { return 1.0; });
-    const LinearRgb color = seen([&](double wave) { return reflectance(nanometers, wave); });
+    const LinearRgb white = spectrum_to_rgb([](double) { return 1.0; });
+    const LinearRgb color =
+        spectrum_to_rgb([&](double wavelength) { return reflectance(nanometers, wavelength); });
     return {color.r / white.r, color.g / white.g, color.b / white.b};
 }
 

@@ -17,28 +17,32 @@ inline constexpr MapTraits kThinFilmMap = {
     .png_filter = PngFilter::Up,
     .smooth_distance = SmoothDistance::Used};
 
+/// The soap film that spans each bubble. It is not the film between two bubbles.
 struct ThinFilmOptions {
-    double thickness = 350.0;  // nanometers, in the middle of an average bubble
+    double thickness = 350.0;  // in the middle of a bubble, mean over bubbles, nanometers
     double variation = 0.6;    // range of the thickness among bubbles, as a fraction of the
                                // thickness; constant for a bubble's life
     double drainage = 0.5;     // added thickness at the bubble's rim, where liquid gathers, as a
                                // fraction of the thickness in the middle
-    double exposure = 8.0;     // factor on the light; a soap film reflects at most 8 % of it
+    double exposure = 8.0;     // factor on the reflected light; a soap film reflects at most 8 % of
+                               // the incident light
 };
 
 Keys<ThinFilmOptions> thin_film_keys();
 
 /// Returns the color of white light that a soap film in air reflects at normal incidence, as linear
-/// light. The reflectance is Airy's sum over all reflections in a layer of refractive index 1.33.
-/// It is weighted with the CIE 1931 color matching functions (Wyman, Sloan, Shirley, "Simple
-/// analytic approximations to the CIE XYZ color matching functions", 2013), and scaled so that a
-/// perfect mirror is white. The color may be outside sRGB: components may be negative.
+/// light. `nanometers` is the thickness of the film. The reflectance is Airy's sum over all
+/// reflections in a layer of refractive index 1.33. It is weighted with the CIE 1931 color matching
+/// functions (Wyman, Sloan, Shirley, "Simple analytic approximations to the CIE XYZ color matching
+/// functions", 2013), and scaled so that a perfect mirror is white. The color may be outside sRGB:
+/// components may be negative.
 LinearRgb film_reflectance(double nanometers);
 
-/// Draws bubbles in the interference colors of a soap film that spans each bubble, with the films
-/// of albedo between bubbles. The thickness depends only on the bubble and on the position in it,
-/// so colors do not move while the foam is at rest. Colors outside sRGB are mixed with gray of the
-/// same luminance. The surroundings of a patch are transparent.
+/// Draws bubbles in the interference colors of a soap film that spans each bubble. The films
+/// between bubbles have the color, width and shape that the options of albedo give. The thickness
+/// depends only on the bubble and on the position in the bubble, so colors do not move while the
+/// foam is at rest. Colors outside sRGB are mixed with gray of the same luminance until they are
+/// within sRGB. The surroundings of a patch are transparent.
 ColorPixels draw_thin_film(FrameLayers& layers,
                            const ThinFilmOptions& options,
                            const AlbedoOptions& albedo);

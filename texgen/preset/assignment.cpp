@@ -46,28 +46,33 @@ Value value_of(const toml::node& node) {
     });
 }
 
+// Returns true if TOML allows the character in a key without quotes.
 bool is_bare(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
            c == '-';
 }
 
+// Returns a part of a key as TOML writes it: in quotes if necessary.
 std::string key_part(std::string_view key) {
     const bool bare = !key.empty() && std::all_of(key.begin(), key.end(), is_bare);
     return bare ? std::string(key) : to_toml({std::string(key)});
 }
 
+// An assignment with its position in the document, by which assignments are sorted.
 struct Located {
     toml::source_position position;
     Assignment assignment;
 };
 
-// Appends the assignments of a node and of all nodes nested in it to `found`, depth first.
+// Appends the assignment of a node to `found`, and then the assignments of all nodes nested in it.
+// `position` is the position and `path` the key of the node.
 void collect_node(const toml::node& node,
                   const toml::source_position& position,
                   const std::string& path,
                   const std::string& source,
                   std::vector<Located>& found);
 
+// Appends the assignments of all entries of a table to `found`. Their keys begin with `prefix`.
 void collect(const toml::table& table,
              const std::string& prefix,
              const std::string& source,
@@ -77,7 +82,8 @@ void collect(const toml::table& table,
     }
 }
 
-// Keys of tables in an array contain the number of the table: event[1], event[2].
+// Appends the assignments of all tables of an array to `found`. The key of a table contains its
+// number in the array, counted from 1: event[1], event[2].
 void collect_tables(const toml::array& tables,
                     const std::string& path,
                     const std::string& source,

@@ -2,8 +2,8 @@
 
 #include "texgen/preset/event_io.h"
 
+#include "texgen/keys/nearest.h"
 #include "texgen/preset/event_frames.h"
-#include "texgen/preset/nearest.h"
 #include "texgen/preset/rejection.h"
 
 #include <fmt/format.h>
@@ -23,8 +23,8 @@ namespace {
 
 constexpr std::string_view kTable = "event";
 
-// The parts of a path such as event[2].kind: the number of the event, which counts from 1, and the
-// name of the key. The name is empty for the table itself.
+// The parts of a path such as event[2].kind: the number of the event, counted from 1, and the name
+// of the key. The name is empty for the table event[2] itself.
 struct EventPath {
     std::size_t number = 0;  // 0 if the path is malformed
     std::string_view name;
@@ -47,6 +47,8 @@ EventPath parse_path(std::string_view path) {
     return parsed;
 }
 
+// Returns the name of the key of events that is most similar to an unknown name, or an empty view
+// if no name is similar.
 std::string_view nearest_name(std::string_view name) {
     std::vector<std::string_view> names;
     for (const KeyInfo& key : event_keys()) {
@@ -55,8 +57,8 @@ std::string_view nearest_name(std::string_view name) {
     return nearest(name, names);
 }
 
-// Returns the last assignment to a key of an event, or to any of its keys if `name` is empty.
-// Returns nullptr if there is none.
+// Returns the last assignment to the key `name` of the event with the given number, or to any key
+// of this event if `name` is empty. Returns nullptr if there is no such assignment.
 const Assignment* last_of(std::span<const Assignment> assignments,
                           std::size_t number,
                           std::string_view name = {}) {
@@ -69,31 +71,35 @@ const Assignment* last_of(std::span<const Assignment> assignments,
     return nullptr;
 }
 
-// The keys of other tables that limit the values of events.
-constexpr std::array<std::string_view, 7> kOtherSides{"foam.domain",
-                                                      "foam.bubbles",
-                                                      "image.size",
-                                                      "dynamics.t2_area",
-                                                      "frames.time_step",
-                                                      "frames.step_growth",
-                                                      "frames.warm_up"};
+// The keys of other tables on which the allowed values of events depend.
+constexpr std::array<std::string_view, 7> kKeysThatLimitEvents{"foam.domain",
+                                                               "foam.bubbles",
+                                                               "image.size",
+                                                               "dynamics.t2_area",
+                                                               "frames.time_step",
+                                                               "frames.step_growth",
+                                                               "frames.warm_up"};
 
-const Assignment& last_of_other_sides(std::span<const Assignment> assignments) {
+// Returns the last assignment to a key in kKeysThatLimitEvents. If there is none, returns the last
+// of all assignments.
+const Assignment& last_of_keys_that_limit_events(std::span<const Assignment> assignments) {
     const auto last = std::find_if(assignments.rbegin(), assignments.rend(), [](const auto& one) {
-        return std::find(kOtherSides.begin(), kOtherSides.end(), one.key) != kOtherSides.end();
+        return std::find(kKeysThatLimitEvents.begin(), kKeysThatLimitEvents.end(), one.key) !=
+               kKeysThatLimitEvents.end();
     });
     return last != assignments.rend() ? *last : assignments.back();
 }
 
-// Rejects the last assignment to the key. If there is none, rejects the last assignment to any key
-// of the event. If there is none either, rejects the last assignment to a key in kOtherSides.
+// Rejects the last assignment to the key `name` of an event. If there is none, rejects the last
+// assignment to any key of the event. If there is none either, rejects the assignment that
+// last_of_keys_that_limit_events returns.
 [[noreturn]] void reject_event(std::span<const Assignment> assignments,
                                std::size_t number,
                                std::string_view name,
                                std::string_view reason) {
-    const Assignment* blamed = last_of(assignments, number, name);
-    blamed = blamed != nullptr ? blamed : last_of(assignments, number);
-    reject(blamed != nullptr ? *blamed : last_of_other_sides(assignments), reason);
+    const Assignment* last = last_of(assignments, number, name);
+    last = last != nullptr ? last : last_of(assignments, number);
+    reject(last != nullptr ? *last : last_of_keys_that_limit_events(assignments), reason);
 }
 
 void check_keys_of_kind(const EventCheck& check, const Event& event) {
@@ -108,14 +114,12 @@ void check_keys_of_kind(const EventCheck& check, const Event& event) {
 }
 
 void check_frames(const EventCheck& check) {
+    constexpr std::string_view kRule =
+        "exactly one of the keys frame, frames and time must be given";
     const int given_count = (check.is_given("frame") ? 1 : 0) + (check.is_given("frames") ? 1 : 0) +
                             (check.is_given("time") ? 1 : 0);
-    check.require(given_count <= 1,
-                  check.is_given("frames") ? "frames" : "time",
-                  "only one of frame, frames and time may be given");
-    check.require(check.event.frames.first != 0 || check.event.time,
-                  "kind",
-                  "the event must have one of the keys frame, frames and time");
+    check.require(given_count <= 1, check.is_given("frames") ? "frames" : "time", kRule);
+    check.require(check.event.frames.first != 0 || check.event.time, "kind", kRule);
 }
 
 EventSetting setting_of(const Preset& preset) {
@@ -134,7 +138,7 @@ EventCheck check_of(const Preset& preset,
         .frames = {},
         .setting = setting_of(preset),
         .name = fmt::format("event[{}]", number),
-        .is_touched = last_of(assignments, number) != nullptr,
+        .has_assigned_key = last_of(assignments, number) != nullptr,
         .is_given =
             [=](std::string_view key) { return last_of(assignments, number, key) != nullptr; },
         .reject = [=](std::string_view key,
@@ -177,14 +181,15 @@ void assign_event(Preset& preset, const Assignment& assignment) {
     }
     if (path.number > preset.events.size()) {
         reject(assignment,
-               fmt::format("event does not exist; the preset has {} events", preset.events.size()));
+               fmt::format(
+                   "the preset has no event {}; it has {}", path.number, preset.events.size()));
     }
     const Key<Event>* key = find_key(event_keys(), path.name);
     if (key == nullptr) {
         reject_unknown(assignment, nearest_name(path.name));
     }
     if (!key->read(assignment.value, preset.events[path.number - 1])) {
-        reject(assignment, "must be " + key->allowed);
+        reject_value(assignment, *key);
     }
 }
 

@@ -11,23 +11,25 @@
 
 namespace foam::texgen {
 
-/// Returns true if a key belongs to an event, such as event[2].kind. Also returns true for
-/// malformed keys of events, such as event or event.kind.
+/// Returns true if the key belongs to an event, such as event[2].kind. Also returns true for
+/// malformed keys of events, such as "event" or event.kind.
 bool is_event_key(std::string_view key);
 
-/// Stores the value of an event's key in the preset. The assignment of the table event[n] adds the
-/// n-th event. Throws PresetError for an unknown key or a value that is not allowed.
+/// Stores the value of a key of an event in the preset. An assignment of the table event[n] adds
+/// the n-th event. Throws PresetError if the key is unknown, if the event does not exist, or if the
+/// value is not allowed.
 void assign_event(Preset& preset, const Assignment& assignment);
 
-/// Checks that each event has a kind, has frames or a time, has only keys of its kind, and fits the
-/// foam. Throws PresetError otherwise; the error names the last assignment that may be the cause.
+/// Checks that each event of a preset has a kind, has frames or a time, has only keys of its kind,
+/// and is possible with the foam. Throws PresetError otherwise; the message names the last
+/// assignment that may be the cause.
 void check_events(const Preset& preset, std::span<const Assignment> assignments);
 
-/// Returns the events as TOML. Values that equal their defaults are left out.
+/// Returns the events of a preset as TOML. Keys that have their defaults are left out.
 std::string events_to_toml(const Preset& preset);
 
-/// Returns the reference documentation of all keys of events: default, meaning, allowed values, and
-/// the kinds of events that have the key.
+/// Returns the reference of all keys of events: default, meaning, allowed values, and the kinds of
+/// events that accept the key.
 std::string describe_event_keys();
 
 }  // namespace foam::texgen

@@ -4,13 +4,20 @@
 
 #include "texgen/keys/value_kinds.h"
 
+#include <array>
 #include <cmath>
+#include <span>
 #include <stdexcept>
+#include <string_view>
 
 namespace foam::texgen {
 
 namespace {
 
+constexpr std::array<std::string_view, 2> kNamedOutlines{"disc", "rectangle"};
+
+// Returns the outline that `text`, a value of FoamShape::outline, describes, before it is
+// stretched.
 foam::Outline unstretched_outline(const std::string& text) {
     if (text == "disc") {
         return disc_outline();
@@ -33,12 +40,13 @@ bool is_outline(const std::string& text) {
 // The kind of values of foam.outline: "disc", "rectangle", or a polygon as WKT.
 struct Outlines {
     std::string allowed() const {
-        return "\"disc\", \"rectangle\", or a polygon in WKT that does not cross itself, "
-               "\"POLYGON((x y, ...), (x y of a hole, ...))\"";
+        return "\"disc\", \"rectangle\", or a WKT polygon without self-intersections, such as "
+               "\"POLYGON((0 0, 6 0, 6 4), (3 1, 5 1, 5 2))\"";
     }
     std::string schema() const {
-        return R"({"type": "string", "pattern": "^(disc|rectangle|[Pp][Oo][Ll][Yy][Gg][Oo][Nn].*)$"})";
+        return R"({"type": "string", "pattern": "^(disc|rectangle| *[Pp][Oo][Ll][Yy][Gg][Oo][Nn].*)$"})";
     }
+    std::span<const std::string_view> words() const { return kNamedOutlines; }
     bool read(const Value& value, std::string& member) const {
         std::string text;
         const bool allowed = Text{}.read(value, text) && is_outline(text);
@@ -84,7 +92,8 @@ foam::Outline outline_of(const FoamShape& shape) {
     }
     const double area = outline_area(outline);
     if (!(area > 0.0) || !std::isfinite(area)) {
-        throw std::invalid_argument("the outline has no area");
+        throw std::invalid_argument(
+            "the outline has no area: it needs at least three corners that are not on one line");
     }
     return outline;
 }

@@ -6,17 +6,19 @@
 
 namespace foam::texgen {
 
-/// The content of frame 1: the foam in equilibrium, or the seeding diagram of straight films.
+/// The content of frame 1: the foam in equilibrium, or the foam before its first equilibration,
+/// which is a Voronoi diagram with straight films (foam/seeding.h in core).
 enum class FirstFrame { Equilibrium, Diagram };
 
-/// The foam times that the frames show. Frame 1 shows the foam at time warm_up. The time from frame
-/// i to frame i + 1 is time_step * step_growth^(i - 1).
+/// The times that the frames show. Foam time is the time t in the law of coarsening (E6). Frame 1
+/// shows the foam at the foam time warm_up. The time from frame i to frame i + 1 is time_step *
+/// step_growth^(i - 1).
 struct FramesOptions {
-    int count = 48;
+    int count = 48;  // number of frames
     FirstFrame first = FirstFrame::Equilibrium;
     double time_step = 1.0;    // foam time from frame 1 to frame 2
-    double step_growth = 1.0;  // factor from each time step to the next
-    double warm_up = 0.0;      // foam time simulated before frame 1
+    double step_growth = 1.0;  // quotient of each time step and the preceding time step
+    double warm_up = 0.0;      // foam time that is simulated before frame 1
 };
 
 Keys<FramesOptions> frames_keys();

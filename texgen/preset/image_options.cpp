@@ -13,7 +13,7 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr int kLargestExtent = 16384;  // a square of this size takes 1 GB in 8-bit RGBA
+constexpr int kLargestExtent = 16384;  // pixels; a square image of 8-bit RGBA then takes 1 GB
 
 // The kind of values of image.size: [width, height] in pixels.
 struct Sizes {
@@ -40,12 +40,12 @@ struct Sizes {
 }  // namespace
 
 Keys<ImageOptions> image_keys() {
-    return {
-        key_by<ImageOptions>("size", Sizes{}, "image size in pixels", std::identity()).in("pixels"),
-        key("maps",
-            WordLists{map_names()},
-            "maps that are drawn of every frame",
-            &ImageOptions::maps)};
+    return {make_key<ImageOptions>("size", Sizes{}, "image size in pixels", std::identity())
+                .in("pixels"),
+            key("maps",
+                WordLists{map_names()},
+                "maps that are drawn of every frame",
+                &ImageOptions::maps)};
 }
 
 }  // namespace foam::texgen

@@ -11,8 +11,8 @@ namespace foam::texgen {
 
 /// The size of the images, and the maps that are drawn for every frame.
 struct ImageOptions {
-    int width = 1024;  // pixels
-    int height = 1024;
+    int width = 1024;   // pixels
+    int height = 1024;  // pixels
     std::vector<std::string> maps = {"albedo"};
 };
 

@@ -26,11 +26,12 @@ bool is_path(std::string_view argument) {
     return argument.ends_with(".toml") || argument.find('/') != std::string_view::npos;
 }
 
+// The TOML text of a preset and its origin.
 struct Document {
-    std::string name;
-    std::string source;  // the name in error messages
+    std::string name;    // the name of the preset
+    std::string source;  // the name of the document in error messages
     std::string toml;
-    std::filesystem::path folder;  // the folder that paths in `extends` are relative to
+    std::filesystem::path folder;  // paths in `extends` are relative to this folder
 };
 
 Document read_document(const std::string& path) {
@@ -54,7 +55,7 @@ Document find_document(const std::string& name_or_path) {
         name_or_path, fmt::format("presets/{}.toml", name_or_path), std::string(shipped.toml), {}};
 }
 
-// Loads a preset and the presets that it extends.
+// Loads a preset and the presets that it extends, directly or indirectly.
 class Loader {
   public:
     Preset load(const Document& document) {
@@ -72,8 +73,8 @@ class Loader {
     }
 
   private:
-    // Removes `extends` from the assignments and returns the preset that it names, or the default
-    // preset if there is no `extends`.
+    // If there is an assignment to `extends`, removes it from the assignments and returns the
+    // preset that it names. Otherwise returns the default preset.
     Preset take_extended(std::vector<Assignment>& assignments, const Document& document) {
         const auto found = std::find_if(assignments.begin(),
                                         assignments.end(),
@@ -107,7 +108,7 @@ class Loader {
         }
     }
 
-    std::vector<std::string> sources_;
+    std::vector<std::string> sources_;  // documents so far, each of which extends the next one
 };
 
 }  // namespace

@@ -8,14 +8,14 @@
 
 namespace foam::texgen {
 
-/// Loads a preset. An argument that ends with ".toml" or contains a '/' is a file; any other
-/// argument is the name of a shipped preset. A preset may extend another one:
+/// Loads a preset. An argument that ends with ".toml" or contains a '/' is the path of a file. Any
+/// other argument is the name of a shipped preset. A preset may extend another preset:
 ///
-///     extends = "sea_foam"    # or a file, relative to this one
+///     extends = "sea_foam"    # or the path of a file, relative to the folder of this file
 ///
-/// It then inherits all values that it does not set, and the events if it has no events of its own.
-/// Throws PresetError if a preset is invalid, if a file is missing or unreadable, and if presets
-/// extend each other in a circle.
+/// The preset then inherits all values that it does not set. It inherits the events if it has no
+/// events of its own. Throws PresetError if a preset is invalid, if a file is missing or
+/// unreadable, or if presets extend each other in a circle.
 Preset load_preset(const std::string& name_or_path);
 
 }  // namespace foam::texgen

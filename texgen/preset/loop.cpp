@@ -4,6 +4,10 @@
 
 #include "texgen/keys/value_kinds.h"
 
+#include <fmt/core.h>
+
+#include <string>
+
 namespace foam::texgen {
 
 Keys<LoopOptions> loop_keys() {
@@ -15,6 +19,11 @@ Keys<LoopOptions> loop_keys() {
                                                {"drift", LoopKind::Drift},
                                                {"flow", LoopKind::Flow},
                                                {"pingpong", LoopKind::PingPong}}}};
+    // A key refers to its meaning, which must therefore be static.
+    static const std::string amplitude_meaning = fmt::format(
+        "for \"breathe\": relative amplitude of every bubble's area; for \"shear\": amplitude of "
+        "the strain, at most {}",
+        kLargestShearAmplitude);
     return {key("kind",
                 kKinds,
                 "how the animation loops after frames.count frames: bubbles grow and shrink "
@@ -22,11 +31,7 @@ Keys<LoopOptions> loop_keys() {
                 "renews its bubbles and fades into the beginning (flow), or the frames are shown "
                 "backwards (pingpong)",
                 &Options::kind),
-            key("amplitude",
-                Reals{0.0, 0.9},
-                "for \"breathe\": relative amplitude of every bubble's area; for \"shear\": "
-                "amplitude of the strain, at most 0.4",
-                &Options::amplitude)
+            key("amplitude", Reals{0.0, 0.9}, amplitude_meaning, &Options::amplitude)
                 .in("fraction of the area, or strain, selected by loop.kind"),
             key("drift",
                 IntegerPairs{{-kMaxPeriods, kMaxPeriods}},

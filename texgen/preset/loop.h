@@ -8,35 +8,41 @@
 
 namespace foam::texgen {
 
-/// The way in which the last frame leads back to the first.
+/// The kinds of loops, which differ in how the last frame leads back to the first frame.
 enum class LoopKind {
     None,      // no loop: the foam coarsens
-    Breathe,   // every bubble swells and shrinks, each with its own phase (E9)
-    Shear,     // the torus shears to and fro; images move with it and remain tileable
+    Breathe,   // the area of every bubble oscillates, with a phase of its own (E9)
+    Shear,     // the torus is sheared to and fro; images do not show the shear, so they tile
     Drift,     // the foam does not change, but moves as a whole
-    Flow,      // bubbles vanish and as many new ones appear; the end fades into the beginning
-    PingPong,  // the frames of an aging foam, forwards to the middle and backwards to the start
+    Flow,      // bubbles vanish, as many new ones appear, and the end fades into the beginning
+    PingPong,  // frames of a coarsening foam, forwards in the first half, backwards in the second
 };
 
-/// A loop of frames.count frames: the frame after the last one is the first one. In Breathe, Shear
-/// and Drift the foam itself returns to its first state, and no gas diffuses once the loop has
-/// begun.
+/// The largest amplitude of the strain of a shear loop.
+inline constexpr double kLargestShearAmplitude = 0.4;
+
+/// A loop of frames.count frames: the last frame is followed by the first frame. In Breathe, Shear
+/// and Drift the foam itself returns to its first state, and no gas diffuses during the loop.
 struct LoopOptions {
     LoopKind kind = LoopKind::None;
     double amplitude = 0.15;  // Breathe: relative amplitude of areas; Shear: amplitude of strain
     std::array<int, 2> drift = {0, 0};  // motion per loop, in widths and heights of the torus
-    int cycles = 12;    // Breathe, Shear: largest number of cycles simulated before frame 1
-    double fade = 1.0;  // Flow: fraction of the frames, at the end of the loop, that fade into
-                        // the frames before the first
-    double fade_spread =
-        0.8;          // Flow: fraction of the fade after which the last region begins to fade
+    /// Breathe and Shear: cycles are simulated before frame 1 until the foam at the end of a cycle
+    /// agrees with the foam at the start of this cycle. This is the largest number of these cycles.
+    int cycles = 12;
+    /// Flow: the fraction of the frames, at the end of the loop, that fade into the frames one loop
+    /// earlier, which precede frame 1.
+    double fade = 1.0;
+    /// Flow: regions of the image begin to fade one after the other. The last region begins after
+    /// this fraction of the fade.
+    double fade_spread = 0.8;
     int growth = 24;  // Flow: number of frames in which a new bubble grows to the mean area
 
     /// Returns true if the foam itself returns to its first state.
-    bool closes_itself() const { return is_cycle() || kind == LoopKind::Drift; }
-    /// Returns true if some frames are a mixture of two states of the foam.
+    bool returns_to_start() const { return is_cycle() || kind == LoopKind::Drift; }
+    /// Returns true if some frames show a mixture of two states of the foam.
     bool is_cross_faded() const { return kind == LoopKind::Flow; }
-    /// Returns true if a periodic change of the foam is simulated.
+    /// Returns true if the foam is simulated under a periodic change.
     bool is_cycle() const { return kind == LoopKind::Breathe || kind == LoopKind::Shear; }
 };
 

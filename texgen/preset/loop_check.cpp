@@ -4,14 +4,14 @@
 
 #include "texgen/preset/rejection.h"
 
+#include <fmt/core.h>
+
 #include <array>
 #include <string_view>
 
 namespace foam::texgen {
 
 namespace {
-
-constexpr double kLargestStrain = 0.4;
 
 void check_torus(const Preset& preset, std::span<const Assignment> assignments) {
     const LoopOptions& loop = preset.loop;
@@ -39,7 +39,7 @@ void check_drift(const Preset& preset, std::span<const Assignment> assignments) 
                     {"loop.kind", "loop.drift"},
                     "the loop \"drift\" needs loop.drift, such as [0, 1] for one image up");
     }
-    if (drifts && !loop.closes_itself() && !loop.is_cross_faded()) {
+    if (drifts && !loop.returns_to_start() && !loop.is_cross_faded()) {
         reject_last(assignments,
                     {"loop.drift", "loop.kind"},
                     "loop.drift is only allowed with loop.kind = \"drift\", \"breathe\", \"shear\" "
@@ -67,7 +67,8 @@ void check_frames(const Preset& preset, std::span<const Assignment> assignments)
     }
 }
 
-// A flow is a steady state, so all its time steps are equal and above 0.
+// Checks the time steps of a flow. A flow is a steady state, so its time steps must be equal and
+// above 0.
 void check_flow(const Preset& preset, std::span<const Assignment> assignments) {
     if (preset.loop.kind != LoopKind::Flow) {
         return;
@@ -95,10 +96,11 @@ void check_loop(const Preset& preset, std::span<const Assignment> assignments) {
     check_torus(preset, assignments);
     check_frames(preset, assignments);
     check_flow(preset, assignments);
-    if (preset.loop.kind == LoopKind::Shear && preset.loop.amplitude > kLargestStrain) {
-        reject_last(assignments,
-                    {"loop.amplitude", "loop.kind"},
-                    "must be at most 0.4 with loop.kind = \"shear\"");
+    if (preset.loop.kind == LoopKind::Shear && preset.loop.amplitude > kLargestShearAmplitude) {
+        reject_last(
+            assignments,
+            {"loop.amplitude", "loop.kind"},
+            fmt::format("must be at most {} with loop.kind = \"shear\"", kLargestShearAmplitude));
     }
 }
 

@@ -9,8 +9,8 @@
 
 namespace foam::texgen {
 
-/// Checks that the loop is possible with the foam, the frames and the events of a preset. Throws
-/// PresetError otherwise; the error names the last assignment that may be the cause.
+/// Checks that the loop of a preset is possible with its foam, its frames and its events. Throws
+/// PresetError otherwise; the message names the last assignment that may be the cause.
 void check_loop(const Preset& preset, std::span<const Assignment> assignments);
 
 }  // namespace foam::texgen

@@ -25,7 +25,7 @@ Keys<OutputOptions> file_keys() {
                 &OutputOptions::texts),
             key("frames_per_second",
                 Integers{1, 1000},
-                "frame rate of the animation, which EXR files store",
+                "frame rate of the animation, stored in EXR files and in manifest.json",
                 &OutputOptions::frames_per_second)
                 .in("frames per second"),
             key("png_compression",

@@ -10,22 +10,22 @@
 
 namespace foam::texgen {
 
-/// Selects whether image files contain the program version, the seed and the preset as text.
+/// Selects whether image files contain the program version, the seed and the preset as texts.
 enum class FileTexts { Written, LeftOut };
 
-/// The order of the pixels in an EXR file.
+/// The order of the pixels in an EXR file: rows of the full image, or tiles of all mip levels.
 enum class ExrLayout { Rows, MipLevels };
 
-/// The names and the encoding of image files. These options do not change the drawing. Half floats
-/// in EXR files round its numbers.
+/// The names and the encoding of image files. These options do not change what is drawn. However,
+/// `exr_numbers` = Half rounds the numbers in EXR files.
 struct OutputOptions {
-    std::string pattern = "out/{preset}_{map}.####.png";  // see FilePattern
+    std::string pattern = "out/{preset}_{map}.####.png";  // see FilePattern (bake/file_pattern.h)
     FileTexts texts = FileTexts::Written;
-    int frames_per_second = 24;  // stored in EXR files
+    int frames_per_second = 24;  // stored in EXR files and in manifest.json
     Compression png_compression = Compression::Fast;
     ExrCompression exr_compression = ExrCompression::Zip;
-    int exr_level = 2;                           // compression level of zip and zips, 1 to 9
-    SampleType exr_numbers = SampleType::Float;  // Float or Half
+    int exr_level = 2;  // level for Zip and Zips: 1 is the fastest, 9 gives the smallest files
+    SampleType exr_numbers = SampleType::Float;  // Float or Half; colors are always Half
     ExrLayout exr_layout = ExrLayout::Rows;
 };
 

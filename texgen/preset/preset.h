@@ -22,14 +22,17 @@ namespace foam::texgen {
 /// The solver that brings the foam to equilibrium, and its accuracy.
 struct SolverOptions {
     Solver solver = Solver::Newton;
-    double tolerance = 1e-9;  // largest relative error of areas, and error of angles in radians
+    /// The largest relative error of bubble areas, and the largest error of angles in radians.
+    double tolerance = 1e-9;
 };
 
-/// All options that determine the images of a bake. Each value that the user may set is a key; see
-/// preset_keys.h and all_events.h. The aspect of a torus has no key: it follows from the image
-/// size.
+/// All options that determine the images of a bake. Each value that the user may set has a key; see
+/// preset_keys.h and all_events.h. The aspect ratio of a torus has no key, because it follows from
+/// the image size.
 struct Preset {
-    std::string name;  // name of the shipped preset or stem of the file; replaces {preset}
+    /// The name of the shipped preset, or the file name without its extension. It replaces {preset}
+    /// in the names of image files.
+    std::string name;
     std::string description;
     FoamShape shape;
     SeedingOptions seeding;
@@ -38,7 +41,7 @@ struct Preset {
     TopologyThresholds thresholds;
     FramesOptions frames;
     LoopOptions loop;
-    std::vector<Event> events;  // the events, in the order of the file
+    std::vector<Event> events;  // in the order of the file
     ImageOptions image;
     CameraOptions camera;
     MapOptions maps;

@@ -2,18 +2,20 @@
 
 #include "texgen/preset/preset_io.h"
 
+#include "texgen/keys/nearest.h"
 #include "texgen/keys/value_kinds.h"
 #include "texgen/preset/event_io.h"
 #include "texgen/preset/loop_check.h"
-#include "texgen/preset/nearest.h"
 #include "texgen/preset/preset_keys.h"
 #include "texgen/preset/rejection.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -21,7 +23,7 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr int kLargestAspect = 16;
+constexpr int kLargestAspect = 16;  // longer side of an image divided by the shorter side
 constexpr std::string_view kEventTable = "event";
 
 // Returns the names of all tables, in the order of the reference.
@@ -36,7 +38,9 @@ std::vector<std::string_view> preset_tables() {
     return tables;
 }
 
-// Returns the path of a key that has the same name in another table, or else the most similar path.
+// Returns the path that was probably meant by an unknown path: the path of a key that has the same
+// name in another table, or else the most similar path. Returns an empty view if no path is
+// similar.
 std::string_view suggestion(std::string_view path) {
     const std::string_view name = path.substr(path.rfind('.') + 1);
     std::vector<std::string_view> paths;
@@ -49,6 +53,7 @@ std::string_view suggestion(std::string_view path) {
     return nearest(path, paths);
 }
 
+// Checks the value of one assignment and stores it in the preset.
 void assign_one(Preset& preset, const Assignment& assignment) {
     if (is_event_key(assignment.key)) {
         assign_event(preset, assignment);
@@ -63,15 +68,16 @@ void assign_one(Preset& preset, const Assignment& assignment) {
         reject_unknown(assignment, suggestion(assignment.key));
     }
     if (!key->read(assignment.value, preset)) {
-        reject(assignment, "must be " + key->allowed);
+        reject_value(assignment, *key);
     }
 }
 
-// Returns the last assignment to `first`. If there is none, returns the last assignment to
-// `second`. If there is none either, returns the last of all assignments.
-const Assignment& blamed(std::span<const Assignment> assignments,
-                         std::string_view first,
-                         std::string_view second) {
+// Returns the assignment that an error names: the last assignment to the key `first`. If `first` is
+// not assigned, returns the last assignment to the key `second`. If `second` is not assigned
+// either, returns the last of all assignments.
+const Assignment& assignment_to_report(std::span<const Assignment> assignments,
+                                       std::string_view first,
+                                       std::string_view second) {
     for (const std::string_view key : {first, second}) {
         const auto last = std::find_if(assignments.rbegin(),
                                        assignments.rend(),
@@ -83,16 +89,25 @@ const Assignment& blamed(std::span<const Assignment> assignments,
     return assignments.back();
 }
 
-bool holds(const Condition& condition, const Preset& preset) {
-    const std::optional<Value> value = find_key(condition.key)->write(preset);
-    return condition.allows(std::get<std::string>(value->data));
+// Returns the value that a key has in the preset. Precondition: the key is set.
+Value value_in(const Key<Preset>& key, const Preset& preset) {
+    std::optional<Value> value = key.write(preset);
+    assert(value.has_value());
+    return *std::move(value);
 }
 
-// A key whose condition does not hold has no effect, so it must keep its default.
+// Returns true if the preset meets the condition.
+bool holds(const Condition& condition, const Preset& preset) {
+    const Value value = value_in(*find_key(condition.key), preset);
+    return condition.allows(std::get<std::string>(value.data));
+}
+
+// Checks the conditions of all keys. A key whose condition is not met has no effect, so it must
+// keep its default.
 void check_conditions(const Preset& preset, std::span<const Assignment> assignments) {
     for (const Key<Preset>& key : preset_keys()) {
         if (key.condition && !holds(*key.condition, preset) && !key.is_default(preset)) {
-            reject(blamed(assignments, key.path, key.condition->key),
+            reject(assignment_to_report(assignments, key.path, key.condition->key),
                    fmt::format("{} is only allowed with {} = \"{}\"",
                                key.path,
                                key.condition->key,
@@ -101,19 +116,21 @@ void check_conditions(const Preset& preset, std::span<const Assignment> assignme
     }
 }
 
+// Returns the number that a key has in the preset. Precondition: the key is numeric and set.
 double number_of(const Key<Preset>& key, const Preset& preset) {
     constexpr double kLargest = std::numeric_limits<double>::max();
     double number = 0.0;
-    Reals{-kLargest, kLargest}.read(*key.write(preset), number);
+    Reals{-kLargest, kLargest}.read(value_in(key, preset), number);
     return number;
 }
 
-// Checks that the number of `lower` is below that of `upper`. Otherwise rejects the last assignment
-// to either key, because the preset was valid before it.
-void check_order(const Key<Preset>& lower,
-                 const Key<Preset>& upper,
-                 const Preset& preset,
-                 std::span<const Assignment> assignments) {
+// Checks that the number of the key `lower` is below the number of the key `upper`. Otherwise
+// rejects the last assignment to either key. There is such an assignment, because the preset was
+// valid before all of these assignments.
+void check_upper_limit(const Key<Preset>& lower,
+                       const Key<Preset>& upper,
+                       const Preset& preset,
+                       std::span<const Assignment> assignments) {
     const double low = number_of(lower, preset);
     const double high = number_of(upper, preset);
     if (low < high) {
@@ -129,15 +146,16 @@ void check_order(const Key<Preset>& lower,
     }
 }
 
-void check_orders(const Preset& preset, std::span<const Assignment> assignments) {
+void check_upper_limits(const Preset& preset, std::span<const Assignment> assignments) {
     for (const Key<Preset>& key : preset_keys()) {
         if (key.upper_limit) {
-            check_order(key, *find_key(*key.upper_limit), preset, assignments);
+            check_upper_limit(key, *find_key(*key.upper_limit), preset, assignments);
         }
     }
 }
 
-// Limits the aspect of the image: a foam of few bubbles does not fit a very long torus.
+// Checks that the longer side of the image is at most kLargestAspect times the shorter side,
+// because a foam of few bubbles does not fit a very long torus.
 void check_aspect(const Preset& preset, std::span<const Assignment> assignments) {
     const int shorter = std::min(preset.image.width, preset.image.height);
     const int longer = std::max(preset.image.width, preset.image.height);
@@ -156,7 +174,7 @@ void assign(Preset& preset, std::span<const Assignment> assignments) {
         assign_one(preset, assignment);
     }
     check_conditions(preset, assignments);
-    check_orders(preset, assignments);
+    check_upper_limits(preset, assignments);
     check_aspect(preset, assignments);
     check_events(preset, assignments);
     check_loop(preset, assignments);
@@ -177,7 +195,7 @@ std::string to_toml(const Preset& preset) {
             table = key.table();
             toml += fmt::format("{}[{}]\n", toml.empty() ? "" : "\n", table);
         }
-        toml += fmt::format("{} = {}\n", key.name(), to_toml(*key.write(preset)));
+        toml += fmt::format("{} = {}\n", key.name(), to_toml(value_in(key, preset)));
     }
     return toml + events_to_toml(preset);
 }

@@ -11,24 +11,26 @@
 
 namespace foam::texgen {
 
-/// Stores values in the preset, in order, and then checks the conditions between keys. Throws
-/// PresetError at the first value or combination that is not allowed; the preset is then unusable.
+/// Stores the values of the assignments in the preset, in order, and then checks the conditions
+/// between keys. Throws PresetError for the first value or combination of values that is not
+/// allowed. After an error the preset must not be used.
 void assign(Preset& preset, std::span<const Assignment> assignments);
 
-/// Parses a TOML document. Keys that it does not set keep their defaults. `source` is the name of
-/// the document in error messages. Throws PresetError for malformed TOML or an invalid preset.
+/// Returns the preset of a TOML document. Keys that the document does not set keep their defaults.
+/// `name` becomes Preset::name. `source` is the name of the document in error messages. Throws
+/// PresetError for malformed TOML or an invalid preset.
 Preset parse_preset(std::string_view toml, const std::string& name, const std::string& source);
 
-/// Returns the preset as TOML: every key, including those with default values, and the events.
-/// parse_preset reads the same preset back.
+/// Returns the preset as TOML: every key of its tables, also if it has its default, and the events.
+/// parse_preset restores an equal preset from the text, except for Preset::name.
 std::string to_toml(const Preset& preset);
 
-/// Returns the reference documentation of all keys, including keys of events: default, meaning and
-/// allowed values.
+/// Returns the reference of all keys, including the keys of events: default, meaning and allowed
+/// values of each key.
 std::string describe_keys();
 
-/// Returns the part of the reference that is about one table, or about events. Throws PresetError
-/// if there is no such table.
+/// Returns the part of the reference that describes the keys of one table, or the keys of events if
+/// `table` is "event". Throws PresetError if the table does not exist.
 std::string describe_table(std::string_view table);
 
 }  // namespace foam::texgen

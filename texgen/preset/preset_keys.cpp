@@ -12,7 +12,7 @@ namespace foam::texgen {
 
 namespace {
 
-// The largest integer of TOML.
+// The largest integer that TOML can represent.
 constexpr std::int64_t kLargestSeed = std::numeric_limits<std::int64_t>::max();
 
 Keys<SeedingOptions> seeding_keys() {
@@ -50,8 +50,8 @@ Keys<SolverOptions> solver_keys() {
           {"gauss-seidel-colored", Solver::ColoredGaussSeidel}}}};
     return {key("solver",
                 kSolvers,
-                "solver of the equilibrium: Newton's method, or the solver of the paper, "
-                "sequential or on all threads, which is hundreds of times slower",
+                "solver of the equilibrium: Newton's method, or the solver of the paper on one "
+                "thread or on all threads; the solver of the paper is hundreds of times slower",
                 &SolverOptions::solver),
             key("tolerance",
                 Reals{1e-9, 1e-2},
@@ -77,7 +77,8 @@ Keys<TopologyThresholds> threshold_keys() {
                 .in("foam units"),
             key("t2_area",
                 Reals{0.0001, 0.25},
-                "area at or below which a three-sided bubble vanishes, in foam units",
+                "area at or below which a bubble of two or three sides vanishes, in square foam "
+                "units",
                 &TopologyThresholds::t2_area)
                 .in("square foam units")};
 }
@@ -88,17 +89,17 @@ Keys<Preset> all_keys() {
                         Text{.or_empty = true},
                         "what the preset shows, in one line",
                         &P::description)},
-                   keys_in("foam", &P::shape, shape_keys()),
-                   keys_in("foam", &P::seeding, seeding_keys()),
-                   keys_in("foam", &P::equilibrium, solver_keys()),
-                   keys_in("dynamics", &P::coarsening, coarsening_keys()),
-                   keys_in("dynamics", &P::thresholds, threshold_keys()),
-                   keys_in("frames", &P::frames, frames_keys()),
-                   keys_in("loop", &P::loop, loop_keys()),
-                   keys_in("image", &P::image, image_keys()),
-                   keys_in("camera", &P::camera, camera_keys()),
-                   keys_in("", &P::maps, map_keys()),
-                   keys_in("output", &P::output, output_keys())});
+                   nested_keys("foam", &P::shape, shape_keys()),
+                   nested_keys("foam", &P::seeding, seeding_keys()),
+                   nested_keys("foam", &P::equilibrium, solver_keys()),
+                   nested_keys("dynamics", &P::coarsening, coarsening_keys()),
+                   nested_keys("dynamics", &P::thresholds, threshold_keys()),
+                   nested_keys("frames", &P::frames, frames_keys()),
+                   nested_keys("loop", &P::loop, loop_keys()),
+                   nested_keys("image", &P::image, image_keys()),
+                   nested_keys("camera", &P::camera, camera_keys()),
+                   nested_keys("", &P::maps, map_keys()),
+                   nested_keys("output", &P::output, output_keys())});
 }
 
 }  // namespace

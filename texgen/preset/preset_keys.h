@@ -10,14 +10,14 @@
 
 namespace foam::texgen {
 
-/// Returns the keys of a preset, table by table. Help, completion, reading, writing and error
-/// messages all use this list.
+/// Returns all keys of a preset except the keys of events. The keys of a table are consecutive.
+/// Help, completion, reading, writing and error messages all use this list.
 std::span<const Key<Preset>> preset_keys();
 
-/// Returns the key that has a path such as "foam.seed", or nullptr if there is none.
+/// Returns the key with the given path, such as "foam.seed", or nullptr if there is none.
 const Key<Preset>* find_key(std::string_view path);
 
-/// Returns true if any key belongs to the table.
+/// Returns true if `name` is the name of a table that contains keys of a preset.
 bool is_table(std::string_view name);
 
 }  // namespace foam::texgen

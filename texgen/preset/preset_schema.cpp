@@ -37,6 +37,7 @@ Json to_json(const Value& value) {
         value.data);
 }
 
+// Returns the schema of an object that allows no properties yet.
 Json object_schema() {
     return {{"type", "object"}, {"additionalProperties", false}, {"properties", Json::object()}};
 }

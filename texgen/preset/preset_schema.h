@@ -6,14 +6,16 @@
 
 namespace foam::texgen {
 
-/// Returns the JSON Schema (draft 2020-12) of a preset's TOML, as an indented text. Tables are
-/// objects whose properties are the keys, with type, range or choices, default and description.
-/// Events are an array of `anyOf` their kinds. Three annotations are not part of JSON Schema:
-/// `x-unit` is the unit of a number, `x-only-for` names another key and the values that it must
-/// have, and `x-below` names the key whose number must be larger.
+/// Returns the JSON Schema (draft 2020-12) of preset files as indented text. A table is an object
+/// whose properties are the keys of the table. The schema of a key contains its type, its range or
+/// choices, its default and its description. The events are an array; each item must match the
+/// schema of one kind of event (`anyOf`). Three annotations are not part of JSON Schema: `x-unit`
+/// is the unit of a number. `x-only-for` names another key and values; the key must keep its
+/// default unless the other key has one of these values. `x-below` names another key, whose number
+/// must be larger.
 ///
-/// The schema accepts every preset that the program accepts, except for a preset that relies on
-/// `--set`. It does not express rules that concern several keys; the program checks these as well.
+/// The schema accepts every preset file that the program accepts. It does not express conditions
+/// between several keys, which only the program checks.
 std::string preset_schema();
 
 }  // namespace foam::texgen

@@ -2,6 +2,8 @@
 
 #include "texgen/preset/rejection.h"
 
+#include "texgen/keys/nearest.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -13,9 +15,10 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr std::size_t kLongestShown = 60;  // bytes of a value that an error message shows
+constexpr std::size_t kLongestShown = 60;  // largest number of bytes of a value in a message
 
-// Shortens a text that is too long, without splitting a UTF-8 character.
+// Returns the text. If it is longer than kLongestShown, replaces its end by "...", without
+// splitting a UTF-8 character.
 std::string shortened(std::string text) {
     if (text.size() > kLongestShown) {
         std::size_t end = kLongestShown;
@@ -25,6 +28,20 @@ std::string shortened(std::string text) {
         text.replace(end, std::string::npos, "...");
     }
     return text;
+}
+
+// Returns a suggestion for the first text in a value that is not one of the words of the key. The
+// value is a text or a list. Returns an empty text if no word is similar.
+std::string suggested_word(const Value& value, const KeyInfo& key) {
+    const auto* list = std::get_if<Value::List>(&value.data);
+    for (const Value& item : list != nullptr ? *list : Value::List{value}) {
+        const auto* text = std::get_if<std::string>(&item.data);
+        if (text != nullptr &&
+            std::find(key.words.begin(), key.words.end(), *text) == key.words.end()) {
+            return did_you_mean(*text, key.words);
+        }
+    }
+    return {};
 }
 
 }  // namespace
@@ -45,6 +62,10 @@ void reject_last(std::span<const Assignment> assignments,
             return std::find(keys.begin(), keys.end(), assignment.key) != keys.end();
         });
     reject(last != assignments.rend() ? *last : assignments.back(), reason);
+}
+
+void reject_value(const Assignment& assignment, const KeyInfo& key) {
+    reject(assignment, "must be " + key.allowed + suggested_word(assignment.value, key));
 }
 
 void reject_unknown(const Assignment& assignment, std::string_view meant) {

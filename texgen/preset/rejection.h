@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include "texgen/keys/key.h"
 #include "texgen/preset/assignment.h"
 
 #include <initializer_list>
@@ -10,17 +11,25 @@
 
 namespace foam::texgen {
 
-/// Throws PresetError. The message is one line with location, key, value and the reason.
+/// Rejects an assignment: throws PresetError. The message is one line with the location, the key
+/// and the value of the assignment, and the reason.
 [[noreturn]] void reject(const Assignment& assignment, std::string_view reason);
 
-/// Rejects the last assignment to any of the keys, because it made a valid preset invalid. If none
-/// of the keys is assigned, rejects the last of all assignments. Precondition: there is at least
-/// one assignment.
+/// Rejects the last assignment to any of the keys: the preset was valid before all of these
+/// assignments, so the assignments to these keys are the probable cause of the error. If none of
+/// the keys is assigned, rejects the last of all assignments. Precondition: there is at least one
+/// assignment.
 [[noreturn]] void reject_last(std::span<const Assignment> assignments,
                               std::initializer_list<std::string_view> keys,
                               std::string_view reason);
 
-/// Rejects an unknown key or table. `meant` is the most similar known name, or empty.
+/// Rejects an assignment whose value `key` does not allow. The reason describes the allowed values.
+/// If the value contains a misspelled word, the reason also suggests the nearest word that is
+/// allowed.
+[[noreturn]] void reject_value(const Assignment& assignment, const KeyInfo& key);
+
+/// Rejects an assignment to an unknown key or table. `meant` is the name that was probably meant,
+/// or empty if no known name is similar.
 [[noreturn]] void reject_unknown(const Assignment& assignment, std::string_view meant);
 
 }  // namespace foam::texgen

@@ -2,8 +2,8 @@
 
 #include "texgen/preset/shipped_presets.h"
 
+#include "texgen/keys/nearest.h"
 #include "texgen/preset/assignment.h"
-#include "texgen/preset/nearest.h"
 
 #include <fmt/core.h>
 

@@ -13,11 +13,11 @@ struct ShippedPreset {
     std::string_view toml;  // the whole file, comments included
 };
 
-/// Returns the files of presets/, which are embedded in the program.
+/// Returns all presets that are part of the program. CMake embeds them from the files of presets/.
 std::span<const ShippedPreset> shipped_presets();
 
-/// Returns the preset with a name. Throws PresetError if there is none; the error suggests a
-/// similar name.
+/// Returns the preset with the given name. Throws PresetError if there is none; the message
+/// suggests a similar name if one exists.
 const ShippedPreset& find_shipped_preset(std::string_view name);
 
 }  // namespace foam::texgen

@@ -2,8 +2,8 @@
 
 #include "texgen/sheet/contact_sheet.h"
 
+#include "texgen/sheet/display_frame.h"
 #include "texgen/sheet/frame_number.h"
-#include "texgen/sheet/shown_frame.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,11 +13,12 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr int kGap = 10;       // pixels between thumbnails, and around all of them
-constexpr int kNumberGap = 5;  // pixels between a thumbnail and its number
-constexpr std::uint8_t kInk = 0xb4;
-constexpr double kAspect = 1.5;  // approximate width over height of a sheet
+constexpr int kGap = 10;             // pixels between thumbnails, and around all of them
+constexpr int kNumberGap = 5;        // pixels between a thumbnail and its number
+constexpr std::uint8_t kInk = 0xb4;  // gray value of numbers
+constexpr double kAspect = 1.5;      // approximate width of a sheet divided by its height
 
+// Returns the number of columns with which the aspect ratio of a sheet is about kAspect.
 int columns_for(std::size_t count, const Image<std::uint8_t>& thumbnail) {
     const double square = static_cast<double>(count) * thumbnail.height() / thumbnail.width();
     const auto columns = static_cast<int>(std::lround(std::sqrt(kAspect * square)));
@@ -43,7 +44,7 @@ Image<std::uint8_t> contact_sheet(std::span<const Thumbnail> thumbnails) {
     const int across = first.width() + kGap;
     const int down = first.height() + kNumberGap + kDigitHeight + kGap;
     Image<std::uint8_t> sheet(columns * across + kGap, rows * down + kGap, first.channels());
-    std::ranges::fill(sheet.samples(), kGround);
+    std::ranges::fill(sheet.samples(), kBackgroundGray);
     for (int k = 0; k < count; ++k) {
         const Thumbnail& thumbnail = thumbnails[static_cast<std::size_t>(k)];
         const int left = kGap + k % columns * across;

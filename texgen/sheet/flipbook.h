@@ -11,14 +11,17 @@
 
 namespace foam::texgen {
 
-/// The content and the layout of a flipbook. The options never change the value of a sample.
+/// The content and the layout of a flipbook. A flipbook consists of one sheet per map, an image
+/// that contains frames of the map, and of a JSON file that describes the sheets. No option changes
+/// the value of a sample.
 struct FlipbookOptions {
     std::vector<std::string> maps = {};  // empty for all maps of the set
-    std::vector<int> frames = {};        // in this order; empty for all frames of the set
-    int columns = 0;                     // 0 for near_square_columns
+    std::vector<int> frames = {};        // numbers, in order; empty for all frames of the set
+    int columns = 0;                     // 0: the result of near_square_columns
     int gutter = 0;                      // pixels around each frame
-    /// True for a strip: one column without gutters. Importers of texture arrays and volumes expect
-    /// this form. They need no gutter, because they sample each frame as a texture of its own.
+    /// True for a strip: one column without gutters. Programs that import texture arrays or volumes
+    /// expect a strip. No gutter is needed, because each frame becomes a separate layer of the
+    /// texture.
     bool strip = false;
 };
 
@@ -28,11 +31,12 @@ struct Flipbook {
     SheetLayout layout;                        // the layout of all images
 };
 
-/// Writes a flipbook of a baked set into the folder `to`, which is created if needed. Each map
+/// Writes a flipbook of a baked set into the folder `to`. The folder is created if needed. Each map
 /// becomes an image {preset}_sheet_{map} or {preset}_strip_{map} in the format of the set's files.
 /// {preset}_sheet.json or {preset}_strip.json describes the images (flipbook_json.h). `folder` is
-/// the folder of the manifest. Throws std::invalid_argument for a strip with a gutter or several
-/// columns, and the exceptions of map_sequence, check_layout and write_sheet.
+/// the folder of the manifest. Throws std::invalid_argument if a strip has a gutter or several
+/// columns. Also throws the exceptions of map_sequence, check_layout and write_sheet, and
+/// OutputError if the JSON file cannot be written.
 Flipbook write_flipbook(const BakedSet& set,
                         const std::filesystem::path& folder,
                         const FlipbookOptions& options,

@@ -13,8 +13,8 @@ namespace foam::texgen {
 
 namespace {
 
-// Returns true if the frames close a loop: the step from the last frame to the first frame of the
-// next period equals all other steps.
+// Returns true if the frames form a closed loop: if the step from the last frame to the first
+// frame, one period later, equals all other steps.
 bool closes(const ManifestLoop& loop, std::span<const int> frames) {
     const std::optional<int> step = common_step(frames);
     return loop.period > 0 && step &&
@@ -23,7 +23,7 @@ bool closes(const ManifestLoop& loop, std::span<const int> frames) {
 
 Json loop_value(const BakedSet& set, std::span<const int> frames) {
     return {{"kind", set.loop.kind},
-            {"called", set.loop.called},
+            {"called", set.loop.description},
             {"closes", closes(set.loop, frames)},
             {"cross_faded", set.loop.cross_faded}};
 }
@@ -35,8 +35,10 @@ Json conventions_value(const ManifestConventions& conventions) {
             {"motion_multiplier", conventions.motion_multiplier}};
 }
 
-// Returns the layout in texture coordinates, from the top left. Frame k is in column k mod columns
-// and row k / columns; it begins at (column, row) * cell + inset and has the size `frame`.
+// Returns the layout in texture coordinates. The origin is the top left corner of the sheet.
+// Frames, columns and rows are counted from 0. Frame k is in column k mod columns and row k /
+// columns, rounded down. The top left corner of the frame is at (column, row) * cell + inset, where
+// * multiplies component by component. The size of the frame is `frame`.
 Json uv_value(const SheetLayout& layout) {
     const auto width = static_cast<double>(layout.width());
     const auto height = static_cast<double>(layout.height());

@@ -11,14 +11,14 @@
 
 namespace foam::texgen {
 
-/// A sheet that has been written.
+/// A sheet that has been written, and the frames in it.
 struct SheetImage {
     std::string file;  // file name, relative to the folder of the JSON file
     MapSequence sequence;
 };
 
-/// Returns a JSON description of the sheets, for programs that play them. README.md describes its
-/// members.
+/// Returns a JSON description of the sheets, for programs that play them. `frames` are the numbers
+/// of the frames in each sheet. README.md describes the members.
 std::string flipbook_json(const BakedSet& set,
                           std::span<const int> frames,
                           const SheetLayout& layout,

@@ -12,7 +12,8 @@ namespace {
 
 constexpr int kAdvance = kDigitWidth + 1;  // pixels from one digit to the next
 
-// The rows of a digit from top to bottom. The leftmost pixel is in the highest of five bits.
+// The rows of a digit from top to bottom. The highest of the five bits of a row is its leftmost
+// pixel.
 using Digit = std::array<unsigned, kDigitHeight>;
 
 constexpr std::array<Digit, 10> kDigits = {{

@@ -15,7 +15,7 @@ inline constexpr int kDigitHeight = 7;
 /// Returns the width of a number in pixels. Precondition: the number is not negative.
 int number_width(int number);
 
-/// Draws a number in a shade of gray. Its lower left corner is at the pixel (left, bottom).
+/// Draws a number in a shade of gray. The pixel (left, bottom) is its lower left corner.
 /// Precondition: the number is not negative and fits into the image.
 void draw_number(
     ImageView<std::uint8_t> image, int left, int bottom, int number, std::uint8_t gray);

@@ -13,7 +13,8 @@ namespace foam::texgen {
 
 namespace {
 
-// Returns the absolute logarithm, to base 2, of a sheet's aspect; 0 for a square.
+// Returns a measure of how far a sheet is from a square: the absolute value of the binary logarithm
+// of its aspect ratio, which is 0 for a square.
 double distance_from_square(int frames, int columns, double cell_width, double cell_height) {
     const double rows = std::ceil(static_cast<double>(frames) / columns);
     return std::abs(std::log2(columns * cell_width / (rows * cell_height)));
@@ -39,8 +40,14 @@ void check_layout(const SheetLayout& layout) {
         std::min({layout.frames, layout.columns, layout.frame_width, layout.frame_height});
     if (smallest < 1 || layout.gutter < 0) {
         throw std::invalid_argument(
-            "a sheet needs at least one frame, one column and one pixel per frame, and a gutter of "
-            "0 or more");
+            fmt::format("a sheet needs at least one frame, one column, one pixel per frame and a "
+                        "gutter of 0 or more, but has {} frames of {} x {} pixels in {} columns "
+                        "and a gutter of {}",
+                        layout.frames,
+                        layout.frame_width,
+                        layout.frame_height,
+                        layout.columns,
+                        layout.gutter));
     }
     constexpr std::int64_t kLargest = std::numeric_limits<std::int32_t>::max();
     if (layout.gutter > kLargest / 4 || layout.width() > kLargest || layout.height() > kLargest) {

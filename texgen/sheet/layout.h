@@ -6,14 +6,15 @@
 
 namespace foam::texgen {
 
-/// The layout of frames in a sheet: from left to right, in rows from top to bottom. Each frame has
-/// a cell, with a gutter on all four sides of the frame. All lengths are in pixels.
+/// The layout of frames in a sheet, an image that contains many frames. Frames are ordered from
+/// left to right, in rows from top to bottom. Each frame has a cell, which also contains a gutter
+/// on all four sides of the frame. All lengths are in pixels.
 struct SheetLayout {
-    int frames = 1;
+    int frames = 1;  // number of frames
     int frame_width = 1;
     int frame_height = 1;
     int columns = 1;
-    int gutter = 0;
+    int gutter = 0;  // width of the border around each frame
 
     int rows() const { return (frames + columns - 1) / columns; }
     int cell_width() const { return frame_width + 2 * gutter; }
@@ -29,12 +30,14 @@ struct SheetLayout {
 };
 
 /// Returns the power of two that, as the number of columns, makes a sheet most nearly square. If
-/// two numbers are equally good, returns the larger one. With frames of power-of-two width, the
-/// sheet has a power-of-two width, which graphics hardware prefers.
+/// two powers are equally good, returns the larger one. Graphics hardware prefers widths that are
+/// powers of two, and the width of the sheet is a power of two if the width of a cell is a power of
+/// two.
 int near_square_columns(int frames, int cell_width, int cell_height);
 
-/// Throws std::invalid_argument if a layout has no frames, columns or pixels, if its gutter is
-/// negative, or if the sheet would be wider or higher than 2^31 - 1 pixels.
+/// Throws std::invalid_argument if a layout has no frames, no columns or no pixels, if its gutter
+/// is negative or wider than 2^29 - 1 pixels, or if the width or height of the sheet would exceed
+/// 2^31 - 1 pixels.
 void check_layout(const SheetLayout& layout);
 
 }  // namespace foam::texgen

@@ -14,6 +14,7 @@ namespace foam::texgen {
 
 namespace {
 
+// Removes the groups outside of a layer, and the prefix of the layer from the names of channels.
 void keep_layer(std::vector<ChannelGroup>& groups, const std::string& prefix) {
     std::erase_if(groups, [&](const ChannelGroup& group) {
         return !group.names.front().starts_with(prefix);

@@ -9,9 +9,9 @@
 
 namespace foam::texgen {
 
-/// Reads a frame of a map from its file. If the file has layers, only the channels of the map's
-/// layer are kept, and the layer name is removed from the channel names. Throws InputError if the
-/// file cannot be read or has no such layer.
+/// Reads a frame of a map from its file. If the file contains several maps as layers, only the
+/// channels in the layer of the map are kept, and the name of the layer is removed from the names
+/// of the channels. Throws InputError if the file cannot be read or has no such layer.
 Picture read_map_frame(const MapFile& file, std::string_view map);
 
 }  // namespace foam::texgen

@@ -15,17 +15,21 @@ namespace foam::texgen {
 
 namespace {
 
-const ManifestMap& known_map(const BakedSet& set, std::string_view name) {
+// Returns the map with the given name. Throws std::invalid_argument if no file of this map was
+// baked.
+const ManifestMap& baked_map(const BakedSet& set, std::string_view name) {
     const ManifestMap* const map = set.find_map(name);
     if (map != nullptr && map->samples) {
         return *map;
     }
-    std::string there;
+    std::string existing;
     for (const ManifestMap& other : set.maps) {
-        there += (there.empty() ? "" : ", ") + other.name;
+        if (other.samples) {
+            existing += (existing.empty() ? "" : ", ") + other.name;
+        }
     }
     throw std::invalid_argument(fmt::format(
-        "map '{}' was not baked; must be one of: {}", name, there.empty() ? "none" : there));
+        "map '{}' was not baked; must be one of: {}", name, existing.empty() ? "none" : existing));
 }
 
 MapFile file_of(const BakedSet& set,
@@ -33,15 +37,15 @@ MapFile file_of(const BakedSet& set,
                 std::string_view map,
                 int frame) {
     const ManifestFile* const file = set.find_file(map, frame);
-    const ManifestFrame* const foam = set.find_frame(frame);
-    if (file == nullptr || foam == nullptr) {
-        throw InputError(fmt::format("'{}' has no file of map '{}' and frame {} of preset '{}'",
-                                     folder.string(),
-                                     map,
+    const FrameStatistics* const statistics = set.find_frame(frame);
+    if (file == nullptr || statistics == nullptr) {
+        throw InputError(fmt::format("frame {} of map '{}' of preset '{}' was not baked into '{}'",
                                      frame,
-                                     set.preset));
+                                     map,
+                                     set.preset,
+                                     folder.string()));
     }
-    return {folder / file->path, frame, foam->tiles, file->maps.size() > 1};
+    return {folder / file->path, frame, statistics->tiles, file->maps.size() > 1};
 }
 
 }  // namespace
@@ -52,6 +56,9 @@ bool MapSequence::tiles() const {
 
 std::optional<int> common_step(std::span<const int> frames) {
     const int step = frames.size() > 1 ? frames[1] - frames[0] : 1;
+    if (step == 0) {
+        return std::nullopt;
+    }
     for (std::size_t k = 1; k < frames.size(); ++k) {
         if (frames[k] - frames[k - 1] != step) {
             return std::nullopt;
@@ -68,7 +75,7 @@ MapSequence map_sequence(const BakedSet& set,
                          const std::filesystem::path& folder,
                          std::string_view map,
                          std::span<const int> frames) {
-    MapSequence sequence{known_map(set, map), {}};
+    MapSequence sequence{baked_map(set, map), {}};
     for (const int frame : frames) {
         sequence.files.push_back(file_of(set, folder, map, frame));
     }

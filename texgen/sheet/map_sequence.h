@@ -16,9 +16,9 @@ namespace foam::texgen {
 /// The file of one frame of a baked map.
 struct MapFile {
     std::filesystem::path path;
-    int frame = 0;
+    int frame = 0;         // number of the frame
     bool tiles = false;    // true if the frame tiles in both directions
-    bool layered = false;  // true if the file contains other maps, too
+    bool layered = false;  // true if the file contains several maps as layers
 };
 
 /// The files of a map, one per frame, in the order of the frames.
@@ -26,21 +26,22 @@ struct MapSequence {
     ManifestMap map;
     std::vector<MapFile> files;
 
-    bool tiles() const;  // true if all frames tile
+    /// Returns true if all frames tile.
+    bool tiles() const;
 };
 
-/// Returns the difference between successive frame numbers, or nullopt if it is not always the
-/// same. Returns 1 for a single frame.
+/// Returns the difference between successive frame numbers, or nullopt if not all differences are
+/// equal or if they are 0. Returns 1 for fewer than two frames.
 std::optional<int> common_step(std::span<const int> frames);
 
 /// Returns the frame rate at which the given frames show the foam at the same speed as the whole
-/// set. For example, every second frame of a set with 24 frames per second plays at 24 frames in
-/// 2 s. Returns the frame rate of the set if the steps between the frames differ.
+/// set. For example, every second frame of a set with 24 frames per second is played at 24 frames
+/// in 2 seconds. Returns the frame rate of the set if the frames have no common step.
 FrameRate playing_rate(const BakedSet& set, std::span<const int> frames);
 
-/// Returns the files of the given frames of a map. `folder` is the folder of the set's manifest.
-/// Throws std::invalid_argument, with a list of the existing maps, for a map that was not baked,
-/// and InputError for a frame that was not baked.
+/// Returns the files of the given frames of a map. `folder` is the folder of the manifest of the
+/// set. Throws std::invalid_argument if no file of the map was baked; the message lists the baked
+/// maps. Throws InputError if a frame was not baked.
 MapSequence map_sequence(const BakedSet& set,
                          const std::filesystem::path& folder,
                          std::string_view map,

@@ -10,8 +10,9 @@ namespace foam::texgen {
 
 namespace {
 
-// Returns the position in [0, extent) whose pixel is copied to `position`, which may be outside of
-// the frame.
+// Returns the row (or column) of a frame that is copied to the row (or column) `position` of the
+// frame with its gutter. Positions in the gutter are outside of [0, extent); the result is always
+// in this range.
 int source_of(int position, int extent, Gutter gutter) {
     if (gutter == Gutter::Edge) {
         return std::clamp(position, 0, extent - 1);
@@ -20,8 +21,8 @@ int source_of(int position, int extent, Gutter gutter) {
     return rest < 0 ? rest + extent : rest;
 }
 
-// Copies row y of a frame, with a gutter of `margin` pixels on both sides. The row may be outside
-// of the frame, above or below it.
+// Writes row y of a frame, with a gutter of `margin` pixels on both sides, to `to`. Row y may be
+// above or below the frame, in the gutter.
 template <class Sample>
 void copy_row(ImageView<const Sample> frame, int y, int margin, Gutter gutter, Sample* to) {
     const int from = source_of(y, frame.height(), gutter);

@@ -10,9 +10,10 @@ namespace foam::texgen {
 /// The content of a gutter: the periodic continuation of the frame, or copies of its edge pixels.
 enum class Gutter { Periodic, Edge };
 
-/// Copies a frame into a cell of a sheet and fills the gutter around it. Cells are numbered from 0
-/// in the order of the layout. Samples are integers of 8, 16 or 32 bits, or floats. Precondition:
-/// frame and sheet have the same number of channels, and their sizes agree with the layout.
+/// Copies a frame into a cell of a sheet and fills the gutter around the frame. `number` is the
+/// number of the cell; cells are numbered from 0 in the order of the layout. Samples are integers
+/// of 8, 16 or 32 bits, or floats. Precondition: frame and sheet have the same number of channels,
+/// and their sizes agree with the layout.
 template <class Sample>
 void place_frame(ImageView<Sample> sheet,
                  const SheetLayout& layout,

@@ -7,8 +7,8 @@
 #include "texgen/image/file_io.h"
 #include "texgen/image/png.h"
 #include "texgen/sheet/contact_sheet.h"
+#include "texgen/sheet/display_frame.h"
 #include "texgen/sheet/map_sequence.h"
-#include "texgen/sheet/shown_frame.h"
 #include "texgen/sheet/video.h"
 
 #include <fmt/core.h>
@@ -26,11 +26,12 @@ using Codes = Image<std::uint8_t>;
 
 constexpr std::size_t kMaxThumbnails = 24;
 constexpr int kThumbnailSize = 200;  // the longer side, in pixels
-constexpr int kTileSize = 512;
-constexpr int kTiles = 2;  // number of copies in each direction
+constexpr int kTileSize = 512;       // the longer side of a tile, in pixels
+constexpr int kTiles = 2;            // number of copies in each direction
 
-// Returns the codes of a frame, reduced if its longer side is larger than `size`.
-Codes codes_within(const ShownFrame& frame, int size) {
+// Returns the 8-bit codes of a frame. The frame is reduced if its longer side exceeds `size`
+// pixels.
+Codes codes_within(const DisplayFrame& frame, int size) {
     const int width = frame.pixels.width();
     const int height = frame.pixels.height();
     const double scale = std::min(1.0, static_cast<double>(size) / std::max(width, height));
@@ -40,11 +41,11 @@ Codes codes_within(const ShownFrame& frame, int size) {
     return codes_of(reduced(frame, scaled(width), scaled(height)));
 }
 
-// Returns the codes of all frames of a sequence, reduced to the same size.
+// Returns the 8-bit codes of all frames of a sequence, each reduced as by codes_within.
 std::vector<Codes> frames_within(const MapSequence& sequence, int size, int threads) {
     std::vector<Codes> frames(sequence.files.size());
     parallel_for(frames.size(), 1, threads, [&](std::size_t k, std::size_t) {
-        frames[k] = codes_within(read_shown(sequence.files[k], sequence.map), size);
+        frames[k] = codes_within(read_display_frame(sequence.files[k], sequence.map), size);
     });
     return frames;
 }
@@ -76,6 +77,7 @@ std::vector<MapFile> spread(const std::vector<MapFile>& files, std::size_t max_c
     return chosen;
 }
 
+// Returns the frames as an animated PNG.
 Bytes animation(const std::vector<Codes>& frames, FrameRate rate, int threads) {
     std::vector<Bytes> streams(frames.size());
     parallel_for(frames.size(), 1, threads, [&](std::size_t k, std::size_t) {
@@ -88,19 +90,21 @@ Bytes animation(const std::vector<Codes>& frames, FrameRate rate, int threads) {
     return muxer.finish();
 }
 
-// Returns the first map of colors or, if there is none, the first map of numbers.
-std::string map_for_the_eye(const BakedSet& set) {
-    for (const std::string_view kind : {"color", "number"}) {
+// Returns the first baked map of colors. If there is none, returns the first map of numbers. If
+// there is none of these either, returns the first map of kind "id", which the class Previews
+// rejects.
+std::string default_map(const BakedSet& set) {
+    for (const std::string_view kind : {"color", "number", "id"}) {
         for (const ManifestMap& map : set.maps) {
             if (map.samples && map.samples->kind == kind) {
                 return map.name;
             }
         }
     }
-    throw std::invalid_argument("no baked map can be shown; bake id_color to show ids");
+    throw std::invalid_argument(fmt::format("no map of preset '{}' was baked", set.preset));
 }
 
-// Makes the previews of one map. The animated PNG is encoded only once, also for the videos.
+// Makes the previews of one map. The animated PNG is encoded only once, and reused for the videos.
 class Previews {
   public:
     Previews(const BakedSet& set,
@@ -110,7 +114,9 @@ class Previews {
         : set_(set), options_(options), sequence_(map_sequence(set, folder, map, options.frames)) {
         if (sequence_.map.samples->kind == "id") {
             throw std::invalid_argument(
-                fmt::format("map '{}' cannot be shown; bake id_color to show ids", map));
+                fmt::format("map '{}' stores bubble ids, which cannot be shown as a picture; bake "
+                            "the map 'id_color' instead",
+                            map));
         }
     }
 
@@ -171,9 +177,12 @@ class Previews {
         const MapFile& file = sequence_.files.front();
         if (!file.tiles) {
             throw std::invalid_argument(
-                fmt::format("frame {} of preset '{}' does not tile", file.frame, set_.preset));
+                fmt::format("frame {} of preset '{}' does not tile; previews 'tiling' need a torus "
+                            "without shear",
+                            file.frame,
+                            set_.preset));
         }
-        const Codes tile = codes_within(read_shown(file, sequence_.map), kTileSize);
+        const Codes tile = codes_within(read_display_frame(file, sequence_.map), kTileSize);
         return encoded(tiled(tile));
     }
 
@@ -203,7 +212,7 @@ std::vector<std::filesystem::path> write_previews(const BakedSet& set,
         full.frames = set.frames();
     }
     if (full.maps.empty()) {
-        full.maps.push_back(map_for_the_eye(set));
+        full.maps.push_back(default_map(set));
     }
     make_folders(to);
     std::vector<std::filesystem::path> written;

@@ -15,32 +15,34 @@ namespace foam::texgen {
 /// The kinds of previews of a map.
 enum class PreviewKind {
     Contact,  // a contact sheet: up to 24 frames side by side, with their numbers
-    Tiling,   // a frame repeated 2 x 2 times
+    Tiling,   // 2 x 2 copies of the first frame
     Loop,     // an animated PNG
-    Mp4,      // the same animation as a video, encoded by ffmpeg
-    Gif,      // the same animation as a GIF, encoded by ffmpeg
+    Mp4,      // the animation of Loop as an MP4, encoded by ffmpeg
+    Gif,      // the animation of Loop as a GIF, encoded by ffmpeg
 };
 
 /// The names of the kinds of previews, in the order of PreviewKind.
 inline constexpr std::array<std::string_view, 5> kPreviewNames = {
     "contact", "tiling", "loop", "mp4", "gif"};
 
+/// The previews to write.
 struct PreviewOptions {
     // Empty for the first map of colors or, if there is none, the first map of numbers.
     std::vector<std::string> maps = {};
     std::vector<int> frames = {};  // in this order; empty for all frames of the set
-    // Empty for Contact, Loop and, if the first frame tiles, Tiling.
+    // Empty for Contact and Loop, and also Tiling if the first frame tiles.
     std::vector<PreviewKind> kinds = {};
     int size = 384;   // largest width and height of animations, in pixels
-    int threads = 0;  // 0 for all
+    int threads = 0;  // 0: one per hardware thread
 };
 
-/// Writes previews of a baked set into the folder `to`, which is created if needed, and returns
-/// their paths: {preset}_{map}_contact.png, {preset}_{map}_tiling.png, {preset}_{map}_loop.png,
+/// Writes previews of a baked set into the folder `to`, and returns their paths:
+/// {preset}_{map}_contact.png, {preset}_{map}_tiling.png, {preset}_{map}_loop.png,
 /// {preset}_{map}.mp4 and {preset}_{map}.gif. Frames are opaque, and large frames are reduced in
-/// size (shown_frame.h). `folder` is the folder of the manifest. Throws std::invalid_argument for a
-/// map of ids, which cannot be shown, and for the tiling of a frame that does not tile. Also throws
-/// the exceptions of map_sequence, read_shown and encode_video.
+/// size (display_frame.h). `folder` is the folder of the manifest. `to` is created if needed.
+/// Throws std::invalid_argument for a map of integers that must not be mixed (ids or sides), and
+/// for the tiling of a frame that does not tile. Throws OutputError if a file cannot be written.
+/// Also throws the exceptions of map_sequence, read_display_frame, ApngMuxer and encode_video.
 std::vector<std::filesystem::path> write_previews(const BakedSet& set,
                                                   const std::filesystem::path& folder,
                                                   const PreviewOptions& options,

@@ -51,6 +51,21 @@ Picture blank_sheet(const Picture& frame, const SheetLayout& layout) {
     return sheet;
 }
 
+// Returns the names and sample types of all channels, for example "R G B (half), Y (float)".
+std::string channel_list(const Picture& picture) {
+    std::string list;
+    for (const ChannelGroup& group : picture.groups) {
+        list += list.empty() ? "" : ", ";
+        for (const std::string& name : group.names) {
+            list += name + ' ';
+        }
+        list += fmt::format("({})", name_of(group.type));
+    }
+    return list;
+}
+
+// Throws InputError if the channels of a frame differ from the channels of the sheet, or if its
+// size differs from the frame size of the layout.
 void check_frame(const Picture& frame,
                  const Picture& sheet,
                  const SheetLayout& layout,
@@ -60,8 +75,10 @@ void check_frame(const Picture& frame,
             return a.names == b.names && a.type == b.type;
         });
     if (!same_channels) {
-        throw InputError(
-            fmt::format("'{}' has different channels than the first frame", path.string()));
+        throw InputError(fmt::format("'{}' has the channels {}, but the first frame has {}",
+                                     path.string(),
+                                     channel_list(frame),
+                                     channel_list(sheet)));
     }
     if (frame.width() != layout.frame_width || frame.height() != layout.frame_height) {
         throw InputError(fmt::format("'{}' is {} x {} pixels, but the manifest says {} x {}",
@@ -106,8 +123,8 @@ Picture sheet_of(const MapSequence& sequence, const SheetLayout& layout) {
     return sheet;
 }
 
-// Returns the encoding that suits a map. A bake of another version may contain a map that this
-// version does not know; it gets no filter.
+// Returns the encoding options for a map. Other versions of foamtex may have baked a map that this
+// version does not have; for such a map, no PNG filter is used.
 EncodingOptions encoding_of(std::string_view map) {
     const auto maps = all_maps();
     const auto known = std::ranges::find(maps, map, &Map::name);

@@ -9,16 +9,19 @@
 
 namespace foam::texgen {
 
-/// Reads the frames of a map and writes them as one image of the same format. Samples are copied
-/// without any change. The metadata are copied from the first frame, but the sheet is
-/// not periodic. If they have texts, a text with the layout is added. Cells without a frame are 0.
-/// The gutter of a frame that tiles repeats the opposite side of the frame; other gutters repeat
-/// the pixels at its edge. The sheet contains only this map, and its channel names have no layer.
-/// The whole sheet is in memory together with one frame, and then with the encoded file.
+/// Reads the frames of a map and writes them as one image of the same format. `path` ends in the
+/// suffix of this format. Samples are copied without any change. The metadata are copied from the
+/// first frame, but the sheet is marked as not periodic. If the metadata contain texts, a text with
+/// the layout is added. Samples in cells without a frame are 0. If a frame tiles, its gutter
+/// contains the periodic continuation of the frame; otherwise, the gutter repeats the pixels at the
+/// edge of the frame. The sheet contains only this map, and its channel names have no layer. While
+/// the sheet is composed, the whole sheet and one frame are in memory; while it is written, the
+/// whole sheet and the encoded file.
 ///
-/// Throws InputError if a file cannot be read, if its size differs from the layout, or if its
-/// channels differ from the first frame. Throws OutputError if the sheet cannot be written, and the
-/// exceptions of check_layout.
+/// Throws InputError if a file cannot be read or lacks the layer of the map, if its size differs
+/// from the frame size of the layout, or if its channels differ from the channels of the first
+/// frame. Throws OutputError if the sheet cannot be written. Also throws the exceptions of
+/// check_layout.
 void write_sheet(const MapSequence& sequence,
                  const SheetLayout& layout,
                  const std::filesystem::path& path);

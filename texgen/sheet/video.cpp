@@ -7,6 +7,10 @@
 
 #include <fmt/core.h>
 
+#include <deque>
+#include <filesystem>
+#include <fstream>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -18,19 +22,40 @@ namespace {
 
 using Arguments = std::vector<std::string>;
 
+// Returns the last lines of a text file as one line, with a space before each.
+std::string last_lines(const std::filesystem::path& path) {
+    constexpr std::size_t kMaxLines = 5;
+    std::deque<std::string> lines;
+    std::ifstream file(path);
+    for (std::string line; std::getline(file, line);) {
+        lines.push_back(" " + line);
+        if (lines.size() > kMaxLines) {
+            lines.pop_front();
+        }
+    }
+    return std::accumulate(lines.begin(), lines.end(), std::string());
+}
+
+// Runs ffmpeg. Throws OutputError if it is not installed or fails.
 void run_ffmpeg(Arguments arguments) {
+    const ScratchFolder folder;
+    const std::filesystem::path errors = folder.path() / "errors";
     arguments.insert(arguments.begin(), {"ffmpeg", "-loglevel", "error", "-nostdin", "-y"});
-    const std::optional<int> code = run_external(std::move(arguments));
+    const std::optional<int> code = run_external(std::move(arguments), {.error_file = errors});
     if (!code) {
-        throw OutputError("MP4 and GIF need ffmpeg, which is not installed");
+        throw OutputError(
+            "cannot write MP4 or GIF: the program 'ffmpeg' was not found in PATH; install ffmpeg "
+            "or use --as loop");
     }
     if (*code != 0) {
-        throw OutputError(fmt::format("ffmpeg failed with exit code {}", *code));
+        throw OutputError(
+            fmt::format("ffmpeg failed with exit code {}:{}", *code, last_lines(errors)));
     }
 }
 
 // The colors of the PNG are sRGB, which has the primaries of BT.709. Primaries, transfer function
-// and matrix are declared in the video.
+// and matrix are declared in the video. 4:2:0 requires an even width and height, so odd sizes are
+// cropped.
 Arguments mp4_arguments() {
     return {"-vf",
             "crop=floor(iw/2)*2:floor(ih/2)*2:0:0,scale=out_color_matrix=bt709:flags=accurate_rnd",

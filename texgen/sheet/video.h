@@ -10,19 +10,19 @@
 
 namespace foam::texgen {
 
-/// The formats of videos, which the external program `ffmpeg` encodes.
+/// A format in which the external program `ffmpeg` encodes a video.
 enum class VideoFormat {
-    Mp4,  // H.264, 4:2:0, which all players support; an odd last column or row is cropped
+    Mp4,  // H.264 with 4:2:0 chroma, for wide support; an odd width or height is cropped by 1 pixel
     Gif,  // 256 colors, repeated endlessly
 };
 
-/// Throws OutputError if ffmpeg is not installed or does not run.
+/// Throws OutputError if ffmpeg is not installed or cannot be run.
 void check_ffmpeg();
 
-/// Encodes an animated PNG as a video. Precondition: `rate` is the frame rate of the PNG. It is
-/// passed to ffmpeg separately, because ffmpeg reads the rate of an animated PNG with a relative
-/// error of 1e-4. Throws OutputError if ffmpeg is not installed or fails; ffmpeg prints the reason
-/// to stderr.
+/// Encodes an animated PNG as a video and returns the content of the video file. Precondition:
+/// `rate` is the frame rate of the PNG. The rate is passed to ffmpeg separately, because ffmpeg
+/// reads the rate of an animated PNG with a relative error of 1e-4. Throws OutputError if ffmpeg is
+/// not installed or fails. If it fails, the message ends with the last lines of its error output.
 Bytes encode_video(std::span<const std::byte> apng, FrameRate rate, VideoFormat format);
 
 }  // namespace foam::texgen

@@ -5,12 +5,28 @@
 #include "texgen/image/file_io.h"
 #include "texgen/stats/csv.h"
 
+#include <fmt/core.h>
+
 #include <array>
 #include <span>
 #include <string>
+#include <system_error>
 #include <utility>
 
 namespace foam::texgen {
+
+namespace {
+
+// Removes a file if it exists. Throws OutputError if it cannot be removed.
+void remove_file(const std::filesystem::path& path) {
+    std::error_code error;
+    std::filesystem::remove(path, error);
+    if (error) {
+        throw OutputError(fmt::format("cannot remove '{}': {}", path.string(), error.message()));
+    }
+}
+
+}  // namespace
 
 StatisticsFiles write_statistics(const RunRecord& run, const std::filesystem::path& folder) {
     const std::array<std::pair<const char*, std::string>, 3> contents{
@@ -25,7 +41,7 @@ StatisticsFiles write_statistics(const RunRecord& run, const std::filesystem::pa
     }
     const std::vector<std::filesystem::path> charts = chart_paths(folder);
     for (const std::filesystem::path& chart : charts) {
-        std::filesystem::remove(chart);
+        remove_file(chart);
     }
     files.charts = draw_charts(folder / kChartsScriptName);
     for (const std::filesystem::path& chart : charts) {

@@ -15,14 +15,15 @@ inline constexpr const char* kChartsScriptName = "charts.gp";
 
 /// The result of write_statistics.
 struct StatisticsFiles {
-    std::vector<std::filesystem::path> paths;  // the tables, the script, and the charts if drawn
+    std::vector<std::filesystem::path> paths;  // the tables, the script, and the charts that exist
     ChartStatus charts = ChartStatus::Drawn;
 };
 
 /// Writes the tables (csv.h) and the script of the charts (charts.h) into a folder, and draws the
 /// charts if gnuplot is installed. The folder is created if needed. Charts of an earlier run are
-/// removed first. A table appears under its name only when it is complete. Throws OutputError if a
-/// file cannot be written.
+/// removed before new ones are drawn. Tables and script are written atomically. Throws OutputError
+/// if a table or the script cannot be written, or if an earlier chart cannot be removed. Also
+/// throws the exceptions of draw_charts.
 StatisticsFiles write_statistics(const RunRecord& run, const std::filesystem::path& folder);
 
 }  // namespace foam::texgen

@@ -15,7 +15,7 @@ MeasureSummary measure_run(const Preset& preset,
         recorder.record(shown.frame, shown.effort);
         meter.add(shown);
     };
-    const RunOutcome outcome = source(options.frames, NextFrames::LeftOut, measure);
+    const RunOutcome outcome = source(options.frames, NextFrames::Omitted, measure);
     return {outcome, recorder.run()};
 }
 

@@ -10,10 +10,12 @@ namespace foam::texgen {
 /// The result of measure_run.
 struct MeasureSummary {
     RunOutcome outcome;
-    RunRecord run;  // if a frame failed, only the frames before it
+    RunRecord run;  // if the run failed, only the frames before the failure
 };
 
-/// Simulates the same frames as a bake of the preset, and measures them instead of drawing them.
+/// Simulates the same frames as a bake of the preset, and measures them instead of drawing them. Of
+/// the options, only `frames`, `source` and, if there is no source, `threads` are used.
+/// `on_progress` is called after each frame. Throws the exceptions of the source.
 MeasureSummary measure_run(const Preset& preset,
                            const BakeOptions& options,
                            const ProgressCallback& on_progress);

@@ -12,24 +12,25 @@
 
 namespace foam::texgen {
 
-/// The statistics of one frame. Growth, events and wall time are counted since the preceding
-/// record.
+/// The statistics of one frame. Growth is measured since the preceding record. Topology changes and
+/// wall time are counted since the preceding record or, in the first record, since the start of the
+/// simulation.
 struct FrameRecord {
     int frame = 0;      // number of the frame
     double time = 0.0;  // foam time
     FoamStatistics foam;
     std::vector<SidesGrowth> growth;  // empty in the first record
-    FrameEffort effort;
+    FrameEffort effort;               // numbers of T1s and T2s, errors, and wall time
 };
 
 /// The statistics of a run, and the parameters needed to interpret them.
 struct RunRecord {
     std::string preset;         // name of the preset
     double film_tension = 1.0;  // T = 2 gamma
-    double kappa = 0.0;         // diffusion constant of von Neumann's law (E6)
+    double kappa = 0.0;         // diffusion constant (E6)
     std::vector<FrameRecord> frames;
 
-    /// Returns the dA/dt that von Neumann's law gives for a bubble with a number of sides.
+    /// Returns the dA/dt of a bubble with the given number of sides by von Neumann's law (E6).
     double law_rate(int sides) const;
 };
 
@@ -38,7 +39,8 @@ class Recorder {
   public:
     explicit Recorder(const Preset& preset);
 
-    /// Appends the record of a frame. Keeps the frame until the next call, to measure growth.
+    /// Appends the record of a frame. Keeps the frame until the next call, which measures the
+    /// growth since this frame.
     void record(const std::shared_ptr<const Frame>& frame, const FrameEffort& effort);
 
     /// Returns a function for simulate_frames that calls record(). It borrows the recorder.

@@ -13,7 +13,8 @@ namespace {
 
 using SeamOf = std::optional<Seam> VerifiedMap::*;
 
-// Returns the ratios of all maps, for example "albedo 0.93, height 0.88".
+// Returns the ratios of a seam for all maps in which it was checked, for example "albedo 0.930,
+// height 0.880".
 std::string ratios(const VerifiedSet& found, SeamOf seam) {
     std::string list;
     for (const VerifiedMap& map : found.maps) {
@@ -28,7 +29,9 @@ std::string ratios(const VerifiedSet& found, SeamOf seam) {
 std::string tile_line(const VerifiedSet& found) {
     const std::string list = ratios(found, &VerifiedMap::tile);
     if (list.empty()) {
-        return "not checked: the frames do not tile, or are too small";
+        return fmt::format(
+            "not checked: the frames do not tile, or are narrower or lower than {} pixels",
+            kSmallestTile);
     }
     return fmt::format(
         "{}  (step across the border / largest step inside, at most {})", list, kLargestTileRatio);
@@ -37,7 +40,7 @@ std::string tile_line(const VerifiedSet& found) {
 std::string loop_line(const VerifiedSet& found) {
     const ManifestLoop& loop = found.set.loop;
     if (loop.period == 0) {
-        return loop.called;
+        return loop.description;
     }
     const std::string list = ratios(found, &VerifiedMap::loop);
     const std::string measured =
@@ -49,11 +52,12 @@ std::string loop_line(const VerifiedSet& found) {
                   kLargestLoopRatio);
     const std::string closing =
         loop.closing_error
-            ? fmt::format("; closing error {:.1e} bubble diameters", *loop.closing_error)
+            ? fmt::format("; the end of the loop is {:.1e} mean bubble diameters from its start",
+                          *loop.closing_error)
             : "";
     return fmt::format("{}\n           {}{}{}",
                        measured,
-                       loop.called,
+                       loop.description,
                        loop.cross_faded ? ", cross-faded" : "",
                        closing);
 }
@@ -106,7 +110,7 @@ Json value_of(const VerifiedSet& found) {
             {"complete", set.complete()},
             {"files", set.files.size()},
             {"files_same", found.files_same},
-            {"loop", {{"kind", set.loop.kind}, {"called", set.loop.called}}},
+            {"loop", {{"kind", set.loop.kind}, {"called", set.loop.description}}},
             {"maps", maps},
             {"problems", found.problems}};
 }

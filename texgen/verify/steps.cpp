@@ -33,8 +33,8 @@ double sum_of_differences(std::span<const Sample> a,
     return sum;
 }
 
-// Adds to each element of `steps` the difference between that column and the preceding one. The
-// first column is compared with the last.
+// Adds to steps[x] the sum of the differences between column x and column x - 1. Column 0 is
+// compared with the last column.
 template <class Sample>
 void add_column_steps(const Image<Sample>& image,
                       Difference difference,
@@ -51,8 +51,8 @@ void add_column_steps(const Image<Sample>& image,
     }
 }
 
-// Adds to each element of `steps` the difference between that row and the preceding one. The first
-// row is compared with the last.
+// Adds to steps[y] the sum of the differences between row y and row y - 1. Row 0 is compared with
+// the last row.
 template <class Sample>
 void add_row_steps(const Image<Sample>& image, Difference difference, std::vector<double>& steps) {
     std::span<const Sample> before = image.row(image.height() - 1);
@@ -62,8 +62,8 @@ void add_row_steps(const Image<Sample>& image, Difference difference, std::vecto
     }
 }
 
-// Returns the seam for sums of differences. Each sum is over `samples` samples; the first sum is
-// the difference across the border.
+// Returns the seam for sums of differences. Each sum is over `samples` samples. The first sum is
+// the difference across the border, the others are the differences within the image.
 Seam seam_of(const std::vector<double>& sums, double samples) {
     Seam seam{sums.front() / samples, 0.0};
     for (std::size_t k = 1; k < sums.size(); ++k) {
@@ -72,6 +72,7 @@ Seam seam_of(const std::vector<double>& sums, double samples) {
     return seam;
 }
 
+// Returns the number of channels of all groups.
 int channel_count(std::span<const ChannelGroup* const> groups) {
     int channels = 0;
     for (const ChannelGroup* group : groups) {
@@ -80,8 +81,8 @@ int channel_count(std::span<const ChannelGroup* const> groups) {
     return channels;
 }
 
-// Returns the sum of the differences of all samples, or infinity for groups of different types or
-// sizes.
+// Returns the sum of the differences of all samples, or infinity if the groups differ in type or
+// size.
 double group_difference(const ChannelGroup& a, const ChannelGroup& b, Difference difference) {
     return std::visit(
         [&](const auto& left) {
@@ -102,7 +103,8 @@ double Seam::ratio() const {
     if (across == 0.0) {
         return 0.0;
     }
-    return largest_within > 0.0 ? across / largest_within : kInfinite;
+    const bool is_comparable = largest_within > 0.0 && std::isfinite(across);
+    return is_comparable ? across / largest_within : kInfinite;
 }
 
 TileSeams tile_seams(std::span<const ChannelGroup* const> groups, Difference difference) {

@@ -20,13 +20,15 @@ namespace foam::texgen {
 
 namespace {
 
-// Every file is decoded once. The hash of its pixels is compared with the manifest, and each of its
-// maps is added to the MapCheck of that map. A MapCheck accumulates the largest steps within
-// frames, across their borders and from frame to frame. At the end it compares the steps at seams
-// with the largest other steps (steps.h).
+// Every file is decoded once. The hash of its pixels is compared with the manifest. Then each map
+// in the file is added to the MapCheck of that map. A step is the mean difference of the samples of
+// two adjacent columns, rows or frames (steps.h). A MapCheck accumulates the largest steps within
+// frames, across the borders of frames and from frame to frame. After the last file, the MapCheck
+// returns the steps across seams together with the largest other steps.
 
-using File = std::shared_ptr<const Picture>;
+using File = std::shared_ptr<const Picture>;  // a decoded file
 
+// Returns how samples of a map are compared.
 Difference difference_of(const ManifestMap& map) {
     return map.samples && map.samples->kind == "id" ? Difference::Ids : Difference::Numbers;
 }
@@ -34,13 +36,38 @@ Difference difference_of(const ManifestMap& map) {
 // Accumulates the steps of one map, frame after frame.
 class MapCheck {
   public:
-    explicit MapCheck(const ManifestMap& map)
-        : difference_(difference_of(map)), found_{map.name, {}, 0, {}} {}
+    // `period` is the number of frames of the loop, or 0 if there is no loop.
+    MapCheck(const ManifestMap& map, int period)
+        : difference_(difference_of(map)), period_(period), found_{map.name, {}, 0, {}} {}
 
+    // Adds a frame of the map. Frames must be added in increasing order. `tiles` is true if the
+    // frame is to be checked for seams at its border.
     void add(const File& file, int frame, bool tiles) {
         if (tiles) {
             add_tile(tile_seams(groups_of(*file, found_.name), difference_), frame);
         }
+        if (frame <= period_) {
+            add_loop_frame(file, frame);
+        }
+    }
+
+    // Returns the result. The loop is checked only if its period is at least 2 and all frames of
+    // the period were added.
+    VerifiedMap finish() {
+        const bool has_all_frames = period_ > 1 && first_frame_ == 1 && steps_ == period_ - 1;
+        if (has_all_frames) {
+            loop_.across = step(*last_, *first_);
+            found_.loop = loop_;
+        }
+        if (const Border& border = worse_border(); border.frame > 0) {
+            found_.tile = border.seam;
+            found_.tile_frame = border.frame;
+        }
+        return found_;
+    }
+
+  private:
+    void add_loop_frame(const File& file, int frame) {
         if (last_ && frame == last_frame_ + 1) {
             loop_.largest_within = std::max(loop_.largest_within, step(*last_, *file));
             ++steps_;
@@ -53,32 +80,16 @@ class MapCheck {
         last_frame_ = frame;
     }
 
-    // Returns the result. `period` is the number of frames of the loop, or 0 if there is no loop.
-    // The loop is checked only if the frames 1 to `period` were added in this order.
-    VerifiedMap finish(int period) {
-        const bool all =
-            period > 1 && first_frame_ == 1 && steps_ >= period - 1 && last_frame_ == period;
-        if (all) {
-            loop_.across = step(*last_, *first_);
-            found_.loop = loop_;
-        }
-        if (const Border& border = worse_border(); border.frame > 0) {
-            found_.tile = border.seam;
-            found_.tile_frame = border.frame;
-        }
-        return found_;
-    }
-
-  private:
     void add_tile(const TileSeams& seams, int frame) {
         columns_.add(seams.columns, frame);
         rows_.add(seams.rows, frame);
     }
 
-    // The largest step across a border, and the largest step within, over all frames.
+    // The largest step across the border between the last and the first column (or row), and the
+    // largest other step, over all frames.
     struct Border {
         Seam seam;
-        int frame = 0;  // the frame with the largest step across; 0 if there is no frame
+        int frame = 0;  // the frame with the largest step across the border; 0 if there is no frame
 
         void add(const Seam& one, int number) {
             if (frame == 0 || one.across > seam.across) {
@@ -89,6 +100,7 @@ class MapCheck {
         }
     };
 
+    // Returns the border with the larger ratio.
     const Border& worse_border() const {
         return columns_.seam.ratio() > rows_.seam.ratio() ? columns_ : rows_;
     }
@@ -98,12 +110,13 @@ class MapCheck {
     }
 
     Difference difference_;
+    int period_;
     VerifiedMap found_;
-    File first_;
-    File last_;
+    File first_;  // the first frame of the period that was added
+    File last_;   // the last frame of the period that was added
     int first_frame_ = 0;
     int last_frame_ = 0;
-    int steps_ = 0;
+    int steps_ = 0;  // number of steps between successive frames of the period
     Seam loop_;
     Border columns_;
     Border rows_;
@@ -119,14 +132,17 @@ File read_baked(const ManifestFile& file,
         if (pixel_hash(*read) == file.pixels) {
             return read;
         }
-        problems.push_back(fmt::format("{}: pixels differ from the manifest", file.path));
+        problems.push_back(
+            fmt::format("{}: the pixels are not those that were baked (their hash differs from the "
+                        "manifest)",
+                        file.path));
     } catch (const InputError& error) {
         problems.emplace_back(error.what());
     }
     return nullptr;
 }
 
-// Adds a problem for missing frames: one line for all maps with the same missing frames.
+// Adds problems for missing frames: one line for all maps with the same missing frames.
 void note_missing(const BakedSet& set, std::vector<std::string>& problems) {
     std::map<std::vector<int>, std::string> maps_by_missing;
     for (const ManifestMap& map : set.maps) {
@@ -147,6 +163,7 @@ void note_missing(const BakedSet& set, std::vector<std::string>& problems) {
     }
 }
 
+// Adds a problem for each seam of a map whose ratio is above its limit.
 void note_seams(const VerifiedMap& map, std::vector<std::string>& problems) {
     if (map.tile && map.tile->ratio() > kLargestTileRatio) {
         problems.push_back(
@@ -165,8 +182,9 @@ void note_seams(const VerifiedMap& map, std::vector<std::string>& problems) {
     }
 }
 
+// Returns true if the tiling of a frame is to be checked.
 bool frame_tiles(const BakedSet& set, int frame) {
-    const ManifestFrame* const found = set.find_frame(frame);
+    const FrameStatistics* const found = set.find_frame(frame);
     return found != nullptr && found->tiles && std::min(set.width, set.height) >= kSmallestTile;
 }
 
@@ -181,14 +199,15 @@ VerifiedSet verify_set(const BakedSet& set, const std::filesystem::path& folder)
         }
         ++found.files_same;
         for (const std::string& map : file.maps) {
-            auto& check = checks.try_emplace(map, *set.find_map(map)).first->second;
+            auto& check =
+                checks.try_emplace(map, *set.find_map(map), set.loop.period).first->second;
             check.add(read, file.frame, frame_tiles(set, file.frame));
         }
     }
     for (const ManifestMap& map : set.maps) {
         const auto check = checks.find(map.name);
         if (check != checks.end()) {
-            found.maps.push_back(check->second.finish(set.loop.period));
+            found.maps.push_back(check->second.finish());
             note_seams(found.maps.back(), found.problems);
         }
     }

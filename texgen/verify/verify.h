@@ -12,32 +12,37 @@
 
 namespace foam::texgen {
 
-/// The largest ratio that counts as a seamless tile: the largest step across the border of any
-/// frame, divided by the largest step within any frame.
+/// The largest Seam::ratio of frames that tile without a seam. The ratio is the largest step across
+/// the border of any frame, divided by the largest step within any frame. A step is the mean
+/// difference of the samples of two adjacent columns, rows or frames (steps.h).
 inline constexpr double kLargestTileRatio = 1.25;
 /// The smallest width and height, in pixels, of images whose tiling is checked. Smaller images have
 /// too few columns or rows for a comparison.
 inline constexpr int kSmallestTile = 64;
-/// The largest ratio that counts as a seamless loop: the step from the last frame to the first,
-/// divided by the largest step between successive frames.
+/// The largest Seam::ratio of a loop without a seam. The ratio is the step from the last frame to
+/// the first, divided by the largest step between successive frames.
 inline constexpr double kLargestLoopRatio = 1.1;
 
-/// The result of checking a map. A seam that was not checked is empty.
+/// The result of checking the seams of a map. A seam that was not checked is nullopt. `tile` is the
+/// seam of the columns or the seam of the rows, whichever has the larger ratio.
 struct VerifiedMap {
     std::string name;
     std::optional<Seam> tile;
-    int tile_frame = 0;  // the frame with the largest step across the border
+    int tile_frame = 0;  // the frame with the largest step across this seam; 0 without `tile`
     std::optional<Seam> loop;
 
-    /// Returns true if no seam exceeds the largest allowed ratio.
+    /// Returns true if the ratio of `tile` is at most kLargestTileRatio and the ratio of `loop` is
+    /// at most kLargestLoopRatio. A seam that was not checked does not count.
     bool holds() const;
 };
 
 /// The result of checking a set of images.
 struct VerifiedSet {
     BakedSet set;
-    int files_same = 0;                 // number of files with the pixels that were baked
-    std::vector<std::string> problems;  // one line each: invalid files, missing frames, seams
+    int files_same = 0;  // number of files whose pixels have the hash in the manifest
+    // One line for each bad file, for each set of missing frames (naming all maps that lack them),
+    // and for each seam whose ratio is above its limit.
+    std::vector<std::string> problems;
     std::vector<VerifiedMap> maps;
 
     /// Returns true if there are no problems.
@@ -53,14 +58,14 @@ struct Verification {
     bool holds() const;
 };
 
-/// Checks the images of a folder against its manifest. Every file must exist and decode to the
-/// pixels that were baked. Frames that tile must have no seam at their border, and loops no seam
-/// between their last frame and their first. A loop is checked only if all frames of its period
-/// exist. `path` is the folder or the manifest in it. Throws InputError if the manifest cannot be
-/// read; all other problems are part of the result.
+/// Checks the images of a folder against its manifest. Every file must exist, and its pixels must
+/// have the hash in the manifest. Frames that tile must have no seam at their border, and loops no
+/// seam between their last frame and their first. A loop is checked only if all frames from 1 to
+/// its period exist; later frames are ignored. `path` is the folder or the manifest in it. Throws
+/// InputError if the manifest cannot be read; all other problems are part of the result.
 Verification verify(const std::filesystem::path& path);
 
-/// Returns the result as text for people, with a few lines per set.
+/// Returns the result as text for users, with a few lines per set.
 std::string to_text(const Verification& found);
 
 /// Returns the result as one JSON object for programs. README.md describes its members.

@@ -3,8 +3,9 @@
 
 Usage: python3 -B samples/figures/diagrams [--states FOLDER] [--out FOLDER] [FIGURE]...
 
-Draws the figures that are named, or all that need no simulation. The others show foams of the caches in the folder of
-states, which samples/figures/make.sh makes with `foamtex simulate`.
+Draws the given figures, or, without FIGURE, all figures that need no simulation. The other figures show simulated
+foams, which are read from caches in the folder given by --states. samples/figures/make.sh creates the caches with
+`foamtex simulate`.
 """
 import argparse
 import pathlib

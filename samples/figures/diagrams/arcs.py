@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Circular arcs as films have them (E1 of core/README.md), and the view that draws them.
+"""Circular arcs, which are the shapes of films (E1 of core/README.md), and the view in which they are drawn.
 
 Points of the foam are complex numbers in foam units: x points right, y points up.
 """
@@ -12,7 +12,7 @@ from canvas import pair
 
 @dataclass
 class Arc:
-    """An arc from tail to head. Half the angle by which its tangent turns left is `half_angle`, in radians."""
+    """An arc from tail to head. `half_angle` is half the angle by which its tangent turns left, in radians."""
     tail: complex
     head: complex
     half_angle: float = 0.0
@@ -62,7 +62,7 @@ class Arc:
 
 @dataclass
 class View:
-    """Maps points of the foam to pixels: `center` is drawn at `middle`, a foam unit is `scale` pixels."""
+    """Maps points of the foam to pixels: the point `center` is drawn at `middle`, and a foam unit is `scale` pixels."""
     scale: float
     middle: complex
     center: complex = 0j
@@ -80,5 +80,5 @@ class View:
         return f"A{pair(complex(radius, radius))} 0 {large} {clockwise} {pair(self.at(arc.head))}"
 
     def path(self, arcs, closed=False):
-        """Returns the path data of arcs, each of which starts at the end of the one before."""
+        """Returns the path data of arcs, each of which starts at the end of the preceding arc."""
         return "M" + pair(self.at(arcs[0].tail)) + "".join(map(self.arc_to, arcs)) + ("Z" if closed else "")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The figure of the flow of a bake (texgen/bake), with simulate and render as its halves."""
+"""Draws the flow of a bake (texgen/bake), and the commands simulate and render, which are its two halves."""
 from canvas import ARROW_HEAD, DASH, LABEL, MARGIN, NOTE, THIN, WIDTH, Canvas, polyline
 
 HEIGHT = 500
@@ -50,7 +50,7 @@ def connect(canvas, y, first, last):
 
 
 def draw_loop(canvas, y, first, last, title):
-    """Draws an arrow back from a step to an earlier one, below them."""
+    """Draws an arrow from a step back to an earlier step, below both."""
     bottom = y + BOX.imag / 2
     draw_route(canvas, [complex(last, bottom), complex(last, bottom + 20), complex(first, bottom + 20),
                         complex(first, bottom)], "muted")
@@ -58,7 +58,7 @@ def draw_loop(canvas, y, first, last, title):
 
 
 def draw_source(canvas):
-    """Draws the steps of the caller's thread, and the cache."""
+    """Draws the steps of the caller's thread."""
     draw_lane(canvas, MARGIN, 190, "neutral", "the caller’s thread")
     draw_file(canvas, complex(STEPS[0], SOURCE), "preset")
     draw_step(canvas, complex(STEPS[1], SOURCE), "seed foam")
@@ -96,7 +96,7 @@ def draw_queue(canvas):
 
 
 def draw_help_of_caller(canvas):
-    """Draws how the caller draws a frame itself."""
+    """Draws the arrow of frames that the caller's thread draws itself."""
     x = STEPS[0] - 24
     draw_route(canvas, [complex(x, 190), complex(x, DRAWING - BOX.imag / 2)], dash=DASH)
     canvas.lines(complex(x + 12, 214), ["if the queue is full,", "the caller draws, too"], anchor="start")

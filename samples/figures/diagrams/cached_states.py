@@ -8,20 +8,20 @@ from dataclasses import dataclass
 from arcs import Arc
 
 HEADER = struct.Struct("<8s8sII32sQQ")
-VERSION = 1  # of packed files
-RAW_DEFLATE = -15  # window bits of a deflate stream without a header of its own
+VERSION = 1  # version of packed files
+RAW_DEFLATE = -15  # window bits of a deflate stream without a header
 LARGEST_SINE = math.sin(math.radians(80))  # half angles of inner films are clamped (E3)
 
 
 class Reader:
-    """Takes numbers from bytes, the lowest byte first."""
+    """Reads numbers from bytes. The lowest byte of a number is first."""
 
     def __init__(self, content):
         self.content = content
         self.position = 0
 
     def take(self, kinds):
-        """Returns numbers of the kinds of the struct module."""
+        """Returns the next numbers. `kinds` are their format characters in the module struct."""
         values = struct.unpack_from("<" + kinds, self.content, self.position)
         self.position += struct.calcsize("<" + kinds)
         return values
@@ -49,7 +49,7 @@ class State:
     target_areas: list
     pressures: list
     positions: list
-    half_angles: dict  # of outer films
+    half_angles: dict  # the half angle of the half-edge 2k of each outer film k
 
     def offset(self, half_edge):
         i, j = self.offsets[half_edge // 2]
@@ -63,7 +63,7 @@ class State:
         return half_edge not in self.left or twin(half_edge) not in self.left
 
     def half_angle(self, half_edge, chord):
-        """Returns the half angle of a film: its own if it is an outer film, otherwise by E1."""
+        """Returns the half angle of a half-edge: stored for an outer film, computed by E1 for an inner film."""
         if self.is_outer(half_edge):
             stored = self.half_angles[half_edge // 2]
             return stored if half_edge % 2 == 0 else -stored
@@ -72,20 +72,20 @@ class State:
         return math.asin(max(-LARGEST_SINE, min(LARGEST_SINE, sine)))
 
     def arc(self, half_edge):
-        """Returns the arc of a half-edge that starts in the cell of the torus."""
+        """Returns the arc of a half-edge, with its tail in the cell of the torus."""
         tail = self.positions[self.tails[half_edge]]
         head = self.positions[self.tails[twin(half_edge)]] + self.translation(self.offset(half_edge))
         return Arc(tail, head, self.half_angle(half_edge, head - tail))
 
     def around(self, half_edge):
-        """Returns the half-edges around the bubble, the hole or the patch on the left, from this one on."""
+        """Returns the half-edges around the bubble, the hole or the patch on the left, starting with this one."""
         loop = [half_edge]
         while self.next[loop[-1]] != half_edge:
             loop.append(self.next[loop[-1]])
         return loop
 
     def outline(self, half_edge):
-        """Returns the arcs of the same half-edges, each where the one before ends."""
+        """Returns the arcs of the half-edges that `around` returns, each moved to the end of the preceding arc."""
         arcs, end = [], self.arc(half_edge).tail
         for side in self.around(half_edge):
             arc = self.arc(side)
@@ -94,7 +94,7 @@ class State:
         return arcs
 
     def bubble(self, identity):
-        """Returns the index of a bubble."""
+        """Returns the index of the bubble with an identity."""
         if identity not in self.identities:
             raise ValueError(f"frame {self.number}: there is no bubble {identity}")
         return self.identities.index(identity)
@@ -118,7 +118,7 @@ def content_of(path):
 
 
 def read_topology(reader):
-    """Returns tails, successors, lattice offsets, first half-edges and bubbles on the left."""
+    """Returns tails and successors of half-edges, lattice offsets of films, and one half-edge per bubble."""
     junctions = reader.take_one("I")
     tails, successors = {}, {}
     for junction in range(junctions):
@@ -129,7 +129,7 @@ def read_topology(reader):
     offsets = [reader.take("2i") for _ in range(3 * junctions // 2)]
     first = reader.take_many("I", reader.take_one("I"))
     if reader.take_one("B"):
-        reader.take_one("I")  # one of the half-edges of the ghost
+        reader.take_one("I")  # skips one of the half-edges of the ghost
     return tails, successors, offsets, first
 
 
@@ -143,7 +143,7 @@ def bubbles_on_left(first, successors):
 
 
 def read_state(cache, number):
-    """Returns the state of a number from a folder of states."""
+    """Returns the state with a number from a cache."""
     reader = Reader(content_of(cache / f"state.{number:06}.foam"))
     frame, _, width, height, shear, tension = reader.take("i5d")
     tails, successors, offsets, first = read_topology(reader)

@@ -7,8 +7,8 @@ written as a CSS class, so that a figure follows the light or the dark mode of i
 import re
 from xml.sax.saxutils import escape
 
-WIDTH = 840  # of every figure, the width of a column of text: type has the same size in all figures
-MARGIN = 24  # around the content of a figure
+WIDTH = 840  # of every figure, which is the width of a column of text, so that texts have the same size in all figures
+MARGIN = 24  # empty space around the content of a figure
 
 # Line widths.
 FILM = 2.5
@@ -18,11 +18,11 @@ DASH = "5 4"
 # Type sizes. Every text is one of the two.
 LABEL = 16
 NOTE = 13
-SUBSCRIPT = 0.72  # of the size of the text
+SUBSCRIPT = 0.72  # size of a subscript, as a fraction of the size of the text
 
 ARROW_HEAD = 10  # length of an arrow head
 
-# Each role has a color for the light and one for the dark mode.
+# Each role has a color for the light mode and a color for the dark mode.
 PALETTE = {
     "card": ("#ffffff", "#161b22"),
     "border": ("#d0d7de", "#30363d"),
@@ -74,7 +74,7 @@ class Canvas:
         return f'class="{" ".join(names)}"'
 
     def shape(self, element, fill=None, stroke=None, width=FILM, dash=None, clip=None):
-        """Adds an element that is given as its name and geometry."""
+        """Adds an element. `element` is its name followed by its geometric attributes."""
         attributes = [element, self.color(fill, stroke)]
         if stroke:
             attributes.append(f'stroke-width="{number(width)}"')
@@ -127,7 +127,7 @@ class Canvas:
             f'text-anchor="{anchor}"{weight} {self.color(color, None)}>{spans(markup, size)}</text>')
 
     def lines(self, at, texts, size=NOTE, spacing=18, **style):
-        """Writes lines of text below each other. The middle of the first is at `at`."""
+        """Writes lines of text below each other. The vertical middle of the first line is at `at`."""
         for index, text in enumerate(texts):
             self.text(at + 1j * index * spacing, text, size=size, **style)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The figure of one film as a circular arc, with the symbols of E1."""
+"""Draws a film as a circular arc, with the symbols of E1."""
 import cmath
 import math
 
@@ -11,7 +11,7 @@ HALF_ANGLE = math.radians(50)
 STUB = 62  # length of the films that meet the arc at its ends
 TANGENT = 120  # length of a tangent
 SAGITTA = CHORD / 2 * math.tan(HALF_ANGLE / 2)
-TO_CENTER = CHORD / 2 / math.tan(HALF_ANGLE)  # from the chord to the center of the circle
+TO_CENTER = CHORD / 2 / math.tan(HALF_ANGLE)  # distance from the chord to the center of the circle
 HEIGHT = 440
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The figure of a patch that is closed by the ghost bubble."""
+"""Draws a patch that is closed by the ghost bubble."""
 from arcs import View
 from cached_states import read_state
 from canvas import FILM, MARGIN, Canvas
@@ -7,8 +7,8 @@ from window import draw_half_edge, points_of
 
 HEIGHT = 440
 PANEL = 504  # width of the part of the plane that is shown
-INSET = 34  # between the raft and the border of the panel
-TITLE = 28  # more room above the raft, for the name of the ghost
+INSET = 34  # distance between the raft and the border of the panel
+TITLE = 28  # additional space above the raft, for the name of the ghost
 LEGEND = MARGIN + PANEL + 28  # left end of the texts
 
 
@@ -25,7 +25,7 @@ def inner_bubble(state):
 
 
 def draw_raft(canvas, state, view):
-    """Draws the ghost as the ground, and the raft on it."""
+    """Draws the ghost as the background, and the raft on it."""
     canvas.rect(MARGIN * (1 + 1j), PANEL, HEIGHT - 2 * MARGIN, radius=8, fill="orange-tint")
     boundary = state.outline(outer_boundary(state)[0])
     canvas.path(view.path(boundary, closed=True), fill="card")
@@ -44,7 +44,7 @@ def draw_half_edges(canvas, state, view):
 
 
 def write_legend(canvas):
-    """Explains the colors and what the ghost is for."""
+    """Writes the meaning of the colors, and a note on the ghost."""
     y = MARGIN + 24
     for color, lines in (("orange", ["half-edges of the ghost:", "the ghost is on their left"]),
                          ("blue", ["half-edges of a bubble:", "counter-clockwise around it"]),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The figure of half-edges, and of the lattice offset of a film that crosses the border of the torus' cell."""
+"""Draws half-edges, and the lattice offset of a film that crosses the border of the torus' cell."""
 from arcs import View
 from cached_states import read_state
 from canvas import DASH, MARGIN, NOTE, THIN, Canvas
@@ -8,14 +8,14 @@ from window import copies, draw_half_edge, films_near
 HEIGHT = 484
 CELL = 352  # width and height of the cell in pixels
 PANEL = 514 + (CELL + 36) * 1j  # width and height of the part of the plane that is shown
-SHIFT = 0.1  # of the panel's middle to the right of the cell's, in widths of the cell
+SHIFT = 0.1  # from the middle of the cell to the middle of the panel, to the right, in widths of the cell
 LEGEND = MARGIN + PANEL.real + 26
-OFFSET = (1, 0)  # of the half-edge that is explained
+OFFSET = (1, 0)  # lattice offset of the half-edge h of the figure
 DOT = 5  # radius of a junction
 
 
 def crossing_half_edge(state):
-    """Returns the half-edge with the offset whose film is nearest to the middle of the border that it crosses."""
+    """Returns the half-edge with the lattice offset OFFSET that is nearest to the middle of the right border."""
     border = state.periods.real + 0.5j * state.periods.imag
     found = [half_edge for half_edge in sorted(state.next) if state.offset(half_edge) == OFFSET]
     return min(found, key=lambda half_edge: abs(state.arc(half_edge).point_at(0.5) - border))
@@ -85,7 +85,7 @@ def write_legend(canvas):
 
 
 def draw_key(canvas, kind, color, left):
-    """Draws the sign of an entry of the legend."""
+    """Draws the symbol of an entry of the legend."""
     if kind == "arrow":
         canvas.arrow(left, left + 30, color, width=THIN + 0.5)
     elif kind == "cell":

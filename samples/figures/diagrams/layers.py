@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Draws a graph without cycles in layers, after Sugiyama, Tagawa and Toda (1981).
+"""Computes a drawing of a graph without cycles in layers, after Sugiyama, Tagawa and Toda (1981).
 
-Every arrow of the graph goes from a layer to one above it. An arrow that spans several layers goes through a bend, a
-point without size, in each layer between.
+Every arrow of the graph points from a layer to a higher layer. An arrow that spans several layers has a bend, which is
+a point without size, in each layer between.
 """
 from dataclasses import dataclass, field
 
-SWEEPS = 24  # of the ordering
-PLACINGS = 400  # sweeps of the positions
-STRAIGHT = 4  # weight of an arrow that should be straight, over that of others
+SWEEPS = 24  # sweeps that order the rows
+PLACINGS = 400  # sweeps that compute the positions
+STRAIGHT = 4  # weight of an arrow that should be straight; other arrows have the weight 1
 
 
 @dataclass
@@ -80,7 +80,7 @@ def order_by_neighbors(row, neighbors, fixed):
 
 
 def swap_where_better(layers):
-    """Swaps neighbors in a row as long as this removes crossings."""
+    """Swaps adjacent nodes of a row if this removes crossings. Returns the number of crossings that remain."""
     best = crossings(layers)
     for row in layers.rows:
         for index in range(len(row) - 1):
@@ -109,8 +109,8 @@ def reduce_crossings(layers):
 
 
 def spread(wishes, weights, gaps):
-    """Returns the positions nearest to the wishes, by weighted least squares, that keep the gaps (pool adjacent
-    violators, Ayer et al. 1955)."""
+    """Returns positions whose distances are at least `gaps`. They are nearest to `wishes` by weighted least squares
+    (pool adjacent violators, Ayer et al. 1955)."""
     offsets = [sum(gaps[:index]) for index in range(len(wishes))]
     blocks = []  # each: mean, weight, number of nodes
     for wish, weight, offset in zip(wishes, weights, offsets):
@@ -124,7 +124,7 @@ def spread(wishes, weights, gaps):
 
 
 def place(layers, gap_of):
-    """Returns the x of every node: near its neighbors, in the order of its row, at least gap_of(a, b) from the next."""
+    """Returns the x of every node, near its neighbors. Adjacent nodes a, b of a row are at least gap_of(a, b) apart."""
     x = {node: 100.0 * index for row in layers.rows for index, node in enumerate(row)}
     for sweep in range(PLACINGS):
         rows = layers.rows if sweep % 2 == 0 else layers.rows[::-1]
@@ -136,7 +136,7 @@ def place(layers, gap_of):
 
 
 def straighten(layers, row, x, gap_of):
-    """Moves the nodes of a row below those from which a straight arrow comes, as far as their neighbors allow."""
+    """Moves each node of a row below the node to which a straight arrow points, as far as adjacent nodes allow."""
     for index, node in enumerate(row):
         wishes = [x[other] for other in layers.above.get(node, []) if is_straight(layers, node, other)]
         for wish in wishes:
@@ -146,7 +146,8 @@ def straighten(layers, row, x, gap_of):
 
 
 def is_straight(layers, node, other):
-    """Returns true if an arrow should be as straight as possible: between bends, and where nothing branches off."""
+    """Returns true if an arrow should be straight: it connects two bends, or neither of its nodes has another arrow
+    between the same layers."""
     if is_bend(node) and is_bend(other):
         return True
     lower, upper = (node, other) if other in layers.above.get(node, []) else (other, node)

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The map of the rooms, from the calls of foam_room in the CMakeLists.txt files."""
+"""Draws the libraries of core and texgen, called rooms, as a graph.
+
+The rooms are read from the calls of foam_room in the CMakeLists.txt files.
+"""
 import pathlib
 import re
 
@@ -8,17 +11,17 @@ from layers import is_bend, make_layers, place, reduce_crossings
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 BOX = 100 + 30j  # width and height of a room
-PITCH = 64  # from layer to layer
+PITCH = 64  # distance between layers
 TOP = 104
 KEYWORDS = r"SOURCES|USES|PUBLIC_LIBRARIES|LIBRARIES"
-# The prefixes of folders, the longest first, with their colors and what the legend says about them.
+# The prefixes of folders, the longest first, with their colors and their texts in the legend.
 GROUPS = (("texgen/raster/", "green-tint", "texgen/raster/…"),
           ("texgen/", "orange-tint", "texgen/…"),
           ("core/", "blue-tint", "core/…"))
 
 
 def read_rooms():
-    """Returns the rooms that each room uses, by the folders of both."""
+    """Returns, for the folder of each room, the folders of the rooms that it uses."""
     uses = {}
     for top in ("core", "texgen"):
         for file in sorted(ROOT.glob(f"{top}/**/CMakeLists.txt")):
@@ -30,7 +33,7 @@ def read_rooms():
 
 
 def without_shortcuts(uses):
-    """Leaves out the rooms that a room sees through others anyway (the transitive reduction)."""
+    """Leaves out the rooms that a room also uses through others (the transitive reduction)."""
     def seen_from(room):
         return set(uses[room]).union(*(seen_from(used) for used in uses[room]))
 
@@ -39,7 +42,7 @@ def without_shortcuts(uses):
 
 
 def gap(a, b):
-    """Returns the distance between the centers of neighbors in a row."""
+    """Returns the distance between the centers of two adjacent nodes of a row."""
     return sum(12 if is_bend(node) else BOX.real / 2 + 11 for node in (a, b))
 
 
@@ -56,7 +59,7 @@ def positions(layers):
 
 
 def draw_arrow(canvas, points):
-    """Draws a curve through the nodes of an arrow, from the top of a room to the bottom of the one it uses."""
+    """Draws a curve through the nodes of an arrow, from the top of a room to the bottom of the room that it uses."""
     half = BOX.imag / 2
     stops = [points[0] - 1j * half]
     for bend in points[1:-1]:

@@ -1,20 +1,20 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The figure of the fill: what an arc adds to the pixels of a row (texgen/raster/coverage)."""
+"""Draws the contributions of an arc to the pixels of a row (texgen/raster/coverage)."""
 import math
 
 from arcs import Arc, View
 from canvas import DASH, LABEL, MARGIN, NOTE, THIN, WIDTH, Canvas
 
-# The arc in one row of pixels, in pixels: it comes in through the lower border and leaves through the upper one.
+# The arc in one row of pixels, in pixels. It enters through the lower border and leaves through the upper border.
 ARC = Arc(1.42 + 0j, 3.44 + 1j, math.radians(16))
 COLUMNS = 6
-ZOOMED = 1  # the part that the upper half shows
+ZOOMED = 1  # index of the part that the upper half shows
 ZOOM = 200  # size of a pixel in the upper half
 ZOOM_CORNER = complex(92, 258)  # lower left corner of the pixel there
 SIZE = 104  # size of a pixel in the lower half
-LEFT = WIDTH - MARGIN - COLUMNS * SIZE  # of the row in the lower half
+LEFT = WIDTH - MARGIN - COLUMNS * SIZE  # left end of the row in the lower half
 ROW_BOTTOM = 426
-LINE = 30  # from line to line of the table
+LINE = 30  # distance between the lines of the table
 HEIGHT = ROW_BOTTOM + 6 * LINE + 16
 
 
@@ -46,7 +46,7 @@ def area_on_left(column, part):
 
 
 def contributions(column, part):
-    """Returns what a part adds to the differences, by column."""
+    """Returns the amounts that a part adds to the differences, by column."""
     on_left = area_on_left(column, part)
     return {column: height_of(part) - on_left, column + 1: on_left}
 
@@ -82,7 +82,7 @@ def label_zoom(canvas, view, part):
 
 
 def write_rule(canvas):
-    """Writes what a part adds, beside the enlarged pixel."""
+    """Writes the contribution of a part, beside the enlarged pixel."""
     left = ZOOM_CORNER.real + 2 * ZOOM + 36
     middle = ZOOM_CORNER.imag - 0.5 * ZOOM
     canvas.lines(complex(left, middle - 86), ["An arc changes the value across it:",

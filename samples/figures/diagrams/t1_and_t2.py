@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The figure of both changes of topology, each in three frames of a simulation."""
+"""Draws the two changes of topology, each in three frames of a simulation."""
 import cmath
 import math
 
@@ -8,9 +8,9 @@ from cached_states import read_state, twin
 from canvas import FILM, MARGIN, NOTE, THIN, WIDTH, Canvas
 from window import film_between, films_near, outline_near, room_for_label
 
-RADIUS = 118  # of a window, in pixels
+RADIUS = 118  # radius of a window, in pixels
 PANELS = (MARGIN + RADIUS, WIDTH / 2, WIDTH - MARGIN - RADIUS)  # x of the windows
-ROW = 322  # from the upper row to the lower one
+ROW = 322  # distance from the upper row of windows to the lower row
 HEIGHT = 2 * ROW + 20
 
 # The T1: the numbers of three states of the shear flow; bubbles A and B, whose film vanishes; bubbles C and D.

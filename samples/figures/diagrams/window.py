@@ -6,10 +6,10 @@ import math
 from cached_states import twin
 from canvas import ARROW_HEAD, THIN
 
-SAMPLES = 60  # per side of the grid on which a label looks for room
+SAMPLES = 60  # steps per side of the grid of positions that are tried for a label
 SIDE = 8  # pixels between a film and the arrow of a half-edge
-ASPECT = 2  # of a label: width over height
-PER_ARC = 12  # points of an arc as a polyline
+ASPECT = 2  # width of a label divided by its height
+PER_ARC = 12  # number of points that represent an arc
 
 
 def draw_half_edge(canvas, view, arc, color, width=THIN + 0.5):
@@ -24,19 +24,19 @@ def draw_half_edge(canvas, view, arc, color, width=THIN + 0.5):
 
 
 def copies(state):
-    """Returns the translations to the copies of the cell around it."""
+    """Returns the translations of the cell of a torus to itself and the eight copies around it; for a patch, only 0."""
     if state.periods == 0:
         return [0j]
     return [state.translation((i, j)) for j in (-1, 0, 1) for i in (-1, 0, 1)]
 
 
 def points_of(arcs):
-    """Returns points along arcs, close enough to stand for them."""
+    """Returns points along arcs, which represent the arcs."""
     return [arc.point_at(index / PER_ARC) for arc in arcs for index in range(PER_ARC)]
 
 
 def outline_near(state, identity, center):
-    """Returns the outline of a bubble, of the copy that is nearest to a point."""
+    """Returns the outline of the copy of a bubble that is nearest to a point."""
     outline = state.outline(state.first[state.bubble(identity)])
     points = points_of(outline)
     middle = sum(points) / len(points)
@@ -45,7 +45,7 @@ def outline_near(state, identity, center):
 
 
 def films_near(state, center, radius):
-    """Returns the arcs of all films, copies included, of which a part is near a point."""
+    """Returns the arcs of all films, including copies, that have a part within a distance `radius` of a point."""
     found = []
     for half_edge in range(0, 2 * len(state.offsets), 2):
         arc = state.arc(half_edge)
@@ -56,7 +56,7 @@ def films_near(state, center, radius):
 
 
 def film_between(state, a, b, center):
-    """Returns the film between two bubbles that is nearest to a point, with the first of them on its left."""
+    """Returns the film between two bubbles that is nearest to a point. The first bubble is on its left."""
     left, right = state.bubble(a), state.bubble(b)
     arcs = [state.arc(half_edge).moved(by) for half_edge in sorted(state.next) for by in copies(state)
             if state.left.get(half_edge) == left and state.left.get(twin(half_edge)) == right]

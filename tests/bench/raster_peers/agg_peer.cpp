@@ -25,7 +25,8 @@ struct Styles {
     static void generate_span(agg::rgba8*, int, int, unsigned, unsigned) {}
 };
 
-// Each film once, with its cells as styles: AGG's rasterizer for what has common edges.
+// Draws each film once. The styles (fill colors) of its two sides are the bubbles beside it. AGG's
+// compound rasterizer is made for shapes that share edges.
 class AggPainter {
   public:
     explicit AggPainter(int side)

@@ -11,7 +11,8 @@ namespace foam::bench {
 
 namespace {
 
-// Cells are added up, so that no ground shows between them; films go over them.
+// Draws a scene with cairo. The colors of cells are added to a black image (operator ADD), so that
+// no background is visible between adjacent cells. Films are drawn over the cells.
 class CairoPainter {
   public:
     CairoPainter(int side, cairo_antialias_t antialias)
@@ -42,7 +43,7 @@ class CairoPainter {
         cairo_set_source_rgb(cr, 1.0, 1.0, 1.0);
         for (const Scene::Film& film : scene.films) {
             trace(film.line);
-            cairo_stroke(cr);  // faster than all films as one path
+            cairo_stroke(cr);  // faster than one path of all films
         }
     }
 
@@ -55,7 +56,7 @@ class CairoPainter {
         texgen::Image<std::uint8_t> copy(side, side, 3);
         for (int y = 0; y < side; ++y) {
             for (int x = 0; x < side; ++x) {
-                // Blue, green, red.
+                // The bytes of a pixel are blue, green, red, unused.
                 const unsigned char* pixel = data + y * stride + kPixelBytes * x;
                 const auto to = copy.pixel(x, y);
                 std::reverse_copy(pixel, pixel + 3, to.begin());

@@ -8,20 +8,21 @@
 
 namespace foam::bench {
 
-/// One way to do a piece of work.
+/// A piece of work whose time is compared with the times of others.
 struct Contender {
     std::string name;
     std::function<void()> run;
-    double seconds = 0.0;  // the least of all runs
+    double seconds = 0.0;  // shortest time of all runs
 };
 
 enum class Clock {
-    Processor,  // what other programs take of the machine does not count; of all threads in sum
-    Wall,
+    Processor,  // processor time, sum over all threads; other programs do not count
+    Wall,       // elapsed time
 };
 
-/// Lets all take turns, `rounds` times over: each has a few runs in a row, as frames of a sequence
-/// have, so that caches and threads are as its own last run left them.
+/// Measures the times of all contenders, which take turns `rounds` times. In each turn a contender
+/// makes a few consecutive runs, as for the frames of a sequence. Caches and threads are then in
+/// the state in which its previous run left them. The results are in Contender::seconds.
 void race(std::vector<Contender>& contenders, int rounds, Clock clock);
 
 }  // namespace foam::bench

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// Our rasterizer beside others, as a Markdown table: the least of several runs that take turns;
-// processor time on one thread but where it is said. Leaves out programs that were not there when
-// this was built.
+// Compares our rasterizer with other libraries and prints Markdown tables. The contenders take
+// turns; each time is the shortest of several runs. Times are processor times on one thread, except
+// for the comparison of one and two threads, which measures elapsed time. Libraries that were not
+// found when CMake was configured are left out.
 #include "tests/bench/bench_foams.h"
 #include "tests/bench/raster_peers/peers.h"
 #include "tests/bench/raster_peers/race.h"
@@ -29,8 +30,9 @@ using texgen::Image;
 constexpr int kSide = 2048;
 constexpr int kLargeSide = 4096;
 constexpr int kRounds = 5;
-constexpr int kWallRounds = 30;  // disturbed by whatever else the machine does
+constexpr int kWallRounds = 30;  // more rounds, because other programs disturb elapsed times
 
+// Returns a table that maps 16-bit values to 8 bits: value / 257, rounded.
 const texgen::Encoding<std::uint8_t>& high_bytes() {
     static const auto encoding = [] {
         auto codes = std::make_unique<texgen::Encoding<std::uint8_t>>();
@@ -42,7 +44,8 @@ const texgen::Encoding<std::uint8_t>& high_bytes() {
     return *encoding;
 }
 
-// Our own rasterizer, from a frame to an image of 3 channels of 8 bits, in memory used before.
+// Our own rasterizer. It draws a frame into an RGB image of 8 bits per channel, whose memory is
+// reused between runs.
 class Foamtex {
   public:
     Foamtex(const Frame& frame, const Scene& scene)
@@ -80,7 +83,8 @@ void print_row(const std::string& work,
                target > 0.0 ? fmt::format("≥ {}", target) : "");
 }
 
-// The first contender beside all others.
+// Races the contenders and prints one row for each contender after the first one, which is compared
+// with it. `targets` are the target ratios of these rows; 0 means no target.
 void print_race(const std::string& work,
                 std::vector<Contender> contenders,
                 const std::vector<double>& targets) {
@@ -127,7 +131,8 @@ void compare_strokes(int side, int bubbles, bool with_distance) {
     print_race(name_of(work, side, bubbles), contenders, {with_distance ? 6.5 : 12.0});
 }
 
-// 0 where the next bubble begins, which others measure the distance from.
+// Returns a mask for the peers, which measure the distance to pixels of value 0. A pixel is 0 if
+// the next pixel in x or in y belongs to another bubble, otherwise 255.
 Image<std::uint8_t> films_of(const DistanceField& field) {
     const int side = field.ids.width();
     Image<std::uint8_t> mask(side, side, 1);
@@ -162,7 +167,7 @@ void compare_threads(int side, int bubbles) {
     Foamtex ours(frame, scene_of(frame, side));
     struct Work {
         std::string name;
-        std::function<void(int)> run;  // on so many threads
+        std::function<void(int)> run;  // the argument is the number of threads
     };
     const std::vector<Work> works{
         {"fill", [&](int threads) { ours.fill(0.0, threads); }},
@@ -173,7 +178,7 @@ void compare_threads(int side, int bubbles) {
         contenders.push_back({"two threads", [&work] { work.run(2); }});
         contenders.push_back({"one thread", [&work] { work.run(1); }});
     }
-    // All in one race, which lasts longer than a disturbance.
+    // All contenders are in one race, which lasts longer than a disturbance by another program.
     race(contenders, kWallRounds, Clock::Wall);
     for (std::size_t k = 0; k < works.size(); ++k) {
         print_row(name_of(works[k].name + " on two threads", side, bubbles),
@@ -189,7 +194,7 @@ void compare_with_writing(int side, int bubbles) {
     Image<std::uint8_t> image(side, side, 3);
     std::uint8_t level = 0;
     const auto write_one_value = [&] { std::ranges::fill(image.samples(), ++level); };
-    // As pixels that differ have to be.
+    // Pixels that differ cannot be filled with one value. They must at least be copied.
     std::vector<std::uint8_t> row(image.row(0).size());
     const auto write_rows = [&] {
         for (int y = 0; y < side; ++y) {
@@ -204,7 +209,8 @@ void compare_with_writing(int side, int bubbles) {
                {});
 }
 
-// The mean of the values in each pixel, by point samples.
+// Returns the exact value of each channel of each pixel, computed from point samples: the mean of
+// the colors of the bubbles and of white films, weighted by area.
 std::vector<double> reference(const Frame& frame,
                               const Scene& scene,
                               double film_width,
@@ -232,7 +238,7 @@ double largest_error(const Image<std::uint8_t>& image, const std::vector<double>
     return largest;
 }
 
-// Of one film width, against each set of samples.
+// The reference images of one film width, one for each set of sample positions.
 struct References {
     std::vector<double> lattice;
     std::vector<double> grid;
@@ -254,7 +260,8 @@ void print_errors() {
     const References cells(frame, scene, 0.0);
     const References films(frame, scene, kFilmWidth);
     fmt::print(
-        "\n| largest error of a pixel, of 255 | fill | of 64 x 64 | fill + films | of 64 x 64 |\n"
+        "\n| largest error of a pixel, of 255 | fill | against 64 x 64 samples | fill + films | "
+        "against 64 x 64 samples |\n"
         "|---|---|---|---|---|\n| foamtex |");
     ours.fill(0.0, 1);
     cells.print(ours.image());
@@ -275,7 +282,7 @@ void print_errors() {
 }
 
 void run() {
-    fmt::print("| work | foamtex | beside it | ratio | target |\n|---|---|---|---|---|\n");
+    fmt::print("| work | foamtex | compared with | ratio | target |\n|---|---|---|---|---|\n");
     compare_fills(kSide, 10000);
     compare_strokes(kSide, 10000, true);
     compare_strokes(kSide, 1000, false);

@@ -14,10 +14,10 @@ namespace foam::bench {
 
 namespace {
 
-constexpr double kSagitta = 1.0 / 32;
-constexpr int kScale16 = 257;  // of 8 bits to 16
+constexpr double kSagitta = 1.0 / 32;  // largest distance of a polyline from its arc, pixels
+constexpr int kScale16 = 257;          // factor from 8 bits to 16 bits
 
-// All points but the last.
+// Appends the vertices of a polyline along an arc, except the last vertex.
 void append_line(const FilmArc& arc, const Vec2& tail, Polyline& line) {
     const double sagitta = 0.25 * arc_length(arc) * std::abs(arc.half_angle);
     const int edges = std::max(1, static_cast<int>(std::ceil(std::sqrt(sagitta / kSagitta))));
@@ -26,6 +26,7 @@ void append_line(const FilmArc& arc, const Vec2& tail, Polyline& line) {
     }
 }
 
+// Returns true if the line, widened by the film width on each side, may be visible in the image.
 bool shows(const Polyline& line, int side) {
     Vec2 low = line.front();
     Vec2 high = low;
@@ -43,7 +44,7 @@ Polyline moved(Polyline line, const Vec2& by) {
     return line;
 }
 
-// A film in one of its copies: the film, and the offset of its tail.
+// Identifies a lattice copy of a film: the film, and the lattice offset (i, j) of its tail.
 using FilmCopy = std::tuple<FilmId, std::int32_t, std::int32_t>;
 
 class SceneBuilder {
@@ -82,11 +83,11 @@ class SceneBuilder {
         const Network& network = frame_.network;
         Polyline outline;
         std::vector<std::pair<HalfEdgeId, LatticeOffset>> sides;
-        LatticeOffset lift;
+        LatticeOffset unwrapping;
         for (const HalfEdgeId h : network.around(bubble)) {
-            append_line(arc(h), tail(h, lift), outline);
-            sides.emplace_back(h, is_forward(h) ? lift : lift + network.offset(h));
-            lift = lift + network.offset(h);
+            append_line(arc(h), tail(h, unwrapping), outline);
+            sides.emplace_back(h, is_forward(h) ? unwrapping : unwrapping + network.offset(h));
+            unwrapping = unwrapping + network.offset(h);
         }
         for (int i = -1; i <= 1; ++i) {
             for (int j = -1; j <= 1; ++j) {
@@ -125,7 +126,7 @@ texgen::CellValues values_of(const Scene& scene) {
     texgen::CellValues values{3, {}, {65535, 65535, 65535}};
     for (const auto& color : scene.colors) {
         for (const std::uint8_t level : color) {
-            values.cells.push_back(static_cast<std::uint16_t>(level * kScale16));
+            values.bubbles.push_back(static_cast<std::uint16_t>(level * kScale16));
         }
     }
     return values;

@@ -12,33 +12,34 @@
 
 namespace foam::bench {
 
-/// A straightened curve; pixels.
+/// A curve as a chain of straight edges, in pixels.
 using Polyline = std::vector<Vec2>;
 
-/// A frame on a torus as programs take it that know no torus: all that shows in the image, in as
-/// many copies as show.
+/// A frame on a torus for libraries that have no periodic images: all lattice copies of cells and
+/// films that are visible in the image.
 struct Scene {
     struct Cell {
         std::size_t bubble = 0;
         Polyline outline;
     };
     struct Film {
-        int left = -1;  // bubbles, where that cell is one of `cells`
+        int left = -1;  // bubble on the left; -1 if this copy of its cell is not in `cells`
         int right = -1;
         Polyline line;
     };
-    int side = 0;  // of the image, which is square
+    int side = 0;  // side of the square image, pixels
     std::vector<Cell> cells;
     std::vector<Film> films;
-    std::vector<std::array<std::uint8_t, 3>> colors;  // of bubbles; light, as films are white
+    std::vector<std::array<std::uint8_t, 3>> colors;  // of the bubbles; films are white
 };
 
-inline constexpr double kFilmWidth = 2.0;
+inline constexpr double kFilmWidth = 2.0;  // pixels
 
-/// Lines lie within 1/32 pixel of their arcs: three times as close as cairo's own arcs by default.
+/// Returns the scene of a frame. Polylines are within 1/32 pixel of their arcs. This is three times
+/// as close as cairo's own approximation of arcs by default.
 Scene scene_of(const Frame& frame, int side);
 
-/// The same colors for our own rasterizer.
+/// Returns the colors of the scene for our own rasterizer.
 texgen::CellValues values_of(const Scene& scene);
 
 }  // namespace foam::bench

@@ -12,7 +12,8 @@ namespace foam::bench {
 
 namespace {
 
-// The lower triangle of a symmetric matrix in Eigen's memory, to which CHOLMOD does not write.
+// Returns a view of the lower triangle of a symmetric matrix for CHOLMOD. The view uses Eigen's
+// memory, to which CHOLMOD does not write.
 cholmod_sparse view(const Eigen::SparseMatrix<double>& lower) {
     cholmod_sparse sparse{};
     sparse.nrow = static_cast<std::size_t>(lower.rows());

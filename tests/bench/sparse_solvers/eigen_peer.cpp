@@ -12,7 +12,7 @@ Result eigen_result(const System& system) {
     result.analysis_seconds = min_seconds([&] { solver.analyzePattern(system.lower); });
     result.factor_seconds = min_seconds([&] { solver.factorize(system.lower); });
     result.positions = solver.permutationP().indices();
-    // L is stored without its diagonal, and with an index beside each number.
+    // L is stored without its diagonal, and with an index for each number.
     const auto rows = static_cast<double>(system.lower.rows());
     const auto below = static_cast<double>(solver.matrixL().nestedExpression().nonZeros());
     result.numbers = below + rows;

@@ -14,8 +14,8 @@ Elimination count_elimination(const Eigen::SparseMatrix<double>& lower,
     Eigen::VectorXi parents = Eigen::VectorXi::Constant(lower.cols(), -1);
     Eigen::VectorXi last_rows = parents;
     Eigen::VectorXi counts = Eigen::VectorXi::Ones(lower.cols());
-    // Row k of L has an entry in each column on the paths up the elimination tree that lead from
-    // the entries of row k of the matrix to k itself.
+    // L has an entry in row k and column j if j is on the path in the elimination tree that leads
+    // from an entry of row k of the matrix up to k.
     for (int k = 0; k < upper.cols(); ++k) {
         last_rows[k] = k;
         for (Eigen::SparseMatrix<double>::InnerIterator it(upper, k); it; ++it) {

@@ -14,8 +14,9 @@ namespace foam::bench {
 /// The position of each row in the order of elimination.
 using Permutation = Eigen::VectorXi;
 
-/// The size of L and the work of the factorization if rows are eliminated one by one, without any
-/// zeros that a solver keeps for its own sake. It depends on the order of elimination alone.
+/// The size of L and the work of the factorization if rows are eliminated one by one. The explicit
+/// zeros that some solvers store do not count. Both numbers depend only on the pattern and on the
+/// order of elimination.
 struct Elimination {
     double numbers = 0.0;     // entries of L, including the diagonal
     double operations = 0.0;  // sum over the columns of L of the squared number of their entries
@@ -25,11 +26,12 @@ struct Elimination {
 Elimination count_elimination(const Eigen::SparseMatrix<double>& lower,
                               const Permutation& positions);
 
-/// Returns the inverse of a permutation: the positions of an order, or the order of positions.
+/// Returns the inverse of a permutation: the positions for an order of elimination, or the order
+/// for positions.
 Permutation inverse(const Permutation& order);
 
-/// Returns the position of each row from the position of each node. The nodes own the rows in
-/// order.
+/// Returns the position of each row from the position of each node. Each node has consecutive rows,
+/// in the order of the nodes.
 Permutation positions_of_rows(std::span<const SolverNode> nodes, const Permutation& node_positions);
 
 }  // namespace foam::bench

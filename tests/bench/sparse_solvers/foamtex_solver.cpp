@@ -10,7 +10,7 @@ namespace foam::bench {
 
 namespace {
 
-// An order that is useless would take memory without end.
+// Limits the memory if the order of elimination is useless.
 constexpr std::size_t kMaxBytes = std::size_t{1} << 30U;
 
 template <class Real>
@@ -52,7 +52,7 @@ Result foamtex_order(const System& system) {
     Result result{.solver = "foamtex"};
     Dissection dissection;
     const auto count = static_cast<Eigen::Index>(system.nodes.size());
-    const NodeGraph graph = coupling(system.lower, system.nodes);
+    const NodeGraph graph = node_graph(system.lower, system.nodes);
     result.analysis_seconds =
         min_seconds([&] { dissection = dissect(graph, system.nodes, system.domain, {}); });
     const std::vector<int> order(dissection.order.begin(), dissection.order.end());

@@ -9,7 +9,7 @@
 namespace foam::bench {
 
 std::optional<Result> metis_order(const System& system) {
-    const NodeGraph graph = coupling(system.lower, system.nodes);
+    const NodeGraph graph = node_graph(system.lower, system.nodes);
     std::vector<idx_t> begins(graph.begins.begin(), graph.begins.end());
     std::vector<idx_t> neighbors(graph.neighbors.begin(), graph.neighbors.end());
     std::vector<idx_t> weights;

@@ -14,17 +14,17 @@ namespace foam::bench {
 
 namespace {
 
-constexpr int kUseCommWorld = -987654;
+constexpr int kUseCommWorld = -987654;  // MUMPS's number for MPI_COMM_WORLD
 
-// The orders of elimination, by their numbers in ICNTL(7) and INFOG(7).
+// The names of the orders of elimination, at their numbers in ICNTL(7) and INFOG(7).
 constexpr std::array<const char*, 7> kOrderings = {
     "AMD", "given", "AMF", "SCOTCH", "PORD", "METIS", "QAMD"};
-constexpr int kMetis = 5;  // MUMPS takes another one if it was built without METIS
+constexpr int kMetis = 5;  // MUMPS uses another order if it lacks METIS
 
 enum Job { Begin = -1, End = -2, Analyze = 1, Factor = 2, Solve = 3 };
 
-// An instance of MUMPS for a symmetric matrix of any kind (SYM = 2), whose pivots are chosen for
-// stability. Arrays of the manual begin at 1.
+// An instance of MUMPS for a general symmetric matrix (SYM = 2), whose pivots are chosen for
+// stability. Indices in the manual of MUMPS begin at 1.
 class Mumps {
   public:
     explicit Mumps(const Eigen::SparseMatrix<double>& lower) : values_(lower) {
@@ -93,7 +93,7 @@ Result mumps_result(const System& system) {
         fmt::format("MUMPS LDLᵀ, {}", kOrderings.at(static_cast<std::size_t>(solver.infog(7))));
     result.positions = solver.positions();
     const double numbers = solver.infog(29);
-    result.numbers = numbers < 0.0 ? -1e6 * numbers : numbers;  // negative: in millions
+    result.numbers = numbers < 0.0 ? -1e6 * numbers : numbers;  // negative: number in millions
     result.bytes = 1e6 * solver.infog(22);
     return result;
 }

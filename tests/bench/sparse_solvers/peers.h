@@ -23,13 +23,13 @@ struct Result {
     double analysis_seconds = kUnknown;
     double factor_seconds = kUnknown;
     double solve_seconds = kUnknown;
-    double bytes = kUnknown;    // of the factor and all other memory of the factorization
-    double numbers = kUnknown;  // stored for L, including kept zeros
-    double residual = kUnknown;
+    double bytes = kUnknown;     // of the factor and all other memory of the factorization
+    double numbers = kUnknown;   // numbers stored for L, including explicit zeros
+    double residual = kUnknown;  // relative residual (system.h)
 };
 
-/// Returns the least processor time of up to five runs, which end after the first that brings their
-/// sum to a second.
+/// Returns the least processor time of up to five runs. No further run starts when the runs have
+/// taken a second in total.
 template <class Work>
 double min_seconds(const Work& work) {
     double best = std::numeric_limits<double>::infinity();
@@ -44,17 +44,17 @@ double min_seconds(const Work& work) {
     return best;
 }
 
-/// Our own solver, in double and in single precision.
+/// Returns the results of our own solver, in double and in single precision.
 std::vector<Result> foamtex_results(const System& system);
 
 /// Returns the results of all peers that were built in.
 std::vector<Result> peer_results(const System& system);
 
-/// Our order of elimination, and the time to find it.
+/// Returns our order of elimination, and the time to find it.
 Result foamtex_order(const System& system);
 
-/// The order of METIS's nested dissection of the graph of nodes, each of which weighs as much as it
-/// has rows, and the time to find it. Returns nothing if METIS is not built in.
+/// Returns the order of METIS's nested dissection of the graph of nodes, and the time to find it.
+/// The weight of a node is its number of rows. Returns nothing if METIS is not built in.
 std::optional<Result> metis_order(const System& system);
 
 Result eigen_result(const System& system);

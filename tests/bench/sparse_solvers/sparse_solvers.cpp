@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// Our sparse solver and its order of elimination beside others, as Markdown tables. Leaves out the
-// peers that were not installed when this was built.
+// Compares our sparse solver and its order of elimination with other solvers, as Markdown tables.
+// Omits the peers that were not installed when this program was built.
 
 #include "tests/bench/largest_argument.h"
 #include "tests/bench/sparse_solvers/peers.h"
@@ -28,22 +28,22 @@ the largest number of bubbles, by default 100,000; all together take a quarter o
 )";
 
 constexpr const char* kLegend =
-    R"(Least processor time of up to five runs, on one thread. Memory: L and all that factoring needs
-beside it, but for foamtex without indices. L: its numbers without any zeros that a solver keeps.
-Work: the sum over the columns of this L of their squared number of entries. Residual:
+    R"(Least processor time of up to five runs, on one thread. Memory: L and all other memory of the
+factorization, for foamtex without indices. L: its number of entries without the zeros that a solver
+keeps. Work: the sum over the columns of this L of their squared number of entries. Residual:
 |A x - b| / (|A| |x| + |b|). (1) A positive definite matrix of the same pattern: the Hessian has
 negative pivots, for which CHOLMOD has no supernodal factorization.
 )";
 
 constexpr int kTangledBubbles = 20000;
 
-// Several systems of one kind, from seed to seed.
+// Several systems of one kind, which differ in their seeds.
 struct Kind {
     std::string name;
     int bubbles = 0;
     std::uint64_t first_seed = 1;
     std::uint64_t seeds = 1;
-    bool compares_solvers = true;  // for the first seed
+    bool compares_solvers = true;  // compares all solvers for the first seed
     std::function<System(int bubbles, std::uint64_t seed)> make;
 };
 
@@ -62,7 +62,7 @@ std::vector<Kind> all_kinds() {
         {"all at one position", kTangledBubbles, 3, 1, false, collapsed_system}};
 }
 
-// An unknown value leaves its cell empty.
+// Returns the text of a table cell, which is empty for an unknown value.
 std::string cell(double value, int decimals) {
     return std::isnan(value) ? "" : fmt::format("{:.{}f}", value, decimals);
 }
@@ -103,7 +103,8 @@ double median(std::vector<double> values) {
     return *middle;
 }
 
-// The orders of elimination of all systems of a kind.
+// Compares the time and the work of our order of elimination with METIS's order, for all systems of
+// a kind.
 class OrderTally {
   public:
     void add(const System& system) {
@@ -119,7 +120,7 @@ class OrderTally {
         ratios_.push_back(work_.back() / metis_work_.back());
     }
 
-    // Returns a row of the table of orders, or nothing without METIS.
+    // Returns a row of the table of orders, or an empty text if METIS is not built in.
     std::string row(const Kind& kind) const {
         return ratios_.empty()
                    ? ""
@@ -145,7 +146,7 @@ class OrderTally {
     std::vector<double> ratios_;
 };
 
-// Prints the table of the solvers and returns the row of the table of orders.
+// Prints the table of the solvers for a kind, and returns its row of the table of orders.
 std::string compare(const Kind& kind) {
     OrderTally orders;
     for (std::uint64_t k = 0; k < kind.seeds; ++k) {

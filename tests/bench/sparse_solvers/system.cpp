@@ -19,7 +19,7 @@ namespace foam::bench {
 
 namespace {
 
-constexpr double kRegularization = 1e-6;  // of a factor of single precision
+constexpr double kRegularization = 1e-6;  // as for a factor in single precision
 
 Eigen::SparseMatrix<double> regularized_hessian(const Foam& foam, const Unknowns& unknowns) {
     Hessian hessian(foam.network, unknowns);
@@ -50,8 +50,9 @@ Foam raw_diagram(int bubbles, std::uint64_t seed) {
     return seed_foam({.bubbles = bubbles, .seed = seed});
 }
 
-// Returns the sum of absolute values beside the diagonal in each row of a symmetric matrix.
-Eigen::VectorXd sums_beside_diagonal(const Eigen::SparseMatrix<double>& lower) {
+// Returns the sum of the absolute values of the off-diagonal entries in each row of a symmetric
+// matrix.
+Eigen::VectorXd off_diagonal_sums(const Eigen::SparseMatrix<double>& lower) {
     Eigen::VectorXd sums = Eigen::VectorXd::Zero(lower.rows());
     for (Eigen::Index col = 0; col < lower.cols(); ++col) {
         for (Eigen::SparseMatrix<double>::InnerIterator it(lower, col); it; ++it) {
@@ -104,13 +105,13 @@ double residual(const Eigen::SparseMatrix<double>& lower,
                 const Eigen::VectorXd& b) {
     const Eigen::VectorXd error = lower.selfadjointView<Eigen::Lower>() * x - b;
     const auto largest = [](const Eigen::VectorXd& v) { return v.lpNorm<Eigen::Infinity>(); };
-    const Eigen::VectorXd sums = sums_beside_diagonal(lower) + lower.diagonal().cwiseAbs();
+    const Eigen::VectorXd sums = off_diagonal_sums(lower) + lower.diagonal().cwiseAbs();
     return largest(error) / (largest(sums) * largest(x) + largest(b));
 }
 
 Eigen::SparseMatrix<double> dominant(const Eigen::SparseMatrix<double>& lower) {
     Eigen::SparseMatrix<double> matrix = lower;
-    matrix.diagonal() = 1.1 * (sums_beside_diagonal(lower).array() + 1e-3);
+    matrix.diagonal() = 1.1 * (off_diagonal_sums(lower).array() + 1e-3);
     return matrix;
 }
 

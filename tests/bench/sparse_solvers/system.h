@@ -13,8 +13,8 @@
 
 namespace foam::bench {
 
-/// A linear system of Newton's method (E3), which is quasi-definite: junctions come with positive
-/// pivots, pressures with negative ones.
+/// A linear system of Newton's method (E3). It is quasi-definite: the pivots of junctions are
+/// positive, the pivots of pressures negative.
 struct System {
     Domain domain;
     std::vector<SolverNode> nodes;
@@ -22,7 +22,7 @@ struct System {
     Eigen::VectorXd right_side;         // random numbers in [-1, 1)
 };
 
-/// The system of a foam in equilibrium.
+/// Returns the system of a foam in equilibrium.
 System relaxed_system(int bubbles, std::uint64_t seed);
 
 /// The system of a raw diagram, with the positions that its nodes have after `length` times the
@@ -30,11 +30,11 @@ System relaxed_system(int bubbles, std::uint64_t seed);
 /// that the foam is tangled afterwards: a step of length 1 tangles every twentieth junction, one of
 /// length 20 nearly half of them. The values of the matrix are from before the step, since a
 /// Hessian of tangled films is not quasi-definite; the order of elimination does not read them. Its
-/// entries reach 1e5 at the shortest films, beside a regularization of 1e-6: without pivoting, some
+/// entries reach 1e5 at the shortest films, and the regularization is 1e-6: without pivoting, some
 /// orders leave few digits in double precision, and no factor in single precision.
 System overshot_system(int bubbles, std::uint64_t seed, double length);
 
-/// The system of a raw diagram whose nodes all have the same position.
+/// Returns the system of a raw diagram, but with the same position for all nodes.
 System collapsed_system(int bubbles, std::uint64_t seed);
 
 /// Returns the relative residual |A x - b| / (|A| |x| + |b|) in the maximum norm. The lower
@@ -44,7 +44,7 @@ double residual(const Eigen::SparseMatrix<double>& lower,
                 const Eigen::VectorXd& b);
 
 /// Returns the lower triangle of a positive definite matrix of the same pattern: each diagonal
-/// entry becomes larger than the sum of the absolute values beside it.
+/// entry becomes larger than the sum of the absolute values of the other entries of its row.
 Eigen::SparseMatrix<double> dominant(const Eigen::SparseMatrix<double>& lower);
 
 }  // namespace foam::bench

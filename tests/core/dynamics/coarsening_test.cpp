@@ -31,8 +31,8 @@ TEST(Coarsening, GrowthRateIsInProportionToTensionAndKappa) {
     EXPECT_NEAR(growth_rate(foam, BubbleId{2}, {.kappa = 0.25}), kPi, 1e-15);
 }
 
-// Bubble 5 has 3 sides, 10, 4 and 2 have 5, and 6, 9 and 1 have 8; kappa = 3/pi makes the rate n
-// - 6.
+// Bubble 5 has 3 sides; bubbles 10, 4 and 2 have 5 sides; bubbles 6, 9 and 1 have 8 sides. With
+// kappa = 3/pi the growth rate is n - 6.
 TEST(Coarsening, DiffuseChangesTheTargetsOnly) {
     Foam foam = test::honeycomb_around(3);
     const Foam before = foam;
@@ -45,7 +45,8 @@ TEST(Coarsening, DiffuseChangesTheTargetsOnly) {
     EXPECT_TRUE(test::are_same(foam, before));
 }
 
-// The sum of n - 6 over all bubbles is 0 (Euler), so that the total stays; a target may go below 0.
+// The sum of n - 6 over all bubbles is 0 (Euler), so that the total area does not change. A single
+// target area may become negative.
 TEST(Coarsening, DiffuseKeepsTheTotal) {
     for (const int bubbles : {2, 5, 200}) {
         Foam foam = test::raw_foam(bubbles, 3);

@@ -26,7 +26,7 @@ TEST(Collapse, IsDueAtTheT2AreaOrATenthOfIt) {
     const TopologyThresholds thresholds{.t2_area = 0.01};
     struct Case {
         int sides;
-        double largest;  // area at which it is due
+        double largest;  // largest target area at which the bubble is due
     };
     for (const Case& c : {Case{2, 0.01}, Case{3, 0.01}, Case{4, 0.001}, Case{5, 0.001}}) {
         Foam foam = honeycomb_around(c.sides);
@@ -35,12 +35,13 @@ TEST(Collapse, IsDueAtTheT2AreaOrATenthOfIt) {
         EXPECT_TRUE(is_due_to_vanish(foam, kDying, thresholds)) << c.sides;
         foam.target_areas[kDying] = 1.001 * c.largest;
         EXPECT_FALSE(is_due_to_vanish(foam, kDying, thresholds)) << c.sides;
-        foam.target_areas[kDying] = -0.5;  // as diffusion may leave it
+        foam.target_areas[kDying] = -0.5;  // diffusion may make a target area negative
         EXPECT_TRUE(is_due_to_vanish(foam, kDying, thresholds)) << c.sides;
     }
 }
 
-// n - 3 flips lead from n sides to three; two are few enough.
+// A bubble of n sides needs n - 3 T1s before it can vanish with three sides. A bubble of two sides
+// needs none.
 TEST(Collapse, TakesAllButThreeSidesByT1) {
     for (int sides = 2; sides <= 6; ++sides) {
         Foam foam = honeycomb_around(sides);
@@ -54,7 +55,8 @@ TEST(Collapse, TakesAllButThreeSidesByT1) {
     }
 }
 
-// Every third of the gas, or half of it, goes to one neighbor.
+// The bubble vanishes with three or two sides. Each of its last neighbors gets an equal part of the
+// gas.
 TEST(Collapse, SharesTheGasAmongTheLastNeighbors) {
     for (int sides = 2; sides <= 6; ++sides) {
         Foam foam = honeycomb_around(sides);
@@ -74,7 +76,7 @@ TEST(Collapse, SharesTheGasAmongTheLastNeighbors) {
     }
 }
 
-// A negative target is a debt that the neighbors take over.
+// If the target area is negative, the last neighbors lose gas.
 TEST(Collapse, KeepsTheTotalOfANegativeTargetToo) {
     Foam foam = honeycomb_around(3);
     foam.target_areas[kDying] = -0.3;
@@ -99,7 +101,8 @@ TEST(Collapse, LeavesTheJunctionAtTheMeanOfTheThree) {
     EXPECT_LT((foam.positions[remaining] - sum / 3.0).norm(), 1e-14);
 }
 
-// A film that has flipped is disarmed; the one that a lens leaves behind is a new one.
+// All films are disarmed first. The film that replaces a vanished two-sided bubble is new and
+// therefore armed.
 TEST(Collapse, ArmsTheFilmThatALensLeaves) {
     Foam foam = honeycomb_around(2);
     std::fill(foam.t1_armed.begin(), foam.t1_armed.end(), std::uint8_t{0});
@@ -131,7 +134,7 @@ TEST(Collapse, KeepsTheOnlyOtherBubble) {
     EXPECT_NEAR(foam.target_areas[BubbleId{1}], 2.0, 1e-14);
 }
 
-// Its films flip for ever, and it never has fewer than six sides.
+// The films of the only bubble can flip forever, but the bubble never has fewer than six sides.
 TEST(Collapse, DoesNotTakeTheLastBubble) {
     Foam foam = test::single_bubble();
     TopologyCounts counts;
@@ -144,7 +147,7 @@ TEST(Collapse, DoesNotTakeTheLastBubble) {
 TEST(CollapseDue, RemovesOnlyDueBubbles) {
     Foam foam = honeycomb_around(3);
     foam.target_areas[kDying] = 0.005;
-    foam.target_areas[BubbleId{10}] = 0.005;  // five-sided: not yet
+    foam.target_areas[BubbleId{10}] = 0.005;  // five sides: due only below 0.001
     const double total = total_target(foam);
     const TopologyCounts counts = collapse_due(foam, {.t2_area = 0.01});
     EXPECT_EQ(counts.t1, 0);
@@ -167,12 +170,13 @@ TEST(CollapseDue, RemovesNeighborsInOneCall) {
     EXPECT_NEAR(total_target(foam), total, 1e-13);
 }
 
-// A step in which the large bubbles change little can take a small one far below zero.
+// A time step in which large bubbles change little can take the target area of a small bubble far
+// below zero. Its neighbors then lose gas. A neighbor that loses almost all its gas vanishes too.
 TEST(CollapseDue, RemovesNeighborsWhoseGasIsUsedUp) {
     for (const BubbleId neighbor : {BubbleId{1}, BubbleId{6}, BubbleId{9}}) {
         Foam foam = honeycomb_around(3);
         foam.target_areas[kDying] = -0.3;
-        foam.target_areas[neighbor] = 0.02;  // not due, below or above in the order of ids
+        foam.target_areas[neighbor] = 0.02;  // not due itself; its id is below or above kDying
         const double total = total_target(foam);
         EXPECT_EQ(collapse_due(foam, {.t2_area = 0.01}).t2, 2) << index_of(neighbor);
         EXPECT_FALSE(foam.network.is_live(neighbor));

@@ -15,7 +15,7 @@
 namespace foam {
 namespace {
 
-constexpr double kClosed = 1e-9;  // mean diameters
+constexpr double kClosed = 1e-9;  // largest closing_error of a closed cycle, mean diameters
 constexpr int kSteps = 24;
 
 Foam equilibrated_patch() {
@@ -24,7 +24,7 @@ Foam equilibrated_patch() {
     return patch;
 }
 
-// The foam at the start of a cycle, after so many of them.
+// Returns the foam at the start of a cycle, after the given number of cycles.
 Foam after_cycles(const Cycle& cycle, Foam foam, int cycles) {
     for (int position = 0; position <= cycles * kSteps; ++position) {
         const StepSummary summary = cycle.step_to(position, foam, 0.0, {});
@@ -33,6 +33,7 @@ Foam after_cycles(const Cycle& cycle, Foam foam, int cycles) {
     return foam;
 }
 
+// Expects that one more cycle leads back to the same state after the given number of cycles.
 void expect_closes(const Foam& start, const CycleOptions& options, int cycles) {
     const Cycle cycle(start, options);
     const Foam before = after_cycles(cycle, start, cycles);
@@ -43,15 +44,15 @@ void expect_closes(const Foam& start, const CycleOptions& options, int cycles) {
         largest = std::max(largest, closing_error(before, foam));
     }
     EXPECT_LT(closing_error(before, foam), kClosed);
-    EXPECT_GT(largest, 1e-3);  // it did move
+    EXPECT_GT(largest, 1e-3);  // the foam has moved during the cycle
 }
 
-TEST(Cycle, BreathClosesFromTheFirstOn) {
-    expect_closes(test::equilibrated_foam(60, 1), {.steps = kSteps, .breath = 0.1}, 0);
+TEST(Cycle, OscillatingAreasCloseFromTheFirstOn) {
+    expect_closes(test::equilibrated_foam(60, 1), {.steps = kSteps, .area_amplitude = 0.1}, 0);
 }
 
-TEST(Cycle, DeepBreathClosesOnceItsT1AreThrough) {
-    expect_closes(test::equilibrated_foam(60, 1), {.steps = kSteps, .breath = 0.35}, 3);
+TEST(Cycle, LargeOscillationsCloseOnceTheirT1AreThrough) {
+    expect_closes(test::equilibrated_foam(60, 1), {.steps = kSteps, .area_amplitude = 0.35}, 3);
 }
 
 TEST(Cycle, ShearCloses) {
@@ -59,21 +60,21 @@ TEST(Cycle, ShearCloses) {
 }
 
 TEST(Cycle, PatchCloses) {
-    expect_closes(equilibrated_patch(), {.steps = kSteps, .breath = 0.1}, 1);
+    expect_closes(equilibrated_patch(), {.steps = kSteps, .area_amplitude = 0.1}, 1);
 }
 
 TEST(Cycle, ConvergesAfterOneCycle) {
     const Foam start = test::equilibrated_foam(60, 1);
-    const Cycle cycle(start, {.steps = kSteps, .breath = 0.1});
+    const Cycle cycle(start, {.steps = kSteps, .area_amplitude = 0.1});
     const Foam once = after_cycles(cycle, start, 1);
     EXPECT_LT(closing_error(once, after_cycles(cycle, once, 1)), kClosed);
     EXPECT_EQ(once.target_areas.size(), start.target_areas.size());
-    EXPECT_NE(once.target_areas, start.target_areas);  // phases differ from 0
+    EXPECT_NE(once.target_areas, start.target_areas);  // the phases are random
 }
 
 TEST(Cycle, NoGasDiffuses) {
     const Foam start = test::equilibrated_foam(60, 1);
-    const Cycle cycle(start, {.steps = kSteps, .breath = 0.0, .strain = 0.02});
+    const Cycle cycle(start, {.steps = kSteps, .area_amplitude = 0.0, .strain = 0.02});
     Foam foam = start;
     for (int position = 1; position <= kSteps; ++position) {
         cycle.step_to(position, foam, 1.0, {.coarsening = {.kappa = 1.0}});
@@ -82,7 +83,8 @@ TEST(Cycle, NoGasDiffuses) {
     EXPECT_EQ(foam.time, start.time + kSteps);
 }
 
-// A regular honeycomb moved by a little: every corner has gone that far.
+// A honeycomb is translated by (0.03, -0.04), so that every junction moves by 0.05. The mean
+// diameter is sqrt(4 / pi).
 TEST(ClosingError, IsTheLargestDistanceOfACorner) {
     const Foam one = honeycomb(4, 4);
     Foam other = one;

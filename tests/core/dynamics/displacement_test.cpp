@@ -4,6 +4,7 @@
 
 #include "core/dynamics/step.h"
 #include "core/foam/honeycomb.h"
+#include "core/foam/polygon_mesh.h"
 #include "tests/core/foams.h"
 
 #include <gtest/gtest.h>
@@ -23,8 +24,8 @@ StateChange push_of(const Vec2& center, double radius, const Vec2& by) {
     return change;
 }
 
-// One junction in the middle, moved by less than a step: the weight there is 1, at half the radius
-// 9/16, beyond it 0.
+// The push is so short that it is made in one small step. A junction moves by the weight of E9
+// times the push. The weight is 1 at the center, 9/16 at half the radius, and 0 beyond the radius.
 TEST(Displacement, FadesOutTowardsItsEdge) {
     const Foam before = honeycomb(8, 8);
     const JunctionId middle{40};
@@ -42,7 +43,7 @@ TEST(Displacement, FadesOutTowardsItsEdge) {
     }
 }
 
-// With no T1 the foam has one equilibrium, and springs back to it.
+// Without T1, the foam returns to the same equilibrium after the push.
 TEST(Displacement, ASmallPushIsReversibleWithoutT1) {
     Foam foam = equilibrated_foam(60, 4);
     const Foam before = foam;
@@ -74,6 +75,19 @@ TEST(Displacement, ALargePushRearrangesTheFoam) {
         EXPECT_GT(flips, 0) << seed;
         EXPECT_EQ(foam.network.bubble_count(), 60U);
     }
+}
+
+// A narrow triangular hole between three large cells. The push shortens two of its films at once;
+// the first of them closes the hole, which removes all three.
+TEST(Displacement, APushMayCloseAHole) {
+    Foam foam =
+        foam_from_mesh({{{0.2, 0.1}, {-0.3, 0.0}, {0.0, -0.1}, {2.6, 1.5}, {-2.6, 1.5}, {0, -3}},
+                        {{0, 3, 4, 1}, {1, 4, 5, 2}, {2, 5, 3, 0}}});
+    ASSERT_TRUE(is_valid(foam.network));
+    ASSERT_EQ(foam.network.film_count(), 9U);
+    EXPECT_EQ(displace(foam, {{-0.9, 0.0}, 1.2, {1.0, 0.0}}, {}), 1);
+    EXPECT_TRUE(is_valid(foam.network));
+    EXPECT_EQ(foam.network.film_count(), 6U);
 }
 
 }  // namespace

@@ -18,8 +18,8 @@ using test::equilibrated_foam;
 using test::is_valid;
 using test::total_target;
 
-// The smallest bubble of four, five or six sides, in turn, or else of the next number that is
-// there.
+// Returns the smallest bubble with 4 + turn % 3 sides. If there is none, tries the two other
+// numbers of sides among 4, 5 and 6.
 std::optional<BubbleId> next_target(const Foam& foam, int turn) {
     for (int k = 0; k < 3; ++k) {
         const std::vector<BubbleId> found = bubbles_of_sides(foam, 4 + (turn + k) % 3);
@@ -38,8 +38,8 @@ void expect_exact(const Foam& foam, const StepSummary& summary) {
     EXPECT_NEAR(total_target(foam) / foam.domain.area(), 1.0, 1e-12);
 }
 
-// Shrinks a bubble over so many steps without diffusion; it is there to the last and then gone, and
-// all others have grown by the same factor but for what the T2 area leaves to its last neighbors.
+// Shrinks a bubble to the T2 area over the given number of steps, without diffusion. Expects that
+// the bubble exists until the last step and then vanishes, and that each step ends in equilibrium.
 void expect_collapse(Foam& foam, BubbleId target, int steps) {
     const Foam before = foam;
     const BubbleIdentity identity = foam.identities[target];
@@ -57,7 +57,8 @@ void expect_collapse(Foam& foam, BubbleId target, int steps) {
     EXPECT_EQ(foam.time, before.time);
 }
 
-// Paper Figure 7, on a torus: one after the other, until one bubble is left that meets itself.
+// Collapses bubbles one after another, as in Figure 7 of the paper but on a torus, until one bubble
+// is left, which is its own neighbor.
 void expect_collapse_to_the_last(std::uint64_t seed, int steps) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Foam foam = equilibrated_foam(66, seed);
@@ -81,7 +82,8 @@ TEST(ForcedCollapse, CollapsesThemSlowlyToo) {
     }
 }
 
-// Every other bubble gains the same share, but for the T2 area that its last neighbors take.
+// All other bubbles grow by the same factor. In addition, the last three neighbors share the last
+// gas of the bubble, its T2 area.
 TEST(ForcedCollapse, OthersShareTheGasInProportion) {
     Foam foam = equilibrated_foam(66, 1);
     const Foam before = foam;
@@ -100,7 +102,7 @@ TEST(ForcedCollapse, OthersShareTheGasInProportion) {
     EXPECT_EQ(receivers, 3);
 }
 
-// Diffusion may go on meanwhile.
+// Two bubbles collapse while gas diffuses.
 TEST(ForcedCollapse, WorksWhileGasDiffuses) {
     Foam foam = equilibrated_foam(66, 2);
     const StepSummary summary =

@@ -26,13 +26,15 @@ using test::total_target;
 constexpr double kPi = std::numbers::pi;
 constexpr double kRoot3 = std::numbers::sqrt3;
 
+// Returns options for a foam that is near equilibrium.
 EquilibriumOptions from_near() {
     EquilibriumOptions options;
     options.relaxes_first = false;
     return options;
 }
 
-// A new bubble of area 0.02 in a honeycomb, with the total of the targets from before.
+// Expects that a new bubble of area 0.02 in a honeycomb is in exact equilibrium and has the given
+// pressure. `total` is the sum of the target areas before the nucleation.
 void expect_exact(const Foam& foam, BubbleId bubble, double pressure, double total) {
     EXPECT_TRUE(is_valid(foam.network));
     EXPECT_NEAR(bubble_area(foam, bubble), 0.02, 1e-14);
@@ -43,9 +45,11 @@ void expect_exact(const Foam& foam, BubbleId bubble, double pressure, double tot
     EXPECT_NEAR(total_target(foam), total, 1e-13);
 }
 
-// In a honeycomb, where films are straight and pressures equal, the new bubble is placed exactly:
-// arcs of radius c, c² (sqrt(3)/4 + 3 (pi/6 - sqrt(3)/4)) = 0.02, an excess pressure of T / c.
-// Areas around it are out by what it takes of them alone: by symmetry nothing.
+// In a honeycomb, where films are straight and pressures equal, the new bubble is in exact
+// equilibrium. It consists of arcs of radius c over chords of length c, with
+//     c² (sqrt(3)/4 + 3 (pi/6 - sqrt(3)/4)) = 0.02.
+// Its excess pressure is T / c. By symmetry, each neighbor loses exactly the area by which its
+// target area decreases.
 TEST(Nucleation, AtAJunctionOfAHoneycombIsExactAtOnce) {
     Foam foam = honeycomb(4, 4);
     const double total = total_target(foam);
@@ -54,8 +58,8 @@ TEST(Nucleation, AtAJunctionOfAHoneycombIsExactAtOnce) {
     expect_exact(foam, bubble, 1.0 / c, total);
 }
 
-// Two segments of arcs of 60 degrees to either side: R² (pi/3 - sqrt(3)/4) each, an excess pressure
-// of T / R.
+// The new bubble consists of two segments of arcs with a half angle of 60 degrees and the radius R.
+// The area of each segment is R² (pi/3 - sqrt(3)/4). The excess pressure is T / R.
 TEST(Nucleation, OnAFilmOfAHoneycombIsExactAtOnce) {
     Foam foam = honeycomb(4, 4);
     const double total = total_target(foam);
@@ -121,7 +125,7 @@ TEST(Nucleation, LeadsToAnEquilibriumAtEveryJunctionAndFilm) {
     }
 }
 
-// A new bubble that is given gas pushes its neighbors aside and gains sides by T1.
+// A new bubble to which gas is added pushes its neighbors aside and gains sides by T1s.
 TEST(Nucleation, GrowsToAWholeBubble) {
     const Foam equilibrated = equilibrated_foam(30, 3);
     int gained = 0;
@@ -138,7 +142,7 @@ TEST(Nucleation, GrowsToAWholeBubble) {
     EXPECT_GT(gained, 15);
 }
 
-// The inverse: nucleation, then T2 of the new bubble.
+// A T2 of the new bubble undoes the nucleation.
 TEST(Nucleation, IsUndoneByT2) {
     const Foam equilibrated = equilibrated_foam(30, 3);
     for (const JunctionId junction : equilibrated.network.junctions()) {
@@ -157,7 +161,8 @@ TEST(Nucleation, IsUndoneByT2) {
     }
 }
 
-// The films that are cut keep their arcs, so that little is left to do but for the new bubble.
+// The parts of the films that are cut keep their arcs, so that only the new bubble is far from
+// equilibrium.
 TEST(Nucleation, AtTheSurfaceOfAPatchTakesItsGasFromTheAtmosphere) {
     for (const bool at_junction : {true, false}) {
         Foam foam = test::double_bubble(1.0, 2.0);
@@ -179,7 +184,7 @@ TEST(Nucleation, AtTheSurfaceOfAPatchTakesItsGasFromTheAtmosphere) {
     }
 }
 
-// Within a patch the bubbles around give the gas, as on a torus.
+// Inside a patch, the gas comes from the surrounding bubbles, as on a torus.
 TEST(Nucleation, WithinAPatchKeepsTheTotal) {
     Foam foam = test::flower(1.0);
     ASSERT_TRUE(equilibrate(foam, {}).converged());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// Free patches that lose their gas to the atmosphere, to the last bubble.
+// Tests the coarsening of free patches, which lose their gas to the atmosphere until no bubble is
+// left.
 #include "core/dynamics/step.h"
 #include "core/foam/frame.h"
 #include "core/foam/measure.h"
@@ -22,9 +23,10 @@ Foam equilibrated(Foam foam) {
     return foam;
 }
 
-// What comes in through the films, kappa times the pressure difference times the length of each,
-// outer ones too, is von Neumann's law with all of them counted: the films of a bubble of n sides
-// turn by 2 pi - n pi / 3, and the pressure difference is the tension times the curvature.
+// The gas that enters a bubble through its films per unit of time is kappa times the sum of
+// pressure difference times length, over all films including outer ones. In equilibrium this is von
+// Neumann's law, because the films of a bubble of n sides turn by 2 pi - n pi / 3 in all, and the
+// pressure difference is the tension times the curvature.
 TEST(PatchStep, GasThroughTheFilmsIsVonNeumannsLaw) {
     const CoarseningOptions options{.kappa = 0.03};
     for (const Foam& foam : {equilibrated(test::double_bubble(1.0, 2.0)),
@@ -40,7 +42,8 @@ TEST(PatchStep, GasThroughTheFilmsIsVonNeumannsLaw) {
     }
 }
 
-// One circle, p = T / r, loses kappa p 2 pi r = 2 pi T kappa, whatever its radius.
+// A lone bubble of radius r has the pressure p = T / r. It loses gas at the rate
+// kappa p 2 pi r = 2 pi T kappa, whatever its radius.
 TEST(PatchStep, ALoneBubbleLosesGasAtAConstantRate) {
     Foam foam = equilibrated(test::double_bubble(1.0, 1.0));
     foam.film_tension = 0.8;
@@ -48,7 +51,8 @@ TEST(PatchStep, ALoneBubbleLosesGasAtAConstantRate) {
     EXPECT_NEAR(lone_growth_rate(foam, options), -2.0 * kPi * 0.8 * 0.03, 1e-15);
 }
 
-// The total falls at the sum of the rates; what remains is in equilibrium.
+// The total target area changes at the sum of the growth rates. The foam is in equilibrium
+// afterwards.
 TEST(PatchStep, LosesTheGasThatFlowsThroughOuterFilms) {
     Foam foam = equilibrated(test::flower(1.0));
     const StepOptions options;
@@ -60,14 +64,14 @@ TEST(PatchStep, LosesTheGasThatFlowsThroughOuterFilms) {
     ASSERT_TRUE(step(foam, time, options).equilibrium.converged());
     EXPECT_NEAR(test::total_target(foam), 7.0 + rate * time, 1e-12);
     EXPECT_LT(equilibrium_errors(foam).area, 1e-9);
-    EXPECT_NEAR(foam.target_areas[BubbleId{0}], 1.0, 1e-12);  // six sides
+    EXPECT_NEAR(foam.target_areas[BubbleId{0}], 1.0, 1e-12);  // bubble 0 has six sides
 }
 
 std::size_t bubbles_of(const Foam& foam) {
     return foam.network.bubble_count() + foam.lone_bubbles.size();
 }
 
-// Until there is nothing left, and beyond.
+// A patch coarsens until no bubble is left. A further step of the empty patch also converges.
 TEST(PatchStep, RunsUntilTheLastBubble) {
     for (Foam foam : {equilibrated(test::double_bubble(1.0, 2.0)),
                       equilibrated(test::triple_bubble(1.0)),
@@ -90,7 +94,8 @@ TEST(PatchStep, RunsUntilTheLastBubble) {
     }
 }
 
-// The smaller of two vanishes as a lens at the side of the larger one, which is left as a circle.
+// The smaller of two bubbles vanishes as a two-sided bubble at the surface of the larger one, which
+// becomes a lone bubble.
 TEST(PatchStep, TheLastOfTwoIsALoneBubble) {
     Foam foam = equilibrated(test::double_bubble(0.1, 2.0));
     StepOptions options;
@@ -118,7 +123,7 @@ TEST(PatchStep, StatisticsCountLoneBubbles) {
     EXPECT_NEAR(all.by_sides[1].mean_inflow, kPi / 3.0 * (2 - 6), 1e-9);
 }
 
-// All gas has gone to the atmosphere.
+// After the step all gas is in the atmosphere.
 TEST(PatchStep, StatisticsWithoutBubblesAreZero) {
     Foam foam = equilibrated(test::double_bubble(1.0, 1.0));
     StepOptions options;

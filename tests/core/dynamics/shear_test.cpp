@@ -29,8 +29,9 @@ StateChange strain_of(double strain) {
     return change;
 }
 
-// Every chord (x, y) becomes (x + strain y, y), also across the seams and where the lattice is
-// reduced: at 0.5 of a square torus it just is not, at 0.7 and 3.2 it is.
+// Shear maps every chord (x, y) to (x + strain y, y). This includes films that cross the border of
+// the torus' cell, and strains for which the lattice is reduced. On this square torus the lattice
+// is reduced if the magnitude of the strain is above 0.5.
 TEST(Shear, IsAffine) {
     const Foam before = equilibrated_foam(40, 1);
     for (const double strain : {0.1, -0.3, 0.5, 0.7, -0.9, 3.2}) {
@@ -46,13 +47,13 @@ TEST(Shear, IsAffine) {
     }
 }
 
-// The lattice spanned by (w, 0) and (s, h) holds (s - w, h) as well.
+// The lattice with the periods (w, 0) and (s, h) also has the periods (w, 0) and (s + w, h).
 TEST(Shear, TheReducedLatticeIsTheSame) {
     Foam foam = equilibrated_foam(40, 1);
     const double width = foam.domain.width;
     shear(foam, 0.45);
     const Foam before = foam;
-    foam.domain.shear += width;  // as other periods, by hand
+    foam.domain.shear += width;  // other periods of the same lattice
     for (const FilmId film : foam.network.films()) {
         const LatticeOffset offset = foam.network.offset(forward_side(film));
         foam.network.set_offset(forward_side(film), {offset.i - offset.j, offset.j});
@@ -65,7 +66,7 @@ TEST(Shear, TheReducedLatticeIsTheSame) {
     }
 }
 
-// A shear of one width over the height is the same torus again, and so is its foam.
+// A strain of width / height maps the lattice of the torus to itself.
 TEST(Shear, OfAWholePeriodGivesTheSameLattice) {
     Foam foam = honeycomb(4, 4);
     shear(foam, foam.domain.width / foam.domain.height);
@@ -74,7 +75,7 @@ TEST(Shear, OfAWholePeriodGivesTheSameLattice) {
     EXPECT_NEAR(bubble_area(foam, BubbleId{5}), 1.0, 1e-12);
 }
 
-// Within the elastic range the way back leads to where it came from: no T1, the same pressures.
+// In the elastic range, without T1, a strain and its reversal lead back to the same pressures.
 TEST(Shear, BackAndForthIsReversibleWithoutT1) {
     Foam foam = equilibrated_foam(60, 4);
     const Foam before = foam;
@@ -89,11 +90,12 @@ TEST(Shear, BackAndForthIsReversibleWithoutT1) {
     EXPECT_NEAR(foam.domain.shear, 0.0, 1e-14);
 }
 
-// Princen's shear modulus of a honeycomb of films of length l, T / (2 sqrt(3) l), gives the energy
-// per area to the second order in the strain (J. Colloid Interface Sci. 91, 160, 1983).
+// Princen's shear modulus of a honeycomb with films of length l is T / (2 sqrt(3) l) (J. Colloid
+// Interface Sci. 91, 160, 1983). To the second order, the energy per area grows by half the modulus
+// times the square of the strain.
 TEST(Shear, EnergyOfAHoneycombGrowsByItsModulus) {
     const Foam before = honeycomb(4, 4);
-    const double film = std::sqrt(2.0 / (3.0 * std::sqrt(3.0)));  // of a hexagon of area 1
+    const double film = std::sqrt(2.0 / (3.0 * std::sqrt(3.0)));  // length, for bubbles of area 1
     const double modulus = before.film_tension / (2.0 * std::sqrt(3.0) * film);
     for (const double strain : {0.01, 0.02}) {
         Foam foam = before;
@@ -103,8 +105,8 @@ TEST(Shear, EnergyOfAHoneycombGrowsByItsModulus) {
     }
 }
 
-// Far beyond the elastic range, through several periods: films swap without end, and every step is
-// an equilibrium.
+// The foam is sheared by several periods of the torus, far beyond the elastic range. T1s go on, and
+// every step ends in equilibrium.
 TEST(Shear, FlowsThroughSeveralPeriods) {
     Foam foam = equilibrated_foam(60, 2);
     int flips = 0;
@@ -126,7 +128,8 @@ double median(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
-// Of the motions of all junctions beside the shear itself, along x and along y.
+// Returns the median, along x and along y separately, of the motions of all junctions relative to
+// the shear.
 Vec2 median_motion(const Foam& before, const Foam& after, double strain) {
     std::vector<double> along_x;
     std::vector<double> along_y;
@@ -140,8 +143,8 @@ Vec2 median_motion(const Foam& before, const Foam& after, double strain) {
     return {median(along_x), median(along_y)};
 }
 
-// Nothing holds a foam where it is, and an ill-conditioned step of Newton's method may carry all of
-// it away.
+// Equilibrium does not determine the position of the foam as a whole, so that an ill-conditioned
+// step of Newton's method may translate all of it.
 TEST(Shear, TheFoamAsAWholeStaysWhereItIs) {
     Foam foam = equilibrated_foam(200, 3);
     const double strain = 0.02;

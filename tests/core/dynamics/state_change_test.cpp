@@ -21,13 +21,13 @@ using test::total_target;
 
 TEST(Drive, MovesTowardsTheTargetAndOthersGiveInProportion) {
     Foam foam = honeycomb(4, 4);
-    foam.target_areas[BubbleId{0}] = 2.0;  // the others have 14 of 16: 1 and 2 have 1 and 3
+    foam.target_areas[BubbleId{0}] = 2.0;  // the other bubbles have 14 of 16
     foam.target_areas[BubbleId{1}] = 1.0;
     foam.target_areas[BubbleId{2}] = 3.0;
     for (std::size_t k = 3; k < 16; ++k) {
         foam.target_areas[id_at<BubbleId>(k)] = 10.0 / 13.0;
     }
-    drive(foam, {{{0, 16.0, false}}}, 0.25);  // from 2 by a quarter of 14: 5.5
+    drive(foam, {{{0, 16.0, false}}}, 0.25);  // 2 + (16 - 2) / 4 = 5.5
     EXPECT_NEAR(foam.target_areas[BubbleId{0}], 5.5, 1e-14);
     EXPECT_NEAR(foam.target_areas[BubbleId{1}], 10.5 / 14.0, 1e-14);
     EXPECT_NEAR(foam.target_areas[BubbleId{2}], 3.0 * 10.5 / 14.0, 1e-14);
@@ -36,7 +36,7 @@ TEST(Drive, MovesTowardsTheTargetAndOthersGiveInProportion) {
 
 TEST(Drive, LeavesATenthOfTheTorusToOthers) {
     Foam foam = honeycomb(4, 4);
-    drive(foam, {{{3, 12.0, false}, {4, 36.0, false}}}, 1.0);  // 48 in all, of 14.4
+    drive(foam, {{{3, 12.0, false}, {4, 36.0, false}}}, 1.0);  // 48 in all; at most 0.9 * 16
     EXPECT_NEAR(foam.target_areas[BubbleId{3}], 3.6, 1e-13);
     EXPECT_NEAR(foam.target_areas[BubbleId{4}], 10.8, 1e-13);
     EXPECT_NEAR(foam.target_areas[BubbleId{5}], 1.6 / 14.0, 1e-14);
@@ -57,20 +57,21 @@ TEST(Drive, IgnoresVanishedBubbles) {
     EXPECT_TRUE(test::are_same(foam, before));
 }
 
-TEST(SafePart, HoldsLossAndGainDown) {
+TEST(MaxFractionOfChange, LimitsLossAndGain) {
     const Foam foam = honeycomb(4, 4);
-    const auto part = [&](double target, double vanishing) {
-        return safe_part(foam, {{{2, target, false}}}, 0.75, vanishing);
+    const auto fraction = [&](double target, double vanishing) {
+        return max_fraction_of_change(foam, {{{2, target, false}}}, 0.75, vanishing);
     };
-    EXPECT_DOUBLE_EQ(part(0.5, 0.1), 1.0);
-    EXPECT_DOUBLE_EQ(part(0.1, 0.1), 0.75 / 0.9);
-    EXPECT_DOUBLE_EQ(part(0.1, 1.5), 1.0);  // small enough to vanish
-    EXPECT_DOUBLE_EQ(part(4.0, 0.1), 1.0);
-    EXPECT_DOUBLE_EQ(part(7.0, 0.1), 0.5);
-    EXPECT_DOUBLE_EQ(part(1.0, 0.1), 1.0);  // there already
+    EXPECT_DOUBLE_EQ(fraction(0.5, 0.1), 1.0);
+    EXPECT_DOUBLE_EQ(fraction(0.1, 0.1), 0.75 / 0.9);
+    EXPECT_DOUBLE_EQ(fraction(0.1, 1.5), 1.0);  // small enough to vanish
+    EXPECT_DOUBLE_EQ(fraction(4.0, 0.1), 1.0);
+    EXPECT_DOUBLE_EQ(fraction(7.0, 0.1), 0.5);
+    EXPECT_DOUBLE_EQ(fraction(1.0, 0.1), 1.0);  // there already
 }
 
-// The driven bubble has the area it is given, whatever diffuses, and the step its time.
+// Driven bubbles have the given target areas at the end of the step, although gas diffuses, and the
+// foam time advances by the time of the step.
 TEST(StateChange, IsImposedInTheCourseOfAStep) {
     Foam foam = equilibrated_foam(60, 2);
     const StepSummary summary = step(foam, 2.0, {{{5, 3.0, false}, {9, 0.2, false}}}, {});
@@ -91,7 +92,8 @@ TEST(StateChange, AnEmptyChangeIsAPlainStep) {
     EXPECT_TRUE(test::are_same(a, b));
 }
 
-// Areas that swing and come back (E9): with no T1 the foam is what it was, up to a translation.
+// Target areas oscillate and return to their initial values (E9). Without T1, the foam also returns
+// to its initial state, up to a translation.
 TEST(StateChange, RestoredAreasRestoreTheFoam) {
     Foam foam = equilibrated_foam(60, 4);
     const Foam before = foam;
@@ -114,7 +116,8 @@ TEST(StateChange, RestoredAreasRestoreTheFoam) {
     }
 }
 
-// The atmosphere gives and takes: others, lone or not, keep what they have.
+// In a patch the gas comes from and goes to the atmosphere. Other bubbles, lone or not, keep their
+// target areas.
 TEST(Drive, KeepsOtherBubblesOfAPatch) {
     Foam foam = test::flower(1.0);
     foam.lone_bubbles = {{20, {9.0, 0.0}, 0.5}, {21, {9.0, 9.0}, 0.7}};
@@ -125,7 +128,8 @@ TEST(Drive, KeepsOtherBubblesOfAPatch) {
     EXPECT_NEAR(foam.lone_bubbles[1].target_area, 0.6, 1e-15);
 }
 
-// Of seven bubbles the middle one and one at the surface vanish on command, and a lone one too.
+// A bubble of a patch of seven, the middle one or an outer one, collapses on command together with
+// a lone bubble.
 TEST(ForcedCollapse, InAPatch) {
     for (const BubbleIdentity bubble : {0U, 3U}) {
         Foam foam = test::flower(1.0);

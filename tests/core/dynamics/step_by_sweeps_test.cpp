@@ -13,10 +13,12 @@ namespace {
 
 using test::equilibrated_foam;
 
-// (2 pi/3) gamma kappa (n - 6) for n = 7, T = 1 and the default kappa of 0.01, by hand.
+// Growth rate of a bubble of n = 7 sides: (2 pi/3) gamma kappa (n - 6) for T = 1 and the default
+// kappa of 0.01.
 constexpr double kGrowthOfSeven = std::numbers::pi / 300.0;
 
-// Two foams that have gone through the same T1 and T2, up to errors of their solvers.
+// Expects that two foams have the same topology and agree in energy, chords and pressure
+// differences.
 void expect_same_foam(const Foam& a, const Foam& b, double tolerance) {
     ASSERT_EQ(a.network.film_count(), b.network.film_count());
     EXPECT_NEAR(energy(a), energy(b), tolerance);
@@ -29,8 +31,9 @@ void expect_same_foam(const Foam& a, const Foam& b, double tolerance) {
     }
 }
 
-// Frames of about 1 % of the mean area. Errors below 1e-4 leave some times that in a small bubble's
-// pressure.
+// Expects that a solver follows Newton's method over several frames, in each of which the area of a
+// bubble of seven sides changes by 1 % of the mean area. The tolerance of 5e-3 is larger than the
+// errors of 1e-4, because these errors are multiplied in the pressures of small bubbles.
 void expect_the_life_of_newton(int bubbles, int frames, Solver solver) {
     Foam by_newton = equilibrated_foam(bubbles, 1);
     Foam foam = by_newton;

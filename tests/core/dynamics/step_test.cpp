@@ -32,13 +32,15 @@ std::set<BubbleIdentity> identities_of(const Foam& foam) {
     return {foam.identities.begin(), foam.identities.end()};
 }
 
-// (2 pi/3) gamma kappa (n - 6) for T = 1 and the default kappa of 0.01, by hand: (pi/300) (n - 6).
+// Returns the growth rate of a bubble by von Neumann's law (E6) for T = 1 and the default kappa of
+// 0.01: (2 pi/3) gamma kappa (n - 6) = (pi/300) (n - 6).
 double law(int sides) {
     return std::numbers::pi / 300.0 * (sides - 6);
 }
 
-// Areas within the arcs after a short step less those before, by the number of sides; nothing if
-// anything else than diffusion happened.
+// Makes a short step and compares the growth of each bubble's area within its arcs with von
+// Neumann's law. Counts the compared bubbles by their number of sides in `seen`. Compares nothing
+// if a T1 or T2 has happened.
 void record_growth(Foam& foam, double time, std::map<int, int>& seen) {
     const Foam before = foam;
     const StepSummary summary = step(foam, time, {});
@@ -55,8 +57,7 @@ void record_growth(Foam& foam, double time, std::map<int, int>& seen) {
     }
 }
 
-// von Neumann's law for the areas as measured, at several ages of a foam: each n from 3 to 9
-// occurs.
+// Measured areas follow von Neumann's law at several ages of a foam. Bubbles of 3 to 9 sides occur.
 TEST(Step, MeasuredAreasFollowVonNeumann) {
     std::map<int, int> seen;
     Foam foam = equilibrated_foam(300, 1);
@@ -67,7 +68,7 @@ TEST(Step, MeasuredAreasFollowVonNeumann) {
     for (int sides = 3; sides <= 9; ++sides) {
         EXPECT_GT(seen[sides], 0) << sides;
     }
-    EXPECT_GT(seen[6], 100);  // of which the law says that they keep their area
+    EXPECT_GT(seen[6], 100);  // six-sided bubbles keep their area
 }
 
 TEST(Step, KeepsAHoneycomb) {
@@ -97,11 +98,11 @@ TEST(Step, AdvancesTheTimeExactly) {
     EXPECT_EQ(foam.time, 2.25);
     summary = step(foam, 64.0, {});
     EXPECT_GT(summary.substeps, 1);
-    EXPECT_NEAR(foam.time, 66.25, 1e-12);  // a sum of several times
+    EXPECT_NEAR(foam.time, 66.25, 1e-12);  // rounding of a sum of several times
 }
 
-// The time in which the fastest bubble that is too large to vanish, at more than 4 T2 areas, loses
-// a part of its area.
+// Returns the time in which the first bubble loses the fraction `part` of its area. Bubbles of at
+// most 4 T2 areas do not count, because they may vanish.
 double time_to_lose(const Foam& foam, double part) {
     double time = std::numeric_limits<double>::infinity();
     for (const BubbleId bubble : foam.network.bubbles()) {
@@ -135,7 +136,7 @@ TEST(Step, IsCutWhereKappaIsLarge) {
     EXPECT_NEAR(total_target(foam), foam.domain.area(), 1e-10);
 }
 
-// Only the product of kappa and time counts.
+// Only the product of kappa and time matters.
 TEST(Step, TwiceTheKappaIsTwiceTheTime) {
     Foam slow = equilibrated_foam(60, 2);
     Foam fast = slow;
@@ -162,6 +163,27 @@ TEST(Step, KeepsTheLastEquilibriumIfNoneFollows) {
     EXPECT_TRUE(are_same(foam, before));
 }
 
+// A strain of 0.1 takes two substeps of 0.05 each. The second half of the push then starts at the
+// center to which the first half has moved it.
+TEST(Step, MovesTheCenterOfAPushFromSubstepToSubstep) {
+    const Vec2 center(2.0, 3.0);
+    const Vec2 by(0.4, 0.2);
+    const auto sheared_and_pushed = [](Foam foam, double strain, const Displacement& push) {
+        StateChange change;
+        change.strain = strain;
+        change.pushes.push_back(push);
+        const StepSummary summary = step(foam, 0.0, change, {});
+        EXPECT_TRUE(summary.equilibrium.converged());
+        EXPECT_EQ(summary.substeps, strain > 0.05 ? 2 : 1);
+        return foam;
+    };
+    const Foam start = equilibrated_foam(60, 4);
+    const Foam at_once = sheared_and_pushed(start, 0.1, {center, 2.0, by});
+    const Foam halfway = sheared_and_pushed(start, 0.05, {center, 2.0, 0.5 * by});
+    const Foam by_halves = sheared_and_pushed(halfway, 0.05, {center + 0.5 * by, 2.0, 0.5 * by});
+    EXPECT_TRUE(are_same(at_once, by_halves));
+}
+
 TEST(Step, SumsUpItsSubsteps) {
     Foam foam = equilibrated_foam(200, 3);
     const StepSummary summary = step(foam, 60.0, {});
@@ -185,7 +207,8 @@ TEST(Step, LeavesNoDeadSlots) {
     EXPECT_EQ(foam.t1_armed.size(), foam.network.film_count());
 }
 
-// What must hold after each step of a foam's whole life.
+// Expects what must hold after each step: a valid foam in equilibrium, an unchanged total area,
+// positive areas, and wrapped positions.
 void expect_sound(const Foam& foam, const StepSummary& summary) {
     ASSERT_TRUE(summary.equilibrium.converged());
     ASSERT_TRUE(is_valid(foam.network));
@@ -197,7 +220,7 @@ void expect_sound(const Foam& foam, const StepSummary& summary) {
     }
 }
 
-// Nothing grows or shrinks any more (E6).
+// Returns true if all bubbles have six sides, so that none grows or shrinks any more (E6).
 bool is_all_six_sided(const Foam& foam) {
     for (const BubbleId bubble : foam.network.bubbles()) {
         if (foam.network.sides(bubble) != 6) {
@@ -207,8 +230,9 @@ bool is_all_six_sided(const Foam& foam) {
     return true;
 }
 
-// Steps of a part of the mean area, in time, until four bubbles are left or a few have come to rest
-// before. No identity comes that was not there before, none twice.
+// Coarsens a foam until four bubbles are left or all bubbles have six sides. The time of each step
+// is `part` times the mean area. Expects that identities stay unique and that no new identity
+// appears.
 void expect_sound_life(Foam foam, double part) {
     std::set<BubbleIdentity> known = identities_of(foam);
     const BubbleIdentity next_identity = foam.next_identity;
@@ -252,8 +276,8 @@ TEST(LongStep, CoarsensAThousandBubblesToFour) {
     expect_sound_life(equilibrated_foam(1000, 1), 2.0);
 }
 
-// A bubble moves and grows little in a short step: it is known by its identity wherever its slot
-// has gone.
+// The area of a bubble changes little in a short step. An identity therefore belongs to the same
+// bubble as before if the area is nearly the same, even if the bubble has a different slot.
 TEST(Step, IdentitiesStayWithTheirBubbles) {
     Foam foam = equilibrated_foam(200, 4);
     for (int k = 0; k < 40; ++k) {
@@ -263,7 +287,7 @@ TEST(Step, IdentitiesStayWithTheirBubbles) {
         }
         step(foam, 1.0, {});
         for (const BubbleId bubble : foam.network.bubbles()) {
-            // 12 sides at most would grow by 0.06; a vanished neighbor leaves 0.01.
+            // A bubble of 12 sides would grow by 0.06; a vanished neighbor adds up to 0.01.
             EXPECT_NEAR(foam.target_areas[bubble], before[foam.identities[bubble]], 0.08);
         }
     }
@@ -291,8 +315,9 @@ double second_moment_of_sides(const Foam& foam) {
 }
 
 // In the scaling state the second moment of the number of sides is stationary: experiments on soap
-// froths find 1.4 +- 0.1. Here its mean over the life from 500 to 100 bubbles; a moment of a few
-// hundred bubbles fluctuates by a tenth, and successive ones are alike.
+// froths find 1.4 +- 0.1. The test takes its mean over the steps from 500 to 100 bubbles. The
+// moment of a few hundred bubbles fluctuates by a tenth, and the moments of successive steps are
+// correlated.
 TEST(LongStep, TheScalingStateHasTheSidesOfSoapFroths) {
     Foam foam = equilibrated_foam(1000, 2);
     std::vector<double> moments;

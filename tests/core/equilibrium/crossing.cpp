@@ -15,7 +15,7 @@ Crossing crossing(double degrees, double length) {
     Foam foam = honeycomb(4, 4);
     const HalfEdgeId side = side_between(foam.network, BubbleId{5}, BubbleId{6});
     const FilmId film = film_of(side);
-    const T1Site site = t1_site(foam.network, film);  // its film is `side`: upward, 5 on its left
+    const T1Site site = t1_site(foam.network, film);  // site.film is `side`: upward, 5 on its left
     const Vec2 middle = foam.positions[foam.network.tail(side)] + 0.5 * chord(foam, side);
     const double angle = degrees * std::numbers::pi / 180.0;
     const Vec2 up(0.6 * std::cos(angle), 0.6 * std::sin(angle));

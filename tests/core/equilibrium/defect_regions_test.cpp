@@ -17,7 +17,7 @@
 namespace foam {
 namespace {
 
-// A foam with a residual that the test writes itself.
+// A foam whose residual is set by the test.
 struct Case {
     explicit Case(Foam the_foam)
         : foam(std::move(the_foam)),
@@ -39,7 +39,7 @@ struct Case {
     Eigen::VectorXd residual;
 };
 
-// The bubbles, and those that share a film with one of them, without the ghost.
+// Returns the given bubbles and all bubbles that share a film with one of them, without the ghost.
 DefectRegion with_neighbors(const Network& network, const std::vector<BubbleId>& bubbles) {
     std::set<BubbleId> region(bubbles.begin(), bubbles.end());
     for (const BubbleId bubble : bubbles) {
@@ -55,7 +55,7 @@ TEST(DefectRegions, NoneWithoutADefect) {
     Case c(honeycomb(8, 8));
     EXPECT_TRUE(c.regions().empty());
     c.set_area_error(BubbleId{20}, -0.29);
-    c.set_force(JunctionId{30}, Vec2(0.06, 0.07));  // of length 0.092
+    c.set_force(JunctionId{30}, Vec2(0.06, 0.07));  // magnitude 0.092, below the threshold 0.1
     EXPECT_TRUE(c.regions().empty());
 }
 
@@ -70,7 +70,7 @@ TEST(DefectRegions, OfABubbleIsItAndItsSixNeighbors) {
     }
 }
 
-// Areas count relative to the target, forces in film tensions.
+// Area errors are relative to the target area, forces are in film tensions.
 TEST(DefectRegions, MeasureDefectsWithoutUnits) {
     Case c(honeycomb(8, 8));
     c.foam.target_areas[BubbleId{27}] = 4.0;
@@ -85,7 +85,7 @@ TEST(DefectRegions, MeasureDefectsWithoutUnits) {
     EXPECT_EQ(c.regions().size(), 1U);
 }
 
-// Three hexagons around a point have nine neighbors.
+// The three hexagons around a junction have nine neighbors.
 TEST(DefectRegions, OfAJunctionAreItsThreeBubblesAndTheirRings) {
     Case c(honeycomb(12, 12));
     const JunctionId junction{100};
@@ -104,8 +104,8 @@ TEST(DefectRegions, OfAJunctionAreItsThreeBubblesAndTheirRings) {
               (std::vector<DefectRegion>{with_neighbors(network, one_ring)}));
 }
 
-// In a honeycomb of twelve columns, bubbles 40 and 42 have a common neighbor, 41; 40 and 46 are six
-// columns apart.
+// In a honeycomb of twelve columns, bubbles 40 and 42 have a common neighbor, 41. Bubbles 40 and 46
+// are six columns apart.
 TEST(DefectRegions, AreJoinedWhereTheyTouch) {
     Case c(honeycomb(12, 12));
     c.set_area_error(BubbleId{46}, 0.5);
@@ -120,7 +120,8 @@ TEST(DefectRegions, AreJoinedWhereTheyTouch) {
               (std::vector<DefectRegion>{with_neighbors(network, {BubbleId{40}, BubbleId{42}})}));
 }
 
-// Seven of 24 bubbles are 29 %, seven of 16 are 44 %.
+// The region is a bubble and its six neighbors: 29 % of 24 bubbles, but 44 % of 16 bubbles. The
+// limit is 30 %.
 TEST(DefectRegions, NoneIfTheyCoverTooMuchOfTheFoam) {
     Case many(honeycomb(6, 4));
     many.set_area_error(BubbleId{9}, 0.5);
@@ -131,7 +132,7 @@ TEST(DefectRegions, NoneIfTheyCoverTooMuchOfTheFoam) {
     EXPECT_EQ(few.regions({.largest_fraction = 0.44}).size(), 1U);
 }
 
-// An outer bubble of the flower touches the middle one, two outer ones, and the ghost.
+// A petal of the flower (patches.h) touches the middle bubble, two petals, and the ghost.
 TEST(DefectRegions, NeverHoldTheGhost) {
     Case c(test::flower(1.0));
     c.set_area_error(BubbleId{1}, 0.5);

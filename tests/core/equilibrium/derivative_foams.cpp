@@ -17,7 +17,7 @@ namespace foam::test {
 
 namespace {
 
-// Every junction moved at random by up to `largest` in x and in y.
+// Moves every junction at random by up to `largest` in x and in y.
 Foam perturbed(Foam foam, double largest) {
     Random random(17);
     for (const JunctionId junction : foam.network.junctions()) {
@@ -36,7 +36,7 @@ double shortest_film(const Foam& foam) {
     return shortest;
 }
 
-// The first of the foams of seeds 1, 2, ... whose films are long enough.
+// Returns the foam of the first seed, from 1 on, whose films are all longer than 0.05.
 Foam bent_foam_of_long_films(int bubbles, double pressure) {
     for (std::uint64_t seed = 1;; ++seed) {
         Foam foam = bent_foam(bubbles, pressure, seed);

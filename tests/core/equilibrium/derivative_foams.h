@@ -10,19 +10,21 @@
 
 namespace foam::test {
 
-/// Foams to check derivatives on: ordinary ones, and tori so small that bubbles meet themselves and
-/// films stand between the same bubbles many times; gentle pressures, and such as hold films at
-/// their largest half angle; tension other than 1. No film is shorter than 0.05, so that
-/// differences over steps of 1e-5 make sense.
+/// Returns foams for tests of derivatives. Some are tori so small that bubbles are their own
+/// neighbors and that several films separate the same two bubbles. Pressures are low in some foams;
+/// in others they are so high that films are at the limit of their half angle. Film tensions differ
+/// from 1 in most foams. No film is shorter than 0.05, so that differences over steps of 1e-5 are
+/// accurate.
 std::vector<Foam> derivative_foams();
 
-/// Patches with random pressures whose outer films have half angles up to 143 degrees either way.
+/// Returns patches with random pressures, whose outer films have half angles of up to 143 degrees
+/// in magnitude.
 std::vector<Foam> derivative_patches();
 
-/// The Hessian of E3 by all the unknowns, both triangles.
+/// Returns the Hessian of E3 with respect to the unknowns, with both triangles.
 Eigen::MatrixXd full_hessian(const Foam& foam, const Unknowns& unknowns);
 
-/// The foam with one unknown changed.
+/// Returns the foam with `by` added to the unknown of the given row.
 Foam shifted(Foam foam, const Unknowns& unknowns, int row, double by);
 
 }  // namespace foam::test

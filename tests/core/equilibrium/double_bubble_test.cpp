@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// Two bubbles by themselves, in closed form.
+// Tests two bubbles in a raft of their own against their equilibrium in closed form.
 #include "core/equilibrium/equilibrate.h"
 #include "core/foam/measure.h"
 #include "core/foam/rafts.h"
@@ -16,21 +16,26 @@ namespace foam {
 namespace {
 
 constexpr double kThird = 2.0 * std::numbers::pi / 3.0;  // 120 degrees
-constexpr int kBisectionSteps = 60;                      // of the range of beta, down to rounding
+constexpr int kBisectionSteps = 60;  // halvings of the range of beta, down to rounding
 
 double segment(double half_angle) {
     return arc_shape(half_angle).segment;
 }
 
-// Four times the areas over the chord squared.
+// Returns four times the area of the smaller bubble, divided by the square of the chord length.
+// `beta` is the half angle of the film between the bubbles.
 double small_area(double beta) {
     return segment(kThird - beta) + segment(beta);
 }
+
+// Returns the same quotient for the larger bubble.
 double large_area(double beta) {
     return segment(kThird + beta) - segment(beta);
 }
 
-// 0 for equal bubbles, nearly 60 degrees for a tiny one on a large one.
+// Returns the half angle of the film between the bubbles for the given ratio of the smaller to the
+// larger area, by bisection. It is 0 for equal bubbles and nearly 60 degrees for a tiny bubble on a
+// large one.
 double inner_half_angle(double ratio) {
     double low = 0.0;
     double high = 0.5 * kThird;
@@ -41,6 +46,7 @@ double inner_half_angle(double ratio) {
     return low;
 }
 
+// Sets the length of the chord of h. Keeps the middle and the direction of the chord.
 void set_chord(Foam& foam, HalfEdgeId h, double length) {
     const Vec2 d = chord(foam, h);
     const Vec2 direction = d == Vec2::Zero() ? Vec2(1.0, 0.0) : Vec2(d.normalized());
@@ -51,7 +57,8 @@ void set_chord(Foam& foam, HalfEdgeId h, double length) {
     head = middle + 0.5 * length * direction;
 }
 
-// Of the outer film of the bubble on the left of the film between the two.
+// Sets the outer film and the pressure of the bubble on the left of `inner`, the film between the
+// two bubbles.
 void set_bubble(Foam& foam, HalfEdgeId inner, double half_angle, double chord_length) {
     const HalfEdgeId outer = foam.network.next(inner);
     set_half_angle(foam, outer, half_angle);
@@ -59,10 +66,11 @@ void set_bubble(Foam& foam, HalfEdgeId inner, double half_angle, double chord_le
         2.0 * foam.film_tension * std::sin(half_angle) / chord_length;
 }
 
-// Brings a raft of two to equilibrium in closed form, with its middle and the direction of its
-// chord kept. All three films stand on one chord. With half angle beta of the film between, which
-// bulges into the larger bubble, 120 degrees at the ends ask for outer half angles of 120 degrees
-// - beta and + beta; the ratio of the areas tells beta (E1: h is ArcShape::segment):
+// Brings a raft of two bubbles to equilibrium in closed form. Keeps the middle and the direction of
+// the chord, which all three films share. The film between the bubbles bulges into the larger
+// bubble with the half angle beta. The films meet at 120 degrees if the outer films have half
+// angles of 120 degrees - beta (smaller bubble) and 120 degrees + beta (larger bubble). The ratio
+// of the areas determines beta (E1; h is ArcShape::segment):
 //     4 A_small / c² = h(120 - beta) + h(beta),   4 A_large / c² = h(120 + beta) - h(beta).
 void equilibrate_double_bubble(Foam& foam, FilmId film) {
     HalfEdgeId h = forward_side(film);
@@ -93,8 +101,9 @@ TEST(DoubleBubble, IsARaftOfTwo) {
     }
 }
 
-// All errors of an equilibrium are rounding, whichever of the two is the larger one. Where the
-// outer film is nearly a full circle, its area amplifies the rounding of its half angle.
+// The errors of the equilibrium in closed form are rounding errors, whichever bubble is the larger
+// one. If an outer film is nearly a full circle, the area amplifies the rounding error of its half
+// angle.
 TEST(DoubleBubble, ReachesEquilibriumInClosedForm) {
     for (const double ratio : {1.0, 0.5, 3.0, 100.0, 0.001}) {
         Foam foam = test::double_bubble(0.7, 0.7 * ratio);

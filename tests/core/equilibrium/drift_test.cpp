@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kRounding = 1e-14;
 
-// The largest distance of a junction from where it was, around the torus.
+// Returns the largest distance, on the torus, of a junction from its earlier position.
 double largest_motion(const Foam& foam, const Positions& before) {
     double largest = 0.0;
     for (const JunctionId junction : foam.network.junctions()) {
@@ -23,7 +23,7 @@ double largest_motion(const Foam& foam, const Positions& before) {
 }
 
 TEST(Drift, OfTheWholeFoamIsUndone) {
-    // The last two carry junctions across the seam.
+    // The last two translations move junctions across the border of the torus' cell.
     for (const Vec2& by : {Vec2(0.01, 0.0), Vec2(-0.2, 0.35), Vec2(1.5, -1.5)}) {
         Foam foam = honeycomb(4, 6);
         const Positions before = foam.positions;
@@ -34,7 +34,7 @@ TEST(Drift, OfTheWholeFoamIsUndone) {
     }
 }
 
-// Most junctions have not moved, so the median is zero, and nothing moves, to the last bit.
+// Most junctions have not moved, so that the median motion is zero and no bit of the foam changes.
 TEST(Drift, IsZeroIfOnlySomeJunctionsMove) {
     Foam foam = honeycomb(4, 6);
     const Positions before = foam.positions;
@@ -46,7 +46,7 @@ TEST(Drift, IsZeroIfOnlySomeJunctionsMove) {
     EXPECT_TRUE(test::are_same(foam, moved));
 }
 
-// Junctions that move apart from the drift keep their own motion.
+// A junction that has moved relative to the rest of the foam keeps this relative motion.
 TEST(Drift, LeavesTheMotionAgainstTheRest) {
     Foam foam = honeycomb(4, 6);
     const Positions before = foam.positions;
@@ -58,10 +58,10 @@ TEST(Drift, LeavesTheMotionAgainstTheRest) {
     EXPECT_LT((motion - Vec2(0.05, -0.02)).norm(), 4.0 * kRounding);
 }
 
-// x and y have medians of their own: here a third of the junctions moves along each, and a third
-// along both.
+// The medians along x and along y are independent. A third of the junctions moves along x only, a
+// third along y only, and a third along both.
 TEST(Drift, IsTheMedianAlongEachAxis) {
-    Foam foam = honeycomb(3, 2);  // of 12 junctions
+    Foam foam = honeycomb(3, 2);  // 12 junctions
     const Positions before = foam.positions;
     int k = 0;
     for (const JunctionId junction : foam.network.junctions()) {

@@ -8,12 +8,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace foam {
 namespace {
 
-// The foam in units in which its lengths and its tension are so many times larger.
+// Returns the foam in other units, in which lengths and film tension are multiplied by the given
+// factors.
 Foam scaled(Foam foam, double length, double tension) {
     foam.domain = {length * foam.domain.width, length * foam.domain.height};
     foam.film_tension *= tension;
@@ -27,7 +30,8 @@ Foam scaled(Foam foam, double length, double tension) {
     return foam;
 }
 
-// An equilibrium whose junctions have been moved by up to so much.
+// Returns a foam in equilibrium whose junctions are then moved at random by up to `by` in
+// x and in y.
 Foam perturbed_foam(double by) {
     Foam foam = test::equilibrated_foam(60, 8);
     Random random(3);
@@ -48,7 +52,7 @@ TEST(EquilibrateGiven, KeepsTheTopology) {
     EXPECT_NEAR(energy(foam), energy(test::equilibrated_foam(60, 8)), 1e-9 * energy(foam));
 }
 
-// With pressures that Newton's method cannot begin with, relaxation helps, without T1.
+// Newton's method fails from random pressures. Relaxation then leads to equilibrium, without T1.
 TEST(EquilibrateGiven, RelaxesWithoutT1WhereNewtonFails) {
     Foam foam = perturbed_foam(0.05);
     Random random(4);
@@ -62,7 +66,7 @@ TEST(EquilibrateGiven, RelaxesWithoutT1WhereNewtonFails) {
     EXPECT_NEAR(energy(foam), energy(test::equilibrated_foam(60, 8)), 1e-9 * energy(foam));
 }
 
-// A raw diagram has films that no equilibrium of its topology has.
+// There is no equilibrium with the topology of this raw diagram, so that T1s are needed.
 TEST(EquilibrateGiven, MakesT1sAsALastResort) {
     Foam foam = test::raw_foam(200, 1);
     const EquilibriumSummary summary = equilibrate_given(foam, 1);
@@ -70,6 +74,34 @@ TEST(EquilibrateGiven, MakesT1sAsALastResort) {
     EXPECT_GT(summary.t1, 0);
     EXPECT_TRUE(test::is_valid(foam.network));
     EXPECT_LT(equilibrium_errors(foam).angle, 1e-9);
+}
+
+// The positions of events are in the units of the foam: on its torus, which is 30 times larger.
+TEST(EquilibrateGiven, AppendsTheEventsOfItsT1s) {
+    Foam foam = scaled(test::raw_foam(200, 1), 30.0, 1.0);
+    const TopologyEvent earlier{TopologyEventKind::Birth, 0.0, {1.0, 2.0}, {3}};
+    foam.events.push_back(earlier);
+    const EquilibriumSummary summary = equilibrate_given(foam, 1);
+    ASSERT_GT(summary.t1, 0);
+    ASSERT_EQ(foam.events.size(), 1U + static_cast<std::size_t>(summary.t1));
+    EXPECT_EQ(foam.events[0], earlier);
+    double farthest = 0.0;
+    for (const TopologyEvent& event : foam.events) {
+        farthest = std::max(farthest, event.position.norm());
+    }
+    EXPECT_GT(farthest, 0.5 * foam.domain.width);
+}
+
+TEST(EquilibrateGiven, KeepsAPatchOfLoneBubbles) {
+    Foam foam;
+    foam.network.add_ghost();
+    complete_patch(foam);
+    foam.lone_bubbles.push_back({0, {1.0, 2.0}, 3.0});
+    const Foam before = foam;
+    const EquilibriumSummary summary = equilibrate_given(foam, 1);
+    EXPECT_TRUE(summary.converged());
+    EXPECT_EQ(summary.energy, energy(before));
+    EXPECT_EQ(foam.lone_bubbles, before.lone_bubbles);
 }
 
 TEST(EquilibrateGiven, UnitsDoNotMatter) {
@@ -106,7 +138,7 @@ TEST(EquilibrateGiven, KeepsGivenValuesBitForBit) {
     }
 }
 
-// A film that has flipped stays disarmed until it has grown, as between the steps of a foam.
+// The shortest film is disarmed, as after a flip. It stays disarmed, because it has not grown.
 TEST(EquilibrateGiven, KeepsAnEquilibrium) {
     Foam foam = test::equilibrated_foam(60, 8);
     FilmId shortest{};
@@ -119,7 +151,7 @@ TEST(EquilibrateGiven, KeepsAnEquilibrium) {
     const Foam before = foam;
     ASSERT_TRUE(equilibrate_given(foam, 1).converged());
     for (const BubbleId bubble : foam.network.bubbles()) {
-        EXPECT_NEAR(foam.pressures[bubble], before.pressures[bubble], 1e-15);  // centered anew
+        EXPECT_NEAR(foam.pressures[bubble], before.pressures[bubble], 1e-15);  // centered again
     }
     foam.pressures = before.pressures;
     EXPECT_TRUE(test::are_same(foam, before));
@@ -127,7 +159,7 @@ TEST(EquilibrateGiven, KeepsAnEquilibrium) {
 
 TEST(EquilibrateGiven, KeepsAFoamWithoutEquilibrium) {
     Foam foam = test::equilibrated_foam(6, 1);
-    // Targets that do not add up to the torus have no solution.
+    // There is no equilibrium if the target areas do not add up to the area of the torus.
     foam.target_areas[BubbleId{0}] *= 3.0;
     const Foam before = foam;
     EXPECT_FALSE(equilibrate_given(foam, 1).converged());

@@ -32,7 +32,7 @@ std::string case_name(const SeedingOptions& s) {
            std::to_string(s.area_ratio) + ", aspect " + std::to_string(s.aspect);
 }
 
-// So that the targets add up to the torus.
+// Scales the target areas so that they add up to the area of the torus.
 void scale_targets(Foam& foam) {
     const double scale = foam.domain.area() / test::total_target(foam);
     for (double& area : foam.target_areas) {
@@ -79,8 +79,9 @@ TEST(Equilibrate, EquilibratesAreasSpreadByAHundred) {
     }
 }
 
-// Equal cells are to differ a hundredfold: films are at the limit of their arcs after all sweeps of
-// one relaxation, and to begin anew each time leads nowhere.
+// The target areas of nearly equal cells differ by a factor of up to 100. Films are at the limit of
+// their half angle after all sweeps of one relaxation. Relaxations that restart each time would not
+// lead to equilibrium.
 TEST(Equilibrate, EquilibratesEqualCellsWithUnequalTargets) {
     Foam foam =
         seed_foam({.bubbles = 1000, .lloyd_iterations = 5, .area_ratio = 100.0, .seed = 19});
@@ -117,7 +118,7 @@ TEST(Equilibrate, EquilibratesAtAnyT1Distance) {
     }
 }
 
-// Where bubbles meet themselves around the torus.
+// The tori are so small that bubbles are their own neighbors.
 TEST(Equilibrate, EquilibratesTinyTori) {
     SeedingOptions seeding;
     for (seeding.bubbles = 2; seeding.bubbles <= 12; ++seeding.bubbles) {
@@ -127,8 +128,8 @@ TEST(Equilibrate, EquilibratesTinyTori) {
     }
 }
 
-// From the relaxed state the residual grows along the step with its moves limited; it shrinks along
-// the step as it is.
+// From the relaxed state of this foam, the residual grows along the limited step (limit_moves), but
+// shrinks along the full step.
 TEST(Equilibrate, EquilibratesWhereLimitedMovesStall) {
     SeedingOptions seeding;
     seeding.bubbles = 10;
@@ -136,7 +137,7 @@ TEST(Equilibrate, EquilibratesWhereLimitedMovesStall) {
     expect_equilibrium(seeding);
 }
 
-// Straight films leave a bubble of two sides no area: relaxation must not lose it.
+// With straight films a bubble of two sides has no area. Relaxation must reopen it.
 TEST(Equilibrate, EquilibratesBubblesOfTwoSides) {
     for (const double area : {0.02, 0.2, 0.8}) {
         for (std::uint64_t seed = 1; seed <= 5; ++seed) {
@@ -216,7 +217,7 @@ TEST(Equilibrate, GivesTheSameBitsTwice) {
     EXPECT_TRUE(are_same(equilibrated_foam(200, 5), equilibrated_foam(200, 5)));
 }
 
-// Every length follows from the areas, every pressure is a tension over a length.
+// The target areas determine all lengths, and pressures are proportional to the film tension.
 TEST(Equilibrate, PressuresScaleWithTheTensionAndPositionsDoNot) {
     SeedingOptions seeding;
     seeding.bubbles = 60;
@@ -237,9 +238,10 @@ TEST(Equilibrate, PressuresScaleWithTheTensionAndPositionsDoNot) {
     }
 }
 
-// Films of a honeycomb's neighborhoods that are straight and meet at 120 degrees have the same
-// total length for all areas (E2 with all pressures equal): 6 films of a/2 a bubble, 3a = sqrt(2
-// sqrt(3)). So areas that differ by up to a fifth leave the energy as it is, T1s none.
+// A honeycomb can have bubbles of different areas although all films are straight, all angles are
+// 120 degrees and all pressures are equal (E2). The total film length is the same as in the regular
+// honeycomb: 3a per bubble, with 3a = sqrt(2 sqrt(3)). Target areas that differ by up to a fifth
+// therefore change neither the energy nor the topology.
 TEST(Equilibrate, AHoneycombOfUnequalAreasHasStraightFilmsAndTheSameEnergy) {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
         Foam foam = honeycomb(6, 6);
@@ -258,12 +260,12 @@ TEST(Equilibrate, AHoneycombOfUnequalAreasHasStraightFilmsAndTheSameEnergy) {
     }
 }
 
-// Curvature of the circle through three points, positive where they turn left.
+// Returns the curvature of the circle through three points, positive if they turn left.
 double curvature_through(const Vec2& a, const Vec2& b, const Vec2& c) {
     return 2.0 * cross(b - a, c - a) / ((b - a).norm() * (c - b).norm() * (a - c).norm());
 }
 
-// Laplace and Young (E1), told from points of the films alone.
+// Checks Laplace-Young's law (E1) by points on the films.
 TEST(Equilibrate, FilmsAreCurvedByThePressureDifference) {
     Foam foam = equilibrated_foam(100, 6);
     foam.film_tension = 1.0;
@@ -273,13 +275,15 @@ TEST(Equilibrate, FilmsAreCurvedByThePressureDifference) {
         const double seen =
             curvature_through(point_at(arc, 0.1), point_at(arc, 0.4), point_at(arc, 0.9));
         const double c = arc.chord.norm();
-        // Three points of a film of length c, each rounded to 1e-16, give a curvature to 1e-16/c².
+        // Rounding errors of 1e-16 in three points of a film of length c change the curvature by
+        // about 1e-16/c².
         EXPECT_NEAR(seen, pressure_difference(foam, h) / foam.film_tension, 1e-14 / (c * c));
     }
 }
 
-// Integral of x dy along the arc by Simpson's rule over 64 intervals: its error, h⁴ times the
-// fourth derivative, is below 1e-10 for arcs within 80 degrees.
+// Returns the integral of x dy along the arc, by Simpson's rule on 64 intervals. Its error is the
+// fourth power of the interval times the fourth derivative, and is below 1e-10 for half angles of
+// up to 80 degrees.
 double area_under(const FilmArc& arc, const Vec2& tail) {
     constexpr int kIntervals = 64;
     double sum = 0.0;
@@ -287,7 +291,7 @@ double area_under(const FilmArc& arc, const Vec2& tail) {
         const Vec2 a = tail + point_at(arc, static_cast<double>(k) / kIntervals);
         const Vec2 middle = tail + point_at(arc, (k + 0.5) / kIntervals);
         const Vec2 b = tail + point_at(arc, (k + 1.0) / kIntervals);
-        // The parabola through the three points.
+        // Derivatives of the parabola through the three points.
         const Vec2 slope_a = 4.0 * middle - 3.0 * a - b;
         const Vec2 slope_middle = b - a;
         const Vec2 slope_b = 3.0 * b + a - 4.0 * middle;
@@ -297,7 +301,8 @@ double area_under(const FilmArc& arc, const Vec2& tail) {
     return sum;
 }
 
-// Green's theorem on points of the films: shares no formula with the segments of E1.
+// Measures areas by Green's theorem from points on the films, without the formula for segments of
+// E1.
 TEST(Equilibrate, AreasAreTheirTargetsByQuadrature) {
     const Foam foam = equilibrated_foam(60, 6);
     for (const BubbleId bubble : foam.network.bubbles()) {
@@ -311,8 +316,9 @@ TEST(Equilibrate, AreasAreTheirTargetsByQuadrature) {
     }
 }
 
-// Around a bubble the tangent turns by 360 degrees: by 60 at each of its n corners and by the rest
-// along its films. This is what makes von Neumann's law (E6) of the diffusion through each film.
+// Around a bubble the tangent turns by 360 degrees: by 60 degrees at each of its n corners, and by
+// the rest along its films. The diffusion through all films therefore adds up to von Neumann's law
+// (E6).
 TEST(Equilibrate, FilmsOfABubbleTurnBySixtyDegreesASideFewerThanSix) {
     const Foam foam = equilibrated_foam(200, 7);
     for (const BubbleId bubble : foam.network.bubbles()) {
@@ -325,8 +331,8 @@ TEST(Equilibrate, FilmsOfABubbleTurnBySixtyDegreesASideFewerThanSix) {
     }
 }
 
-// Pressures are the multipliers of the areas (E3), so that the energies of neighboring equilibria
-// differ by the sum of p dA: work done on the gas.
+// Pressures are the Lagrange multipliers of the areas (E3). The energies of neighboring equilibria
+// therefore differ by the sum of p dA, the work done on the gas.
 TEST(Equilibrate, EnergyGrowsByThePressureTimesTheArea) {
     const Foam foam = equilibrated_foam(30, 2);
     const double step = 1e-4;
@@ -342,7 +348,7 @@ TEST(Equilibrate, EnergyGrowsByThePressureTimesTheArea) {
         return summary.energy;
     };
     const double slope = (energy_at(step) - energy_at(-step)) / (2.0 * step);
-    // The cubic term is h² = 1e-8 times a third derivative of the order of 10.
+    // The error of the central difference is h² = 1e-8 times a third derivative of the order of 10.
     EXPECT_NEAR(slope, foam.pressures[a] - foam.pressures[b], 1e-6);
 }
 

@@ -38,7 +38,7 @@ Outcome run(Foam& foam, Unknowns& part) {
     return result;
 }
 
-// The film of a crossing parts bubbles 5 and 6, between 2 and 10.
+// The short film of a crossing separates bubbles 5 and 6; bubbles 2 and 10 are at its ends.
 TEST(FlipShortFilms, FlipsAndReportsAFilmThatStaysOpen) {
     Crossing c = crossing(60.0, 0.04);
     Foam expected = c.foam;
@@ -72,7 +72,7 @@ TEST(FlipShortFilms, IgnoresLongFilms) {
     EXPECT_TRUE(run(c.foam, part).calls.empty());
 }
 
-// Bubble 2 has one end of the film; 5 has both.
+// Only one end of the film is a junction of bubble 2, but both ends are junctions of bubble 5.
 TEST(FlipShortFilms, IgnoresFilmsThatLeaveThePart) {
     for (const BubbleId bubble : {BubbleId{2}, BubbleId{5}}) {
         Crossing c = crossing(60.0, 0.04);
@@ -83,8 +83,8 @@ TEST(FlipShortFilms, IgnoresFilmsThatLeaveThePart) {
     }
 }
 
-// The middle film of a row of four bubbles tears, and takes its two junctions with it; the two
-// outer films on each side become one.
+// The middle film of a row of four bubbles tears. The film and its two junctions are removed, and
+// the two outer films on each side become one.
 TEST(FlipShortFilms, RemovesVanishedElementsFromThePart) {
     Foam foam = test::chain();
     const FilmId film = film_of(test::side_between(foam.network, BubbleId{1}, BubbleId{2}));

@@ -22,7 +22,7 @@ ResidualNorms norms_of(const Foam& foam) {
     return norms(foam, all, residual(foam, all));
 }
 
-// On a torus one pass is enough unless many films are at the limit.
+// On a torus one pass is enough unless many films are at the limit of their half angle.
 TEST(GlobalRelaxation, OfATorusIsOnePass) {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
         Foam foam = test::raw_foam(60, seed);
@@ -37,8 +37,9 @@ TEST(GlobalRelaxation, OfATorusIsOnePass) {
     }
 }
 
-// After one sweep a raw patch is far from equilibrium, so that further passes follow, until it is
-// near or its defects are in a few regions.
+// After one sweep a raw patch is far from equilibrium. Further passes follow until it is near
+// equilibrium, its defects are in a few regions, or the largest number of passes (201 sweeps) is
+// reached.
 TEST(GlobalRelaxation, RepeatsForAPatchFarFromEquilibrium) {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
         Foam foam = seed_patch(disc_outline(), {.bubbles = 30, .seed = seed});

@@ -21,8 +21,9 @@ using test::derivative_foams;
 using test::full_hessian;
 using test::shifted;
 
-// Steps of 1e-6: rounding leaves 1e-15 / 1e-6, the cubic term 1e-12 / 6 times third derivatives of
-// the forces of T / c³, up to 1e4 and, close to the limit, hundreds of times that.
+// The steps of the central differences are 1e-6. Rounding errors are 1e-15 / 1e-6. The cubic term
+// is 1e-12 / 6 times third derivatives of the forces. These are of the order of T / c³ and reach
+// 1e4; close to the limit of the half angle they are hundreds of times larger.
 TEST(Hessian, IsTheCentralDifferenceOfTheResidualByEachUnknown) {
     constexpr double kStep = 1e-6;
     std::vector<Foam> foams = derivative_foams();
@@ -76,7 +77,7 @@ TEST(Hessian, EvaluatesAfreshEachTime) {
     EXPECT_EQ(Eigen::MatrixXd(hessian.matrix()), third);
 }
 
-// On the torus a translation and a common pressure change nothing.
+// On a torus, a translation and a common change of all pressures do not change the residual.
 TEST(Hessian, HasTheNullModesOfTheTorus) {
     for (const Foam& foam : derivative_foams()) {
         const Unknowns unknowns = all_unknowns(foam.network);
@@ -93,8 +94,9 @@ TEST(Hessian, HasTheNullModesOfTheTorus) {
     }
 }
 
-// In the plane a translation changes nothing, and a rotation turns the residual with it: a null
-// mode where that is zero. A common pressure blows the patch up.
+// In the plane, a translation does not change the residual. A rotation rotates the residual, so
+// that it is a null mode only if the residual is zero. A common change of all pressures inflates
+// the patch.
 TEST(Hessian, HasTheNullModesOfThePlane) {
     for (const Foam& foam : test::derivative_patches()) {
         const Unknowns unknowns = all_unknowns(foam.network);

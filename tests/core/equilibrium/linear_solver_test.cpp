@@ -15,7 +15,8 @@
 namespace foam {
 namespace {
 
-// The Hessian with its null modes taken care of, as Newton's method does.
+// Returns the Hessian with a regularized diagonal, which removes the null modes as in Newton's
+// method.
 Eigen::SparseMatrix<double> regular_hessian(const Foam& foam, const Unknowns& unknowns) {
     Hessian hessian(foam.network, unknowns);
     Eigen::SparseMatrix<double> matrix = hessian.evaluate(foam);
@@ -45,8 +46,9 @@ TEST(LinearSolver, SolvesWithTheHessian) {
     }
 }
 
-// A foam of 2,000 bubbles has 10,000 rows. Divided by such positions, a factor would be dense and
-// take 200 MB, more than is allowed; the graph alone is enough.
+// Half of the positions are not numbers, so that the order of elimination must come from the graph
+// alone. A foam of 2,000 bubbles has 10,000 rows. If these positions were used, the factor would be
+// dense and take 200 MB, more than the limit.
 TEST(LinearSolver, NeedsNoPositions) {
     Foam foam = test::bent_foam(2000, 0.2, 6);
     const Unknowns unknowns = all_unknowns(foam.network);
@@ -98,8 +100,8 @@ TEST(LinearSolver, GivesTheSameBitsOnAnyNumberOfThreads) {
     }
 }
 
-// Two unknowns for each junction, where it stands, then one for each bubble, in its middle: in the
-// cell of the torus too.
+// Each junction has a node of two rows, at its position. Each bubble has a node of one row, at its
+// middle. All positions are in the torus' own cell.
 TEST(LinearSolver, NodesHaveThePositionsOfTheUnknowns) {
     const Foam foam = honeycomb(4, 4);
     const Unknowns unknowns = all_unknowns(foam.network);
@@ -110,7 +112,8 @@ TEST(LinearSolver, NodesHaveThePositionsOfTheUnknowns) {
         EXPECT_TRUE(foam.domain.cell_of(nodes[k].position) == (LatticeOffset{0, 0}));
     }
     EXPECT_EQ(nodes[7].position, foam.positions[JunctionId{7}]);
-    // Bubble 5 is second in its row and second from below: at (2 w, 2.5 a), w = sqrt(3) a wide.
+    // Bubble 5 is the second bubble of the second row from below. Its middle is at (2 w, 2.5 a),
+    // where a is the length of a film and w = sqrt(3) a the width of a bubble.
     const Vec2 middle(foam.domain.width * 2.0 / 4.0, foam.domain.height * 2.5 / 6.0);
     EXPECT_LT((nodes[32 + 5].position - middle).norm(), 1e-14);
 }

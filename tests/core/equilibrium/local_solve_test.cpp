@@ -16,7 +16,8 @@ namespace {
 
 constexpr BubbleId kBubble{66};
 
-// A honeycomb of twelve columns and rows in which one bubble is to have half of its area.
+// Returns a honeycomb of twelve columns and rows in which the target area of one bubble is half of
+// its area.
 Foam with_a_defect() {
     Foam foam = honeycomb(12, 12);
     foam.target_areas[kBubble] = 0.5;
@@ -36,7 +37,8 @@ ResidualNorms norms_of(const Foam& foam, const Unknowns& unknowns) {
     return norms(foam, unknowns, residual(foam, unknowns));
 }
 
-// Junctions that are no unknowns of the part are where they were, to the last bit.
+// Expects that the positions and pressures that are not unknowns of the part are unchanged, to the
+// last bit.
 void expect_held_outside(const Foam& foam, const Foam& before, const Unknowns& part) {
     for (const JunctionId junction : foam.network.junctions()) {
         if (part.position_row(junction) < 0) {
@@ -60,8 +62,8 @@ TEST(LocalSolve, LeavesAFoamInEquilibriumAsItIs) {
     EXPECT_TRUE(test::are_same(foam, before));
 }
 
-// The region is the bubble and its six neighbors; all else is held. Within it, forces and area
-// errors end below 1e-3.
+// The region consists of the bubble and its six neighbors; everything else is held fixed. At the
+// end, forces and area errors in the region are below 1e-3.
 TEST(LocalSolve, BringsARegionToEquilibriumWithAllElseHeld) {
     Foam foam = with_a_defect();
     const Foam before = foam;
@@ -77,18 +79,20 @@ TEST(LocalSolve, BringsARegionToEquilibriumWithAllElseHeld) {
     expect_held_outside(foam, before, part);
 }
 
-// Half of the pressures and positions that the largest residual belongs to are in one region.
+// A defect is among the worst if its error is at least a fifth of the largest error. It must also
+// be above the thresholds of DefectOptions, 0.3 for areas. The regions include three rings of
+// neighbors.
 TEST(LocalSolve, WorstRegionsAreThoseOfTheLargestErrors) {
-    Foam foam = with_a_defect();                   // lacks 1 of 0.5: an error of 1
-    foam.target_areas[BubbleId{0}] = 0.8;          // an error of 0.25, which is above a fifth of it
-    EXPECT_EQ(worst_regions(foam, 1).size(), 1U);  // but below 0.3
+    Foam foam = with_a_defect();                   // an area of 1 instead of 0.5: an error of 1
+    foam.target_areas[BubbleId{0}] = 0.8;          // an error of 0.25, above a fifth of 1, ...
+    EXPECT_EQ(worst_regions(foam, 1).size(), 1U);  // ... but below 0.3
     foam.target_areas[BubbleId{0}] = 0.75;         // an error of a third
     std::vector<DefectRegion> regions = worst_regions(foam, 1);
-    EXPECT_TRUE(regions.empty());      // with three rings, 2 x 37 of 144 bubbles: more than 30 %
-    foam.target_areas[kBubble] = 0.1;  // an error of 9, beside which a third is little
+    EXPECT_TRUE(regions.empty());      // 2 x 37 of 144 bubbles are more than 30 %
+    foam.target_areas[kBubble] = 0.1;  // an error of 9, so that a third is below a fifth of it
     regions = worst_regions(foam, 1);
     ASSERT_EQ(regions.size(), 1U);
-    EXPECT_EQ(regions.front().size(), 37U);  // 1 + 6 + 12 + 18
+    EXPECT_EQ(regions.front().size(), 37U);  // with three rings: 1 + 6 + 12 + 18
 }
 
 TEST(LocalSolve, RelaxesRegionsWithAllElseHeld) {

@@ -35,7 +35,8 @@ TEST(AllowedFraction, OfAFilmThatTurns) {
     EXPECT_DOUBLE_EQ(allowed_fraction({0.0, 1.0}, {-0.8, 0.0}, 0.4), 0.5);
 }
 
-// One that grows as it turns has room in proportion to its new length: 0.4 (1 + 1) of 1.
+// If the change lengthens the film, the motion across the chord is limited in proportion to the new
+// length: 0.4 (1 + 1) = 0.8 of a motion of 1.
 TEST(AllowedFraction, OfAFilmThatTurnsAndGrows) {
     EXPECT_DOUBLE_EQ(allowed_fraction({1.0, 0.0}, {1.0, 1.0}, 0.4), 0.8);
 }
@@ -63,7 +64,7 @@ RC_GTEST_PROP(AllowedFraction, KeepsTheLengthAboveItsLimit, ()) {
     RC_ASSERT(along >= 0.6 - 1e-12);
 }
 
-// Neither limit is passed and, where the fraction is below 1, one of them is met.
+// Neither limit is exceeded. If the fraction is below 1, one of the limits is reached.
 RC_GTEST_PROP(AllowedFraction, GoesJustAsFarAsTheLimits, ()) {
     const Vec2 chord = any_chord();
     const Vec2 change(4.0 * any_real(), 4.0 * any_real());
@@ -125,9 +126,9 @@ TEST(LimitMoves, KeepsCommonMotion) {
     EXPECT_EQ(step, before);
 }
 
-// A junction of the honeycomb, whose films have the length a, pushed by 2a along one of them. That
-// film may lose 0.4 a. Each of the two ends takes half of what is cut, so the sum of all moves
-// stays.
+// An end of a film of length a in a honeycomb is moved by 2a towards the other end, although the
+// film may shorten by at most 0.4 a. Both ends share the correction equally, so that the sum of all
+// moves does not change.
 TEST(LimitMoves, SharesTheCutBetweenBothEnds) {
     const Foam foam = honeycomb(4, 4);
     const Unknowns unknowns = all_unknowns(foam.network);
@@ -150,7 +151,7 @@ TEST(LimitMoves, KeepsSmallStepsAndPressures) {
     const Unknowns unknowns = all_unknowns(foam.network);
     Eigen::VectorXd step = Eigen::VectorXd::Constant(unknowns.size(), 1e3);
     Random random(3);
-    // No film of length 0.62 changes by more than 0.14 in x or y.
+    // No film, of length 0.62, changes by more than 0.14 in x or in y.
     for (Eigen::Index row = 0; row < static_cast<Eigen::Index>(2 * unknowns.junctions.size());
          ++row) {
         step[row] = 0.07 * (2.0 * random.uniform() - 1.0);
@@ -160,7 +161,7 @@ TEST(LimitMoves, KeepsSmallStepsAndPressures) {
     EXPECT_EQ(step, before);
 }
 
-// Four sweeps do not settle every film at once, but no film is led through zero.
+// Some films still exceed their limit after the few sweeps of limit_moves, but no film is reversed.
 TEST(LimitMoves, ReversesNoFilm) {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         Foam foam = test::raw_foam(50, seed);
@@ -180,7 +181,7 @@ TEST(LimitMoves, ReversesNoFilm) {
     }
 }
 
-// A step that shortens the film of a crossing by a part of its length.
+// Returns a step that shortens the film of a crossing by the given fraction of its length.
 Eigen::VectorXd shortening(const Crossing& c, const Unknowns& unknowns, double part) {
     Eigen::VectorXd step = Eigen::VectorXd::Zero(unknowns.size());
     const HalfEdgeId h = forward_side(c.film);
@@ -188,8 +189,9 @@ Eigen::VectorXd shortening(const Crossing& c, const Unknowns& unknowns, double p
     return step;
 }
 
-// T1 distance 0.05, bubbles of area 1: a film of 0.04 awaits a T1 if the step takes more than half
-// of it and its flipped state stays open, as it does where the outer films spread by 60 degrees.
+// The T1 distance is 0.05 and the bubbles have area 1. A film of length 0.04 needs a T1 if the step
+// shortens it by more than half and if it would stay open when flipped, as in a crossing of 60
+// degrees.
 TEST(CollapsingFilms, AreShortAndShrinkByMoreThanHalf) {
     const Crossing c = crossing(60.0, 0.04);
     const Unknowns unknowns = all_unknowns(c.foam.network);
@@ -205,14 +207,15 @@ TEST(CollapsingFilms, AreNotLongerThanTheDistance) {
     EXPECT_TRUE(collapsing_films(c.foam, unknowns, shortening(c, unknowns, 5.0), {}).empty());
 }
 
-// At 25 degrees the flipped film would close again: 2 sin 25 = 0.85 < 1.
+// In a crossing of 25 degrees the flipped film would close again, because
+// 2 sin(25 degrees) = 0.85 < 1.
 TEST(CollapsingFilms, StayOpenWhenFlipped) {
     const Crossing c = crossing(25.0, 0.04);
     const Unknowns unknowns = all_unknowns(c.foam.network);
     EXPECT_TRUE(collapsing_films(c.foam, unknowns, shortening(c, unknowns, 0.9), {}).empty());
 }
 
-// Below a twentieth of the distance, 0.0025, whatever the step.
+// A film below a twentieth of the T1 distance, 0.0025, has collapsed and needs a T1 for any step.
 TEST(CollapsingFilms, IncludeTheCollapsed) {
     const Crossing c = crossing(25.0, 0.0024);
     const Unknowns unknowns = all_unknowns(c.foam.network);

@@ -11,7 +11,7 @@
 namespace foam {
 namespace {
 
-// A honeycomb whose junctions are moved by up to 0.05 in x and y.
+// Returns a honeycomb whose junctions are moved by up to 0.05 in x and y.
 Foam perturbed_honeycomb(int side) {
     Foam foam = honeycomb(side, side);
     Random random(3);
@@ -46,8 +46,9 @@ double error_of(const Case& c, const Eigen::VectorXd& step) {
     return (image + c.r).norm();
 }
 
-// 180 unknowns take double precision, in which the regularization of 1e-7 limits the error; 720
-// take single precision, whose rounding of 6e-8 adds up over some hundred terms of the size of 10.
+// A system of 180 unknowns uses double precision; the regularization of 1e-7 limits its accuracy. A
+// system of 720 unknowns uses single precision; its rounding errors of 6e-8 add up over some
+// hundred terms of the size of 10.
 TEST(NewtonSystem, SolvesWithTheHessian) {
     for (const int side : {6, 12}) {
         Case c(side);
@@ -89,7 +90,7 @@ TEST(NewtonSystem, KeepsAFactorUntilItIsDropped) {
     Foam moved = c.foam;
     moved.positions[JunctionId{0}] += Vec2(0.02, 0.0);
     EXPECT_EQ(system.step(moved, c.r),
-              first);  // the chord method: the factor is of the state before
+              first);  // the chord method uses the factor of the earlier state
     system.drop_factor();
     EXPECT_FALSE(system.has_factor());
     EXPECT_NE(system.step(moved, c.r), first);
@@ -110,7 +111,7 @@ TEST(NewtonSystem, RaisesThePrecisionOnce) {
     EXPECT_LT(error_of(large, twice), 0.1 * error_of(large, single));
     EXPECT_FALSE(system.raise_precision(large.foam));
     EXPECT_TRUE(system.has_factor());
-    Case small(6);  // begins with double precision
+    Case small(6);  // double precision from the start
     system.start(small.foam, small.unknowns, 1);
     EXPECT_FALSE(system.raise_precision(small.foam));
 }

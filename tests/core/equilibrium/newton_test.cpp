@@ -22,7 +22,7 @@ namespace {
 using test::are_same;
 using test::is_valid;
 
-// A honeycomb whose junctions are moved by up to `largest` in x and y.
+// Returns a honeycomb whose junctions are moved by up to `largest` in x and y.
 Foam perturbed_honeycomb(double largest) {
     Foam foam = honeycomb(6, 6);
     Random random(3);
@@ -53,11 +53,11 @@ TEST(Newton, DoesNothingInAHoneycomb) {
     EXPECT_TRUE(are_same(foam, before));
 }
 
-// Each residual is at most the square of the one before, down to rounding; the regularization, 1e-9
-// of the residual, does not show.
+// Each residual is at most the square of the residual before it, down to rounding errors. The
+// regularization of the Hessian has no visible effect.
 TEST(Newton, ConvergesQuadratically) {
     constexpr double kRoundingFloor =
-        1e-13;  // some hundred units of the last place of a film's length
+        1e-13;  // some hundred units in the last place of a film length
     Foam foam = perturbed_honeycomb(0.025);
     double before = residual_of(foam);
     ASSERT_GT(before, 0.02);
@@ -85,7 +85,7 @@ TEST(Newton, ReportsItsResidual) {
     const NewtonSummary cut = run(foam, {.max_iterations = 2});
     EXPECT_EQ(cut.status, NewtonStatus::IterationLimit);
     EXPECT_EQ(cut.iterations, 2);
-    EXPECT_NEAR(cut.residual, residual_of(foam), 1e-13);  // of junctions that are wrapped since
+    EXPECT_NEAR(cut.residual, residual_of(foam), 1e-13);  // the junctions have been wrapped since
 }
 
 TEST(Newton, StopsWhenBothTolerancesAreMet) {
@@ -117,8 +117,8 @@ TEST(Newton, LeavesAFilmThatHasCollapsedToTheT1) {
     EXPECT_TRUE(are_same(c.foam, before));
 }
 
-// A raw diagram is far outside the reach of undamped steps. Whatever comes of it, every iteration
-// has made the sum of squares smaller.
+// A raw diagram is far outside the region in which full steps of Newton's method converge. Every
+// iteration must nevertheless decrease the sum of squares.
 TEST(Newton, NeverRaisesTheSumOfSquares) {
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
         Foam foam = test::raw_foam(60, seed);

@@ -34,8 +34,8 @@ void expect_equilibrium(const Outline& outline, const PatchOptions& options) {
     EXPECT_TRUE(equilibrium_errors(foam).are_below(1e-9));
 }
 
-// Also those of a few bubbles, whose outer films are nearly circles: straight films failed for up
-// to four in ten of them.
+// The patches include patches of a few bubbles, whose outer films are nearly circles. A relaxation
+// that started from straight outer films failed for up to four in ten of them.
 TEST(PatchRelaxation, LeadsRawPatchesToEquilibrium) {
     PatchOptions options;
     for (const Outline& outline : outlines()) {
@@ -50,7 +50,7 @@ TEST(PatchRelaxation, LeadsRawPatchesToEquilibrium) {
     }
 }
 
-// A slit between two bubbles that came to overlap in it, before its ends could close it.
+// Two bubbles of this patch overlap in a slit between them before T1s at its ends can close it.
 TEST(PatchRelaxation, ClosesHolesInWhichBubblesOverlap) {
     const Outline outline = outline_from_wkt(
         "POLYGON((0 0, 12 0, 12 6, 0 6), (1.5 1.5, 1.5 4.5, 4.5 4.5, 4.5 1.5), "
@@ -72,7 +72,7 @@ TEST(LongPatchRelaxation, LeadsLargeRawPatchesToEquilibrium) {
     }
 }
 
-// Arcs and pressures are those of equilibrium in the end, unlike those of straight films.
+// Relaxation alone converges to the arcs and pressures of equilibrium.
 TEST(PatchRelaxation, ComesToEquilibriumByItself) {
     for (Foam foam : {test::double_bubble(1.0, 3.0), test::triple_bubble(1.0), test::flower(1.0)}) {
         relax(foam, {.sweeps = 1000});
@@ -80,7 +80,8 @@ TEST(PatchRelaxation, ComesToEquilibriumByItself) {
     }
 }
 
-// 0 pressures and straight films would have to be found anew.
+// Without a restart, one sweep keeps the equilibrium. With a restart, pressures and half angles are
+// reset and the foam leaves its equilibrium.
 TEST(PatchRelaxation, ContinuesFromThePresentState) {
     Foam foam = test::flower(1.0);
     ASSERT_TRUE(equilibrate(foam, {}).converged());
@@ -109,7 +110,8 @@ TEST(PatchRelaxation, OfAPartHoldsAllElse) {
     }
 }
 
-// Arcs beyond 90 degrees leave in the order that their chords do not have.
+// Outer films with half angles beyond 90 degrees leave a junction in the right cyclic order,
+// although their chords do not.
 TEST(PatchRelaxation, AnEquilibriumIsNoTangle) {
     for (Foam foam : {test::double_bubble(1.0, 30.0), test::triple_bubble(1.0), test::chain()}) {
         ASSERT_TRUE(equilibrate(foam, {}).converged());
@@ -119,7 +121,7 @@ TEST(PatchRelaxation, AnEquilibriumIsNoTangle) {
     }
 }
 
-// The rim holds what is within.
+// Junctions at the ghost are not moved, so that the patch keeps its size.
 TEST(PatchRelaxation, UntanglingDoesNotShrinkAPatch) {
     Foam foam = test::flower(1.0);
     ASSERT_TRUE(equilibrate(foam, {}).converged());

@@ -10,7 +10,7 @@
 namespace foam {
 namespace {
 
-// Every `spacing`-th id of so many, from 3 on.
+// Checks the table of a list that contains every `spacing`-th of `slots` ids, from 3 on.
 void expect_ranks(std::size_t slots, std::size_t spacing) {
     std::vector<BubbleId> list;
     for (std::size_t k = 3; k < slots; k += spacing) {
@@ -32,7 +32,7 @@ TEST(RankTable, ReturnsIndicesInListsOfManyIds) {
 
 TEST(RankTable, ReturnsIndicesInListsOfFewIds) {
     expect_ranks(1000, 17);
-    expect_ranks(1000, 64);  // ids that a hash by remainder would put in one place
+    expect_ranks(1000, 64);  // a hash by remainder would map them to one slot
     expect_ranks(1000, 999);
     expect_ranks(100000, 4096);
 }

@@ -25,8 +25,8 @@ ResidualNorms norms_of(const Foam& foam) {
     return norms(foam, unknowns, residual(foam, unknowns));
 }
 
-// The diagrams start from forces near T and a sum of squares of 60 to 80. What is left, that of
-// films bent by guessed pressures, is a hundredth.
+// The diagrams start with forces near T and a sum of squares of 60 to 80. Relaxation leaves about a
+// hundredth of this sum, because the pressures that bend the films are only estimates.
 TEST(Relaxation, LeavesAHundredthOfTheResidual) {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         Foam foam = raw_foam(100, seed);
@@ -99,7 +99,8 @@ TEST(Relaxation, KeepsAHoneycomb) {
     }
 }
 
-// A junction may end a sweep outside, but not the relaxation.
+// A junction may leave the torus' own cell during the sweeps. It is wrapped at the end of the
+// relaxation.
 TEST(Relaxation, LeavesJunctionsInTheTorusOwnCell) {
     Foam foam = raw_foam(60, 3);
     relax(foam, {});
@@ -129,8 +130,8 @@ TEST(Relaxation, HandlesUnequalAreas) {
     }
 }
 
-// Before any sweep the pressures are those of the areas alone, B (1 - A / A_target) /
-// sqrt(A_target) with B = 10 T (E4), above a common one.
+// Without sweeps, the pressures depend only on the areas: they are a common constant plus
+//     B (1 - A / A_target) / sqrt(A_target),   B = 10 T (E4).
 TEST(Relaxation, PressuresFollowTheMissingArea) {
     Foam foam = honeycomb(4, 4);
     foam.film_tension = 2.0;

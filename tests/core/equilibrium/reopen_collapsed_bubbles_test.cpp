@@ -20,8 +20,9 @@ namespace {
 
 constexpr FilmId kFilm{7};
 
-// The film of a honeycomb, sqrt(2 / sqrt(27)) long, has a lens of a thousandth of it in its middle.
-// A third of what is left on either side opens the lens to a third of the film.
+// A lens in the middle of a film of the honeycomb, of length sqrt(2 / sqrt(27)), covers a
+// thousandth of it. Each end moves by a third of the length of the film on its side, so that the
+// lens then covers a third of the original film.
 TEST(ReopenCollapsedBubbles, MovesTheEndsApartAlongTheirThirdFilms) {
     Foam foam = honeycomb(4, 4);
     const double film = chord(foam, forward_side(kFilm)).norm();
@@ -34,7 +35,8 @@ TEST(ReopenCollapsedBubbles, MovesTheEndsApartAlongTheirThirdFilms) {
     EXPECT_EQ(untangle(foam), 0);
 }
 
-// A lens whose films meet at 120 degrees has the area c²/2 (pi/3 - sqrt(3)/4) / (3/4).
+// The ends move apart by at most the chord c of the lens in equilibrium. A lens whose films meet at
+// 120 degrees has the area c²/2 (pi/3 - sqrt(3)/4) / (3/4).
 TEST(ReopenCollapsedBubbles, ReopensNoFurtherThanToEquilibrium) {
     Foam foam = honeycomb(4, 4);
     const BubbleId lens = test::insert_lens(foam, kFilm, 1e-3);
@@ -55,7 +57,8 @@ TEST(ReopenCollapsedBubbles, KeepsOpenBubbles) {
     EXPECT_TRUE(test::are_same(foam, before));
 }
 
-// Such bubbles grew in pressure from relaxation to relaxation, until they tore the foam apart.
+// If such a bubble were not reopened, its pressure would grow from relaxation to relaxation until
+// it tore the foam apart.
 TEST(ReopenCollapsedBubbles, EquilibratesAFoamWithACollapsedBubble) {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
         Foam foam = test::equilibrated_foam(30, seed);

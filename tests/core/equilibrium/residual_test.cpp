@@ -32,8 +32,9 @@ std::vector<Foam> all_derivative_foams() {
     return foams;
 }
 
-// Energies of up to 100, a step of 1e-5: rounding leaves 100 * 1e-16 / 1e-5 = 1e-9; the cubic term
-// is h²/6 times third derivatives of T / c², of the order of 1e3 for the shortest films.
+// Energies are up to 100 and the step is 1e-5: rounding errors are 100 * 1e-16 / 1e-5 = 1e-9. The
+// cubic term is h²/6 times third derivatives, which are of the order of T / c² and reach 1e3 for
+// the shortest films.
 TEST(Residual, IsTheCentralDifferenceOfTheLagrangianByEachUnknown) {
     constexpr double kStep = 1e-5;
     for (const Foam& foam : all_derivative_foams()) {
@@ -61,8 +62,9 @@ TEST(Residual, OfAPressureIsTheMissingArea) {
     }
 }
 
-// At a junction the gradient is minus the tension times the sum of the arcs' unit tangents (E3):
-// the pressures' push on the chords is just what bends the films.
+// At a junction the gradient is minus the tension times the sum of the arcs' unit tangents (E3).
+// The force of the pressures on the chords is included, because it is the difference between the
+// tangents and the directions of the chords.
 TEST(Residual, OfAPositionIsMinusThePullOfTheArcs) {
     const Foam foam = test::bent_foam(40, 0.5, 3);
     ASSERT_EQ(equilibrium_errors(foam).films_at_limit, 0);
@@ -85,7 +87,7 @@ TEST(Residual, VanishesInTheHoneycomb) {
     }
 }
 
-// A common pressure pushes on nothing.
+// A common change of all pressures exerts no force.
 TEST(Residual, DoesNotDependOnTheMeanPressure) {
     const Foam foam = test::bent_foam(30, 1.0, 8);
     Foam raised = foam;
@@ -108,8 +110,9 @@ TEST(Residual, ForcesAddUpToZeroAndAreasToTheTorus) {
     EXPECT_NEAR(r.tail(30).sum(), 0.0, 1e-13);
 }
 
-// Two bubbles of target areas 1 and 4, four junctions, T = 2. Forces 3-4-5 and 0.6 long are 2.5 and
-// 0.3 tensions, area errors 0.5 and 1 half and a quarter of the targets.
+// The foam has two bubbles of target areas 1 and 4, four junctions, and T = 2. Forces of 5 (3-4-5)
+// and 0.6 are 2.5 and 0.3 film tensions. Area errors of 0.5 and 1 are a half and a quarter of the
+// target areas.
 TEST(ResidualNorms, AreInTensionsAndTargetAreas) {
     Foam foam = honeycomb(1, 2);
     foam.film_tension = 2.0;
@@ -125,6 +128,23 @@ TEST(ResidualNorms, AreInTensionsAndTargetAreas) {
     EXPECT_DOUBLE_EQ(n.force, 2.5);
     EXPECT_DOUBLE_EQ(n.area, 0.5);
     EXPECT_DOUBLE_EQ(n.squares, 6.25 + 0.09 + 0.25 + 0.0625);
+}
+
+// Rows 0 to 7 are those of four junctions, rows 8 and 9 those of two bubbles.
+TEST(ResidualNorms, AreNanWhereTheResidualIs) {
+    const Foam foam = honeycomb(1, 2);
+    const Unknowns unknowns = all_unknowns(foam.network);
+    for (const int row : {0, 4, 7}) {
+        Eigen::VectorXd r = Eigen::VectorXd::Constant(10, 0.5);
+        r[row] = std::numeric_limits<double>::quiet_NaN();
+        EXPECT_TRUE(std::isnan(norms(foam, unknowns, r).force)) << row;
+        EXPECT_EQ(norms(foam, unknowns, r).area, 0.5) << row;
+    }
+    for (const int row : {8, 9}) {
+        Eigen::VectorXd r = Eigen::VectorXd::Constant(10, 0.5);
+        r[row] = std::numeric_limits<double>::quiet_NaN();
+        EXPECT_TRUE(std::isnan(norms(foam, unknowns, r).area)) << row;
+    }
 }
 
 }  // namespace

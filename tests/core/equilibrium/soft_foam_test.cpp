@@ -20,14 +20,15 @@ constexpr double kRounding = 1e-13;
 constexpr BubbleId kBubble{5};
 constexpr double kPi = std::numbers::pi;
 
-// Hexagons of area 1 whose pressures are 0.
+// Returns a honeycomb of area 1 per bubble and pressure 0, in which one bubble has the given target
+// area.
 Foam with_target(double target) {
     Foam foam = honeycomb(4, 4);
     foam.target_areas[kBubble] = target;
     return foam;
 }
 
-// B (1 - A / A_target) / sqrt(A_target) with B = 10 T.
+// The pressure rises by B (1 - A / A_target) / sqrt(A_target) with B = 10 T.
 TEST(SoftFoam, PressureRisesWithTheMissingArea) {
     Foam foam = with_target(4.0);
     foam.pressures[kBubble] = 0.5;
@@ -63,12 +64,12 @@ TEST(SoftFoam, GainsOfAreaLowerThePressure) {
 }
 
 // The pressure at the target becomes 3.75, to which the same lack of area adds 3.75 again.
-TEST(SoftFoam, KeepPressureRaisesTheOneAtTheTarget) {
+TEST(SoftFoam, UpdateMultiplierRaisesThePressureAtTheTarget) {
     Foam foam = with_target(4.0);
     SoftFoam soft(foam);
     soft.begin(kStiffness);
     soft.load(kBubble);
-    soft.keep_pressure(kBubble);
+    soft.update_multiplier(kBubble);
     EXPECT_NEAR(soft.pressure(kBubble), 7.5, kRounding);
     soft.add_area(kBubble, 3.0);
     EXPECT_NEAR(soft.pressure(kBubble), 3.75, kRounding);
@@ -95,7 +96,7 @@ TEST(SoftFoam, TheGhostHasNoPressureAndNoSlope) {
     EXPECT_EQ(soft.slope(foam.network.ghost()), 0.0);
 }
 
-// The segment of a half circle over the chord c is pi c²/8.
+// The segment of a half circle over the chord c has the area pi c²/8.
 TEST(SoftFoam, SetArcMovesTheSegmentFromRightToLeft) {
     Foam foam = with_target(1.0);
     SoftFoam soft(foam);
@@ -135,7 +136,8 @@ TEST(SoftFoam, SetArcOfAnOuterFilmIsThatOfTheFoam) {
     }
 }
 
-// With equal pressures inner films are straight, so that polygon and outer segments are all.
+// With equal pressures inner films are straight. The area of a bubble is then the area of its
+// polygon plus the segments of its outer films.
 TEST(SoftFoam, BulgeFillsABubbleToItsTarget) {
     for (const double target : {0.5, 2.0, 7.0}) {
         Foam foam = test::flower(target);
@@ -155,14 +157,15 @@ TEST(SoftFoam, RenewMeasuresABubbleWhoseOuterFilmsHaveChanged) {
     soft.begin(kStiffness);
     soft.load(BubbleId{1});
     for (const HalfEdgeId h : foam.network.around(BubbleId{1})) {
-        set_half_angle(foam, h, 0.4);  // of its outer film
+        set_half_angle(foam, h, 0.4);  // has an effect on its outer film only
     }
     soft.renew(BubbleId{1}, false);
     const double lacking = 1.0 - bubble_area(foam, BubbleId{1});
     EXPECT_NEAR(soft.pressure(BubbleId{1}), kStiffness * lacking, 1e-12);
 }
 
-// Less than half of the target counts as empty, and is filled by the outer film.
+// A bubble with less than half of its target area counts as empty. Its outer film is then bent
+// until the bubble has its target area.
 TEST(SoftFoam, RenewFillsABubbleThatMayBeEmpty) {
     for (const double target : {4.0, 1.0}) {
         Foam foam = test::flower(target);  // its outer bubbles have polygons of area 0.95

@@ -10,7 +10,8 @@
 namespace foam {
 namespace {
 
-// Bubble 5 and two of its three junctions are gone: those behind them move up.
+// Bubble 5 and two of its three junctions are removed, so that the rows of later elements are
+// lower.
 TEST(Unknowns, CountTheLivingByIncreasingId) {
     Network network = test::honeycomb_around(3).network;
     vanish(network, BubbleId{5});

@@ -33,7 +33,7 @@ void expect_positive_areas(const Foam& foam) {
     }
 }
 
-// Moves every junction of the bubble to a multiple of its distance from the first of them.
+// Scales a bubble around its first junction by the factors x and y.
 void scale_bubble(Foam& foam, BubbleId bubble, double x, double y) {
     std::vector<Vec2> points;
     Vec2 at = Vec2::Zero();
@@ -66,7 +66,8 @@ TEST(Untangle, KeepsAFoamWithoutTangles) {
     EXPECT_TRUE(are_same(foam, before));
 }
 
-// The chords of its films have one direction.
+// The chords of the two films of a two-sided bubble have the same direction, but its junctions are
+// not tangled.
 TEST(Untangle, DoesNotCountATwoSidedBubbleAsATangle) {
     Foam foam = honeycomb(4, 4);
     test::insert_lens(foam, FilmId{7}, 0.5);
@@ -93,7 +94,7 @@ TEST(Untangle, OpensABubbleThatIsAPoint) {
     expect_positive_areas(foam);
 }
 
-// Three films away from all six junctions of bubble 5 of honeycomb(8, 8) a junction stays.
+// A junction that is more than two films away from the junctions of the bubble does not move.
 TEST(Untangle, MovesOnlyNearbyJunctions) {
     Foam foam = honeycomb(8, 8);
     shrink_to_a_point(foam, BubbleId{27});
@@ -104,11 +105,13 @@ TEST(Untangle, MovesOnlyNearbyJunctions) {
         moved += foam.positions[junction] == before.positions[junction] ? 0 : 1;
     }
     EXPECT_GT(moved, 6);
-    // 6 around the bubble, 6 next to them, and the two further neighbors of each of these.
+    // The bubble has 6 junctions. Next to them are 6 more, each with two further neighbors:
+    // 6 + 6 + 12 = 24.
     EXPECT_LE(moved, 24);
 }
 
-// Left to relaxation and to the T1 of Newton's method, some of these find no equilibrium.
+// Without untangling, relaxation and the T1s of Newton's method would not bring all of these foams
+// to equilibrium.
 TEST(Equilibrate, RecoversFromTangles) {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         Foam foam = equilibrated_foam(60, seed);

@@ -15,9 +15,10 @@ namespace {
 
 using test::is_valid;
 
-// Two courses of bricks, 1 high and `width` wide, on a torus of one brick a course; the upper
-// course stands `shift` to the right of the lower one. Each brick meets itself left and right, and
-// two copies of the other above and below: six corners, if the joints do not meet.
+// Returns two rows of bricks, 1 high and `width` wide, on a torus with one brick per row. The upper
+// row is shifted to the right by `shift`. Each brick is its own neighbor on the left and on the
+// right, and touches two copies of the other brick above and below. It has six corners if the
+// vertical joints of the two rows do not meet.
 CellDiagram bricks(double width, double shift) {
     const std::size_t lower = 0;
     const std::size_t upper = 1;
@@ -51,7 +52,7 @@ TEST(CellDiagram, BricksMakeAFoam) {
     EXPECT_EQ(foam.next_identity, 2U);
 }
 
-// Joints of height 1 twice, and courses of length 4 twice.
+// The films are two vertical joints of length 1 and two horizontal lines of length 4.
 TEST(CellDiagram, BricksHaveTheirFilms) {
     const Foam foam = foam_from_cells({4.0, 2.0}, bricks(4.0, 1.0));
     EXPECT_DOUBLE_EQ(energy(foam), 1.0 + 1.0 + 4.0 + 4.0);
@@ -69,7 +70,7 @@ TEST(CellDiagram, JunctionsLieInTheTorusOwnCell) {
     }
 }
 
-// Squares in straight rows and columns, the four sides of each towards itself.
+// The diagram is a single square, whose sides are its own neighbors on the torus.
 TEST(CellDiagram, RejectsACornerOfFourCells) {
     const CellDiagram squares{{{{1.0, 0.0}, 0, {1, 0}},
                                {{1.0, 1.0}, 0, {0, 1}},
@@ -103,8 +104,8 @@ TEST(CellDiagram, AreaAndCentroidOfATriangle) {
     EXPECT_DOUBLE_EQ(cell_centroid(triangle).y(), 21.0);
 }
 
-// A unit square on the right half of a 2 x 1 one's top: area 3, center ((2, 1) + (1.5, 1.5 * 1))
-// ... weighted by 2 and 1.
+// The L consists of a rectangle of 2 x 1 and a unit square on the right half of its top. The
+// centroid is the mean of their centers (1, 0.5) and (1.5, 1.5), weighted by the areas 2 and 1.
 TEST(CellDiagram, AreaAndCentroidOfAnL) {
     const auto l =
         cell_with_corners({{0.0, 0.0}, {2.0, 0.0}, {2.0, 2.0}, {1.0, 2.0}, {1.0, 1.0}, {0.0, 1.0}});

@@ -22,8 +22,8 @@ Outline rectangle(double left, double bottom, double right, double top) {
     return {{{left, bottom}, {right, bottom}, {right, top}, {left, top}}, {}};
 }
 
-// Two squares of side 2 beside each other, cut to a rectangle of 2 x 1 in their middle: a unit
-// square of each is left, and both share the two points on their border.
+// Two adjacent squares of side 2 are clipped to a rectangle of 2 x 1 in their middle. A unit square
+// of each is left, and the two unit squares share the two points on their common border.
 TEST(ClipCells, CutsCellsThatShareABorder) {
     const CellDiagram diagram{rectangle_cell(0, 0, 2, 2), rectangle_cell(2, 0, 4, 2)};
     const ClippedCells clipped = clip_cells(rectangle(1.0, 0.5, 3.0, 1.5), diagram);
@@ -37,6 +37,22 @@ TEST(ClipCells, CutsCellsThatShareABorder) {
     EXPECT_NEAR((clipped.centers[1] - Vec2(2.5, 1.0)).norm(), 0.0, kClipping);
 }
 
+// A triangle with a corner just left of the common border of two cells. One of its sides crosses
+// the border 3.4e-5 away from this corner. That is more than the tolerance of 3e-5, but both points
+// are within a square of this side. The cells share the two points on their border.
+TEST(ClipCells, KeepsTwoPointsThatAreJustFartherApartThanTheTolerance) {
+    constexpr double kBorder = 1.2e-5;
+    const Outline triangle{{{-kBorder, -kBorder}, {0.5, 0.5}, {-0.5, 0.5}}, {}};
+    const std::vector<CellCorner> left = rectangle_cell(-1, -1, kBorder, 1);
+    const std::vector<CellCorner> right = rectangle_cell(kBorder, -1, 1, 1);
+    for (const CellDiagram& diagram : {CellDiagram{left, right}, CellDiagram{right, left}}) {
+        const ClippedCells clipped = clip_cells(triangle, diagram);
+        ASSERT_EQ(clipped.mesh.cells.size(), 2U);
+        EXPECT_EQ(clipped.mesh.points.size(), 5U);
+        EXPECT_EQ(clipped.mesh.cells[0].size() + clipped.mesh.cells[1].size(), 7U);
+    }
+}
+
 TEST(ClipCells, LeavesNothingOfACellOutsideButItsMiddle) {
     const CellDiagram diagram{rectangle_cell(0, 0, 2, 2)};
     const ClippedCells clipped = clip_cells(rectangle(5.0, 0.0, 6.0, 1.0), diagram);
@@ -45,8 +61,8 @@ TEST(ClipCells, LeavesNothingOfACellOutsideButItsMiddle) {
     EXPECT_NEAR((clipped.centers[0] - Vec2(1.0, 1.0)).norm(), 0.0, kClipping);
 }
 
-// A U of two legs, 1 and 2 wide, across the cell: each leg cuts out a part, and the middle of the
-// larger one counts.
+// The outline is a U, whose legs are 1 and 2 wide and cross the cell. Each leg cuts a part out of
+// the cell. The center is the centroid of the larger part.
 TEST(ClipCells, MakesACellOfEachPart) {
     const CellDiagram diagram{rectangle_cell(0, 2, 6, 3)};
     const Outline u{{{0, 0}, {5, 0}, {5, 4}, {3, 4}, {3, 1}, {1, 1}, {1, 4}, {0, 4}}, {}};
@@ -59,7 +75,8 @@ TEST(ClipCells, MakesACellOfEachPart) {
     EXPECT_NEAR((clipped.centers[0] - Vec2(4.0, 2.5)).norm(), 0.0, kClipping);
 }
 
-// Unit squares to both sides of a strip of 0.05: its area is below a tenth of the mean, 0.68.
+// Returns two unit squares with a strip of width 0.05 between them. The area of the strip is below
+// a tenth of the mean area, 0.68.
 PolygonMesh squares_with_a_strip_between() {
     return {{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {1.05, 0}, {1.05, 1}, {2.05, 0}, {2.05, 1}},
             {{0, 1, 2, 3}, {1, 4, 5, 2}, {4, 6, 7, 5}}};

@@ -19,17 +19,19 @@ using test::are_same;
 using test::is_valid;
 using test::side_between;
 
-constexpr double kRounding = 1e-14;  // of coordinates up to about 10
+constexpr double kRounding = 1e-14;  // rounding errors of coordinates up to about 10
 
-constexpr double kSide = 0.62040323940139973;  // of a hexagon of area 1: sqrt(2 / (3 sqrt(3)))
+constexpr double kSide = 0.62040323940139973;  // side of a hexagon of area 1: sqrt(2 / (3 sqrt(3)))
 
-// Every side of every hexagon has the same chord, whether it crosses a seam or not.
+// The chords of all bubbles are those of a regular hexagon, also across the border of the torus'
+// cell.
 TEST(Foam, ChordsCrossTheSeam) {
     const Foam foam = honeycomb(2, 2);
     for (const BubbleId bubble : foam.network.bubbles()) {
         const std::vector<HalfEdgeId> loop = foam.network.around(bubble);
         for (std::size_t k = 0; k < 6; ++k) {
-            // The first side goes up on the right, and each turns left by 60 degrees.
+            // The first side is on the right and points up. Each further side turns left by 60
+            // degrees.
             const double angle =
                 std::numbers::pi / 2.0 + std::numbers::pi / 3.0 * static_cast<double>(k);
             const Vec2 expected = kSide * Vec2(std::cos(angle), std::sin(angle));
@@ -48,8 +50,8 @@ TEST(Foam, PressureDifferenceIsLeftLessRight) {
     EXPECT_EQ(pressure_difference(foam, twin(h)), -2.0);
 }
 
-// s = delta c / (2 T) = 1/2: the film bulges by a half angle of 30 degrees out of the bubble of
-// higher pressure, so that the difference over the tension is its curvature (E1).
+// s = delta c / (2 T) = 1/2: the film bulges out of the bubble of higher pressure with a half angle
+// of 30 degrees. Its curvature is the pressure difference divided by the tension (E1).
 TEST(Foam, FilmsBulgeTowardsTheLowerPressure) {
     Foam foam = honeycomb(4, 4);
     foam.film_tension = 2.0;
@@ -67,7 +69,7 @@ TEST(Foam, PlaceJunctionWrapsAndKeepsChords) {
     for (const LatticeOffset periods : {LatticeOffset{0, 0}, LatticeOffset{3, -2}}) {
         Foam after = before;
         for (const JunctionId junction : before.network.junctions()) {
-            // All junctions move alike; in the end no chord has changed.
+            // All junctions move by the same vector, so that in the end no chord has changed.
             place_junction(after,
                            junction,
                            before.positions[junction] + shift + before.domain.translation(periods));
@@ -90,7 +92,7 @@ TEST(Foam, CompactOfADenseFoamChangesNothing) {
     EXPECT_TRUE(are_same(before, after));
 }
 
-// Bubble 5 vanishes: those after it move up by one, with all that is theirs.
+// Bubble 5 vanishes. The ids of later bubbles become lower by one, and their values move with them.
 TEST(Foam, CompactTakesAllValuesAlong) {
     Foam sparse = test::honeycomb_around(3);
     for (const BubbleId bubble : sparse.network.bubbles()) {
@@ -113,7 +115,7 @@ TEST(Foam, CompactTakesAllValuesAlong) {
 }
 
 TEST(Foam, CompactKeepsTheChordAndTheArmingOfEveryFilm) {
-    Foam sparse = test::honeycomb_around(3);  // of which three films have flipped
+    Foam sparse = test::honeycomb_around(3);  // three of its films have flipped
     vanish(sparse.network, BubbleId{5});
     Foam dense = sparse;
     compact(dense);

@@ -40,7 +40,7 @@ TEST(Frame, HoldsTheArcsOfBothSides) {
     const Frame frame = snapshot(foam, 1);
     for (std::size_t k = 0; k < 2 * foam.network.film_slots(); ++k) {
         const auto h = id_at<HalfEdgeId>(k);
-        // From the other side a chord is summed in another order.
+        // The chord of the other side is computed in another order of operations.
         EXPECT_NEAR(frame.arc(h).half_angle, film_arc(foam, h).half_angle, 1e-14);
         EXPECT_LT((frame.arc(h).chord - chord(foam, h)).norm(), 1e-14);
     }
@@ -50,7 +50,7 @@ TEST(Frame, HasNoDeadSlots) {
     Foam foam = test::honeycomb_around(3);
     vanish(foam.network, BubbleId{5});
     const Frame frame = snapshot(foam, 1);
-    EXPECT_EQ(foam.network.bubble_slots(), 16U);  // the foam is left as it is
+    EXPECT_EQ(foam.network.bubble_slots(), 16U);  // the foam is unchanged
     EXPECT_TRUE(test::is_valid(frame.network));
     EXPECT_EQ(frame.network.bubble_slots(), 15U);
     EXPECT_EQ(frame.bubbles.size(), 15U);

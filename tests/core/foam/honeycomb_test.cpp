@@ -15,7 +15,7 @@ namespace foam {
 namespace {
 
 constexpr double kRoot3 = std::numbers::sqrt3;
-// Of coordinates up to about 10.
+// Rounding errors of coordinates up to about 10.
 constexpr double kRounding = 1e-14;
 
 // A hexagon of side a has the area 3 sqrt(3) a²/2 = 1: a = sqrt(2 / (3 sqrt(3))).
@@ -36,7 +36,7 @@ TEST(Honeycomb, IsMadeOfHexagonsOfAreaOne) {
     }
 }
 
-// Rows of hexagons with a point at the top are sqrt(3) a wide a bubble and 3a/2 high.
+// Hexagons with a corner at the top are sqrt(3) a wide, and their rows are 3a/2 apart.
 TEST(Honeycomb, FitsItsTorus) {
     const Domain domain = honeycomb(3, 4).domain;
     EXPECT_NEAR(domain.width, 3.0 * kRoot3 * kSide, kRounding);
@@ -44,7 +44,8 @@ TEST(Honeycomb, FitsItsTorus) {
     EXPECT_NEAR(domain.area(), 12.0, kRounding);
 }
 
-// Each bubble has half of six films of length a: 3a = sqrt(2 sqrt(3)).
+// Each bubble has six films of length a and shares each of them with another bubble. This is a
+// length of 3a = sqrt(2 sqrt(3)) per bubble.
 TEST(Honeycomb, IsInEquilibriumWithTheLeastEnergy) {
     for (int columns = 1; columns <= 4; ++columns) {
         for (int rows = 2; rows <= 6; rows += 2) {

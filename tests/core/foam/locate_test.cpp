@@ -46,7 +46,8 @@ TEST(Locate, HoldsItsMiddleAndAllCopiesOfIt) {
     }
 }
 
-// Every point lies in one bubble, also of few that wind around the torus; films are strongly bent.
+// Every point is in exactly one bubble, also on tori of a few large bubbles with strongly bent
+// films.
 TEST(Locate, BubblesCoverTheTorusOnce) {
     for (const int bubbles : {1, 2, 3, 12, 60}) {
         const Foam foam = bubbles == 1 ? test::single_bubble() : equilibrated_foam(bubbles, 3);
@@ -62,7 +63,7 @@ TEST(Locate, BubblesCoverTheTorusOnce) {
     }
 }
 
-// Between the arc and its chord: the bubble of the higher pressure has it.
+// A point between the arc and its chord belongs to the bubble of higher pressure.
 TEST(Locate, FollowsTheArcsNotTheChords) {
     Foam foam = honeycomb(4, 4);
     const HalfEdgeId h = test::side_between(foam.network, BubbleId{5}, BubbleId{6});
@@ -103,7 +104,7 @@ TEST(Locate, ListsThoseOfANumberOfSidesSmallestFirst) {
     EXPECT_EQ(found, 60U);
 }
 
-// Points a little beside each, seen from another copy of the torus.
+// Tests points near the junctions, and the middles of films, in another lattice copy of the torus.
 TEST(Locate, FindsTheNearestJunctionAndFilm) {
     const Foam foam = equilibrated_foam(40, 2);
     const Vec2 far = foam.domain.translation({-2, 3});
@@ -118,7 +119,8 @@ TEST(Locate, FindsTheNearestJunctionAndFilm) {
     }
 }
 
-// The film of a single bubble that is as long as the torus: its middle is far from either end.
+// The films of a single bubble are about as long as the torus, so that the point is far from both
+// ends.
 TEST(Locate, FindsFilmsThatReachAroundTheTorus) {
     const Foam foam = test::single_bubble();
     for (const FilmId film : foam.network.films()) {
@@ -128,11 +130,11 @@ TEST(Locate, FindsFilmsThatReachAroundTheTorus) {
     }
 }
 
-// Three bubbles around a point, and a circle far away.
+// The foam has three bubbles around a junction, and a lone bubble far away.
 TEST(Locate, FindsNothingOutsideOfAPatch) {
     Foam foam = test::triple_bubble(1.0);
     ASSERT_TRUE(equilibrate(foam, {}).converged());
-    foam.lone_bubbles.push_back({9, {5.0, 5.0}, 3.0});  // of radius 0.98
+    foam.lone_bubbles.push_back({9, {5.0, 5.0}, 3.0});  // radius 0.98
     for (const BubbleId bubble : foam.network.bubbles()) {
         const Vec2 middle = middle_of(foam, bubble);
         EXPECT_EQ(bubble_at(foam, middle), bubble);

@@ -20,17 +20,19 @@ using test::bent_foam;
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kRoot3 = std::numbers::sqrt3;
-constexpr double kRounding = 1e-14;  // of coordinates up to about 10
+constexpr double kRounding = 1e-14;  // rounding errors of coordinates up to about 10
 
-constexpr double kSide = 0.62040323940139973;  // of a hexagon of area 1: sqrt(2 / (3 sqrt(3)))
+constexpr double kSide = 0.62040323940139973;  // side of a hexagon of area 1: sqrt(2 / (3 sqrt(3)))
 
-// The pressure at which one hexagon among others, T = 1, has films of s = delta c / 2.
+// Returns the pressure that gives the films of one hexagon of a honeycomb (T = 1) the given
+// s = delta c / 2T.
 double pressure_for(double s) {
     return 2.0 * s / kSide;
 }
 
-// A film bulges out of one bubble into another: the segments cancel, whatever the pressures, and
-// also where arcs are held at their limit (as they are at 20 and 1000).
+// A film adds to one bubble the area that it takes from the other bubble, so that segments cancel
+// for any pressures. This includes arcs at the limit of their half angle (at the pressures 20 and
+// 1000).
 TEST(Measure, AreasAddUpToTheTorusForAnyPressures) {
     for (const double pressure : {0.0, 0.5, 3.0, 20.0, 1000.0}) {
         for (const int bubbles : {2, 3, 10, 200}) {
@@ -42,7 +44,7 @@ TEST(Measure, AreasAddUpToTheTorusForAnyPressures) {
     }
 }
 
-// s = 1/2 bends the six films to circles of radius c over 60 degrees: each segment is
+// With s = 1/2 the six films are arcs of 60 degrees with the radius c. The area of each segment is
 // (pi/6 - sqrt(3)/4) c².
 TEST(Measure, AreaOfAHexagonThatBulges) {
     Foam foam = honeycomb(4, 4);
@@ -53,9 +55,10 @@ TEST(Measure, AreaOfAHexagonThatBulges) {
     EXPECT_NEAR(bubble_area(foam, BubbleId{6}), 1.0 - segment, kRounding);
 }
 
-// A half angle of 15 degrees: the angles inside the hexagon grow by twice that, those outside
-// shrink by it. The radius is c / (2 sin 15) with (2 sin 15)² = 2 - sqrt(3); each segment is the
-// sector of 30 degrees less a triangle, radius² (pi/12 - 1/4).
+// The half angles are 15 degrees. The angles inside the hexagon grow by 30 degrees, and the angles
+// outside shrink by 15 degrees. The radius is c / (2 sin 15 degrees), with
+// (2 sin 15 degrees)² = 2 - sqrt(3). Each segment is a sector of 30 degrees minus a triangle:
+// radius² (pi/12 - 1/4).
 TEST(Measure, ErrorsOfAHexagonThatBulges) {
     Foam foam = honeycomb(4, 4);
     foam.pressures[BubbleId{5}] = pressure_for(0.5 * std::sqrt(2.0 - kRoot3));
@@ -66,7 +69,7 @@ TEST(Measure, ErrorsOfAHexagonThatBulges) {
     EXPECT_EQ(errors.films_at_limit, 0);
 }
 
-// Each of the six films is pi/3 c long instead of c; the other 42 are straight.
+// Each of the six films of the bubble is pi/3 c long. The other 42 films are straight and c long.
 TEST(Measure, EnergyIsTensionTimesLength) {
     Foam foam = honeycomb(4, 4);
     foam.film_tension = 3.0;
@@ -74,7 +77,7 @@ TEST(Measure, EnergyIsTensionTimesLength) {
     EXPECT_NEAR(energy(foam), 3.0 * (42.0 + 6.0 * kPi / 3.0) * kSide, 1e-13);
 }
 
-// s = sin 79 and sin 81 degrees: one degree to either side of the limit.
+// The half angles are 79 and 81 degrees, one degree below and above the limit.
 TEST(Measure, CountsTheFilmsAtTheLimit) {
     Foam foam = honeycomb(4, 4);
     foam.pressures[BubbleId{5}] = pressure_for(std::sin(79.0 * kPi / 180.0));
@@ -87,15 +90,16 @@ TEST(Measure, CountsTheFilmsAtTheLimit) {
 
 TEST(Measure, AreaErrorIsRelativeToTheTarget) {
     Foam foam = honeycomb(4, 4);
-    foam.target_areas[BubbleId{3}] = 0.8;  // of 1: 25 % too much
-    foam.target_areas[BubbleId{4}] = 1.2;  // 17 % too little
+    foam.target_areas[BubbleId{3}] = 0.8;  // the area is 1, 25 % too large
+    foam.target_areas[BubbleId{4}] = 1.2;  // 17 % too small
     EXPECT_NEAR(equilibrium_errors(foam).area, 0.25, kRounding);
 }
 
-// Turned over, left for right, around its middle: the loop runs clockwise.
+// Bubble 5 is mirrored at the vertical line through its middle, so that its half-edges run
+// clockwise.
 TEST(Measure, AnInvertedBubbleHasANegativeArea) {
     Foam foam = honeycomb(4, 4);
-    const double middle = 2.0 * kRoot3 * kSide;  // of bubble 5, second in a row that is shifted
+    const double middle = 2.0 * kRoot3 * kSide;  // bubble 5 is second in a shifted row
     for (const HalfEdgeId h : foam.network.around(BubbleId{5})) {
         Vec2& corner = foam.positions[foam.network.tail(h)];
         corner.x() = 2.0 * middle - corner.x();
@@ -137,7 +141,7 @@ TEST(Measure, CenteredPressuresHaveAWeightedMeanOfZero) {
     }
 }
 
-// Areas 1 and 3: the mean of the pressures 6 and 2 is (6 + 6) / 4 = 3.
+// The areas are 1 and 3. The weighted mean of the pressures 6 and 2 is (6 + 6) / 4 = 3.
 TEST(Measure, CenteringWeighsWithTheTargetAreas) {
     Foam foam = honeycomb(1, 2);
     foam.target_areas[BubbleId{0}] = 1.0;

@@ -33,7 +33,8 @@ TEST(Outline, MakesDiscsAndRectangles) {
     EXPECT_DOUBLE_EQ(outline_area(rectangle_outline(2.5)), 2.5);
 }
 
-// A strip across the frame, above and below the hole's height, and through it: two parts there.
+// Horizontal strips are clipped to the frame. A strip above the hole gives one part, a strip across
+// the hole two parts, and a strip outside of the frame none.
 TEST(Outline, ClipsPolygons) {
     const Outline frame = outline_from_wkt(kFrame);
     const auto strip = [](double low, double high) {

@@ -57,7 +57,7 @@ TEST(SeedPatch, IsTheSameForTheSameSeed) {
     EXPECT_FALSE(test::are_same(foam, seed_patch(disc_outline(), options_for(50, 3))));
 }
 
-// The energy of a free cluster is twice the sum of pressure times area.
+// In equilibrium, the energy of a patch is twice the sum of pressure times area (E3).
 TEST(SeedPatch, FindsItsOwnFreeShape) {
     for (const Outline& outline : outlines()) {
         Foam foam = seed_patch(outline, options_for(60, 4));
@@ -112,6 +112,19 @@ TEST(SeedPatch, RejectsOptionsOutOfRange) {
     options.surface_tension = 0.0;
     EXPECT_THROW(seed_patch(disc_outline(), options), std::invalid_argument);
     EXPECT_THROW(seed_patch({{{0.0, 0.0}, {1.0, 0.0}, {2.0, 0.0}}, {}}, {}), std::invalid_argument);
+}
+
+// Of two cells of a sliver, one has no corner of three sides.
+TEST(SeedPatch, RejectsAnOutlineThatIsTooNarrow) {
+    try {
+        seed_patch(outline_from_wkt("POLYGON((0 0, 1 0, 2 0.00001))"), options_for(2, 1));
+        FAIL();
+    } catch (const std::runtime_error& error) {
+        EXPECT_STREQ(error.what(),
+                     "no valid patch of 2 bubbles fits into this outline: it is too narrow, or has "
+                     "parts too small for a bubble; use more bubbles or a wider outline (polygon "
+                     "mesh: a cell has no corner that joins three edges)");
+    }
 }
 
 }  // namespace

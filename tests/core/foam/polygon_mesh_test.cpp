@@ -31,7 +31,7 @@ TEST(PolygonMesh, MakesValidPatches) {
     }
 }
 
-// Seven bubbles; of the eighteen films six are outer ones, and twelve junctions.
+// A flower has seven bubbles, twelve junctions, and eighteen films, of which six are outer films.
 TEST(PolygonMesh, CountsAFlower) {
     const Network network = test::flower(1.0).network;
     EXPECT_EQ(network.bubble_count(), 7U);
@@ -42,7 +42,8 @@ TEST(PolygonMesh, CountsAFlower) {
     EXPECT_EQ(network.sides(network.ghost()), 6);
 }
 
-// The ghost goes around the outside clockwise, as seen from the foam.
+// The half-edges of the ghost run clockwise around the patch, so that their polygon has a negative
+// area.
 TEST(PolygonMesh, LinksTheGhostFromFilmToFilm) {
     const Foam foam = test::flower(1.0);
     const HalfEdgeId first = foam.network.first(foam.network.ghost());
@@ -66,15 +67,17 @@ TEST(PolygonMesh, DissolvesPointsOfTwoSides) {
 TEST(PolygonMesh, RejectsInvalidFoams) {
     const std::vector<Vec2> points{
         {0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}, {-1.0, 0.0}, {0.0, -1.0}, {1.0, 1.0}};
-    // Four cells around a point.
+    // A corner joins four cells.
     EXPECT_THROW(foam_from_mesh({points, {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}}}),
                  std::runtime_error);
-    // A cell by itself, and the same twice.
+    // A single cell has no corner that joins three sides. The same cell twice has two sides in the
+    // same direction.
     EXPECT_THROW(foam_from_mesh({points, {{0, 1, 2}}}), std::runtime_error);
     EXPECT_THROW(foam_from_mesh({points, {{0, 1, 2}, {0, 1, 2}}}), std::runtime_error);
 }
 
-// A T1 at the outer film of a petal: it leaves the surface, and its neighbors come to touch.
+// A T1 at the outer film of a petal (patches.h): the petal loses contact with the ghost, and its
+// two neighbors touch.
 TEST(PolygonMesh, FlipsAnOuterFilm) {
     Network network = test::flower(1.0).network;
     const FilmId outer = film_of(test::side_between(network, BubbleId{1}, network.ghost()));
@@ -86,7 +89,7 @@ TEST(PolygonMesh, FlipsAnOuterFilm) {
     EXPECT_EQ(network.sides(network.ghost()), 5);
 }
 
-// A T1 at the film between two petals: the bubble in the middle comes to the surface.
+// A T1 at the film between two petals: the middle bubble comes into contact with the ghost.
 TEST(PolygonMesh, FlipsAFilmThatEndsAtTheGhost) {
     Network network = test::flower(1.0).network;
     const FilmId film = film_of(test::side_between(network, BubbleId{1}, BubbleId{2}));
@@ -98,7 +101,7 @@ TEST(PolygonMesh, FlipsAFilmThatEndsAtTheGhost) {
     EXPECT_EQ(network.sides(network.ghost()), 7);
 }
 
-// It would leave the ghost a boundary of one film.
+// A flip would leave the ghost a boundary of only one film.
 TEST(PolygonMesh, KeepsTwoFilmsOnEachBoundary) {
     const Network network = test::double_bubble(1.0, 1.0).network;
     for (const FilmId film : network.films()) {
@@ -108,7 +111,7 @@ TEST(PolygonMesh, KeepsTwoFilmsOnEachBoundary) {
 
 TEST(PolygonMesh, CompactsWithTheGhostLast) {
     Foam foam = test::chain();
-    foam.network.remove(BubbleId{0});  // no foam any more, but ids are what is looked at
+    foam.network.remove(BubbleId{0});  // leaves no valid foam; only ids are tested
     compact(foam);
     EXPECT_EQ(foam.network.ghost(), BubbleId{3});
     EXPECT_TRUE(std::isinf(foam.target_areas[BubbleId{3}]));

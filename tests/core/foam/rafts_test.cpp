@@ -26,7 +26,8 @@ Foam equilibrated(Foam foam) {
     return foam;
 }
 
-// Two rafts of two equal bubbles, each with the energy of E1.
+// The chain tears into two rafts of two equal bubbles. The energy of each raft is known in closed
+// form (film_arc_test.cpp).
 TEST(Rafts, ATornChainIsTwoRaftsOfTwo) {
     Foam foam = equilibrated(test::chain());
     tear_film(foam, film_between(foam, 1, 2));
@@ -38,7 +39,8 @@ TEST(Rafts, ATornChainIsTwoRaftsOfTwo) {
     EXPECT_NEAR(summary.energy, 2.0 * 6.359129253960, 1e-9);
 }
 
-// Where the film was, a bubble that comes loose is a circle of its area: energy 2 sqrt(pi A).
+// A bubble that comes loose becomes a circle of its area, which touches its old outer film. Its
+// energy is 2 sqrt(pi A).
 TEST(Rafts, ABubbleThatComesLooseIsACircle) {
     Foam foam = equilibrated(test::chain());
     const Vec2 before = point_at(
@@ -71,7 +73,8 @@ TEST(Rafts, TheLastTwoComeLooseTogether) {
     EXPECT_NEAR(summary.energy, 2.0 * std::sqrt(std::numbers::pi) * (1.0 + std::sqrt(2.0)), 1e-12);
 }
 
-// A film between two bubbles of a row that is shorter than the T1 distance tears; a long one stays.
+// A film between two bubbles of a row tears if it is shorter than the T1 distance. A longer film
+// stays.
 TEST(Rafts, AShortFilmBetweenTwoGhostsTears) {
     Foam foam = equilibrated(test::chain());
     const FilmId film = film_between(foam, 1, 2);
@@ -84,8 +87,8 @@ TEST(Rafts, AShortFilmBetweenTwoGhostsTears) {
     EXPECT_TRUE(test::is_valid(foam.network));
 }
 
-// A hole at the ghost's pressure pulls its bubbles in: it closes. Six around a point are one too
-// many: one comes to the middle, with five around it.
+// A hole has the pressure of the ghost and therefore closes. Six bubbles around a junction would be
+// too many: one of them moves to the middle, with five bubbles around it.
 TEST(Rafts, AHoleCloses) {
     Foam foam = test::ring();
     const EquilibriumSummary summary = equilibrate(foam, {});
@@ -93,11 +96,12 @@ TEST(Rafts, AHoleCloses) {
     EXPECT_TRUE(test::is_valid(foam.network));
     EXPECT_EQ(foam.network.bubble_count(), 6U);
     EXPECT_GT(summary.t1, 0);
-    EXPECT_EQ(foam.network.junction_count(), 10U);  // V - E + 6 + 1 = 2 with 2 E = 3 V
+    EXPECT_EQ(foam.network.junction_count(), 10U);  // V - E + 7 = 2 (Euler), 2 E = 3 V
 }
 
-// Films of a hole that bulge into it far enough leave it no area. The hexagon of side 0.6 has 0.94;
-// a segment of half angle 2 has 0.09 (2 - sin 2 cos 2) / sin² 2 = 0.26 (E1).
+// Films that bulge far enough into a hole leave it no area. The hexagonal hole of side 0.6 has the
+// area 0.94. A segment with a half angle of 2 has the area 0.09 (2 - sin 2 cos 2) / sin² 2 = 0.26
+// (E1), so that six of them exceed the hole.
 TEST(Rafts, BubblesOverlapInAHole) {
     Foam foam = test::ring();
     const auto bulge = [&](double angle) {
@@ -123,7 +127,7 @@ TEST(Rafts, ASmallHoleIsOneOfThreeShortFilms) {
     const Foam foam = equilibrated(test::triple_bubble(1.0));
     for (const FilmId film : foam.network.films()) {
         if (foam.network.is_outer(film)) {
-            EXPECT_FALSE(is_small_hole(foam, film, 100.0));  // it goes around the raft
+            EXPECT_FALSE(is_small_hole(foam, film, 100.0));  // the boundary is around the raft
             EXPECT_FALSE(is_overlapping_hole(foam, film));
         }
     }

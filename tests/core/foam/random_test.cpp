@@ -9,9 +9,9 @@
 namespace foam {
 namespace {
 
-// The engine of seed 5489, its default, begins with 14514284786278117030, 4620546740167642908 and
-// 13109570281517897720; the C++ standard fixes its 10000th number, 9981545732273789042. The mapping
-// keeps the upper 53 bits of each.
+// With the seed 5489, its default, the engine first returns 14514284786278117030,
+// 4620546740167642908 and 13109570281517897720. The C++ standard fixes its 10000th number,
+// 9981545732273789042. The mapping keeps the upper 53 bits of each number.
 TEST(Random, MapsTheUpper53BitsOfTheEngine) {
     Random random(5489);
     EXPECT_EQ(random.uniform(), 0x192da3239eded5p-53);
@@ -24,7 +24,7 @@ TEST(Random, MapsTheUpper53BitsOfTheEngine) {
 }
 
 TEST(Random, BelowScalesTheSameNumbers) {
-    // 0.7868, 0.2505 and 0.7107 of ten.
+    // The random numbers 0.7868, 0.2505 and 0.7107, times ten.
     Random random(5489);
     EXPECT_EQ(random.below(10), 7U);
     EXPECT_EQ(random.below(10), 2U);
@@ -40,7 +40,8 @@ TEST(Random, StaysInItsRange) {
     }
 }
 
-// Each of 6 faces in 6000 throws 1000 times, with a standard deviation of sqrt(6000 * 5/36) = 29.
+// Each of the 6 faces is expected 1000 times in 6000 throws, with a standard deviation of
+// sqrt(6000 * 5/36) = 29.
 TEST(Random, BelowReachesEveryValueAboutAsOften) {
     Random random(2);
     std::array<int, 6> count{};

@@ -24,7 +24,7 @@ long count(const Foam& foam, TopologyEventKind kind) {
     });
 }
 
-// 5 and 6 lie beside the film, 2 and 10 beyond its ends.
+// Bubbles 5 and 6 are beside the film, bubbles 2 and 10 at its ends.
 TEST(TopologyEvent, AFlipIsNotedAtTheMiddleWithItsFourBubbles) {
     test::Crossing c = test::crossing(60.0, 0.04);
     c.foam.time = 3.5;
@@ -39,8 +39,8 @@ TEST(TopologyEvent, AFlipIsNotedAtTheMiddleWithItsFourBubbles) {
     EXPECT_EQ(event.bubbles, (std::vector<BubbleIdentity>{2, 5, 6, 10}));
 }
 
-// A new bubble at a junction of a honeycomb, and then its end; at that place both times, to the
-// bubble's own size.
+// A new bubble is added at a junction of a honeycomb and then collapses. Both events are at the
+// position of the junction, up to the size of the bubble.
 TEST(TopologyEvent, ABirthAndAnEndAreNotedWithTheThreeAround) {
     Foam foam = honeycomb(4, 4);
     const JunctionId junction{7};
@@ -64,7 +64,7 @@ TEST(TopologyEvent, ABirthAndAnEndAreNotedWithTheThreeAround) {
     }
 }
 
-// Those of attempts that were given up are not among them.
+// Events of substeps that were undone are not recorded.
 TEST(TopologyEvent, AStepNotesAsManyAsItCounts) {
     Foam foam = test::polydisperse_foam(120, 4);
     foam.events.clear();
@@ -89,7 +89,7 @@ TEST(TopologyEvent, ALoneBubblesEndIsNotedWhereItWas) {
     EXPECT_EQ(foam.events[0], (TopologyEvent{TopologyEventKind::T2, 0.0, {1.5, -2.0}, {3}}));
 }
 
-// A film tears or a hole closes: the ghost is none of the bubbles.
+// The ghost is not among the bubbles of an event, for example when a film tears or a hole closes.
 TEST(TopologyEvent, TheGhostIsNoBubble) {
     Foam foam = test::patch_foam(60, 3);
     foam.events.clear();

@@ -63,7 +63,8 @@ TEST(Seeding, TheMeanAreaIsOne) {
     }
 }
 
-// The targets of the diagram itself are its areas, but for the rounding of the torus to the grid.
+// Without a ratio, target areas are the areas of the diagram, except for the rounding of the torus
+// to the grid.
 TEST(Seeding, TargetsAreTheAreasOfTheDiagram) {
     const Foam foam = seed_foam(options_for(200, 4));
     for (const BubbleId bubble : foam.network.bubbles()) {
@@ -97,7 +98,7 @@ TEST(Seeding, AFilmHasTwoSurfaces) {
     EXPECT_DOUBLE_EQ(seed_foam(options).film_tension, 1.4);
 }
 
-// Of area 12 and four times as wide as high: sqrt(3) high.
+// A torus of area 12 that is four times as wide as high has the height sqrt(3).
 TEST(Seeding, TheTorusHasItsAspect) {
     SeedingOptions options = options_for(12, 1);
     options.aspect = 4.0;
@@ -106,7 +107,8 @@ TEST(Seeding, TheTorusHasItsAspect) {
     EXPECT_NEAR(domain.width, 4.0 * std::sqrt(3.0), 1e-14);
 }
 
-// Areas a bubble apart in rank differ by one factor, here 100^(1/99), and all of them by 100.
+// If areas are sorted, each area is 100^(1/99) times the area before it. The largest area is 100
+// times the smallest.
 TEST(Seeding, AreasAreSpreadEvenlyInTheLogarithm) {
     SeedingOptions options = options_for(100, 9);
     options.area_ratio = 100.0;
@@ -138,7 +140,7 @@ TEST(Seeding, ARatioOfOneMakesAllTargetsEqual) {
     }
 }
 
-// Raw random diagrams have a variance of 0.28; each Lloyd iteration evens the cells out.
+// The areas of raw diagrams have a variance of 0.28. Lloyd iterations make the areas more equal.
 TEST(Seeding, LloydIterationsEvenTheAreasOut) {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
         SeedingOptions options = options_for(300, seed);
@@ -183,7 +185,7 @@ TEST(Seeding, RejectsOptionsOutOfRange) {
     }
 }
 
-// One site on a rectangular torus and its copies make rectangles, whose corners join four.
+// The cell of a single site on a rectangular torus is a rectangle, whose corners join four cells.
 TEST(Seeding, OneBubbleMakesNoFoam) {
     EXPECT_THROW(seed_foam(options_for(1, 1)), std::runtime_error);
 }

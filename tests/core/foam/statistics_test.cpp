@@ -39,8 +39,8 @@ TEST(Statistics, OfAHoneycomb) {
     EXPECT_EQ(all.by_sides[0].mean_inflow, 0.0);
 }
 
-// Bubble 5 has 3 sides, 10, 4 and 2 have 5, 6, 9 and 1 have 8, and nine are left as they were:
-// mu_2 = (1 * 9 + 3 * 1 + 3 * 4) / 16 = 1.5.
+// Bubble 5 has 3 sides; bubbles 10, 4 and 2 have 5 sides; bubbles 6, 9 and 1 have 8 sides; the
+// other nine have 6 sides: mu_2 = (1 * 9 + 3 * 1 + 3 * 4) / 16 = 1.5.
 TEST(Statistics, SecondMomentOfAHoneycombAfterT1s) {
     const FoamStatistics all = statistics(snapshot(test::honeycomb_around(3), 1));
     EXPECT_EQ(all.mean_sides, 6.0);
@@ -69,9 +69,9 @@ TEST(Statistics, EnergyIsThatOfTheFoam) {
     EXPECT_NEAR(statistics(snapshot(foam, 1)).energy, energy(foam), 1e-10);
 }
 
-// The angles of an n-sided bubble are 120 degrees, so its films turn by 2 pi - n pi/3 in all; a
-// film of curvature c and length l turns by c l and holds a pressure difference of T c. Hence
-// T (pi/3) (n - 6) comes in, which is von Neumann's law for T = 2 gamma and kappa = 1.
+// The angles of a bubble of n sides are 120 degrees, so that its films turn by 2 pi - n pi/3 in
+// all. A film of curvature c and length l turns by c l and has a pressure difference of T c. The
+// inflow is therefore T (pi/3) (n - 6), which is von Neumann's law for T = 2 gamma and kappa = 1.
 TEST(Statistics, InflowThroughTheFilmsIsVonNeumanns) {
     for (const double tension : {1.0, 4.0}) {
         Foam foam = test::raw_foam(300, 5);
@@ -84,7 +84,7 @@ TEST(Statistics, InflowThroughTheFilmsIsVonNeumanns) {
     }
 }
 
-// A bubble of every kind counts once; on a torus the mean of n is 6 (Euler).
+// Each bubble is counted in exactly one group. On a torus the mean number of sides is 6 (Euler).
 RC_GTEST_PROP(StatisticsProperty, CountsAndMeansAddUp, ()) {
     const int bubbles = *rc::gen::inRange(2, 60);
     const Foam foam = test::raw_foam(bubbles, *rc::gen::inRange<std::uint64_t>(0, 1000));
@@ -104,7 +104,8 @@ RC_GTEST_PROP(StatisticsProperty, CountsAndMeansAddUp, ()) {
     RC_ASSERT(std::abs(area / foam.domain.area() - 1.0) < 1e-12);
 }
 
-// (2 pi/3) gamma kappa (n - 6) for T = 1 and the default kappa of 0.01: (pi/300) (n - 6).
+// The growth rate (2 pi/3) gamma kappa (n - 6) is (pi/300) (n - 6) for T = 1 and the default kappa
+// of 0.01.
 TEST(Growth, MeasuredBetweenEventsIsVonNeumanns) {
     Foam foam = test::equilibrated_foam(200, 1);
     int measured = 0;
@@ -120,7 +121,7 @@ TEST(Growth, MeasuredBetweenEventsIsVonNeumanns) {
     EXPECT_LT(foam.network.bubble_count(), 195U);  // bubbles vanished meanwhile
 }
 
-// All areas grow by 0.5 in a time of 2. The four bubbles of the flipped film do not count.
+// All areas grow by 0.5 in a time of 2. The four bubbles around the flipped film do not count.
 TEST(Growth, LeavesOutBubblesThatHadAT1) {
     Foam foam = honeycomb(4, 4);
     const Frame before = snapshot(foam, 1);
@@ -137,7 +138,7 @@ TEST(Growth, LeavesOutBubblesThatHadAT1) {
     EXPECT_NEAR(growth[0].mean_rate, 0.25, 1e-15);
 }
 
-// Bubble 5 vanishes between 6, 9 and 1, the bubbles of eight sides, which then have seven.
+// Bubble 5 vanishes. Its neighbors 6, 9 and 1, which lose a side, do not count.
 TEST(Growth, LeavesOutBubblesNextToAT2) {
     Foam foam = test::honeycomb_around(3);
     const Frame before = snapshot(foam, 1);

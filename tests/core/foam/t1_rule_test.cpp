@@ -23,7 +23,7 @@ using test::is_valid;
 
 constexpr double kRounding = 1e-14;
 
-// The difference of two points of the torus.
+// Returns the distance between two points on the torus.
 double distance(const Domain& domain, const Vec2& a, const Vec2& b) {
     const Vec2 apart = a - b;
     return Vec2(std::remainder(apart.x(), domain.width), std::remainder(apart.y(), domain.height))
@@ -32,32 +32,33 @@ double distance(const Domain& domain, const Vec2& a, const Vec2& b) {
 
 TEST(T1Length, IsTheThresholdWhereBubblesAreLarge) {
     Crossing c = crossing(60.0, 0.04);
-    EXPECT_DOUBLE_EQ(t1_length(c.foam, c.film, {.t1_distance = 0.05}), 0.05);
+    EXPECT_DOUBLE_EQ(t1_distance_at(c.foam, c.film, {.t1_distance = 0.05}), 0.05);
     c.foam.target_areas[BubbleId{5}] = 9.0;
-    EXPECT_DOUBLE_EQ(t1_length(c.foam, c.film, {.t1_distance = 0.05}), 0.05);
+    EXPECT_DOUBLE_EQ(t1_distance_at(c.foam, c.film, {.t1_distance = 0.05}), 0.05);
 }
 
-// 5 and 6 lie beside the film, 2 and 10 beyond its ends, 4 elsewhere.
+// Bubbles 5 and 6 are beside the film, bubbles 2 and 10 at its ends. Bubble 4 does not touch it.
 TEST(T1Length, ScalesWithTheSmallestOfTheFourBubbles) {
     for (const std::size_t bubble : {5U, 6U, 2U, 10U}) {
         Crossing c = crossing(60.0, 0.04);
         c.foam.target_areas[id_at<BubbleId>(bubble)] = 0.25;
-        EXPECT_DOUBLE_EQ(t1_length(c.foam, c.film, {.t1_distance = 0.05}), 0.025) << bubble;
+        EXPECT_DOUBLE_EQ(t1_distance_at(c.foam, c.film, {.t1_distance = 0.05}), 0.025) << bubble;
         EXPECT_DOUBLE_EQ(collapsed_length(c.foam, c.film, {.t1_distance = 0.05}), 0.00125);
     }
     Crossing c = crossing(60.0, 0.04);
     c.foam.target_areas[BubbleId{4}] = 0.25;
-    EXPECT_DOUBLE_EQ(t1_length(c.foam, c.film, {.t1_distance = 0.05}), 0.05);
+    EXPECT_DOUBLE_EQ(t1_distance_at(c.foam, c.film, {.t1_distance = 0.05}), 0.05);
 }
 
 TEST(T1Length, IsATenthForADisarmedFilm) {
     Crossing c = crossing(60.0, 0.04);
     c.foam.t1_armed[c.film] = 0;
-    EXPECT_DOUBLE_EQ(t1_length(c.foam, c.film, {.t1_distance = 0.05}), 0.005);
+    EXPECT_DOUBLE_EQ(t1_distance_at(c.foam, c.film, {.t1_distance = 0.05}), 0.005);
     EXPECT_DOUBLE_EQ(collapsed_length(c.foam, c.film, {.t1_distance = 0.05}), 0.0025);
 }
 
-// 2 sin(angle) > 1 from 30 degrees on; the film of 1e-6 turns the outer films by no more than that.
+// 2 sin(angle) > 1 for angles above 30 degrees. A film of length 1e-6 changes the directions of the
+// adjacent films by no more than that.
 TEST(FlippedPullsApart, IsTrueFromThirtyDegreesOn) {
     const Crossing below = crossing(29.99, 1e-6);
     const Crossing above = crossing(30.01, 1e-6);
@@ -72,9 +73,9 @@ TEST(FlippedPullsApart, IsTrueForAPointFromThirtyDegreesOn) {
     EXPECT_TRUE(flipped_pulls_apart(above.foam, above.film));
 }
 
-// Bubbles 5 and 6, above and below, at a pressure below that of 2 and 10: outer films of chord 0.6
-// and s = 0.3 delta = sin 10 degrees turn their tangents by 10 degrees towards 5 and 6, away from
-// the film's line.
+// Bubbles 5 and 6, above and below the film, have a lower pressure than bubbles 2 and 10. The
+// adjacent films, of chord 0.6 and with s = 0.3 delta = sin(10 degrees), bulge towards 5 and 6.
+// Their tangents turn by 10 degrees away from the line of the film.
 TEST(FlippedPullsApart, FollowsTheTangentsOfTheArcs) {
     Crossing c = crossing(25.0, 1e-6);
     const double delta = std::sin(10.0 * std::acos(-1.0) / 180.0) / 0.3;
@@ -102,7 +103,8 @@ TEST(FlipFilm, TurnsTheFilmAboutItsMiddle) {
     }
 }
 
-// Polygons are moved, not torn: the four bubbles keep their area together, and the rest theirs.
+// The polygons still cover the torus without gaps after a flip: the outer ends of the adjacent
+// films do not move.
 TEST(FlipFilm, KeepsTheOuterFilmsWhereTheyAre) {
     const Foam before = test::raw_foam(12, 3);
     for (const FilmId film : before.network.films()) {
@@ -122,8 +124,8 @@ TEST(FlipFilm, KeepsTheOuterFilmsWhereTheyAre) {
     }
 }
 
-// The forward side turns clockwise by 90 degrees a time: after two it runs backwards, after four it
-// is where it was, and so are all the others.
+// Each flip turns the forward side clockwise by 90 degrees. After two flips it is reversed. After
+// four flips all chords are as before.
 TEST(FlipFilm, FourTimesIsAFullTurn) {
     const Foam before = honeycomb(3, 4);
     for (const FilmId film : before.network.films()) {
@@ -141,8 +143,8 @@ TEST(FlipFilm, FourTimesIsAFullTurn) {
     }
 }
 
-// Along the film the outer films of a crossing pull with 2 cos(angle), across with 2 sin(angle):
-// below 45 degrees the film stays as it is, above it flips.
+// The adjacent films of a crossing pull with 2 cos(angle) along the film and with 2 sin(angle)
+// across it. Below 45 degrees the film keeps its direction, above 45 degrees it flips.
 TEST(ReopenFilm, OpensInTheDirectionThatPullsHardest) {
     for (const double degrees : {10.0, 30.0, 44.0}) {
         Crossing c = crossing(degrees, 1e-9);
@@ -153,7 +155,7 @@ TEST(ReopenFilm, OpensInTheDirectionThatPullsHardest) {
     for (const double degrees : {46.0, 60.0, 80.0}) {
         Crossing c = crossing(degrees, 1e-9);
         EXPECT_TRUE(reopen_film(c.foam, c.film, 0.02)) << degrees;
-        // From the side of bubble 5, above, to the side of bubble 6.
+        // The chord leads from the side of bubble 5, above, to the side of bubble 6.
         EXPECT_LT((chord(c.foam, forward_side(c.film)) - Vec2(0.0, -0.02)).norm(), 1e-8);
         EXPECT_EQ(c.foam.t1_armed[c.film], 0);
     }
@@ -171,9 +173,9 @@ TEST(ReopenFilm, KeepsTheMiddleAndTheNetworkValid) {
     }
 }
 
-// The films of a lens make 60 degrees with its chord, as its other film and the outer one pull on
-// each. Along the chord that leaves 1 - cos 60 = 0.5, across it sin 60 = 0.87; but the flip would
-// leave the lens one side.
+// At each end of a film of a lens, the outer film pulls along the chord, and the other film of the
+// lens makes 60 degrees with the chord. The pull along the chord is 1 - cos 60 = 0.5, the pull
+// across it sin 60 = 0.87. The film cannot flip, because the lens would keep only one side.
 TEST(ReopenFilm, OpensAlongItselfIfItCannotFlip) {
     Foam foam = honeycomb(4, 4);
     const BubbleId lens = test::insert_lens(foam, FilmId{0}, 0.5);
@@ -185,12 +187,12 @@ TEST(ReopenFilm, OpensAlongItselfIfItCannotFlip) {
     EXPECT_LT((chord(foam, forward_side(film)) - 0.02 * before.normalized()).norm(), kRounding);
 }
 
-// With straight films the other film of the lens pulls back as hard as the outer one pulls: in no
-// direction is there a pull to follow.
+// With straight films, the other film of the lens pulls back with the same force as the outer film.
+// There is no pull in any direction.
 TEST(ReopenFilm, HasTheGivenLengthWithoutPulls) {
     Foam foam = honeycomb(4, 4);
     const BubbleId lens = test::insert_lens(foam, FilmId{0}, 0.5);
-    foam.pressures[lens] = 0.0;  // that of all others
+    foam.pressures[lens] = 0.0;  // as in all other bubbles
     const FilmId film = film_of(foam.network.first(lens));
     EXPECT_FALSE(reopen_film(foam, film, 0.02));
     EXPECT_NEAR(chord(foam, forward_side(film)).norm(), 0.02, kRounding);
@@ -216,7 +218,8 @@ TEST(ApplyT1Rule, LeavesAShortFilmThatWouldCloseAgain) {
     EXPECT_TRUE(test::are_same(c.foam, before));
 }
 
-// Collapsed below 0.05 * 0.05 = 0.0025, it is opened to twice that.
+// A film shorter than 0.05 * 0.05 = 0.0025 has collapsed. It is opened to twice this length,
+// flipped or not.
 TEST(ApplyT1Rule, OpensACollapsedFilmEitherWay) {
     Crossing along = crossing(25.0, 0.0024);
     EXPECT_FALSE(apply_t1_rule(along.foam, along.film, {}));
@@ -226,8 +229,8 @@ TEST(ApplyT1Rule, OpensACollapsedFilmEitherWay) {
     EXPECT_NEAR(chord(across.foam, forward_side(across.film)).norm(), 0.005, kRounding);
 }
 
-// At 45 degrees both states of a film are alike, 2 sin 45 = 1.4 > 1: without its memory the film
-// would flip to and fro.
+// At 45 degrees the states before and after the flip are equivalent, and both stay open:
+// 2 sin 45 = 1.4 > 1. Without t1_armed the film would flip to and fro.
 TEST(Hysteresis, AFilmThatHasFlippedDoesNotFlipBack) {
     Crossing c = crossing(45.0, 0.04);
     ASSERT_TRUE(apply_t1_rule(c.foam, c.film, {}));
@@ -238,7 +241,8 @@ TEST(Hysteresis, AFilmThatHasFlippedDoesNotFlipBack) {
     EXPECT_TRUE(apply_t1_rule(c.foam, c.film, {}));
 }
 
-// Twice the distance, and the distance is scaled: for a bubble of area 1/4, from 0.05 on.
+// The film is armed again at twice its T1 distance, which is 0.05 if a bubble of area 1/4 halves
+// the distance.
 TEST(Hysteresis, AFilmIsArmedAgainWhenItHasGrown) {
     for (const double target : {4.0, 0.25}) {
         const double distance = target < 1.0 ? 0.025 : 0.05;
@@ -274,7 +278,7 @@ TEST(ShortFilms, AreThoseThatStayOpenWhenFlipped) {
 TEST(ShortFilms, ComeInIncreasingOrder) {
     const Foam foam = honeycomb(4, 4);
     const std::vector<FilmId> films = short_films(foam, {.t1_distance = 1.0});
-    ASSERT_EQ(films.size(), 48U);  // side 0.62: every film is short, and opens again with sqrt(3)
+    ASSERT_EQ(films.size(), 48U);  // all are shorter than 1 and would stay open
     for (std::size_t k = 0; k < films.size(); ++k) {
         EXPECT_EQ(films[k], id_at<FilmId>(k));
     }

@@ -9,8 +9,8 @@
 namespace foam {
 namespace {
 
-// Three areas, evenly spread in the logarithm between 1 and 100: 1, 10, 100, by their present
-// order.
+// Three areas become 1, 10 and 100, which are evenly spaced in the logarithm, in the order of the
+// original areas.
 TEST(SpreadAreas, KeepsTheOrderAndReachesTheRatio) {
     std::vector<double> areas{5.0, 1.0, 3.0};
     spread_areas(areas, 100.0);
@@ -38,7 +38,7 @@ TEST(SpreadAreas, LeavesALoneBubbleAtOne) {
     EXPECT_EQ(areas, std::vector<double>{1.0});
 }
 
-// 1 + 3 = 4 become 8: every area doubles.
+// The sum 1 + 3 = 4 becomes 8, so that every area doubles.
 TEST(ScaleToTotal, ScalesAllAreasAlike) {
     std::vector<double> areas{1.0, 3.0};
     scale_to_total(areas, 8.0);

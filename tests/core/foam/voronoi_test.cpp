@@ -11,13 +11,14 @@
 #include <limits>
 #include <numeric>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace foam {
 namespace {
 
-// Sites are rounded to a grid of 2^-26 = 1.5e-8 of the longer side; a corner between sites that lie
-// nearly on a line moves by some hundred times that.
+// Sites are rounded to a grid with a spacing of 2^-26 = 1.5e-8 of the longer side. A corner between
+// sites that are nearly on a line moves by several hundred times this spacing.
 constexpr double kGrid = 0x1.0p-26;
 constexpr double kTolerance = 1000.0 * kGrid;
 
@@ -32,7 +33,7 @@ std::vector<Vec2> random_sites(const Domain& domain, int count, std::uint64_t se
     return sites;
 }
 
-// Least distance of a point from any copy of a site.
+// Returns the smallest distance of a point from the lattice copies of a site.
 double distance_to_site(const Domain& domain, const Vec2& site, const Vec2& point) {
     const Vec2 apart = site - point;
     const Vec2 nearest = apart - Vec2(std::round(apart.x() / domain.width) * domain.width,
@@ -50,7 +51,8 @@ double distance_to_nearest(const Domain& domain,
     return minimum;
 }
 
-// How far a point lies inside a convex cell: its least distance from the lines of the sides.
+// Returns the smallest distance of a point from the lines of the sides of a convex cell, positive
+// inside the cell.
 double depth_in(const std::vector<CellCorner>& cell, const Vec2& point) {
     double minimum = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < cell.size(); ++k) {
@@ -61,7 +63,7 @@ double depth_in(const std::vector<CellCorner>& cell, const Vec2& point) {
     return minimum;
 }
 
-// The copy of a point that lies the nearest to a site.
+// Returns the lattice copy of a point that is nearest to a site.
 Vec2 copy_near(const Domain& domain, const Vec2& point, const Vec2& site) {
     const Vec2 apart = point - site;
     return point - Vec2(std::round(apart.x() / domain.width) * domain.width,
@@ -85,9 +87,9 @@ std::vector<Case> cases() {
     return all;
 }
 
-// A corner is as far from its cell's site as from the one across the side that leaves it and the
-// one across the side that arrives, and no site at all is nearer: this is what makes it a corner of
-// a Voronoi diagram.
+// Expects that a corner is a corner of a Voronoi diagram. The distance to the cell's own site must
+// be the same as to the sites across the two sides that meet at the corner, `before` and `corner`,
+// and no other site may be nearer.
 void expect_empty_circumcenter(const Domain& domain,
                                const std::vector<Vec2>& sites,
                                const Vec2& own_site,
@@ -116,7 +118,7 @@ TEST(Voronoi, CornersAreEmptyCircumcenters) {
     }
 }
 
-// A sample of points, each in the cell of its nearest site and in no other, to within rounding.
+// Each of some random points is in the cell of its nearest site, up to rounding.
 TEST(Voronoi, PointsLieInTheCellOfTheirNearestSite) {
     for (const Case& c : cases()) {
         const std::vector<Vec2> sites = random_sites(c.domain, c.sites, c.seed);
@@ -142,22 +144,32 @@ TEST(Voronoi, CellsAreConvexAndFillTheTorus) {
             EXPECT_GT(depth_in(cell, cell_centroid(cell)), 0.0);
             total += cell_area(cell);
         }
-        // Only the torus' sides are rounded to the grid.
+        // The areas add up exactly, except for the rounding of the torus' sides to the grid.
         EXPECT_NEAR(total / c.domain.area(), 1.0, 8.0 * kGrid);
     }
 }
 
-TEST(Voronoi, RejectsCoincidentSites) {
-    const Domain domain{3.0, 3.0};
-    EXPECT_THROW(
-        voronoi_cells(domain, {{0.1, 0.2}, {1.5, 1.1}, {1.5, 1.1}, {2.2, 0.7}, {0.9, 2.5}}),
-        std::runtime_error);
-    // Nearer than half a grid spacing, 2.2e-8.
-    EXPECT_THROW(voronoi_cells(domain, {{0.1, 0.2}, {1.5, 1.1}, {1.5, 1.1 + 1e-9}, {2.2, 0.7}}),
-                 std::runtime_error);
+std::string message_for(const Domain& domain, const std::vector<Vec2>& sites) {
+    try {
+        voronoi_cells(domain, sites);
+    } catch (const std::runtime_error& error) {
+        return error.what();
+    }
+    return "no error";
 }
 
-// The cells of a square grid are squares, whose corners join four.
+TEST(Voronoi, RejectsCoincidentSites) {
+    const Domain domain{3.0, 3.0};
+    const std::string message =
+        "two random sites are at the same point of the grid; try another seed";
+    EXPECT_EQ(message_for(domain, {{0.1, 0.2}, {1.5, 1.1}, {1.5, 1.1}, {2.2, 0.7}, {0.9, 2.5}}),
+              message);
+    // Nearer than half a grid spacing, 2.2e-8.
+    EXPECT_EQ(message_for(domain, {{0.1, 0.2}, {1.5, 1.1}, {1.5, 1.1 + 1e-9}, {2.2, 0.7}}),
+              message);
+}
+
+// The cells of four sites in a square grid are squares, whose corners join four cells.
 TEST(Voronoi, FourSitesOnACircleMakeNoFoam) {
     const Domain domain{2.0, 2.0};
     const CellDiagram cells =
@@ -165,11 +177,13 @@ TEST(Voronoi, FourSitesOnACircleMakeNoFoam) {
     EXPECT_THROW(foam_from_cells(domain, cells), std::runtime_error);
 }
 
-// Copies of the sites are looked for 15 periods around; those of one site on a torus a hundred
-// times as wide as high leave its neighbors farther away.
+// Copies of the sites are searched within 15 periods. On a torus a hundred times as wide as high,
+// some neighbors are farther away.
 TEST(Voronoi, RejectsATorusThatIsTooSlender) {
     const Domain domain{100.0, 1.0};
-    EXPECT_THROW(voronoi_cells(domain, {{20.0, 0.5}, {70.0, 0.3}}), std::runtime_error);
+    EXPECT_EQ(message_for(domain, {{20.0, 0.5}, {70.0, 0.3}}),
+              "the torus (100 x 1) is too long for 2 bubbles; use more bubbles or an aspect nearer "
+              "to 1");
 }
 
 }  // namespace

@@ -22,7 +22,8 @@ struct Film {
     double tension;
 };
 
-// Chords of 0.1 ... 2 in every direction, half angles up to 170 degrees either way.
+// Returns films with chords of 0.1 to 2 in every direction and half angles of up to 170 degrees in
+// magnitude.
 std::vector<Film> random_films() {
     Random random(3);
     std::vector<Film> films;
@@ -42,7 +43,8 @@ BulgeEnergy energy_of(const Film& film) {
     return bulge_energy(film.arc, film.delta, film.tension);
 }
 
-// With the unknowns x and y of the chord, the half angle and the pressure difference changed.
+// Returns the film with `by` added to an unknown: x (0) or y (1) of the chord, the half angle (2),
+// or the pressure difference (3).
 Film changed(Film film, int unknown, double by) {
     switch (unknown) {
         case 0:
@@ -76,7 +78,7 @@ Eigen::Matrix4d hessian_of(const Film& film) {
     return m;
 }
 
-// Of a half circle of diameter 2: length pi, area pi / 2.
+// A half circle of diameter 2 has the length pi and a segment of area pi / 2.
 TEST(BulgeEnergy, OfAHalfCircle) {
     const BulgeEnergy energy = bulge_energy({{2.0, 0.0}, 0.5 * kPi}, 3.0, 5.0);
     EXPECT_DOUBLE_EQ(energy.segment_area, 0.5 * kPi);
@@ -97,7 +99,8 @@ TEST(BulgeEnergy, OfALaplaceYoungArcIsTheFilmEnergy) {
     }
 }
 
-// Steps of 1e-6 leave rounding of 1e-16 / 1e-6 times the energy; all relative to the largest.
+// With steps of 1e-6, rounding errors are 1e-16 / 1e-6 times the energy. The tolerance is relative
+// to the energy and the gradient.
 TEST(BulgeEnergy, HasItsGradientByCentralDifferences) {
     constexpr double kStep = 1e-6;
     for (const Film& film : random_films()) {

@@ -73,14 +73,15 @@ TEST(Domain, ATinyNegativeWraps) {
     EXPECT_LT(wrapped(kTorus, {-1e-12, 0.1}).x(), 3.0);
 }
 
-// -1e-20 plus a period is a period in double precision, just outside the cell as well: no
-// translation brings the point in. It stays, by far less than rounding outside.
+// -1e-20 plus a period is rounded to a period, which is also outside of the cell. No translation
+// moves the point into the cell, so it stays where it is, outside by far less than a rounding
+// error.
 TEST(Domain, ANegativeBelowRoundingStays) {
     EXPECT_TRUE(kTorus.cell_of({-1e-20, -1e-20}) == (LatticeOffset{0, 0}));
 }
 
-// Multiples of a seventh of a tiny unit, up to 1e5 periods away: among them whole periods, where
-// k * period is rounded.
+// Coordinates are multiples of a seventh of the period, up to 1e5 periods away. They include whole
+// periods, where k * period is rounded.
 RC_GTEST_PROP(Domain, WrappedPointsLieInTheCell, ()) {
     const double width = *rc::gen::inRange(1, 1000) / 7.0;
     const double height = *rc::gen::inRange(1, 1000) / 7.0;

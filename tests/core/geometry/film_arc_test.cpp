@@ -16,7 +16,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr double kRoot3 = std::numbers::sqrt3;
 constexpr double kEps = std::numeric_limits<double>::epsilon();
-// A handful of roundings on numbers of the order of 1.
+// A few rounding errors of numbers of the order of 1.
 constexpr double kRounding = 8.0 * kEps;
 
 void expect_vec(const Vec2& actual, const Vec2& expected, double tolerance = kRounding) {
@@ -24,12 +24,13 @@ void expect_vec(const Vec2& actual, const Vec2& expected, double tolerance = kRo
     EXPECT_NEAR(actual.y(), expected.y(), tolerance);
 }
 
-// A multiple of 1e-6 in [-largest, largest].
+// Returns a random number in [-largest, largest].
 double any_real(double largest) {
     return *rc::gen::inRange(-1000000, 1000001) * 1e-6 * largest;
 }
 
-// Chords of every direction, 1e-6 ... 3 long, and half angles up to nearly a full circle.
+// Returns an arc with a chord of any direction, 1e-6 to 3 long, and a half angle of up to nearly a
+// full circle.
 FilmArc any_arc() {
     FilmArc arc{Vec2(any_real(2.0), any_real(2.0)), any_real(3.1)};
     if (arc.chord.norm() < 1e-6) {
@@ -56,8 +57,8 @@ TEST(FilmArc, AZeroChordIsAnArcOfNoLength) {
     expect_vec(point_at(arc, 0.5), {0.0, 0.0});
 }
 
-// The lower half of the unit circle from (-1, 0) to (1, 0), relative to its tail: it hangs below
-// the chord, on the right, and the half disc adds to the area on the left.
+// The arc is the lower half of the unit circle from (-1, 0) to (1, 0), relative to its tail. It is
+// below the chord, on its right, and the half disc adds to the area on the left.
 TEST(FilmArc, APositiveHalfAngleBulgesToTheRight) {
     const FilmArc arc{{2.0, 0.0}, kPi / 2.0};
     EXPECT_NEAR(arc_length(arc), kPi, kRounding);
@@ -70,8 +71,8 @@ TEST(FilmArc, APositiveHalfAngleBulgesToTheRight) {
     expect_vec(point_at(arc, 1.0), {2.0, 0.0});
 }
 
-// On the unit circle an arc of turn t = 2 alpha has the chord 2 sin(t/2), the length t and the
-// segment (t - sin t) / 2: the sector less the triangle of the center.
+// On the unit circle, an arc that turns by t = 2 alpha has the chord 2 sin(t/2), the length t, and
+// a segment of the area (t - sin t) / 2: the sector minus the triangle at the center.
 TEST(FilmArc, LengthAndAreaOfArcsOfTheUnitCircle) {
     struct Case {
         double turn;
@@ -91,8 +92,8 @@ TEST(FilmArc, LengthAndAreaOfArcsOfTheUnitCircle) {
 }
 
 TEST(FilmArc, BothSidesOfARightAngleAgree) {
-    // The area grows by c²/2 a radian there. Were it taken from sin(alpha), which both share to the
-    // last bit, it would not grow.
+    // At 90 degrees the area grows by c²/2 per radian. If it were computed from sin(alpha), which
+    // has the same bits on both sides, it would not grow.
     const FilmArc below{{1.0, 0.0}, kPi / 2.0 - 1e-9};
     const FilmArc above{{1.0, 0.0}, kPi / 2.0 + 1e-9};
     EXPECT_NEAR(segment_area(above) - segment_area(below), 0.5 * 2e-9, kRounding);
@@ -102,14 +103,14 @@ RC_GTEST_PROP(FilmArc, PointsLieOnOneCircle, ()) {
     const FilmArc arc = any_arc();
     RC_PRE(std::abs(arc.half_angle) > 1e-3);
     const double fraction = *rc::gen::inRange(0, 1001) * 1e-3;
-    // The center lies on the chord's bisector, to the left of an arc that turns left.
+    // The center is on the bisector of the chord, to the left of an arc that turns left.
     const Vec2 center = 0.5 * arc.chord + 0.5 / std::tan(arc.half_angle) * turned_left(arc.chord);
     const double radius = 0.5 * arc.chord.norm() / std::abs(std::sin(arc.half_angle));
     RC_ASSERT(std::abs((point_at(arc, fraction) - center).norm() - radius) <= kRounding * radius);
     RC_ASSERT(std::abs(std::abs(curvature(arc)) * radius - 1.0) <= kRounding);
 }
 
-// A part of an arc is an arc of the same curvature, so that its own length follows from its chord.
+// A part of an arc has the same curvature, so that its length follows from its own chord.
 RC_GTEST_PROP(FilmArc, PointsDivideTheLength, ()) {
     const FilmArc arc = any_arc();
     const double fraction = *rc::gen::inRange(1, 1001) * 1e-3;
@@ -118,7 +119,7 @@ RC_GTEST_PROP(FilmArc, PointsDivideTheLength, ()) {
     RC_ASSERT(std::abs(arc_length(part) - expected) <= kRounding * expected);
 }
 
-// The tangents turn by twice the half angle; each makes the half angle with the chord.
+// The tangents turn by twice the half angle. Each makes the half angle with the chord.
 RC_GTEST_PROP(FilmArc, TangentsMakeTheHalfAngleWithTheChord, ()) {
     const FilmArc arc = any_arc();
     const Vec2 u = arc.chord.normalized();
@@ -145,19 +146,22 @@ RC_GTEST_PROP(FilmArc, ReversedWalksTheSamePointsBackwards, ()) {
     RC_ASSERT(apart.norm() <= kRounding * length);
 }
 
-// Expanding asin s and sqrt(1 - s²): (asin s - s sqrt(1 - s²)) / s² = 2s/3 + s³/5 + 3s⁵/28 + ...,
-// (E1), whose derivative is 2/3 + 3s²/5 + 15s⁴/28 + ... At s = 1e-3 the next terms are below 1e-18.
+// The series of the function (asin s - s sqrt(1 - s²)) / s² (E3) and of its derivative are
+//     2s/3 + s³/5 + 3s⁵/28 + ...   and   2/3 + 3s²/5 + 15s⁴/28 + ...
+// At s = 1e-3 the next terms are below 1e-18.
 TEST(SegmentShape, StartsAsItsSeries) {
     const double s = 1e-3;
     EXPECT_NEAR(
         segment_shape(s), 2.0 * s / 3.0 + s * s * s / 5.0 + 3.0 * std::pow(s, 5) / 28.0, kEps * s);
-    EXPECT_NEAR(
-        segment_shape_slope(s), 2.0 / 3.0 + 3.0 * s * s / 5.0 + 15.0 * std::pow(s, 4) / 28.0, kEps);
+    EXPECT_NEAR(segment_shape_derivative(s),
+                2.0 / 3.0 + 3.0 * s * s / 5.0 + 15.0 * std::pow(s, 4) / 28.0,
+                kEps);
     EXPECT_EQ(segment_shape(0.0), 0.0);
-    EXPECT_DOUBLE_EQ(segment_shape_slope(0.0), 2.0 / 3.0);
+    EXPECT_DOUBLE_EQ(segment_shape_derivative(0.0), 2.0 / 3.0);
 }
 
-// At s = sin(alpha): (alpha - sin(2 alpha)/2) / s², for 30, 45, 60 and 90 degrees.
+// At s = sin(alpha) the function is (alpha - sin(2 alpha)/2) / s². The angles are 30, 45, 60 and 90
+// degrees.
 TEST(SegmentShape, HasItsClosedFormAtSimpleAngles) {
     EXPECT_NEAR(segment_shape(0.5), 2.0 * kPi / 3.0 - kRoot3, kRounding);
     EXPECT_NEAR(segment_shape(std::sqrt(0.5)), kPi / 2.0 - 1.0, kRounding);
@@ -165,8 +169,9 @@ TEST(SegmentShape, HasItsClosedFormAtSimpleAngles) {
     EXPECT_NEAR(segment_shape(1.0), kPi / 2.0, kRounding);
 }
 
-// The closed form in 40 digits, for the doubles nearest to these s: from the smallest, where it
-// loses all in double precision, across the switch from the series at 0.25.
+// The expected values are the closed form in 40 digits, for the doubles nearest to these s. They
+// range from small s, where the closed form loses all digits in double precision, across the switch
+// from the series at 0.25.
 TEST(SegmentShape, KeepsNearlyAllDigitsEverywhere) {
     struct Case {
         double s;
@@ -181,30 +186,32 @@ TEST(SegmentShape, KeepsNearlyAllDigitsEverywhere) {
                           Case{0.5, 0.36234429482431819878, 0.86002389746123126291},
                           Case{0.9, 0.89810939516046125137, 2.5925160214990997358}}) {
         EXPECT_NEAR(segment_shape(c.s), c.shape, 16.0 * kEps * c.shape) << c.s;
-        EXPECT_NEAR(segment_shape_slope(c.s), c.slope, 64.0 * kEps * c.slope) << c.s;
+        EXPECT_NEAR(segment_shape_derivative(c.s), c.slope, 64.0 * kEps * c.slope) << c.s;
     }
 }
 
 RC_GTEST_PROP(SegmentShape, IsOddAndItsSlopeEven, ()) {
     const double s = any_real(0.999);
     RC_ASSERT(segment_shape(-s) == -segment_shape(s));
-    RC_ASSERT(segment_shape_slope(-s) == segment_shape_slope(s));
+    RC_ASSERT(segment_shape_derivative(-s) == segment_shape_derivative(s));
 }
 
 TEST(SegmentShape, SlopeIsItsDerivative) {
-    // Central differences with h = 1e-5: h² g'''/6 grows to 2e-9 at 0.9, rounding leaves 1e-11.
+    // With h = 1e-5, the error of the central difference, h² g'''/6, grows to 2e-9 at 0.9; rounding
+    // errors are 1e-11.
     const double h = 1e-5;
     for (double s = -0.9; s < 0.95; s += 0.05) {
         const double difference = (segment_shape(s + h) - segment_shape(s - h)) / (2.0 * h);
-        EXPECT_NEAR(segment_shape_slope(s), difference, 1e-8) << s;
+        EXPECT_NEAR(segment_shape_derivative(s), difference, 1e-8) << s;
     }
 }
 
-// Two equal bubbles of area 1, T = 1. The films meet at 120 degrees in both junctions, so that each
-// outer film makes 120 degrees with the straight one between them, which is its chord: the half
-// angle is 120 degrees. With sin² = 3/4 and sin cos = -sqrt(3)/4 the area of each bubble is
+// Two equal bubbles of area 1, T = 1. The films meet at 120 degrees in both junctions. The film
+// between the bubbles is straight and is the chord of the outer films. Each outer film therefore
+// makes 120 degrees with its chord: the half angle is 120 degrees. With sin² = 3/4 and
+// sin cos = -sqrt(3)/4 the area of each bubble is
 //     c²/4 (2 pi/3 + sqrt(3)/4) / (3/4) = c²/3 (2 pi/3 + sqrt(3)/4) = 1,
-// and the energy c + 2 c (2 pi/3) / (sqrt(3)/2).
+// and the energy is c + 2 c (2 pi/3) / (sqrt(3)/2).
 TEST(FilmArc, TwoBubbleCluster) {
     const double c = std::sqrt(3.0 / (2.0 * kPi / 3.0 + kRoot3 / 4.0));
     const FilmArc wall{{0.0, c}, 0.0};
@@ -216,17 +223,18 @@ TEST(FilmArc, TwoBubbleCluster) {
     EXPECT_NEAR(segment_area(right), 1.0, kRounding);
     EXPECT_NEAR(segment_area(left), -1.0, kRounding);
     EXPECT_NEAR(energy, 6.359129253960, 1e-12);    // known to 13 digits
-    EXPECT_NEAR(pressure, 1.589782313490, 1e-12);  // likewise
+    EXPECT_NEAR(pressure, 1.589782313490, 1e-12);  // known to 13 digits
     EXPECT_NEAR(energy, 2.0 * pressure * 2.0, 4.0 * kRounding);
 }
 
-// Three equal bubbles of area 1, T = 1, around one junction O, where three straight films of length
-// L part them. An outer film stands on a chord between the outer ends V and V' of two of these; the
-// triangle O V V' has 120 degrees at O, hence 30 at V, and sides L, L and sqrt(3) L. The chord
-// makes 150 degrees with the outward direction at V and the film 60, so its half angle is 90
-// degrees: a half circle of radius R = sqrt(3) L / 2. So the area is
+// Three equal bubbles of area 1, T = 1, around one junction O. Three straight films of length L
+// separate them. An outer film connects the outer ends V and V' of two of these films. The triangle
+// O V V' has an angle of 120 degrees at O, hence 30 degrees at V, and the sides L, L and sqrt(3) L.
+// At V, the chord makes 150 degrees with the outward direction of the straight film, and the outer
+// film makes 60 degrees with it. The half angle is the difference, 90 degrees: the outer film is a
+// half circle of radius R = sqrt(3) L / 2. The area is
 //     sqrt(3)/4 L² + pi R²/2 = L² (sqrt(3)/4 + 3 pi/8) = 1,
-// the pressure p = T/R, and the energy 3 L + 3 pi R, which is 2 * 3 p.
+// the pressure is p = T/R, and the energy is 3 L + 3 pi R = 2 * 3 p.
 TEST(FilmArc, ThreeBubbleCluster) {
     const double length = 1.0 / std::sqrt(kRoot3 / 4.0 + 3.0 * kPi / 8.0);
     std::array<Vec2, 3> ends;
@@ -250,7 +258,7 @@ TEST(FilmArc, ThreeBubbleCluster) {
     EXPECT_NEAR(energy, 2.0 * 3.0 * pressure, 8.0 * kRounding);
 }
 
-// From the series on, through 90 degrees, to nearly a full circle.
+// The angles range from the series at 0, across 90 degrees, to nearly a full circle.
 TEST(ArcShape, HasItsDerivativesByCentralDifferences) {
     constexpr double kStep = 1e-5;
     for (double angle = -2.9; angle < 2.95; angle += 0.01) {
@@ -268,7 +276,8 @@ TEST(ArcShape, HasItsDerivativesByCentralDifferences) {
     }
 }
 
-// w = 1/3 + 2/15 a² + ..., from sin a - a cos a = a³/3 - a^5/30 and sin³ a = a³ (1 - a²/2).
+// The series w = 1/3 + 2/15 a² + ... follows from sin a - a cos a = a³/3 - a^5/30 and
+// sin³ a = a³ (1 - a²/2).
 TEST(ArcShape, OfAStraightFilm) {
     const ArcShape shape = arc_shape(0.0);
     EXPECT_EQ(shape.length, 1.0);
@@ -278,7 +287,7 @@ TEST(ArcShape, OfAStraightFilm) {
     EXPECT_NEAR(arc_shape(1e-4).bulging_derivative, 4.0 / 15.0 * 1e-4, 1e-11);
 }
 
-// Both sides of the switch between the series and the closed form.
+// Compares the values on both sides of the switch between the series and the closed form.
 TEST(ArcShape, IsContinuousWhereItsSeriesEnds) {
     const double at = std::asin(0.25);
     const ArcShape below = arc_shape(at - 1e-12);
@@ -287,7 +296,7 @@ TEST(ArcShape, IsContinuousWhereItsSeriesEnds) {
     EXPECT_NEAR(below.bulging_derivative, above.bulging_derivative, 1e-11);
 }
 
-// Up to rounding of the half angle, which h multiplies by its slope 2 w.
+// The result is exact up to rounding errors of the half angle and of h, whose derivative is 2 w.
 TEST(FilmArc, HalfAngleOfSegmentIsTheInverseOfTheShape) {
     for (int k = -31; k <= 31; ++k) {
         const double angle = 0.1 * k;

@@ -23,7 +23,7 @@ struct Film {
     double tension;
 };
 
-// s of E1, unlimited.
+// Returns s of E1, without clamping.
 double sine_of(const Film& film) {
     return 0.5 * film.delta * film.chord.norm() / film.tension;
 }
@@ -32,8 +32,9 @@ FilmEnergy energy_of(const Film& film) {
     return film_energy(film.chord, film.delta, film.tension);
 }
 
-// Chords of 0.05 ... 2 in every direction, s between -1.6 and 1.6: four in ten beyond the limit.
-// The second derivatives jump at the limit; films within 0.01 of it are left out.
+// Returns films with chords of 0.05 to 2 in every direction and s between -1.6 and 1.6. Four in ten
+// are beyond the limit. Films within 0.01 of the limit are left out, because the second derivatives
+// jump there.
 std::vector<Film> random_films() {
     Random random(1);
     std::vector<Film> films;
@@ -65,8 +66,8 @@ TEST(FilmEnergy, OfAStraightFilmIsTensionTimesLength) {
     EXPECT_FALSE(energy.at_limit);
 }
 
-// c = T = delta = 1 bend the film to radius 1: s = 1/2, half angle 30 degrees, length pi/3, segment
-// pi/6 - sqrt(3)/4. The gradient is T cos 30 degrees along the chord (E3).
+// c = T = delta = 1 bend the film to radius 1. With s = 1/2, the half angle is 30 degrees, the
+// length pi/3 and the segment pi/6 - sqrt(3)/4. The gradient is T cos 30 along the chord (E3).
 TEST(FilmEnergy, OfASixthOfACircle) {
     const double segment = kPi / 6.0 - std::sqrt(3.0) / 4.0;
     const FilmEnergy energy = film_energy({0.0, 1.0}, 1.0, 1.0);
@@ -77,9 +78,9 @@ TEST(FilmEnergy, OfASixthOfACircle) {
     EXPECT_NEAR(energy.gradient.y(), std::sqrt(3.0) / 2.0, kRounding);
 }
 
-// E3 at the same film: -(delta/2) tan 30 along and T cos 30 / c across the chord; -(c/2) tan 30;
-// and
-// -(1/8) g'(1/2), g'(1/2) = 4/sqrt(3) - 4 (2 pi/3 - sqrt(3)).
+// The second derivatives of E3 for the same film. By the chord twice: -(delta/2) tan 30 along it
+// and T cos 30 / c across it. By the chord and the pressure difference: -(c/2) tan 30. By the
+// pressure difference twice: -(1/8) g'(1/2), with g'(1/2) = 4/sqrt(3) - 4 (2 pi/3 - sqrt(3)).
 TEST(FilmEnergy, HessianOfASixthOfACircle) {
     const FilmEnergyHessian hessian = film_energy_hessian({0.0, 1.0}, 1.0, 1.0);
     const double tangent = 1.0 / std::sqrt(3.0);
@@ -117,8 +118,9 @@ TEST(FilmEnergy, IsTensionTimesLengthLessPressureTimesSegment) {
     }
 }
 
-// Of all arcs over the chord the Laplace-Young arc is the stationary one. With h = 1e-4 the cubic
-// term of the difference is h² = 1e-8 times a third derivative of up to 1e3 near 80 degrees.
+// Among all arcs over a chord, the energy is stationary at the Laplace-Young arc. With h = 1e-4,
+// the error of the central difference is h² = 1e-8 times a third derivative, which is up to 1e3
+// near 80 degrees.
 TEST(FilmEnergy, ArcIsStationaryInItsHalfAngle) {
     for (const Film& film : random_films()) {
         if (energy_of(film).at_limit) {
@@ -135,8 +137,8 @@ TEST(FilmEnergy, ArcIsStationaryInItsHalfAngle) {
     }
 }
 
-// Steps of 1e-5 of the chord. Near 80 degrees the third derivative of the energy by the chord is
-// about T / (c² cos³) = 200 T/c², times h²/6; rounding leaves 1e-16 / 1e-5.
+// The steps are 1e-5 of the chord length. Near 80 degrees the third derivative of the energy by the
+// chord is about T / (c² cos³) = 200 T/c²; its factor is h²/6. Rounding errors are 1e-16 / 1e-5.
 TEST(FilmEnergy, GradientIsTheCentralDifferenceOfTheEnergy) {
     for (const Film& film : random_films()) {
         const double c = film.chord.norm();
@@ -163,7 +165,8 @@ TEST(FilmEnergy, SegmentAreaIsMinusTheCentralDifferenceByThePressure) {
     }
 }
 
-// One derivative more brings one power of cos 80 degrees squared more: 1e-6.
+// Each further derivative is larger by a factor of 1 / cos²(80 degrees). The tolerance is therefore
+// 1e-6.
 TEST(FilmEnergy, HessianIsTheCentralDifferenceOfTheGradient) {
     for (const Film& film : random_films()) {
         const double c = film.chord.norm();
@@ -203,8 +206,9 @@ TEST(FilmEnergy, MixedHessianIsTheCentralDifferenceByThePressure) {
     }
 }
 
-// A hair's breadth 1e-12 in s on either side of the limit. Below it the gradient changes by
-// T tan 80 degrees = 5.7 T, the area by c² g'/4 = 2.4 c² a unit of s; beyond, less.
+// The two values of s differ from the limit by a relative 1e-12. Below the limit, the gradient
+// changes by T tan 80 = 5.7 T and the area by c² g'/4 = 2.4 c² per unit of s; beyond it, both
+// change less.
 TEST(FilmEnergy, IsContinuousWithItsGradientAtTheLimit) {
     for (const double sign : {-1.0, 1.0}) {
         const double delta = sign * 2.0 * kLargestSine;
@@ -231,8 +235,8 @@ TEST(FilmEnergy, AZeroChordGivesZeros) {
     EXPECT_EQ(hessian.pressure_pressure, 0.0);
 }
 
-// 0 or a magnitude of up to forty decades either way, where the cube of a chord over a tension
-// still neither overflows nor vanishes.
+// Returns 0 or a number of magnitude 1e-40 to 1e40. In this range the cube of a chord divided by a
+// tension neither overflows nor underflows.
 double any_real() {
     const double magnitude = std::pow(10.0, *rc::gen::inRange(-4000, 4001) * 0.01);
     return magnitude * *rc::gen::element(-1.0, 0.0, 1.0);
@@ -253,7 +257,8 @@ RC_GTEST_PROP(FilmEnergy, IsFiniteForAnyInput, ()) {
     RC_ASSERT(std::isfinite(hessian.pressure_pressure));
 }
 
-// Walked from its head the film has the other bubble on its left: the energy is the same.
+// In the direction from head to tail, the film has the other bubble on its left, but the same
+// energy.
 RC_GTEST_PROP(FilmEnergy, IsTheSameFromBothSides, ()) {
     const Vec2 chord(any_real(), any_real());
     const double delta = any_real();

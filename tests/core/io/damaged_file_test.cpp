@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// Files with errors of every kind: each is read, or rejected with one line; never more.
+// Tests files with errors of every kind. Each is read as a valid foam, or rejected with a message
+// of one line.
 #include "core/foam/random.h"
 #include "core/io/evolver_file.h"
 #include "core/io/foam_json.h"
@@ -28,7 +29,8 @@ Foam read_json(const std::string& text) {
     return read_foam_json(text, "a");
 }
 
-// Whether it was read. What is read is a valid foam.
+// Returns true if the text was read, and expects that the foam is valid. Otherwise expects a
+// FormatError whose message is one line.
 bool survives(const Read& read, const std::string& text) {
     try {
         EXPECT_TRUE(test::is_valid(read(text).network));
@@ -42,6 +44,7 @@ bool survives(const Read& read, const std::string& text) {
     }
 }
 
+// Replaces, erases, inserts or repeats characters at a random position of the text.
 void damage(std::string& text, Random& random) {
     static constexpr std::array<const char*, 12> kInsertions{" -1e308 ",
                                                              " 1e999 ",
@@ -85,7 +88,8 @@ void try_damages(const Read& read, const std::string& text, int tries) {
 
 TEST(DamagedFile, EveryTruncationIsAnError) {
     const std::string fe = test::data_file("evolver/torus64.dmp");
-    const std::size_t last_body_but_one = fe.find("\n 63       63  volume");  // one may be missing
+    // A file in which only the last volume is missing is not an error.
+    const std::size_t last_body_but_one = fe.find("\n 63       63  volume");
     for (std::size_t size = 0; size < last_body_but_one; size += 97) {
         EXPECT_FALSE(survives(read_fe, fe.substr(0, size))) << size;
     }

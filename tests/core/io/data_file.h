@@ -10,7 +10,7 @@
 
 namespace foam::test {
 
-/// The content of a file of tests/data.
+/// Returns the content of a file in tests/data.
 inline std::string data_file(const std::string& name) {
     std::ifstream file(data_folder() / name);
     return {std::istreambuf_iterator<char>(file), {}};

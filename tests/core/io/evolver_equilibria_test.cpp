@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// Foams that Surface Evolver brought to equilibrium; tests/data/evolver/README.md says how.
+// Reads foams that Surface Evolver brought to equilibrium (tests/data/evolver/README.md) and
+// compares them with our equilibria.
 #include "core/equilibrium/equilibrate_given.h"
 #include "core/foam/measure.h"
 #include "core/io/evolver_file.h"
@@ -16,12 +17,12 @@ namespace foam {
 namespace {
 
 constexpr double kEnergyTolerance = 1e-9;    // relative
-constexpr double kPressureTolerance = 1e-7;  // film tension 1, mean area 1
+constexpr double kPressureTolerance = 1e-7;  // for film tension 1 and mean area 1
 
 struct Reference {
     const char* name;
     std::size_t bubbles;
-    double energy;  // as Evolver gives it
+    double energy;  // as computed by Evolver
 };
 
 class EvolverEquilibria : public testing::TestWithParam<Reference> {
@@ -32,7 +33,8 @@ class EvolverEquilibria : public testing::TestWithParam<Reference> {
     }
 };
 
-// On a torus pressures are known up to a constant.
+// Returns the pressure to which other pressures are relative. On a torus, pressures are known only
+// up to a constant.
 double reference_pressure(const Foam& foam) {
     return foam.domain.is_plane() ? 0.0 : foam.pressures[BubbleId{0}];
 }
@@ -72,7 +74,8 @@ TEST_P(EvolverEquilibria, OursIsWrittenInEquilibrium) {
     Foam foam = read(".fe");
     ASSERT_TRUE(equilibrate_given(foam, 0).converged());
     const Foam again = read_evolver(write_evolver(foam), "again.fe").foam;
-    // Half angles of outer films are not written; they follow from the pressures but for rounding.
+    // Half angles of outer films are not written. They are computed from the pressures and differ
+    // by rounding errors.
     const double rounding = foam.domain.is_plane() ? 1e-13 * energy(foam) : 0.0;
     EXPECT_NEAR(energy(again), energy(foam), rounding);
     EXPECT_LT(largest_pressure_difference(again, foam), 1e-14);

@@ -13,7 +13,7 @@ namespace {
 
 const std::string file_name = "a.fe";
 
-// What goes between the model and the vertices.
+// Returns the header of a data file with the given lines between the model and the vertices.
 Header header_with(const std::string& lines) {
     const std::string text = "STRING\nSPACE_DIMENSION 2\nTORUS_FILLED\n" + lines + "\nVERTICES\n";
     TokenReader reader(text, file_name);
@@ -35,7 +35,7 @@ TEST(EvolverHeader, ReadsTheTorus) {
     const Header header = header_with("parameter lx = 2*sqrt(3)\nPERIODS\nlx 0\n0 lx/2");
     EXPECT_EQ(header.domain.width, 2.0 * std::sqrt(3.0));
     EXPECT_EQ(header.domain.height, header.domain.width / 2.0);
-    EXPECT_EQ(header_with("").domain.width, 1.0);  // as Evolver has it
+    EXPECT_EQ(header_with("").domain.width, 1.0);  // Evolver's default
 }
 
 TEST(EvolverHeader, ReadsEveryFormOfATorus) {
@@ -107,7 +107,8 @@ TEST(EvolverHeader, RejectsOtherEnergies) {
 TEST(EvolverHeader, NotesQuantitiesThatAreNotHeldFixed) {
     const Header header = header_with("quantity q fixed = 3 method edge_length global");
     ASSERT_EQ(header.notes.size(), 1U);
-    EXPECT_EQ(header.notes[0], "line 4: quantity 'q' is not kept fixed");
+    EXPECT_EQ(header.notes[0],
+              "line 4: quantity 'q' is FIXED or CONSERVED in the file; foamtex ignores this");
 }
 
 TEST(EvolverHeader, AFreeClusterLiesInThePlane) {

@@ -23,7 +23,8 @@ void expect_rejected(std::string_view old, std::string_view replacement, const s
                               what);
 }
 
-// The edges around the first face, from its first one, negative where against their direction.
+// Returns the edges around the first face, from its first edge. An edge that is traversed from head
+// to tail is negative.
 std::vector<int> edges_around(const std::string& text) {
     const std::vector<FilmLoop> loops = loops_of(text);
     std::vector<int> edges;
@@ -54,10 +55,11 @@ TEST(EvolverLoops, ClockwiseFacesAreTurnedAround) {
 }
 
 TEST(EvolverLoops, VerticesOfTwoEdgesAreDissolved) {
-    // A vertex in the middle of edge 2, but a period farther on, which becomes edges 2 and 4.
+    // The middle of edge 2, translated by a period, becomes a vertex that divides edge 2 into the
+    // edges 2 and 4.
     std::string text = test::edited(test::kSmallTorus, "2 1 1\n", "2 1 1\n3 5 1.75\n");
     text = test::edited(text, "2 2 1 + +", "2 2 3 - *");
-    text = test::edited(text, "3 2 1 + *", "3 2 1 + *\n4 3 1 wrap 66");  // (2, 1)
+    text = test::edited(text, "3 2 1 + *", "3 2 1 + *\n4 3 1 wrap 66");  // wrap (2, 1)
     text = test::edited(text, "1 1 2 -3 -1 -2 3\n", "1 4 -3 -1 -4 -2 3 1 2\n");
     const std::vector<FilmLoop> loops = loops_of(text);
     EXPECT_EQ(edges_around(text), (std::vector<int>{-3, -1, -4, 3, 1, 2}));
@@ -92,7 +94,7 @@ TEST(EvolverLoops, RejectsJunctionsOfMoreOrFewerFilms) {
         "bodies\n1 1 volume 1\n";
     test::expect_format_error([&] { loops_of(squares); },
                               "a.fe:3: vertex 1 joins 4 edges; must join two or three");
-    // An edge that ends inside the bubble.
+    // An edge ends inside the bubble.
     std::string text = test::edited(test::kSmallTorus, "2 1 1\n", "2 1 1\n3 1 1.5\n");
     text = test::edited(text, "3 2 1 + *", "3 2 1 + *\n4 2 3 * *");
     text = test::edited(text, "1 1 2 -3 -1 -2 3\n", "1 1 4 -4 2 -3 -1 -2 3\n");

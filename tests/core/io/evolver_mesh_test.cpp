@@ -41,7 +41,7 @@ TEST(EvolverMesh, ReadsTheFourSections) {
     ASSERT_EQ(mesh.bodies.size(), 1U);
     EXPECT_EQ(mesh.bodies[0].volume, 6.0);
     EXPECT_FALSE(mesh.bodies[0].pressure.has_value());
-    EXPECT_EQ(mesh.held, 0);
+    EXPECT_EQ(mesh.constrained_count, 0);
     EXPECT_EQ(mesh.end_line, 18);
 }
 
@@ -66,8 +66,10 @@ TEST(EvolverMesh, ReadsEveryFormOfAWrap) {
 TEST(EvolverMesh, IgnoresMidpointsAndAttributes) {
     const Mesh mesh = edited_mesh("2 2 1 + +", "2 2 1 /*midpt*/ 2 + + original 7 color red fixed");
     EXPECT_TRUE(mesh.edges[1].wrap == (LatticeOffset{1, 1}));
-    EXPECT_EQ(mesh.held, 1);
-    EXPECT_EQ(edited_mesh("2 1 1\n", "2 1 1 constraints 1 2 foo { 1, 2} original -3\n").held, 1);
+    EXPECT_EQ(mesh.constrained_count, 1);
+    EXPECT_EQ(
+        edited_mesh("2 1 1\n", "2 1 1 constraints 1 2 foo { 1, 2} original -3\n").constrained_count,
+        1);
 }
 
 TEST(EvolverMesh, ReadsTensionsAndPressures) {
@@ -102,10 +104,17 @@ TEST(EvolverMesh, RejectsMissingSections) {
 TEST(EvolverMesh, RejectsBadNumbersOfElements) {
     expect_rejected("2 1 1\n", "1 1 1\n", "a.fe:9: duplicate vertex 1");
     expect_rejected("2 1 1\n", "0 1 1\n", "a.fe:9: vertex numbers must be at least 1, not 0");
-    expect_rejected("2 2 1 + +", "2 2 9 + +", "a.fe:12: edge 2: vertex 9 does not exist");
-    expect_rejected("1 1 2 -3", "1 1 2 -8", "a.fe:15: face 1: edge 8 does not exist");
-    expect_rejected("1 1 volume", "1 4 volume", "a.fe:17: body 1: face 4 does not exist");
-    expect_rejected("2 2 1 + +", "2 2 1 99 + +", "a.fe:12: edge 2: vertex 99 does not exist");
+    expect_rejected("2 2 1 + +",
+                    "2 2 9 + +",
+                    "a.fe:12: edge 2 refers to vertex 9, which the file does not define");
+    expect_rejected(
+        "1 1 2 -3", "1 1 2 -8", "a.fe:15: face 1 refers to edge 8, which the file does not define");
+    expect_rejected("1 1 volume",
+                    "1 4 volume",
+                    "a.fe:17: body 1 refers to face 4, which the file does not define");
+    expect_rejected("2 2 1 + +",
+                    "2 2 1 99 + +",
+                    "a.fe:12: edge 2 refers to vertex 99, which the file does not define");
 }
 
 TEST(EvolverMesh, RejectsIncompleteElements) {

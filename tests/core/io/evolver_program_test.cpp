@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// What we write, as Surface Evolver itself reads it. Skipped where it is not installed.
+// Tests that Surface Evolver reads the files that we write, and agrees with our equilibrium.
+// Skipped if Evolver is not installed.
 #include "core/equilibrium/equilibrate_given.h"
 #include "core/foam/measure.h"
 #include "core/io/evolver_file.h"
@@ -32,7 +33,9 @@ bool evolver_is_installed() {
     return std::system("command -v evolver >/dev/null") == 0;  // NOLINT(cert-env33-c)
 }
 
-// What Evolver printed behind the word "value", all that it said, and what it dumped to a.dmp.
+// The result of running Evolver: its exit code (-1 if it did not exit normally), the numbers that
+// it printed after the word "value", all its output, and the content of a.dmp, to which it may
+// write a dump.
 struct Session {
     int code = -1;
     std::vector<double> values;
@@ -56,7 +59,7 @@ std::vector<double> values_in(const std::string& log) {
     return values;
 }
 
-// Loads a data file in Evolver and gives it commands, for a minute at most.
+// Loads a data file in Evolver and runs commands, for at most a minute.
 Session run_evolver(const std::string& data_file, const std::string& commands) {
     std::string folder = (std::filesystem::temp_directory_path() / "evolver-XXXXXX").string();
     if (mkdtemp(folder.data()) == nullptr) {
@@ -72,9 +75,9 @@ Session run_evolver(const std::string& data_file, const std::string& commands) {
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, values_in(log), log, dump};
 }
 
-// The energy and the areas and pressures of all bodies, before and after a Newton step. On a torus
-// the volumes depend on each other, which makes that step as singular as Evolver's rounding; not
-// every foam stands it.
+// Print the energy and the areas and pressures of all bodies, before and after a Newton step. On a
+// torus the areas depend on each other, so that the matrix of this step is singular up to Evolver's
+// rounding errors. The step fails for some foams.
 constexpr const char* kCommands = R"(recalc
 printf "value %.17g\n",total_energy
 foreach body bb do printf "value %.17g\n",bb.volume
@@ -85,6 +88,8 @@ foreach body bb do printf "value %.17g\n",bb.volume
 foreach body bb do printf "value %.17g\n",bb.pressure
 )";
 
+// Expects that Evolver loaded the foam without errors and computed the same energy, areas and
+// pressures, before and after its Newton step. Pressures on a torus are relative to bubble 0.
 void expect_same(const Foam& foam, const Session& session) {
     const std::size_t bubbles = foam.network.bubble_count();
     EXPECT_EQ(session.code, 0) << session.log;
@@ -127,7 +132,8 @@ TEST_F(EvolverProgram, AgreesWithOurEquilibriumOfAWrittenFile) {
     }
 }
 
-// Nothing holds a cluster: `hessian` alone would be singular.
+// Nothing holds a free cluster in its position, so that `hessian` would be singular. `hessian_seek`
+// replaces it.
 TEST_F(EvolverProgram, AgreesWithOurEquilibriumOfAFreeCluster) {
     const std::string commands = [] {
         std::string text = kCommands;
@@ -157,7 +163,7 @@ TEST_F(EvolverProgram, TakesOtherUnitsAndAreas) {
     expect_same(foam, run_evolver(write_evolver(foam), kCommands));
 }
 
-// Bubbles that meet themselves around the torus.
+// On these tori bubbles are their own neighbors.
 TEST_F(EvolverProgram, TakesTheSmallestFoams) {
     Foam one = read_evolver(test::kSmallTorus, "a.fe").foam;
     ASSERT_TRUE(equilibrate_given(one, 0).converged());
@@ -174,11 +180,11 @@ TEST_F(EvolverProgram, TakesStraightFilms) {
     EXPECT_NEAR(session.values[0] / energy(foam), 1.0, kTolerance);  // all pressures are 0
 }
 
-// With what users add: fixed vertices, constraints, colors, attributes and quantities of their
-// own.
+// The dump contains elements that users may add: fixed vertices, constraints, colors, attributes
+// and quantities.
 TEST_F(EvolverProgram, ItsDumpsCanBeRead) {
     const Foam foam = test::equilibrated_foam(30, 6);
-    std::ostringstream formula;  // which vertex 4 fulfils
+    std::ostringstream formula;  // vertex 4 satisfies this constraint
     formula << std::setprecision(17) << "formula: x = " << foam.positions[JunctionId{3}].x();
     std::string text = test::edited(write_evolver(foam),
                                     "TORUS_FILLED",

@@ -21,7 +21,8 @@ void expect_rejected(std::string_view old, std::string_view replacement, const s
     test::expect_format_error([&] { edited_foam(old, replacement); }, what);
 }
 
-// Two bubbles: the small torus' face, and a lens in its first edge.
+// Two bubbles: the face of the small torus (small_torus.h), and a two-sided bubble in its first
+// edge.
 constexpr const char* kLensTorus = R"(STRING
 SPACE_DIMENSION 2
 TORUS_FILLED
@@ -68,10 +69,10 @@ TEST(EvolverReader, ReadsOneBubble) {
 }
 
 TEST(EvolverReader, WrapsJunctionsFromAnywhere) {
-    std::string text = test::edited(test::kSmallTorus, "2 1 1\n", "2 4 -1\n");  // (1, -1) periods
+    std::string text = test::edited(test::kSmallTorus, "2 1 1\n", "2 4 -1\n");  // moved by (1, -1)
     text = test::edited(text, "1 1 2 * *", "1 1 2 - +");
     text = test::edited(text, "2 2 1 + +", "2 2 1 wrap 2");
-    text = test::edited(text, "3 2 1 + *", "3 2 1 wrap 1986");  // (2, -1)
+    text = test::edited(text, "3 2 1 + *", "3 2 1 wrap 1986");  // wrap (2, -1)
     const Foam moved = read_evolver(text, "a.fe").foam;
     EXPECT_TRUE(test::are_same(moved, read_evolver(test::kSmallTorus, "a.fe").foam));
 }

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
 namespace foam {
 namespace {
 
@@ -49,8 +51,9 @@ read
 )");
 }
 
-// Whether b is what a data file keeps of a: all but the representatives of junctions, the armed
-// films and the time; pressures up to a constant.
+// Expects that b has all values of a that a data file contains. A data file does not contain the
+// outgoing half-edges of junctions, the armed flags of films and the time. Pressures are shifted by
+// a constant.
 void expect_kept(const Foam& a, const Foam& b) {
     ASSERT_EQ(a.network.film_slots(), b.network.film_slots());
     for (std::size_t k = 0; k < 2 * a.network.film_slots(); ++k) {
@@ -84,6 +87,24 @@ TEST(EvolverWriter, WritesLongWrapsAsNumbers) {
     EXPECT_NE(text.find("1 1 2 /*midpt*/ 3 wrap 222\n"), std::string::npos) << text;  // (-2, 3)
     EXPECT_TRUE(test::are_same(read_evolver(text, "a.fe").foam,
                                read_evolver(test::kSmallTorus, "a.fe").foam));
+}
+
+TEST(EvolverWriter, RejectsWrapsThatTheFormatCannotStore) {
+    const auto written = [](LatticeOffset offset) {
+        Foam foam = read_evolver(test::kSmallTorus, "a.fe").foam;
+        foam.network.set_offset(HalfEdgeId{0}, offset);
+        return write_evolver(foam);
+    };
+    EXPECT_NE(written({-16, 15}).find("1 1 2 /*midpt*/ 3 wrap 976\n"), std::string::npos);
+    EXPECT_THROW(written({16, 0}), std::range_error);
+    try {
+        written({0, -17});
+        FAIL();
+    } catch (const std::range_error& error) {
+        EXPECT_STREQ(error.what(),
+                     "edge 1 wraps -17 times around the torus; a Surface Evolver file can store "
+                     "only -16 to 15");
+    }
 }
 
 TEST(EvolverWriter, LeavesOutDeadSlots) {

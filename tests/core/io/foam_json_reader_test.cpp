@@ -32,7 +32,8 @@ TEST(FoamJsonReader, ReadsBackToTheSameBits) {
     EXPECT_EQ(write_foam_json(again), write_foam_json(foam));
 }
 
-// Through T1s and T2s, and wherever it is interrupted.
+// A foam that is written and read between any two steps evolves with the same bits, also through
+// T1s and T2s.
 TEST(FoamJsonReader, AnInterruptedFoamStepsToTheSameBits) {
     Foam foam = test::equilibrated_foam(80, 9);
     EquilibriumSummary events;
@@ -57,46 +58,75 @@ TEST(FoamJsonReader, IgnoresUnknownMembers) {
 
 TEST(FoamJsonReader, RejectsOtherFormats) {
     expect_rejected(
-        "foamtex-foam", "foam", "a.json:2: not a foam state: 'format' must be \"foamtex-foam\"");
-    expect_rejected(
-        "1,\n\"torus\"",
-        "3,\n\"torus\"",
-        "a.json:3: foam state version 3 is not supported; this program reads versions 1 to 2");
+        "foamtex-foam",
+        "foam",
+        "a.json:2: 'format': must be \"foamtex-foam\", otherwise the file is not a foam state");
+    expect_rejected("1,\n\"torus\"",
+                    "3,\n\"torus\"",
+                    "a.json:3: 'version': foam state version 3 is not supported; this program "
+                    "reads versions 1 to 2");
     expect_rejected("\"time\": 0.0,\n", "", "a.json:1: 'time' is missing");
     test::expect_format_error([] { read("[]"); }, "a.json:1: 'format' is missing");
 }
 
 TEST(FoamJsonReader, RejectsBadValues) {
-    expect_rejected("[3.0, 2.0]", "[3.0]", "a.json:4: expected an array of 2 numbers, not 1");
-    expect_rejected("[3.0, 2.0]", "[3.0, -2.0]", "a.json:4: expected a positive number, found -2");
-    expect_rejected("0.5, 3]", "\"x\", 3]", "a.json:9: expected a finite number");
-    expect_rejected("0.5, 3]", "2.5, 3]", "a.json:9: junction at (0, 2.5) is outside of the torus");
-    expect_rejected("0.5, 3]", "0.5, 6]", "a.json:9: expected an integer from 0 to 5, found 6");
-    expect_rejected("0.5, 3]", "0.5, 4]", "a.json:9: half-edge 4 does not leave junction 0");
     expect_rejected(
-        "[1, 0, 0, 0, 5", "[1, 2, 0, 0, 5", "a.json:14: expected an integer from 0 to 1, found 2");
+        "[3.0, 2.0]", "[3.0]", "a.json:4: 'torus': expected an array of 2 numbers, found 1");
+    expect_rejected("[3.0, 2.0]",
+                    "[3.0, -2.0]",
+                    "a.json:4: 'torus', value 2: expected a positive number, found -2");
+    expect_rejected(
+        "0.5, 3]", "\"x\", 3]", "a.json:9: 'junctions'[0], value 2: expected a finite number");
+    expect_rejected("0.5, 3]",
+                    "2.5, 3]",
+                    "a.json:9: 'junctions'[0]: the position (0, 2.5) is outside of the torus");
+    expect_rejected("0.5, 3]",
+                    "0.5, 6]",
+                    "a.json:9: 'junctions'[0], value 3: expected an integer from 0 to 5, found 6");
+    expect_rejected("0.5, 3]",
+                    "0.5, 4]",
+                    "a.json:9: 'junctions'[0], value 3: half-edge 4 does not leave junction 0");
+    expect_rejected("[1, 0, 0, 0, 5",
+                    "[1, 2, 0, 0, 5",
+                    "a.json:14: 'films'[1], value 2: expected an integer from 0 to 1, found 2");
     expect_rejected("1, 1, 1],",
                     "1, 0.5, 1],",
-                    "a.json:14: expected an integer from -1000000 to 1000000, found 0.5");
+                    "a.json:14: 'films'[1], value 8: expected an integer from -1000000 to 1000000, "
+                    "found 0.5");
     expect_rejected(
-        "[0, 0.0, 6.0", "[1, 0.0, 6.0", "a.json:18: expected an integer from 0 to 0, found 1");
-    expect_rejected("\"films\": [", "\"films\": 3, \"old\": [", "a.json:12: expected an array");
+        "[0, 0.0, 6.0",
+        "[1, 0.0, 6.0",
+        "a.json:18: 'bubbles'[0], value 1: expected an identity below 'next_identity', 1, found 1");
+    expect_rejected(
+        "\"films\": [", "\"films\": 3, \"old\": [", "a.json:12: 'films': expected an array");
+}
+
+TEST(FoamJsonReader, RejectsReferencesToElementsOfAnEmptyList) {
+    expect_rejected("[\n[0.0, 0.5, 3],\n[1.0, 1.0, 4]\n]",
+                    "[]",
+                    "a.json:10: 'films'[0], value 1: there is no junction to refer to, found 0");
+    expect_rejected("[\n[0, 0.0, 6.0, 0, 6]\n]",
+                    "[]",
+                    "a.json:13: 'films'[0], value 3: there is no bubble to refer to, found 0");
 }
 
 TEST(FoamJsonReader, RejectsInvalidFoams) {
-    expect_rejected(
-        "5, 4, 1, 1, 1]",
-        "4, 4, 1, 1, 1]",
-        "a.json:12: the foam is not valid: half-edge 2 does not end where its successor begins");
+    expect_rejected("5, 4, 1, 1, 1]",
+                    "4, 4, 1, 1, 1]",
+                    "a.json:12: 'films': the foam is not valid: half-edge 2 does not end where its "
+                    "successor begins");
     expect_rejected(
         "6.0, 0, 6]",
         "6.0, 0, 5]",
-        "a.json:12: the foam is not valid: bubble 0 has more sides than its stored count");
-    expect_rejected("6.0, 0, 6]",
-                    "6.1, 0, 6]",
-                    "a.json:17: the target areas add up to 6.1, but the torus has an area of 6");
+        "a.json:12: 'films': the foam is not valid: bubble 0 has more sides than its stored count");
+    expect_rejected(
+        "6.0, 0, 6]",
+        "6.1, 0, 6]",
+        "a.json:17: 'bubbles': the target areas add up to 6.1, but the torus has an area of 6");
     const std::string twice = "[0, 0.0, 6.0, 0, 6],\n[0, 0.0, 6.0, 0, 6]";
-    expect_rejected("[0, 0.0, 6.0, 0, 6]", twice, "a.json:19: duplicate bubble identity 0");
+    expect_rejected("[0, 0.0, 6.0, 0, 6]",
+                    twice,
+                    "a.json:19: 'bubbles'[1], value 1: duplicate bubble identity 0");
 }
 
 TEST(FoamJsonReader, KeepsAPatch) {
@@ -122,7 +152,7 @@ TEST(FoamJsonReader, RejectsInvalidPatches) {
     reject("\"ghost\": [", "\"spirit\": [", "a.json:1: 'ghost' is missing");
     reject("\"torus\": [0.0, 0.0]",
            "\"torus\": [0.0, 1.0]",
-           "a.json:4: expected a positive number, found 0");
+           "a.json:4: 'torus', value 1: expected a positive number, found 0");
 }
 
 }  // namespace

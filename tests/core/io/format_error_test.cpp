@@ -15,8 +15,8 @@ TEST(FormatError, NamesFileAndLine) {
     EXPECT_EQ(error.line(), 12);
 }
 
-// A message may quote the file: control characters would forge lines, or change the terminal's
-// state.
+// A message may quote the file. Control characters in it could fake further lines or change the
+// state of the terminal.
 TEST(FormatError, ReplacesUnprintableCharacters) {
     EXPECT_STREQ(FormatError("a", 1, "got '\n\x1b[31m\xff'").what(), "a:1: got '??[31m?'");
 }

@@ -12,8 +12,8 @@
 
 namespace foam::test {
 
-/// A data file of one bubble that meets itself around a torus of 3 x 2 in all its six sides: two
-/// junctions and straight films. The comments give the line.
+/// A data file of one bubble on a torus of 3 x 2. The bubble is its own neighbor on all six sides.
+/// There are two junctions and three straight films. The comments in the text are line numbers.
 inline constexpr const char* kSmallTorus = R"(STRING
 SPACE_DIMENSION 2
 TORUS_FILLED
@@ -33,7 +33,7 @@ bodies    // 16
 1 1 volume 6
 )";
 
-/// The same foam as a state file.
+/// The same foam as the text of a JSON state (foam_json.h).
 inline constexpr const char* kSmallState = R"({
 "format": "foamtex-foam",
 "version": 1,
@@ -56,7 +56,7 @@ inline constexpr const char* kSmallState = R"({
 }
 )";
 
-/// The text with the first place of `old` replaced; it has to hold it.
+/// Returns the text with the first occurrence of `old` replaced. The test fails if there is none.
 inline std::string edited(std::string text, std::string_view old, std::string_view replacement) {
     const std::size_t at = text.find(old);
     EXPECT_NE(at, std::string::npos) << "no '" << old << "' to replace";

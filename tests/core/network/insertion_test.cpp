@@ -17,7 +17,8 @@ namespace {
 
 using test::is_valid;
 
-// The same half-edges, whichever of them stands for a junction or a bubble.
+// Expects that two networks have the same half-edges. The outgoing half-edges of junctions and the
+// first half-edges of bubbles may differ.
 void expect_same_shape(const Network& a, const Network& b) {
     ASSERT_EQ(a.film_slots(), b.film_slots());
     ASSERT_EQ(a.junction_slots(), b.junction_slots());
@@ -33,7 +34,7 @@ void expect_same_shape(const Network& a, const Network& b) {
     }
 }
 
-// `insert` puts a bubble into the network and returns it.
+// Expects that a T2 undoes an insertion. `insert` inserts a bubble into the network and returns it.
 template <class Insert>
 void expect_undone_by_t2(const Network& before, const Insert& insert) {
     Network network = before;
@@ -103,7 +104,7 @@ TEST(InsertLens, OnAnyFilmIsUndoneByT2) {
     }
 }
 
-// Insertions among T1 and T2, in the dead slots' midst.
+// Random insertions, T1s and T2s in a network with dead slots.
 TEST(Insertion, KeepsTheNetworkValidAmongOtherSurgery) {
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
         Network network = test::raw_foam(6, seed).network;

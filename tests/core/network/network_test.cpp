@@ -69,8 +69,8 @@ TEST(Network, OffsetsOfTheTwoSidesAreOpposite) {
     EXPECT_TRUE(network.offset(h) == (LatticeOffset{-1, 2}));
 }
 
-// The numbers of bubbles around bubble 5 of a 4 x 4 honeycomb: rows count upward, and odd rows
-// stand half a hexagon to the right.
+// In a 4 x 4 honeycomb, bubbles are numbered along the rows, and rows from bottom to top. Odd rows
+// are shifted to the right by half a hexagon.
 TEST(Network, AroundGoesCounterClockwise) {
     const Network network = honeycomb(4, 4).network;
     std::vector<BubbleId> neighbors;
@@ -105,10 +105,10 @@ TEST(Network, PreviousUndoesNext) {
     }
 }
 
-// The junction that a rebase makes the junction itself is a copy of the old one; seen from copies
-// that stand in one place all chords are what they were.
+// A rebase replaces a junction by one of its lattice copies. If its position moves to the same
+// copy, all chords stay the same.
 TEST(Network, RebaseKeepsChords) {
-    const Foam before = honeycomb(1, 2);  // where films cross the seam in both directions
+    const Foam before = honeycomb(1, 2);  // films cross both borders of the torus' cell
     for (const JunctionId junction : before.network.junctions()) {
         Foam after = before;
         const LatticeOffset by{2, -3};
@@ -131,6 +131,24 @@ TEST(Network, RebaseBackIsTheSameNetwork) {
     EXPECT_TRUE(are_same(before, after));
 }
 
+TEST(Network, IsCompactWithoutDeadSlots) {
+    Network network = honeycomb_around(3).network;
+    EXPECT_TRUE(network.is_compact());
+    vanish(network, BubbleId{5});
+    EXPECT_FALSE(network.is_compact());
+    network.compact();
+    EXPECT_TRUE(network.is_compact());
+}
+
+// The ghost has to be the last bubble.
+TEST(Network, IsNotCompactWithABubbleAfterTheGhost) {
+    Network network;
+    network.add_ghost();
+    EXPECT_TRUE(network.is_compact());
+    network.add_bubble();
+    EXPECT_FALSE(network.is_compact());
+}
+
 TEST(Network, CompactOfADenseNetworkChangesNothing) {
     const Network before = honeycomb(3, 4).network;
     Network after = before;
@@ -141,7 +159,8 @@ TEST(Network, CompactOfADenseNetworkChangesNothing) {
     EXPECT_EQ(kept.bubbles, listed(before.bubbles()));
 }
 
-// After a T2 every relation among the survivors stands, under new numbers in the old order.
+// After a T2, the remaining elements have new ids in the old order, and all relations among them
+// are the same.
 TEST(Network, CompactKeepsEverything) {
     Network sparse = honeycomb_around(3).network;
     vanish(sparse, BubbleId{5});

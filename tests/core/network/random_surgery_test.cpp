@@ -17,7 +17,7 @@ namespace {
 
 using test::is_valid;
 
-constexpr int kMaxOperations = 200000;  // far more than any of these foams takes
+constexpr int kMaxOperations = 200000;  // far more than any of these foams needs
 
 template <class Id>
 Id any_of(const LiveRange<Id>& range, Random& random) {
@@ -48,7 +48,7 @@ void try_t1(Network& network, Random& random, Surgeries& done) {
 void try_t2(Network& network, Random& random, Surgeries& done) {
     const BubbleId bubble = any_of(network.bubbles(), random);
     const int sides = network.sides(bubble);
-    // A bubble of two or three sides has room to vanish wherever it stands.
+    // On a torus, a bubble of two or three sides can always vanish.
     EXPECT_EQ(can_vanish(network, bubble), sides <= 3);
     if (can_vanish(network, bubble)) {
         vanish(network, bubble);
@@ -56,8 +56,8 @@ void try_t2(Network& network, Random& random, Surgeries& done) {
     }
 }
 
-// T1 anywhere, and now and then a T2, until one bubble is left, which meets itself in all its six
-// sides. The network is validated after each one.
+// Makes random T1s and, less often, T2s until one bubble is left, which is its own neighbor on all
+// six sides. Validates the network after each operation. Returns the numbers of operations.
 Surgeries remove_all_but_one(Network& network, std::uint64_t seed) {
     Random random(seed);
     Surgeries done;
@@ -98,7 +98,7 @@ TEST(RandomSurgery, KeepsLargerFoamsValidDownToTheLastBubble) {
     }
 }
 
-// The two T2 and the refusal, which the foams above are here to exercise, all occur.
+// The tests above are useful only if T1s, rejected T1s and both kinds of T2 occur.
 TEST(RandomSurgery, CoversEveryCase) {
     Network network = test::raw_foam(80, 2).network;
     const Surgeries done = remove_all_but_one(network, 2);
@@ -108,7 +108,7 @@ TEST(RandomSurgery, CoversEveryCase) {
     EXPECT_GT(done.t2_of_three, 5);
 }
 
-// RapidCheck shrinks a failing sequence of films to the few that matter.
+// RapidCheck shrinks a failing sequence of films to a short one.
 RC_GTEST_PROP(RandomSurgery, AnySequenceOfFlipsKeepsTheNetworkValid, ()) {
     Network network = test::raw_foam(*rc::gen::inRange(2, 9), 3).network;
     const auto films = *rc::gen::container<std::vector<std::uint32_t>>(

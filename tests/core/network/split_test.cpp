@@ -41,7 +41,8 @@ TEST(Split, IsForFilmsWithTheGhostAtBothEnds) {
     }
 }
 
-// Of four bubbles in a row, two and two. Bubble 1 had four sides, two of which are now one.
+// A chain of four bubbles becomes two rafts of two. Bubble 1 had four sides: one is removed, and
+// two of the others become one.
 TEST(Split, PartsAChainIntoTwoRafts) {
     Network network = test::chain().network;
     const FilmId torn = film_between(network, 1, 2);
@@ -90,7 +91,7 @@ TEST(Split, OfTwoBubblesLeavesNothing) {
     EXPECT_TRUE(network.is_live(network.ghost()));
 }
 
-// The ghost has one boundary where it had two.
+// The ghost had two boundaries and now has one.
 TEST(Split, OpensARing) {
     Network network = test::ring().network;
     const Split result = split(network, film_between(network, 2, 3));
@@ -102,7 +103,8 @@ TEST(Split, OpensARing) {
     }
 }
 
-// The first split opens the ring, the others take a bubble off each, and the last one takes two.
+// The first split opens the ring. Each further split separates one bubble, and the last split
+// separates two.
 TEST(Split, TakesARingApart) {
     Network network = test::ring().network;
     while (network.film_count() > 0) {

@@ -23,8 +23,9 @@ FilmId film_between(const Network& network, std::size_t a, std::size_t b) {
     return film_of(side_between(network, id_at<BubbleId>(a), id_at<BubbleId>(b)));
 }
 
-// The film between bubbles 5 and 6 of a 4 x 4 honeycomb stands upright, with 2 below and 10 above.
-// Its forward side belongs to the bubble that was built first, 5, on its left: it runs upward.
+// The film between bubbles 5 and 6 of a 4 x 4 honeycomb is vertical, with bubble 2 at its lower end
+// and bubble 10 at its upper end. Its forward side was created with bubble 5, which is on its left.
+// It therefore points up.
 TEST(T1Site, NamesTheNeighborhood) {
     const Network network = honeycomb(4, 4).network;
     const T1Site site = t1_site(network, film_between(network, 5, 6));
@@ -69,8 +70,8 @@ TEST(T1, GivesEachEndTheOuterFilmsOfItsSide) {
     EXPECT_EQ(network.tail(site.after_right), head);
 }
 
-// After the second flip the forward side has 6 on its left: the film has turned by half a circle,
-// and everything around it is as it was.
+// After the second flip the forward side has bubble 6 on its left: the film has turned by 180
+// degrees. All relations around it are the same as before.
 TEST(T1, TwiceRestoresTheNeighborhoodTurnedRound) {
     const Network before = honeycomb(4, 4).network;
     Network after = before;
@@ -122,9 +123,10 @@ TEST(T1, TakesATriangleToTwoSidesAndNoFurther) {
     EXPECT_FALSE(can_flip(network, film_between(network, 5, 1)));
 }
 
-// A lens on a film between P and Q, and on its film with Q a second lens: the first one's sides are
-// then P, Q, the second lens and Q again. Its film with P has the same copy of Q at both ends, and
-// the flip would lay it between Q and itself.
+// A lens is inserted into the film between bubbles 5 and 6, and a second lens into the film between
+// the first lens and bubble 6. The neighbors of the first lens are then 5, 6, the second lens, and
+// 6 again. Its film with 5 has the same copy of bubble 6 at both ends. After a flip, bubble 6 would
+// be on both sides of this film.
 TEST(T1, RejectsEndsThatAreOneCopyOfABubble) {
     Foam foam = honeycomb(4, 4);
     const BubbleId outer = insert_lens(foam, film_between(foam.network, 5, 6), 0.5);
@@ -142,8 +144,9 @@ TEST(T1, RejectsEndsThatAreOneCopyOfABubble) {
     EXPECT_TRUE(can_flip(network, film_of(side_between(network, outer, BubbleId{6}))));
 }
 
-// With one bubble a row, the film between a bubble and its own copy has two copies of the other
-// bubble at its ends, a period apart. The flip lays it between these: the bubble loses two sides.
+// With one bubble per row, the film between a bubble and its own copy has two copies of the other
+// bubble at its ends, a period apart. After the flip, the film separates these copies, and the
+// first bubble has lost two sides.
 TEST(T1, TakesEndsThatAreDifferentCopies) {
     Network network = honeycomb(1, 2).network;
     const FilmId film = film_between(network, 0, 0);
@@ -157,7 +160,7 @@ TEST(T1, TakesEndsThatAreDifferentCopies) {
     EXPECT_EQ(network.sides(BubbleId{1}), 8);
 }
 
-// The bubble loses two sides beside the film and wins two at its ends.
+// The bubble loses two sides beside the film and gains two sides at its ends.
 TEST(T1, LeavesTheOnlyBubbleOfATorusItsSixSides) {
     const Network network = test::single_bubble().network;
     for (const FilmId film : network.films()) {

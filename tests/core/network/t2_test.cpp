@@ -37,9 +37,9 @@ std::vector<BubbleId> sorted(std::vector<BubbleId> bubbles) {
     return bubbles;
 }
 
-// Each of the three flips takes a side from the hexagon and the neighbor beyond the film, and
-// gives one to the two neighbors at its ends: 10, 4 and 2 have 5 sides left, and 6, 9 and 1
-// have 8.
+// Each of the three flips takes a side from bubble 5 and from the neighbor across the film, and
+// gives a side to each of the two neighbors at its ends. Bubbles 10, 4 and 2 then have 5 sides, and
+// bubbles 6, 9 and 1 have 8 sides.
 TEST(T2, TheTriangleHasTheSidesItShould) {
     const Network network = honeycomb_around(3).network;
     ASSERT_TRUE(is_valid(network));
@@ -75,8 +75,8 @@ TEST(T2, TheJunctionJoinsTheThreeNeighbors) {
     EXPECT_EQ(sorted(vanished.neighbors), sorted(around));
 }
 
-// One flip further the triangle has two sides, 9 and 1; what its vanishing leaves is the film
-// between these, and the same numbers of sides as when it vanishes from three.
+// After one more flip, bubble 5 has two sides, and its neighbors are 9 and 1. When it vanishes, a
+// film between 9 and 1 is left. The numbers of sides are the same as after a T2 with three sides.
 TEST(T2, TwoSidedBubbleBecomesAFilm) {
     Network network = honeycomb_around(3).network;
     flip(network, film_of(side_between(network, kTriangle, BubbleId{6})));
@@ -95,8 +95,8 @@ TEST(T2, TwoSidedBubbleBecomesAFilm) {
     EXPECT_EQ(sides_of(network, {6, 9, 1}), (std::vector<int>{7, 7, 7}));
 }
 
-// A lens in each film in turn, seams included: its vanishing leaves the honeycomb as it was, the
-// chord of the film too.
+// A lens is inserted into each film in turn, also into films that cross the border of the torus'
+// cell. When it vanishes, the honeycomb and the chord of the film are the same as before.
 TEST(T2, UndoesTheInsertionOfALens) {
     const Foam before = honeycomb(2, 2);
     for (const FilmId film : before.network.films()) {
@@ -114,7 +114,8 @@ TEST(T2, UndoesTheInsertionOfALens) {
     }
 }
 
-// Outer films keep their far ends: seen from the junction that remains, each ends where it did.
+// The films at the corners of a vanished bubble keep their outer ends, relative to the remaining
+// junction.
 TEST(T2, OuterFilmsKeepTheirFarEnds) {
     for (std::size_t shift = 0; shift < 3; ++shift) {
         Foam foam = honeycomb_around(3);

@@ -19,7 +19,7 @@ namespace {
 using test::is_valid;
 using test::side_between;
 
-constexpr HalfEdgeId kFirst{0};  // of bubble 0
+constexpr HalfEdgeId kFirst{0};  // first half-edge of bubble 0
 
 Network hexagons() {
     return honeycomb(4, 4).network;
@@ -35,7 +35,8 @@ TEST(Validate, HoneycombsAreValid) {
     EXPECT_TRUE(is_valid(Network()));
 }
 
-// One plant per fault, in the order in which they are looked for.
+// Each of the following tests creates one fault. They are in the order in which find_fault searches
+// for faults.
 
 TEST(Validate, FindsAMissingSuccessor) {
     Network network = hexagons();
@@ -52,15 +53,27 @@ TEST(Validate, FindsADeadSuccessor) {
 TEST(Validate, FindsADeadBubble) {
     Network network = hexagons();
     network.remove(BubbleId{0});
-    EXPECT_EQ(find_fault(network),
-              "half-edge 0 leaves a junction or borders a bubble that does not exist");
+    EXPECT_EQ(find_fault(network), "half-edge 0 has a bubble on its left that does not exist");
+}
+
+TEST(Validate, FindsAMissingBubble) {
+    Network network = hexagons();
+    network.set_left(kFirst, kNone<BubbleId>);
+    EXPECT_EQ(find_fault(network), "half-edge 0 has a bubble on its left that does not exist");
 }
 
 TEST(Validate, FindsADeadJunction) {
     Network network = hexagons();
     network.remove(network.tail(kFirst));
-    EXPECT_EQ(find_fault(network),
-              "half-edge 0 leaves a junction or borders a bubble that does not exist");
+    EXPECT_EQ(find_fault(network), "half-edge 0 starts at a junction that does not exist");
+}
+
+// A new film is not yet joined to any junction. The 4 x 4 hexagons have the films 0 to 47.
+TEST(Validate, FindsAMissingJunction) {
+    Network network = hexagons();
+    const HalfEdgeId added = forward_side(network.add_film());
+    network.set_next(added, added);
+    EXPECT_EQ(find_fault(network), "half-edge 96 starts at a junction that does not exist");
 }
 
 TEST(Validate, FindsASuccessorThatBeginsElsewhere) {
@@ -79,14 +92,14 @@ TEST(Validate, FindsASuccessorOfAnotherBubble) {
 TEST(Validate, FindsARepresentativeThatDoesNotLeaveItsJunction) {
     Network network = hexagons();
     const JunctionId tail = network.tail(kFirst);
-    network.set_tail(kFirst, network.head(kFirst));  // also makes it leave its head
+    network.set_tail(kFirst, network.head(kFirst));  // now outgoing at its head
     network.set_tail(kFirst, tail);
     EXPECT_EQ(find_fault(network),
               "junction " + std::to_string(index_of(network.head(kFirst))) +
                   " has an outgoing half-edge that does not leave it");
 }
 
-// A film drawn together to a point leaves a junction of four films.
+// A film is contracted to a point, so that a junction joins four films.
 TEST(Validate, FindsAFourfoldJunction) {
     Network network = hexagons();
     const T1Site site = t1_site(network, FilmId{0});
@@ -114,8 +127,9 @@ TEST(Validate, FindsABubbleOfOneSide) {
     EXPECT_EQ(find_fault(network), "bubble 3 has fewer than two sides");
 }
 
-// Bubble 0 of a row of one meets its own copy a period to the right. Where the films between its
-// two visits are said to lead around the torus by that period, the two visits become one place.
+// In a row of one bubble, bubble 0 is its own neighbor across a film: the two sides of this film
+// belong to copies that are a period apart. The test changes a lattice offset between the two
+// sides, so that both belong to the same copy.
 TEST(Validate, FindsABubbleThatTouchesItself) {
     Network network = honeycomb(1, 2).network;
     const HalfEdgeId across = side_between(network, BubbleId{0}, BubbleId{0});
@@ -141,23 +155,25 @@ TEST(Validate, FindsTooFewSidesCounted) {
     EXPECT_EQ(find_fault(network), "bubble 3 has more sides than its stored count");
 }
 
-TEST(Validate, FindsABubbleThatWindsAroundTheTorus) {
+TEST(Validate, FindsABoundaryThatDoesNotClose) {
     Network network = hexagons();
     network.set_offset(kFirst, network.offset(kFirst) + LatticeOffset{0, 1});
-    EXPECT_EQ(find_fault(network), "bubble 0 winds around the torus");
+    EXPECT_EQ(find_fault(network),
+              "bubble 0 has a boundary that does not close: its lattice offsets do not add up to "
+              "zero");
 }
 
-// The loop of bubble 1 said to belong to bubble 0, which then has two.
+// The half-edges of bubble 1 are assigned to bubble 0, which then has two loops.
 TEST(Validate, FindsABubbleOfTwoLoops) {
     Network network = hexagons();
     for (const HalfEdgeId h : network.around(BubbleId{1})) {
         network.set_left(h, BubbleId{0});
     }
     network.remove(BubbleId{1});
-    EXPECT_EQ(find_fault(network), "the number of sides is not twice the number of films");
+    EXPECT_EQ(find_fault(network), "the number of sides, 90, is not twice the number of films, 48");
 }
 
-// Two junctions made one that joins two times three films.
+// Two junctions are merged into one, which joins twice three films.
 TEST(Validate, FindsTwoJunctionsInOne) {
     Network network = hexagons();
     const JunctionId gone = network.head(kFirst);
@@ -166,11 +182,11 @@ TEST(Validate, FindsTwoJunctionsInOne) {
     }
     network.remove(gone);
     EXPECT_EQ(find_fault(network),
-              "the number of junctions is not two thirds of the number of films");
+              "the number of junctions, 31, is not two thirds of the number of films, 48");
 }
 
-// Joins corner a to corner b of a tetrahedron; the half-edge from a to b has the face `left` on its
-// left.
+// Adds an edge of a tetrahedron from corner a to corner b. Returns its forward side, which has the
+// face `left` on its left and the face `right` on its right.
 HalfEdgeId add_edge(Network& network, JunctionId a, JunctionId b, BubbleId left, BubbleId right) {
     const HalfEdgeId h = forward_side(network.add_film());
     network.set_tail(h, a);
@@ -189,9 +205,9 @@ void close_face(Network& network, BubbleId face, const std::array<HalfEdgeId, 3>
     network.set_sides(face, 3);
 }
 
-// A tetrahedron, a foam on a sphere: each junction joins three films, each loop closes, but
-// V - E + F = 4 - 6 + 4 = 2. Face k lies across from corner k; seen from above, corner 3 stands
-// over the triangle 0, 1, 2, which runs counter-clockwise.
+// A tetrahedron is a foam on a sphere. Each junction joins three films and each loop closes, but
+// V - E + F = 4 - 6 + 4 = 2. Face k is opposite corner k. Corner 3 is above the triangle 0, 1, 2,
+// which runs counter-clockwise if seen from above.
 TEST(Validate, FindsAFoamThatIsNoTorus) {
     Network network;
     std::array<JunctionId, 4> v{};

@@ -23,11 +23,11 @@ TEST(CountingSort, KeepsTheOrderWithinABucket) {
     };
     for (const int threads : {1, 2, 9}) {
         const auto all = counting_sort<std::size_t>(kBuckets, kParts, threads, visit);
-        ASSERT_EQ(all.ends.size(), kBuckets + 1);
-        EXPECT_EQ(all.of(0, kBuckets).size(), kParts * kPerPart);
+        ASSERT_EQ(all.begins.size(), kBuckets + 1);
+        EXPECT_EQ(all.items_of(0, kBuckets).size(), kParts * kPerPart);
         for (std::size_t bucket = 0; bucket < kBuckets; ++bucket) {
-            EXPECT_TRUE(std::ranges::is_sorted(all.of(bucket, bucket + 1)));
-            for (const std::size_t item : all.of(bucket, bucket + 1)) {
+            EXPECT_TRUE(std::ranges::is_sorted(all.items_of(bucket, bucket + 1)));
+            for (const std::size_t item : all.items_of(bucket, bucket + 1)) {
                 EXPECT_EQ(bucket_of(item), bucket);
             }
         }
@@ -36,7 +36,7 @@ TEST(CountingSort, KeepsTheOrderWithinABucket) {
 
 TEST(CountingSort, LeavesBucketsEmptyWithoutItems) {
     const auto all = counting_sort<int>(3, 0, 2, [](std::size_t, const auto&) {});
-    EXPECT_TRUE(all.of(0, 3).empty());
+    EXPECT_TRUE(all.items_of(0, 3).empty());
 }
 
 }  // namespace

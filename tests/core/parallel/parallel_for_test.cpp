@@ -56,7 +56,7 @@ TEST(ParallelFor, DoesNothingForAnEmptyRange) {
     parallel_for(-3, 4, [](int) { FAIL(); });
 }
 
-// Each of three calls waits for the others, which takes three threads.
+// Each of the three calls waits until all three have begun, so that three threads are needed.
 TEST(ParallelFor, RunsCallsAtTheSameTime) {
     std::atomic<int> begun{0};
     std::set<std::thread::id> threads;
@@ -90,7 +90,7 @@ TEST(ParallelFor, RethrowsAnExceptionAndSkipsTheRest) {
     EXPECT_THROW(parallel_for(100, 1, body), std::runtime_error);
     EXPECT_EQ(calls, 4);
     EXPECT_THROW(parallel_for(100, 3, body), std::runtime_error);
-    EXPECT_EQ(chunks_of(10, 1, 3).size(), 10U);  // the pool works as before
+    EXPECT_EQ(chunks_of(10, 1, 3).size(), 10U);  // the pool still works
 }
 
 TEST(ParallelFor, MayBeNested) {

@@ -9,7 +9,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <stdexcept>
+#include <string>
 
 namespace foam {
 namespace {
@@ -38,10 +40,28 @@ TEST(SimdLevel, RejectsALevelThatTheMachineLacks) {
     if (available_simd_levels().back() == SimdLevel::Avx512) {
         GTEST_SKIP() << "this machine has all levels";
     }
-    EXPECT_THROW(force_simd_level(SimdLevel::Avx512), std::invalid_argument);
+    try {
+        force_simd_level(SimdLevel::Avx512);
+        FAIL();
+    } catch (const std::invalid_argument& error) {
+        const std::string message = error.what();
+        EXPECT_EQ(message.find("SIMD level 'avx512' is not available on this machine; available: "
+                               "baseline"),
+                  0U)
+            << message;
+    }
 }
 
-// x² / 3 + x with a fused multiply-add would round once where this rounds twice.
+TEST(SimdLevel, AnEmptyEnvironmentVariableCountsAsUnset) {
+    const ForcedSimdLevel restores_the_level(simd_level());
+    const char* const value = std::getenv("FOAMTEX_SIMD");
+    const std::string before = value != nullptr ? value : "";
+    setenv("FOAMTEX_SIMD", "", 1);
+    EXPECT_EQ(detail::decide_simd_level(), available_simd_levels().back());
+    setenv("FOAMTEX_SIMD", before.c_str(), 1);
+}
+
+// A fused multiply-add would round x² / 3 + x once; separate operations round it twice.
 TEST(SimdLevel, HasTheSameBitsOnEachLevel) {
     using Numbers = std::array<double, 64>;
     Numbers baseline{};

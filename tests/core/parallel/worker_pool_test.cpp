@@ -24,7 +24,7 @@ TEST(WorkerPool, WithoutHelpersRunsOnceOnTheCaller) {
     }
 }
 
-// Each call waits for two others, which takes the caller and two helpers.
+// Each call waits until three calls have begun: on the caller's thread and on two helpers.
 TEST(WorkerPool, RunsHelpersBesideTheCaller) {
     WorkerPool pool;
     std::set<std::thread::id> threads;
@@ -53,7 +53,7 @@ TEST(WorkerPool, NeverRunsMoreCallsThanHelpersAndTheCaller) {
     }
 }
 
-// The only thread of the pool is inside the outer call while the inner one asks for help.
+// The only thread of the pool is inside the outer call when the inner call requests a helper.
 TEST(WorkerPool, DoesNotWaitForBusyHelpers) {
     WorkerPool pool;
     std::atomic<int> outer{0};

@@ -22,7 +22,7 @@ namespace {
 using Eigen::Index;
 using test::full_hessian;
 
-// The block's unknowns among those of the foam, and the size of their units.
+// The rows of the block's unknowns among the unknowns of the foam, and the size of their units.
 struct BlockIndices {
     std::vector<int> rows;
     std::vector<double> units;
@@ -48,7 +48,8 @@ BlockIndices block_indices(const JunctionBlock& block,
     return indices;
 }
 
-// The Hessian's entries of these unknowns, in the units of the block.
+// Returns the entries of the Hessian for the block's unknowns. The columns are in the units of the
+// block.
 BlockMatrix entries(const Eigen::MatrixXd& hessian, const BlockIndices& indices) {
     const auto size = static_cast<Index>(indices.rows.size());
     BlockMatrix part(size, size);
@@ -62,8 +63,8 @@ BlockMatrix entries(const Eigen::MatrixXd& hessian, const BlockIndices& indices)
     return part;
 }
 
-// The areas' rows of the block against those of the Hessian: dL/dp is target less area (E3).
-// Differences settle to 1e-6.
+// Compares the derivatives of the areas in the block with the Hessian: dL/dp is the target area
+// minus the area (E3). The central differences are accurate to 1e-6.
 void expect_areas_of_the_hessian(const std::vector<Foam>& foams) {
     JunctionBlock block;
     for (const Foam& foam : foams) {
@@ -72,7 +73,7 @@ void expect_areas_of_the_hessian(const std::vector<Foam>& foams) {
         for (const JunctionId junction : foam.network.junctions()) {
             block.load(foam, junction);
             const BlockMatrix closed = entries(h, block_indices(block, unknowns, junction));
-            const BlockMatrix slopes = block_slopes(block, {});
+            const BlockMatrix slopes = block_jacobian(block, {});
             for (std::size_t k = 0; k < block.bubbles().size(); ++k) {
                 const auto row = static_cast<Index>(k);
                 const auto expected = closed.row(row) / foam.target_areas[block.bubbles()[k]];
@@ -87,10 +88,12 @@ TEST(BlockStep, SlopesOfTheAreasAreThoseOfTheHessian) {
     expect_areas_of_the_hessian(test::derivative_patches());
 }
 
-// In equilibrium the force -T sum of t_k, whose derivative is the Hessian's, turns with the films'
-// directions by -T sum of n_k dtheta_k, n_k being t_k turned left; the n_k add up to zero. The
-// block has e_0 = theta_0 - theta_2 and e_1 = theta_1 - theta_0 but for constants, so that the
-// force changes by -T (n_1 de_1 - n_2 de_0).
+// Let t_k be the unit tangent of film k at the junction, theta_k its direction, and n_k the vector
+// t_k turned left. The gradient of L is -T times the sum of the t_k (E3); its derivative is the
+// Hessian. If the films turn by dtheta_k, the gradient changes by -T times the sum of the
+// n_k dtheta_k. In equilibrium the n_k add up to zero. Up to constants, the angle errors of the
+// block are e_0 = theta_0 - theta_2 and e_1 = theta_1 - theta_0, so that the gradient changes by
+// -T (n_1 de_1 - n_2 de_0).
 TEST(BlockStep, SlopesOfTheAnglesAreThoseOfTheForces) {
     const Foam foam = test::equilibrated_foam(30, 2);
     const Unknowns unknowns = all_unknowns(foam.network);
@@ -99,7 +102,7 @@ TEST(BlockStep, SlopesOfTheAnglesAreThoseOfTheForces) {
     for (const JunctionId junction : foam.network.junctions()) {
         block.load(foam, junction);
         const BlockMatrix closed = entries(h, block_indices(block, unknowns, junction));
-        const BlockMatrix slopes = block_slopes(block, {});
+        const BlockMatrix slopes = block_jacobian(block, {});
         const std::array<HalfEdgeId, 3> leaving = foam.network.leaving(junction);
         const Vec2 n1 = turned_left(tangent_at_tail(film_arc(foam, leaving[1])));
         const Vec2 n2 = turned_left(tangent_at_tail(film_arc(foam, leaving[2])));
@@ -109,23 +112,24 @@ TEST(BlockStep, SlopesOfTheAnglesAreThoseOfTheForces) {
     }
 }
 
-// Central differences over steps of 0.2 are off by far more than the threshold: halving mends them.
+// Central differences with steps of 0.2 have errors far above the threshold. Halving the steps
+// removes these errors.
 TEST(BlockStep, HalvesStepsUntilTheDifferencesConverge) {
     const Foam foam = test::bent_foam(12, 0.5, 1);
     JunctionBlock block;
     block.load(foam, JunctionId{4});
-    const BlockMatrix exact = block_slopes(block, {.first_step = 1e-4, .threshold = 1e-9});
-    const BlockMatrix coarse = block_slopes(block, {.first_step = 0.2, .max_halvings = 0});
+    const BlockMatrix exact = block_jacobian(block, {.first_step = 1e-4, .threshold = 1e-9});
+    const BlockMatrix coarse = block_jacobian(block, {.first_step = 0.2, .max_halvings = 0});
     EXPECT_GT((coarse - exact).cwiseAbs().maxCoeff(), 1e-3);
     for (const double threshold : {1e-3, 1e-5}) {
         const BlockMatrix halved =
-            block_slopes(block, {.first_step = 0.2, .threshold = threshold, .max_halvings = 20});
+            block_jacobian(block, {.first_step = 0.2, .threshold = threshold, .max_halvings = 20});
         EXPECT_LT((halved - exact).cwiseAbs().maxCoeff(), threshold);
     }
 }
 
-// Of a block that lacks e the step leaves half the second derivatives, here of the order of one,
-// times its own square; it is up to twice as large as e.
+// The step leaves an error of half the second derivatives, here of the order of one, times the
+// square of the step. The step is up to twice as large as the errors of the block before the step.
 TEST(BlockStep, LeavesTheSquareOfTheBlockErrors) {
     Foam foam = honeycomb(4, 4);
     Random random(3);
@@ -143,8 +147,9 @@ TEST(BlockStep, LeavesTheSquareOfTheBlockErrors) {
     }
 }
 
-// Also of three equal bubbles, whose outer films have half angles of 90 degrees: there
-// Laplace-Young's law has no slope in them, but the block has.
+// The same is true for three equal bubbles, whose outer films have half angles of 90 degrees. At
+// this angle the derivative of Laplace-Young's law with respect to the half angle is zero, but the
+// block is not singular.
 TEST(BlockStep, LeavesTheSquareAtNinetyDegreesToo) {
     Foam foam = test::triple_bubble(1.0);
     ASSERT_TRUE(equilibrate(foam, {}).converged());
@@ -164,8 +169,8 @@ TEST(BlockStep, LeavesTheSquareAtNinetyDegreesToo) {
     }
 }
 
-// Two bubbles fill the torus: their areas determine no common pressure, and the smallest step has
-// none. Both units of pressure are 1 here.
+// The two bubbles fill the torus, so that their areas do not determine a common pressure. The step
+// of minimum norm contains no common pressure. The unit of pressure is 1 for both bubbles.
 TEST(BlockStep, IsTheSmallestWhereTheBlockIsSingular) {
     Foam foam = honeycomb(1, 2);
     foam.positions[JunctionId{0}] += Vec2(0.05, 0.02);
@@ -181,7 +186,7 @@ TEST(BlockStep, IsTheSmallestWhereTheBlockIsSingular) {
 TEST(BlockStep, DoesNotDependOnTheTension) {
     Foam soft = test::bent_foam(12, 0.5, 1);
     Foam stiff = soft;
-    stiff.film_tension *= 1024.0;  // a power of two, so that no rounding differs
+    stiff.film_tension *= 1024.0;  // a power of two changes no rounding
     for (double& pressure : stiff.pressures) {
         pressure *= 1024.0;
     }

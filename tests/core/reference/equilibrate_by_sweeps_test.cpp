@@ -31,7 +31,8 @@ TEST(EquilibrateBySweeps, EquilibratesRawDiagrams) {
     }
 }
 
-// Films at rest below their T1 distance flip after Gauss-Seidel, as they do after Newton's method.
+// Films that are shorter than their T1 distance in equilibrium flip after Gauss-Seidel, as they do
+// after Newton's method.
 TEST(EquilibrateBySweeps, LeavesNoPendingT1) {
     const TopologyThresholds thresholds{.t1_distance = 0.2};
     int t1 = 0;

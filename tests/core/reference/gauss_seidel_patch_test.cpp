@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// The paper's solver in a patch (paper 4.2, eq. 15), beside Newton's method.
+// Compares the paper's solver in a patch (paper 4.2, eq. 15) with Newton's method.
 #include "core/equilibrium/equilibrate.h"
 #include "core/equilibrium/newton.h"
 #include "core/foam/measure.h"
@@ -38,7 +38,7 @@ Foam equilibrated_disc(int bubbles) {
     return equilibrated(seed_patch(disc_outline(), options));
 }
 
-// Targets change by up to so much of themselves.
+// Returns the foam with each target area changed at random by up to the given fraction.
 Foam perturbed(Foam foam, double fraction) {
     Random random(5);
     for (const BubbleId bubble : foam.network.bubbles()) {
@@ -47,7 +47,7 @@ Foam perturbed(Foam foam, double fraction) {
     return foam;
 }
 
-// Up to a motion of each raft.
+// Expects that two foams agree in energy, pressures and films, up to a motion of each raft.
 void expect_same_shape(const Foam& a, const Foam& b, double tolerance) {
     ASSERT_EQ(a.network.film_count(), b.network.film_count());
     EXPECT_NEAR(energy(a), energy(b), tolerance);
@@ -98,8 +98,9 @@ TEST_P(LongPatchGaussSeidelIn, FindsTheSolutionOfNewtonsMethodForAHundredBubbles
     expect_the_solution_of_newton(perturbed(equilibrated_disc(100), 0.02), GetParam());
 }
 
-// Of two bubbles outer arcs of 240 degrees, of three 180: Laplace-Young's law alone does not tell
-// them.
+// The outer films of two nearly equal bubbles are arcs of about 240 degrees. The outer films of
+// three are arcs of about 180 degrees. Laplace-Young's law alone does not determine such half
+// angles.
 TEST_P(PatchGaussSeidelIn, FindsHalfAnglesOfNinetyDegreesAndBeyond) {
     const Foam two = perturbed(equilibrated(test::double_bubble(1.0, 1.2)), 0.05);
     const Foam three = perturbed(equilibrated(test::triple_bubble(1.0)), 0.05);
@@ -109,7 +110,8 @@ TEST_P(PatchGaussSeidelIn, FindsHalfAnglesOfNinetyDegreesAndBeyond) {
     expect_the_solution_of_newton(three, GetParam());
 }
 
-// A row bends freely: only energy and pressures are determined.
+// A row can bend without a change of energy, so that only the energy and the pressures are
+// determined.
 TEST_P(PatchGaussSeidelIn, FindsTheEnergyOfARow) {
     Foam foam = perturbed(equilibrated(test::chain()), 0.05);
     EXPECT_GT(largest_half_angle(foam), 1.7);
@@ -117,13 +119,13 @@ TEST_P(PatchGaussSeidelIn, FindsTheEnergyOfARow) {
     ASSERT_EQ(newton(by_newton, all_unknowns(foam.network), {}).status, NewtonStatus::Converged);
     EXPECT_EQ(gauss_seidel(foam, {.tolerance = 1e-8, .order = GetParam()}).status,
               GaussSeidelStatus::Converged);
-    EXPECT_NEAR(energy(foam), energy(by_newton), 1e-7);  // sum of p dA, areas to 1e-8
+    EXPECT_NEAR(energy(foam), energy(by_newton), 1e-7);  // sum of p dA, with areas to 1e-8
     for (const BubbleId bubble : foam.network.bubbles()) {
         EXPECT_NEAR(foam.pressures[bubble], by_newton.pressures[bubble], 1e-6);
     }
 }
 
-// From the diagram to the end of the policy, T1s at the rim included.
+// Tests the whole algorithm from the raw diagram on, including T1s at the surface.
 TEST_P(PatchGaussSeidelIn, EquilibratesRawDiagrams) {
     int t1 = 0;
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {

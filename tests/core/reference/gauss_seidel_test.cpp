@@ -37,7 +37,7 @@ void expect_errors_below(const Foam& foam, double tolerance) {
     EXPECT_TRUE(is_valid(foam.network));
 }
 
-// A foam in equilibrium whose targets then change by up to 5 %.
+// Returns a foam in equilibrium whose target areas are then changed by up to 5 %.
 Foam perturbed_foam(int bubbles, std::uint64_t seed) {
     Foam foam = test::equilibrated_foam(bubbles, seed);
     Random random(seed);
@@ -69,8 +69,8 @@ TEST_P(GaussSeidelIn, DoesNothingInAHoneycomb) {
     EXPECT_TRUE(are_same(foam, honeycomb(4, 4)));
 }
 
-// The same equations have the same solution (E2), but for a shift of the whole foam; to about ten
-// times the error that is left.
+// Both solvers solve the same equations (E2), so that their solutions agree up to a translation of
+// the foam. The difference is about ten times the error that is left.
 TEST_P(GaussSeidelIn, FindsTheSolutionOfNewtonsMethod) {
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
         Foam foam = perturbed_foam(30, seed);
@@ -87,7 +87,7 @@ TEST_P(GaussSeidelIn, FindsTheSolutionOfNewtonsMethod) {
     }
 }
 
-// The paper starts from raw diagrams as well (its Figure 4).
+// The paper also starts from raw diagrams (its Figure 4).
 TEST_P(GaussSeidelIn, EquilibratesRawDiagrams) {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
         Foam foam = test::raw_foam(40, seed);
@@ -98,7 +98,7 @@ TEST_P(GaussSeidelIn, EquilibratesRawDiagrams) {
     }
 }
 
-// Where bubbles meet themselves around the torus.
+// The tori are so small that bubbles are their own neighbors.
 TEST_P(GaussSeidelIn, EquilibratesTinyTori) {
     for (int bubbles = 2; bubbles <= 12; ++bubbles) {
         for (std::uint64_t seed = 1; seed <= 5; ++seed) {
@@ -129,7 +129,8 @@ TEST_P(GaussSeidelIn, FlipsAFilmThatHasCollapsed) {
     expect_errors_below(c.foam, 1e-4);
 }
 
-// A film without length has no angles; its junctions wait for the T1 rule to open it.
+// The angles at a film without length are undefined. Its junctions do not move until the T1 rule
+// reopens the film.
 TEST_P(GaussSeidelIn, OpensAFilmWithoutLength) {
     test::Crossing c = test::crossing(80.0, 0.0);
     ASSERT_EQ(chord(c.foam, forward_side(c.film)).norm(), 0.0);
@@ -154,14 +155,14 @@ TEST_P(GaussSeidelIn, StopsAtTheToleranceOrTheLimit) {
     EXPECT_TRUE(is_valid(foam.network));
 }
 
-// However far from equilibrium: a junction moves once in a sweep, and a pressure as often as its
-// bubble has sides.
+// The change of a block is limited even far from equilibrium. In a sweep, a junction moves once,
+// and a pressure changes once for each side of its bubble.
 TEST_P(GaussSeidelIn, LimitsTheChangeOfABlock) {
     constexpr double kLargest = 1e-3;
     const Foam before = test::raw_foam(60, 2);
     Foam foam = before;
     gauss_seidel(foam, {.max_sweeps = 1, .order = GetParam(), .largest_change = kLargest});
-    const double fraction = 1.01 * kLargest;  // films and units change within the sweep
+    const double fraction = 1.01 * kLargest;  // lengths and units change during the sweep
     for (const FilmId film : before.network.films()) {
         const HalfEdgeId h = forward_side(film);
         const double length = chord(before, h).norm();
@@ -174,8 +175,9 @@ TEST_P(GaussSeidelIn, LimitsTheChangeOfABlock) {
     }
 }
 
-// Areas that are a hundred times off: films come to the limit, and blocks turn singular. What comes
-// of it is no equilibrium yet, but it stays within bounds.
+// Areas differ from their targets by factors of up to a hundred, so that films reach the limit of
+// their half angle and blocks become singular. The foam is not in equilibrium after these sweeps,
+// but all its values are bounded.
 TEST_P(GaussSeidelIn, StaysFiniteFarFromEquilibrium) {
     Foam foam = test::raw_foam(60, 1);
     for (const BubbleId bubble : foam.network.bubbles()) {
@@ -202,7 +204,7 @@ TEST_P(GaussSeidelIn, LeavesJunctionsInTheTorusOwnCell) {
     }
 }
 
-// Through T1s as well: the raw diagram has some.
+// The sweeps from this raw diagram include T1s.
 TEST(GaussSeidel, ColoredSweepsGiveTheSameBitsForAnyNumberOfThreads) {
     const auto run = [](int threads) {
         Foam foam = test::raw_foam(150, 3);

@@ -25,10 +25,11 @@ using test::derivative_foams;
 
 constexpr double kPi = std::numbers::pi;
 
-// 1 - A / A_target of the block's bubbles, what its outer films lack of Laplace-Young's law, and
-// 120 degrees less the angles, from core/foam/measure.h, from core/geometry/bulge_energy.h and from
-// the tangents of the arcs: the angle on the left of a film is the turn, counter-clockwise, to the
-// film after it, which is the one before it in the clockwise order of leaving().
+// Returns the errors of the block's constraints, computed by other functions: 1 - A / A_target of
+// its bubbles (core/foam/measure.h), minus the error of Laplace-Young's law of its outer films
+// (core/geometry/bulge_energy.h), and 120 degrees minus the angles between the tangents of the
+// arcs. The angle on the left of a film is the counter-clockwise turn to the next film, which
+// precedes it in the clockwise order of leaving().
 BlockVector measured(const Foam& foam, JunctionId junction, const JunctionBlock& block) {
     BlockVector lacking(block.size());
     const auto bubbles = block.bubbles();
@@ -52,6 +53,7 @@ BlockVector measured(const Foam& foam, JunctionId junction, const JunctionBlock&
     return lacking;
 }
 
+// Returns the foam after a change of the block's unknowns.
 Foam after(Foam foam, JunctionId junction, const JunctionBlock& block, const BlockVector& change) {
     foam.positions[junction] += block.move(change);
     for (std::size_t k = 0; k < block.bubbles().size(); ++k) {
@@ -79,7 +81,8 @@ TEST(JunctionBlock, HasOnePressureForEachBubbleOfTheJunction) {
     EXPECT_EQ(block.size(), 3);
 }
 
-// Paper eq. 15: two pressures at the rim, and the half angles of the outer films.
+// At the surface, a block has two pressures (paper eq. 15). The half angles of the outer films of
+// its bubbles are added.
 TEST(JunctionBlock, LeavesTheGhostOut) {
     const Foam foam = test::flower(1.0);
     JunctionBlock block;
@@ -90,7 +93,7 @@ TEST(JunctionBlock, LeavesTheGhostOut) {
             ghosts += foam.network.left(h) == foam.network.ghost() ? 1 : 0;
         }
         EXPECT_EQ(static_cast<int>(block.bubbles().size()), 3 - ghosts);
-        EXPECT_EQ(block.outer_films().size(), 2U);  // of the two bubbles that are not in the middle
+        EXPECT_EQ(block.outer_films().size(), 2U);  // one for each petal at the junction
         EXPECT_EQ(block.size(), 7 - ghosts);
     }
 }
@@ -104,8 +107,9 @@ TEST(JunctionBlock, HasNoErrorsInAHoneycomb) {
     }
 }
 
-// By its own bookkeeping the block says what measuring says, before and after a change of each of
-// its unknowns; also where films are held at the limit and where bubbles meet themselves.
+// Compares the errors of the block with errors that are measured in the foam, before and after a
+// change of each unknown. Some foams have films at the limit of their half angle, or bubbles that
+// are their own neighbors.
 void expect_measured_errors(const std::vector<Foam>& foams) {
     JunctionBlock block;
     for (const Foam& foam : foams) {
@@ -129,7 +133,7 @@ TEST(JunctionBlock, ErrorsAgreeWithMeasuredOnes) {
     expect_measured_errors(derivative_foams());
 }
 
-// With half angles on both sides of 90 degrees.
+// The half angles of outer films are below and above 90 degrees.
 TEST(JunctionBlock, ErrorsAgreeWithMeasuredOnesInAPatch) {
     expect_measured_errors(test::derivative_patches());
 }
@@ -145,8 +149,8 @@ TEST(JunctionBlock, DoesNotDependOnThePreviousJunction) {
               fresh.constraint_errors(BlockVector::Zero(5)));
 }
 
-// A pressure is in tensions over the root of the target, a coordinate in lengths of the shortest
-// film: here 2 / sqrt(4) and 0.1, by hand.
+// The unit of a pressure is the film tension divided by the square root of the target area, here
+// 2 / sqrt(4). The unit of a coordinate is the length of the shortest film, here 0.1.
 TEST(JunctionBlock, CountsInUnitsOfItsBubblesAndFilms) {
     Foam foam = honeycomb(4, 4);
     foam.film_tension = 2.0;

@@ -80,21 +80,23 @@ TEST(JunctionColoring, SharesNoBubbleOnTinyTori) {
     }
 }
 
-// The junctions of the bubble in the middle take six, and those at the ghost do not need more.
+// The six junctions of the middle bubble need six colors. Junctions at the ghost need no further
+// colors.
 TEST(JunctionColoring, TakesNoColorForTheGhost) {
     const Network network = test::flower(1.0).network;
     expect_valid(network);
     EXPECT_EQ(color_junctions(network).size(), 6U);
 }
 
-// Both junctions belong to the one bubble.
+// Both junctions are junctions of the only bubble.
 TEST(JunctionColoring, GivesEveryJunctionOfASingleBubbleItsOwn) {
     EXPECT_EQ(color_junctions(test::single_bubble().network),
               (Colors{{JunctionId{0}}, {JunctionId{1}}}));
 }
 
-// A junction shares bubbles with 3 (6 - 1) others at most, two of a bubble with its neighbor's
-// counted twice: with 12. So 13 colors are enough for a honeycomb, and 6 are the fewest.
+// A junction shares a bubble with at most 12 other junctions: 3 (6 - 1) = 15 in its three bubbles,
+// of which its three neighbors are counted twice. A greedy coloring of a honeycomb therefore needs
+// at most 13 colors. Any coloring needs at least 6.
 TEST(JunctionColoring, TakesFewColorsForAHoneycomb) {
     const Colors colors = color_junctions(honeycomb(12, 12).network);
     EXPECT_GE(colors.size(), 6U);

@@ -30,10 +30,11 @@ class DenseKernelsTest : public testing::Test {
     static constexpr Index kStride = 140;
     static constexpr Index kMaxCols = 64;
 
-    // Returns the target after a product of numbers that do not depend on its shape.
+    // Returns the target after a product of random numbers. The numbers do not depend on the shape
+    // of the product.
     static std::vector<Real> product_of(Index rows, Index cols, Index depth) {
-        const std::vector<Real> left = random_numbers<Real>(kStride * kLargestDepth);
-        const std::vector<Real> right = random_numbers<Real>(kMaxCols * kLargestDepth);
+        const std::vector<Real> left = random_numbers<Real>(kStride * kMaxDepth);
+        const std::vector<Real> right = random_numbers<Real>(kMaxCols * kMaxDepth);
         std::vector<Real> target = random_numbers<Real>(kStride * kMaxCols);
         subtract_product<Real>({.rows = rows,
                                 .cols = cols,
@@ -46,17 +47,18 @@ class DenseKernelsTest : public testing::Test {
         return target;
     }
 
+    // Returns the result of product_of, computed by a plain loop.
     static std::vector<Real> plain_product(Index rows, Index cols, Index depth) {
-        const std::vector<Real> left = random_numbers<Real>(kStride * kLargestDepth);
-        const std::vector<Real> right = random_numbers<Real>(kMaxCols * kLargestDepth);
+        const std::vector<Real> left = random_numbers<Real>(kStride * kMaxDepth);
+        const std::vector<Real> right = random_numbers<Real>(kMaxCols * kMaxDepth);
         std::vector<Real> target = random_numbers<Real>(kStride * kMaxCols);
         for (Index col = 0; col < cols; ++col) {
             for (Index row = col; row < rows; ++row) {
                 Real sum = 0;
                 for (Index k = 0; k < depth; ++k) {
-                    const Index group = col / kGroup * kGroup * depth;
-                    sum +=
-                        at(left, row + k * kStride) * at(right, group + k * kGroup + col % kGroup);
+                    const Index group = col / kTileColumns * kTileColumns * depth;
+                    sum += at(left, row + k * kStride) *
+                           at(right, group + k * kTileColumns + col % kTileColumns);
                 }
                 target[static_cast<std::size_t>(row + col * kStride)] -= sum;
             }
@@ -74,8 +76,9 @@ class DenseKernelsTest : public testing::Test {
         }
     }
 
+    // Returns random numbers after an elimination of the first columns.
     static std::vector<Real> eliminated(Index rows, Index pivots) {
-        std::vector<Real> numbers = random_numbers<Real>(kStride * kNarrow);
+        std::vector<Real> numbers = random_numbers<Real>(kStride * kMaxDirectColumns);
         eliminate<Real>({.rows = rows,
                          .pivots = pivots,
                          .triangle = numbers.data(),
@@ -84,8 +87,9 @@ class DenseKernelsTest : public testing::Test {
         return numbers;
     }
 
+    // Returns the result of `eliminated`, computed by a plain loop.
     static std::vector<Real> eliminated_by_loop(Index rows, Index pivots) {
-        std::vector<Real> numbers = random_numbers<Real>(kStride * kNarrow);
+        std::vector<Real> numbers = random_numbers<Real>(kStride * kMaxDirectColumns);
         for (Index row = pivots; row < pivots + rows; ++row) {
             std::vector<Real> y;
             for (Index col = 0; col < pivots; ++col) {
@@ -111,7 +115,7 @@ class DenseKernelsTest : public testing::Test {
 using Reals = testing::Types<float, double>;
 TYPED_TEST_SUITE(DenseKernelsTest, Reals);
 
-// Nothing is written above the diagonal or outside the target.
+// Numbers above the diagonal or outside of the target must stay unchanged.
 TYPED_TEST(DenseKernelsTest, MultiplyAsAPlainLoopDoesToTheBit) {
     for (const std::ptrdiff_t rows : {1, 3, 4, 8, 13, 24, 31, 64, 131}) {
         for (const std::ptrdiff_t cols : {1, 2, 4, 7, 33, 64}) {

@@ -26,7 +26,7 @@ struct CoupledNodes {
 CoupledNodes coupled_nodes(const Foam& foam) {
     const Unknowns unknowns = all_unknowns(foam.network);
     const std::vector<SolverNode> nodes = solver_nodes(foam, unknowns);
-    return {foam.domain, nodes, coupling(Hessian(foam.network, unknowns).matrix(), nodes)};
+    return {foam.domain, nodes, node_graph(Hessian(foam.network, unknowns).matrix(), nodes)};
 }
 
 CoupledNodes random_nodes(int bubbles, double aspect) {
@@ -36,7 +36,7 @@ CoupledNodes random_nodes(int bubbles, double aspect) {
     return coupled_nodes(seed_foam(options));
 }
 
-// Nodes in a row, each of one row, with the given neighbors.
+// Returns nodes on a line, each with one row of the matrix and the given neighbors.
 CoupledNodes nodes_in_row(const std::vector<std::vector<std::uint32_t>>& neighbors) {
     CoupledNodes row{{static_cast<double>(neighbors.size()), 1.0}, {}, {}};
     row.graph.begins.push_back(0);
@@ -53,7 +53,7 @@ Dissection dissect(const CoupledNodes& coupled, const DissectionOptions& options
     return dissect(coupled.graph, coupled.nodes, coupled.domain, options);
 }
 
-// First turn of a part's subtree.
+// Returns the index in the order of elimination at which the subtree of a part begins.
 std::size_t subtree_begin(const Dissection& dissection, std::size_t part) {
     while (!dissection.parts[part].is_leaf()) {
         part = dissection.parts[part].left;
@@ -79,7 +79,8 @@ bool covers_every_node_once(const Dissection& dissection) {
     return end == nodes.size();
 }
 
-// Coupled pairs with a node in the left and the other in the right subtree of a part.
+// Returns the number of coupled pairs of nodes of which one is in the left and one in the right
+// subtree of a part.
 int couplings_across(const CoupledNodes& coupled, const Dissection& dissection) {
     std::vector<std::size_t> turns(dissection.order.size());
     for (std::size_t turn = 0; turn < turns.size(); ++turn) {
@@ -93,7 +94,8 @@ int couplings_across(const CoupledNodes& coupled, const Dissection& dissection) 
         const std::size_t left_begin = subtree_begin(dissection, part.left);
         const std::size_t right_begin = subtree_begin(dissection, part.right);
         for (std::size_t turn = left_begin; turn < right_begin; ++turn) {
-            for (const std::uint32_t neighbor : coupled.graph.of(dissection.order[turn])) {
+            for (const std::uint32_t neighbor :
+                 coupled.graph.neighbors_of(dissection.order[turn])) {
                 across += turns[neighbor] >= right_begin && turns[neighbor] < part.begin ? 1 : 0;
             }
         }
@@ -142,16 +144,18 @@ TEST(Dissection, KeepsSmallPartsWhole) {
     }
 }
 
-// A line through a foam meets about one bubble per foam unit; it takes the bubble's pressure and a
-// junction for the way into the next one, three rows. Two lines cut a torus of height 50 apart:
-// 2 * 50 * 3 = 300 rows. The lightest lines wind their way through fewer.
+// A line through a foam crosses about one bubble per foam unit. For each bubble a separator
+// contains three rows: the pressure of the bubble, and the two coordinates of the junction at which
+// the line enters the next bubble. Two lines divide a torus of height 50: 2 * 50 * 3 = 300 rows.
+// The lightest lines are not straight and have fewer rows.
 TEST(Dissection, CutsATorusAlongTwoLightLines) {
     const CoupledNodes coupled = random_nodes(2500, 1.0);
     const Dissection dissection = dissect(coupled);
     EXPECT_LT(rows_of(coupled, dissection, dissection.parts.back()), 300);
 }
 
-// The nodes of a square grid in the plane, each of one row and coupled to those beside it.
+// Returns the nodes of a square grid in the plane. Each has one row of the matrix and is coupled to
+// the adjacent nodes.
 CoupledNodes square_grid(int side, const Vec2& corner) {
     CoupledNodes grid{kPlane, {}, {}};
     grid.graph.begins.push_back(0);
@@ -173,7 +177,7 @@ CoupledNodes square_grid(int side, const Vec2& corner) {
     return grid;
 }
 
-// One line of the grid parts it. On a torus of its size there would be two.
+// One line divides the grid. A torus of this size would need two lines.
 TEST(Dissection, CutsThePlaneAlongOneLine) {
     const CoupledNodes coupled = square_grid(30, {-47.0, 8.0});
     expect_sound(coupled);
@@ -197,7 +201,7 @@ TEST(Dissection, BalancesTheHalves) {
     EXPECT_NEAR(static_cast<double>(left) / static_cast<double>(root.begin), 0.5, 0.1);
 }
 
-// 40 nodes, coupled to none: parts without a node hold the leaves together.
+// No two of the 40 nodes are coupled. Parts without nodes connect the leaves of the tree.
 TEST(Dissection, PartsADisconnectedGraph) {
     const CoupledNodes coupled = nodes_in_row(std::vector<std::vector<std::uint32_t>>(40));
     expect_sound(coupled);

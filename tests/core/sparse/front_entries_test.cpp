@@ -12,7 +12,8 @@
 namespace foam {
 namespace {
 
-// Follows every entry to its column and row in the order of elimination, and looks it up there.
+// Follows every entry to its row and column in the order of elimination, and compares it with the
+// reordered matrix.
 TEST(FrontEntries, AssignEveryEntryToItsFront) {
     const test::PointSystem grid = test::torus_grid(12, 11);
     const FrontPlan plan = test::plan_of(grid);

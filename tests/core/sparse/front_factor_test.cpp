@@ -17,7 +17,7 @@ struct Factored {
     bool succeeded = false;
 };
 
-// All memory is filled with a number that must be overwritten.
+// Factors a matrix in memory that is filled with a number which must be overwritten.
 Factored factored(const test::PointSystem& system, const FrontPlan& plan, std::size_t threads) {
     Factored result{std::vector<double>(plan.panels_size, 1e9)};
     std::vector<double> workspace(plan.workspace_size, 1e9);
@@ -28,7 +28,7 @@ Factored factored(const test::PointSystem& system, const FrontPlan& plan, std::s
     return result;
 }
 
-// Every front holds D on the diagonal of its panel and L below.
+// Each panel has D on its diagonal and L below it.
 TEST(FrontFactor, MultipliesToTheMatrix) {
     const test::PointSystem grid = test::torus_grid(15, 20);
     const FrontPlan plan = test::plan_of(grid);
@@ -75,7 +75,7 @@ TEST(FrontFactor, HasTheSameBitsOnAnyNumberOfThreads) {
     }
 }
 
-// Rows that are all 1 are eliminated by the first of them; the next pivot is 0.
+// All elements of the matrix are 1. After the elimination of the first row, the next pivot is 0.
 TEST(FrontFactor, ReportsAZeroPivot) {
     test::PointSystem complete = test::complete_system(60);
     complete.matrix.coeffs().setOnes();

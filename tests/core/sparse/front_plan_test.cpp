@@ -9,8 +9,8 @@
 namespace foam {
 namespace {
 
-// Two pivots, the rows 1 and 2, and a border of the rows 4 and 5. Another front's border is before
-// it in the list.
+// Returns a plan with one front. Its pivots are the rows 1 and 2, its border is the rows 4 and 5.
+// The border of another front precedes its border in the list.
 FrontPlan plan_with_a_front() {
     FrontPlan plan;
     plan.fronts.push_back({.first_row = 1, .pivots = 2, .border = 2, .border_begin = 1});

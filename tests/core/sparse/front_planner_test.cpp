@@ -14,10 +14,10 @@ namespace {
 
 TEST(FrontPlanner, EliminatesEveryRowOnce) {
     const FrontPlan plan = test::plan_of(test::torus_grid(15, 20));
-    std::vector<std::uint32_t> turns = plan.elimination;
-    std::sort(turns.begin(), turns.end());
-    for (std::uint32_t k = 0; k < turns.size(); ++k) {
-        EXPECT_EQ(turns[k], k);
+    std::vector<std::uint32_t> positions = plan.position_of_row;
+    std::sort(positions.begin(), positions.end());
+    for (std::uint32_t k = 0; k < positions.size(); ++k) {
+        EXPECT_EQ(positions[k], k);
     }
     std::size_t row = 0;
     for (const Front& front : plan.fronts) {
@@ -27,7 +27,8 @@ TEST(FrontPlanner, EliminatesEveryRowOnce) {
     EXPECT_EQ(row, 300U);
 }
 
-// The remainder of a front is added to its parent, so its border must be among the parent's rows.
+// The update matrix of a front is added to its parent, so its border must be among the parent's
+// rows.
 TEST(FrontPlanner, BordersAreRowsOfTheParent) {
     const FrontPlan plan = test::plan_of(test::torus_grid(15, 20));
     std::size_t checked = 0;
@@ -49,7 +50,7 @@ TEST(FrontPlanner, BordersAreRowsOfTheParent) {
     EXPECT_GT(checked, 300U);
 }
 
-// Returns the rows from the diagonal on that have an entry in a column.
+// Returns the rows of the entries in a column, from the diagonal down.
 std::vector<std::size_t> rows_of_column(const Eigen::MatrixXd& matrix, std::size_t column) {
     std::vector<std::size_t> rows;
     for (auto row = static_cast<Eigen::Index>(column); row < matrix.rows(); ++row) {
@@ -74,7 +75,7 @@ TEST(FrontPlanner, FrontsHoldAllRowsOfTheirColumns) {
     }
 }
 
-// 60 rows that are all coupled are one front with 60 * 60 numbers.
+// 60 rows that are all coupled to each other form one front of 60 * 60 numbers.
 TEST(FrontPlanner, RejectsAPlanAboveTheLimit) {
     const test::PointSystem complete = test::complete_system(60);
     const auto plan = [&](std::size_t limit) {
@@ -86,7 +87,7 @@ TEST(FrontPlanner, RejectsAPlanAboveTheLimit) {
     EXPECT_EQ(plan(3600)->workspace_size, 0U);
 }
 
-// The factor alone is within the limit, but not together with the remainders of fronts.
+// The factor alone is within the limit, but not together with the update matrices of fronts.
 TEST(FrontPlanner, CountsTheWorkspaceTowardsTheLimit) {
     const test::PointSystem grid = test::torus_grid(15, 20);
     const FrontPlan unlimited = test::plan_of(grid);
@@ -96,8 +97,9 @@ TEST(FrontPlanner, CountsTheWorkspaceTowardsTheLimit) {
     EXPECT_FALSE(plan_fronts(grid.matrix, grid.nodes, grid.domain, {}, size - 1).has_value());
 }
 
-// The couplings are those of an ordinary grid, and the graph tells them: by position alone, the
-// first fronts would hold half of all points, and the plan fifty times as many numbers.
+// The points are coupled as in an ordinary grid, but have random positions. If the plan were based
+// on positions alone, the first fronts would hold half of all points, and the plan fifty times as
+// many numbers.
 TEST(FrontPlanner, ScatteredPositionsCostLittleMemory) {
     test::PointSystem grid = test::torus_grid(60, 60);
     const std::size_t ordinary = test::plan_of(grid).panels_size;

@@ -24,15 +24,15 @@ FrontPlan plan_of(int bubbles) {
         hessian.matrix(), solver_nodes(foam, unknowns), foam.domain, {}, std::size_t{1} << 30U);
 }
 
-// Simulates the factorization: a front fills its remainder with its own index, and the remainders
-// of its children must still hold theirs.
+// Simulates the factorization: a front fills its update matrix with its own index, and the update
+// matrices of its children must still hold theirs.
 class Playback {
   public:
     explicit Playback(const FrontPlan& plan) : plan_(plan), owners_(plan.workspace_size) {}
 
     void play(std::size_t k) {
         const Front& front = plan_.fronts[k];
-        ASSERT_LE(front.remainder_begin + front.border * front.border, owners_.size());
+        ASSERT_LE(front.update_begin + front.border * front.border, owners_.size());
         fill(front, k);
         if (!front.is_leaf()) {
             expect_kept(front.left);
@@ -40,7 +40,7 @@ class Playback {
         }
     }
 
-    // Step by step, both subtrees, and then the front above them.
+    // Processes the two subtrees of a front in lockstep, and then the front.
     void play_fork(std::size_t root) {
         play_side_by_side(plan_.fronts[root].left, plan_.fronts[root].right);
         play(root);
@@ -62,14 +62,14 @@ class Playback {
 
     void fill(const Front& front, std::size_t value) {
         for (std::size_t k = 0; k < front.border * front.border; ++k) {
-            owners_[front.remainder_begin + k] = value;
+            owners_[front.update_begin + k] = value;
         }
     }
 
     void expect_kept(std::size_t child) {
         const Front& front = plan_.fronts[child];
         for (std::size_t k = 0; k < front.border * front.border; ++k) {
-            ASSERT_EQ(owners_[front.remainder_begin + k], child);
+            ASSERT_EQ(owners_[front.update_begin + k], child);
         }
     }
 
@@ -77,7 +77,7 @@ class Playback {
     std::vector<std::size_t> owners_;
 };
 
-TEST(FrontWorkspace, KeepsRemaindersUntilTheyAreUsed) {
+TEST(FrontWorkspace, KeepsUpdateMatricesUntilTheyAreUsed) {
     for (const int bubbles : {2, 30, 300}) {
         const FrontPlan plan = plan_of(bubbles);
         Playback playback(plan);
@@ -99,7 +99,7 @@ TEST(FrontWorkspace, SeparatesFrontsFactoredConcurrently) {
     EXPECT_EQ(forks, kMaxWorkers - 1);
 }
 
-TEST(FrontWorkspace, IsSmallerThanAllRemaindersTogether) {
+TEST(FrontWorkspace, IsSmallerThanAllUpdateMatricesTogether) {
     const FrontPlan plan = plan_of(1000);
     std::size_t total = 0;
     for (const Front& front : plan.fronts) {

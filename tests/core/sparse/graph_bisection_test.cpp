@@ -11,7 +11,8 @@
 namespace foam {
 namespace {
 
-// The zones of a graph, after a check that nothing joins them and that both are of fair size.
+// Returns the zones of a graph. Expects that no edge connects the zones and that neither zone is
+// too heavy.
 std::vector<Zone> balanced_zones(const WeightedGraph& graph) {
     const std::vector<Zone> zones = bisect(graph);
     EXPECT_EQ(test::edges_across(graph, zones), 0);
@@ -27,8 +28,9 @@ int separator_weight(const WeightedGraph& graph) {
     return test::weight_of(graph, balanced_zones(graph), Zone::Outside);
 }
 
-// A square of side n is cut apart by n points, and a torus by 2 n. A multilevel method promises no
-// bound; METIS 5.1 finds these numbers, and for tori of 10 and 20 more than we do.
+// A separator of a square grid of side n needs n points, and a separator of a torus 2 n points. A
+// multilevel method guarantees no bound. METIS 5.1 finds separators of these weights; for tori of
+// sides 10 and 20 its separators are heavier than ours.
 TEST(GraphBisection, CutsGridsByNearlyAsFewPointsAsPossible) {
     for (const int side : {10, 30, 60, 100}) {
         SCOPED_TRACE(side);
@@ -41,7 +43,7 @@ TEST(GraphBisection, CutsALongTorusAcross) {
     EXPECT_LE(separator_weight(test::graph_of(test::torus_grid(200, 8))), 16);
 }
 
-// Two squares that share one corner: that point is the lightest separator.
+// Two square grids share one corner, which is the lightest separator.
 TEST(GraphBisection, FindsTheOnePointThatJoinsTwoParts) {
     constexpr int kSide = 12;
     constexpr int kPoints = kSide * kSide;

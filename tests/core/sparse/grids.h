@@ -19,16 +19,16 @@
 
 namespace foam::test {
 
-/// A symmetric matrix over points, each of one row.
+/// A symmetric matrix whose rows belong to points, one row per point.
 struct PointSystem {
     Domain domain;
     std::vector<SolverNode> nodes;
     Eigen::SparseMatrix<double> matrix;  // lower triangle
 };
 
-/// Returns the lower triangle of a matrix with -1 for each pair of coupled rows, the lower row
-/// first, and with 10, 11, 12, ... on the diagonal, so that all pivots are positive if no row is
-/// coupled to more than nine others.
+/// Returns the lower triangle of a matrix. The entry of each pair of coupled rows is -1; the lower
+/// row is the first of the pair. The diagonal is 10, 11, 12, ..., so that all pivots are positive
+/// if no row is coupled to more than nine others.
 inline Eigen::SparseMatrix<double> coupled_matrix(
     Eigen::Index rows, const std::vector<std::pair<Eigen::Index, Eigen::Index>>& pairs) {
     std::vector<Eigen::Triplet<double>> entries;
@@ -43,8 +43,8 @@ inline Eigen::SparseMatrix<double> coupled_matrix(
     return matrix;
 }
 
-/// Returns the points of a square grid on the torus, row after row, each coupled to the four beside
-/// it. Precondition: width and height are at least 3.
+/// Returns the points of a square grid on the torus, row after row. Each is coupled to the four
+/// adjacent points. Precondition: width and height are at least 3.
 inline PointSystem torus_grid(int width, int height) {
     PointSystem grid{{static_cast<double>(width), static_cast<double>(height)}, {}, {}};
     std::vector<std::pair<Eigen::Index, Eigen::Index>> pairs;
@@ -74,8 +74,8 @@ inline PointSystem complete_system(int points) {
     return system;
 }
 
-/// Returns the points of a square grid in the plane, row after row, each coupled to those beside
-/// it.
+/// Returns the points of a square grid in the plane, row after row. Each is coupled to the adjacent
+/// points.
 inline PointSystem plane_grid(int side) {
     PointSystem grid{kPlane, {}, {}};
     std::vector<std::pair<Eigen::Index, Eigen::Index>> pairs;
@@ -94,9 +94,9 @@ inline PointSystem plane_grid(int side) {
     return grid;
 }
 
-/// Returns the graph of the coupled points, all of whose edges have weight 1.
+/// Returns the graph of the coupled points. All its edges have weight 1.
 inline WeightedGraph graph_of(const PointSystem& system) {
-    const NodeGraph coupled = coupling(system.matrix, system.nodes);
+    const NodeGraph coupled = node_graph(system.matrix, system.nodes);
     WeightedGraph graph;
     for (const SolverNode& node : system.nodes) {
         graph.weights.push_back(node.rows);
@@ -110,7 +110,7 @@ inline WeightedGraph graph_of(const PointSystem& system) {
     return graph;
 }
 
-/// Gives the points positions that tell nothing of which are coupled.
+/// Gives the points random positions, which say nothing about their couplings.
 inline void scatter(PointSystem& system) {
     std::mt19937 bits(1);
     const auto fraction = [&bits] { return static_cast<double>(bits()) / 4294967296.0; };
@@ -121,17 +121,18 @@ inline void scatter(PointSystem& system) {
     }
 }
 
-/// Returns how many edges have an end in the zone Low and the other in the zone High.
+/// Returns the number of edges between the zones Low and High.
 inline int edges_across(const WeightedGraph& graph, std::span<const Zone> zones) {
     int across = 0;
     for (std::uint32_t node = 0; node < graph.size(); ++node) {
-        for (const WeightedGraph::Edge& edge : graph.of(node)) {
+        for (const WeightedGraph::Edge& edge : graph.edges_of(node)) {
             across += zones[node] == Zone::Low && zones[edge.to] == Zone::High ? 1 : 0;
         }
     }
     return across;
 }
 
+/// Returns the total weight of the nodes in a zone.
 inline int weight_of(const WeightedGraph& graph, std::span<const Zone> zones, Zone zone) {
     int weight = 0;
     for (std::uint32_t node = 0; node < graph.size(); ++node) {
@@ -140,18 +141,19 @@ inline int weight_of(const WeightedGraph& graph, std::span<const Zone> zones, Zo
     return weight;
 }
 
+/// Returns the plan for a system, practically without a limit on its size.
 inline FrontPlan plan_of(const PointSystem& system) {
     return *plan_fronts(system.matrix, system.nodes, system.domain, {}, std::size_t{1} << 40U);
 }
 
-/// Returns the whole matrix, its rows and columns in the order of elimination.
+/// Returns both triangles of the matrix. Rows and columns are in the order of elimination.
 inline Eigen::MatrixXd reordered(const PointSystem& system, const FrontPlan& plan) {
     const Eigen::SparseMatrix<double> whole = system.matrix.selfadjointView<Eigen::Lower>();
     Eigen::MatrixXd result = Eigen::MatrixXd::Zero(whole.rows(), whole.cols());
     for (Eigen::Index column = 0; column < whole.cols(); ++column) {
         for (Eigen::SparseMatrix<double>::InnerIterator at(whole, column); at; ++at) {
-            result(plan.elimination[static_cast<std::size_t>(at.row())],
-                   plan.elimination[static_cast<std::size_t>(column)]) = at.value();
+            result(plan.position_of_row[static_cast<std::size_t>(at.row())],
+                   plan.position_of_row[static_cast<std::size_t>(column)]) = at.value();
         }
     }
     return result;

@@ -12,11 +12,12 @@ namespace {
 using Neighbors = std::vector<std::uint32_t>;
 
 Neighbors neighbors_of(const NodeGraph& graph, std::size_t node) {
-    return {graph.of(node).begin(), graph.of(node).end()};
+    return {graph.neighbors_of(node).begin(), graph.neighbors_of(node).end()};
 }
 
-// Rows 0 and 1 are a node, 2 is one, 3 and 4 are one. The first is coupled to the last by two
-// entries, the second to the last by one, and the entry within the first node counts for nothing.
+// The first node has rows 0 and 1, the second row 2, the third rows 3 and 4. Two entries couple the
+// first node with the third, and one entry couples the second with the third. The entry within the
+// first node is ignored.
 TEST(NodeGraph, CouplesNodesThatShareAnEntry) {
     const std::vector<SolverNode> nodes{{Vec2::Zero(), 2}, {Vec2::Zero(), 1}, {Vec2::Zero(), 2}};
     Eigen::SparseMatrix<double> lower(5, 5);
@@ -26,7 +27,7 @@ TEST(NodeGraph, CouplesNodesThatShareAnEntry) {
         lower.insert(row, column) = 1.0;
     }
     lower.makeCompressed();
-    const NodeGraph graph = coupling(lower, nodes);
+    const NodeGraph graph = node_graph(lower, nodes);
     EXPECT_EQ(neighbors_of(graph, 0), (Neighbors{2}));
     EXPECT_EQ(neighbors_of(graph, 1), (Neighbors{2}));
     EXPECT_EQ(neighbors_of(graph, 2), (Neighbors{0, 1}));
@@ -35,7 +36,7 @@ TEST(NodeGraph, CouplesNodesThatShareAnEntry) {
 TEST(NodeGraph, HasNoLoops) {
     Eigen::SparseMatrix<double> diagonal(3, 3);
     diagonal.setIdentity();
-    const NodeGraph graph = coupling(diagonal, std::vector<SolverNode>(3));
+    const NodeGraph graph = node_graph(diagonal, std::vector<SolverNode>(3));
     EXPECT_TRUE(graph.neighbors.empty());
     EXPECT_EQ(graph.begins, std::vector<std::size_t>(4, 0));
 }

@@ -20,7 +20,7 @@ struct Division {
 };
 
 Division divide_all(const test::PointSystem& system, const DissectionOptions& options = {}) {
-    const NodeGraph graph = coupling(system.matrix, system.nodes);
+    const NodeGraph graph = node_graph(system.matrix, system.nodes);
     DivisionMemory memory(system.nodes.size());
     PartDivider divider(graph, system.nodes, system.domain, options, memory);
     std::vector<std::uint32_t> part(system.nodes.size());
@@ -41,7 +41,7 @@ TEST(PartDivider, TrustsPositionsThatProposeALightSeparator) {
     EXPECT_EQ(division.boxes.high->high, Vec2(40.0, 30.0));
 }
 
-// By position, half of all couplings of scattered points would cross the cut.
+// If scattered points were divided by position, half of all couplings would cross the cut.
 TEST(PartDivider, DividesByTheGraphIfPositionsMislead) {
     test::PointSystem system = test::torus_grid(40, 30);
     test::scatter(system);
@@ -52,7 +52,7 @@ TEST(PartDivider, DividesByTheGraphIfPositionsMislead) {
 
 TEST(PartDivider, DividesByTheGraphIfThereIsNoBox) {
     const test::PointSystem system = test::plane_grid(20);
-    const NodeGraph graph = coupling(system.matrix, system.nodes);
+    const NodeGraph graph = node_graph(system.matrix, system.nodes);
     DivisionMemory memory(system.nodes.size());
     std::vector<std::uint32_t> part(system.nodes.size());
     std::iota(part.begin(), part.end(), 0U);
@@ -61,7 +61,8 @@ TEST(PartDivider, DividesByTheGraphIfThereIsNoBox) {
     EXPECT_LE(test::weight_of(test::graph_of(system), memory.zones, Zone::Outside), 25);
 }
 
-// Every other four rows of points lie further right, so that the cut at the median has teeth.
+// In every other group of four rows, points are shifted to the right, so that the cut at the median
+// is toothed.
 TEST(PartDivider, RefinesTheSeparatorsOfLargeGraphs) {
     test::PointSystem system = test::plane_grid(50);
     for (SolverNode& node : system.nodes) {

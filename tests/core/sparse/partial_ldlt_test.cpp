@@ -14,7 +14,8 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-// A symmetric matrix whose first third is positive definite and whose rest is negative definite.
+// Returns a symmetric matrix, of which the first third is positive definite and the rest is
+// negative definite.
 MatrixXd quasi_definite(Index size) {
     std::srand(7);  // NOLINT(cert-msc51-cpp): Eigen's Random draws from it
     MatrixXd matrix = MatrixXd::Random(size, size);
@@ -28,11 +29,12 @@ MatrixXd quasi_definite(Index size) {
 
 struct Partial {
     MatrixXd panel;
-    MatrixXd remainder;
+    MatrixXd update_matrix;
     bool succeeded = false;
 };
 
-// What is above the diagonal is not a number on entry: it must not be used.
+// Eliminates the first columns of a matrix. Elements above the diagonal are NaN on entry, because
+// they must not be used.
 Partial eliminate(const MatrixXd& matrix, Index pivots) {
     MatrixXd lower = matrix.triangularView<Eigen::Lower>();
     lower.triangularView<Eigen::StrictlyUpper>().setConstant(
@@ -42,9 +44,9 @@ Partial eliminate(const MatrixXd& matrix, Index pivots) {
     std::vector<double> scratch(
         ldlt_scratch(static_cast<std::size_t>(pivots), static_cast<std::size_t>(border)));
     const DenseView<double> panel(result.panel.data(), matrix.rows(), pivots);
-    const DenseView<double> remainder(result.remainder.data(), border, border);
+    const DenseView<double> update_matrix(result.update_matrix.data(), border, border);
     result.succeeded = factor_panel(panel, scratch.data());
-    update_remainder(panel, remainder, scratch.data());
+    complete_update_matrix(panel, update_matrix, scratch.data());
     return result;
 }
 
@@ -57,12 +59,12 @@ void expect_eliminated(const MatrixXd& matrix, Index pivots) {
     MatrixXd D = MatrixXd::Zero(matrix.rows(), matrix.rows());
     D.diagonal().head(pivots) = partial.panel.diagonal();
     const Index border = matrix.rows() - pivots;
-    D.bottomRightCorner(border, border) = partial.remainder.selfadjointView<Eigen::Lower>();
+    D.bottomRightCorner(border, border) = partial.update_matrix.selfadjointView<Eigen::Lower>();
     const double error = (L * D * L.transpose() - matrix).cwiseAbs().maxCoeff();
     EXPECT_LT(error, 1e-14 * static_cast<double>(matrix.rows()) * matrix.cwiseAbs().maxCoeff());
 }
 
-// 300 pivots are more than kLargestDepth holds twice.
+// 300 pivots are more than kMaxDepth holds twice.
 TEST(PartialLdlt, GivesBackTheMatrix) {
     for (const Index pivots : {0, 1, 2, 15, 16, 17, 33, 100, 300}) {
         for (const Index border : {0, 1, 7, 60}) {

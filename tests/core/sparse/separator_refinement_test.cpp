@@ -16,8 +16,9 @@ namespace {
 constexpr int kSide = 20;
 constexpr int kMaxWeight = kSide * kSide / 5 * 3;
 
-// The zones of a square grid in the plane: a separator of some columns left and right of the middle
-// one, Low to its left and High to its right.
+// Returns the zones of a square grid in the plane. The separator consists of the middle column and
+// of the given number of columns on each side of it. Low is on the left of the separator, High on
+// its right.
 std::vector<Zone> thick_separator(int columns_beside) {
     std::vector<Zone> zones;
     for (int k = 0; k < kSide * kSide; ++k) {
@@ -29,7 +30,7 @@ std::vector<Zone> thick_separator(int columns_beside) {
     return zones;
 }
 
-// A separator of seven columns shrinks to one column, the lightest there is within the limits.
+// A separator of seven columns shrinks to one column, the lightest separator within the limits.
 TEST(SeparatorRefinement, FindsTheLightestSeparatorOfAGrid) {
     const WeightedGraph graph = test::graph_of(test::plane_grid(kSide));
     std::vector<Zone> zones = thick_separator(3);
@@ -62,8 +63,8 @@ TEST(SeparatorRefinement, NeverMakesASeparatorHeavier) {
     EXPECT_LE(refinement.cost(), before);
 }
 
-// The separator of a chain could be any of its nodes. It starts at the left end, and the difference
-// of the zones decides: it ends in the middle.
+// Any node of a chain can be the separator. It starts at the left end and ends in the middle,
+// because zones of equal weight are preferred.
 TEST(SeparatorRefinement, PrefersZonesOfEqualWeight) {
     WeightedGraph chain;
     constexpr std::uint32_t kNodes = 41;
@@ -86,8 +87,8 @@ TEST(SeparatorRefinement, PrefersZonesOfEqualWeight) {
     EXPECT_EQ(zones[kNodes / 2], Zone::Outside);
 }
 
-// A separator of one column makes the zones weigh 380 together. With at most 175 in each, it must
-// be heavier.
+// With a separator of one column, the two zones weigh 380 together. If each may weigh at most 175,
+// the separator must be heavier.
 TEST(SeparatorRefinement, KeepsZonesWithinTheLimit) {
     const WeightedGraph graph = test::graph_of(test::plane_grid(kSide));
     std::vector<Zone> zones = thick_separator(3);

@@ -29,7 +29,8 @@ std::vector<Zone> separated(const NodeGraph& graph,
     return zones;
 }
 
-// A chain of eight nodes of two rows, except the third, which has one. The border is in its middle.
+// Returns the zones of a chain of eight nodes after `separate`. The third node has one row, each
+// other node two rows. The border between the zones is in the middle of the chain.
 std::vector<Zone> separated_chain(const SeparatorOptions& options) {
     NodeGraph chain;
     std::vector<SolverNode> nodes;
@@ -47,22 +48,23 @@ std::vector<Zone> separated_chain(const SeparatorOptions& options) {
     return separated(chain, nodes, {kLow, kLow, kLow, kLow, kHigh, kHigh, kHigh, kHigh}, options);
 }
 
-// The third node is in the first layer beside the border.
+// The third node is one layer away from the border and is therefore in the band.
 TEST(Separator, TakesTheLightestNodeOfTheBand) {
     EXPECT_EQ(separated_chain({.band_layers = 1, .band_fraction = 1.0}),
               (std::vector{kLow, kLow, kOutside, kHigh, kHigh, kHigh, kHigh, kHigh}));
 }
 
-// Of the two nodes at the border, which are equally light, the cut takes the one in the zone Low.
+// The two nodes at the border are equally light. The cut takes the node in the zone Low.
 TEST(Separator, StaysAtTheBorderIfTheBandHasNoLayers) {
     const std::vector expected{kLow, kLow, kLow, kOutside, kHigh, kHigh, kHigh, kHigh};
     EXPECT_EQ(separated_chain({.band_layers = 0, .band_fraction = 1.0}), expected);
-    // A layer would make the band hold two of four nodes of the zone.
+    // With one layer the band would hold two of the four nodes of a zone, more than the fraction
+    // 0.4.
     EXPECT_EQ(separated_chain({.band_layers = 1, .band_fraction = 0.4}), expected);
 }
 
-// A torus whose left half is in the zone Low; in odd rows, both borders are three columns further
-// to the right.
+// Returns zones of a torus, whose left half is in the zone Low. In odd rows, both borders are three
+// columns further to the right.
 std::vector<Zone> toothed_zones(const test::PointSystem& torus) {
     std::vector<Zone> zones;
     for (const SolverNode& node : torus.nodes) {
@@ -73,11 +75,12 @@ std::vector<Zone> toothed_zones(const test::PointSystem& torus) {
     return zones;
 }
 
-// A straight separator takes one node of each of the ten rows. If it must touch both zones, it
-// takes two nodes of every other row, where it goes from one tooth to the next.
+// The two borders of the torus need a separator each. A straight separator takes one node of each
+// of the ten rows. Without layers, a separator has to follow the border and takes two nodes of
+// every other row.
 TEST(Separator, StraightensTheBorderWithinTheBand) {
     const test::PointSystem torus = test::torus_grid(20, 10);
-    const NodeGraph graph = coupling(torus.matrix, torus.nodes);
+    const NodeGraph graph = node_graph(torus.matrix, torus.nodes);
     for (const auto& [layers, size] : {std::pair(0, 30), std::pair(1, 20)}) {
         const std::vector<Zone> zones = separated(graph,
                                                   torus.nodes,
@@ -85,7 +88,7 @@ TEST(Separator, StraightensTheBorderWithinTheBand) {
                                                   {.band_layers = layers, .band_fraction = 1.0});
         EXPECT_EQ(std::count(zones.begin(), zones.end(), kOutside), size) << layers << " layers";
         for (std::size_t node = 0; node < zones.size(); ++node) {
-            for (const std::uint32_t neighbor : graph.of(node)) {
+            for (const std::uint32_t neighbor : graph.neighbors_of(node)) {
                 EXPECT_FALSE(zones[node] == kLow && zones[neighbor] == kHigh);
             }
         }

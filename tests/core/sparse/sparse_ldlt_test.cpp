@@ -26,10 +26,11 @@ struct System {
     std::vector<SolverNode> nodes;
     SparseMatrix matrix;  // lower triangle
     Eigen::VectorXd right_hand_side;
-    Eigen::Index positions = 0;  // rows of positions, before those of pressures
+    Eigen::Index positions = 0;  // rows of positions, before the rows of pressures
 };
 
-// The Hessian, moved away from its null modes: K + shift and -D - shift on the diagonal.
+// Returns the system of the Hessian without null modes: `shift` is added to the diagonal in rows of
+// positions and subtracted in rows of pressures.
 System system_of(const Foam& foam, double shift) {
     const Unknowns unknowns = all_unknowns(foam.network);
     Hessian hessian(foam.network, unknowns);
@@ -63,7 +64,8 @@ double largest_entry(const SparseMatrix& matrix) {
     return matrix.coeffs().abs().maxCoeff();
 }
 
-// |A x - b| <= 1e-14 n |A| |x|, with largest entries for norms.
+// Expects that |A x - b| <= 1e-14 n |A| |x|, where norms are the magnitudes of the largest
+// elements.
 void expect_solves(const SparseLdlt<double>& solver, const System& system) {
     const Eigen::VectorXd x = solver.solve(system.right_hand_side);
     const Eigen::VectorXd residual =
@@ -73,7 +75,8 @@ void expect_solves(const SparseLdlt<double>& solver, const System& system) {
                   x.cwiseAbs().maxCoeff());
 }
 
-// With a shift of 0.1 the condition is some 1e3: agreement to 1e-11 is agreement to rounding.
+// With a shift of 0.1 the condition number is about 1e3. Solutions that differ only by rounding
+// then agree to 1e-11.
 void expect_agrees_with_dense(const System& system) {
     const SparseMatrix whole = system.matrix.selfadjointView<Eigen::Lower>();
     const Eigen::MatrixXd dense(whole);
@@ -97,7 +100,7 @@ TEST(SparseLdlt, SolvesWhereBubblesMeetThemselves) {
     expect_agrees_with_dense(system_of(honeycomb(2, 30), 0.1));
 }
 
-// The shift with which Newton's method takes care of the null modes.
+// With a shift of 1e-9 the null modes make the matrix nearly singular.
 TEST(SparseLdlt, SolvesNearlySingularSystems) {
     for (const double aspect : {1.0, 4.0}) {
         const System system = system_of(relaxed_foam(500, aspect), 1e-9);
@@ -129,7 +132,7 @@ TEST(SparseLdlt, CountsPivotsOfADiagonalMatrix) {
     EXPECT_GE(solver.nonzeros(), 40U);
 }
 
-// 800 bubbles have 4000 rows: enough for threads to be used.
+// 800 bubbles have 4000 rows, enough for several threads to be used.
 TEST(SparseLdlt, HasTheSameBitsOnAnyNumberOfThreads) {
     const System system = system_of(relaxed_foam(800), 1e-9);
     const Eigen::VectorXd expected = factored(system, 1).solve(system.right_hand_side);
@@ -139,7 +142,7 @@ TEST(SparseLdlt, HasTheSameBitsOnAnyNumberOfThreads) {
     }
 }
 
-// Each thread has scratch memory of its own.
+// Each thread has scratch memory of its own, so that the memory depends on the number of threads.
 TEST(SparseLdlt, UsesAllThreadsIfTheirNumberIsZero) {
     const SparseLdlt<double> solver = factored(system_of(relaxed_foam(800), 1e-9));
     EXPECT_EQ(solver.memory_bytes(0), solver.memory_bytes(thread_count(0)));

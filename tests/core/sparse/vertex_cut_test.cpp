@@ -45,7 +45,8 @@ int weight_of_cut(const CutProblem& problem, const std::vector<CutSide>& sides) 
     return weight;
 }
 
-// Whether no source lies beyond the cut, no sink before it, and no pair leads across it.
+// Returns true if no source is behind the cut, no sink is in front of it, and no connection crosses
+// it.
 bool is_cut(const CutProblem& problem, const std::vector<CutSide>& sides) {
     for (const std::size_t node : problem.sources) {
         if (sides[node] == CutSide::Sink) {
@@ -66,7 +67,7 @@ bool is_cut(const CutProblem& problem, const std::vector<CutSide>& sides) {
     return true;
 }
 
-// Tries all 3^n ways to put the nodes on a side.
+// Returns the weight of the lightest cut, by trying all 3^n assignments of nodes to sides.
 int lightest_by_trial(const CutProblem& problem) {
     std::vector<CutSide> sides(problem.weights.size(), CutSide::Source);
     int lightest = weight_of_cut(problem, std::vector(sides.size(), CutSide::Cut));
@@ -101,7 +102,7 @@ CutProblem random_problem(std::mt19937& random) {
     return problem;
 }
 
-// A chain 0-1-2-3-4 whose lightest node is 2.
+// In the chain 0-1-2-3-4, node 2 is the lightest.
 TEST(VertexCut, TakesTheLightestNodeOfAChain) {
     VertexCut cut;
     const CutProblem chain{{3, 2, 1, 2, 3}, {{0, 1}, {1, 2}, {2, 3}, {3, 4}}, {0}, {4}};
@@ -116,8 +117,9 @@ TEST(VertexCut, TakesOfEquallyLightCutsTheOneNextToTheSources) {
     EXPECT_EQ(solve(cut, chain), (std::vector{CutSide::Cut, CutSide::Sink, CutSide::Sink}));
 }
 
-// Two columns of three nodes, each coupled to its opposite and to the one below that: the left
-// column weighs 6, the right one 5, but its two lower nodes and the upper left one weigh 4.
+// Two columns of three nodes each. Each node of the left column is coupled to the opposite node and
+// to the node below that. The left column weighs 6 and the right column 5, but the two lower nodes
+// of the right column and the upper node of the left column weigh 4.
 TEST(VertexCut, MayRunThroughSourcesAndSinks) {
     VertexCut cut;
     const CutProblem columns{

@@ -17,7 +17,8 @@ namespace {
 
 constexpr int kAnyWeight = 1000000;
 
-// Nodes 0, 1, 2 and 3 around a square, whose side from 1 to 2 has weight 5 and the others 1.
+// Returns the graph of a square with the corners 0, 1, 2 and 3. The side from 1 to 2 has weight 5,
+// the other sides weight 1.
 WeightedGraph square() {
     return {{1, 2, 3, 4},
             {{1, 1}, {3, 1}, {0, 1}, {2, 5}, {1, 5}, {3, 1}, {0, 1}, {2, 1}},
@@ -25,23 +26,23 @@ WeightedGraph square() {
 }
 
 int degree(const WeightedGraph& graph, std::uint32_t node) {
-    return static_cast<int>(graph.of(node).size());
+    return static_cast<int>(graph.edges_of(node).size());
 }
 
-// Node 0 comes first and takes node 1, the first of its neighbors; 2 and 3 are left. The two sides
-// between the pairs become one edge of weight 5 + 1.
+// Node 0 is merged first, with the first of its neighbors, node 1. Nodes 2 and 3 are left. The two
+// edges between the pairs become one edge of weight 5 + 1.
 TEST(WeightedGraph, MergesNeighborsAndAddsUpTheirEdges) {
     const CoarseGraph coarse = coarsen(square(), kAnyWeight);
     EXPECT_EQ(coarse.coarse_of, (std::vector<std::uint32_t>{0, 0, 1, 1}));
     EXPECT_EQ(coarse.graph.weights, (std::vector{3, 7}));
     ASSERT_EQ(degree(coarse.graph, 0), 1);
-    EXPECT_EQ(coarse.graph.of(0).front().to, 1U);
-    EXPECT_EQ(coarse.graph.of(0).front().weight, 6);
-    EXPECT_EQ(coarse.graph.of(1).front().weight, 6);
+    EXPECT_EQ(coarse.graph.edges_of(0).front().to, 1U);
+    EXPECT_EQ(coarse.graph.edges_of(0).front().weight, 6);
+    EXPECT_EQ(coarse.graph.edges_of(1).front().weight, 6);
 }
 
-// Node 0 would take 1 or 3, but is too heavy with either if pairs may weigh 5: 1 and 3 are then
-// free, 1 takes 2, with which it shares the heavier edge.
+// Pairs may weigh at most 5, so that node 0, of weight 4, cannot be merged with node 1 or 3. Node 1
+// is then merged with node 2, to which its edge is heaviest.
 TEST(WeightedGraph, MergesAcrossTheHeaviestEdgeWithinTheLimit) {
     WeightedGraph graph = square();
     graph.weights[0] = 4;
@@ -53,7 +54,7 @@ TEST(WeightedGraph, MergesAcrossTheHeaviestEdgeWithinTheLimit) {
 std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges_of(const WeightedGraph& graph) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
     for (std::uint32_t node = 0; node < graph.size(); ++node) {
-        for (const auto& [to, weight] : graph.of(node)) {
+        for (const auto& [to, weight] : graph.edges_of(node)) {
             EXPECT_TRUE(edges.emplace(std::pair(node, to), weight).second) << "parallel edges";
         }
     }
@@ -69,7 +70,7 @@ TEST(WeightedGraph, KeepsWeightsOverManyRoundsOfMerging) {
         std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
         for (std::uint32_t node = 0; node < fine.size(); ++node) {
             weights[coarse.coarse_of[node]] += fine.weights[node];
-            for (const auto& [to, weight] : fine.of(node)) {
+            for (const auto& [to, weight] : fine.edges_of(node)) {
                 if (coarse.coarse_of[node] != coarse.coarse_of[to]) {
                     edges[{coarse.coarse_of[node], coarse.coarse_of[to]}] += weight;
                 }

@@ -14,12 +14,13 @@ namespace {
 
 const ImageOptions kWide{.width = 400, .height = 200, .maps = {}};
 
-// A circle of radius 2 around (3, 1).
+// Returns a frame of one lone bubble: a circle of radius 2 around (3, 1).
 Frame circle() {
     return snapshot(test::circles({{0, {3.0, 1.0}, 4.0 * std::numbers::pi}}), 1);
 }
 
-// The shorter side decides: 4 units on 200 pixels less 10 % on each side.
+// The shorter side of the image determines the scale. With a margin of 10 % on each side, 160 of
+// its 200 pixels show the 4 units of the circle.
 TEST(Camera, FitsThePatchWithItsMargin) {
     const View view = camera_view(circle(), kWide, {.margin = 0.1});
     EXPECT_NEAR(view.pixels_per_unit, 40.0, 1e-12);
@@ -27,7 +28,8 @@ TEST(Camera, FitsThePatchWithItsMargin) {
     EXPECT_NEAR(camera_view(circle(), kWide, {.margin = 0.0}).pixels_per_unit, 50.0, 1e-12);
 }
 
-// Three quarters to the right in 400 pixels of 50 a unit are 2 units, one quarter up in 200 is 1.
+// Before zoom, the scale is 50 pixels per unit. The position (0.75, 0.25) is 100 pixels right of
+// the center of the image and 50 pixels below it: 2 units and 1 unit.
 TEST(Camera, ZoomsInOnAPositionInTheFittedImage) {
     const View view =
         camera_view(circle(), kWide, {.zoom = 3.0, .margin = 0.0, .center = {0.75, 0.25}});
@@ -35,8 +37,8 @@ TEST(Camera, ZoomsInOnAPositionInTheFittedImage) {
     EXPECT_NEAR((view.center - Vec2(5.0, 0.0)).norm(), 0.0, 1e-12);
 }
 
-// No point of any arc is outside of the image, and some lie on its border; the outer arcs of two
-// bubbles turn by more than half a circle.
+// No point of any arc is outside of the image, and some points are on its border. The outer arcs of
+// two bubbles turn by more than half a circle, so they extend beyond their ends.
 TEST(Camera, SeesHowFarArcsBulge) {
     const Frame frame = snapshot(test::patch_foam(2, 1), 1);
     ASSERT_EQ(frame.bubbles.size(), 2U);

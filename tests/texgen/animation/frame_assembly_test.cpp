@@ -21,7 +21,7 @@ SimulatedFrame state_of(int number) {
 
 struct Shown {
     int number;
-    int next;  // 0 if there is none
+    int next;  // 0 without a next frame
     int t1;
     friend bool operator==(const Shown&, const Shown&) = default;
 };
@@ -30,6 +30,8 @@ std::ostream& operator<<(std::ostream& out, const Shown& shown) {
     return out << shown.number << " -> " << shown.next << ", " << shown.t1 << " T1";
 }
 
+// Passes the states that the given frames need to a FrameAssembly. Returns the frames that it hands
+// out. Checks the numbers of the states.
 std::vector<Shown> assembled(const Preset& preset,
                              const std::vector<int>& numbers,
                              NextFrames next_frames,
@@ -45,30 +47,30 @@ std::vector<Shown> assembled(const Preset& preset,
     return all;
 }
 
-// State k took k T1; a frame counts all since the frame before it.
+// The effort of state k is k T1s. The effort of a frame is the sum since the frame before it.
 TEST(FrameAssembly, HandsOutFramesWithTheEffortSinceTheLast) {
-    EXPECT_EQ(assembled({}, {2, 5}, NextFrames::LeftOut, {2, 5}),
+    EXPECT_EQ(assembled({}, {2, 5}, NextFrames::Omitted, {2, 5}),
               (std::vector<Shown>{{2, 0, 2}, {5, 0, 5}}));
 }
 
 TEST(FrameAssembly, TheNextFrameNeedsAStateMore) {
-    EXPECT_EQ(assembled({}, {2, 4}, NextFrames::HandedOut, {2, 3, 4, 5}),
+    EXPECT_EQ(assembled({}, {2, 4}, NextFrames::Included, {2, 3, 4, 5}),
               (std::vector<Shown>{{2, 3, 2}, {4, 5, 7}}));
 }
 
 TEST(FrameAssembly, APatchNeedsItsFirstState) {
     Preset preset;
     preset.shape.kind = FoamKind::Patch;
-    EXPECT_EQ(assembled(preset, {3}, NextFrames::LeftOut, {1, 3}), (std::vector<Shown>{{3, 0, 4}}));
+    EXPECT_EQ(assembled(preset, {3}, NextFrames::Omitted, {1, 3}), (std::vector<Shown>{{3, 0, 4}}));
 }
 
-// A pingpong of 6 frames shows the states 1 2 3 4 3 2: a state on the way back costs nothing more.
+// A pingpong of 6 frames shows the states 1 2 3 4 3 2. A state that is shown again adds no effort.
 TEST(FrameAssembly, APingPongShowsStatesAgain) {
     Preset preset;
     preset.loop.kind = LoopKind::PingPong;
     preset.frames.count = 6;
     EXPECT_EQ(
-        assembled(preset, {1, 2, 3, 4, 5, 6}, NextFrames::LeftOut, {1, 2, 3, 4}),
+        assembled(preset, {1, 2, 3, 4, 5, 6}, NextFrames::Omitted, {1, 2, 3, 4}),
         (std::vector<Shown>{{1, 0, 1}, {2, 0, 2}, {6, 0, 0}, {3, 0, 3}, {5, 0, 0}, {4, 0, 4}}));
 }
 

@@ -25,7 +25,8 @@ TEST(Seed, ATorusHasTheAspectOfTheImageAndAreaOneABubble) {
     EXPECT_NEAR(domain.area(), 60.0, 1e-12);
 }
 
-// An ellipse of area 60 and aspect 4 is 17.5 wide and 4.4 high, whatever the image.
+// An ellipse of area 60 and aspect ratio 4 is 17.5 wide and 4.4 high. The size of the image has no
+// influence.
 TEST(Seed, APatchHasTheShapeOfItsOutlineAndAreaOneABubble) {
     Preset preset = preset_of(FoamKind::Patch);
     preset.shape.outline_aspect = 4.0;
@@ -46,7 +47,7 @@ TEST(Seed, APatchHasTheShapeOfItsOutlineAndAreaOneABubble) {
     EXPECT_NEAR(reach.y(), 2.2, 0.6);
 }
 
-// Of two cells of a sliver, one has no corner of three sides.
+// The outline is so narrow that no draw of two sites gives a valid foam.
 TEST(Seed, AnOutlineThatHoldsNoFoamIsABadRequest) {
     Preset preset = preset_of(FoamKind::Patch);
     preset.seeding.bubbles = 2;
@@ -56,6 +57,18 @@ TEST(Seed, AnOutlineThatHoldsNoFoamIsABadRequest) {
         FAIL();
     } catch (const std::invalid_argument& error) {
         EXPECT_EQ(std::string(error.what()).find("foam.outline: cannot seed 2 bubbles"), 0U);
+    }
+}
+
+// One site on a torus and its copies make rectangles, whose corners join four cells.
+TEST(Seed, ATorusThatHoldsNoFoamIsABadRequest) {
+    Preset preset = preset_of(FoamKind::Torus);
+    preset.seeding.bubbles = 1;
+    try {
+        seeded_foam(preset);
+        FAIL();
+    } catch (const std::invalid_argument& error) {
+        EXPECT_EQ(std::string(error.what()).find("foam.bubbles: cannot seed 1 bubbles"), 0U);
     }
 }
 

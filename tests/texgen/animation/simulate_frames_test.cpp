@@ -28,7 +28,7 @@ struct Visit {
 std::vector<Visit> visits(const std::vector<int>& numbers) {
     std::vector<Visit> all;
     const RunOutcome outcome = simulate_frames(
-        small_preset(), 1, numbers, NextFrames::LeftOut, [&](const SimulatedFrame& shown) {
+        small_preset(), 1, numbers, NextFrames::Omitted, [&](const SimulatedFrame& shown) {
             all.push_back({shown.frame->number, shown.frame->time, shown.effort});
         });
     EXPECT_EQ(outcome.status, RunStatus::Complete);
@@ -60,12 +60,12 @@ TEST(SimulateFrames, EffortsAddUpOverFramesInBetween) {
     EXPECT_GT(two[0].effort.seconds, 0.0);
 }
 
-// Of frames 2, 3 and 5.
+// The visitor receives frames 2, 3 and 5, each with the frame after it.
 TEST(SimulateFrames, HandsOutTheFramesAfterThem) {
     std::vector<std::pair<int, int>> pairs;
     std::vector<std::shared_ptr<const Frame>> frames;
     simulate_frames(
-        small_preset(), 1, {5, 2, 3}, NextFrames::HandedOut, [&](const SimulatedFrame& shown) {
+        small_preset(), 1, {5, 2, 3}, NextFrames::Included, [&](const SimulatedFrame& shown) {
             pairs.emplace_back(shown.frame->number, shown.next->number);
             frames.push_back(shown.frame);
             frames.push_back(shown.next);
@@ -74,11 +74,11 @@ TEST(SimulateFrames, HandsOutTheFramesAfterThem) {
     EXPECT_EQ(frames[1], frames[2]);
 }
 
-TEST(SimulateFrames, EffortsDoNotDependOnWhetherNextFramesAreHandedOut) {
+TEST(SimulateFrames, EffortsDoNotDependOnWhetherNextFramesAreIncluded) {
     const std::vector<Visit> usual = visits({1, 4, 6});
     std::size_t k = 0;
     simulate_frames(
-        small_preset(), 1, {1, 4, 6}, NextFrames::HandedOut, [&](const SimulatedFrame& shown) {
+        small_preset(), 1, {1, 4, 6}, NextFrames::Included, [&](const SimulatedFrame& shown) {
             EXPECT_EQ(shown.effort.t1, usual[k].effort.t1);
             EXPECT_EQ(shown.effort.t2, usual[k].effort.t2);
             EXPECT_EQ(shown.effort.area_error, usual[k].effort.area_error);
@@ -87,7 +87,8 @@ TEST(SimulateFrames, EffortsDoNotDependOnWhetherNextFramesAreHandedOut) {
     EXPECT_EQ(k, 3U);
 }
 
-// Six frames: 1 2 3 4 3 2 of the foam, each with the one that is shown after it.
+// The six frames of the loop show the states 1 2 3 4 3 2, each with the state that is shown after
+// it.
 TEST(SimulateFrames, APingpongReversesAtItsMiddle) {
     Preset preset = small_preset();
     preset.loop.kind = LoopKind::PingPong;
@@ -95,7 +96,7 @@ TEST(SimulateFrames, APingpongReversesAtItsMiddle) {
     preset.frames.step_growth = 1.0;
     std::map<int, std::pair<double, double>> times;
     simulate_frames(
-        preset, 1, {1, 2, 3, 4, 5, 6}, NextFrames::HandedOut, [&](const SimulatedFrame& shown) {
+        preset, 1, {1, 2, 3, 4, 5, 6}, NextFrames::Included, [&](const SimulatedFrame& shown) {
             times[shown.frame->number] = {shown.frame->time, shown.next->time};
         });
     ASSERT_EQ(times.size(), 6U);
@@ -110,17 +111,18 @@ TEST(SimulateFrames, APingpongReversesAtItsMiddle) {
 
 TEST(FrameAssembly, NeedsTheStatesOfItsFramesAndThoseAfterThem) {
     Preset preset;
-    EXPECT_EQ(FrameAssembly(preset, {5, 2, 3}, NextFrames::LeftOut, {}).states(),
+    EXPECT_EQ(FrameAssembly(preset, {5, 2, 3}, NextFrames::Omitted, {}).states(),
               (std::vector<int>{2, 3, 5}));
-    EXPECT_EQ(FrameAssembly(preset, {5, 2, 3}, NextFrames::HandedOut, {}).states(),
+    EXPECT_EQ(FrameAssembly(preset, {5, 2, 3}, NextFrames::Included, {}).states(),
               (std::vector<int>{2, 3, 4, 5, 6}));
     preset.loop.kind = LoopKind::PingPong;
     preset.frames.count = 6;
-    EXPECT_EQ(FrameAssembly(preset, {5, 6}, NextFrames::HandedOut, {}).states(),
+    EXPECT_EQ(FrameAssembly(preset, {5, 6}, NextFrames::Included, {}).states(),
               (std::vector<int>{1, 2, 3}));
 }
 
-// Eight frames, the last four of which fade: states 5 to 12, and 1 to 4.
+// The last four of eight frames fade. The frames show states 5 to 12; the last four also show
+// states 1 to 4.
 TEST(SimulateFrames, AFlowFadesIntoItsBeginning) {
     Preset preset = small_preset();
     preset.loop = {.kind = LoopKind::Flow, .fade = 0.5};
@@ -132,19 +134,19 @@ TEST(SimulateFrames, AFlowFadesIntoItsBeginning) {
     simulate_frames(preset,
                     1,
                     {1, 2, 3, 4, 5, 6, 7, 8},
-                    NextFrames::HandedOut,
+                    NextFrames::Included,
                     [&](const SimulatedFrame& shown) {
                         const int number = shown.frame->number;
                         numbers.push_back(number);
                         first = number == 1 ? shown.frame : first;
-                        last_next = shown.rising.next;
+                        last_next = shown.fading_in.next;
                         EXPECT_NEAR(shown.frame->time, (3 + number) * step, 1e-9);
                         EXPECT_NEAR(shown.next->time, (4 + number) * step, 1e-9);
-                        ASSERT_EQ(shown.rising.frame != nullptr, number > 4);
+                        ASSERT_EQ(shown.fading_in.frame != nullptr, number > 4);
                         if (number > 4) {
-                            EXPECT_NEAR(shown.rising.frame->time, (number - 5) * step, 1e-9);
-                            EXPECT_NEAR(shown.rising.next->time, (number - 4) * step, 1e-9);
-                            EXPECT_EQ(shown.rising.record->frame, number - 4);
+                            EXPECT_NEAR(shown.fading_in.frame->time, (number - 5) * step, 1e-9);
+                            EXPECT_NEAR(shown.fading_in.next->time, (number - 4) * step, 1e-9);
+                            EXPECT_EQ(shown.fading_in.record->frame, number - 4);
                         }
                     });
     EXPECT_EQ(numbers, (std::vector<int>{1, 2, 3, 4, 5, 6, 7, 8}));
@@ -157,7 +159,7 @@ TEST(SimulateFrames, ReportsTheClosingErrorOfALoop) {
     preset.loop = {.kind = LoopKind::Breathe, .amplitude = 0.8, .cycles = 1};
     preset.frames.count = 6;
     const RunOutcome outcome =
-        simulate_frames(preset, 1, {1}, NextFrames::LeftOut, [](const SimulatedFrame&) {
+        simulate_frames(preset, 1, {1}, NextFrames::Omitted, [](const SimulatedFrame&) {
             FAIL() << "a frame of an open loop";
         });
     EXPECT_EQ(outcome.status, RunStatus::OpenLoop);

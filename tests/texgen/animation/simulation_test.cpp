@@ -23,7 +23,7 @@ Preset small_preset() {
     return preset;
 }
 
-// What a patch loses, the atmosphere takes up.
+// A patch loses gas to the atmosphere, so its area decreases.
 TEST(Simulation, APatchStaysInEquilibriumWhileItLosesGas) {
     Preset preset = small_preset();
     preset.shape.kind = FoamKind::Patch;
@@ -55,7 +55,8 @@ TEST(Simulation, CountsFramesFromOneAndTimeFromTheWarmUp) {
     }
 }
 
-// What vanishes on the way to a frame comes to be on that to the next.
+// Bubbles that vanish in the step to a frame are replaced at the start of the next step. The
+// bubbles of a frame and the T2s of the step to it therefore add up to 60.
 TEST(Simulation, AFlowIsInASteadyState) {
     Preset preset = small_preset();
     preset.loop = {.kind = LoopKind::Flow, .growth = 8};
@@ -72,7 +73,7 @@ TEST(Simulation, AFlowIsInASteadyState) {
         if (number > 1) {
             EXPECT_EQ(frame.bubbles.size() + static_cast<std::size_t>(t2), 60U) << number;
         }
-        // Of 60, none outgrows the others.
+        // No bubble outgrows the others.
         for (const FrameBubble& bubble : frame.bubbles) {
             EXPECT_LT(bubble.area, 10.0 * frame.domain.area() / 60.0) << number;
         }
@@ -86,7 +87,7 @@ TEST(Simulation, ANewBubbleOfAFlowGrowsToTheMeanArea) {
     preset.loop = {.kind = LoopKind::Flow, .growth = 4};
     preset.frames.time_step = 3.0;
     Simulation simulation(preset);
-    const double mean = 1.0;  // foam units: what 60 bubbles of a torus have
+    const double mean = 1.0;  // area of the torus divided by its 60 bubbles
     std::map<BubbleIdentity, int> births;
     int grown = 0;
     for (int number = 1; number <= 30; ++number) {
@@ -109,7 +110,7 @@ TEST(Simulation, ANewBubbleOfAFlowGrowsToTheMeanArea) {
     EXPECT_GT(grown, 5);
 }
 
-// Steps of 1, 2 and 4 after a warm-up of 0.
+// The time steps are 1, 2 and 4, and there is no warm-up.
 TEST(Simulation, StepsGrowByTheirFactor) {
     Preset preset = small_preset();
     preset.frames.step_growth = 2.0;
@@ -120,7 +121,8 @@ TEST(Simulation, StepsGrowByTheirFactor) {
     }
 }
 
-// Straight films at angles as they fall; then the foam that frame 1 shows otherwise, a step later.
+// Frame 1 shows the diagram: films are straight and the angles are not 120 degrees. Frame 2 shows
+// the foam that is frame 1 by default.
 TEST(Simulation, BeginsWithTheDiagramWhereAsked) {
     Preset preset = small_preset();
     preset.frames.time_step = 0.0;
@@ -151,7 +153,8 @@ TEST(Simulation, EveryFrameIsInEquilibrium) {
     }
 }
 
-// A bubble is gone for every T2, those of the warm-up included; frames without time have no events.
+// Every T2 removes one bubble; frame 1 counts the T2s of the warm-up. A frame after a time step of
+// 0 counts no T1s and no T2s.
 TEST(Simulation, CountsTheEventsOfEveryFrame) {
     Preset preset = small_preset();
     preset.frames.warm_up = 30.0;
@@ -169,7 +172,8 @@ TEST(Simulation, CountsTheEventsOfEveryFrame) {
     EXPECT_LT(still.equilibrium().area_error, 1e-9);
 }
 
-// The paper's solver does the same foam, less exactly.
+// The Gauss-Seidel solvers stop at the tolerance of the preset. Their errors are far larger than
+// those of the default solver.
 TEST(Simulation, TakesSolverAndToleranceFromThePreset) {
     Preset preset = small_preset();
     preset.equilibrium.tolerance = 1e-4;
@@ -192,7 +196,7 @@ TEST(Simulation, DoesNotChangeWithoutTime) {
     EXPECT_TRUE(simulation.frame().positions == first.positions);
 }
 
-// Positions of the junctions of two frames of one network.
+// Returns the largest displacement of a junction between two frames of one network.
 double largest_motion(const Frame& from, const Frame& to) {
     double largest = 0.0;
     for (const JunctionId junction : from.network.junctions()) {
@@ -202,7 +206,7 @@ double largest_motion(const Frame& from, const Frame& to) {
     return largest;
 }
 
-// Frames 1 to count + 1.
+// Returns frames 1 to count + 1 of a loop.
 std::vector<Frame> frames_of_loop(const Preset& preset) {
     Simulation simulation(preset);
     std::vector<Frame> frames;
@@ -217,7 +221,7 @@ std::vector<Frame> frames_of_loop(const Preset& preset) {
 TEST(Simulation, ALoopEndsWhereItBegan) {
     for (const LoopKind kind : {LoopKind::Breathe, LoopKind::Shear}) {
         Preset preset = small_preset();
-        preset.coarsening.kappa = 1.0;  // does nothing
+        preset.coarsening.kappa = 1.0;  // has no effect in these loops
         preset.frames.count = 12;
         preset.loop = {.kind = kind, .amplitude = 0.06};
         const std::vector<Frame> frames = frames_of_loop(preset);
@@ -227,7 +231,8 @@ TEST(Simulation, ALoopEndsWhereItBegan) {
     }
 }
 
-// A quarter of the way after a quarter of the frames; nothing else moves.
+// Two of eight steps move every junction by a quarter of the drift. No junction moves relative to
+// the others.
 TEST(Simulation, DriftTravelsByWholePeriods) {
     Preset preset = small_preset();
     preset.frames.count = 8;
@@ -242,7 +247,8 @@ TEST(Simulation, DriftTravelsByWholePeriods) {
     EXPECT_EQ(largest_motion(frames.front(), frames.back()), 0.0);
 }
 
-// Whoever never changes has the same age in every frame, and the others have theirs again.
+// The frame one period after frame 1 shows the same ages. The record clamps ages to one period,
+// which is 12; all bubbles are older than that.
 TEST(Simulation, AgesOfALoopComeBackAfterAPeriod) {
     Preset preset = small_preset();
     preset.loop = {.kind = LoopKind::Breathe, .amplitude = 0.45};
@@ -262,7 +268,7 @@ TEST(Simulation, AgesOfALoopComeBackAfterAPeriod) {
         EXPECT_NEAR(time - again.changes[k], first_time - first.changes[k], 1e-9);
         EXPECT_NEAR(time - again.births[k], 12.0, 1e-9);
     }
-    EXPECT_LT(first_time - *std::ranges::max_element(first.changes), 12.0);  // some do
+    EXPECT_LT(first_time - *std::ranges::max_element(first.changes), 12.0);  // some changed
 }
 
 TEST(Simulation, APatchBreathes) {
@@ -275,7 +281,8 @@ TEST(Simulation, APatchBreathes) {
     EXPECT_LT(largest_motion(frames.front(), frames.back()), 1e-8);
 }
 
-// Kind, frames ago and place of what the record holds of the last so many frames.
+// Returns the recorded events of the last `frames` frames: kind, number of frames since the event,
+// x and y of its position.
 std::vector<std::tuple<TopologyEventKind, int, double, double>> recent(const FoamRecord& record,
                                                                        int frames) {
     std::vector<std::tuple<TopologyEventKind, int, double, double>> events;
@@ -288,9 +295,9 @@ std::vector<std::tuple<TopologyEventKind, int, double, double>> recent(const Foa
     return events;
 }
 
-// What faded into frame 1 from the end of the cycle before fades into the frame after the last. A
-// T1 happens on the way to an equilibrium, which is not quite the same in two cycles as their ends
-// are: places agree to 1e-4, far below a pixel.
+// The events of the cycle before frame 1 recur in the cycle after it. A T1 happens while the foam
+// is equilibrated. Two cycles end in the same state, but the states in between differ slightly. The
+// positions of events therefore agree only to 1e-4, which is far below a pixel.
 TEST(Simulation, EventsOfALoopGoAround) {
     Preset preset = small_preset();
     preset.frames.count = 12;

@@ -43,7 +43,8 @@ TEST(Timeline, WithoutEventsChangesNothing) {
     }
 }
 
-// From its area a to the T2 area of 0.01 in four equal parts, over frames 3 to 6.
+// Over frames 3 to 6 the target area falls from its initial value to the T2 area, 0.01, in four
+// equal steps.
 TEST(Timeline, ACollapseIsARampToTheT2Area) {
     const Preset preset =
         preset_with("[[event]]\nkind = \"collapse\"\nframes = [3, 6]\nbubble = 20\n");
@@ -72,8 +73,7 @@ TEST(Timeline, BubblesAreChosenByPositionOrSides) {
     StateChange change = timeline.changes_to(2, foam);
     ASSERT_EQ(change.driven.size(), 1U);
     EXPECT_EQ(change.driven[0].bubble, identity_at(foam, position));
-    std::set<BubbleIdentity>
-        expected;  // the smallest and second of four sides, the smallest of six
+    std::set<BubbleIdentity> expected;  // the two smallest of 4 sides, the smallest of 6
     for (const std::size_t rank : {0U, 1U}) {
         expected.insert(foam.identities[bubbles_of_sides(foam, 4)[rank]]);
     }
@@ -86,7 +86,7 @@ TEST(Timeline, BubblesAreChosenByPositionOrSides) {
     EXPECT_EQ(timeline.changes_to(4, foam).driven.size(), 66U);
 }
 
-// A swing of 20 % over 8 frames, at a quarter of it and at three quarters.
+// The area oscillates by 20 % with a period of 8 frames.
 TEST(Timeline, ADriveSwingsWithItsPeriodInFrames) {
     const Preset preset = preset_with(
         "[[event]]\nkind = \"drive\"\nframes = [2, 17]\nbubble = 5\namplitude = 0.2\nperiod = 8\n");
@@ -114,8 +114,8 @@ TEST(Timeline, TheLastEventOverridesEarlierOnes) {
     EXPECT_EQ(timeline.changes_to(5, foam).driven.size(), 1U);
 }
 
-// Four bubbles evenly over eight frames: on the way to frames 2, 4, 6 and 8, each in three frames
-// to its area.
+// Four bubbles begin evenly over eight frames, in the steps to frames 2, 4, 6 and 8. Each grows to
+// its area in three frames.
 TEST(Timeline, NewBubblesBeginEvenlyOverTheFrames) {
     const Preset preset = preset_with(
         "[[event]]\nkind = \"nucleate\"\nframes = [2, 9]\ncount = 4\narea = 0.5\ngrowth = 3\n");
@@ -131,6 +131,7 @@ TEST(Timeline, NewBubblesBeginEvenlyOverTheFrames) {
     }
 }
 
+// Returns the identities of the bubbles that have vanished at frame `frames`.
 std::vector<BubbleIdentity> collapsed_identities(const std::string& events, int frames) {
     Simulation simulation(preset_with(events));
     std::vector<BubbleIdentity> alive;
@@ -165,8 +166,8 @@ TEST(TimelineInSimulation, CollapsesInTurn) {
     EXPECT_EQ(collapsed_identities(event, 21).size(), 10U);
 }
 
-// Of 66 bubbles 28 are left without new ones, and 59 with 40 new ones that are larger than the
-// mean.
+// Without new bubbles 28 of 66 bubbles are left. With 40 new bubbles, which are larger than the
+// mean, 59 are left.
 TEST(TimelineInSimulation, NewBubblesKeepAFoamAlive) {
     Preset preset = preset_with(
         "[[event]]\nkind = \"nucleate\"\nframes = [2, 61]\ncount = 40\narea = 2\ngrowth = 10\n");
@@ -186,8 +187,8 @@ TEST(TimelineInSimulation, NewBubblesKeepAFoamAlive) {
     EXPECT_GT(left[0], left[1] + 20);
 }
 
-// A patch of 66 bubbles, seen with a margin of 25 % around it: its middle, and a corner of the
-// image.
+// Returns a preset of a patch of 66 bubbles, shown with a margin of 25 % on each side. The middle
+// of the image shows foam; its corners show none.
 Preset patch_preset_with(const std::string& events) {
     return parse_preset(
         "[foam]\ndomain = \"patch\"\nbubbles = 66\nseed = 3\n[dynamics]\nkappa = 0\n"
@@ -197,6 +198,7 @@ Preset patch_preset_with(const std::string& events) {
         "t.toml");
 }
 
+// Returns the number of bubbles at frame `frames`, lone bubbles included.
 std::size_t bubbles_after(const Preset& preset, int frames) {
     Simulation simulation(preset);
     for (int number = 1; number <= frames; ++number) {
@@ -226,7 +228,8 @@ TEST(TimelineInPatch, DrivesTheBubbleSeenAtThePosition) {
     timeline.set_view(view);
     Foam foam = seeded_foam(preset);
     ASSERT_TRUE(equilibrate(foam, {}).converged());
-    // A tenth of the image's 1024 pixels to the left of its middle, and a tenth up.
+    // The position is a tenth of the image, 102.4 of its 1024 pixels, left of the center and as far
+    // above it.
     const Vec2 position = view.center + Vec2(-102.4, 102.4) / view.pixels_per_unit;
     const StateChange change = timeline.changes_to(2, foam);
     ASSERT_EQ(change.driven.size(), 1U);

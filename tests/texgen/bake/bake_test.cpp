@@ -22,7 +22,8 @@
 namespace foam::texgen {
 namespace {
 
-// Which files differ, and whether their pixels do, too.
+// Returns a list of the files that differ, each with "pixels" if its pixels differ, and "bytes" if
+// only its encoding differs. Returns an empty text if all files are equal.
 std::string differences(const std::vector<Bytes>& a, const std::vector<Bytes>& b) {
     std::string found = a.size() == b.size() ? "" : "another number of files";
     for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k) {
@@ -53,7 +54,8 @@ TEST(Bake, FramesDoNotDependOnTheOtherFramesBaked) {
     EXPECT_EQ(read_file(third.files.front()), all[2]);
 }
 
-// Of a patch as well; frames 4 and 5 are seen as frame 1 decided, whether it is drawn or not.
+// The files of a patch do not depend on the number of threads either. Frame 1 determines the view
+// of all frames, even if it is not drawn.
 TEST(Bake, FramesOfAPatchAreSeenAlike) {
     const TemporaryFolder folder;
     Preset preset = small_preset(folder.path() / kPattern);
@@ -79,7 +81,7 @@ TEST(Bake, ListsFilesInTheOrderAskedFor) {
     EXPECT_EQ(summary.files[1].filename(), "small_albedo.0001.png");
 }
 
-// Colors say so, data does not, as their numbers mean nothing to the eye.
+// Only maps of colors are marked as color. The maps film and pressure store data.
 TEST(Bake, WritesEveryMapOfAFrame) {
     const TemporaryFolder folder;
     Preset preset = small_preset(folder.path() / kPattern);
@@ -101,7 +103,7 @@ TEST(Bake, WritesEveryMapOfAFrame) {
     EXPECT_EQ(colors, (std::vector<bool>{false, true, false, false, true, false}));
 }
 
-// The scale of pressures is frame 1's, drawn or not.
+// Frame 1 determines the scale of pressures, even if it is not drawn.
 TEST(Bake, MapsDoNotDependOnTheOtherMapsBaked) {
     const TemporaryFolder folder;
     Preset preset = small_preset(folder.path() / kPattern);
@@ -160,7 +162,7 @@ TEST(Bake, RejectsInvalidFrames) {
 
 TEST(Bake, ReportsTheFolderThatCannotBeCreated) {
     const TemporaryFolder folder;
-    write_file(folder.path() / "deep", {});  // a file stands where the folder should be
+    write_file(folder.path() / "deep", {});  // a file has the name of the folder
     const auto run = [&] {
         bake(small_preset(folder.path() / kPattern), {.frames = {1}, .threads = 2}, {});
     };

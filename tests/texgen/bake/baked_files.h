@@ -10,10 +10,10 @@
 
 namespace foam::texgen {
 
-/// A pattern with a folder that does not exist yet.
+/// A file pattern with a folder that does not exist yet.
 inline constexpr const char* kPattern = "deep/{preset}_{map}.####.png";
 
-/// Returns the files of the first five frames.
+/// Bakes the first five frames and returns the contents of their files.
 inline std::vector<Bytes> baked_files(const Preset& preset, int threads) {
     const BakeSummary summary = bake(preset, {.frames = {1, 2, 3, 4, 5}, .threads = threads}, {});
     std::vector<Bytes> contents;

@@ -67,12 +67,13 @@ TEST(BoundedWorkers, HoldsNoMoreJobsThanItsThreadsRunAndAwait) {
         });
     }
     workers.finish();
-    // As many as run, twice as many that wait, and the one in the caller's hand.
+    // The threads run kThreads jobs, twice as many wait, and the caller holds one more.
     EXPECT_LE(max_alive, 3 * kThreads + 1);
     EXPECT_GT(max_alive, 0);
 }
 
-// Were the caller to wait for room, nobody would ever let the one worker go on.
+// If the caller only waited until the queue has room, the one thread would wait for the caller
+// forever.
 TEST(BoundedWorkers, TheCallerWorksToo) {
     const std::thread::id caller = std::this_thread::get_id();
     std::atomic<bool> helped{false};

@@ -31,7 +31,7 @@ TEST(FilePattern, FillsInNamesAndNumbers) {
 }
 
 TEST(FilePattern, DigitsFollowThePlaceholder) {
-    EXPECT_EQ(filled("#.png", 12), "0012.png");  // one # alone is four digits
+    EXPECT_EQ(filled("#.png", 12), "0012.png");  // a single # stands for four digits
     EXPECT_EQ(filled("##.png", 7), "07.png");
     EXPECT_EQ(filled("######.png", 7), "000007.png");
     EXPECT_EQ(filled("@.png", 7), "7.png");
@@ -48,7 +48,7 @@ TEST(FilePattern, WiderNumbersAreWrittenInFull) {
 }
 
 TEST(FilePattern, ASequenceKeepsThePlaceholder) {
-    EXPECT_EQ(FilePattern("{preset}/%04d_{map}.@@.png").sequence("sea", "height"),
+    EXPECT_EQ(FilePattern("{preset}/%04d_{map}.@@.png").path_pattern("sea", "height"),
               "sea/%04d_height.@@.png");
 }
 
@@ -57,38 +57,40 @@ TEST(FilePattern, NamesThatContainPlaceholdersAreNotExpanded) {
 }
 
 TEST(FilePattern, RejectsUnknownPlaceholdersAndOtherFormats) {
-    EXPECT_EQ(failure("{mpa}.#.png"),
-              "output pattern '{mpa}.#.png': unknown field '{mpa}'; must be {preset} or {map}");
+    EXPECT_EQ(
+        failure("{mpa}.#.png"),
+        "file name pattern '{mpa}.#.png': unknown placeholder '{mpa}'; must be {preset} or {map}");
     EXPECT_NE(failure("{map.png"), "no failure");
     for (const char* pattern : {"%s.png", "%4d.png", "%.png", "%012d.png", "a%.png", "%0xd.png"}) {
         EXPECT_NE(failure(pattern), "no failure") << pattern;
     }
-    EXPECT_EQ(failure("a.####.jpg"), "output pattern 'a.####.jpg': must end in .png or .exr");
+    EXPECT_EQ(failure("a.####.jpg"), "file name pattern 'a.####.jpg': must end in .png or .exr");
 }
 
 TEST(FilePattern, TwoImagesMayNotShareAFile) {
     EXPECT_EQ(failure("a.png"), "no failure");
-    EXPECT_EQ(failure("{map}.png", 48),
-              "output pattern '{map}.png': must contain a frame number (####, @@@@ or %04d) for 48 "
-              "frames");
+    EXPECT_EQ(
+        failure("{map}.png", 48),
+        "file name pattern '{map}.png': must contain a frame number (####, @@@@ or %04d) for 48 "
+        "frames");
     EXPECT_EQ(failure("####.png", 48, 2),
-              "output pattern '####.png': must contain {map} for 2 maps");
+              "file name pattern '####.png': must contain {map} for 2 maps");
     EXPECT_EQ(failure("{map}.@.png", 48, 2), "no failure");
 }
 
-// Channels of an EXR have names, so that maps may share a file; those of a PNG have not.
+// The channels of an EXR have names, so maps can share a file. The channels of a PNG have no names.
 TEST(FilePattern, OnlyAnExrHoldsSeveralMaps) {
     EXPECT_EQ(FilePattern("a.exr").format().name, "EXR");
     EXPECT_EQ(FilePattern("a.png").format().name, "PNG");
-    EXPECT_TRUE(FilePattern("a.exr").joins_maps());
-    EXPECT_FALSE(FilePattern("a_{map}.exr").joins_maps());
-    EXPECT_FALSE(FilePattern("a.png").joins_maps());
+    EXPECT_TRUE(FilePattern("a.exr").stores_all_maps_in_one_file());
+    EXPECT_FALSE(FilePattern("a_{map}.exr").stores_all_maps_in_one_file());
+    EXPECT_FALSE(FilePattern("a.png").stores_all_maps_in_one_file());
     EXPECT_NO_THROW(FilePattern("a.exr").check_distinct(1, 3));
     EXPECT_THROW(FilePattern("a.exr").check_distinct(2, 3), std::invalid_argument);
     EXPECT_THROW(FilePattern("a.png").check_distinct(1, 3), std::invalid_argument);
 }
 
-// Whatever the maps and frames.
+// The result does not depend on which maps and frames are baked.
 TEST(FilePattern, FilesLieInTheDeepestFolderThatHoldsThemAll) {
     const auto folder = [](const char* pattern) {
         return FilePattern(pattern).folder("foam").string();

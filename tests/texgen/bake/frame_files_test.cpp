@@ -29,7 +29,7 @@ std::vector<std::string> channel_names(const Picture& image) {
     return names;
 }
 
-// Without {map} in its name, an EXR holds every map as a layer, in the order of their names.
+// If the file pattern has no {map}, all maps are layers of one EXR, in the order of their names.
 TEST(FrameFiles, AnExrHoldsAllMapsOfAFrame) {
     const TemporaryFolder folder;
     Preset preset = small_preset(folder.path() / kPattern);
@@ -49,7 +49,7 @@ TEST(FrameFiles, AnExrHoldsAllMapsOfAFrame) {
     EXPECT_EQ(read_file(summary.files[1]), baked_files(preset, 1)[1]);
 }
 
-// What is drawn for a PNG of 8 bits, an EXR has in its own unit: the mask from 0 to 1.
+// A PNG stores the mask of films as 8-bit codes; an EXR stores it as numbers from 0 to 1.
 TEST(FrameFiles, AMapAloneIsAnExrWithoutLayers) {
     const TemporaryFolder folder;
     Preset preset = small_preset(folder.path() / kPattern);

@@ -20,7 +20,7 @@ TEST(FrameRange, ReadsEveryForm) {
     EXPECT_EQ(parse_frame_range("3-6"), (Frames{3, 4, 5, 6}));
     EXPECT_EQ(parse_frame_range("1-10x2"), (Frames{1, 3, 5, 7, 9}));
     EXPECT_EQ(parse_frame_range("1-10x3"), (Frames{1, 4, 7, 10}));
-    EXPECT_EQ(parse_frame_range("1-10y3"), (Frames{2, 3, 5, 6, 8, 9}));  // what x3 leaves out
+    EXPECT_EQ(parse_frame_range("1-10y3"), (Frames{2, 3, 5, 6, 8, 9}));  // not in 1-10x3
     EXPECT_EQ(parse_frame_range("4-1"), (Frames{4, 3, 2, 1}));
     EXPECT_EQ(parse_frame_range("10-1x3"), (Frames{10, 7, 4, 1}));
     EXPECT_EQ(parse_frame_range("5-5"), (Frames{5}));
@@ -60,6 +60,16 @@ TEST(FrameRange, IsWrittenShort) {
     EXPECT_EQ(format_frame_range(Frames{1, 5}), "1,5");
     EXPECT_EQ(format_frame_range(Frames{1, 2, 3, 7, 20, 22, 24}), "1-3,7,20-24x2");
     EXPECT_EQ(format_frame_range(Frames{}), "");
+}
+
+TEST(FrameRange, ALoopClosesIfItsStepsAreEqual) {
+    const auto closes = [](const char* range) { return closes_loop(parse_frame_range(range), 48); };
+    for (const char* range : {"1-48", "48-1", "25-72", "1-96", "1-48x2", "2-48x3", "1,25", "7"}) {
+        EXPECT_TRUE(closes(range)) << range;
+    }
+    for (const char* range : {"1-4", "1-47", "1-49", "1-48x5", "1-24,26-48", "1,3"}) {
+        EXPECT_FALSE(closes(range)) << range;
+    }
 }
 
 RC_GTEST_PROP(FrameRange, RoundTrips, ()) {

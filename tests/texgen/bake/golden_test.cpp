@@ -19,8 +19,9 @@ namespace foam::texgen {
 
 namespace {
 
-// A frame of each shipped preset, at a smaller size, against the picture under tests/data/golden.
-// With FOAMTEX_UPDATE_GOLDEN set, the pictures are made anew instead: look at them before a commit.
+// Compares a frame of each shipped preset, drawn at a smaller size, with the picture in
+// tests/data/golden. If FOAMTEX_UPDATE_GOLDEN is set, replaces the pictures instead; look at them
+// before a commit.
 struct GoldenCase {
     const char* preset;
     int frame;
@@ -91,6 +92,7 @@ INSTANTIATE_TEST_SUITE_P(Presets,
                                          GoldenCase{"toon_bubbles", 1},
                                          GoldenCase{"force_field", 12},
                                          GoldenCase{"labyrinth", 1},
+                                         GoldenCase{"maze", 1},
                                          GoldenCase{"coarsening", 2},
                                          GoldenCase{"collapse", 24},
                                          GoldenCase{"shear", 25},

@@ -37,7 +37,7 @@ TEST(WrittenFile, DescribesNumbersAndIds) {
     EXPECT_EQ(described("id", id, ".exr").kind, "id");
 }
 
-// A third channel of zeros keeps programs from taking the second for an opacity.
+// A third channel of zeros prevents programs from reading the second channel as opacity.
 TEST(WrittenFile, TwoChannelsOfCodesArePadded) {
     const MapImage motion = NumberPixels{Image<float>(1, 1, 2)};
     EXPECT_EQ(described("motion", motion, ".png").channels, "X Y 0");

@@ -15,7 +15,7 @@
 namespace foam::texgen {
 namespace {
 
-/// The files of a bake into a folder of its own.
+/// Returns the contents of the files of a bake into a temporary folder. The files have no texts.
 std::vector<Bytes> baked(Preset preset, const BakeOptions& options) {
     const TemporaryFolder folder;
     preset.output.pattern = (folder.path() / "{map}.####.png").string();
@@ -27,7 +27,8 @@ std::vector<Bytes> baked(Preset preset, const BakeOptions& options) {
     return contents;
 }
 
-/// Every map of every frame, drawn from a cache in parts, is that of a bake.
+/// Expects that the files of every frame are equal whether the frames are drawn from a cache, one
+/// at a time, or baked together.
 void expect_same_pixels(const Preset& preset, const std::vector<int>& frames) {
     const TemporaryFolder folder;
     const std::vector<Bytes> expected = baked(preset, {.frames = frames, .threads = 1});
@@ -75,7 +76,7 @@ TEST(Cache, FramesOfAPingPongAreThoseOfABake) {
     expect_same_pixels(preset, {5, 6});
 }
 
-// The last frames show two states each.
+// The last frames of the loop show two states each.
 TEST(Cache, FramesOfAFlowAreThoseOfABake) {
     Preset preset = all_maps_of_a_foam();
     preset.loop = {.kind = LoopKind::Flow, .drift = {0, 1}, .fade = 0.5, .growth = 3};
@@ -100,7 +101,7 @@ TEST(Cache, FramesOfAShearedFoamAreThoseOfABake) {
     expect_same_pixels(preset, {1, 3, 4});
 }
 
-// Seen as frame 1 decides, drawn or not; down to lone bubbles.
+// Frame 1 determines the view, even if it is not drawn. The patch shrinks until no bubble is left.
 TEST(Cache, FramesOfAPatchAreThoseOfABake) {
     Preset preset = all_maps_of_a_foam();
     preset.shape.kind = FoamKind::Patch;

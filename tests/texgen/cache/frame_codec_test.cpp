@@ -35,7 +35,7 @@ void expect_same_network(const Network& a, const Network& b) {
     }
 }
 
-// To the last bit.
+// Expects that two frames are equal to the last bit.
 void expect_same(const Frame& a, const Frame& b) {
     EXPECT_EQ(a.number, b.number);
     EXPECT_EQ(a.time, b.time);
@@ -80,7 +80,8 @@ Preset small_preset(FoamKind kind) {
     return preset;
 }
 
-/// Every frame of a foam that coarsens to its end.
+/// Expects that the first `frames` frames of a coarsening foam are equal after encoding and
+/// decoding.
 void expect_all_same(FoamKind kind, int frames) {
     Simulation simulation(small_preset(kind), 1);
     for (int k = 0; k < frames; ++k) {
@@ -94,7 +95,7 @@ TEST(FrameCodec, ATorusRoundTripsBitForBit) {
     expect_all_same(FoamKind::Torus, 8);
 }
 
-// Down to lone bubbles, and to nothing.
+// The patch coarsens until only lone bubbles are left, and then none.
 TEST(FrameCodec, APatchRoundTripsBitForBit) {
     expect_all_same(FoamKind::Patch, 40);
 }
@@ -108,7 +109,8 @@ TEST(FrameCodec, TakesAboutAHundredBytesABubble) {
     EXPECT_LT(written(frame).size() / frame.bubbles.size(), 110U);
 }
 
-// Whatever is in it, what is no foam is told, and never read beyond its end.
+// Frames that are truncated, or whose topology is damaged, are rejected. The reader never reads
+// beyond the end.
 TEST(FrameCodec, RejectsInvalidFoams) {
     Simulation simulation(small_preset(FoamKind::Patch), 1);
     ASSERT_TRUE(simulation.advance());

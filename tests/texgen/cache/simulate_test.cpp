@@ -12,14 +12,14 @@
 namespace foam::texgen {
 namespace {
 
-// What an earlier simulation left must not slip in.
+// States that an earlier simulation left in the folder must not be used.
 TEST(SimulateIntoCache, DoesNotReuseStatesOfAnotherSimulation) {
     const TemporaryFolder folder;
     Preset preset = all_maps_of_a_foam();
     simulate_into_cache(preset, {.frames = {1, 2, 3, 4}, .threads = 1}, folder.path(), {});
     preset.seeding.seed = 13;
     simulate_into_cache(preset, {.frames = {1}, .threads = 1}, folder.path(), {});
-    EXPECT_EQ(error_of(folder.path(), 2), "");  // the one after 1
+    EXPECT_EQ(error_of(folder.path(), 2), "");  // the state after frame 1
     EXPECT_NE(error_of(folder.path(), 4).find("different simulation"), std::string::npos);
 }
 

@@ -24,7 +24,8 @@ inline Preset all_maps_of_a_foam() {
     return preset;
 }
 
-/// Returns the error that reading a state of a cache draws, or nothing.
+/// Reads a state of a cache. Returns the message of the InputError that this throws, or an empty
+/// string.
 inline std::string error_of(const std::filesystem::path& folder, int number) {
     try {
         Cache(folder).state(number);

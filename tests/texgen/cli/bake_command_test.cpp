@@ -17,15 +17,15 @@ namespace foam::texgen {
 namespace {
 
 TEST(BakeCommand, BakesTheFramesAskedFor) {
-    const Outcome outcome =
-        run_program("bake sea_foam --set foam.bubbles=16 --frames 3-1x2 --size 16x8 --threads 1");
+    const Outcome outcome = run_program(
+        "bake sea_foam --set foam.bubbles=16 --set frames.count=4 --frames 3-1x2 --size 16x8 "
+        "--threads 1");
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_EQ(outcome.err, "");  // no bar: stderr is no terminal
-    EXPECT_EQ(outcome.out, "out/sea_foam_albedo.####.png 3,1\n");
-    EXPECT_EQ(
-        outcome.written,
-        (std::vector<std::string>{
-            "out/manifest.json", "out/sea_foam_albedo.0001.png", "out/sea_foam_albedo.0003.png"}));
+    EXPECT_EQ(outcome.err, "");  // no progress bar, because stderr is not a terminal
+    EXPECT_EQ(outcome.out, "out/sea_foam_lit.####.png 3,1\n");
+    EXPECT_EQ(outcome.written,
+              (std::vector<std::string>{
+                  "out/manifest.json", "out/sea_foam_lit.0001.png", "out/sea_foam_lit.0003.png"}));
 }
 
 TEST(BakeCommand, BakesAndMeasuresAPatch) {
@@ -40,8 +40,8 @@ TEST(BakeCommand, BakesAndMeasuresAPatch) {
     EXPECT_GE(measured.written.size(), 3U);
     expect_rejected("bake soap_raft --set foam.outline=egg",
                     "--set foam.outline=egg: key 'foam.outline' = \"egg\": must be \"disc\", "
-                    "\"rectangle\", or a polygon in WKT that does not cross itself, \"POLYGON((x "
-                    "y, ...), (x y of a hole, ...))\"");
+                    "\"rectangle\", or a WKT polygon without self-intersections, such as "
+                    "\"POLYGON((0 0, 6 0, 6 4), (3 1, 5 1, 5 2))\"");
 }
 
 TEST(BakeCommand, QuietPrintsNothingAndVerboseALinePerFrame) {
@@ -53,6 +53,19 @@ TEST(BakeCommand, QuietPrintsNothingAndVerboseALinePerFrame) {
     EXPECT_EQ(verbose.out, "a.png\n");
     EXPECT_EQ(verbose.err.find("frame 1: "), 0U);
     EXPECT_EQ(std::count(verbose.err.begin(), verbose.err.end(), '\n'), 1);
+}
+
+TEST(BakeCommand, NotesFramesThatDoNotLoop) {
+    const std::string small =
+        " --set foam.bubbles=16 --set frames.count=4 --size 8 --out a.####.png";
+    const Outcome part = run_program("bake sea_foam --frames 1-3" + small);
+    EXPECT_EQ(part.code, 0);
+    EXPECT_EQ(part.err,
+              "foamtex: note: the frames 1-3 alone do not loop; the loop of 'sea_foam' has the "
+              "frames 1-4, and --set frames.count=N changes its length\n");
+    EXPECT_EQ(run_program("bake sea_foam -q --frames 1-3" + small).err, "");
+    EXPECT_EQ(run_program("bake sea_foam --frames 1-4" + small).err, "");
+    EXPECT_EQ(run_program("bake sea_foam --set loop.kind=none --frames 1-3" + small).err, "");
 }
 
 TEST(BakeCommand, ABakeWritesItsStatisticsBesideTheImages) {

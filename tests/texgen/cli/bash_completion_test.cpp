@@ -20,7 +20,7 @@ _foamtex
 echo "${COMPREPLY[@]}"
 )";
 
-// The words that bash offers for the last of a command line.
+// Returns the words that bash offers as completions of the last word of a command line.
 std::string offered(const std::string& words) {
     const TemporaryFolder work;
     std::ofstream(work.path() / "completion.bash") << run_program("completion bash").out;

@@ -15,7 +15,8 @@
 namespace foam::texgen {
 namespace {
 
-/// Gray pixels, all of one value but the first.
+/// Writes a gray PNG of `width` x 2 pixels. All pixels have the value `value` except the first one,
+/// which has `first`.
 void write_gray(const std::filesystem::path& path, int width, int value, int first) {
     Image<std::uint8_t> image(width, 2, 1);
     std::ranges::fill(image.samples(), static_cast<std::uint8_t>(value));
@@ -29,7 +30,7 @@ class CompareCommand : public testing::Test {
         write_gray(folder_.path() / "a.0001.png", 4, 100, 100);
         write_gray(folder_.path() / "a.0002.png", 4, 100, 100);
         write_gray(folder_.path() / "b.0001.png", 4, 100, 100);
-        write_gray(folder_.path() / "b.0002.png", 4, 100, 151);  // 0.2 apart
+        write_gray(folder_.path() / "b.0002.png", 4, 100, 151);  // differs by 0.2 of the range
         write_gray(folder_.path() / "wide.png", 5, 100, 100);
         write_file(folder_.path() / "torn.png", Bytes(10));
     }
@@ -56,7 +57,7 @@ TEST_F(CompareCommand, PrintsTheDifferenceOnOneLine) {
               "b.0002.png: failure, largest difference 0.2 in Y at 0,1, mean 0.025, 1 samples "
               "above the limits\n");
     EXPECT_EQ(compare("a.0001.png b.0001.png").out, "b.0001.png: same\n");
-    EXPECT_EQ(compare("a.0001.png wide.png").out, "wide.png: other size or channels\n");
+    EXPECT_EQ(compare("a.0001.png wide.png").out, "wide.png: different size or channels\n");
     EXPECT_EQ(compare("-q a.0002.png b.0002.png").out, "");
     const Outcome torn = compare("a.0001.png torn.png");
     EXPECT_EQ(torn.err, "foamtex: cannot read 'torn.png': malformed PNG: Not a PNG file\n");
@@ -68,6 +69,17 @@ TEST_F(CompareCommand, TheWorstFrameDecides) {
     EXPECT_EQ(both.code, 2);
     EXPECT_EQ(both.out.rfind("b.0001.png: same\nb.0002.png: failure", 0), 0U) << both.out;
     EXPECT_EQ(compare("'a.####.png' 'b.####.png' --frames 1-3").code, 4);
+}
+
+TEST_F(CompareCommand, SeveralFramesNeedAFrameNumberInBothNames) {
+    const Outcome fixed = compare("'a.####.png' b.0001.png --frames 1-2");
+    EXPECT_EQ(fixed.code, static_cast<int>(ExitCode::BadRequest));
+    EXPECT_EQ(fixed.out, "");
+    EXPECT_EQ(fixed.err,
+              "foamtex: file name pattern 'b.0001.png': must contain a frame number (####, @@@@ or "
+              "%04d) for 2 frames\n");
+    EXPECT_EQ(compare("a.0001.png 'b.####.png' --frames 1-2").out, "");
+    EXPECT_EQ(compare("a.0001.png b.0001.png --frames 1").code, 0);
 }
 
 TEST_F(CompareCommand, ShowsWhereTheyDiffer) {

@@ -58,16 +58,17 @@ TEST(FlipbookCommand, ABadRequestIsOneLine) {
     bake(folder);
     const Outcome map = run_program("flipbook out --maps normal", folder);
     EXPECT_EQ(map.code, static_cast<int>(ExitCode::BadRequest));
-    EXPECT_EQ(map.err, "foamtex: map 'normal' was not baked; must be one of: albedo\n");
+    EXPECT_EQ(map.err, "foamtex: map 'normal' was not baked; must be one of: lit\n");
     const Outcome frame = run_program("flipbook out --frames 3-4", folder);
     EXPECT_EQ(frame.code, static_cast<int>(ExitCode::BadInput));
     EXPECT_EQ(frame.err,
-              "foamtex: 'out' has no file of map 'albedo' and frame 4 of preset 'sea_foam'\n");
+              "foamtex: frame 4 of map 'lit' of preset 'sea_foam' was not baked into 'out'\n");
     const Outcome strip = run_program("flipbook out --strip --gutter 2", folder);
     EXPECT_EQ(strip.code, static_cast<int>(ExitCode::BadRequest));
 }
 
-// Its virtual pixels go on as a tile does; the distortion only moves the frame into the cell.
+// ImageMagick's virtual pixels continue a frame periodically. The distortion only adds these pixels
+// around the frame, as in a cell with a gutter.
 TEST(FlipbookCommand, ImageMagickContinuesFramesAsOurGuttersDo) {
     if (std::system("command -v convert compare >/dev/null") != 0) {
         GTEST_SKIP() << "there is no ImageMagick";

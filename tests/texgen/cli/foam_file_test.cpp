@@ -2,6 +2,7 @@
 
 #include "texgen/cli/foam_file.h"
 
+#include "core/foam/honeycomb.h"
 #include "core/io/format_error.h"
 #include "tests/texgen/temporary_folder.h"
 #include "texgen/image/file_io.h"
@@ -30,6 +31,14 @@ TEST(FoamFile, ErrorsAreThoseOfTheFileAndOfItsContent) {
     const std::string text = "egg";
     write_file(folder.path() / "egg.json", std::as_bytes(std::span(text)));
     EXPECT_THROW(load_foam(folder.path() / "egg.json"), FormatError);
+}
+
+// Surface Evolver's format stores offsets of up to 15 periods.
+TEST(FoamFile, AFoamThatTheFormatCannotStoreIsAnOutputError) {
+    const TemporaryFolder folder;
+    Foam foam = honeycomb(2, 2);
+    foam.network.rebase(JunctionId{0}, {20, 0});
+    EXPECT_THROW(save_foam(folder.path() / "a.fe", foam), OutputError);
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ TEST(Grammar, AgreesWithTheHelp) {
     EXPECT_EQ(brew.notes, "Examples");
     ASSERT_EQ(brew.positionals.size(), 1U);
     EXPECT_EQ(brew.positionals[0].names, std::vector<std::string>{"LEAF"});
-    ASSERT_EQ(brew.options.size(), 4U);  // and --help
+    ASSERT_EQ(brew.options.size(), 4U);  // including --help
     EXPECT_EQ(brew.options[1].names, (std::vector<std::string>{"-c", "--cups"}));
     EXPECT_EQ(brew.options[1].value, "N");
     EXPECT_EQ(brew.options[2].value, "VALUE");

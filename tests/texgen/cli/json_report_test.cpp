@@ -17,7 +17,7 @@ std::string small_foam() {
     return "sea_foam --set foam.bubbles=16 --set frames.count=3 --size 16 ";
 }
 
-/// The one object on stdout.
+/// Returns the JSON object on stdout. Expects that it is one line, and that stderr is empty.
 Json object_of(const Outcome& outcome) {
     EXPECT_EQ(outcome.err, "");
     EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 1);
@@ -33,8 +33,7 @@ TEST(JsonReport, OfABakeListsTheFiles) {
     EXPECT_EQ(baked["kept"], 0);
     EXPECT_EQ(baked["manifest"], "out/manifest.json");
     EXPECT_LT(baked["closing_error"], 1e-9);
-    EXPECT_EQ(baked["files"],
-              (Json{"out/sea_foam_albedo.0001.png", "out/sea_foam_albedo.0002.png"}));
+    EXPECT_EQ(baked["files"], (Json{"out/sea_foam_lit.0001.png", "out/sea_foam_lit.0002.png"}));
     const Json resumed = object_of(run_program("bake " + small_foam() + "--resume --json", work));
     EXPECT_EQ(resumed["kept"], 2);
     EXPECT_EQ(resumed["files"].size(), 3U);
@@ -52,19 +51,19 @@ TEST(JsonReport, OfACacheRendersAndStatistics) {
     const Json rendered = object_of(run_program("render c --frames 2 --json", work));
     EXPECT_EQ(rendered["files"].size(), 1U);
     const Json measured = object_of(run_program("stats c --json", work));
-    EXPECT_GE(measured["files"].size(), 3U);  // two tables, a script, and charts by gnuplot
+    EXPECT_GE(measured["files"].size(), 3U);  // two tables, a script, and with gnuplot also charts
 }
 
 TEST(JsonReport, OfAComparisonListsEveryImage) {
     const TemporaryFolder work;
     ASSERT_EQ(run_program("bake " + small_foam() + "-q", work).code, 0);
-    const std::string pattern = "out/sea_foam_albedo.####.png ";
+    const std::string pattern = "out/sea_foam_lit.####.png ";
     const Json same =
         object_of(run_program("compare " + pattern + pattern + "--frames 1-3 --json", work));
     EXPECT_EQ(same["status"], "same");
     EXPECT_EQ(same["images"].size(), 3U);
-    const Outcome other = run_program(
-        "compare out/sea_foam_albedo.0001.png out/sea_foam_albedo.0002.png --json", work);
+    const Outcome other =
+        run_program("compare out/sea_foam_lit.0001.png out/sea_foam_lit.0002.png --json", work);
     EXPECT_EQ(other.code, 2);
     EXPECT_EQ(object_of(other)["images"][0]["verdict"], "failure");
     EXPECT_GT(object_of(other)["images"][0]["largest"], 0.0);
@@ -89,7 +88,7 @@ TEST(JsonReport, OfAFlipbookAndPreviews) {
     const Json baked =
         object_of(run_program("preview " + small_foam() + "--as tiling --json", work));
     EXPECT_EQ(baked["frames"], "1-3");
-    EXPECT_EQ(baked["files"], Json{"out/sea_foam_albedo_tiling.png"});
+    EXPECT_EQ(baked["files"], Json{"out/sea_foam_lit_tiling.png"});
     EXPECT_LT(baked["closing_error"], 1e-9);
 }
 

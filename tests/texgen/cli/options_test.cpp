@@ -22,7 +22,7 @@ TEST(Options, ReadTheirValues) {
     add_threads_option(app, threads);
     add_frames_option(app, frames);
     add_maps_option(app, maps, "");
-    add_set_option(app, set);
+    add_preset_name_option(app, set);
     add_out_folder_option(app, out, "");
     app.parse("--json -q --threads 3 --frames 1-2 --maps a,b --preset x -o y");
     EXPECT_TRUE(json);

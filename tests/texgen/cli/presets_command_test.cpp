@@ -39,6 +39,18 @@ TEST(PresetsCommand, PrintsOneTableOfKeys) {
     expect_rejected("presets keys lop", "unknown table [lop]; did you mean [loop]?");
 }
 
+TEST(PresetsCommand, HelpHasItsOwnExamples) {
+    for (const char* arguments : {"presets", "presets list", "presets keys", "presets show"}) {
+        const std::string help = run_program(std::string(arguments) + " --help").out;
+        EXPECT_EQ(help.find("foamtex bake sea_foam"), std::string::npos) << help;
+        EXPECT_EQ(help.find("TEXT"), std::string::npos) << help;  // CLI11 names types of values so
+    }
+    EXPECT_NE(run_program("presets --help").out.find("foamtex presets keys foam"),
+              std::string::npos);
+    EXPECT_NE(run_program("presets keys --help").out.find("foamtex presets keys event"),
+              std::string::npos);
+}
+
 TEST(PresetsCommand, PrintsJson) {
     const Json presets = Json::parse(run_program("presets --json").out);
     EXPECT_EQ(presets["status"], "complete");

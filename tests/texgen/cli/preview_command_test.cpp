@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <string>
 
 namespace foam::texgen {
@@ -20,7 +22,8 @@ bool has_ffmpeg() {
     return std::system("command -v ffmpeg ffprobe >/dev/null") == 0;
 }
 
-/// What ffprobe finds in a file of the folder `out`.
+/// Returns the text that ffprobe prints about a file of the folder `out`: the given entries,
+/// separated by commas.
 std::string probed(const std::string& file,
                    const std::string& entries,
                    const TemporaryFolder& folder) {
@@ -37,8 +40,8 @@ TEST(PreviewCommand, ShowsAPresetAndLeavesNoOtherFiles) {
     const Outcome outcome = run_program(std::string("preview sea_foam ") + kSmall, folder);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(outcome.out,
-              "out/sea_foam_albedo_contact.png\nout/sea_foam_albedo_loop.png\n"
-              "out/sea_foam_albedo_tiling.png\n");
+              "out/sea_foam_lit_contact.png\nout/sea_foam_lit_loop.png\n"
+              "out/sea_foam_lit_tiling.png\n");
     EXPECT_EQ(outcome.written.size(), 3U);
 }
 
@@ -49,8 +52,7 @@ TEST(PreviewCommand, ShowsAFolder) {
         run_program("preview out --as loop --width 24 --frames 2,1 -o shown -q", folder);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(outcome.out, "");
-    EXPECT_EQ(codes8(read_picture(folder.path() / "shown" / "sea_foam_albedo_loop.png")).width(),
-              24);
+    EXPECT_EQ(codes8(read_picture(folder.path() / "shown" / "sea_foam_lit_loop.png")).width(), 24);
 }
 
 TEST(PreviewCommand, ABadRequestIsOneLine) {
@@ -67,7 +69,7 @@ TEST(PreviewCommand, ABadRequestIsOneLine) {
     EXPECT_EQ(run_program("preview .", folder).code, static_cast<int>(ExitCode::BadInput));
 }
 
-// An empty PATH hides it, wherever it may be installed.
+// This PATH hides ffmpeg even if it is installed.
 TEST(PreviewCommand, ReportsMissingFfmpeg) {
     const TemporaryFolder folder;
     const std::string command = "cd " + folder.path().string() + " && PATH=. '" +
@@ -75,7 +77,22 @@ TEST(PreviewCommand, ReportsMissingFfmpeg) {
     const int status = std::system(command.c_str());
     EXPECT_EQ(WEXITSTATUS(status), static_cast<int>(ExitCode::OutputFailed));
     EXPECT_EQ(file_content(folder.path() / "err"),
-              "foamtex: MP4 and GIF need ffmpeg, which is not installed\n");
+              "foamtex: cannot write MP4 or GIF: the program 'ffmpeg' was not found in PATH; "
+              "install ffmpeg or use --as loop\n");
+}
+
+// A program of this name that reports an error and fails.
+TEST(PreviewCommand, ReportsTheErrorsOfFfmpeg) {
+    const TemporaryFolder folder;
+    const std::filesystem::path ffmpeg = folder.path() / "ffmpeg";
+    std::ofstream(ffmpeg) << "#!/bin/sh\necho 'no codec for you' >&2\nexit 3\n";
+    std::filesystem::permissions(ffmpeg, std::filesystem::perms::owner_all);
+    const std::string command = "cd " + folder.path().string() + " && PATH=. '" +
+                                test::executable().string() + "' preview sea_foam --as mp4 2>err";
+    const int status = std::system(command.c_str());
+    EXPECT_EQ(WEXITSTATUS(status), static_cast<int>(ExitCode::OutputFailed));
+    EXPECT_EQ(file_content(folder.path() / "err"),
+              "foamtex: ffmpeg failed with exit code 3: no codec for you\n");
 }
 
 TEST(PreviewCommand, MakesVideos) {
@@ -86,12 +103,12 @@ TEST(PreviewCommand, MakesVideos) {
     const std::string arguments = std::string("preview sea_foam --as mp4,gif ") + kSmall;
     const Outcome outcome = run_program(arguments + " --width 33", folder);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_EQ(probed("sea_foam_albedo.mp4", "width,height,r_frame_rate,nb_read_frames", folder),
+    EXPECT_EQ(probed("sea_foam_lit.mp4", "width,height,r_frame_rate,nb_read_frames", folder),
               "32,22,24/1,3\n");
-    EXPECT_EQ(probed("sea_foam_albedo.gif", "width,height,nb_read_frames", folder), "33,22,3\n");
+    EXPECT_EQ(probed("sea_foam_lit.gif", "width,height,nb_read_frames", folder), "33,22,3\n");
 }
 
-// Every frame of it, to the last bit.
+// ffmpeg decodes every frame of the animation to the same samples as the frame's own PNG.
 TEST(PreviewCommand, FfmpegReadsOurAnimation) {
     if (!has_ffmpeg()) {
         GTEST_SKIP() << "there is no ffmpeg";
@@ -100,13 +117,13 @@ TEST(PreviewCommand, FfmpegReadsOurAnimation) {
     ASSERT_EQ(run_program(std::string("bake sea_foam -q ") + kSmall, folder).code, 0);
     ASSERT_EQ(run_program("preview out --as loop", folder).code, 0);
     const std::string split = "cd " + folder.path().string() +
-                              "/out && ffmpeg -v error -i sea_foam_albedo_loop.png "
+                              "/out && ffmpeg -v error -i sea_foam_lit_loop.png "
                               "-vsync passthrough %d.png";
     ASSERT_EQ(std::system(split.c_str()), 0);
     for (const std::string number : {"1", "2", "3"}) {
-        EXPECT_EQ(codes8(read_picture(folder.path() / "out" / (number + ".png"))),
-                  codes8(read_picture(folder.path() / "out" /
-                                      ("sea_foam_albedo.000" + number + ".png"))));
+        EXPECT_EQ(
+            codes8(read_picture(folder.path() / "out" / (number + ".png"))),
+            codes8(read_picture(folder.path() / "out" / ("sea_foam_lit.000" + number + ".png"))));
     }
 }
 

@@ -8,7 +8,8 @@ namespace foam::texgen {
 namespace {
 
 TEST(Progress, TheBarFillsInProportion) {
-    // 12 of 48 frames in 5 s: a quarter of 24 characters, 36 frames of 5/12 s to go.
+    // 12 of 48 frames took 5 s. A quarter of the 24 characters is filled, and 36 frames of 5/12 s
+    // each remain.
     const RunProgress quarter{.frame = 12, .done = 12, .total = 48, .bubbles = 583, .seconds = 5.0};
     EXPECT_EQ(progress_bar(quarter), "[######------------------] 12/48  583 bubbles  0:15 left");
     const RunProgress last{.frame = 48, .done = 48, .total = 48, .bubbles = 9, .seconds = 100.0};

@@ -114,7 +114,7 @@ TEST(RelaxCommand, UnknownExtensionsAreCode2) {
     EXPECT_EQ(run_program("relax in.fe").err, "foamtex: --out is required (see foamtex --help)\n");
 }
 
-// Of two bubbles around a torus, neither can become small.
+// Each bubble of this torus is its own neighbor, so it cannot become as small as its target area.
 TEST(RelaxCommand, WithoutEquilibriumNothingIsWritten) {
     const TemporaryFolder work;
     Foam foam = honeycomb(1, 2);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "tests/texgen/cli/run_program.h"
+#include "texgen/json/json_writer.h"
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -35,7 +37,7 @@ class RenderCommand : public testing::Test {
     TemporaryFolder work_;
 };
 
-// Also where the machines share the frames.
+// The frames are rendered in two parts, as on two machines.
 TEST_F(RenderCommand, DrawsTheSameAsABake) {
     ASSERT_EQ(run("bake " + small_foam() + " --maps albedo,motion -q").code, 0);
     std::filesystem::rename(work_.path() / "out", work_.path() / "baked");
@@ -72,11 +74,30 @@ TEST_F(RenderCommand, OptionThatChangesTheFoamIsOneLineAndCode2) {
 }
 
 TEST_F(RenderCommand, MissingFrameIsOneLineAndCode4) {
-    expect_rejected("foam --frames 9",
-                    ExitCode::BadInput,
-                    "the cache 'foam' has no frame 9; it was simulated for frames 1-4");
+    expect_rejected(
+        "foam --frames 9",
+        ExitCode::BadInput,
+        "the cache 'foam' has no state 9; it was simulated for frames 1-4, and only these "
+        "can be drawn");
     expect_rejected(
         "none", ExitCode::BadInput, "cannot read 'none/cache.json': No such file or directory");
+}
+
+TEST_F(RenderCommand, NotesACacheOfAnotherVersion) {
+    Json cache = Json::parse(content("foam/cache.json"));
+    EXPECT_EQ(cache["foamtex"], FOAMTEX_VERSION);
+    EXPECT_EQ(run("render foam --frames 1").err, "");
+    cache["foamtex"] = "0.0.1";
+    std::ofstream(work_.path() / "foam" / "cache.json") << cache;
+    const Outcome noted = run("render foam --frames 1");
+    EXPECT_EQ(noted.code, 0);
+    const std::string note =
+        "foamtex: note: the cache 'foam' was simulated by foamtex 0.0.1; this is "
+        "foamtex " FOAMTEX_VERSION ", which may simulate the same preset differently\n";
+    EXPECT_EQ(noted.err, note);
+    EXPECT_EQ(run("render foam --frames 1 -q").err, "");
+    EXPECT_EQ(run("stats foam").err.find(note), 0U);
+    EXPECT_EQ(run("stats foam -q").err, "");
 }
 
 TEST_F(RenderCommand, ACacheHasStatistics) {

@@ -41,9 +41,9 @@ TEST(RunArguments, ABadOptionIsOneLineAndCode2) {
     expect_rejected("bake sea_foam --frames 3-",
                     "frame range '3-': must be a list of ranges such as 5, 1-10, 1-10x2 or 1-10y3, "
                     "separated by commas");
-    expect_rejected(
-        "bake sea_foam --out a.png",
-        "output pattern 'a.png': must contain a frame number (####, @@@@ or %04d) for 48 frames");
+    expect_rejected("bake sea_foam --out a.png",
+                    "file name pattern 'a.png': must contain a frame number (####, @@@@ or %04d) "
+                    "for 48 frames");
 }
 
 }  // namespace

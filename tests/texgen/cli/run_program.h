@@ -17,12 +17,12 @@
 
 namespace foam::texgen {
 
-/// What a run of the program did.
+/// The result of a run of the program.
 struct Outcome {
     int code = -1;
     std::string out;
     std::string err;
-    std::vector<std::string> written;  // the files that its folder holds afterwards
+    std::vector<std::string> written;  // paths of all files in the working folder after the run
 };
 
 inline std::string file_content(const std::filesystem::path& path) {
@@ -30,7 +30,7 @@ inline std::string file_content(const std::filesystem::path& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// Runs `foamtex ARGUMENTS`, as a shell reads them, in a folder.
+/// Runs the shell command `foamtex ARGUMENTS` in a folder.
 inline Outcome run_program(const std::string& arguments, const TemporaryFolder& work) {
     const TemporaryFolder streams;
     const std::string out = (streams.path() / "out").string();
@@ -45,12 +45,13 @@ inline Outcome run_program(const std::string& arguments, const TemporaryFolder& 
             work.files()};
 }
 
-/// In an empty folder, gone afterwards.
+/// Runs the shell command `foamtex ARGUMENTS` in a temporary folder.
 inline Outcome run_program(const std::string& arguments) {
     return run_program(arguments, TemporaryFolder());
 }
 
-/// Checks that a bad request is one line on stderr, nothing on stdout, and no file.
+/// Expects that the program rejects its arguments with the exit code 2, prints "foamtex: " and
+/// `line` on stderr and nothing on stdout, and writes no file.
 inline void expect_rejected(const std::string& arguments, const std::string& line) {
     const Outcome outcome = run_program(arguments);
     EXPECT_EQ(outcome.code, static_cast<int>(ExitCode::BadRequest)) << arguments;

@@ -41,7 +41,7 @@ TEST(StatsCommand, WritesTablesAndCharts) {
     EXPECT_EQ(outcome.written.size(), names.size());
 }
 
-// Without programs in PATH there is no gnuplot.
+// This PATH hides gnuplot even if it is installed.
 TEST(StatsCommand, ReportsWhyThereAreNoCharts) {
     const std::string path = std::getenv("PATH");
     setenv("PATH", "/no-such-folder", 1);

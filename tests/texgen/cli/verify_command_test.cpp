@@ -18,7 +18,7 @@ TEST(VerifyCommand, ReportsFailuresByItsExitCode) {
     EXPECT_NE(good.out.find("all checks passed"), std::string::npos);
     const Outcome json = run_program("verify out/manifest.json --json", work);
     EXPECT_EQ(nlohmann::json::parse(json.out)["status"], "holds");
-    std::filesystem::remove(work.path() / "out" / "sea_foam_albedo.0002.png");
+    std::filesystem::remove(work.path() / "out" / "sea_foam_lit.0002.png");
     const Outcome bad = run_program("verify out", work);
     EXPECT_EQ(bad.code, static_cast<int>(ExitCode::CheckFailed));
     EXPECT_NE(bad.out.find("FAILED"), std::string::npos);

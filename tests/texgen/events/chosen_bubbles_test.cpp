@@ -21,11 +21,11 @@ TEST(ChosenBubbles, ByIdentityFromAnIndex) {
     test::EventSubject subject;
     EventBase event;
     event.bubbles = {3, 5, 99, 8};  // 99 does not exist
-    const EventStage stage = subject.stage(2);
-    EXPECT_EQ(identities(choose_bubbles(event, stage, 0, 4)),
+    const EventContext context = subject.context(2);
+    EXPECT_EQ(identities(choose_bubbles(event, context, 0, 4)),
               (std::vector<BubbleIdentity>{3, 5, 8}));
-    EXPECT_EQ(identities(choose_bubbles(event, stage, 1, 1)), (std::vector<BubbleIdentity>{5}));
-    EXPECT_DOUBLE_EQ(choose_bubbles(event, stage, 0, 1).front().area, 1.0);
+    EXPECT_EQ(identities(choose_bubbles(event, context, 1, 1)), (std::vector<BubbleIdentity>{5}));
+    EXPECT_DOUBLE_EQ(choose_bubbles(event, context, 0, 1).front().area, 1.0);
 }
 
 TEST(ChosenBubbles, ByTheSmallestOfANumberOfSides) {
@@ -33,16 +33,29 @@ TEST(ChosenBubbles, ByTheSmallestOfANumberOfSides) {
     subject.foam.target_areas[id_at<BubbleId>(6)] = 0.5;
     EventBase event;
     event.sides = {4, 6};  // no hexagon has four sides
-    EXPECT_EQ(choose_bubbles(event, subject.stage(2), 0, 3).size(), 3U);
+    EXPECT_EQ(choose_bubbles(event, subject.context(2), 0, 3).size(), 3U);
     event.sides = {4};
-    EXPECT_TRUE(choose_bubbles(event, subject.stage(2), 0, 3).empty());
+    EXPECT_TRUE(choose_bubbles(event, subject.context(2), 0, 3).empty());
+}
+
+// Three hexagons are smaller than the others: in increasing order 6, 9 and 2.
+TEST(ChosenBubbles, ANumberOfSidesThatIsListedTwiceChoosesNoBubbleTwice) {
+    test::EventSubject subject;
+    subject.foam.target_areas[id_at<BubbleId>(6)] = 0.5;
+    subject.foam.target_areas[id_at<BubbleId>(9)] = 0.6;
+    subject.foam.target_areas[id_at<BubbleId>(2)] = 0.7;
+    EventBase event;
+    event.sides = {6, 6};
+    EXPECT_EQ(identities(choose_bubbles(event, subject.context(2), 0, 3)),
+              (std::vector<BubbleIdentity>{6, 9, 2}));
+    EXPECT_EQ(choose_bubbles(event, subject.context(2), 0, 99).size(), 16U);
 }
 
 TEST(ChosenBubbles, AreAllWithoutACount) {
     test::EventSubject subject;
-    EXPECT_EQ(choose_bubbles({}, subject.stage(2), 0, 0).size(), 16U);
+    EXPECT_EQ(choose_bubbles({}, subject.context(2), 0, 0).size(), 16U);
     subject.foam.lone_bubbles.push_back({40, {0.0, 0.0}, 0.7});
-    const auto all = choose_bubbles({}, subject.stage(2), 0, 0);
+    const auto all = choose_bubbles({}, subject.context(2), 0, 0);
     EXPECT_EQ(all.back().bubble, 40U);
     EXPECT_EQ(all.back().area, 0.7);
 }

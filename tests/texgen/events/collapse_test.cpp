@@ -21,29 +21,30 @@ EventBase collapse_of(const std::vector<BubbleIdentity>& bubbles, const FrameSpa
 TEST(Collapse, LeadsToTheT2AreaOverAllFrames) {
     test::EventSubject subject;
     const EventBase event = collapse_of({3, 9}, {2, 6});
-    EventStage stage = subject.stage(2);
-    advance_collapse(event, {}, stage);
-    ASSERT_EQ(subject.courses.size(), 2U);
+    EventContext context = subject.context(2);
+    advance_collapse(event, {}, context);
+    ASSERT_EQ(subject.schedules.size(), 2U);
     for (const BubbleIdentity bubble : {3U, 9U}) {
-        const DrivenCourse& course = subject.courses.at(bubble);
-        EXPECT_EQ(course.frames, (FrameSpan{2, 6}));
-        EXPECT_DOUBLE_EQ(course.course.from, 1.0);
-        EXPECT_DOUBLE_EQ(course.course.to, 0.01);
-        EXPECT_TRUE(course.vanishes);
+        const DrivenSchedule& schedule = subject.schedules.at(bubble);
+        EXPECT_EQ(schedule.frames, (FrameSpan{2, 6}));
+        EXPECT_DOUBLE_EQ(schedule.schedule.from, 1.0);
+        EXPECT_DOUBLE_EQ(schedule.schedule.to, 0.01);
+        EXPECT_TRUE(schedule.vanishes);
     }
 }
 
-// Two bubbles in frames 2 to 6: the first has 2 and 3, the second 4 to 6.
+// Two bubbles share the frames 2 to 6. The first one collapses in frames 2 and 3, the second one in
+// frames 4 to 6.
 TEST(Collapse, InTurnBubblesShareTheFrames) {
     test::EventSubject subject;
     const EventBase event = collapse_of({3, 9}, {2, 6});
     for (int frame = 2; frame <= 6; ++frame) {
-        EventStage stage = subject.stage(frame);
-        advance_collapse(event, {.order = EventOrder::InTurn}, stage);
-        EXPECT_EQ(subject.courses.size(), frame < 4 ? 1U : 2U);
+        EventContext context = subject.context(frame);
+        advance_collapse(event, {.order = EventOrder::InTurn}, context);
+        EXPECT_EQ(subject.schedules.size(), frame < 4 ? 1U : 2U);
     }
-    EXPECT_EQ(subject.courses.at(3).frames, (FrameSpan{2, 3}));
-    EXPECT_EQ(subject.courses.at(9).frames, (FrameSpan{4, 6}));
+    EXPECT_EQ(subject.schedules.at(3).frames, (FrameSpan{2, 3}));
+    EXPECT_EQ(subject.schedules.at(9).frames, (FrameSpan{4, 6}));
 }
 
 TEST(Collapse, InTurnEveryBubbleNeedsAFrame) {

@@ -17,44 +17,44 @@ EventBase drive_of(const FrameSpan& frames) {
     return event;
 }
 
-// 12 frames with a period of 8 hold one and a half swings.
-TEST(Drive, FollowsARampAndASwing) {
+// 12 frames with a period of 8 hold one and a half oscillations.
+TEST(Drive, FollowsARampAndAnOscillation) {
     test::EventSubject subject;
     EventBase event = drive_of({3, 14});
     event.bubbles = {5};
     const DriveOptions options{.scale = 2.0, .amplitude = 0.25, .period = 8.0, .phase = 0.5};
-    EventStage stage = subject.stage(3);
-    advance_drive(event, options, stage);
-    ASSERT_EQ(subject.courses.size(), 1U);
-    const DrivenCourse& driven = subject.courses.at(5);
+    EventContext context = subject.context(3);
+    advance_drive(event, options, context);
+    ASSERT_EQ(subject.schedules.size(), 1U);
+    const DrivenSchedule& driven = subject.schedules.at(5);
     EXPECT_EQ(driven.frames, (FrameSpan{3, 14}));
-    EXPECT_DOUBLE_EQ(driven.course.from, 1.0);
-    EXPECT_DOUBLE_EQ(driven.course.to, 2.0);
-    EXPECT_DOUBLE_EQ(driven.course.amplitude, 0.25);
-    EXPECT_DOUBLE_EQ(driven.course.swings, 1.5);
-    EXPECT_DOUBLE_EQ(driven.course.phase, 0.5);
+    EXPECT_DOUBLE_EQ(driven.schedule.from, 1.0);
+    EXPECT_DOUBLE_EQ(driven.schedule.to, 2.0);
+    EXPECT_DOUBLE_EQ(driven.schedule.amplitude, 0.25);
+    EXPECT_DOUBLE_EQ(driven.schedule.oscillations, 1.5);
+    EXPECT_DOUBLE_EQ(driven.schedule.phase, 0.5);
     EXPECT_FALSE(driven.vanishes);
 }
 
 TEST(Drive, BeginsOnceAndDrivesAllBubblesIfNoneIsNamed) {
     test::EventSubject subject;
-    EventStage later = subject.stage(4);
+    EventContext later = subject.context(4);
     advance_drive(drive_of({3, 14}), {}, later);
-    EXPECT_TRUE(subject.courses.empty());
-    EventStage first = subject.stage(3);
+    EXPECT_TRUE(subject.schedules.empty());
+    EventContext first = subject.context(3);
     advance_drive(drive_of({3, 14}), {}, first);
-    EXPECT_EQ(subject.courses.size(), 16U);
+    EXPECT_EQ(subject.schedules.size(), 16U);
     EXPECT_EQ(test::checked(drive_of({3, 14}), DriveOptions{}, check_drive), "accepted");
 }
 
 TEST(Drive, RandomPhasesDifferFromBubbleToBubble) {
     test::EventSubject subject;
-    EventStage stage = subject.stage(3);
-    advance_drive(drive_of({3, 14}), {.phases = Phases::Random}, stage);
-    EXPECT_NE(subject.courses.at(0).course.phase, subject.courses.at(1).course.phase);
-    for (const auto& [bubble, driven] : subject.courses) {
-        EXPECT_GE(driven.course.phase, 0.0);
-        EXPECT_LT(driven.course.phase, 1.0);
+    EventContext context = subject.context(3);
+    advance_drive(drive_of({3, 14}), {.phases = Phases::Random}, context);
+    EXPECT_NE(subject.schedules.at(0).schedule.phase, subject.schedules.at(1).schedule.phase);
+    for (const auto& [bubble, driven] : subject.schedules) {
+        EXPECT_GE(driven.schedule.phase, 0.0);
+        EXPECT_LT(driven.schedule.phase, 1.0);
     }
 }
 

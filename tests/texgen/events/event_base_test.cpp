@@ -11,7 +11,8 @@
 namespace foam::texgen {
 namespace {
 
-// 7 frames in 3 parts start at 0, 2 and 4 of them: floor(7 k / 3).
+// 7 frames are divided into 3 parts. Part k begins at the frame of index floor(7 k / 3): 0, 2 and
+// 4.
 TEST(EventBase, PartsOfFramesCoverThemOnce) {
     const FrameSpan frames{10, 16};
     EXPECT_EQ(part_of(frames, 0, 3), (FrameSpan{10, 11}));
@@ -23,13 +24,13 @@ TEST(EventBase, PartsOfFramesCoverThemOnce) {
 TEST(EventBase, NamesBubblesInOneOfThreeWays) {
     EventBase event;
     event.count = 4;
-    EXPECT_EQ(event.bubbles_named(), 0U);  // all
+    EXPECT_EQ(event.chosen_count(), 0U);  // all
     event.at = {0.5, 0.5};
-    EXPECT_EQ(event.bubbles_named(), 1U);
+    EXPECT_EQ(event.chosen_count(), 1U);
     event.sides = {5, 6};
-    EXPECT_EQ(event.bubbles_named(), 4U);
+    EXPECT_EQ(event.chosen_count(), 4U);
     event.bubbles = {1, 2};
-    EXPECT_EQ(event.bubbles_named(), 2U);
+    EXPECT_EQ(event.chosen_count(), 2U);
 }
 
 TEST(EventBase, FramesAndATimeReplaceEachOther) {

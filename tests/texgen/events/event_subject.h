@@ -10,14 +10,15 @@
 
 namespace foam::texgen::test {
 
-/// A torus of 4 x 4 hexagons of area 1, with the identities 0 to 15, and what events do to it.
+/// A torus of 4 x 4 hexagons of area 1, with the identities 0 to 15, and the changes that events
+/// make to it.
 struct EventSubject {
     Foam foam = honeycomb(4, 4);
     Random random{7};
     StateChange change{};
-    DrivenCourses courses{};
+    DrivenSchedules schedules{};
 
-    EventStage stage(int frame) {
+    EventContext context(int frame) {
         return {.frame = frame,
                 .foam = foam,
                 .random = random,
@@ -25,7 +26,7 @@ struct EventSubject {
                 .view = {},
                 .image_size = {100.0, 100.0},
                 .change = change,
-                .courses = courses};
+                .schedules = schedules};
     }
 };
 
@@ -37,12 +38,12 @@ std::string checked(const EventBase& event,
                     const EventSetting& setting = {.is_patch = false,
                                                    .t2_area = 0.01,
                                                    .shorter_side = 4.0},
-                    bool is_touched = true) {
+                    bool has_assigned_key = true) {
     const EventCheck all{.event = event,
                          .frames = event.frames,
                          .setting = setting,
                          .name = "event[1]",
-                         .is_touched = is_touched,
+                         .has_assigned_key = has_assigned_key,
                          .is_given = [](std::string_view) { return false; },
                          .reject =
                              [](std::string_view key, std::string_view reason) {

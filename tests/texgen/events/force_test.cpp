@@ -18,14 +18,15 @@ EventBase force_at(double x, double y) {
     return event;
 }
 
-// A push of (2, -1) over four frames moves the point by a quarter of it in each.
+// A push of (2, -1) over four frames displaces the junctions by a quarter of it in each frame. The
+// center of the push moves with them.
 TEST(Force, MovesAlongWithItsPush) {
     test::EventSubject subject;
     const Domain& domain = subject.foam.domain;
     for (int frame = 2; frame <= 5; ++frame) {
         subject.change = {};
-        EventStage stage = subject.stage(frame);
-        advance_force(force_at(0.5, 0.25), {.radius = 1.5, .push = {2.0, -1.0}}, stage);
+        EventContext context = subject.context(frame);
+        advance_force(force_at(0.5, 0.25), {.radius = 1.5, .push = {2.0, -1.0}}, context);
         ASSERT_EQ(subject.change.pushes.size(), 1U);
         const Displacement& push = subject.change.pushes.front();
         const Vec2 start(0.5 * domain.width, 0.25 * domain.height);
@@ -53,7 +54,7 @@ TEST(Force, NeedsAPosition) {
     EventBase event = force_at(0.0, 0.0);
     event.at.reset();
     EXPECT_EQ(test::checked(event, ForceOptions{}, check_force),
-              "kind: the event must have a position, at");
+              "kind: the event must have the key at, the position of the push");
 }
 
 TEST(Force, LimitsHoldOnBothSides) {

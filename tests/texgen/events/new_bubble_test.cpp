@@ -31,7 +31,7 @@ TEST(NewBubble, NeedsFoamAround) {
     EXPECT_TRUE(nucleate_anywhere(NucleationSite::Film, 0.02, random, patch).has_value());
 }
 
-// Twice the T2 area, unless that is more than the area it grows to.
+// The first area is twice the T2 area, but at most the final area.
 TEST(NewBubble, BeginsSmall) {
     EXPECT_DOUBLE_EQ(first_area(0.5, 0.01), 0.02);
     EXPECT_DOUBLE_EQ(first_area(0.015, 0.01), 0.015);
@@ -39,11 +39,11 @@ TEST(NewBubble, BeginsSmall) {
 
 TEST(NewBubble, GrowsToItsArea) {
     test::EventSubject subject;
-    grow_bubble(subject.foam, id_at<BubbleId>(4), {3, 5}, 1.5, subject.courses);
-    const DrivenCourse& driven = subject.courses.at(4);
+    grow_bubble(subject.foam, id_at<BubbleId>(4), {3, 5}, 1.5, subject.schedules);
+    const DrivenSchedule& driven = subject.schedules.at(4);
     EXPECT_EQ(driven.frames, (FrameSpan{3, 5}));
-    EXPECT_DOUBLE_EQ(driven.course.from, 1.0);
-    EXPECT_DOUBLE_EQ(driven.course.to, 1.5);
+    EXPECT_DOUBLE_EQ(driven.schedule.from, 1.0);
+    EXPECT_DOUBLE_EQ(driven.schedule.to, 1.5);
     EXPECT_FALSE(driven.vanishes);
 }
 

@@ -18,22 +18,22 @@ EventBase nucleate_of(int count, const FrameSpan& frames) {
     return event;
 }
 
-// Two bubbles in frames 2 to 5 begin on the way to frames 2 and 4. Each starts with twice the T2
-// area of 0.01 and grows for three frames.
+// Two bubbles in frames 2 to 5 begin in the steps to frames 2 and 4. Each one starts with twice the
+// T2 area, which is 0.01, and grows for three frames.
 TEST(Nucleate, NewBubblesBeginEvenlyAndGrow) {
     test::EventSubject subject;
     const NucleateOptions options{.area = 0.5, .growth = 3};
     for (int frame = 2; frame <= 5; ++frame) {
-        EventStage stage = subject.stage(frame);
-        advance_nucleate(nucleate_of(2, {2, 5}), options, stage);
+        EventContext context = subject.context(frame);
+        advance_nucleate(nucleate_of(2, {2, 5}), options, context);
         EXPECT_EQ(subject.foam.network.bubble_count(), frame < 4 ? 17U : 18U);
     }
-    ASSERT_EQ(subject.courses.size(), 2U);
-    const DrivenCourse& first = subject.courses.at(16);
+    ASSERT_EQ(subject.schedules.size(), 2U);
+    const DrivenSchedule& first = subject.schedules.at(16);
     EXPECT_EQ(first.frames, (FrameSpan{2, 4}));
-    EXPECT_NEAR(first.course.from, 0.02, 1e-12);
-    EXPECT_DOUBLE_EQ(first.course.to, 0.5);
-    EXPECT_EQ(subject.courses.at(17).frames, (FrameSpan{4, 6}));
+    EXPECT_NEAR(first.schedule.from, 0.02, 1e-12);
+    EXPECT_DOUBLE_EQ(first.schedule.to, 0.5);
+    EXPECT_EQ(subject.schedules.at(17).frames, (FrameSpan{4, 6}));
 }
 
 TEST(Nucleate, ANewBubbleIsLargerThanTheT2Area) {
@@ -51,7 +51,7 @@ TEST(Nucleate, OnlyOneBubbleBeginsAtAPosition) {
     EventBase event = nucleate_of(2, {2, 3});
     event.at = {0.5, 0.5};
     EXPECT_EQ(test::checked(event, NucleateOptions{}, check_nucleate),
-              "count: must be 1 if the event has a position, at");
+              "count: must be 1 if the event has the key at (a position)");
 }
 
 TEST(Nucleate, LimitsHoldOnBothSides) {

@@ -17,13 +17,13 @@ EventBase shear_event() {
     return event;
 }
 
-// Two shears at once add up: a quarter of 2 and a quarter of 1.
+// Each of four frames gets a quarter of the strain. The strains of two events add up.
 TEST(Shear, SharesItsStrainAmongTheFrames) {
     test::EventSubject subject;
-    EventStage stage = subject.stage(4);
-    advance_shear(shear_event(), {.strain = 2.0}, stage);
+    EventContext context = subject.context(4);
+    advance_shear(shear_event(), {.strain = 2.0}, context);
     EXPECT_DOUBLE_EQ(subject.change.strain, 0.5);
-    advance_shear(shear_event(), {.strain = 1.0}, stage);
+    advance_shear(shear_event(), {.strain = 1.0}, context);
     EXPECT_DOUBLE_EQ(subject.change.strain, 0.75);
 }
 

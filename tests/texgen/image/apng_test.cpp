@@ -17,7 +17,7 @@ namespace {
 
 constexpr FrameRate kRate{24, 1};
 
-/// A picture of its own for each number.
+/// Returns a picture of `width` x 3 pixels whose samples depend on `number`.
 Image<std::uint8_t> picture(int number, int width = 5) {
     Image<std::uint8_t> image(width, 3, 3);
     int k = 0;
@@ -47,12 +47,14 @@ TEST(Apng, HasTheChunksOfTheSpecification) {
     EXPECT_EQ(types, "IHDR gAMA sRGB cHRM tEXt acTL fcTL IDAT fcTL fdAT fcTL fdAT IEND ");
 }
 
-// Numbers have their high byte first.
+// The content is the number of frames and the number of repetitions, where 0 means for ever. The
+// high byte of a number is first.
 TEST(Apng, CountsFramesAndPlaysForEver) {
     EXPECT_EQ(chunk(animation(3), "acTL"), std::string("\0\0\0\3\0\0\0\0", 8));
 }
 
-// Number, width, height, offset, delay in seconds as a fraction, no disposal, no blending.
+// The content is a sequence number, width, height, x and y offset, the delay as a fraction of a
+// second, and the modes of disposal and blending, which are 0.
 TEST(Apng, ShowsEveryFrameForTheTimeOfOne) {
     const Bytes stream = animation(2, {30000, 1001});
     std::vector<std::string> controls;
@@ -67,7 +69,7 @@ TEST(Apng, ShowsEveryFrameForTheTimeOfOne) {
     EXPECT_EQ(controls[1], std::string("\0\0\0\1", 4) + rest);
 }
 
-// Each is the zlib stream of the PNG that it came from, after the next number.
+// A chunk fdAT has a sequence number and the zlib stream of the PNG of its frame.
 TEST(Apng, KeepsTheDataOfEveryFrame) {
     const Bytes stream = animation(3);
     EXPECT_EQ(chunk(stream, "IDAT"), chunk(stream_of(0), "IDAT"));
@@ -82,7 +84,7 @@ TEST(Apng, KeepsTheDataOfEveryFrame) {
     EXPECT_EQ(data[1], std::string("\0\0\0\4", 4) + chunk(stream_of(2), "IDAT"));
 }
 
-// libpng, which knows nothing of animations, checks every check sum.
+// libpng does not support animations. It checks the CRC of every chunk.
 TEST(Apng, ShowsItsFirstFrameInProgramsWithoutApngSupport) {
     const Picture read = decode_png(animation(2));
     EXPECT_EQ(codes8(read), picture(0));
@@ -91,7 +93,14 @@ TEST(Apng, ShowsItsFirstFrameInProgramsWithoutApngSupport) {
 }
 
 TEST(Apng, RejectsInvalidAnimations) {
-    EXPECT_THROW(ApngMuxer(0, kRate), std::invalid_argument);
+    try {
+        ApngMuxer(0, FrameRate{24000, 1001});
+        FAIL();
+    } catch (const std::invalid_argument& error) {
+        EXPECT_EQ(std::string(error.what()),
+                  "an animation needs at least one frame, and a frame rate whose numerator and "
+                  "denominator are from 1 to 65535, not 0 frames at 24000/1001");
+    }
     EXPECT_THROW(ApngMuxer(1, FrameRate{0, 1}), std::invalid_argument);
     EXPECT_THROW(ApngMuxer(1, FrameRate{24, 65536}), std::invalid_argument);
     ApngMuxer muxer(2, kRate);

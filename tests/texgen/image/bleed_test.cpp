@@ -33,7 +33,8 @@ TEST(Bleed, KeepsPixelsThatAreNotFullyTransparent) {
     EXPECT_EQ(image, before);
 }
 
-// Beside one opaque pixel and one of half the opacity: their mean by weight; farther away the same.
+// A pixel beside both colored pixels gets their mean, weighted by their opacities, 2 : 1. A pixel
+// far from both gets the same mean.
 TEST(Bleed, GivesTheMeanOfTheNearestByOpacity) {
     Image16 image(4, 4, 4);
     set(image, 0, 0, {300, 0, 60000}, 60000);
@@ -43,12 +44,13 @@ TEST(Bleed, GivesTheMeanOfTheNearestByOpacity) {
     EXPECT_EQ(color_at(image, 0, 0), (Color{300, 0, 60000}));
     EXPECT_EQ(color_at(image, 1, 0), mean);
     EXPECT_EQ(color_at(image, 0, 1), mean);
-    EXPECT_EQ(color_at(image, 2, 2), (Color{600, 30000, 0}));  // beside the second alone
+    EXPECT_EQ(color_at(image, 2, 2), (Color{600, 30000, 0}));  // beside the second one only
     EXPECT_EQ(color_at(image, 3, 3), mean);
     EXPECT_EQ(image.pixel(3, 3)[3], 0);
 }
 
-// The nearer of two colors.
+// A pixel that touches no colored pixel gets the color of the smallest square that contains one.
+// The square of the pixel (7, 0) is the whole image.
 TEST(Bleed, IsOfThePixelsAround) {
     Image16 image(8, 8, 4);
     set(image, 0, 0, {100, 0, 0}, 65535);
@@ -67,7 +69,7 @@ TEST(Bleed, UsesTheFallbackIfAllIsTransparent) {
     }
 }
 
-// Sides that are no powers of two: every pixel has a color.
+// The width and the height are not powers of two. Every pixel still gets a color.
 TEST(Bleed, ReachesEveryPixelOfAnySize) {
     Image16 image(37, 11, 4);
     set(image, 36, 10, {7, 8, 9}, 3);

@@ -15,10 +15,10 @@ namespace {
 TEST(Color, TransferFunctionMatchesTheStandard) {
     EXPECT_DOUBLE_EQ(srgb_to_linear(0.0), 0.0);
     EXPECT_DOUBLE_EQ(srgb_to_linear(1.0), 1.0);
-    EXPECT_DOUBLE_EQ(srgb_to_linear(0.04), 0.04 / 12.92);              // on the toe
+    EXPECT_DOUBLE_EQ(srgb_to_linear(0.04), 0.04 / 12.92);              // in the linear part
     EXPECT_NEAR(srgb_to_linear(0.5), 0.214041140482, 1e-12);           // (0.555 / 1.055)^2.4
     EXPECT_NEAR(linear_to_srgb(0.18), 0.461356129500, 1e-12);          // middle gray
-    EXPECT_NEAR(linear_to_srgb(0.0031308), 12.92 * 0.0031308, 1e-15);  // the end of the toe
+    EXPECT_NEAR(linear_to_srgb(0.0031308), 12.92 * 0.0031308, 1e-15);  // end of the linear part
 }
 
 TEST(Color, EveryCodeRoundTripsThroughLinearLight) {

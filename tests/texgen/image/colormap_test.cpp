@@ -20,7 +20,7 @@ double lightness(const ColorMap& map, int i) {
     return std::cbrt(luminance(map.at(i / 255.0)));
 }
 
-// As Matplotlib's documentation shows them: viridis(0.0), viridis(1.0) and so on.
+// The expected colors are from Matplotlib's documentation: viridis(0.0), viridis(1.0) and so on.
 TEST(ColorMap, HasTheKnownEntries) {
     EXPECT_EQ(find_colormap("viridis").entry(0), (Srgb8{0x44, 0x01, 0x54}));
     EXPECT_EQ(find_colormap("viridis").entry(128), (Srgb8{0x21, 0x91, 0x8c}));
@@ -32,7 +32,8 @@ TEST(ColorMap, HasTheKnownEntries) {
     EXPECT_EQ(find_colormap("grey").entry(77), (Srgb8{77, 77, 77}));
 }
 
-// A stride of 4: the rounding to 8 bits may turn direct neighbors round by less than one code.
+// Compares entries whose indices differ by 4, because rounding to 8 bits can reverse the order of
+// adjacent entries.
 TEST(ColorMap, LightnessIsMonotone) {
     for (const std::string_view name : colormap_names()) {
         const ColorMap& map = find_colormap(name);

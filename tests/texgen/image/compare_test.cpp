@@ -13,7 +13,7 @@
 namespace foam::texgen {
 namespace {
 
-/// 3 x 2 pixels of one channel; the first number is that of the lower left.
+/// Returns a picture of 3 x 2 pixels with one channel. The first number is the lower left pixel.
 Picture gray(const std::vector<double>& numbers, const std::string& name = "Y") {
     Image<float> image(3, 2, 1);
     std::ranges::transform(
@@ -21,7 +21,7 @@ Picture gray(const std::vector<double>& numbers, const std::string& name = "Y") 
     return {{{{name}, SampleType::Float, image}}};
 }
 
-// By hand: 0.5 and 0.25 apart in two of six samples.
+// Computed by hand: two of the six samples differ, by 0.25 and by 0.5.
 TEST(Compare, MeasuresDifferences) {
     const Picture a = gray({0, 0, 0, 1, 1, 1});
     const Picture b = gray({0, 0.25, 0, 1, 1, 0.5});
@@ -36,7 +36,7 @@ TEST(Compare, MeasuresDifferences) {
     EXPECT_EQ(found.y, 0);
 }
 
-// A limit is still allowed.
+// A difference equal to a limit is still allowed.
 TEST(Compare, VerdictFollowsTheLimits) {
     const Picture a = gray({0, 0, 0, 0, 0, 0});
     const Picture b = gray({0.5, 0, 0, 0, 0, 0});
@@ -53,7 +53,7 @@ TEST(Compare, OtherFormsAreNotCompared) {
     Picture two = a;
     two.groups.push_back({{"Z"}, SampleType::Float, a.groups[0].samples});
     for (const Picture& b : {narrow, two, gray({0, 0, 0, 0, 0, 0}, "R")}) {
-        EXPECT_EQ(compare(a, b).verdict, Verdict::OtherSize);
+        EXPECT_EQ(compare(a, b).verdict, Verdict::DifferentLayout);
     }
 }
 

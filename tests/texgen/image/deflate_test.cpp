@@ -18,7 +18,8 @@ std::uint8_t* raw(std::span<const std::byte> bytes) {
     return const_cast<std::uint8_t*>(reinterpret_cast<const std::uint8_t*>(bytes.data()));
 }
 
-/// What zlib makes of a deflate stream without header; empty if it finds it malformed.
+/// Returns the data that zlib decompresses from a deflate stream without a header. Returns no data
+/// if the stream is malformed or does not contain exactly `size` bytes.
 Bytes inflated(std::span<const std::byte> stream, std::size_t size) {
     Bytes data(size);
     z_stream state{};
@@ -66,7 +67,7 @@ Bytes joined(std::span<const std::byte> first, std::span<const std::byte> second
 
 class DeflateTest : public testing::TestWithParam<Compression> {};
 
-// Noise does not shrink: the most that can come out.
+// Noise cannot be compressed, so its output is the largest possible.
 TEST_P(DeflateTest, ZlibInflatesIt) {
     Deflater deflater;
     for (const std::size_t size : {0U, 1U, 1000U, 70'000U, 600'000U}) {
@@ -91,8 +92,9 @@ TEST(Deflate, PartsInARowAreOneStream) {
     EXPECT_EQ(inflated(joined(first, second), data.size()), data);
 }
 
-// Several live at once, hence at addresses of their own. The data is short, so that the library has
-// few places to remember it by, and begins with bytes that come again and again.
+// The 16 deflaters exist at the same time, so they have different addresses. The data are short and
+// repeat their first bytes, because in ISA-L 2.30 only the output for the first bytes of a stream
+// can depend on the address.
 TEST(Deflate, TheBytesDoNotDependOnTheAddressOfTheDeflater) {
     std::vector<Deflater> deflaters(16);
     for (unsigned seed = 1; seed <= 500; ++seed) {
@@ -108,8 +110,8 @@ TEST(Deflate, TheBytesDoNotDependOnTheAddressOfTheDeflater) {
     }
 }
 
-// From RFC 1950: s1 = 1 + the sum of the bytes, s2 = the sum of the s1; "ab": s1 = 1 + 97 + 98 =
-// 196, s2 = 98 + 196 = 294.
+// By RFC 1950, s1 is 1 plus the sum of the bytes, and s2 is the sum of the successive values of s1.
+// For "ab", s1 = 1 + 97 + 98 = 196 and s2 = 98 + 196 = 294.
 TEST(Deflate, ChecksumIsAdler32) {
     const std::string_view text = "ab";
     const auto bytes = std::as_bytes(std::span(text));

@@ -23,7 +23,7 @@ Image<std::uint32_t> numbered_ids(int width, int height) {
     return ids;
 }
 
-/// What was written of a channel, alone.
+/// Returns one channel of an image as an image of one channel.
 Image<float> channel_of(const Image<float>& image, int channel) {
     Image<float> alone(image.width(), image.height(), 1);
     for (int y = 0; y < image.height(); ++y) {
@@ -67,7 +67,7 @@ RC_GTEST_PROP(ExrDecode, PixelsAndTextsRoundTrip, ()) {
     RC_ASSERT(back.metadata.text == metadata.text);
 }
 
-/// A file of one channel.
+/// Returns an EXR with the channel Y.
 Bytes encoded(SampleType type, const Image<float>& image, const ExrEncoding& encoding = {}) {
     const ExrChannel channel{"Y", type, image.view()};
     return encode_exr(std::span(&channel, 1), {}, encoding);
@@ -80,8 +80,8 @@ TEST(ExrDecode, EveryTruncationIsAnInputError) {
     }
 }
 
-// The attribute dataWindow, a box2i of 16 bytes, made 900000 x 900000 pixels: rejected before
-// memory is asked for.
+// The size in the attribute dataWindow, a box2i of 16 bytes, is changed to 900000 x 900000 pixels.
+// The file must be rejected before memory for the pixels is allocated.
 TEST(ExrDecode, AHeaderOfAHugeImageIsAnInputError) {
     Bytes stream = encoded(SampleType::Half, Image<float>(1, 1, 1));
     const std::string text(reinterpret_cast<const char*>(stream.data()), stream.size());

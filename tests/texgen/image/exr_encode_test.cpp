@@ -15,7 +15,7 @@
 namespace foam::texgen {
 namespace {
 
-/// A file of one channel.
+/// Returns an EXR with the channel Y.
 Bytes encoded(SampleType type, const Image<float>& image, const ExrEncoding& encoding = {}) {
     const ExrChannel channel{"Y", type, image.view()};
     return encode_exr(std::span(&channel, 1), {}, encoding);
@@ -30,10 +30,12 @@ TEST(ExrEncode, DoesNotClampValues) {
     const Image<float> back = floats(decode_exr(encoded(SampleType::Half, image)).groups[0]);
     EXPECT_EQ(back.samples()[0], -65504.0F);
     EXPECT_EQ(back.samples()[1], 65504.0F);
-    EXPECT_NEAR(back.samples()[2], 1.0e-7F, std::ldexp(1.0F, -25));  // half of a half's least step
+    // Rounding changes a number near 0 by at most half of the smallest half float, 2^-24.
+    EXPECT_NEAR(back.samples()[2], 1.0e-7F, std::ldexp(1.0F, -25));
 }
 
-// 65520 is half way from the largest half to the next power of two, and would become infinite.
+// The largest half float is 65504. 65520 is halfway between it and 65536, so it would be rounded to
+// infinity.
 TEST(ExrEncode, RejectsValuesOutOfRangeOfTheType) {
     Image<float> image(1, 1, 1);
     image.samples()[0] = 65519.0F;
@@ -47,7 +49,7 @@ TEST(ExrEncode, RejectsValuesOutOfRangeOfTheType) {
     }
 }
 
-// Without compression, a row of the file is its number, its size and its samples; the number of
+// Without compression, the file has the number, the size and the samples of each row. The number of
 // the top row is 0.
 TEST(ExrEncode, TheTopRowComesFirstInTheFile) {
     Image<float> image(1, 2, 1);
@@ -72,7 +74,8 @@ TEST(ExrEncode, TheBytesDoNotDependOnTheNumberOfThreads) {
     }
 }
 
-// By hand: 4 x 2, means of 2 x 2, then of 2 x 1. Levels are 4 x 2, 2 x 1, 1 x 1.
+// Computed by hand. The levels have 4 x 2, 2 x 1 and 1 x 1 pixels. The means are over 2 x 2 pixels,
+// then over 2 x 1.
 TEST(ExrEncode, MipLevelsAreMeansAndIdsAreChosen) {
     Image<float> image(4, 2, 1);
     const std::vector<float> values = {1, 2, 3, 4, 5, 6, 7, 8};

@@ -14,7 +14,7 @@
 namespace foam::texgen {
 namespace {
 
-/// No file of this process may grow beyond so many bytes: as good as a full disk.
+/// Limits the size of the files that this process writes, in order to simulate a full disk.
 class FileSizeLimit {
   public:
     explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
@@ -65,7 +65,8 @@ TEST(FileIo, AMissingFolderIsNamed) {
               "cannot write '" + path.string() + "': No such file or directory");
 }
 
-// Short contents stay in the stream's buffer until the close; long ones fail in the write itself.
+// Short contents stay in the buffer of the stream until it is closed, so closing it fails. Long
+// contents fail in the write itself.
 TEST(FileIo, AFullDiskLeavesNeitherFileNorTemporary) {
     for (const std::size_t size : {std::size_t{2000}, std::size_t{1} << 20}) {
         const TemporaryFolder folder;
@@ -112,7 +113,7 @@ TEST(FileIo, FoldersAreMadeAsFarAsTheyAreMissing) {
 TEST(FileIo, ReadingNamesFileAndReason) {
     const TemporaryFolder folder;
     EXPECT_THROW(read_file(folder.path() / "none"), InputError);
-    EXPECT_THROW(read_file(folder.path()), InputError);  // a folder opens but does not read
+    EXPECT_THROW(read_file(folder.path()), InputError);  // a folder can be opened but not read
 }
 
 }  // namespace

@@ -18,7 +18,7 @@
 namespace foam::texgen {
 namespace {
 
-/// A picture of 5 x 3 pixels that a format can hold.
+/// Returns a picture of 5 x 3 pixels that the format can store.
 Picture picture_for(const ImageFormat& format) {
     if (format.samples == FormatSamples::Numbers) {
         Image<float> numbers(5, 3, 3);
@@ -62,7 +62,8 @@ TEST(Format, IsFoundByItsSuffix) {
     EXPECT_EQ(find_format("png"), nullptr);
 }
 
-// One picture as PNG of both depths and as EXR: 51 of 255 is 0.2.
+// The same picture is stored as a PNG of 8 bits, as a PNG of 16 bits and as an EXR. The code 51 of
+// 255 is the number 0.2.
 TEST(Format, AllAreReadAlike) {
     const TemporaryFolder folder;
     Image<std::uint8_t> coarse(1, 1, 3);

@@ -32,7 +32,7 @@ TEST(MipLevel, EvenExtentsAreMeansOfPairs) {
               (std::vector<float>{2, 15}));
 }
 
-// Five pixels into two: each covers two and a half.
+// Five pixels become two, each of which covers two and a half pixels.
 TEST(MipLevel, OddExtentsShareAPixel) {
     const auto level = samples_of(mean_level(row_of({1, 2, 4, 8, 16}).view(), 0));
     EXPECT_EQ(level, (std::vector<float>{(1 + 2 + 4 / 2.0F) / 2.5F, (4 / 2.0F + 8 + 16) / 2.5F}));
@@ -46,8 +46,8 @@ TEST(MipLevel, OneColumnStaysOne) {
     EXPECT_EQ(samples_of(mean_level(row_of({7}).view(), 0)), std::vector<float>{7});
 }
 
-// By area, no pixel counts more than another: also at odd extents, where filters that look at 2 x 2
-// pixels drop the last row.
+// All pixels have the same weight, also if the width or the height is odd. In this case, filters of
+// 2 x 2 pixels would drop the last column or row.
 TEST(MipLevel, TheMeanOfAllStays) {
     for (const auto& [width, height] : {std::pair(8, 4), std::pair(7, 5), std::pair(3, 11)}) {
         Image<float> image(width, height, 2);
@@ -64,7 +64,8 @@ TEST(MipLevel, TheMeanOfAllStays) {
     }
 }
 
-// What tiles still does: a picture moved around the torus by two pixels has a level moved by one.
+// If the picture is shifted around the torus by two pixels, its level is shifted by one. A picture
+// that tiles therefore has a level that tiles.
 TEST(MipLevel, ShiftsAroundTheTorus) {
     const std::vector<float> values = {1, 5, 2, 9, 4, 4, 8, 0};
     std::vector<float> shifted = values;
@@ -80,7 +81,8 @@ TEST(MipLevel, IntegersAreChosen) {
     const Image<std::uint32_t> level = central_level(ids.view(), 0);
     ASSERT_EQ(level.width(), 2);
     ASSERT_EQ(level.height(), 1);
-    // The middles of what is covered are 1.25 and 3.75 along the row, at the upper of two rows.
+    // A pixel of the level covers 2.5 x 2 pixels. The middles of the two areas are at x = 1.25 and
+    // 3.75, in row 1.
     EXPECT_EQ(level.row(0)[0], ids.row(1)[1]);
     EXPECT_EQ(level.row(0)[1], ids.row(1)[3]);
 }

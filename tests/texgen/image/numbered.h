@@ -8,7 +8,7 @@
 
 namespace foam::texgen {
 
-/// Returns an image whose samples count up from 0.
+/// Returns an image whose samples count up from 0, modulo 256.
 inline Image<std::uint8_t> numbered_codes(int width, int height, int channels) {
     Image<std::uint8_t> image(width, height, channels);
     std::uint8_t value = 0;
@@ -18,7 +18,7 @@ inline Image<std::uint8_t> numbered_codes(int width, int height, int channels) {
     return image;
 }
 
-/// Returns an image of multiples of 1/8 below 32, which a half holds exactly.
+/// Returns an image of multiples of 1/8 from -4 to 27.875, which half floats store exactly.
 inline Image<float> numbered_floats(int width, int height, int channels) {
     Image<float> image(width, height, channels);
     int k = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// Our files, read by programs that share none of our code. Where one is not installed its test is
-// left out; tests/run.sh installs them all.
+// Our files, read by programs that share none of our code, and a file of such a program, read by
+// us. Where one is not installed its test is left out; tests/run.sh installs them all.
 #include "tests/texgen/cli/run_program.h"
 #include "tests/texgen/pictures.h"
 #include "tests/texgen/temporary_folder.h"
@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,7 +23,7 @@
 namespace foam::texgen {
 namespace {
 
-/// The first of these programs that is not there, or nothing.
+/// Returns the first of these programs that is not installed, or an empty string.
 std::string missing(const std::vector<std::string>& programs) {
     for (const std::string& program : programs) {
         if (std::system(("command -v " + program + " >/dev/null").c_str()) != 0) {
@@ -32,7 +33,7 @@ std::string missing(const std::vector<std::string>& programs) {
     return {};
 }
 
-/// What a command in a folder prints; its exit code has to be 0.
+/// Runs a command in a folder and returns the text that it prints. Expects the exit code 0.
 std::string output_of(const std::string& command, const TemporaryFolder& folder) {
     const std::string out = (folder.path() / "printed").string();
     const std::string line =
@@ -56,7 +57,7 @@ Image<Sample> numbered(int width, int height, int channels, unsigned first = 1) 
     return image;
 }
 
-/// The same picture with an opacity of 1.
+/// Returns the same picture with one more channel: an opacity of 1.
 Image<std::uint8_t> with_opacity(const Image<std::uint8_t>& image) {
     constexpr std::uint8_t kOpaque = 255;
     Image<std::uint8_t> more(image.width(), image.height(), image.channels() + 1);
@@ -69,7 +70,8 @@ Image<std::uint8_t> with_opacity(const Image<std::uint8_t>& image) {
     return more;
 }
 
-/// The samples as raw bytes, the top row first, 16 bits with the high byte first.
+/// Returns the samples as bytes. The top row is first, and the high byte of a 16-bit sample is
+/// first.
 template <class Sample>
 std::string raw_bytes(const Image<Sample>& image) {
     std::string bytes;
@@ -87,8 +89,8 @@ struct PngCase {
     int width;
     int height;
     int channels;
-    const char* kind;        // in pngcheck's words, of 8 bits
-    const char* conversion;  // ImageMagick's name for raw samples
+    const char* kind;        // color type as pngcheck prints it
+    const char* conversion;  // ImageMagick's name of the raw format
 };
 
 constexpr std::array<PngCase, 6> kPngCases = {{{1, 1, 1, "grayscale", "GRAY"},
@@ -146,7 +148,7 @@ TEST(OtherPrograms, OurTextsAreRead) {
     EXPECT_TRUE(contains(checked, "UTF-8 text")) << checked;
 }
 
-// apngdis writes every frame as a PNG of its own.
+// apngdis writes every frame to a PNG, and its delay to a text file.
 TEST(OtherPrograms, ApngdisDisassemblesOurAnimations) {
     if (const std::string program = missing({"apngdis"}); !program.empty()) {
         GTEST_SKIP() << "there is no " << program;
@@ -167,7 +169,7 @@ TEST(OtherPrograms, ApngdisDisassemblesOurAnimations) {
     }
 }
 
-/// Layers of several types, in a file of rows or of mip levels.
+/// Writes layers of several types to a file of rows, or to a file of tiles with mip levels.
 void write_layers(const std::filesystem::path& path, bool mip_levels) {
     Image<float> image(67, 35, 3);
     for (std::size_t k = 0; k < image.samples().size(); ++k) {
@@ -228,7 +230,7 @@ TEST(OtherPrograms, OpenImageIoReadsOurExrs) {
     EXPECT_TRUE(contains(tiled, "MIP-map levels: 67x35 33x17 16x8 8x4 4x2 2x1 1x1")) << tiled;
 }
 
-// Alone as "Y", a map is gray; the samples as text: "Pixel (x, y): value".
+// A map in a channel "Y" is a gray image. oiiotool prints its samples as "Pixel (x, y): value".
 TEST(OtherPrograms, OpenImageIoFindsOurValues) {
     if (const std::string program = missing({"oiiotool"}); !program.empty()) {
         GTEST_SKIP() << "there is no " << program;
@@ -246,6 +248,22 @@ TEST(OtherPrograms, OpenImageIoFindsOurValues) {
     EXPECT_TRUE(contains(output, "Pixel (1, 0): 1.0")) << output;
     EXPECT_TRUE(contains(output, "Pixel (0, 1): 700.0")) << output;
     EXPECT_TRUE(contains(output, "Pixel (1, 1): 0.25")) << output;
+}
+
+// DWA compresses it to less than 1/1032 of its size, which deflate cannot do.
+TEST(OtherPrograms, WeReadAFlatImageOfOpenImageIo) {
+    if (const std::string program = missing({"oiiotool"}); !program.empty()) {
+        GTEST_SKIP() << "there is no " << program;
+    }
+    const TemporaryFolder folder;
+    output_of(
+        "oiiotool --pattern constant:color=0.5,0.5,0.5 512x512 3 -d half --compression dwab -o "
+        "a.exr",
+        folder);
+    ASSERT_LT(std::filesystem::file_size(folder.path() / "a.exr") * 1032, 512U * 512U * 6U);
+    const Picture picture = read_picture(folder.path() / "a.exr");
+    EXPECT_EQ(picture.width(), 512);
+    EXPECT_NEAR(floats(picture.groups.front()).row(100)[100], 0.5F, 1e-3F);
 }
 
 // Where idiff follows its own table of exit codes: of a warning and of another size it may say that

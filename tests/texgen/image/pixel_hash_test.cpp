@@ -16,7 +16,7 @@
 namespace foam::texgen {
 namespace {
 
-/// 2 x 2 pixels; row 0 is the bottom row.
+/// Returns 2 x 2 pixels with the samples 1, 11, 21, ...; row 0 is the bottom row.
 template <class Sample>
 Image<Sample> small_image(int channels) {
     Image<Sample> image(2, 2, channels);
@@ -41,7 +41,7 @@ std::string hash_of(const Image<std::uint8_t>& codes) {
     return pixel_hash({{code_channels(codes)}});
 }
 
-// As the header says: a line, then the samples from the top row on.
+// The hash is computed from a line of text and the samples, the top row first (pixel_hash.h).
 TEST(PixelHash, IsOfALineAndTheSamplesFromTheTop) {
     const Image<std::uint8_t> gray = small_image<std::uint8_t>(1);  // 1 11 below, 21 31 above
     EXPECT_EQ(pixel_hash({{code_channels(gray)}}), hash_of("Y u8 2x2\n\x15\x1f\x01\x0b"));
@@ -69,7 +69,7 @@ TEST(PixelHash, OfNumbersIsABlockPerChannelInTheOrderOfNames) {
     EXPECT_EQ(pixel_hash(picture), hash_of(expected));
 }
 
-// Interleaved channels count one by one, too.
+// Channels that are interleaved in one group have the same hash as channels in separate groups.
 TEST(PixelHash, OfNumbersDoesNotDependOnTheirGroups) {
     Image<float> both(1, 1, 2);
     both.samples()[0] = 1.0F;
@@ -83,7 +83,7 @@ TEST(PixelHash, OfNumbersDoesNotDependOnTheirGroups) {
         pixel_hash({{{{"Y"}, SampleType::Float, second}, {{"X"}, SampleType::Float, first}}}));
 }
 
-// The pixels count, not how they are packed or what is said beside them.
+// The hash depends on the pixels, but not on their compression or on the metadata.
 TEST(PixelHash, OfAPngIsThatOfTheEncodedPicture) {
     for (int channels = 1; channels <= 4; ++channels) {
         const Picture deep{{code_channels(small_image<std::uint16_t>(channels))},
@@ -95,7 +95,8 @@ TEST(PixelHash, OfAPngIsThatOfTheEncodedPicture) {
     }
 }
 
-// A third is no half: what is stored counts, before it is written and after it was read.
+// A third is not a half float. The hash is that of the rounded number, before encoding and after
+// decoding.
 TEST(PixelHash, OfAnExrIsThatOfTheEncodedPicture) {
     Image<float> numbers(3, 2, 1);
     for (std::size_t k = 0; k < numbers.samples().size(); ++k) {

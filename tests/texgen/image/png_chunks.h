@@ -11,8 +11,9 @@
 
 namespace foam::texgen {
 
-/// Type and content of the chunks of a stream, read as the PNG specification (section 5.3) lays
-/// them out: 4 bytes length, 4 bytes type, content, 4 bytes check sum, after 8 bytes of signature.
+/// Returns the type and the content of each chunk of a PNG. The stream has a signature of 8 bytes.
+/// Each chunk has a length of 4 bytes, a type of 4 bytes, the content, and a CRC of 4 bytes (PNG
+/// specification, section 5.3).
 inline std::vector<std::pair<std::string, std::string>> chunks_of(const Bytes& stream) {
     const std::string bytes(reinterpret_cast<const char*>(stream.data()), stream.size());
     std::vector<std::pair<std::string, std::string>> chunks;
@@ -27,7 +28,7 @@ inline std::vector<std::pair<std::string, std::string>> chunks_of(const Bytes& s
     return chunks;
 }
 
-/// The content of the first chunk of a type, or "none".
+/// Returns the content of the first chunk of a type, or "none".
 inline std::string chunk(const Bytes& stream, const std::string& type) {
     for (const auto& [name, content] : chunks_of(stream)) {
         if (name == type) {

@@ -21,7 +21,7 @@
 namespace foam::texgen {
 namespace {
 
-// 900 x 700 RGB pixels are compressed in four parts: each its own IDAT chunk.
+// 900 x 700 RGB pixels are compressed in four parts, each of which is an IDAT chunk.
 TEST(PngData, TheBytesDoNotDependOnTheNumberOfThreads) {
     Image<std::uint8_t> image(900, 700, 3);
     unsigned state = 1;
@@ -38,7 +38,7 @@ TEST(PngData, TheBytesDoNotDependOnTheNumberOfThreads) {
     }
 }
 
-/// Flat cells with and without films between them, as a bake draws them.
+/// Returns two images of flat cells, drawn as in a bake: one without films and one with films.
 std::vector<Image<std::uint8_t>> flat_cells() {
     const Frame frame = test::fitted_frame(test::bent_foam(100, 0.3, 1), 256, 256);
     std::vector<Image<std::uint8_t>> images;
@@ -54,7 +54,7 @@ std::size_t encoded_size(const Image<std::uint8_t>& image,
     return encode_png(image.view(), {}, {.filter = filter, .compression = compression}).size();
 }
 
-// Why None is the default.
+// PngFilter::None is the default, because it gives the smallest files of flat cells.
 TEST(PngData, FlatCellsAreSmallestWithoutFilter) {
     for (const Image<std::uint8_t>& image : flat_cells()) {
         const std::size_t none = encoded_size(image, PngFilter::None);

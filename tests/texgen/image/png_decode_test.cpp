@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <cstring>
 #include <string>
 #include <utility>
 
@@ -32,6 +33,24 @@ Image<Sample> any_image() {
 PngEncoding any_encoding() {
     return {.filter = static_cast<PngFilter>(*rc::gen::inRange(0, 5)),
             .compression = static_cast<Compression>(*rc::gen::inRange(0, 3))};
+}
+
+/// The check sum of PNG's annex D, bit by bit.
+std::uint32_t crc_of(std::span<const std::byte> bytes) {
+    std::uint32_t crc = 0xffffffff;
+    for (const std::byte byte : bytes) {
+        crc ^= std::to_integer<std::uint32_t>(byte);
+        for (int bit = 0; bit < 8; ++bit) {
+            crc = (crc >> 1) ^ ((crc & 1) != 0 ? 0xedb88320 : 0);
+        }
+    }
+    return ~crc;
+}
+
+void put(std::span<std::byte> target, std::uint32_t number) {
+    for (std::size_t i = 0; i < 4; ++i) {
+        target[i] = static_cast<std::byte>(number >> (24 - 8 * i));
+    }
 }
 
 RC_GTEST_PROP(PngDecode, PixelsAndTextsRoundTrip, ()) {
@@ -57,6 +76,16 @@ TEST(PngDecode, SamplesAreReadInTheDepthOfTheFile) {
     EXPECT_EQ(words.groups.front().type, SampleType::Uint16);
 }
 
+// libpng skips a chunk of an unknown kind, even before the header: length 0, type, check sum.
+TEST(PngDecode, TheDepthIsThatOfTheHeaderWhereverItIs) {
+    Bytes stream = encode_png(Image<std::uint16_t>(3, 1, 3).view());
+    Bytes unknown(12);
+    std::memcpy(&unknown[4], "abCd", 4);
+    put(std::span(unknown).subspan(8), crc_of(std::span(unknown).subspan(4, 4)));
+    stream.insert(stream.begin() + 8, unknown.begin(), unknown.end());
+    EXPECT_EQ(decode_png(stream).groups.front().type, SampleType::Uint16);
+}
+
 TEST(PngDecode, EveryTruncationIsAnInputError) {
     const Bytes stream =
         encode_png(numbered_codes(4, 4, 3).view(), {.color = true, .text = {{"a", "b"}}});
@@ -69,24 +98,6 @@ TEST(PngDecode, ADamagedPixelStreamIsAnInputError) {
     Bytes stream = encode_png(numbered_codes(4, 4, 3).view());
     stream[8 + 25 + 8 + 10] ^= std::byte{0xff};  // in the IDAT chunk, after signature and IHDR
     EXPECT_THROW(decode_png(stream), InputError);
-}
-
-/// The check sum of PNG's annex D, bit by bit.
-std::uint32_t crc_of(std::span<const std::byte> bytes) {
-    std::uint32_t crc = 0xffffffff;
-    for (const std::byte byte : bytes) {
-        crc ^= std::to_integer<std::uint32_t>(byte);
-        for (int bit = 0; bit < 8; ++bit) {
-            crc = (crc >> 1) ^ ((crc & 1) != 0 ? 0xedb88320 : 0);
-        }
-    }
-    return ~crc;
-}
-
-void put(std::span<std::byte> target, std::uint32_t number) {
-    for (std::size_t i = 0; i < 4; ++i) {
-        target[i] = static_cast<std::byte>(number >> (24 - 8 * i));
-    }
 }
 
 // 900000 x 900000 pixels in a few bytes: rejected before memory is asked for.

@@ -17,8 +17,7 @@ namespace {
 
 using Text = std::vector<std::pair<std::string, std::string>>;
 
-// Stored without compression or filter, the rows stand in the stream as they are: the top one
-// first.
+// Without compression and filter, the stream contains the rows unchanged, the top row first.
 TEST(PngEncode, TheTopRowComesFirstInTheFile) {
     Image<std::uint8_t> image(2, 2, 1);
     image.row(0)[0] = 'a';  // bottom
@@ -27,7 +26,8 @@ TEST(PngEncode, TheTopRowComesFirstInTheFile) {
     image.row(1)[1] = 'z';
     const std::string data =
         chunk(encode_png(image.view(), {}, {.compression = Compression::None}), "IDAT");
-    // A zlib header of 2 bytes, a stored block's of 5, then a filter byte 0 before each row.
+    // The zlib header has 2 bytes, the header of the stored block 5 bytes. The filter byte 0
+    // precedes each row.
     EXPECT_EQ(data.substr(7, 6), std::string("\0yz\0ab", 6));
 }
 
@@ -61,7 +61,7 @@ TEST(PngEncode, HeaderHasSizeDepthAndColorType) {
 TEST(PngEncode, ColorCarriesItsSpaceAndDataDoesNot) {
     const Image<std::uint8_t> image = numbered_codes(3, 2, 3);
     const Bytes color = encode_png(image.view(), {.color = true, .text = {}});
-    EXPECT_EQ(chunk(color, "sRGB"), std::string(1, '\0'));                 // perceptual
+    EXPECT_EQ(chunk(color, "sRGB"), std::string(1, '\0'));                 // perceptual intent
     EXPECT_EQ(chunk(color, "gAMA"), std::string({0, 0, '\xb1', '\x8f'}));  // 45455
     EXPECT_EQ(chunk(color, "cHRM").size(), 32U);
     for (const auto& [type, content] : chunks_of(encode_png(image.view()))) {

@@ -20,7 +20,7 @@ std::vector<int> numbers(std::span<const std::byte> bytes) {
     return all;
 }
 
-/// 2 x 2 gray pixels: 10 20 above 30 25.
+/// Returns a picture of 2 x 2 gray pixels: 10 and 20 in the top row, 30 and 25 in the bottom row.
 Image<std::uint8_t> four() {
     Image<std::uint8_t> image(2, 2, 1);
     image.row(1)[0] = 10;
@@ -36,9 +36,9 @@ std::vector<int> filtered(PngFilter filter, int first, int last) {
     return numbers(filters.filter(PngRows(image.view()), filter, first, last));
 }
 
-// By hand from PNG's section 9: what is left of or above the picture counts as 0, differences are
-// modulo 256. Paeth of 25: left 30, above 20, above left 10, so 30 + 20 - 10 = 40 and left is
-// nearest.
+// Computed by hand from section 9 of the PNG specification. Bytes to the left of the picture or
+// above it count as 0. Differences are modulo 256. For the pixel 25, Paeth computes left + above -
+// above left = 30 + 20 - 10 = 40. The left pixel, 30, is the nearest to it.
 TEST(PngFilter, PredictsAsThePngStandard) {
     EXPECT_EQ(filtered(PngFilter::None, 0, 2), (std::vector<int>{0, 10, 20, 0, 30, 25}));
     EXPECT_EQ(filtered(PngFilter::Sub, 0, 2), (std::vector<int>{1, 10, 10, 1, 30, 251}));
@@ -61,11 +61,12 @@ TEST(PngFilter, SixteenBitsAreTwoBytesTheHighOneFirst) {
     EXPECT_EQ(numbers(rows), (std::vector<int>{1, 1, 2, 3, 3}));
 }
 
-/// The byte at x, or 0 to the left of the row or above the picture.
+/// Returns the byte at x in row y, or 0 to the left of the row or above the picture.
 int byte_at(const std::vector<std::vector<int>>& rows, int y, int x) {
     return y < 0 || x < 0 ? 0 : rows[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)];
 }
 
+// Returns the value that a filter predicts for a byte.
 int predicted(int filter, int left, int above, int above_left) {
     const int guess = left + above - above_left;
     switch (filter) {
@@ -85,7 +86,8 @@ int predicted(int filter, int left, int above, int above_left) {
     return std::abs(guess - above_left) < std::abs(guess - best) ? above_left : best;
 }
 
-// Undone byte by byte, from the definition, every filter gives the rows back.
+// The inverse of every filter, applied byte by byte as the specification defines it, restores the
+// rows.
 RC_GTEST_PROP(PngFilter, IsUndoneFromLeftToRight, ()) {
     const int channels = *rc::gen::inRange(1, 5);
     Image<std::uint8_t> image(*rc::gen::inRange(1, 40), *rc::gen::inRange(1, 5), channels);
@@ -100,7 +102,7 @@ RC_GTEST_PROP(PngFilter, IsUndoneFromLeftToRight, ()) {
     std::size_t at = 0;
     std::vector<std::vector<int>> rows(static_cast<std::size_t>(image.height()));
     for (int y = 0; y < image.height(); ++y) {
-        ++at;  // the byte that names the filter
+        ++at;  // skips the byte of the filter type
         for (int x = 0; x < width; ++x) {
             const int guess = predicted(filter,
                                         byte_at(rows, y, x - channels),

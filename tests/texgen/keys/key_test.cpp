@@ -68,7 +68,7 @@ TEST(Key, HasAUnitOnlyIfItIsGiven) {
 TEST(Key, OfAMemberHasAPathInItsTable) {
     Keys<Lamp> keys = lamp_keys();
     keys[0] = keys[0].below("largest");
-    const Keys<Room> of_room = keys_in("lamp", &Room::lamp, keys);
+    const Keys<Room> of_room = nested_keys("lamp", &Room::lamp, keys);
     EXPECT_EQ(of_room[0].path, "lamp.power");
     EXPECT_EQ(of_room[0].table(), "lamp");
     EXPECT_EQ(of_room[0].name(), "power");
@@ -79,19 +79,19 @@ TEST(Key, OfAMemberHasAPathInItsTable) {
     EXPECT_TRUE(of_room[0].read({std::int64_t{7}}, room));
     EXPECT_EQ(room.lamp.power, 7);
     EXPECT_EQ(of_room[0].write(room), Value{std::int64_t{7}});
-    EXPECT_EQ(keys_in("", &Room::lamp, keys)[0].path, "power");
+    EXPECT_EQ(nested_keys("", &Room::lamp, keys)[0].path, "power");
 }
 
 TEST(Key, OfABaseIsAKeyOfTheDerivedType) {
     struct Lantern : Lamp {};
-    const Keys<Lantern> keys = keys_by<Lantern>("", std::identity(), lamp_keys());
+    const Keys<Lantern> keys = make_nested_keys<Lantern>("", std::identity(), lamp_keys());
     Lantern lantern;
     EXPECT_TRUE(keys[0].read({std::int64_t{5}}, lantern));
     EXPECT_EQ(lantern.power, 5);
 }
 
 TEST(Key, MayBeOfAWholeObject) {
-    const Key<Lamp> power = key_by<Lamp>(
+    const Key<Lamp> power = make_key<Lamp>(
         "power", Integers{1, 9}, "", [](auto& lamp) -> auto& { return lamp.power; });
     Lamp lamp;
     EXPECT_TRUE(power.read({std::int64_t{5}}, lamp));
@@ -109,7 +109,7 @@ TEST(Key, IsDescribedByDefaultMeaningAndAllowedValues) {
 
 TEST(Key, IsFoundByItsPath) {
     const Keys<Room> keys = joined({Keys<Room>{key("height", Reals{0.0, 9.0}, "", &Room::height)},
-                                    keys_in("lamp", &Room::lamp, lamp_keys())});
+                                    nested_keys("lamp", &Room::lamp, lamp_keys())});
     const std::span<const Key<Room>> all = keys;
     EXPECT_EQ(find_key(all, "lamp.color"), &keys[2]);
     EXPECT_EQ(find_key(all, "color"), nullptr);

@@ -13,8 +13,8 @@
 
 namespace foam::texgen::test {
 
-/// The limits of a key, as values in TOML: it must accept `low` and `high`, and reject the values
-/// just outside.
+/// The limits of a key. The key must accept the values `low` and `high`, and reject the values
+/// `below` and `above`. All values are in TOML.
 struct Limits {
     std::string key;
     std::string below;
@@ -23,7 +23,7 @@ struct Limits {
     std::string above;
 };
 
-/// Returns true if the key of this name accepts a value in TOML.
+/// Returns true if the key with this name accepts a value in TOML.
 template <class Owner>
 bool accepts(std::span<const Key<Owner>> keys, const std::string& name, const std::string& value) {
     const Key<Owner>* key = find_key(keys, name);
@@ -31,6 +31,7 @@ bool accepts(std::span<const Key<Owner>> keys, const std::string& name, const st
     return key != nullptr && key->read(read_value(value), owner);
 }
 
+// Expects that each key accepts and rejects the values of its limits.
 template <class Owner>
 void expect_limits(std::span<const Key<Owner>> keys, const std::vector<Limits>& all) {
     for (const Limits& limits : all) {
@@ -46,7 +47,7 @@ void expect_limits(const Keys<Owner>& keys, const std::vector<Limits>& all) {
     expect_limits(std::span<const Key<Owner>>(keys), all);
 }
 
-/// Checks that a key accepts each of some words, gives it back, and rejects others.
+/// Expects that a key accepts each of the words, writes it unchanged, and rejects another word.
 template <class Owner>
 void expect_words(const Keys<Owner>& keys,
                   const std::string& name,

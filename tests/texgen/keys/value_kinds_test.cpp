@@ -2,6 +2,8 @@
 
 #include "texgen/keys/value_kinds.h"
 
+#include "texgen/keys/key.h"
+
 #include <gtest/gtest.h>
 
 #include <array>
@@ -70,6 +72,17 @@ TEST(ValueKinds, WordListsHaveEachWordOnce) {
     EXPECT_EQ(member, (std::vector<std::string>{"c", "a"}));
     EXPECT_FALSE(kind.read({Value::List{{std::string("a")}, {std::string("a")}}}, member));
     EXPECT_FALSE(kind.read({Value::List{}}, member));
+}
+
+TEST(ValueKinds, WordsAreListed) {
+    enum class Way { Up, Down };
+    constexpr std::array<std::string_view, 2> kWords{"a", "b"};
+    using Views = std::vector<std::string_view>;
+    EXPECT_EQ(words_of(Words{kWords}), (Views{"a", "b"}));
+    EXPECT_EQ(words_of(WordLists{kWords}), (Views{"a", "b"}));
+    EXPECT_EQ(words_of(Choices<Way>{{{{"up", Way::Up}, {"down", Way::Down}}}}),
+              (Views{"up", "down"}));
+    EXPECT_EQ(words_of(Integers{1, 2}), Views{});
 }
 
 TEST(ValueKinds, IntegerListsAreUnsetWhileTheyAreEmpty) {

@@ -32,7 +32,8 @@ RC_GTEST_PROP(Value, RealsRoundTripBitForBit, (double real)) {
     RC_ASSERT(std::get<double>(back.data) == real);
 }
 
-// Any character but NUL, which no argument and no file name holds.
+// Tests all ASCII characters except NUL, which no command-line argument and no file name can
+// contain.
 RC_GTEST_PROP(Value, TextsRoundTrip, ()) {
     const auto text = *rc::gen::container<std::string>(rc::gen::inRange<char>(1, 127));
     const Value back = read_value(to_toml({text}));

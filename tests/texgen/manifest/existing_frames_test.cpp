@@ -19,14 +19,14 @@
 namespace foam::texgen {
 namespace {
 
-/// Of two maps, one of which needs the history of bubbles.
+/// Returns a preset of two maps. One of them, age, needs the history of bubbles.
 Preset two_maps(const std::filesystem::path& folder) {
     Preset preset = small_preset(folder / "{map}.####.png");
     preset.image.maps = {"albedo", "age"};
     return preset;
 }
 
-/// The frames that are drawn on the way.
+/// Bakes with Resume::Yes. Returns the numbers of the frames that are drawn.
 std::set<int> resumed(const Preset& preset, const std::vector<int>& frames) {
     std::set<int> drawn;
     const BakeSummary summary = bake_recorded(
@@ -39,7 +39,7 @@ std::set<int> resumed(const Preset& preset, const std::vector<int>& frames) {
     return drawn;
 }
 
-/// Bakes until a frame is there, and then fails.
+/// Bakes until the files of frame `last` are written, and then fails.
 void bake_until(const Preset& preset, const std::vector<int>& frames, int last) {
     const auto stop = [&](const BakedFrame& baked) {
         if (baked.shown.frame->number == last) {
@@ -60,10 +60,10 @@ std::map<std::string, Bytes> images_of(const TemporaryFolder& folder) {
     return images;
 }
 
-/// Of what a manifest says all but how long it took.
+/// Returns the only set of a manifest, with all times set to 0.
 BakedSet timeless_set(const std::filesystem::path& folder) {
     BakedSet set = choose_set(read_manifest(folder), "", folder);
-    for (ManifestFrame& frame : set.foam) {
+    for (FrameStatistics& frame : set.frame_statistics) {
         frame.simulating = frame.drawing = 0.0;
     }
     return set;
@@ -85,7 +85,7 @@ TEST(Resume, GivesTheSameBytesAsABakeThatWasNotInterrupted) {
     const BakedSet expected = timeless_set(whole.path());
     EXPECT_TRUE(found.complete());
     EXPECT_EQ(found.files, expected.files);
-    EXPECT_EQ(found.foam, expected.foam);
+    EXPECT_EQ(found.frame_statistics, expected.frame_statistics);
     EXPECT_EQ(found.failure, "");
 }
 
@@ -101,7 +101,7 @@ TEST(Resume, DoesNothingIfAllFilesExist) {
     EXPECT_EQ(resumed(preset, {1, 2, 3}), (std::set{3}));
 }
 
-// There is not the same as made alike.
+// Existing files are replaced if they were baked with other parameters.
 TEST(Resume, RebakesFilesOfOtherParameters) {
     const TemporaryFolder folder;
     Preset preset = two_maps(folder.path());

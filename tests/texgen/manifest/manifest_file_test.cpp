@@ -32,7 +32,7 @@ void add_frame(const std::filesystem::path& folder, int frame) {
                     [&](Manifest& manifest) { merge(manifest, small_set("a", {frame}, {frame})); });
 }
 
-// Of many writers at once none gets lost.
+// Four threads change the manifest at the same time. No change gets lost.
 TEST(ManifestFile, OneChangeGoesOnAtATime) {
     const TemporaryFolder folder;
     const auto add_frames = [&](int first) {

@@ -11,7 +11,8 @@
 namespace foam::texgen {
 namespace {
 
-/// The error that a text draws once a part of it is replaced.
+/// Replaces a part of the text of a manifest. Returns the message of the InputError that parsing it
+/// throws, or an empty string.
 std::string error_of(const std::string& part, const std::string& by) {
     std::string text = to_json(small_manifest());
     const std::size_t position = text.find(part);

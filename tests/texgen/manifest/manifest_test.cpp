@@ -22,7 +22,7 @@ TEST(Manifest, ASetIsCompleteOnceEveryFrameOfEveryMapExists) {
     EXPECT_EQ(set.find_map("age"), nullptr);
 }
 
-// As several machines bake one preset's frames into one folder.
+// Several machines may bake frames of one preset into one folder.
 TEST(Manifest, FramesOfTheSameParametersBecomeOneSet) {
     Manifest manifest;
     merge(manifest, small_set("a", {3, 4}, {3, 4}));
@@ -46,11 +46,12 @@ TEST(Manifest, MapsOfTheSameParametersBecomeOneSet) {
     EXPECT_TRUE(set.complete());
     EXPECT_EQ(set.frames(), (std::vector{1, 2}));
     EXPECT_EQ(set.files.size(), 3U);
-    EXPECT_EQ(set.foam.size(), 2U);
+    EXPECT_EQ(set.frame_statistics.size(), 2U);
     EXPECT_EQ(set.find_file("film", 2)->path, "a_film.2.png");
 }
 
-// What was baked over belongs to nobody else, and a set without files is none.
+// A file that is overwritten belongs to the set of the later bake. A set that has no files left is
+// removed.
 TEST(Manifest, FilesBelongToTheirLastWriter) {
     Manifest manifest;
     merge(manifest, small_set("a", {1, 2}, {1, 2}));

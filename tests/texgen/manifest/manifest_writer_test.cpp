@@ -25,7 +25,7 @@ TEST(ManifestWriter, IsJsonWithALineForEachFile) {
     EXPECT_EQ(tree["sets"][0]["complete"], false);
     EXPECT_EQ(tree["sets"][1]["complete"], false);
     EXPECT_EQ(tree["sets"][0]["failure"], "the disk is full");
-    EXPECT_EQ(tree["sets"][0]["seconds"]["drawing"], 1.0);  // of two frames
+    EXPECT_EQ(tree["sets"][0]["seconds"]["drawing"], 1.0);  // sum over two frames
     EXPECT_NE(
         text.find("\n        {\"path\":\"a_height.3.png\",\"maps\":[\"height\"],\"frame\":3,"),
         std::string::npos);
@@ -33,9 +33,9 @@ TEST(ManifestWriter, IsJsonWithALineForEachFile) {
 
 TEST(ManifestWriter, ANumberThatIsNotFiniteIsNull) {
     Manifest manifest = small_manifest();
-    manifest.sets[0].foam[0].area_error = std::numeric_limits<double>::infinity();
+    manifest.sets[0].frame_statistics[0].area_error = std::numeric_limits<double>::infinity();
     const Manifest read = parse_manifest(to_json(manifest), "m.json");
-    EXPECT_TRUE(std::isnan(read.sets[0].foam[0].area_error));
+    EXPECT_TRUE(std::isnan(read.sets[0].frame_statistics[0].area_error));
 }
 
 }  // namespace

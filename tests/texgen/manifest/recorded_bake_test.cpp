@@ -33,7 +33,7 @@ std::string hash_of_file(const std::filesystem::path& path) {
     return pixel_hash(read_picture(path));
 }
 
-// In the folder above those of the maps.
+// The manifest is in the folder that contains the folders of the maps.
 TEST(RecordedBake, RecordsEveryFile) {
     const TemporaryFolder folder;
     Preset preset = small_preset(folder.path() / kPattern);
@@ -112,7 +112,7 @@ TEST(RecordedBake, RecordsTheFoamAndTheLoop) {
     EXPECT_GT(set.find_frame(2)->drawing, 0.0);
 }
 
-// Other maps and frames of the same foam join it, another seed does not.
+// Other maps and frames of the same foam are added to its set. Another seed makes another set.
 TEST(RecordedBake, TheSameParametersAreOneSet) {
     const TemporaryFolder folder;
     Preset preset = small_preset(folder.path() / kPattern);

@@ -9,7 +9,8 @@
 
 namespace foam::texgen {
 
-/// A set of one map, "height", of which these frames were asked for and those are there.
+/// Returns a set of one map, "height". The frames `asked` were requested, and the frames `existing`
+/// have files.
 inline BakedSet small_set(const std::string& preset,
                           const std::vector<int>& asked,
                           const std::vector<int>& existing) {
@@ -26,7 +27,7 @@ inline BakedSet small_set(const std::string& preset,
                  .conventions = {"top to bottom", "down", "pixels", "up", 0.005},
                  .maps = {},
                  .files = {},
-                 .foam = {},
+                 .frame_statistics = {},
                  .failure = {}};
     set.maps.push_back(
         {"height",
@@ -41,12 +42,14 @@ inline BakedSet small_set(const std::string& preset,
                              frame,
                              1234,
                              std::string(32, 'a')});
-        set.foam.push_back({frame, true, 0.1 * frame, 40, 1.0, 2, 1, 1e-12, 2e-13, 0.25, 0.5});
+        set.frame_statistics.push_back(
+            {frame, true, 0.1 * frame, 40, 1.0, 2, 1, 1e-12, 2e-13, 0.25, 0.5});
     }
     return set;
 }
 
-/// Returns a manifest of a set that failed and one that lacks what may be left out.
+/// Returns a manifest of two sets. The first one has a failure; the second one has no optional
+/// members.
 inline Manifest small_manifest() {
     Manifest manifest{{small_set("a", {1, 2, 3, 5}, {1, 3}), small_set("b", {7}, {7})}};
     manifest.sets[0].failure = "the disk is full";

@@ -22,7 +22,7 @@ TEST(Age, IsSinceBirthOrChange) {
     };
     EXPECT_NEAR(at_middle({}), 6.0, 1e-6);
     EXPECT_NEAR(at_middle({.since = AgeSince::Change}), 1.0, 1e-6);
-    circle.record.changes[7] = 0.0;  // before it was born
+    circle.record.changes[7] = 0.0;  // earlier than its birth
     EXPECT_NEAR(at_middle({.since = AgeSince::Change}), 6.0, 1e-6);
 }
 

@@ -18,8 +18,8 @@
 namespace foam::texgen {
 namespace {
 
-// Four bubbles on a torus of area 4, whose pressures are the albedo's to color, not in
-// equilibrium.
+// Returns a foam of four bubbles on a torus of area 4. The pressures are given values, not those of
+// an equilibrium.
 Frame four_bubbles(int size) {
     Frame frame = test::fitted_frame(honeycomb(2, 2), size, size);
     frame.film_tension = 0.5;
@@ -36,7 +36,7 @@ Srgb8 color_at(const Image<std::uint8_t>& image, int x, int y) {
     return {pixel[0], pixel[1], pixel[2]};
 }
 
-// A pixel well within the bubble.
+// Returns the color of a pixel well within a bubble.
 Srgb8 color_inside(const Frame& frame, BubbleId bubble, const Image<std::uint8_t>& image) {
     Vec2 at = frame.positions[frame.network.tail(frame.network.first(bubble))];
     Vec2 sum = Vec2::Zero();
@@ -51,7 +51,8 @@ Srgb8 color_inside(const Frame& frame, BubbleId bubble, const Image<std::uint8_t
 }
 
 TEST(Albedo, ColorsTheEntriesOfTheMapExactly) {
-    // Pressures at which the map has entries: codes must come through light and back unchanged.
+    // Each pressure selects an entry of the color map. The conversion of its code to light and back
+    // must be exact.
     Frame frame = four_bubbles(40);
     AlbedoOptions options;
     options.pressure_unit = PressureUnit::Seed;
@@ -59,7 +60,7 @@ TEST(Albedo, ColorsTheEntriesOfTheMapExactly) {
     options.pressure_high = 255.0;
     for (int first = 0; first < 256; first += 4) {
         for (std::size_t k = 0; k < 4; ++k) {
-            // p / (T / 1) = entry.
+            // In units of the film tension T, the pressure is the index of the entry.
             frame.bubbles[id_at<BubbleId>(k)].pressure = 0.5 * (first + static_cast<double>(k));
         }
         const Image<std::uint8_t> image = albedo(frame, {40, 40, 0, 0}, options, 1);
@@ -72,7 +73,8 @@ TEST(Albedo, ColorsTheEntriesOfTheMapExactly) {
 }
 
 TEST(Albedo, MeasuresPressureInTheFramesOwnMeanArea) {
-    // A torus of area 16 with four bubbles: mean area 4, so p sqrt(4) / T.
+    // A torus of area 16 with four bubbles has the mean area 4. The pressure in this unit is p
+    // sqrt(4) / T.
     Frame frame = four_bubbles(40);
     const double grown = 2.0 / std::sqrt(frame.domain.area() / 4.0);
     frame.domain.width *= grown;
@@ -104,14 +106,14 @@ TEST(Albedo, FilmsHaveTheirColor) {
     const Frame frame = four_bubbles(64);
     AlbedoOptions options;
     options.film_color = "#12ab7f";
-    options.film_width = 1000.0;  // nothing but film
+    options.film_width = 1000.0;  // films cover the whole image
     const Image<std::uint8_t> image = albedo(frame, {64, 64, 0, 0}, options, 1);
     for (int x = 0; x < 64; ++x) {
         EXPECT_EQ(color_at(image, x, 17), (Srgb8{0x12, 0xab, 0x7f}));
     }
 }
 
-// Every pixel is the color of the cells and films in it, mixed as light.
+// Every pixel has the mean linear light of the cells and films in it, weighted by area.
 TEST(Albedo, MixesLight) {
     const Frame frame = four_bubbles(64);
     AlbedoOptions options;
@@ -121,7 +123,7 @@ TEST(Albedo, MixesLight) {
     const CellArcs cells = cell_arcs(frame, {64, 64, 0, 0}, 3.0, 1);
     CellValues values{4, std::vector<std::uint16_t>(16, 0), {}};
     for (std::size_t k = 0; k < 4; ++k) {
-        values.cells[5 * k] = 65535;
+        values.bubbles[5 * k] = 65535;
     }
     Image<std::uint16_t> parts(64, 64, 4);
     fill_cells(cells, values, 1, parts.view());
@@ -140,8 +142,8 @@ TEST(Albedo, MixesLight) {
             }
             const Srgb8 expected = to_srgb8(mix);
             const Srgb8 found = color_at(image, x, y);
-            // Where light is rounded to 16 bits next to the border of two codes, either may come
-            // out.
+            // The light is rounded to 16 bits. If it is close to the border between two codes,
+            // either code may result.
             EXPECT_NEAR(found.r, expected.r, 1);
             EXPECT_NEAR(found.g, expected.g, 1);
             EXPECT_NEAR(found.b, expected.b, 1);
@@ -153,7 +155,7 @@ TEST(Albedo, MeasuresWidthInPixelsOrDiameters) {
     AlbedoOptions options;
     options.film_width = 0.25;
     EXPECT_EQ(film_width_in_pixels(options, {100, 100, 0, 0}, {2.0, 2.0}), 0.25);
-    // A circle of area 1 has diameter 2 / sqrt(pi); 50 pixels per unit.
+    // A circle of area 1 has the diameter 2 / sqrt(pi). The scale is 50 pixels per unit.
     options.film_unit = WidthUnit::Diameters;
     EXPECT_NEAR(film_width_in_pixels(options, {100, 100, 0, 0}, {2.0, 2.0}),
                 0.25 * 50.0 * 2.0 / std::sqrt(std::numbers::pi),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// What holds for every map alike.
+// Tests of properties that all maps have in common.
 #include "texgen/maps/all_maps.h"
 
 #include "tests/support/places.h"
@@ -22,6 +22,7 @@
 #include <ostream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <variant>
 #include <vector>
@@ -31,10 +32,10 @@ namespace {
 
 constexpr int kSize = 96;
 
-// A map, and the look it is drawn with.
+// A map and the options with which it is drawn.
 struct MapCase {
     std::string map;
-    std::string look{};  // none: the options as they are by default
+    std::string look{};  // name of the options; empty for the defaults
     MapOptions options{};
 
     std::string name() const { return look.empty() ? map : map + "_" + look; }
@@ -99,7 +100,7 @@ Image<Sample> shifted(const Image<Sample>& image, int shift_x, int shift_y) {
     return result;
 }
 
-// Samples that differ.
+// Returns the number of samples that differ.
 template <class Pixels>
 int differing(const Pixels& a, const MapImage& b) {
     const auto& x = a.pixels.samples();
@@ -136,7 +137,7 @@ TEST_P(EveryMap, DoesNotDependOnThreads) {
     }
 }
 
-/// The largest step of a sample from the pixel to its left.
+/// Returns the largest difference between a sample and the same sample of the pixel to its left.
 template <class Sample>
 double largest_step(const Image<Sample>& image) {
     double largest = 0.0;
@@ -152,7 +153,7 @@ double largest_step(const Image<Sample>& image) {
     return largest;
 }
 
-/// Visits the samples of a map. Ids are left out: their differences have no meaning.
+/// Visits the samples of a map. Skips maps of ids, because differences of ids have no meaning.
 template <class Visit>
 void visit_numbers(const MapImage& image, const Visit& visit) {
     if (const auto* const colors = std::get_if<ColorPixels>(&image)) {
@@ -170,9 +171,10 @@ TEST_P(EveryMap, HasNoSeam) {
         image, [](const auto& pixels) { EXPECT_LE(test::seam_ratio(pixels), kLargestTileRatio); });
 }
 
-// A step along the whole border, no higher than that at the edge of a film: no single sample tells
-// it from a film, the mean over the border does. Distance changes by such a step in every pixel,
-// and the opacity of a torus is 1 everywhere: neither has a step to compare with.
+// A step is added along the whole border, as high as the largest step in the image, for example at
+// the edge of a film. A single sample at this border looks like such an edge, but the mean over the
+// border does not. The map distance is skipped because it has such a step at every pixel, the map
+// opacity because it has no step on a torus.
 TEST_P(EveryMap, ASeamNoStrongerThanAFilmIsFound) {
     if (GetParam().map == "distance" || GetParam().map == "opacity") {
         GTEST_SKIP();
@@ -183,14 +185,20 @@ TEST_P(EveryMap, ASeamNoStrongerThanAFilmIsFound) {
     });
 }
 
-// The opacity of colors, whose other samples go on beyond the edge; else its last number.
+// Returns the value of the last channel outside a patch, with the default options of a map.
+double value_outside(std::string_view map) {
+    return map == "normal" || map == "occlusion" ? 1.0 : 0.0;
+}
+
+// Checks the last channel: for colors it is the opacity; their other channels continue the colors
+// of the patch.
 TEST_P(EveryMap, IsEmptyAroundAPatch) {
     const MapImage image = draw_case(GetParam(), test::patch_subject(), test::patch_grid(kSize));
-    const double around = find_map(GetParam().map).around;
+    const double outside = value_outside(GetParam().map);
     std::visit(
         [&](const auto& one) {
             for (const int x : {0, kSize - 1}) {
-                EXPECT_EQ(one.pixels.pixel(x, kSize - 1).back(), around);
+                EXPECT_EQ(one.pixels.pixel(x, kSize - 1).back(), outside);
             }
         },
         image);
@@ -206,8 +214,9 @@ TEST_P(EveryMap, NumbersAreFinite) {
     }
 }
 
-// A torus above a patch, against the picture under tests/data/golden/maps; made anew as those of
-// the presets.
+// Returns the map of a torus above the map of a patch, in one picture. The test compares it with a
+// picture in tests/data/golden/maps. If FOAMTEX_UPDATE_GOLDEN is set, it replaces that picture
+// instead.
 Image<std::uint8_t> golden_codes(const MapCase& one) {
     const auto codes = [&](const test::MapSubject& subject, const RasterGrid& grid) {
         return std::get<Image<std::uint8_t>>(quantize(draw_case(one, subject, grid), 8).codes);
@@ -256,7 +265,9 @@ TEST(AllMaps, UnknownNameIsRejectedWithAListOfMaps) {
         find_map("hieght");
         FAIL();
     } catch (const std::invalid_argument& error) {
-        EXPECT_NE(std::string(error.what()).find("albedo, thin_film"), std::string::npos);
+        const std::string message = error.what();
+        EXPECT_EQ(message.find("unknown map 'hieght'; must be one of albedo, thin_film, "), 0U);
+        EXPECT_TRUE(message.ends_with(", maze_solution; did you mean 'height'?")) << message;
     }
 }
 

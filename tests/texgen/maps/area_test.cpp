@@ -14,7 +14,7 @@ namespace {
 
 using test::LoneCircle;
 
-// A disc of area pi, alone, is its own mean.
+// The disc has the area pi. It is the only bubble, so this is also the current mean area.
 TEST(Area, IsInMeanAreas) {
     LoneCircle circle(20.0);
     const auto at_middle = [&](const AreaOptions& options) {

@@ -12,8 +12,7 @@ namespace {
 
 using test::LoneCircle;
 
-// A torus of four hexagons of area 1 each, and film tension 2: in the unit of the seeded foam, a
-// pressure of 3 is 1.5.
+// The film tension is 2 and the mean area of the seeded foam is 1, so the unit of pressure is 2.
 TEST(BubblePressure, IsOverTheFilmTension) {
     Frame frame = snapshot(honeycomb(2, 2), 1);
     frame.film_tension = 2.0;
@@ -21,7 +20,7 @@ TEST(BubblePressure, IsOverTheFilmTension) {
     EXPECT_DOUBLE_EQ(pressures_of(frame, PressureUnit::Seed)[1], 1.5);
 }
 
-// Areas four times as large have lengths twice as large.
+// Areas that are four times as large have lengths that are twice as large.
 TEST(BubblePressure, InTheCurrentUnitItGrowsWithTheMeanLength) {
     Frame frame = snapshot(honeycomb(2, 2), 1);
     for (FrameBubble& bubble : frame.bubbles) {
@@ -34,7 +33,7 @@ TEST(BubblePressure, InTheCurrentUnitItGrowsWithTheMeanLength) {
     EXPECT_DOUBLE_EQ(pressures_of(frame, PressureUnit::Seed)[0], 1.0);
 }
 
-// Laplace's law: a circle of radius 1 holds a pressure of the film tension over 1.
+// By Laplace's law, the pressure in a circle of radius 1 is the film tension divided by 1.
 TEST(BubblePressure, OfALoneBubbleFollowsFromItsRadius) {
     const LoneCircle circle(20.0);
     EXPECT_NEAR(pressures_of(circle.frame, PressureUnit::Seed).at(0), 1.0, 1e-12);

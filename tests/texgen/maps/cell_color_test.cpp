@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace foam::texgen {
@@ -21,8 +23,8 @@ TEST(CellColor, AreasAndSidesOfAHoneycombAreInTheMiddleOfTheScale) {
     for (const ColorBy by : {ColorBy::Area, ColorBy::Sides}) {
         AlbedoOptions options;
         options.color_by = by;
-        for (const double tone : tones_of(hexagons(), options)) {
-            EXPECT_NEAR(tone, 0.5, 1e-12);
+        for (const double position : scale_positions(hexagons(), options)) {
+            EXPECT_NEAR(position, 0.5, 1e-12);
         }
     }
 }
@@ -30,12 +32,26 @@ TEST(CellColor, AreasAndSidesOfAHoneycombAreInTheMiddleOfTheScale) {
 TEST(CellColor, ChanceIsOfABubbleAndDoesNotChangeWithTheFoam) {
     AlbedoOptions options;
     options.color_by = ColorBy::Random;
-    const PerBubble<double> before = tones_of(test::torus_subject().frame, options);
-    const PerBubble<double> after = tones_of(test::torus_subject().next, options);
+    const PerBubble<double> before = scale_positions(test::torus_subject().frame, options);
+    const PerBubble<double> after = scale_positions(test::torus_subject().next, options);
     EXPECT_EQ(before, after);
     EXPECT_GE(*std::ranges::min_element(before), 0.0);
     EXPECT_LT(*std::ranges::max_element(before), 1.0);
     EXPECT_GT(*std::ranges::max_element(before) - *std::ranges::min_element(before), 0.8);
+}
+
+TEST(CellColor, AnEmptyRangeOfPressuresIsRejected) {
+    AlbedoOptions options;
+    options.pressure_low = 0.75;
+    options.pressure_high = 0.5;
+    try {
+        scale_positions(hexagons(), options);
+        FAIL();
+    } catch (const std::invalid_argument& error) {
+        EXPECT_EQ(std::string(error.what()),
+                  "albedo.pressure_low is 0.75, but must be below albedo.pressure_high, which is "
+                  "0.5");
+    }
 }
 
 TEST(CellColor, ColorsOfYourOwnAreBlendedInSrgbOrPicked) {

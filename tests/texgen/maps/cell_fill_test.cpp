@@ -15,8 +15,8 @@ namespace {
 
 using test::LoneCircle;
 
-// A pixel that a disc of 20 pixels radius covers in part has the number of the part that is
-// covered: 3 as far as a pixel's half diagonal beyond the rim at most, and 0 from there on.
+// A pixel that the disc covers in part has the number of the covered part, 3. Such a pixel has its
+// center at most half a diagonal of a pixel away from the rim, which has a radius of 20 pixels.
 TEST(CellFill, PixelsOnTheRimHaveTheNumberOfTheCoveredPart) {
     const double half_diagonal = 0.5 * std::numbers::sqrt2;
     LoneCircle circle(20.0);
@@ -36,7 +36,8 @@ TEST(CellFill, FilmsHaveANumberOfTheirOwn) {
     LoneCircle circle(20.0);
     const Image<float> image = fill_numbers(circle.layers, {{1.0}, 5.0}, 4.0);
     EXPECT_EQ(image.pixel(32, 32)[0], 1.0F);
-    EXPECT_EQ(image.pixel(52, 32)[0], 5.0F);  // 20.5 pixels from the middle, of 18 to 22
+    // The film is between 18 and 22 pixels from the middle. This pixel is 20.5 pixels from it.
+    EXPECT_EQ(image.pixel(52, 32)[0], 5.0F);
 }
 
 TEST(CellFill, IdsAreNotMixed) {
@@ -48,16 +49,17 @@ TEST(CellFill, IdsAreNotMixed) {
     EXPECT_EQ(ids.pixels.pixel(32, 32)[0], 9U);
 }
 
-// Films of 4 pixels are a ring from 18 to 22, and the foam is the disc within.
+// The film of 4 pixels is a ring with the radii 18 and 22. The foam is the disc of radius 22.
 TEST(CellFill, CoversAreAreas) {
     LoneCircle circle(20.0);
-    const double films = test::sum_of(fill_cover(circle.layers, Part::Films, 4.0));
-    const double foam = test::sum_of(fill_cover(circle.layers, Part::Foam, 4.0));
+    const double films = test::sum_of(fill_coverage(circle.layers, Part::Films, 4.0));
+    const double foam = test::sum_of(fill_coverage(circle.layers, Part::Foam, 4.0));
     EXPECT_NEAR(films, (22.0 * 22.0 - 18.0 * 18.0) * std::numbers::pi, 0.1);
     EXPECT_NEAR(foam, 22.0 * 22.0 * std::numbers::pi, 0.1);
 }
 
-// The ground around a patch comes between the bubbles of the network and the lone ones.
+// The value of the surroundings is between the values of the bubbles of the network and of the lone
+// bubbles.
 TEST(CellFill, ValuesByIdHaveTheSurroundingInBetween) {
     LoneCircle circle(20.0);
     EXPECT_EQ(by_cell_id(circle.layers, PerBubble<int>{7}, -1), (std::vector<int>{-1, 7}));

@@ -17,7 +17,8 @@ using test::LoneCircle;
 
 constexpr double kRadius = 25.0;  // pixels
 
-// A cap bends alike everywhere, up to the second order of the radius.
+// In the middle of a cap, the difference of heights is the curvature of its sphere, up to an error
+// of the second order in options.radius.
 TEST(Curvature, OfACapIsThatOfItsSphere) {
     LoneCircle circle(kRadius);
     const auto image = draw_curvature(circle.layers, {}, {.radius = 0.01});
@@ -29,7 +30,7 @@ TEST(Curvature, OfACapIsThatOfItsSphere) {
     test::for_each_inside(kRadius, [&](int x, int y, const Vec2&) {
         at_rim = std::min(at_rim, wide.pixels.pixel(x, y)[0]);
     });
-    EXPECT_LT(at_rim, -3.0F);  // a furrow
+    EXPECT_LT(at_rim, -3.0F);  // the film is a furrow
     EXPECT_EQ(image.pixels.pixel(0, 0)[0], 0.0F);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// Albedo of patches: what is around them is transparent.
+// Tests of albedo in a patch, whose surroundings are transparent.
 #include "tests/support/sample_foams.h"
 #include "texgen/image/color.h"
 #include "texgen/image/colormap.h"
@@ -31,7 +31,7 @@ AlbedoOptions options() {
     return options;
 }
 
-// A patch with a hole, and a lone bubble beside it, on 256 pixels.
+// Returns a patch with a hole, and a lone bubble beside it.
 Frame patch_frame() {
     Foam foam = test::patch_foam(60, 3, "POLYGON((0 0, 9 0, 9 9, 0 9), (4 4, 4 8, 8 8, 8 4))");
     foam.lone_bubbles.push_back({900, {-5.6, -5.6}, 1.5});
@@ -48,8 +48,8 @@ TEST(Cutout, ATorusHasThreeChannelsAndAPatchFour) {
     EXPECT_EQ(patch_image().channels(), 4);
 }
 
-// A circle of radius 40 pixels with a film of 2.5: opaque to 41.25, and pi 41.25² in all, but for
-// the rounding of some 300 pixels to 256 steps.
+// A circle of radius 40 pixels with a film of 2.5 pixels is opaque up to the radius 41.25. Its area
+// is pi 41.25², up to the rounding of the opacity of some 300 pixels to 8 bits.
 TEST(Cutout, OpacityIsThePartOfAPixelThatIsCovered) {
     const Frame frame = snapshot(test::circles({{0, {0.0, 0.0}, std::numbers::pi}}), 1);
     const Image8 image = albedo(frame, grid_of(96, 40.0), options(), 1);
@@ -66,7 +66,8 @@ TEST(Cutout, OpacityIsThePartOfAPixelThatIsCovered) {
     EXPECT_NEAR(area / (std::numbers::pi * 41.25 * 41.25), 1.0, 1e-4);
 }
 
-// The film's own color, not mixed with any ground, up to the last pixel that has any of it.
+// Every pixel of the edge that has any opacity has the color of the film, not mixed with a
+// background.
 TEST(Cutout, TheEdgeHasTheColorOfTheFilm) {
     const Frame frame = snapshot(test::circles({{0, {0.0, 0.0}, std::numbers::pi}}), 1);
     const Image8 image = albedo(frame, grid_of(96, 40.0), options(), 1);
@@ -86,7 +87,7 @@ TEST(Cutout, ALoneBubbleHasTheColorOfItsPressure) {
     foam.film_tension = 0.7;
     AlbedoOptions seed = options();
     seed.pressure_unit = PressureUnit::Seed;
-    const double pressure = 1.0 / std::sqrt(2.0 / std::numbers::pi);  // T / r over T
+    const double pressure = 1.0 / std::sqrt(2.0 / std::numbers::pi);  // (T / r) / T
     const Srgb8 expected = to_srgb8(find_colormap("magma").at(0.5 * pressure));
     const Image8 image = albedo(snapshot(foam, 1), grid_of(40, 20.0), seed, 1);
     const auto pixel = image.pixel(20, 20);
@@ -100,7 +101,8 @@ TEST(Cutout, DoesNotDependOnThreads) {
     EXPECT_EQ(one, patch_image(3));
 }
 
-// Mip maps. Light and opacity, straight as a texture has them or premultiplied.
+// A pixel of a mip map: linear light of red, green and blue, and the opacity. The light is either
+// straight, as in a texture, or premultiplied.
 using Pixel = std::array<double, 4>;
 
 struct Mip {
@@ -113,6 +115,8 @@ struct Mip {
     }
 };
 
+// Returns an image as level 0 of its mip map. If `bled` is false, the color of fully transparent
+// pixels is replaced by black.
 Mip mip_of(const Image8& image, bool premultiplied, bool bled) {
     Mip mip{image.width(), {}};
     for (int y = 0; y < image.height(); ++y) {
@@ -146,8 +150,8 @@ Mip halved(const Mip& fine) {
     return coarse;
 }
 
-// How much a straight color over a ground of gray light differs from what a premultiplied one
-// looks like, in steps of 8 bits of sRGB.
+// Compares a straight color and a premultiplied color, each drawn over a background of gray light,
+// `ground`. Returns their largest difference in any channel, in steps of 8-bit sRGB.
 double fringe(const Pixel& straight, const Pixel& premultiplied, double ground) {
     double largest = 0.0;
     const double under = (1.0 - straight[3]) * ground;
@@ -159,7 +163,7 @@ double fringe(const Pixel& straight, const Pixel& premultiplied, double ground) 
     return largest;
 }
 
-// The largest in the mip maps of levels from 1 on.
+// Returns the largest fringe of each level of the mip map, from level 1 on.
 std::vector<double> mip_fringes(const Image8& image, double ground, bool bled) {
     Mip straight = mip_of(image, false, bled);
     Mip premultiplied = mip_of(image, true, bled);
@@ -177,7 +181,8 @@ std::vector<double> mip_fringes(const Image8& image, double ground, bool bled) {
     return all;
 }
 
-// Between the middles of four pixels.
+// Returns the bilinear interpolation between the pixel (x, y) and its neighbors to the right,
+// above, and above right.
 Pixel bilinear(const Mip& mip, int x, int y, double u, double v) {
     Pixel mixed{};
     for (int k = 0; k < 4; ++k) {
@@ -190,7 +195,8 @@ Pixel bilinear(const Mip& mip, int x, int y, double u, double v) {
     return mixed;
 }
 
-// The same of a filter that magnifies: between pixels.
+// Returns the largest fringe if the image is magnified, so that colors are interpolated between
+// pixels.
 double largest_bilinear_fringe(const Image8& image, double ground, bool bled) {
     const Mip straight = mip_of(image, false, bled);
     const Mip premultiplied = mip_of(image, true, bled);
@@ -206,8 +212,9 @@ double largest_bilinear_fringe(const Image8& image, double ground, bool bled) {
     return largest;
 }
 
-// To half and to a quarter of the size. Farther on, pixels of little opacity count as much in the
-// straight mean as those of much, whatever the colors beside them; but less wrong than without.
+// Levels 1 and 2 have almost no fringe. In further levels, pixels of little opacity have the same
+// weight in the mean of straight colors as opaque pixels, so there is a fringe. It is smaller than
+// without bleeding.
 TEST(Cutout, MipMapsShowNoFringe) {
     const Image8 image = patch_image();
     for (const double ground : {0.0, 1.0}) {

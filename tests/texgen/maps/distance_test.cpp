@@ -27,7 +27,8 @@ TEST(Distance, IsToTheCircle) {
     EXPECT_EQ(in_pixels.pixels.pixel(0, 0)[0], 0.0F);
 }
 
-// From the edge of a film of 3 pixels, and negative around the patch.
+// The signed distance is measured from the edge of the film, which is 3 pixels wide. It is negative
+// around the patch.
 TEST(Distance, SignedDistanceIsFromTheEdge) {
     LoneCircle circle(kRadius);
     AlbedoOptions films;
@@ -39,6 +40,18 @@ TEST(Distance, SignedDistanceIsFromTheEdge) {
         EXPECT_NEAR(image.pixels.pixel(x, 32)[0], expected, 1e-4) << x;
     }
     EXPECT_EQ(image.low, -image.high);
+}
+
+// There is no film to measure from.
+TEST(Distance, OfAnEmptyPatchIsFinite) {
+    const Frame frame = snapshot(foam::test::circles({}), 1);
+    const FoamRecord record;
+    FrameLayers layers({frame, record}, {8, 8, 0, 0, View{Vec2::Zero(), 1.0}}, 1);
+    const auto plain = draw_distance(layers, {}, AlbedoOptions{});
+    EXPECT_EQ(plain.pixels.pixel(3, 4)[0], 0.0F);
+    const auto signed_distance =
+        draw_distance(layers, {.kind = DistanceKind::Signed, .full = 2.5}, AlbedoOptions{});
+    EXPECT_EQ(signed_distance.pixels.pixel(3, 4)[0], -2.5F);
 }
 
 TEST(Distance, LimitsHoldOnBothSides) {

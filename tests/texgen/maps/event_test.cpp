@@ -14,7 +14,8 @@ namespace {
 
 using test::LoneCircle;
 
-// A spot of radius 8 pixels in its third frame of 4: half as high; (1 - 1/4)² of it half way out.
+// The disk has a radius of 8 pixels and is shown in its third frame of 4, so its center has the
+// value 0.5. Half the radius away, the value is multiplied by (1 - 1/4)².
 TEST(Event, ADiskFadesInTimeAndSpace) {
     LoneCircle circle(20.0);
     circle.record.frame = 5;
@@ -26,7 +27,7 @@ TEST(Event, ADiskFadesInTimeAndSpace) {
     EXPECT_EQ(image.pixels.pixel(32, 32)[1], 0.5F);
     EXPECT_NEAR(image.pixels.pixel(36, 32)[1], 0.5 * 0.5625, 1e-6);
     EXPECT_EQ(image.pixels.pixel(32, 41)[1], 0.0F);
-    EXPECT_EQ(image.pixels.pixel(32, 32)[0], 0.0F);  // over
+    EXPECT_EQ(image.pixels.pixel(32, 32)[0], 0.0F);  // the T1 has faded out
     EXPECT_EQ(image.pixels.pixel(32, 32)[2], 0.0F);
 }
 

@@ -28,7 +28,7 @@ double mean(const Image<float>& image) {
     return sum / static_cast<double>(image.samples().size());
 }
 
-/// The part of the pixels that are neither wholly one nor wholly the other.
+/// Returns the fraction of the pixels whose weight is neither 0 nor 1.
 double between(const Image<float>& weights) {
     const auto count = std::ranges::count_if(
         weights.samples(), [](float weight) { return weight > 0.0F && weight < 1.0F; });
@@ -52,7 +52,7 @@ TEST(FadeOrder, WeightsGoFromZeroToOne) {
     }
 }
 
-// 3 x² - 2 x³ of 1/4, 1/2 and 3/4.
+// The weights are 3 x² - 2 x³ for x = 1/4, 1/2 and 3/4.
 TEST(FadeOrder, WithoutSpreadItIsLevelAtItsEnds) {
     const FadeOrder order(options_of(0.0));
     for (const auto& [passed, weight] :
@@ -63,7 +63,8 @@ TEST(FadeOrder, WithoutSpreadItIsLevelAtItsEnds) {
     }
 }
 
-// Of turns that are even from 0 to 1, and take a fifth each, a fifth to a quarter at a time.
+// Each pixel fades during a fifth of the time, because the spread is 0.8. A fifth to a quarter of
+// the pixels fade at any moment.
 TEST(FadeOrder, OnlyAPartOfTheFoamIsBetween) {
     const FadeOrder order(options_of(0.8));
     for (const double passed : {0.3, 0.5, 0.7}) {
@@ -89,7 +90,7 @@ TEST(FadeOrder, DependsOnTheSeed) {
     EXPECT_NE(FadeOrder(options).weights(0.5), one);
 }
 
-// One bubble, one pixel: nothing is left to order.
+// A tile of one pixel has only one rank.
 TEST(FadeOrder, TheSmallestTileFades) {
     const FadeOrder order({.width = 1, .height = 1, .bubbles = 1.0, .spread = 0.5, .seed = 1});
     EXPECT_EQ(order.weights(0.0).samples()[0], 0.0F);

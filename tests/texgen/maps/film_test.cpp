@@ -13,7 +13,7 @@ namespace {
 
 using test::LoneCircle;
 
-// A ring from 18.5 to 21.5 pixels has the area 120 pi.
+// The film is a ring with the radii 18.5 and 21.5 pixels, so its area is 120 pi.
 TEST(Film, HasTheAreaOfARing) {
     LoneCircle circle(20.0);
     const NumberPixels film = draw_film(circle.layers, test::films_of(3.0));

@@ -28,18 +28,18 @@ TEST(FrameLayers, SharedLayersAreMadeOnce) {
     EXPECT_NE(&layers.arcs(2.0), &layers.arcs(3.0));
 }
 
-// The id after those of the bubbles is that of the ground around a patch.
+// The id after the ids of the bubbles stands for the surroundings of a patch.
 TEST(FrameLayers, OnlyAPatchHasASurrounding) {
     const test::MapSubject& patch = test::patch_subject();
     FrameLayers of_patch(patch.input(), test::patch_grid(16), 1);
     const auto around = static_cast<std::uint32_t>(patch.frame.bubbles.size());
     EXPECT_TRUE(of_patch.is_patch());
-    EXPECT_TRUE(of_patch.is_around(around));
-    EXPECT_FALSE(of_patch.is_around(0));
+    EXPECT_TRUE(of_patch.is_surroundings(around));
+    EXPECT_FALSE(of_patch.is_surroundings(0));
     const test::MapSubject& torus = test::torus_subject();
     FrameLayers of_torus(torus.input(), test::torus_grid(16), 1);
     EXPECT_FALSE(of_torus.is_patch());
-    EXPECT_FALSE(of_torus.is_around(static_cast<std::uint32_t>(torus.frame.bubbles.size())));
+    EXPECT_FALSE(of_torus.is_surroundings(static_cast<std::uint32_t>(torus.frame.bubbles.size())));
 }
 
 }  // namespace

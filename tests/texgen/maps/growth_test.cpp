@@ -18,7 +18,7 @@ namespace {
 
 using test::LoneCircle;
 
-// From pi to pi + 0.5 in a time of 2; then it is gone.
+// The area grows from pi to pi + 0.5 in a time of 2. In a second case the bubble has vanished.
 TEST(Growth, IsTheChangeOverTheTime) {
     LoneCircle circle(20.0);
     Frame next = snapshot(foam::test::circles({{7, {0.1, 0.0}, std::numbers::pi + 0.5}}), 2);
@@ -34,7 +34,7 @@ TEST(Growth, IsTheChangeOverTheTime) {
     EXPECT_EQ(at_middle(), 0.0F);
 }
 
-// Without T1 and T2 between two frames every area follows von Neumann's law (E6).
+// If there is no T1 or T2 between two frames, every area follows von Neumann's law (E6).
 TEST(Growth, IsVonNeumannsLaw) {
     Foam foam = foam::test::polydisperse_foam(24, 5);
     const Frame frame = snapshot(foam, 1);

@@ -27,7 +27,7 @@ TEST(Id, IsThatOfTheBubbleUnderEveryPixel) {
     }
 }
 
-// 16 equal hexagons share the pixels evenly, and none are left over.
+// 16 equal hexagons have the same share of the pixels, and every pixel is in one of them.
 TEST(Id, CoversATorus) {
     const Frame frame = foam::test::fitted_frame(honeycomb(4, 4), 64, 64);
     const FoamRecord record;

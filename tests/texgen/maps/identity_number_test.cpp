@@ -10,14 +10,15 @@
 namespace foam::texgen {
 namespace {
 
-// The fractional part of a multiple of 0.7548776662466927 or of 0.5698402909980532.
+// The number is the fractional part of (identity + 1) times 0.7548776662466927 or
+// 0.5698402909980532.
 TEST(IdentityNumber, IsAFractionalPart) {
     EXPECT_DOUBLE_EQ(identity_number(0, IdentityStream::First), 0.7548776662466927);
     EXPECT_NEAR(identity_number(1, IdentityStream::First), 0.5097553324933854, 1e-15);
     EXPECT_NEAR(identity_number(3, IdentityStream::Second), 0.2793611639922128, 1e-15);
 }
 
-// Of 1,000 numbers every tenth of the range has 100, give or take 3.
+// Each tenth of the range contains 100 of 1,000 numbers, give or take 3.
 TEST(IdentityNumber, IsSpreadEvenly) {
     for (const auto stream : {IdentityStream::First, IdentityStream::Second}) {
         std::array<int, 10> counts{};

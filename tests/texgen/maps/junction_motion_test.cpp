@@ -10,7 +10,8 @@
 namespace foam::texgen {
 namespace {
 
-// A flip loses both junctions of its film: they move as those around them.
+// Junctions whose bubbles do not meet in the next frame get the motion of the junctions around
+// them.
 TEST(JunctionMotion, LostJunctionsMoveAsThoseAround) {
     Foam foam = honeycomb(4, 4);
     const Frame frame = snapshot(foam, 1);
@@ -18,14 +19,14 @@ TEST(JunctionMotion, LostJunctionsMoveAsThoseAround) {
         place_junction(foam, junction, foam.positions[junction] + Vec2(0.1, 0.0));
     }
     Frame next = snapshot(foam, 2);
-    next.bubbles[BubbleId{5}].identity = 99;  // so that its six junctions are others'
+    next.bubbles[BubbleId{5}].identity = 99;  // so that its six junctions are not found
     for (const Vec2& motion : junction_motion(frame, next)) {
         EXPECT_NEAR(motion.x(), 0.1, 1e-12);
         EXPECT_NEAR(motion.y(), 0.0, 1e-12);
     }
 }
 
-// Each junction is known by its bubbles, so it moves by itself.
+// A junction is identified by its bubbles, so each one has its own motion.
 TEST(JunctionMotion, AJunctionMovesToItsNextPosition) {
     Foam foam = honeycomb(4, 4);
     const Frame frame = snapshot(foam, 1);

@@ -6,7 +6,7 @@
 #include "tests/texgen/keys/limits.h"
 #include "tests/texgen/maps/map_subjects.h"
 #include "texgen/maps/all_maps.h"
-#include "texgen/maps/film_look.h"
+#include "texgen/maps/film_coverage.h"
 
 #include <gtest/gtest.h>
 
@@ -46,20 +46,20 @@ TEST(Lit, GlowKeepsItsColorInTheShadow) {
     options.lit.glow = 1.0;
     const test::MapSubject& subject = test::torus_subject();
     FrameLayers layers = layers_of(subject.frame, subject.record, test::torus_grid(kSize));
-    const Image<float> films = film_cover(layers, options.albedo);
+    const Image<float> films = film_coverage(layers, options.albedo);
     const Image<std::uint16_t> lit = lit_pixels(subject, options);
     const LinearRgb film = to_linear(parse_color("#ff8000"));
     int glowing = 0;
     for (std::size_t k = 0; k < films.samples().size(); ++k) {
         if (films.samples()[k] == 1.0F) {
-            EXPECT_EQ(lit.samples()[3 * k + 1], light_step(film.g));
+            EXPECT_EQ(lit.samples()[3 * k + 1], to_sample(film.g));
             ++glowing;
         }
     }
     EXPECT_GT(glowing, 100);
 }
 
-// Of a dome, the half that faces the light.
+// The half of a dome that faces the light is brighter than the other half.
 TEST(Lit, LightComesFromItsAzimuth) {
     const Frame frame = snapshot(foam::test::circles({{7, {0.0, 0.0}, std::numbers::pi}}), 1);
     const FoamRecord record;

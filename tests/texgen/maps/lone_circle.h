@@ -10,10 +10,10 @@
 
 namespace foam::texgen::test {
 
-inline constexpr int kCircleImage = 64;  // pixels a side
+inline constexpr int kCircleImage = 64;  // width and height of the image, pixels
 
-/// A lone bubble of radius 1 and identity 7 in the middle of a square image. It is its own mean
-/// bubble.
+/// A frame of one lone bubble of radius 1 and identity 7 in the middle of a square image. The mean
+/// bubble of the frame is this bubble.
 struct LoneCircle {
     explicit LoneCircle(double radius_in_pixels)
         : layers({frame, record, nullptr, {.gradient = true, .smooth = true}},
@@ -25,12 +25,13 @@ struct LoneCircle {
     FrameLayers layers;
 };
 
-/// Returns the center of a pixel, from the middle of the image.
+/// Returns the center of a pixel relative to the middle of the image.
 inline Vec2 from_middle(int x, int y) {
     return Vec2(x + 0.5 - 0.5 * kCircleImage, y + 0.5 - 0.5 * kCircleImage);
 }
 
-/// Calls visit(x, y, from_middle(x, y)) for every pixel well within a circle in the middle.
+/// Calls visit(x, y, from_middle(x, y)) for every pixel whose center is at least one pixel inside a
+/// circle in the middle of the image.
 template <class Visit>
 void for_each_inside(double radius, const Visit& visit) {
     for (int y = 0; y < kCircleImage; ++y) {
@@ -50,6 +51,7 @@ inline double sum_of(const Image<float>& image) {
     return sum;
 }
 
+// Returns the options for a film width in pixels.
 inline AlbedoOptions films_of(double pixels) {
     AlbedoOptions options;
     options.film_width = pixels;

@@ -10,26 +10,27 @@
 
 namespace foam::texgen::test {
 
-/// A frame with all that maps ask for.
+/// A frame with all data that maps need.
 struct MapSubject {
     Frame frame;
-    Frame next;  // a step later
+    Frame next;  // the frame after one more time step
     FoamRecord record;
 
     FrameInput input() const { return {frame, record, &next}; }
 };
 
-/// A foam of very different areas on a square torus.
+/// Returns a foam of very different areas on a square torus.
 const MapSubject& torus_subject();
 
-/// A patch with a hole, and a lone bubble beside it.
+/// Returns a patch with a hole, and a lone bubble beside it.
 const MapSubject& patch_subject();
 
-/// A grid of so many pixels a side: of a torus, shifted, or of the whole patch.
+/// Return a grid of `size` x `size` pixels: for the torus, with a shift in pixels, or for the whole
+/// patch.
 RasterGrid torus_grid(int size, int shift_x = 0, int shift_y = 0);
 RasterGrid patch_grid(int size);
 
-/// A map of a subject.
+/// Draws a map of a subject.
 MapImage draw(std::string_view map,
               const MapSubject& subject,
               const RasterGrid& grid,

@@ -14,7 +14,7 @@ namespace {
 
 using test::LoneCircle;
 
-// The lone bubble has the area pi, and so the diameter 2.
+// The lone bubble has the area pi, so its diameter is 2.
 TEST(MeanBubble, IsOfTheSeedOrOfTheFrame) {
     const LoneCircle circle(20.0);
     EXPECT_EQ(area_of(MeanBubble::Seed, circle.frame), 1.0);

@@ -26,7 +26,7 @@ NumberPixels motion_of(const Frame& frame,
     return draw_motion(layers, options);
 }
 
-// All of a foam moves by (0.3, -0.2), around the torus.
+// The whole foam is displaced by (0.3, -0.2) on the torus.
 TEST(Motion, OfAFoamThatMovesAsAWholeIsTheSameEverywhere) {
     Foam foam = foam::test::polydisperse_foam(24, 5);
     const Frame frame = snapshot(foam, 1);
@@ -43,8 +43,8 @@ TEST(Motion, OfAFoamThatMovesAsAWholeIsTheSameEverywhere) {
     }
 }
 
-// Mean value coordinates keep linear functions, and a honeycomb's films are straight: the
-// motion of a shear of 0.05 is 0.05 y.
+// Mean value coordinates reproduce linear functions, and the films of a honeycomb are straight. The
+// motion of a shear by 0.05 is therefore 0.05 y.
 TEST(Motion, OfAShearIsLinear) {
     Foam foam = honeycomb(4, 4);
     const double scale = kSize / foam.domain.width;
@@ -53,7 +53,7 @@ TEST(Motion, OfAShearIsLinear) {
     foam.positions = frame.positions;
     shear(foam, 0.05);
     const NumberPixels image = motion_of(frame, snapshot(foam, 2), {kSize, kSize});
-    for (int y = 8; y < kSize - 8; ++y) {  // bubbles at the border may belong to either side
+    for (int y = 8; y < kSize - 8; ++y) {  // bubbles on the border have the motion of one copy
         for (int x = 0; x < kSize; ++x) {
             ASSERT_NEAR(image.pixels.pixel(x, y)[0], 0.05 * (y + 0.5), 1e-3) << x << " " << y;
             ASSERT_NEAR(image.pixels.pixel(x, y)[1], 0.0, 1e-3) << x << " " << y;

@@ -33,7 +33,7 @@ TEST(NumberChannels, NumbersMayBeHalves) {
     EXPECT_EQ(motion.type, SampleType::Half);
 }
 
-// Half opaque, white becomes half as bright; where nothing is opaque, nothing shines.
+// The first pixel has an opacity of about a half, the second one is fully transparent.
 TEST(NumberChannels, ColorsAreMultipliedByTheirOpacity) {
     ColorPixels colors{Image<std::uint16_t>(2, 1, 4)};
     std::ranges::copy(std::vector{65535, 0, 13107, 32768}, colors.pixels.pixel(0, 0).begin());

@@ -17,10 +17,11 @@ using test::LoneCircle;
 
 constexpr double kRadius = 25.0;  // pixels
 
-// At the foot of a furrow whose walls rise by 30 degrees a wall sees the sky from its own plane to
-// 60 degrees from its normal on the other side ... the normal leans 30 degrees to the other wall,
-// which ends 60 degrees from upright: (sin 90 + sin 30) / 2. In the middle of a cap nothing is
-// above.
+// The walls of a furrow rise at 30 degrees. At its foot, the normal of a wall leans 30 degrees
+// toward the other wall. The horizon on one side is the plane of the wall itself, 90 degrees from
+// the normal. The other wall hides the sky up to 60 degrees from upright, which is 30 degrees from
+// the normal. The visible fraction is therefore (sin 90 + sin 30) / 2 = 0.75. In the middle of a
+// cap nothing hides the sky.
 TEST(Occlusion, IsThatOfAFurrow) {
     LoneCircle circle(kRadius);
     const auto image = draw_occlusion(circle.layers, {.angle = 30.0}, {});

@@ -15,7 +15,7 @@ namespace {
 
 using test::LoneCircle;
 
-// The outer film of 3 pixels ends at 21.5 pixels.
+// The film of 3 pixels ends at 21.5 pixels from the middle.
 TEST(Opacity, HasTheAreaOfADisc) {
     LoneCircle circle(20.0);
     const NumberPixels opacity = draw_opacity(circle.layers, test::films_of(3.0));

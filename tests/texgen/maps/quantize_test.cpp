@@ -27,7 +27,8 @@ std::vector<Code> codes_of(const MapImage& map, int bits) {
     return {samples.begin(), samples.end()};
 }
 
-// From -1 to 3: 0 is a quarter of the way, 1 the half. 63.75 rounds to 64, 127.5 to 128.
+// The range is from -1 to 3, so 0 is at 1/4 of the range and 1 at 1/2. 63.75 rounds to 64, 127.5 to
+// 128.
 TEST(Quantize, NumbersGoFromLowToHigh) {
     auto numbers = row_of<NumberPixels>(std::vector<float>{-1.0F, 0.0F, 1.0F, 3.0F}, 1);
     numbers.low = -1.0;

@@ -5,12 +5,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace foam::texgen {
 namespace {
 
-// Both fall to their foot; a ridge is half as high as wide. A fillet has 1 - sqrt(0.19) at a tenth
-// of its radius and a slope of -0.9 / sqrt(0.19), which the crest of the film takes on evenly.
+// The height of a ridge and of a fillet is 0 at the distance 1. A ridge is half as high as this
+// distance. At the distance 0.1, a fillet has the height 1 - sqrt(0.19) and the slope -0.9 /
+// sqrt(0.19). From there to the film, the slope changes linearly to 0.
 TEST(ReliefSection, RidgesAndBordersStandOnFilms) {
     const ReliefSection ridge(ReliefProfile::Ridge, 1.0);
     EXPECT_EQ(ridge.height(0.0), 0.5);
@@ -25,6 +27,16 @@ TEST(ReliefSection, RidgesAndBordersStandOnFilms) {
     EXPECT_EQ(wet.slope(0.0), 0.0);
     EXPECT_NEAR(wet.height(1.0), 0.0, 1e-15);
     EXPECT_EQ(wet.slope(1.5), 0.0);
+}
+
+// An empty patch has no films, so the smooth distance is infinite.
+TEST(ReliefSection, RidgesAndBordersAreFlatFarAway) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    for (const auto profile : {ReliefProfile::Ridge, ReliefProfile::Wet}) {
+        const ReliefSection section(profile, 1.0);
+        EXPECT_NEAR(section.height(kInfinity), 0.0, 1e-15);
+        EXPECT_EQ(section.slope(kInfinity), 0.0);
+    }
 }
 
 TEST(ReliefSection, SlopesAreDerivativesOfHeights) {
@@ -42,8 +54,8 @@ TEST(ReliefSection, SlopesAreDerivativesOfHeights) {
     }
 }
 
-// A bubble may be smaller than what curvature is felt over: past a dome's middle comes its other
-// film, and past that the next dome.
+// A bubble may be smaller than the distance over which curvature is measured. Beyond the middle of
+// a dome comes the film on its other side, and beyond that film the next dome.
 TEST(ReliefSection, ADomeGoesOnInBothDirections) {
     const ReliefSection dome(ReliefProfile::Dome, 0.9);
     for (const double x : {0.0, 0.3, 0.9}) {

@@ -17,8 +17,8 @@ using test::LoneCircle;
 
 constexpr double kRadius = 25.0;  // pixels
 
-// The dome of a lone bubble of R pixels is a cap of a sphere of radius R / sin(50 degrees), whose
-// slope at r is -r / sqrt(S² - r²).
+// The dome of a lone bubble with a radius of R pixels is a cap of a sphere of radius S = R / sin(50
+// degrees). The slope at r is -r / sqrt(S² - r²).
 TEST(Relief, SlopesAndHeightsAreThoseOfACap) {
     LoneCircle circle(kRadius);
     const Relief relief(circle.layers, {});

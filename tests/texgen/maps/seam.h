@@ -10,11 +10,13 @@
 
 namespace foam::texgen::test {
 
-/// Returns how visible the seam of a tile is, as `verify` measures it: the mean step across the
-/// border over the largest mean step from column to column within, or the same of rows if that is
-/// more. A tile without a seam is at most at kLargestTileRatio.
+/// Returns the seam ratio of a tile, as `verify` measures it: the mean step from the last column to
+/// the first one, divided by the largest mean step between two adjacent columns. The same is
+/// computed for the rows, and the larger ratio is returned. The ratio of a tile without a seam is
+/// at most kLargestTileRatio.
 ///
-/// `ramp` is added from the left border to the right one, which makes a seam of that height.
+/// Before that, adds a ramp from 0 at the left border to `ramp` at the right border, which makes a
+/// seam of this height.
 template <class Sample>
 double seam_ratio(const Image<Sample>& image, double ramp = 0.0) {
     Image<float> numbers(image.width(), image.height(), image.channels());

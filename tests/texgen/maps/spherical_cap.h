@@ -7,14 +7,14 @@
 
 namespace foam::texgen::test {
 
-/// A cap of a sphere that meets the ground at an angle on a circle. The dome of a lone bubble is
-/// one.
+/// A cap of a sphere that meets the ground at an angle along a circle, such as the dome of a lone
+/// bubble.
 struct SphericalCap {
-    double radius;                                   // of the circle
-    double angle = 50.0 * std::numbers::pi / 180.0;  // as relief.angle is by default
+    double radius;                                   // radius of the circle
+    double angle = 50.0 * std::numbers::pi / 180.0;  // default of relief.angle, radians
     double sphere = radius / std::sin(angle);        // radius of the sphere
 
-    /// Returns the height at a distance from the axis.
+    /// Returns the height at the distance r from the axis.
     double height(double r) const {
         return std::sqrt(sphere * sphere - r * r) - sphere * std::cos(angle);
     }

@@ -21,9 +21,10 @@ TEST(ThinFilm, OfNoThicknessIsBlack) {
     EXPECT_EQ(luminance(color), 0.0);
 }
 
-// Both surfaces reflect R = (0.33 / 2.33)² of the light; in phase, at a quarter of a wave in the
-// liquid, that makes 4 R / (1 + R)² = 0.0771. At 555 nm, where the eye is most sensitive, a quarter
-// is 104 nm; other waves reflect a little less.
+// Each of the two surfaces reflects R = (0.33 / 2.33)² of the light. At a thickness of a quarter of
+// the wavelength in the liquid, the reflections are in phase and give 4 R / (1 + R)² = 0.0771. At
+// 555 nm, where the eye is most sensitive, a quarter of the wavelength is 104 nm. Other wavelengths
+// reflect a little less.
 TEST(ThinFilm, OfAQuarterWaveIsBrightest) {
     const double single = std::pow(0.33 / 2.33, 2);
     const double maximum = 4.0 * single / std::pow(1.0 + single, 2);
@@ -32,8 +33,8 @@ TEST(ThinFilm, OfAQuarterWaveIsBrightest) {
     EXPECT_GT(luminance(film_reflectance(104.0)), luminance(film_reflectance(130.0)));
 }
 
-// At half a wave of green in the liquid, 207 nm, green is missing: the first purple of Newton's
-// series. Then come blue, green, yellow.
+// At half the wavelength of green light in the liquid, 207 nm, green is missing. This is the first
+// purple of Newton's series. It is followed by blue, green and yellow.
 TEST(ThinFilm, HasNewtonsColors) {
     const LinearRgb purple = film_reflectance(207.0);
     EXPECT_GT(purple.r, 2.0 * purple.g);

@@ -12,7 +12,7 @@
 namespace foam::texgen {
 namespace {
 
-/// "place key = value" a line.
+/// Returns a line "LOCATION KEY = VALUE" for each assignment.
 std::string flat(const std::vector<Assignment>& assignments) {
     std::string lines;
     for (const Assignment& a : assignments) {

@@ -15,7 +15,7 @@ FrameSpan span_of(double from, double to, const FramesOptions& frames) {
     return frames_of(event, frames).value();
 }
 
-// Frame k shows the time 0.1 (k - 1).
+// Returns options with which frame k shows the foam time 0.1 (k - 1).
 FramesOptions tenths() {
     FramesOptions frames;
     frames.time_step = 0.1;
@@ -34,7 +34,7 @@ TEST(EventFrames, OfAnInstantAreTheFirstThatIsNotBeforeIt) {
     EXPECT_EQ(span_of(0.31, 0.31, tenths()), (FrameSpan{5, 5}));
 }
 
-// 0.1 is no binary fraction: the sum of three steps is not 0.3.
+// 0.1 has no exact binary representation, so the sum of three steps is not exactly 0.3.
 TEST(EventFrames, OfATimeSpanAreTheFramesThatItTouches) {
     EXPECT_EQ(span_of(0.0, 0.3, tenths()), (FrameSpan{2, 4}));
     EXPECT_EQ(span_of(0.3, 0.5, tenths()), (FrameSpan{5, 6}));
@@ -53,7 +53,7 @@ TEST(EventFrames, CountFromTheWarmUpAndGrowWithTheSteps) {
 
 TEST(EventFrames, AreEmptyIfTheTimeIsNeverReached) {
     FramesOptions frames;
-    frames.step_growth = 0.5;  // never past 2
+    frames.step_growth = 0.5;  // the time stays below 2
     Event event;
     event.time = {3.0, 4.0};
     EXPECT_FALSE(frames_of(event, frames).has_value());

@@ -64,6 +64,9 @@ TEST(EventIo, ALoneBubbleNeedsNoList) {
 TEST(EventIo, ErrorNamesLocationKeyValueAndLimits) {
     EXPECT_EQ(failure("[[event]]\nkind = \"explode\"\n"),
               "a.toml:2: key 'event[1].kind' = \"explode\": must be " + allowed_kinds());
+    EXPECT_EQ(failure("[[event]]\nkind = \"colapse\"\n"),
+              "a.toml:2: key 'event[1].kind' = \"colapse\": must be " + allowed_kinds() +
+                  "; did you mean 'collapse'?");
     EXPECT_EQ(failure("[[event]]\nframe = 1\n"),
               "a.toml:2: key 'event[1].frame' = 1: must be an integer from 2 to 100000");
     EXPECT_EQ(failure("[[event]]\nframes = [9, 8]\n"),
@@ -99,12 +102,13 @@ TEST(EventIo, AnEventMustBeATableOfAList) {
 TEST(EventIo, AnEventNeedsAKindAndFrames) {
     EXPECT_EQ(failure("[foam]\n[[event]]\n"),
               "a.toml:2: key 'event[1]' = {...}: the event must have a kind, " + allowed_kinds());
-    EXPECT_EQ(failure("[[event]]\nkind = \"drive\"\nscale = 2\n"),
-              "a.toml:2: key 'event[1].kind' = \"drive\": the event must have one of the keys "
-              "frame, frames and time");
+    EXPECT_EQ(
+        failure("[[event]]\nkind = \"drive\"\nscale = 2\n"),
+        "a.toml:2: key 'event[1].kind' = \"drive\": exactly one of the keys frame, frames and "
+        "time must be given");
     EXPECT_EQ(failure("[[event]]\nkind = \"drive\"\nframe = 3\nframes = [3, 4]\n"),
-              "a.toml:4: key 'event[1].frames' = [3, 4]: only one of frame, frames and time may be "
-              "given");
+              "a.toml:4: key 'event[1].frames' = [3, 4]: exactly one of the keys frame, frames and "
+              "time must be given");
 }
 
 TEST(EventIo, ATimeReplacesFrames) {
@@ -114,14 +118,16 @@ TEST(EventIo, ATimeReplacesFrames) {
     EXPECT_EQ(failure(toml + "[4, 3]\n"),
               "a.toml:3: key 'event[1].time' = [4, 3]: must be a number from 0 to 1000000000000, "
               "or [from, to] with from not above to");
-    EXPECT_EQ(failure(toml + "3\nframe = 4\n"),
-              "a.toml:3: key 'event[1].time' = 3: only one of frame, frames and time may be given");
+    EXPECT_EQ(
+        failure(toml + "3\nframe = 4\n"),
+        "a.toml:3: key 'event[1].time' = 3: exactly one of the keys frame, frames and time must "
+        "be given");
     EXPECT_EQ(failure(toml + "1e9\n"),
               "a.toml:3: key 'event[1].time' = 1000000000.0: must be before frame 100000; "
               "frames.time_step decides which frame shows a time");
 }
 
-// What is said last holds, as with every other key.
+// The last assignment takes effect, as for every other key.
 TEST(EventIo, ALaterTimeOverridesFrames) {
     Preset preset = parse_preset("[[event]]\nkind = \"shear\"\nframes = [3, 4]\n", "a", "a.toml");
     assign(preset, std::vector{read_set_argument("event[1].time=[2, 8]")});
@@ -168,7 +174,7 @@ TEST(EventIo, BubblesAreChosenInOneWay) {
         "a.toml:4: key 'event[1].at' = [0, 0]: only one of bubble, at and sides may be given");
     EXPECT_EQ(failure("[[event]]\nkind = \"collapse\"\nframe = 3\nbubble = 4\ncount = 5\n"),
               "a.toml:5: key 'event[1].count' = 5: only allowed together with sides");
-    EXPECT_EQ(failure("[[event]]\nkind = \"drive\"\nframe = 3\n"), "no failure");  // all of them
+    EXPECT_EQ(failure("[[event]]\nkind = \"drive\"\nframe = 3\n"), "no failure");  // all bubbles
 }
 
 TEST(EventIo, BubblesInTurnNeedAFrameEach) {
@@ -191,15 +197,17 @@ TEST(EventIo, ANewBubbleIsLargerThanTheT2Area) {
 }
 
 TEST(EventIo, OnlyOneNewBubbleMayHaveAPosition) {
-    EXPECT_EQ(failure("[[event]]\nkind = \"nucleate\"\nframe = 9\nat = [0, 0]\ncount = 2\n"),
-              "a.toml:5: key 'event[1].count' = 2: must be 1 if the event has a position, at");
+    EXPECT_EQ(
+        failure("[[event]]\nkind = \"nucleate\"\nframe = 9\nat = [0, 0]\ncount = 2\n"),
+        "a.toml:5: key 'event[1].count' = 2: must be 1 if the event has the key at (a position)");
 }
 
-// 64 bubbles on a square have a torus of 8 x 8.
+// 64 bubbles in a square image are on a torus of 8 x 8 foam units.
 TEST(EventIo, AForceHasAPositionAndFitsTheTorus) {
     const std::string event = "[foam]\nbubbles = 64\n[[event]]\nkind = \"force\"\nframe = 3\n";
     EXPECT_EQ(failure(event),
-              "a.toml:4: key 'event[1].kind' = \"force\": the event must have a position, at");
+              "a.toml:4: key 'event[1].kind' = \"force\": the event must have the key at, the "
+              "position of the push");
     EXPECT_EQ(failure(event + "at = [0, 0]\nradius = 4\n"), "no failure");
     EXPECT_EQ(failure(event + "at = [0, 0]\nradius = 4.1\n"),
               "a.toml:7: key 'event[1].radius' = 4.1: must be at most 4, half of the shorter side "
@@ -215,8 +223,8 @@ TEST(EventIo, SetChangesAnExistingEvent) {
     assign(preset, std::vector{read_set_argument("event[1].frames=[7, 9]")});
     EXPECT_EQ(preset.events[0].frames, (FrameSpan{7, 9}));
     EXPECT_EQ(failure(toml, {"event[2].frame=4"}),
-              "--set event[2].frame=4: key 'event[2].frame' = 4: event does not exist; the preset "
-              "has 1 events");
+              "--set event[2].frame=4: key 'event[2].frame' = 4: the preset has no event 2; it "
+              "has 1");
     EXPECT_EQ(failure(toml, {"event[1].kind=nucleate"})
                   .find("--set event[1].kind=nucleate: key 'event[1].kind' = \"nucleate\": "
                         "not a key of kind \"nucleate\""),

@@ -21,19 +21,20 @@ TEST(Loop, LimitsHoldOnBothSides) {
         loop_keys(), "kind", {"none", "breathe", "shear", "drift", "flow", "pingpong"});
 }
 
-// Breathe and Shear repeat what the foam does, Drift moves it around the torus, and Flow fades.
+// In breathe and shear the foam repeats its motion, in drift it is displaced around the torus, and
+// a flow is closed by a cross-fade.
 TEST(Loop, ClosesByItselfOrByAFade) {
     const auto loop = [](LoopKind kind) { return LoopOptions{.kind = kind}; };
     for (const LoopKind kind : {LoopKind::Breathe, LoopKind::Shear}) {
         EXPECT_TRUE(loop(kind).is_cycle());
-        EXPECT_TRUE(loop(kind).closes_itself());
+        EXPECT_TRUE(loop(kind).returns_to_start());
     }
     EXPECT_FALSE(loop(LoopKind::Drift).is_cycle());
-    EXPECT_TRUE(loop(LoopKind::Drift).closes_itself());
+    EXPECT_TRUE(loop(LoopKind::Drift).returns_to_start());
     EXPECT_TRUE(loop(LoopKind::Flow).is_cross_faded());
-    EXPECT_FALSE(loop(LoopKind::Flow).closes_itself());
+    EXPECT_FALSE(loop(LoopKind::Flow).returns_to_start());
     for (const LoopKind kind : {LoopKind::None, LoopKind::PingPong}) {
-        EXPECT_FALSE(loop(kind).closes_itself());
+        EXPECT_FALSE(loop(kind).returns_to_start());
         EXPECT_FALSE(loop(kind).is_cross_faded());
     }
 }

@@ -10,6 +10,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace foam::texgen {
@@ -67,6 +68,21 @@ TEST(PresetIo, AnUnknownKeySuggestsTheNearest) {
               "'foamtex presets keys' lists all keys");
 }
 
+TEST(PresetIo, AMisspelledWordSuggestsTheNearest) {
+    EXPECT_EQ(failure("[relief]\nprofile = \"wett\"\n"),
+              "a.toml:2: key 'relief.profile' = \"wett\": must be one of \"dome\", \"ridge\", "
+              "\"wet\"; did you mean 'wet'?");
+    for (const auto& [argument, meant] : {std::pair("albedo.colormap=viridiss", "viridis"),
+                                          std::pair("image.maps=albdo", "albedo"),
+                                          std::pair("image.maps=['height','albdo']", "albedo"),
+                                          std::pair("foam.outline=disk", "disc")}) {
+        const std::string message = set_failure({argument});
+        EXPECT_TRUE(message.ends_with(fmt::format("; did you mean '{}'?", meant))) << message;
+    }
+    EXPECT_EQ(set_failure({"image.maps=['height','height']"}).find("did you mean"),
+              std::string::npos);
+}
+
 TEST(PresetIo, RejectsAnUnknownTableEvenIfEmpty) {
     EXPECT_EQ(failure("[foam]\n[beer]\n"),
               "a.toml:2: key 'beer' = {...}: unknown table; "
@@ -98,7 +114,7 @@ TEST(PresetIo, ThePressureRangeIsCheckedAfterAllAssignments) {
     EXPECT_EQ(
         failure("[albedo]\npressure_low = 0.5\npressure_high = 0.25\n"),
         "a.toml:3: key 'albedo.pressure_high' = 0.25: must be above albedo.pressure_low = 0.5");
-    EXPECT_EQ(set_failure({"albedo.pressure_low=0.5"}),  // the default's upper end
+    EXPECT_EQ(set_failure({"albedo.pressure_low=0.5"}),  // the default of pressure_high
               "--set albedo.pressure_low=0.5: key 'albedo.pressure_low' = 0.5: "
               "must be below albedo.pressure_high = 0.5");
 }

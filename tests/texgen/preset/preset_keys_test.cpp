@@ -70,7 +70,7 @@ TEST(PresetKeys, RealsAreFiniteAndAcceptIntegersButNotViceVersa) {
     EXPECT_FALSE(accepts("dynamics.kappa", "nan"));
     EXPECT_FALSE(accepts("albedo.pressure_high", "inf"));
     EXPECT_FALSE(accepts("dynamics.kappa", "\"1\""));
-    EXPECT_TRUE(accepts("foam.area_ratio", "0"));  // the value that stands for none
+    EXPECT_TRUE(accepts("foam.area_ratio", "0"));  // 0 stands for no ratio
 }
 
 TEST(PresetKeys, WordsAreTheOnesListed) {

@@ -29,8 +29,8 @@ namespace {
 constexpr int kConforms = 0;
 constexpr int kDoesNotConform = 1;
 
-// Validates texts of presets by a program that is not ours. Returns its exit code; -1 if there is
-// no Python.
+// Validates texts of presets with Python's jsonschema, which shares no code with foamtex. Returns
+// the exit code of the script; -1 if Python is not installed.
 int validate(const std::vector<std::string>& presets) {
     const TemporaryFolder folder;
     const auto write = [&](const std::string& name, const std::string& text) {
@@ -94,7 +94,7 @@ bool names_a_unit(const std::string& meaning) {
                                                          "foam unit",
                                                          "foam time",
                                                          "diameters",
-                                                         "in this unit",
+                                                         "in the unit",
                                                          "in cycles",
                                                          "number of ",
                                                          "frames per",
@@ -112,12 +112,12 @@ TEST(PresetSchema, EveryShippedPresetConforms) {
     std::vector<std::string> texts;
     for (const ShippedPreset& shipped : shipped_presets()) {
         texts.emplace_back(shipped.toml);
-        texts.push_back(to_toml(load_preset(std::string(shipped.name))));  // with every key
+        texts.push_back(to_toml(load_preset(std::string(shipped.name))));  // with all keys
     }
     EXPECT_EQ(validate(texts), kConforms);
 }
 
-// What the schema rejects, the program rejects, too.
+// Both the schema and the program reject these presets.
 TEST(PresetSchema, RejectsWhatTheProgramRejects) {
     for (const char* bad : {"[foam]\nbubles = 10",
                             "[foam]\nbubbles = 3",
@@ -139,16 +139,20 @@ TEST(PresetSchema, RejectsWhatTheProgramRejects) {
     }
 }
 
-// Forms that a key takes beside its usual one.
+// Some keys accept other forms of values besides the usual form.
 TEST(PresetSchema, AcceptsEveryFormOfAValue) {
     for (const char* good : {"extends = \"sea_foam\"",
                              "[foam]\narea_ratio = 0",
                              "[foam]\narea_ratio = 20",
                              "[image]\nmaps = \"height\"",
                              "[foam]\ndomain = \"patch\"\noutline = \"POLYGON((0 0, 1 0, 1 1))\"",
+                             "[foam]\ndomain = \"patch\"\noutline = \"  polygon((0 0, 1 0, 1 1))\"",
                              "[[event]]\nkind = \"shear\"\ntime = 3\nstrain = 0.5",
                              "[[event]]\nkind = \"collapse\"\nframes = [2, 9]\nbubble = [1, 2]"}) {
         EXPECT_EQ(validate({good}), kConforms) << good;
+        if (!std::string_view(good).starts_with("extends")) {
+            EXPECT_NO_THROW(parse_preset(good, "good", "good.toml")) << good;
+        }
     }
 }
 

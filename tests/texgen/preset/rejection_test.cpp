@@ -22,8 +22,8 @@ TEST(Rejection, NamesLocationKeyValueAndReason) {
               "a.toml:4: key 'foam.seed' = 3: too odd");
 }
 
-// 59 letters and a letter of two bytes: cut before it, since 60 bytes would halve it. The first of
-// the 60 is the quote.
+// In TOML the value begins with a quote and 58 letters. A letter of two bytes follows, which a cut
+// after 60 bytes would split. The value is therefore cut before this letter.
 TEST(Rejection, CutsALongValueAtAWholeCharacter) {
     const Assignment longest{"a", "k", {fmt::format("{:x<58}\u00e4{:y<40}", "", "")}};
     EXPECT_EQ(test::rejection_of([&] { reject(longest, "r"); }),
@@ -35,6 +35,21 @@ TEST(Rejection, BlamesTheLastAssignmentThatMatters) {
         assignment("1", "a"), assignment("2", "b"), assignment("3", "a"), assignment("4", "c")};
     EXPECT_EQ(test::rejection_of([&] { reject_last(all, {"a", "b"}, "r"); }).front(), '3');
     EXPECT_EQ(test::rejection_of([&] { reject_last(all, {"d"}, "r"); }).front(), '4');
+}
+
+TEST(Rejection, OfAValueSuggestsTheWordThatWasMeant) {
+    KeyInfo key;
+    key.allowed = "a lamp";
+    key.words = {"red", "green"};
+    const auto message = [&](const Value& value) {
+        return test::rejection_of([&] { reject_value({"a", "lamp.color", value}, key); });
+    };
+    EXPECT_EQ(message({std::string("gren")}),
+              "a: key 'lamp.color' = \"gren\": must be a lamp; did you mean 'green'?");
+    EXPECT_EQ(message({Value::List{{std::string("red")}, {std::string("gren")}}}),
+              "a: key 'lamp.color' = [\"red\", \"gren\"]: must be a lamp; did you mean 'green'?");
+    EXPECT_EQ(message({std::string("blue")}), "a: key 'lamp.color' = \"blue\": must be a lamp");
+    EXPECT_EQ(message({std::int64_t{3}}), "a: key 'lamp.color' = 3: must be a lamp");
 }
 
 TEST(Rejection, SuggestsTheKeyThatWasMeant) {

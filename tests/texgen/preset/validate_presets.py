@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Validates presets in TOML by a JSON Schema. Prints a line for each that does not conform.
+"""Validates presets in TOML by a JSON Schema. Prints a line for each value that does not conform.
 
 Usage: validate_presets.py SCHEMA PRESET...
-Exit codes: 0 all conform, 1 some do not, 2 the schema itself is no schema.
+Exit codes: 0 if all presets conform, 1 if some do not, 2 if the schema itself is invalid.
 """
 import json
 import sys

@@ -2,8 +2,8 @@
 
 #include "texgen/sheet/contact_sheet.h"
 
+#include "texgen/sheet/display_frame.h"
 #include "texgen/sheet/frame_number.h"
-#include "texgen/sheet/shown_frame.h"
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ int count(const Image<std::uint8_t>& image, std::uint8_t code) {
     return static_cast<int>(std::ranges::count(image.samples(), code));
 }
 
-// Twelve squares: 4 columns and 3 rows.
+// Twelve squares are arranged in 4 columns and 3 rows.
 TEST(ContactSheet, ShowsEveryThumbnailWhole) {
     std::vector<Thumbnail> thumbnails(12, {filled(40, 40), 8});
     const Image<std::uint8_t> sheet = contact_sheet(thumbnails);
@@ -36,16 +36,17 @@ TEST(ContactSheet, ShowsEveryThumbnailWhole) {
     EXPECT_LT(sheet.width(), 5 * 40 + 40);
     EXPECT_GT(sheet.height(), 3 * 40);
     for (const int x : {0, sheet.width() - 1}) {
-        EXPECT_EQ(sheet.pixel(x, sheet.height() / 2)[0], kGround);
+        EXPECT_EQ(sheet.pixel(x, sheet.height() / 2)[0], kBackgroundGray);
     }
 }
 
-// An 8 has 17 pixels, of three samples each; nothing else is neither thumbnail nor ground.
+// The digit 8 has 17 pixels with three samples each. All other samples belong to thumbnails or to
+// the ground.
 TEST(ContactSheet, NumbersEveryFrame) {
     std::vector<Thumbnail> thumbnails(3, {filled(20, 10), 8});
     const Image<std::uint8_t> sheet = contact_sheet(thumbnails);
     const auto all = static_cast<int>(sheet.samples().size());
-    EXPECT_EQ(all - count(sheet, kGround) - count(sheet, kFilled), 3 * 3 * 17);
+    EXPECT_EQ(all - count(sheet, kBackgroundGray) - count(sheet, kFilled), 3 * 3 * 17);
 }
 
 TEST(ContactSheet, NeedsAFrame) {

@@ -54,7 +54,7 @@ TEST(FlipbookJson, DescribesItselfInJson) {
     EXPECT_EQ(json["images"][1]["range"], nlohmann::json({0.0, preset.maps.height.full}));
 }
 
-// Every second frame of a loop is a loop; its first three are not.
+// Every second frame of a loop is a loop, too. The first three frames of the loop are not.
 TEST(FlipbookJson, RecordsWhetherItsFramesLoop) {
     const TemporaryFolder folder;
     const BakedSet set = baked(small_loop(folder.path()), {"albedo"});
@@ -68,7 +68,7 @@ TEST(FlipbookJson, RecordsWhetherItsFramesLoop) {
     EXPECT_FALSE(closes({1, 2, 4, 3}));
 }
 
-// Every second of 24 frames a second makes 12.
+// Every second frame of an animation with 24 frames per second is shown at 12 frames per second.
 TEST(FlipbookJson, KeepsItsSpeed) {
     const TemporaryFolder folder;
     const BakedSet set = baked(small_loop(folder.path()), {"albedo"});

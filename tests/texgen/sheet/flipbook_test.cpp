@@ -31,7 +31,7 @@ TEST(Flipbook, RejectsMissingMapsAndFrames) {
     EXPECT_THROW(write({.frames = {5}}), InputError);
     EXPECT_THROW(write({.gutter = 1, .strip = true}), std::invalid_argument);
     EXPECT_THROW(write({.columns = -1}), std::invalid_argument);
-    EXPECT_EQ(folder.files().size(), 5U);  // of the bake
+    EXPECT_EQ(folder.files().size(), 5U);  // only the files of the bake
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include "texgen/sheet/frame_number.h"
 
 #include "texgen/sheet/contact_sheet.h"
-#include "texgen/sheet/shown_frame.h"
+#include "texgen/sheet/display_frame.h"
 
 #include <gtest/gtest.h>
 

@@ -13,13 +13,14 @@ namespace {
 TEST(SheetLayout, CountsRowsAndPixels) {
     const SheetLayout layout{
         .frames = 7, .frame_width = 10, .frame_height = 20, .columns = 3, .gutter = 2};
-    EXPECT_EQ(layout.rows(), 3);  // of which the last holds one frame
+    EXPECT_EQ(layout.rows(), 3);  // the last row has one frame
     EXPECT_EQ(layout.width(), 3 * 14);
     EXPECT_EQ(layout.height(), 3 * 24);
 }
 
-// 48 square frames: 8 x 6 is 4 : 3, 4 x 12 is 1 : 3. 96: 8 x 12 is 2 : 3, 16 x 6 is 8 : 3. Two
-// frames fit a square equally well side by side and one above the other.
+// 48 square frames: 8 x 6 cells have the aspect ratio 4 : 3, 4 x 12 cells 1 : 3. 96 square frames:
+// 8 x 12 cells have 2 : 3, 16 x 6 cells 8 : 3. Two frames are equally far from a square side by
+// side and one above the other.
 TEST(SheetLayout, IsNearASquareByPowersOfTwo) {
     EXPECT_EQ(near_square_columns(1, 64, 64), 1);
     EXPECT_EQ(near_square_columns(2, 64, 64), 2);

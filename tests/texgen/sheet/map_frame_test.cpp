@@ -43,7 +43,7 @@ TEST(MapFrame, JoinsALayerOfExrs) {
             group.samples);
         ++compared;
     }
-    EXPECT_EQ(compared, 5U);  // R, G, B of albedo, and a channel each of the others
+    EXPECT_EQ(compared, 5U);  // R, G, B of albedo, and one channel of each other map
 }
 
 }  // namespace

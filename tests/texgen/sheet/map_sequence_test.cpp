@@ -25,14 +25,27 @@ TEST(MapSequence, HasAFileForEachFrame) {
     EXPECT_THROW(map_sequence(set, "out", "egg", std::vector{1}), std::invalid_argument);
 }
 
+// The map "film" was requested, but none of its files was written.
+TEST(MapSequence, RejectsAMapWithoutFilesAndNamesTheOthers) {
+    const BakedSet set = small_manifest().sets[1];
+    try {
+        map_sequence(set, "out", "film", std::vector{7});
+        FAIL();
+    } catch (const std::invalid_argument& error) {
+        EXPECT_STREQ(error.what(), "map 'film' was not baked; must be one of: height");
+    }
+}
+
 TEST(MapSequence, FramesWithACommonStepKeepTheirSpeed) {
     EXPECT_EQ(common_step(std::vector{1, 3, 5}), 2);
     EXPECT_EQ(common_step(std::vector{5, 4, 3}), -1);
     EXPECT_EQ(common_step(std::vector{4}), 1);
     EXPECT_FALSE(common_step(std::vector{1, 2, 4}));
+    EXPECT_FALSE(common_step(std::vector{2, 2, 2}));
     const BakedSet set = small_set("a", {1}, {1});
     EXPECT_EQ(playing_rate(set, std::vector{1, 3}), (FrameRate{24, 2}));
     EXPECT_EQ(playing_rate(set, std::vector{1, 2, 4}), (FrameRate{24, 1}));
+    EXPECT_EQ(playing_rate(set, std::vector{2, 2, 2}), (FrameRate{24, 1}));
 }
 
 }  // namespace

@@ -25,7 +25,8 @@ std::vector<Sample> row(const Image<Sample>& image, int y) {
     return {image.row(y).begin(), image.row(y).end()};
 }
 
-// Two frames of 2 x 2 in one column; rows run upward, so the first frame lies in the upper half:
+// Two frames of 2 x 2 pixels are in one column. Row 0 is the bottom row, so the first frame is in
+// the upper half:
 //
 //     3 4      7 8
 //     1 2      5 6
@@ -42,7 +43,7 @@ TEST(PlaceFrame, OrdersRowsFromTopToBottom) {
     EXPECT_EQ(row(sheet, 0), (std::vector<std::uint8_t>{5, 6}));
 }
 
-// In the second of two columns; the first is left as it is.
+// The frame is in the second of two columns. The first column is unchanged.
 TEST(PlaceFrame, FillsGuttersWithTheOtherSide) {
     const SheetLayout layout{
         .frames = 2, .frame_width = 3, .frame_height = 2, .columns = 2, .gutter = 1};

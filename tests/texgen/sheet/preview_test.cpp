@@ -45,7 +45,8 @@ TEST(Preview, PrefersMapsForTheEye) {
               (Names{"small_height_contact.png", "small_height_loop.png"}));
 }
 
-// The still of a map, of frames in this format; of EXR, of a layer among others.
+// Bakes a preset to files with this extension. Returns the contact sheet of a map. In an EXR, the
+// map is one of two layers.
 Image<std::uint8_t> contact_of(Preset preset, const char* extension, const std::string& map) {
     const TemporaryFolder folder;
     const bool is_exr = std::string_view(extension) == ".exr";
@@ -64,8 +65,9 @@ int largest_difference(const Image<std::uint8_t>& a, const Image<std::uint8_t>& 
     return largest;
 }
 
-// A PNG is rounded, and once more for the screen: one code of 255 apart. Where half of 1/255 of a
-// pale film's opacity is missing, the dark ground is lighter by 0.002, which is 1.8 codes there.
+// A PNG is rounded once more than an EXR, so the previews may differ by one code of 255. In albedo
+// of a patch, the opacity in a PNG is rounded by up to half of 1/255. A pale film then changes the
+// light over the dark ground by 0.002, which is 1.8 codes there.
 TEST(Preview, ShowsAnExrAsItWouldAPng) {
     const TemporaryFolder folder;
     for (const std::string map : {"albedo", "opacity", "height", "normal", "motion", "growth"}) {
@@ -93,7 +95,7 @@ TEST(Preview, TilesAFrame) {
     }
 }
 
-// As large as it was, for frames that are small enough already; the first is a PNG's own.
+// Frames that are small enough keep their size. The first frame has the same samples as its PNG.
 TEST(Preview, AnimatesEveryFrame) {
     const TemporaryFolder folder;
     const BakedSet set = baked(small_loop(folder.path()), {"albedo"});

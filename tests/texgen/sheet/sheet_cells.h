@@ -13,7 +13,7 @@ namespace foam::texgen {
 /// The gutter of the sheets in tests, pixels.
 inline constexpr int kGutter = 3;
 
-/// Expects a cell of a sheet, with its gutter, to show the frame, repeated as a tile.
+/// Expects that a cell of a sheet, with its gutter, shows the frame repeated as a tile.
 template <class Sample>
 void expect_cell(const Image<Sample>& sheet, int column, int row, const Image<Sample>& frame) {
     const int left = column * (frame.width() + 2 * kGutter);

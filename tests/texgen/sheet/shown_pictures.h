@@ -4,7 +4,7 @@
 
 #include "tests/texgen/temporary_folder.h"
 #include "texgen/image/png.h"
-#include "texgen/sheet/shown_frame.h"
+#include "texgen/sheet/display_frame.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace foam::texgen {
 
-/// Returns what a manifest says of a map with this color space.
+/// Returns the entry of a manifest for a map with this color space.
 inline ManifestMap map_of(const char* color_space) {
     ManifestMap map;
     map.samples = MapSamples{};
@@ -20,12 +20,12 @@ inline ManifestMap map_of(const char* color_space) {
     return map;
 }
 
-/// Returns the frame that a preview shows of a PNG of these samples.
+/// Writes samples to a PNG. Returns the frame as a preview shows it.
 template <class Sample>
-ShownFrame shown(const Image<Sample>& image, const char* color_space) {
+DisplayFrame shown(const Image<Sample>& image, const char* color_space) {
     const TemporaryFolder folder;
     write_png(folder.path() / "a.png", image.view());
-    return read_shown({.path = folder.path() / "a.png"}, map_of(color_space));
+    return read_display_frame({.path = folder.path() / "a.png"}, map_of(color_space));
 }
 
 /// Returns an image of these codes, pixel by pixel.
@@ -39,7 +39,7 @@ inline Image<std::uint8_t> picture(int width,
 }
 
 /// Returns the codes that the frame is shown with.
-inline std::vector<std::uint8_t> codes(const ShownFrame& frame) {
+inline std::vector<std::uint8_t> codes(const DisplayFrame& frame) {
     const Image<std::uint8_t> image = codes_of(frame);
     return {image.samples().begin(), image.samples().end()};
 }

@@ -12,7 +12,8 @@
 
 namespace foam::texgen {
 
-/// A loop of 4 frames of 32 x 24 pixels, in files such as small_albedo.0001.png.
+/// Returns a preset of a loop of 4 frames of 32 x 24 pixels. Its files have names such as
+/// small_albedo.0001.png.
 inline Preset small_loop(const std::filesystem::path& folder, const char* extension = ".png") {
     Preset preset;
     preset.name = "small";
@@ -26,7 +27,7 @@ inline Preset small_loop(const std::filesystem::path& folder, const char* extens
     return preset;
 }
 
-/// A patch, which does not tile.
+/// Returns a preset of a patch, whose frames do not tile.
 inline Preset small_patch(const std::filesystem::path& folder) {
     Preset preset = small_loop(folder);
     preset.loop = {};
@@ -34,7 +35,7 @@ inline Preset small_patch(const std::filesystem::path& folder) {
     return preset;
 }
 
-/// All frames of it, and what the manifest then says.
+/// Bakes all frames of a preset with these maps. Returns the set in the manifest.
 inline BakedSet baked(const Preset& preset, const std::vector<std::string>& maps) {
     Preset more = preset;
     more.image.maps = maps;

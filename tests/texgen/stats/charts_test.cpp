@@ -19,7 +19,7 @@ namespace {
 
 using test::run_of;
 
-/// Draws the charts of runs; left out where gnuplot is not installed.
+/// Draws the charts of runs. Skips the tests if gnuplot is not installed.
 class Charts : public testing::Test {
   protected:
     void SetUp() override {
@@ -36,7 +36,7 @@ class Charts : public testing::Test {
         return std::filesystem::exists(folder_.path() / (name + ".svg"));
     }
 
-    /// Whether a chart has a text, such as a title in its key.
+    /// Returns true if a chart contains a text, such as a title in its key.
     bool shows(const std::string& name, const std::string& text) const {
         const Bytes bytes = read_file(folder_.path() / (name + ".svg"));
         const std::string svg(reinterpret_cast<const char*>(bytes.data()), bytes.size());
@@ -46,7 +46,7 @@ class Charts : public testing::Test {
     TemporaryFolder folder_;
 };
 
-/// A run of two frames with bubbles of three kinds.
+/// Returns a run of three frames with bubbles of three numbers of sides.
 RunRecord run_of_kinds() {
     RunRecord run = run_of({{0.0, 12}, {1.0, 11}, {2.0, 10}});
     for (FrameRecord& record : run.frames) {
@@ -77,11 +77,11 @@ TEST_F(Charts, AreDrawnForAnyRun) {
     draw(one);
     EXPECT_TRUE(has_chart("mean_area"));
     EXPECT_TRUE(has_chart("seconds"));
-    EXPECT_FALSE(has_chart("sides"));  // the time of the first frame has no logarithm
+    EXPECT_FALSE(has_chart("sides"));  // the first frame has the time 0, which has no logarithm
 }
 
-// 4000/bubbles = 2 + t/2 from the quarter of the bubbles on, at t = 4; before it is not. The last
-// frame has too few bubbles to count.
+// The mean area, 4000 / bubbles, is 2 + t/2 once only a quarter of the bubbles is left, at t = 4.
+// Before that it is not. The last frame has too few bubbles and is ignored.
 TEST_F(Charts, MeanAreaHasALineThroughTheScalingState) {
     RunRecord run = run_of_kinds();
     const auto kinds = run.frames.front().foam.by_sides;
@@ -91,7 +91,8 @@ TEST_F(Charts, MeanAreaHasALineThroughTheScalingState) {
     EXPECT_TRUE(shows("mean_area", "2 + 0.5 t, R² = 1.0000"));
 }
 
-// (300 * 1.5 + 100 * 1.1)/400 = 1.4 in the frames with no more than a quarter of the bubbles.
+// The mean is over the frames with at most a quarter of the bubbles, weighted by the number of
+// bubbles: (300 * 1.5 + 100 * 1.1) / 400 = 1.4. The last frame has too few bubbles.
 TEST_F(Charts, SecondMomentHasItsMeanInTheScalingState) {
     RunRecord run = run_of({{0.0, 1200}, {8.0, 300}, {9.0, 100}, {10.0, 30}});
     run.frames[0].foam.by_sides = run_of_kinds().frames.front().foam.by_sides;
@@ -102,7 +103,7 @@ TEST_F(Charts, SecondMomentHasItsMeanInTheScalingState) {
     EXPECT_TRUE(shows("second_moment", "soap froths, 1.4 ± 0.1"));
 }
 
-// Of 1000 bubbles 10 are 1 %.
+// 9 of 1000 bubbles are less than 1 % and are left out, 10 are not.
 TEST_F(Charts, PressuresLeaveOutRareBubbles) {
     RunRecord run = run_of({{0.0, 1000}, {1.0, 1000}, {2.0, 1000}});
     for (std::size_t k = 1; k < 3; ++k) {

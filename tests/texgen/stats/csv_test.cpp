@@ -11,7 +11,7 @@
 namespace foam::texgen {
 namespace {
 
-// T = 1 and kappa = 1/2: von Neumann's law is (pi/6) (n - 6).
+// T = 1 and kappa = 1/2, so von Neumann's law is dA/dt = (pi/6) (n - 6).
 RunRecord synthetic_run() {
     RunRecord run{"made_up", 1.0, 0.5, std::vector<FrameRecord>(2)};
     FrameRecord& first = run.frames[0];
@@ -29,7 +29,7 @@ RunRecord synthetic_run() {
     return run;
 }
 
-// Replaces the global locale by one that writes 1.234,5 for as long as it lives.
+// Replaces the global locale by one that writes 1234.5 as 1.2.3.4,5. The destructor restores it.
 class CommaLocale {
   public:
     CommaLocale() : before_(std::locale::global(std::locale(std::locale(), new Commas))) {}

@@ -50,5 +50,12 @@ TEST(StatisticsFiles, AFolderThatCannotBeMadeIsAnOutputError) {
     EXPECT_THROW(write_statistics({}, "/proc/self/none"), OutputError);
 }
 
+// A folder that is not empty cannot be removed as a file is.
+TEST(StatisticsFiles, AChartThatCannotBeRemovedIsAnOutputError) {
+    const TemporaryFolder folder;
+    make_folders(folder.path() / "sides.svg" / "deep");
+    EXPECT_THROW(write_statistics({}, folder.path()), OutputError);
+}
+
 }  // namespace
 }  // namespace foam::texgen

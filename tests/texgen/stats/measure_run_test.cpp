@@ -40,7 +40,7 @@ TEST(MeasureRun, HasARecordForEachFrameAskedForInOrder) {
     }
 }
 
-// A T2 for every bubble that is gone, whichever frames are asked for.
+// There is a T2 for every bubble that has vanished, whichever frames are measured.
 TEST(MeasureRun, EventsAddUp) {
     const std::vector<FrameRecord> all = measure({1, 2, 3, 4, 5, 6, 7, 8}).run.frames;
     const std::vector<FrameRecord> last = measure({8}).run.frames;
@@ -80,7 +80,7 @@ TEST(MeasureRun, ReportsEveryFrame) {
     EXPECT_GE(seen[1].seconds, seen[0].seconds);
 }
 
-// The frames that a bake hands out are those that are measured without drawing.
+// A bake passes the same frames to its callback that are measured without drawing.
 TEST(MeasureRun, ABakeMeasuresTheSame) {
     const TemporaryFolder folder;
     Preset preset = small_preset();

@@ -11,7 +11,7 @@
 namespace foam::texgen {
 namespace {
 
-// gamma = 1/4 and kappa = 0.3: (2 pi/3) (1/4) (0.3) (n - 6) = (pi/20) (n - 6).
+// gamma = 1/4 and kappa = 0.3, so the law is (2 pi/3) (1/4) (0.3) (n - 6) = (pi/20) (n - 6).
 TEST(Record, TheLawIsVonNeumanns) {
     Preset preset;
     preset.name = "quarter";
@@ -30,7 +30,7 @@ TEST(Record, GrowthIsSinceTheRecordBefore) {
     recorder.record(std::make_shared<const Frame>(frame), {.t1 = 7});
     frame.number = 5;
     frame.time = 2.0;
-    frame.bubbles[BubbleId{3}].area += 1.6;  // by 0.1 in the mean of all, in a time of 2
+    frame.bubbles[BubbleId{3}].area += 1.6;  // 0.1 in the mean over 16 bubbles
     recorder.record(std::make_shared<const Frame>(frame), {.t1 = 1, .seconds = 0.5});
 
     ASSERT_EQ(recorder.run().frames.size(), 2U);

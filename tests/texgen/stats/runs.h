@@ -9,8 +9,9 @@
 
 namespace foam::texgen::test {
 
-/// A run whose frames, from 1 on, have these times and numbers of bubbles on a torus of the first
-/// one's number, and nothing else.
+/// Returns a run whose frames, numbered from 1, have these times and numbers of bubbles. The area
+/// of the torus is the number of bubbles in the first frame. All other values are left at their
+/// defaults.
 inline RunRecord run_of(const std::vector<std::pair<double, int>>& frames) {
     RunRecord run{"made_up", 1.0, 0.01, {}};
     for (const auto& [time, bubbles] : frames) {

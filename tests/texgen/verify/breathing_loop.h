@@ -19,7 +19,7 @@ inline Preset breathing_loop(const std::filesystem::path& folder) {
     return preset;
 }
 
-/// Bakes these frames, with a manifest.
+/// Bakes these frames and writes a manifest.
 inline void bake_small(const Preset& preset, const std::vector<int>& frames) {
     bake_recorded(preset, {.frames = frames, .threads = 1}, {});
 }

@@ -30,7 +30,7 @@ TEST(VerifyReport, ReportsForPersonsAndPrograms) {
     EXPECT_EQ(report["sets"][0]["problems"].size(), 1U);
     EXPECT_EQ(report["sets"][0]["maps"][0]["name"], "albedo");
     EXPECT_LT(report["sets"][0]["maps"][0]["loop"]["ratio"], 1.1);
-    EXPECT_TRUE(report["sets"][0]["maps"][2]["loop"].is_null());  // a frame lacks
+    EXPECT_TRUE(report["sets"][0]["maps"][2]["loop"].is_null());  // a frame is missing
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -20,7 +21,7 @@ ChannelGroup row_group(const std::vector<std::uint8_t>& samples) {
     return code_channels(std::move(image));
 }
 
-/// The one with the larger ratio.
+/// Returns the seam of the columns or of the rows, whichever has the larger ratio.
 Seam worse(const TileSeams& seams) {
     return seams.columns.ratio() > seams.rows.ratio() ? seams.columns : seams.rows;
 }
@@ -47,9 +48,13 @@ TEST(Steps, IdsAreTheSameOrNot) {
 TEST(Steps, SeamIsInfiniteWithoutOtherSteps) {
     EXPECT_TRUE(std::isinf(Seam({1.0, 0.0}).ratio()));
     EXPECT_EQ(Seam().ratio(), 0.0);
+    const double infinity = std::numeric_limits<double>::infinity();
+    EXPECT_TRUE(std::isinf(Seam({infinity, infinity}).ratio()));
+    EXPECT_TRUE(std::isinf(Seam({std::nan(""), 1.0}).ratio()));
 }
 
-// Rows count as columns do: the worse of both is the seam. 0 and 9 are far apart above and below.
+// The rows have the values 0, 3, 6 and 9. The step across the border is from the last row to the
+// first.
 TEST(Steps, ASeamBetweenRowsCountsToo) {
     Image<std::uint8_t> image(2, 4, 1);
     for (int y = 0; y < 4; ++y) {
@@ -61,7 +66,7 @@ TEST(Steps, ASeamBetweenRowsCountsToo) {
     EXPECT_EQ(seam.largest_within, 3.0);
 }
 
-// Channels of an EXR are groups of their own: the mean is over all.
+// The channels of an EXR are separate groups. A step is the mean over all of them.
 TEST(Steps, AreMeansOverAllChannels) {
     const ChannelGroup a = row_group({0, 4});
     const ChannelGroup b = row_group({0, 0});

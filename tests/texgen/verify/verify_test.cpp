@@ -21,7 +21,7 @@
 namespace foam::texgen {
 namespace {
 
-/// The only set of a folder.
+/// Returns the result for the only set of a folder.
 VerifiedSet verified(const std::filesystem::path& folder) {
     Verification found = verify(folder);
     EXPECT_EQ(found.sets.size(), 1U);
@@ -30,7 +30,7 @@ VerifiedSet verified(const std::filesystem::path& folder) {
 
 using Change = void (*)(Image<std::uint8_t>&);
 
-/// Changes an image, and the manifest as if it had been baked so.
+/// Changes an image, and its hash in the manifest, as if it had been baked with this change.
 void change_baked_image(const std::filesystem::path& folder,
                         const std::string& name,
                         Change change) {
@@ -44,7 +44,7 @@ void change_baked_image(const std::filesystem::path& folder,
     });
 }
 
-// However much has changed meanwhile.
+// A flow closes although the foam never returns to its first state.
 TEST(Verify, AFlowClosesByItsCrossFade) {
     const TemporaryFolder folder;
     Preset preset = breathing_loop(folder.path());
@@ -106,10 +106,12 @@ TEST(Verify, ReportsMissingDamagedAndChangedFiles) {
     ASSERT_EQ(found.problems.size(), 3U);
     EXPECT_NE(found.problems[0].find("id.0001.png': No such file"), std::string::npos);
     EXPECT_NE(found.problems[1].find("id.0002.png': malformed PNG"), std::string::npos);
-    EXPECT_EQ(found.problems[2], "albedo.0003.png: pixels differ from the manifest");
+    EXPECT_EQ(found.problems[2],
+              "albedo.0003.png: the pixels are not those that were baked (their hash differs from "
+              "the manifest)");
 }
 
-// Packed anew, with other texts, the pixels are those that were baked.
+// A PNG with another compression and other texts has the same pixels.
 TEST(Verify, AcceptsARecompressedPicture) {
     const TemporaryFolder folder;
     bake_small(breathing_loop(folder.path()), {1});
@@ -118,7 +120,8 @@ TEST(Verify, AcceptsARecompressedPicture) {
     EXPECT_TRUE(verified(folder.path()).holds());
 }
 
-// Half a tile beside its mirror image: what comes to the border was not made for it.
+// The right half of the image is replaced by other pixels of the image, mirrored. They do not match
+// at the border.
 TEST(Verify, FindsAnImageThatDoesNotTile) {
     const TemporaryFolder folder;
     bake_small(breathing_loop(folder.path()), {1, 2});
@@ -137,7 +140,8 @@ TEST(Verify, FindsAnImageThatDoesNotTile) {
     EXPECT_EQ(found.problems[0].find("albedo: frame 2 does not tile: "), 0U);
 }
 
-// Half of a period is no loop.
+// The 8 frames are half of the period. They are not a loop, and the manifest is changed to claim
+// that they are.
 TEST(Verify, FindsALoopThatJumps) {
     const TemporaryFolder folder;
     Preset preset = breathing_loop(folder.path());
@@ -162,6 +166,36 @@ TEST(Verify, ALoopIsCheckedOnlyAsAWhole) {
     EXPECT_FALSE(found.maps.front().loop);
     EXPECT_NE(to_text(verify(folder.path())).find("not checked: needs frames 1 to 8"),
               std::string::npos);
+}
+
+// Frames 9 and 10 belong to the next period of the loop.
+TEST(Verify, IgnoresFramesAfterThePeriodOfALoop) {
+    const TemporaryFolder folder;
+    bake_small(breathing_loop(folder.path()), frames_to(10));
+    const VerifiedSet found = verified(folder.path());
+    EXPECT_EQ(found.problems, std::vector<std::string>{});
+    const TemporaryFolder other;
+    bake_small(breathing_loop(other.path()), frames_to(8));
+    const VerifiedSet period = verified(other.path());
+    for (std::size_t k = 0; k < found.maps.size(); ++k) {
+        ASSERT_TRUE(found.maps[k].loop) << found.maps[k].name;
+        EXPECT_EQ(found.maps[k].loop->across, period.maps[k].loop->across);
+        EXPECT_EQ(found.maps[k].loop->largest_within, period.maps[k].loop->largest_within);
+    }
+}
+
+// A file of another size, as if the manifest had been edited: the steps to and from it are
+// infinite.
+TEST(Verify, FindsALoopOfFramesThatDifferInSize) {
+    const TemporaryFolder folder;
+    bake_small(breathing_loop(folder.path()), frames_to(8));
+    change_baked_image(folder.path(), "albedo.0001.png", [](Image<std::uint8_t>& image) {
+        image = Image<std::uint8_t>(image.width() / 2, image.height(), image.channels());
+    });
+    const VerifiedSet found = verified(folder.path());
+    EXPECT_FALSE(found.maps.front().holds());
+    ASSERT_EQ(found.problems.size(), 1U);
+    EXPECT_EQ(found.problems[0].find("albedo: does not loop: "), 0U);
 }
 
 TEST(Verify, ReportsMissingFramesOfAFailedBake) {

@@ -8,13 +8,14 @@ namespace foam::texgen {
 
 namespace {
 
-// Computes crossing(arc, position) for all positions of a query.
+// Computes the results of a query. crossing(arc, at) must return the crossing of the arc with the
+// line at `at`.
 template <class Real, class Crossing>
 inline void find_of(const CrossingSolver<Real>& equation,
                     const ArcCrossings& crossings,
                     const Crossing& crossing,
                     std::int32_t* to) {
-    const CrossingSolver<Real> arc = equation;  // a copy, which the stores below cannot alias
+    const CrossingSolver<Real> arc = equation;  // a copy, which the stores below cannot change
     const std::int32_t step = crossings.step;
     const std::int32_t offset = crossings.offset;
     const std::int32_t sign = crossings.sign;
@@ -28,6 +29,7 @@ inline void find_of(const CrossingSolver<Real>& equation,
     }
 }
 
+// Computes the results of all queries, in floats for short arcs and in doubles for long arcs.
 template <class Crossing>
 void find(std::span<const ArcCrossings> arcs, const Crossing& crossing, std::int32_t* to) {
     at_simd_level([=] {

@@ -33,7 +33,8 @@ void append_piece(SubpixelPoint tail,
     }
 }
 
-// Computes the integral of 2 x dy, with x relative to the first arc.
+// Computes the integral of 2 x dy along the chain. x is measured from the lower end of the first
+// arc, because this keeps x and the rounding errors small.
 double twice_area(std::span<const MonotoneArc> chain, std::uint32_t bubble) {
     double area = 0.0;
     for (const MonotoneArc& arc : chain) {

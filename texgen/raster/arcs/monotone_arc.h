@@ -17,11 +17,15 @@
 
 namespace foam::texgen {
 
-/// The value of ArcSides::left and ArcSides::right on the side of a film.
+/// The value of ArcSides::left or ArcSides::right if there is a film on that side of the arc. In a
+/// patch, this includes films of width 0: such a film is represented by two arcs, one for each
+/// bubble beside it.
 inline constexpr std::uint32_t kFilmSide = std::numeric_limits<std::uint32_t>::max();
 
-/// The two sides of an arc. Each side has the index of a bubble, or kFilmSide, and the number of
-/// periods by which the arc is further right in the closed, unwrapped outline of that bubble.
+/// The two sides of an arc: the index of the bubble on each side, or kFilmSide. On a torus, the
+/// outline of a bubble is closed only if it is not wrapped. In the unwrapped outline of the bubble
+/// on the left, the arc is `left_periods` periods further right than its coordinates say; in the
+/// outline of the bubble on the right, it is `right_periods` periods further right.
 struct ArcSides {
     std::uint32_t left = kFilmSide;
     std::uint32_t right = kFilmSide;
@@ -31,21 +35,23 @@ struct ArcSides {
     friend bool operator==(const ArcSides& a, const ArcSides& b) = default;
 };
 
-/// Returns the sides of the same arc, traversed the other way.
+/// Returns the sides of the same arc in the opposite direction.
 inline ArcSides reversed(const ArcSides& sides) {
     return {sides.right, sides.left, sides.right_periods, sides.left_periods};
 }
 
+/// Returns the value of ArcSides::left or ArcSides::right for a bubble.
 inline std::uint32_t arc_side(BubbleId bubble) {
     return static_cast<std::uint32_t>(index_of(bubble));
 }
 
 /// A rising arc that is monotone in x and in y, between two bubbles or between a bubble and a film.
-/// Coordinates are in subpixels of the unshifted grid.
+/// Coordinates are in subpixels of the unshifted grid; the arc may be outside of the image.
 struct MonotoneArc {
     SubpixelPoint low;
     SubpixelPoint high;
-    double sine = 0.0;  // of half the angle by which the arc turns left, at most 45 degrees
+    double sine = 0.0;  // sine of half the angle by which the arc turns left from `low` to `high`;
+                        // the half angle is from -45 to 45 degrees
     ArcSides sides;
 
     friend bool operator==(const MonotoneArc& a, const MonotoneArc& b) = default;
@@ -54,43 +60,47 @@ struct MonotoneArc {
 /// All arcs that bound the visible parts of the bubbles of a frame, in no particular order.
 struct CellArcs {
     RasterGrid grid;
-    std::int32_t shear = 0;  // subpixels by which a copy one period up is moved right
-    std::vector<std::vector<MonotoneArc>> batches;  // one batch per task
-    int unresolved = 0;  // parts left out because their boundary did not close; 0 for a valid foam
-    std::optional<BubbleId> outside = {};  // the ghost bubble of a patch
+    std::int32_t shear = 0;                         // shear_in_subpixels on a torus; 0 in the plane
+    std::vector<std::vector<MonotoneArc>> batches;  // one batch per task of make_arcs
+    int unclosed_loops = 0;  // number of boundary loops that did not close; 0 for a valid
+                             // foam, unless a raft overlaps itself
+    std::optional<BubbleId> ghost = {};  // the ghost bubble of a patch
 };
 
-/// The arcs that one task makes.
+/// The arcs that one task of make_arcs creates. The members are as in CellArcs.
 struct ArcBatch {
     std::vector<MonotoneArc> arcs;
-    int unresolved = 0;
+    int unclosed_loops = 0;
 };
 
-/// Appends the monotone pieces of an arc. `tail` and `head` are the rounded ends of the arc;
-/// `sides` is relative to the direction from tail to head. A piece whose rounded ends have the same
-/// height bounds no area and is left out.
+/// Appends the monotone pieces of an arc to `to`. `tail` and `head` are the rounded ends of the
+/// arc. The left and right side in `sides` refer to the direction from tail to head. A piece whose
+/// rounded ends have the same y is left out, because it does not affect any pixel.
 void append_arc(const PixelArc& arc,
                 SubpixelPoint tail,
                 SubpixelPoint head,
                 const ArcSides& sides,
                 std::vector<MonotoneArc>& to);
 
-/// Appends an arc that is monotone in x and in y, unless its ends have the same height.
+/// Appends an arc that is monotone in x and in y to `to`, unless its ends have the same y. `sine`
+/// is the sine of half the angle by which the arc turns left from tail to head.
 void append_piece(SubpixelPoint tail,
                   SubpixelPoint head,
                   double sine,
                   const ArcSides& sides,
                   std::vector<MonotoneArc>& to);
 
-/// Returns twice the area within a closed chain of arcs around one bubble, in square subpixels;
-/// negative if the chain goes clockwise.
+/// Returns twice the area within a closed chain of arcs around one bubble, in square subpixels.
+/// `bubble` is arc_side of this bubble. The result is negative if the chain is clockwise.
 double twice_area(std::span<const MonotoneArc> chain, std::uint32_t bubble);
 
-/// The number of bubbles whose arcs make_arcs should make in one task.
+/// The recommended number of bubbles per task of make_arcs.
 inline constexpr std::size_t kBubblesPerTask = 256;
 
-/// Calls maker.make(k, batch) for each k in [0, count) and returns all arcs. Each task processes
-/// `per_task` values of k with a maker of its own, which new_maker() returns.
+/// Calls maker.make(k, batch) for each k in [0, count). Each call appends arcs to the batch, and
+/// adds to its number of unclosed loops. Returns all arcs; the caller sets `shear` and `ghost`.
+/// Tasks run in parallel. Each task processes up to `per_task` values of k with its own maker,
+/// which new_maker() returns.
 template <class NewMaker>
 CellArcs make_arcs(const RasterGrid& grid,
                    std::size_t count,
@@ -109,7 +119,7 @@ CellArcs make_arcs(const RasterGrid& grid,
     cells.grid = grid;
     for (ArcBatch& batch : parallel_map(count, per_task, threads, make)) {
         cells.batches.push_back(std::move(batch.arcs));
-        cells.unresolved += batch.unresolved;
+        cells.unclosed_loops += batch.unclosed_loops;
     }
     return cells;
 }

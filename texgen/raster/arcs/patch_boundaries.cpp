@@ -8,6 +8,7 @@ namespace foam::texgen {
 
 namespace {
 
+// Appends the boundary loop that contains a half-edge.
 void append_network_loop(const PixelPatch& pixels, HalfEdgeId first, ArcLoops& to) {
     HalfEdgeId h = first;
     do {
@@ -17,16 +18,19 @@ void append_network_loop(const PixelPatch& pixels, HalfEdgeId first, ArcLoops& t
     to.loop_ends.push_back(to.sides.size());
 }
 
-// Appends a circle in two halves, counter-clockwise if sign is 1 and clockwise if it is -1.
+// Appends the circle of a lone bubble as two semicircles, counter-clockwise if `sign` is 1 and
+// clockwise if `sign` is -1.
 void append_circle(const PixelPatch& pixels, const LoneBubble& bubble, int sign, ArcLoops& to) {
     const Vec2 radius(pixels.scale * lone_radius(bubble), 0.0);
     const Vec2 center = pixels.pixel(bubble.center);
-    const double sine = sign;  // each half of the circle turns by 180 degrees: sin 90 degrees = 1
+    const double sine = sign;  // a semicircle has a half angle of 90 or -90 degrees
     to.sides.push_back({center - radius, {2.0 * radius, 0.0, sine}});
     to.sides.push_back({center + radius, {-2.0 * radius, 0.0, sine}});
     to.loop_ends.push_back(to.sides.size());
 }
 
+// Returns the boundary loops of the ghost bubble: one for the rim of each raft, one for each hole,
+// and one for each lone bubble.
 ArcLoops boundaries_of_ghost(const PixelPatch& pixels) {
     const Network& network = pixels.frame.network;
     ArcLoops boundaries;

@@ -11,7 +11,8 @@
 
 namespace foam::texgen {
 
-/// A frame in the plane, in the pixel coordinates of a grid with a view. Borrows both.
+/// A frame in the plane, in the pixel coordinates of a grid with a view. Borrows the frame and the
+/// grid.
 struct PixelPatch {
     const Frame& frame;
     const RasterGrid& grid;
@@ -19,7 +20,7 @@ struct PixelPatch {
 
     /// Converts a position in foam units to pixels.
     Vec2 pixel(const Vec2& position) const { return pixel_in_view(grid, position); }
-    /// Returns the arc of a side in pixels.
+    /// Returns the tail and the arc of a half-edge in pixels.
     ArcLoops::Side arc(HalfEdgeId h) const {
         const FilmArc arc = frame.arc(h);
         return {pixel(frame.positions[frame.network.tail(h)]),
@@ -27,20 +28,21 @@ struct PixelPatch {
     }
 };
 
-/// Returns the number of regions: the bubbles, the ghost bubble and the lone bubbles, in this
-/// order.
+/// Returns the number of regions of a patch: the bubbles, the ghost bubble and the lone bubbles.
+/// Regions are numbered in this order.
 std::size_t region_count(const Frame& frame);
 
-/// The distance in pixels beyond the image at which arcs are cut off, because coordinates have 32
-/// bits. No pixel depends on the shape of arcs at such a distance.
-inline constexpr double kGuard = kLargestSide;
+/// The width in pixels of a margin around the image. Parts of arcs outside of the margin are cut
+/// off, so that the coordinates of the other parts fit in 32 bits in subpixels. No pixel depends on
+/// the shape of the parts that are cut off.
+inline constexpr double kClipMargin = kLargestSide;
 
-/// Returns true if a part of a loop may be visible. The test is conservative: it assumes that an
-/// arc may extend from its tail by its length in any direction.
+/// Returns true if a part of a loop may be visible in the image. The test is conservative: it
+/// assumes that an arc may extend from its tail by its length in any direction.
 bool may_be_visible(const RasterGrid& grid, std::span<const ArcLoops::Side> loop);
 
-/// Returns the boundary loops of a region, with the region on their left. `bubble` is the index of
-/// the region in the order of region_count.
+/// Returns the boundary loops of a region in pixels, with the region on their left. `bubble` is the
+/// number of the region, as defined at region_count.
 ArcLoops boundaries_of(const PixelPatch& pixels, BubbleId bubble);
 
 }  // namespace foam::texgen

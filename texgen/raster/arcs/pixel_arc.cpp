@@ -9,8 +9,8 @@ namespace foam::texgen {
 
 namespace {
 
-// Returns the quadrant of a direction, 0 to 3 counter-clockwise. Each quadrant includes the axis at
-// which it begins.
+// Returns the quadrant of a direction: 0 to 3, counter-clockwise from the x axis. Each quadrant
+// includes the axis at which it begins, but not the axis at which it ends.
 int quadrant_of(const Vec2& direction) {
     const auto [x, y] = std::pair(direction.x(), direction.y());
     if (y > 0.0) {
@@ -22,7 +22,7 @@ int quadrant_of(const Vec2& direction) {
     return x > 0.0 ? 0 : 2;
 }
 
-// Returns the direction of the axis at which a quadrant begins.
+// Returns the direction of the axis at which a quadrant begins. Quadrants are modulo 4.
 Vec2 axis(int quadrant) {
     constexpr std::array<double, 5> kCosines{1.0, 0.0, -1.0, 0.0, 1.0};
     const auto k = static_cast<std::size_t>(quadrant % 4);
@@ -39,10 +39,11 @@ MonotonePieces::MonotonePieces(const PixelArc& arc) {
     }
 }
 
-// Splits the arc at the points where its tangent is parallel to an axis. An arc that turns right is
-// mirrored first. Let a and b be the unit tangents at two points of an arc that turns left. The
-// vector from the first point to the second is radius * (b - a), rotated by 90 degrees to the
-// right. The sine of half the angle between a and b is |b - a| / 2.
+// Splits the arc at the points where its tangent is parallel to an axis. If an arc turns right, its
+// y is negated, so that all arcs turn left; the y of the results is negated again. Let a and b be
+// the unit tangents at two points of an arc that turns left. The vector from the first point to the
+// second is radius * (b - a), rotated by 90 degrees to the right. The sine of half the angle
+// between a and b is |b - a| / 2.
 void MonotonePieces::split(const PixelArc& arc) {
     const double side = arc.sine < 0.0 ? -1.0 : 1.0;
     const Vec2 mirror(1.0, side);

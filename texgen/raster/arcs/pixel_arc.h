@@ -12,15 +12,15 @@
 
 namespace foam::texgen {
 
-/// A circular arc in pixels. It has the cosine and the sine of its half angle in place of the half
-/// angle of a FilmArc.
+/// A circular arc from its tail to its head, in pixels. Unlike a FilmArc, a PixelArc stores the
+/// cosine and the sine of the half angle, not the half angle itself.
 struct PixelArc {
     Vec2 chord{0.0, 0.0};  // head minus tail, pixels
-    double cosine = 1.0;
+    double cosine = 1.0;   // of half the angle by which the arc turns left
     double sine = 0.0;
 };
 
-/// Convert between both forms of an arc. The scale remains the same.
+/// Convert an arc to the other type. The unit of length does not change.
 inline PixelArc pixel_arc(const FilmArc& arc) {
     return {arc.chord, std::cos(arc.half_angle), std::sin(arc.half_angle)};
 }
@@ -28,12 +28,13 @@ inline FilmArc film_arc(const PixelArc& arc) {
     return {arc.chord, std::atan2(arc.sine, arc.cosine)};
 }
 
-/// Returns the same arc, traversed from head to tail.
+/// Returns the same arc in the direction from head to tail.
 inline PixelArc reversed(const PixelArc& arc) {
     return {-arc.chord, arc.cosine, -arc.sine};
 }
 
-/// Return the tangents at the ends of an arc. They have the length of its chord.
+/// Return the tangent vectors at the ends of an arc, in the direction from tail to head. Their
+/// length is the length of the chord.
 inline Vec2 tail_tangent(const PixelArc& arc) {
     return arc.cosine * arc.chord - arc.sine * turned_left(arc.chord);
 }
@@ -41,22 +42,22 @@ inline Vec2 head_tangent(const PixelArc& arc) {
     return arc.cosine * arc.chord + arc.sine * turned_left(arc.chord);
 }
 
-/// Returns true if a boundary turns right from the end of one side to the start of the next one.
+/// Returns true if a boundary turns right at the corner between two successive sides.
 template <class Arc>
 bool turns_right(const Arc& before, const Arc& after) {
     return cross(head_tangent(before), tail_tangent(after)) < 0.0;
 }
 
 /// Returns true if an arc is monotone in x and in y: it turns by less than 180 degrees, and the
-/// tangents at its ends are in the same quadrant.
+/// tangents at its ends are in the same quadrant, which includes both its axes.
 inline bool is_monotone(const PixelArc& arc) {
     const Vec2 first = tail_tangent(arc);
     const Vec2 last = head_tangent(arc);
     return arc.cosine > 0.0 && first.x() * last.x() >= 0.0 && first.y() * last.y() >= 0.0;
 }
 
-/// The monotone pieces of an arc that turns by less than 360 degrees, in order from its tail.
-/// Positions are relative to the tail.
+/// Splits an arc that turns by less than 360 degrees into monotone pieces. Positions are relative
+/// to the tail of the arc.
 class MonotonePieces {
   public:
     /// A piece that is monotone in x and in y, in pixels.
@@ -64,11 +65,12 @@ class MonotonePieces {
         Vec2 tail{0.0, 0.0};
         Vec2 head{0.0, 0.0};
         double sine = 0.0;  // sine of half the angle by which the piece turns left; the half angle
-                            // is at most 45 degrees
+                            // is from -45 to 45 degrees
     };
 
     explicit MonotonePieces(const PixelArc& arc);
 
+    /// Returns the pieces in order, starting at the tail of the arc.
     std::span<const Piece> pieces() const { return std::span(pieces_).first(count_); }
 
   private:
@@ -79,8 +81,10 @@ class MonotonePieces {
     std::size_t count_ = 0;
 };
 
-/// Calls visit(from, to, sine) for the monotone pieces of an arc between two ends. The point
-/// between two pieces is inner(position), where `position` is its position relative to the tail.
+/// Calls visit(from, to, sine) for each monotone piece of an arc, in order from tail to head.
+/// `tail` and `head` are the ends of the arc, as points of any type. inner(position) must convert
+/// the position of the point between two pieces to this type; `position` is in pixels, relative to
+/// the tail. `sine` is MonotonePieces::Piece::sine.
 template <class Point, class Inner, class Visit>
 void for_each_piece(const PixelArc& arc,
                     const Point& tail,
@@ -96,11 +100,11 @@ void for_each_piece(const PixelArc& arc,
     }
 }
 
-/// Returns twice the area between the chord of an arc and the arc, with the sign of `sine`, which
-/// is the sine of half the angle by which the arc turns. The formula is a power series of the
-/// segment area in E1.
-/// Precondition: the arc turns by at most 90 degrees. The relative error is 2.5e-3 at 90 degrees,
-/// 6e-5 at 60 and 6e-9 at 23.
+/// Returns twice the area between an arc and its chord, with the sign of `sine`. `squared_chord` is
+/// the squared length of the chord, and `sine` the sine of half the angle by which the arc turns
+/// left. The formula is a truncated power series of the segment area in E1 (core/README.md). Its
+/// relative error is 2.5e-3 for an arc that turns by 90 degrees, 6e-5 for 60 degrees and 6e-9 for
+/// 23 degrees. Precondition: the arc turns by at most 90 degrees.
 template <class Real>
 Real twice_segment(Real squared_chord, Real sine) {
     const Real z = sine * sine;
@@ -109,7 +113,7 @@ Real twice_segment(Real squared_chord, Real sine) {
     return squared_chord * sine * (Real(1) / 3) * series;
 }
 
-/// Closed loops of arcs in pixels, which have the region that they bound on their left.
+/// Closed loops of arcs in pixels. The region that the loops bound is on their left.
 struct ArcLoops {
     struct Side {
         Vec2 tail{0.0, 0.0};
@@ -117,9 +121,11 @@ struct ArcLoops {
     };
     std::vector<Side> sides;
     std::vector<std::size_t> loop_ends;  // one past the last side of each loop
-    int open_ends = 0;                   // pieces without a successor; 0 for a valid bubble
+    int unclosed_loops =
+        0;  // number of loops left out because they did not close; 0 for a valid bubble, but
+            // may be positive for the ghost bubble of a patch in which rafts overlap
 
-    /// Returns the sides of the loop k.
+    /// Returns the sides of loop k.
     std::span<const Side> loop(std::size_t k) const {
         const std::size_t begin = k == 0 ? 0 : loop_ends[k - 1];
         return std::span(sides).subspan(begin, loop_ends[k] - begin);

@@ -8,12 +8,15 @@
 
 namespace foam::texgen {
 
-/// The number of subpixels per pixel, a power of two. Coordinates of the rasterizer are integers,
-/// so that sums do not depend on their order and a shift by whole pixels moves every point exactly.
+/// The binary logarithm of kSubpixel.
 inline constexpr int kSubpixelBits = 10;
+
+/// The number of subpixels per pixel. A subpixel is the unit of the rasterizer's integer
+/// coordinates. Sums of integers do not depend on the order of their terms, and a shift by whole
+/// pixels moves every point exactly.
 inline constexpr std::int32_t kSubpixel = 1 << kSubpixelBits;
 
-/// A point or a vector in subpixels; x to the right, y up.
+/// A point or a vector in subpixels. x points right, y up.
 struct SubpixelPoint {
     std::int32_t x = 0;
     std::int32_t y = 0;
@@ -27,7 +30,8 @@ struct SubpixelPoint {
     friend bool operator==(SubpixelPoint a, SubpixelPoint b) = default;
 };
 
-/// Converts pixels to the nearest subpixel, ties up. Precondition: |pixels| < 2^16.
+/// Convert a coordinate or a point in pixels to the nearest subpixel. Ties are rounded up.
+/// Precondition: |pixels| < 2^16.
 inline std::int32_t to_subpixel(double pixels) {
     constexpr std::int32_t kBias = 1 << 26;  // makes the sum positive, so that truncation is floor
     return static_cast<std::int32_t>(pixels * kSubpixel + (kBias + 0.5)) - kBias;
@@ -37,17 +41,17 @@ inline SubpixelPoint to_subpixel(const Vec2& pixels) {
     return {to_subpixel(pixels.x()), to_subpixel(pixels.y())};
 }
 
-/// Returns the pixel that contains a subpixel.
+/// Returns the column (row) of pixels that contains an x (y) coordinate in subpixels.
 inline std::int32_t pixel_of(std::int32_t subpixel) {
     return subpixel >> kSubpixelBits;
 }
 
-/// Returns n / d rounded down. Precondition: d > 0.
+/// Returns the largest integer that is at most n / d. Precondition: d > 0.
 inline std::int32_t floor_div(std::int32_t n, std::int32_t d) {
     return n / d - (n % d < 0 ? 1 : 0);
 }
 
-/// Returns the remainder of floor_div, in [0, d).
+/// Returns n modulo d, in [0, d): the remainder of floor_div. Precondition: d > 0.
 inline std::int32_t wrap(std::int32_t n, std::int32_t d) {
     return n - floor_div(n, d) * d;
 }

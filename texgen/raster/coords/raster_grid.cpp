@@ -10,7 +10,7 @@ namespace foam::texgen {
 
 namespace {
 
-// The largest relative difference between the scales in x and y.
+// The largest allowed relative difference between the pixels per foam unit in x and in y.
 constexpr double kLargestAnisotropy = 1e-6;
 
 void check_side(int side) {
@@ -26,7 +26,10 @@ double pixels_per_unit(const RasterGrid& grid, const Domain& domain) {
     check_side(grid.width);
     check_side(grid.height);
     if (domain.is_plane() != grid.view.has_value()) {
-        throw std::invalid_argument("a grid must have a view of a plane, and none of a torus");
+        throw std::invalid_argument(
+            "a grid needs a view if the foam is in the plane, and must not have a view if the foam "
+            "is "
+            "on a torus");
     }
     if (grid.view) {
         return grid.view->pixels_per_unit;

@@ -10,7 +10,8 @@
 
 namespace foam::texgen {
 
-/// The part of the plane that an image shows.
+/// The part of the plane that an image shows. Its width and height in foam units are those of the
+/// image in pixels, divided by pixels_per_unit.
 struct View {
     Vec2 center{0.0, 0.0};  // the point in the middle of the image, in foam units
     double pixels_per_unit = 1.0;
@@ -18,40 +19,47 @@ struct View {
     friend bool operator==(const View& a, const View& b) = default;
 };
 
-/// The pixels that cover a torus or a view of the plane. Row 0 is the lowest. On a torus, the lower
-/// left corner of pixel (0, 0) of an unshifted grid is at the origin.
+/// The pixels that cover a torus or a view of the plane. Row 0 is the lowest row. On a torus, the
+/// lower left corner of pixel (0, 0) of an unshifted grid is at the origin.
 ///
-/// Pixel (x, y) of a shifted grid is the same, to the bit, as pixel (x + shift_x, y + shift_y) of
-/// the unshifted grid, wrapped around the torus. Precondition on a sheared torus: 0 <= shift_y <
-/// height.
+/// On a torus, a grid may be shifted: pixel (x, y) of an image on the shifted grid has the same
+/// bits as pixel (x + shift_x, y + shift_y) of the image on the unshifted grid, wrapped around the
+/// torus. On a sheared torus there is an exception: a row that is wrapped in y is also displaced by
+/// the shear, which need not be a whole number of pixels. Precondition on a sheared torus: 0 <=
+/// shift_y < height, because shift_of ignores the shear when it wraps shift_y.
 struct RasterGrid {
-    int width = 0;  // all lengths are in pixels
+    int width = 0;  // this and the other lengths are in pixels
     int height = 0;
     int shift_x = 0;
     int shift_y = 0;
     std::optional<View> view = {};  // set in the plane, where nothing is shifted or wrapped
 };
 
-/// The longest side of a grid in pixels. It ensures that coordinates of a few periods fit 32 bits.
+/// The largest allowed width and height of a grid in pixels. With this limit, the coordinates of
+/// points that are a few periods away from the grid fit in 32 bits.
 inline constexpr int kLargestSide = 1 << 14;
 
-/// The length in pixels below which a side of a bubble has no reliable direction and is left out.
+/// Insets and distance fields ignore sides of bubbles whose chord is at most this long, in pixels,
+/// because the direction of such a short chord is not reliable.
 inline constexpr double kShortestSide = 1e-9;
 
-/// Returns the number of pixels per foam unit. Throws std::invalid_argument if a side of the grid
-/// is not in [1, kLargestSide], if the grid has no view of a plane or has a view of a torus, or if
-/// the pixels on a torus are not square to one part in a million.
+/// Returns the number of pixels per foam unit. Throws std::invalid_argument in three cases: the
+/// width or the height of the grid is not in [1, kLargestSide]; the domain is the plane and the
+/// grid has no view, or the domain is a torus and the grid has a view; the pixels on a torus are
+/// not square, with a tolerance of one part in a million.
 double pixels_per_unit(const RasterGrid& grid, const Domain& domain);
 
-/// Returns the translation from subpixels of the unshifted grid to subpixels of this one.
+/// Returns the translation, in subpixels, from the coordinates of a point on the unshifted grid to
+/// the coordinates of the same point on the shifted grid.
 inline SubpixelPoint shift_of(const RasterGrid& grid) {
     return {-wrap(grid.shift_x, grid.width) * kSubpixel,
             -wrap(grid.shift_y, grid.height) * kSubpixel};
 }
 
-/// Converts a position in the home cell of a torus, in foam units, to the nearest subpixel of the
-/// unshifted grid. The result is from 0 to the width and height of the grid, both included: a point
-/// on the upper or right border is not wrapped to 0, which would tear the outlines around it.
+/// Converts positions in the fundamental cell of a torus, in foam units, to the nearest subpixel of
+/// the unshifted grid. The x of a result is from 0 to the width of the grid, both included, and the
+/// y is from 0 to the height. A point that is rounded to the upper or right border is not wrapped
+/// to 0: this would move it by a period, and the outlines through it would no longer be closed.
 class Snap {
   public:
     Snap(const RasterGrid& grid, const Domain& domain)
@@ -62,19 +70,19 @@ class Snap {
     }
 
   private:
-    double across_;  // pixels per foam unit, in x and y
-    double up_;
+    double across_;  // pixels per foam unit in x
+    double up_;      // pixels per foam unit in y
 };
 
-/// Converts a position in the plane, in foam units, to pixels from the lower left corner of a grid.
-/// Precondition: the grid has a view.
+/// Converts a position in the plane, in foam units, to pixels relative to the lower left corner of
+/// a grid. Precondition: the grid has a view.
 inline Vec2 pixel_in_view(const RasterGrid& grid, const Vec2& position) {
     return grid.view->pixels_per_unit * (position - grid.view->center) +
            0.5 * Vec2(grid.width, grid.height);
 }
 
-/// Returns the displacement to the right, in subpixels, of the copy of a point one period up. The
-/// copies of a grid on a sheared torus cover the plane in rows that are displaced by this amount.
+/// Returns the shear of a torus in subpixels. The plane is covered by rows of copies of the torus;
+/// each row is displaced by the shear, to the right, relative to the row below it.
 std::int32_t shear_in_subpixels(const RasterGrid& grid, const Domain& domain);
 
 }  // namespace foam::texgen

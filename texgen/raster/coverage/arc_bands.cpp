@@ -9,8 +9,8 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr int kTileBits = 6;  // a tile is 2^6 columns wide
-constexpr int kPartsPerThread = 4;
+constexpr int kTileBits = 6;        // a tile is 2^6 columns wide
+constexpr int kPartsPerThread = 4;  // parts of the counting sort, per thread
 
 }  // namespace
 
@@ -42,8 +42,9 @@ int ArcBands::row_count(int band) const {
     return std::min(1 << row_bits_, grid_.height - first_row(band));
 }
 
-// Returns the tile of the lower end of an arc. On a torus, arcs of unwrapped outlines may be
-// several periods to the left or right of the image.
+// Returns the tile, within its band, that contains the column of the lower end of an arc. On a
+// torus the column is wrapped, because arcs of unwrapped outlines may be several periods to the
+// left or right of the image. In the plane it is clamped.
 std::size_t ArcBands::tile_of(const Entry& entry) const {
     int column = pixel_of(entry.arc->low.x + entry.translation.x);
     if (grid_.view) {

@@ -12,41 +12,45 @@
 
 namespace foam::texgen {
 
-/// The rows of an image, divided into bands, and the arcs that overlap each band. Arcs are moved
-/// by the shift of the grid and wrapped around the torus. Within a band, arcs are sorted by tiles
-/// from left to right, so that the sums to which an arc adds are mostly cached for the next arc.
+/// The rows of an image, divided into bands, and for each band a list of the arcs that overlap it.
+/// Arcs are moved by the shift of the grid; on a torus, they are wrapped in y. A tile is a range of
+/// columns of a band, and an arc belongs to the tile of its lower end. The arcs of a band are
+/// sorted by tile from left to right, so that most sums to which an arc adds are already in the
+/// cache.
 class ArcBands {
   public:
-    /// A copy of an arc, shifted, and on a torus moved up or down by whole periods. Its y is
-    /// relative to row 0 of the image.
+    /// A copy of an arc, moved by a translation to its position in the image. On a torus, the
+    /// translation is the shift of the grid plus a number of periods up or down; in the plane it is
+    /// zero.
     struct Entry {
         const MonotoneArc* arc = nullptr;
         SubpixelPoint translation;
     };
 
-    /// Sorts the arcs, which are borrowed. `rows_per_band` is rounded up to a power of two. The
-    /// result is the same for any number of threads.
+    /// Sorts the arcs of `cells`, which are borrowed. `rows_per_band` is rounded up to a power of
+    /// two. The result does not depend on the number of threads.
     ArcBands(const CellArcs& cells, int rows_per_band, int threads);
 
     /// Returns the number of bands.
     int count() const { return ((grid_.height - 1) >> row_bits_) + 1; }
+    /// Return the lowest row of a band, and the number of its rows.
     int first_row(int band) const { return band << row_bits_; }
     int row_count(int band) const;
-    /// Returns the copies of arcs that overlap a band, sorted by tiles.
+    /// Returns the copies of arcs that overlap a band, sorted by tile.
     std::span<const Entry> entries(int band) const {
         const std::size_t first = static_cast<std::size_t>(band) * tiles_;
-        return entries_.of(first, first + tiles_);
+        return entries_.items_of(first, first + tiles_);
     }
 
   private:
     using Batches = std::span<const std::vector<MonotoneArc>>;
 
-    // Calls visit(entry, tile) for each copy of an arc and each band that it overlaps. Tiles are
-    // numbered consecutively through all bands.
+    // Calls visit(entry, tile) for each copy of an arc and each band that the copy overlaps. `tile`
+    // numbers the tiles of all bands: from left to right within a band, and from band to band.
     template <class Visit>
     void visit_tiles(Batches batches, const Visit& visit) const;
-    // Both call visit(entry, band) for each band that a copy overlaps: visit_copies for all copies
-    // of all arcs, visit_bands for one copy.
+    // Call visit(entry, band) for each band that a copy of an arc overlaps: visit_copies for all
+    // copies of all arcs, visit_bands for one copy.
     template <class Visit>
     void visit_copies(Batches batches, const Visit& visit) const;
     template <class Visit>
@@ -55,9 +59,9 @@ class ArcBands {
 
     RasterGrid grid_;
     std::int32_t shear_;
-    int row_bits_;
+    int row_bits_;            // a band has 2^row_bits_ rows; the last band may have fewer
     std::size_t tiles_;       // tiles per band
-    Buckets<Entry> entries_;  // one bucket per tile of all bands
+    Buckets<Entry> entries_;  // one bucket per tile, for the tiles of all bands
 };
 
 }  // namespace foam::texgen

@@ -14,14 +14,15 @@ namespace foam::texgen {
 
 namespace {
 
-// An arc is split in stages. First its crossings with the borders between rows are computed, then
-// those with the borders between columns. The two sequences are then merged: the index of a
+// An arc is split in stages. First its crossings with borders between rows are computed, then its
+// crossings with borders between columns. The two sequences are then merged: the index of a
 // crossing in the merged sequence is its own index plus the number of crossings of the other kind
-// before it. That number is known without comparing crossings, so the merge has no unpredictable
-// branches. Finally the area to the left of each part is computed from its chord and the circular
-// segment beyond it.
+// before it. This number follows from the column of the crossing or from a counter of rows. No two
+// crossings are compared, so the merge has no unpredictable branches. Finally the area to the left
+// of each part is computed: the area to the left of the chord of the part, plus the area between
+// the chord and the arc.
 
-constexpr std::size_t kLanes = 16;  // number of parts that are measured at once
+constexpr std::size_t kLanes = 16;  // number of parts whose areas are computed at once
 
 }  // namespace
 
@@ -50,7 +51,8 @@ void ArcSplitter::add(const MonotoneArc& arc, SubpixelPoint translation) {
                          k == 0 ? 0 : row_crossings_[k - 1].end()};
 }
 
-// Completes each stage for all arcs before the next stage, so that their square roots overlap.
+// Completes each stage for all arcs before the next stage, so that the processor computes square
+// roots of different arcs at the same time.
 void ArcSplitter::split() {
     if (size_ == 0) {
         return;
@@ -66,7 +68,7 @@ void ArcSplitter::split() {
     grow(point_x_, points);
     grow(point_y_, points);
     grow(parts_, points);
-    grow(rows_left_, points);
+    grow(rows_crossed_, points);
     for (std::size_t k = 0; k < size_; ++k) {
         store_row_crossings(k);
         store_column_crossings(k);
@@ -74,7 +76,8 @@ void ArcSplitter::split() {
     measure_parts();
 }
 
-// Determines which borders between columns an arc crosses.
+// Determines which borders between columns an arc crosses. If the arc leaves the rows at the top,
+// also corrects the x of Arc::to, which `add` has set to the x of the upper end of the whole arc.
 void ArcSplitter::find_columns(std::size_t k) {
     Arc& arc = arcs_[k];
     const ArcCrossings& rows = row_crossings_[k];
@@ -99,15 +102,16 @@ void ArcSplitter::find_columns(std::size_t k) {
     arc.first_part = k == 0 ? 0 : arcs_[k - 1].first_part + arcs_[k - 1].parts + 1;
 }
 
-// Stores the points at which an arc leaves each row. Slots are left free for the crossings with
-// borders between columns that come before each point, so that no branch depends on the order of
-// crossings. Minimum and maximum ensure that x never decreases in spite of rounding.
+// Stores the points at which an arc crosses from row to row. Array elements are left free for the
+// crossings with borders between columns that come before each point, so that no branch depends on
+// the order of crossings. The minimum and the maximum ensure that x never decreases, in spite of
+// rounding.
 void ArcSplitter::store_row_crossings(std::size_t k) {
-    const Arc arc = arcs_[k];  // a copy, which the stores below cannot alias
+    const Arc arc = arcs_[k];  // a copy, which the stores below cannot change
     const ArcCrossings& rows = row_crossings_[k];
     const std::int32_t* xs = &xs_[rows.position];
     const std::int32_t first_column = column_of(arc, arc.from.x);
-    std::int32_t* rows_left = rows_left_.data();
+    std::int32_t* rows_crossed = rows_crossed_.data();
     std::int32_t* point_x = &point_x_[arc.first_part];
     std::int32_t* point_y = &point_y_[arc.first_part];
     point_x[0] = arc.from.x;
@@ -123,17 +127,18 @@ void ArcSplitter::store_row_crossings(std::size_t k) {
         ++row;
         point_x[row + columns] = x;
         point_y[row + columns] = (first_row + row) * kSubpixel;
-        rows_left[columns] = row;
+        rows_crossed[columns] = row;
     }
 }
 
-// Stores the crossings with borders between columns in the slots that store_row_crossings left
-// free. Each crossing is clamped to its row.
+// Stores the crossings of an arc with borders between columns in the elements that
+// store_row_crossings has left free. The y of each crossing is clamped to the row in which the arc
+// crosses the border.
 void ArcSplitter::store_column_crossings(std::size_t k) {
     const Arc& arc = arcs_[k];
     const ArcCrossings& columns = column_crossings_[k];
     const std::int32_t* ys = ys_.data() + columns.position;
-    std::int32_t* rows_left = rows_left_.data();
+    std::int32_t* rows_crossed = rows_crossed_.data();
     std::int32_t* point_x = &point_x_[arc.first_part + 1];
     std::int32_t* point_y = &point_y_[arc.first_part + 1];
     const std::int32_t first_row = pixel_of(arc.from.y);
@@ -141,18 +146,19 @@ void ArcSplitter::store_column_crossings(std::size_t k) {
     const auto count = static_cast<std::int32_t>(columns.count);
     std::int32_t rows = 0;
     for (std::int32_t column = 0; column < count; ++column) {
-        rows = std::max(rows, std::exchange(rows_left[column], 0));
+        rows = std::max(rows, std::exchange(rows_crossed[column], 0));
         const std::int32_t low = (first_row + rows) * kSubpixel;
         point_x[rows + column] = border + column * kSubpixel;
         point_y[rows + column] = std::min(std::max(ys[column], low), low + kSubpixel);
     }
-    rows_left[count] = 0;
+    rows_crossed[count] = 0;
 }
 
-// Computes the parts of all arcs. The area to the left of a part's chord is a whole number that a
-// float represents exactly; the circular segment between chord and arc is added to it. The middle
-// of a part determines its pixel. A part without height may be assigned to a neighboring pixel,
-// but adds nothing to it. Unused lanes of the last vector of an arc get parts without height.
+// Computes the parts of all arcs. Twice the area to the left of a part's chord is an integer that a
+// float represents exactly. Twice the area between the chord and the arc is added to it. The middle
+// of a part determines its pixel. A part without height may be assigned to a neighboring pixel, but
+// adds nothing to it. kLanes parts are computed at once; the lanes after the last part of an arc
+// get parts without height.
 void ArcSplitter::measure_parts() {
     at_simd_level([arcs = std::span(arcs_).first(size_),
                    last_row = rows_ - 1,
@@ -170,7 +176,7 @@ inline void ArcSplitter::measure_arc(const Arc& arc,
                                      const std::int32_t* __restrict xs,
                                      const std::int32_t* __restrict ys,
                                      Part* __restrict parts) {
-    constexpr float kHalf = 0.5F;  // added before truncation in order to round to nearest
+    constexpr float kHalf = 0.5F;  // added before truncation, which rounds to the nearest
     const std::int32_t sign = arc.sign;
     const float half_curvature = arc.half_curvature;
     const std::size_t end = arc.first_part + arc.parts;

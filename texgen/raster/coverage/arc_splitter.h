@@ -13,62 +13,68 @@
 
 namespace foam::texgen {
 
-/// Splits arcs at the borders of pixels, in the rows [0, rows). Several arcs are split in lockstep,
-/// because a single arc would stall on the latency of its square roots.
+/// Splits arcs into one part per pixel, in the rows [0, rows). Up to kMaxArcs arcs are split in
+/// lockstep, because a single arc would stall on the latency of its square roots.
 ///
-/// The part of an arc in a pixel adds its height to all pixels on its right. In the pixel itself it
-/// adds its height minus the area on its left. Heights are exact, so that the heights of a closed
-/// chain cancel in every row. The points at which an arc is split depend on the arc alone, so that
-/// a shift by whole pixels gives the same parts. Buffers are reused between batches.
+/// `Coverage` needs, for each pixel in the row of a part, the area to the right of the part. With a
+/// pixel width of 1, this area is the height of the part in each pixel further right. In the pixel
+/// of the part, it is the height minus the area on the left of the part. Heights are exact, so that
+/// the signed heights of a closed chain cancel in every row. The points at which an arc is split
+/// depend on the arc alone, so that a shift by whole pixels gives the same parts. Buffers are
+/// reused between batches of arcs.
 class ArcSplitter {
   public:
-    static constexpr std::size_t kMaxArcs = 16;
+    static constexpr std::size_t kMaxArcs = 16;  // largest number of arcs in a batch
 
     explicit ArcSplitter(int rows) : rows_(rows) {}
 
-    /// Adds an arc, moved by a translation. Precondition: is_in_rows(arc, translation) and size() <
-    /// kMaxArcs.
+    /// Adds an arc, moved by a translation, to the batch. Preconditions: is_in_rows(arc,
+    /// translation), and size() < kMaxArcs.
     void add(const MonotoneArc& arc, SubpixelPoint translation);
-    /// Returns true if a part of the arc is in the rows.
+    /// Returns true if a part of the arc, moved by a translation, is in the rows.
     bool is_in_rows(const MonotoneArc& arc, SubpixelPoint translation) const {
         return arc.high.y + translation.y > 0 && arc.low.y + translation.y < rows_ * kSubpixel;
     }
 
-    /// Splits all arcs that were added.
+    /// Splits all arcs of the batch.
     void split();
-    /// Removes all arcs.
+    /// Removes all arcs from the batch.
     void clear() { size_ = 0; }
 
+    /// Returns the number of arcs in the batch.
     std::size_t size() const { return size_; }
 
-    /// The part of an arc in one pixel. Parts without height add nothing.
+    /// The part of an arc in one pixel. If its height is 0, both areas are 0.
     struct Part {
         std::int32_t row;
         std::int32_t column;
-        /// Twice the width of a pixel times the height of the part, in square subpixels.
-        std::int32_t whole;
-        /// Twice the area within the pixel to the left of the part, in square subpixels, rounded.
-        std::int32_t on_left;
+        /// Twice the area, in square subpixels, of a rectangle that is as wide as a pixel and as
+        /// high as the part.
+        std::int32_t twice_area;
+        /// Twice the area, in square subpixels, of the part of this rectangle that is on the left
+        /// of the arc, rounded.
+        std::int32_t twice_area_on_left;
     };
-    /// Returns the parts of an arc from its lower end on. Precondition: split() was called.
+    /// Returns the parts of an arc, starting at its lower end. Arcs are numbered from 0 in the
+    /// order in which they were added. Precondition: split() was called.
     std::span<const Part> parts(std::size_t arc) const {
         return std::span(parts_).subspan(arcs_[arc].first_part, arcs_[arc].parts);
     }
-    /// Return bounds of the columns of an arc's parts.
+    /// Return a lower and an upper bound of the columns of the parts of an arc. Precondition:
+    /// split() was called.
     std::int32_t leftmost(std::size_t arc) const { return arcs_[arc].leftmost; }
     std::int32_t rightmost(std::size_t arc) const { return arcs_[arc].rightmost; }
 
   private:
-    // An arc that goes to the left is mirrored, except for `low` and `high`, so that all arcs go to
-    // the right.
+    // An arc whose upper end is on the left of its lower end is mirrored in x, so that all arcs go
+    // to the right. `low`, `high`, `leftmost` and `rightmost` are not mirrored.
     struct Arc {
         SubpixelPoint low;
         SubpixelPoint high;
-        SubpixelPoint from;       // the point at which the arc enters the rows
-        SubpixelPoint to;         // the point at which it leaves them
-        std::int32_t sign = 1;    // factor on x: -1 if the arc is mirrored
-        std::int32_t bias = 0;    // added to x to find the column: if the arc is mirrored, a border
-                                  // belongs to the column before it
+        SubpixelPoint from;       // the lower end of the arc within the rows
+        SubpixelPoint to;         // the upper end of the arc within the rows
+        std::int32_t sign = 1;    // factor on x: -1 if the arc is mirrored, else 1
+        std::int32_t bias = 0;    // see column_of
         std::int32_t border = 0;  // x of the first border between columns that the arc crosses
         std::int32_t leftmost = 0;
         std::int32_t rightmost = -1;
@@ -77,6 +83,9 @@ class ArcSplitter {
         std::size_t parts = 0;
     };
 
+    // Returns the column that contains an x. A point on a border between columns belongs to the
+    // column on the right of the border; in mirrored coordinates this is the preceding column,
+    // which arc.bias accounts for.
     static std::int32_t column_of(const Arc& arc, std::int32_t x) { return pixel_of(x + arc.bias); }
     static void measure_arc(const Arc& arc,
                             std::int32_t last_row,
@@ -92,15 +101,18 @@ class ArcSplitter {
     std::int32_t rows_;
     std::size_t size_ = 0;
     std::array<Arc, kMaxArcs> arcs_;
-    std::array<ArcCrossings, kMaxArcs> row_crossings_;  // crossings of upper borders of rows
-    std::array<ArcCrossings, kMaxArcs> column_crossings_;
-    std::vector<std::int32_t> xs_;
-    std::vector<std::int32_t> ys_;
-    // For each border between columns, the number of rows that an arc has left before it crosses
-    // the border; 0 if the arc leaves no row between the preceding border and this one. All 0
-    // between arcs.
-    std::vector<std::int32_t> rows_left_;
-    std::vector<std::int32_t> point_x_;  // the start of each part, and the end of the last part
+    std::array<ArcCrossings, kMaxArcs> row_crossings_;     // crossings with upper borders of rows
+    std::array<ArcCrossings, kMaxArcs> column_crossings_;  // crossings with borders between columns
+    std::vector<std::int32_t> xs_;                         // results of row_crossings_
+    std::vector<std::int32_t> ys_;                         // results of column_crossings_
+    // Scratch array for the arc that is being processed; otherwise all elements are 0. Element k
+    // belongs to border k between columns, where borders are counted from 0 in the order in which
+    // the arc crosses them. The element is the number of borders between rows that the arc crosses
+    // before this border, or 0 if the arc crosses no border between rows after the preceding border
+    // between columns.
+    std::vector<std::int32_t> rows_crossed_;
+    // The start of each part of each arc, and the end of the last part of each arc.
+    std::vector<std::int32_t> point_x_;
     std::vector<std::int32_t> point_y_;
     std::vector<Part> parts_;
 };

@@ -20,10 +20,11 @@ static_assert(kLargestSide <= std::numeric_limits<std::uint16_t>::max(),
 
 constexpr std::size_t kFlagsPerWord = 64;
 
-// Returns the distance between the starts of successive rows, in pixels. An arc touches pixels of
+// Returns the distance between the starts of successive rows, in pixels. An arc adds to pixels of
 // many rows. If the distance were a power of two, these pixels would compete for few cache sets.
+// The distance is therefore an odd number of cache lines.
 std::size_t stride_of(int width, std::size_t sum_bytes) {
-    constexpr std::size_t kLinesModulo8 = 5;  // number of cache lines of a row, modulo 8; odd
+    constexpr std::size_t kLinesModulo8 = 5;  // cache lines per row, modulo 8; must be odd
     const std::size_t per_line = kLineBytes / sum_bytes;
     std::size_t lines = static_cast<std::size_t>(width) / per_line + 1;
     while (lines % 8 != kLinesModulo8) {
@@ -32,8 +33,8 @@ std::size_t stride_of(int width, std::size_t sum_bytes) {
     return lines * per_line;
 }
 
-// Adds a multiple of a value to a sum. Reads all channels before it writes any, so that the loop is
-// vectorized.
+// Adds factor * value to a sum, per channel. Reads all channels before it writes any, so that the
+// loop is vectorized.
 template <class Sum>
 void add_times(typename Sum::value_type factor, const Sum& value, Sum& to) {
     Sum sum = to;
@@ -46,9 +47,9 @@ void add_times(typename Sum::value_type factor, const Sum& value, Sum& to) {
 constexpr std::size_t kFlagsPerStep = 4;
 
 // Stores the positions of the flags that are set, in increasing order, and returns their number.
-// Positions are stored in steps of kFlagsPerStep, so that up to kFlagsPerStep elements after the
-// last position are overwritten. Most words have few flags, in unpredictable numbers; a loop over
-// single flags would often mispredict its end.
+// kFlagsPerStep positions are stored at a time, so that up to kFlagsPerStep - 1 elements after the
+// last position are overwritten. Most words have few flags, in unpredictable numbers; the end of a
+// loop over single flags would often be mispredicted.
 [[gnu::always_inline]] inline std::size_t find_flags(std::span<const std::uint64_t> flags,
                                                      std::uint16_t* positions) {
     std::size_t count = 0;
@@ -69,7 +70,7 @@ constexpr std::size_t kFlagsPerStep = 4;
 
 }  // namespace
 
-// Pointers to the arrays of a band.
+// Pointers to the arrays of a band, and the lengths of their rows.
 template <class Sums>
 struct Coverage<Sums>::Band {
     Sum* differences;
@@ -77,15 +78,18 @@ struct Coverage<Sums>::Band {
     std::uint64_t* touched;
     std::size_t words;
 
-    // Adds a part to its pixel, and the area on the left of the part to the next pixel.
+    // Adds the areas beside a part, times the change of values across its arc, to the differences
+    // of two pixels: the area on the right of the part to the pixel of the part, and the area on
+    // its left to the next pixel. The sum of both areas is the height of the part, which the
+    // running sum adds to all pixels further right.
     void add(std::size_t row,
              std::size_t column,
              const ArcSplitter::Part& part,
              const Sum& across) const {
         touch(&touched[row * words + column / kFlagsPerWord], column % kFlagsPerWord);
-        const auto on_left = Sums::of_area(part.on_left);
+        const auto on_left = Sums::of_area(part.twice_area_on_left);
         Sum* to = &differences[row * stride + column];
-        add_times(Sums::of_area(part.whole) - on_left, across, to[0]);
+        add_times(Sums::of_area(part.twice_area) - on_left, across, to[0]);
         add_times(on_left, across, to[1]);
     }
 
@@ -131,7 +135,7 @@ void Coverage<Sums>::finish() {
             add_outside(splitter_.parts(k), steps_[k]);
         }
         if (steps_[k].wraps) [[unlikely]] {
-            add_around(splitter_.parts(k), steps_[k]);
+            add_period_correction(splitter_.parts(k), steps_[k]);
         }
     }
     splitter_.clear();
@@ -140,8 +144,8 @@ void Coverage<Sums>::finish() {
 template <class Sums>
 void Coverage<Sums>::add_inside(Parts parts, const Step& step) {
     const Band band{differences_.data(), stride_, touched_.data(), words_};
-    // `across` is captured by reference: with a copy, compilers merge the two sums of a part into
-    // one wide store. The load of the next part overlaps half of that store and would stall on it.
+    // `across` is captured by reference. With a copy, compilers merge the two sums of a part into
+    // one wide store. The next load may overlap only half of this store and would then stall on it.
     at_simd_level([parts, &across = step.across, band] {
         for (const ArcSplitter::Part& part : parts) {
             band.add(static_cast<std::size_t>(part.row),
@@ -152,17 +156,20 @@ void Coverage<Sums>::add_inside(Parts parts, const Step& step) {
     });
 }
 
-// Accounts for the periods of an arc's sides: subtracts the height of the arc in each row, times
-// Step::around, from the start of the row.
+// Accounts for the periods in ArcSides: in each row, subtracts the height of the arc times
+// Step::period_correction from the start of the row.
 template <class Sums>
-void Coverage<Sums>::add_around(Parts parts, const Step& step) {
+void Coverage<Sums>::add_period_correction(Parts parts, const Step& step) {
     for (const ArcSplitter::Part& part : parts) {
-        add_times(
-            Sums::of_area(-part.whole), step.around, starts_[static_cast<std::size_t>(part.row)]);
+        add_times(Sums::of_area(-part.twice_area),
+                  step.period_correction,
+                  starts_[static_cast<std::size_t>(part.row)]);
     }
 }
 
-// Adds an arc that has parts to the left or to the right of the band.
+// Adds an arc that has parts to the left or to the right of the columns of the band. On a ring,
+// these parts are wrapped to the columns of the band. On a line, a part on the left changes the
+// start of its row, and a part on the right is ignored.
 template <class Sums>
 void Coverage<Sums>::add_outside(Parts parts, const Step& step) {
     const Band band{differences_.data(), stride_, touched_.data(), words_};
@@ -171,7 +178,8 @@ void Coverage<Sums>::add_outside(Parts parts, const Step& step) {
         const std::int32_t periods = floor_div(part.column, width_);
         const bool is_ring = kind_ == RowKind::Ring;
         const std::int32_t times = is_ring ? -periods : periods < 0 ? 1 : 0;
-        add_times(Sums::of_value(times) * Sums::of_area(part.whole), step.across, starts_[row]);
+        add_times(
+            Sums::of_value(times) * Sums::of_area(part.twice_area), step.across, starts_[row]);
         if (is_ring || periods == 0) {
             band.add(
                 row, static_cast<std::size_t>(part.column - periods * width_), part, step.across);
@@ -179,8 +187,8 @@ void Coverage<Sums>::add_outside(Parts parts, const Step& step) {
     }
 }
 
-// The pixel after the last one receives what arcs add to the right of the row. It is not part of
-// the result.
+// A span begins at each pixel with a flag. The pixel after the last one may have a flag, too, but
+// is not part of the result.
 template <class Sums>
 void Coverage<Sums>::take_row(int row, const Sum& start, RowSums<Sum>& sums) {
     const auto index = static_cast<std::size_t>(row);
@@ -190,7 +198,7 @@ void Coverage<Sums>::take_row(int row, const Sum& start, RowSums<Sum>& sums) {
     grow(sums.sums, width + 2);
     Sum sum = start;
     add_times(1, std::exchange(starts_[index], Sum{}), sum);
-    // 1 if a span without arcs precedes the first arc, otherwise 0.
+    // 1 if the first pixel has no flag, otherwise 0.
     const std::size_t leading_spans = (touched[0] & 1) == 0 ? 1 : 0;
     sums.begins[0] = 0;
     sums.sums[0] = sum;

@@ -16,15 +16,15 @@
 
 namespace foam::texgen {
 
-/// The area of a pixel is 2^kAreaBits. The unit of areas is half a square subpixel.
+/// The binary logarithm of the area of a pixel. The unit of areas is half a square subpixel.
 inline constexpr int kAreaBits = 2 * kSubpixelBits + 1;
 
-/// The largest value of a mean.
+/// The largest possible mean of 16-bit values.
 inline constexpr std::int32_t kLargestMean = std::numeric_limits<std::uint16_t>::max();
 
 /// Sums of 16-bit values times areas, per channel. They are stored as doubles, which are exact for
-/// integers below 2^53. The number of channels is rounded up to a power of two, so that they are
-/// vectorized; unused channels are 0.
+/// integers below 2^53. The number of channels is rounded up to a power of two, so that loops over
+/// channels are vectorized; unused channels are 0.
 template <std::size_t Channels>
 struct ExactSums {
     using Number = double;
@@ -32,13 +32,15 @@ struct ExactSums {
 
     static constexpr double kPixel = std::int64_t{1} << kAreaBits;  // area of a pixel
 
+    /// Convert an area, or a value or an integer factor, to the type of the sums.
     static Number of_area(std::int32_t area) { return area; }
     static Number of_value(std::int32_t value) { return value; }
-    /// Returns the sum at the start of a row whose value is `base` everywhere.
+    /// Returns the sum for a pixel whose value is `base` everywhere.
     static Number start(std::int32_t base) { return base * kPixel; }
 
-    /// Returns sum / kPixel, rounded to the nearest. The result is clamped to the range of values,
-    /// because arcs of an invalid foam may overlap.
+    /// Returns the mean value of a pixel, sum / kPixel, rounded to the nearest integer. The result
+    /// is clamped to the range of values, because the mean may be outside of this range where rafts
+    /// overlap or the foam is invalid.
     static std::int32_t mean(Number sum) {
         constexpr double kHalf = 0.5;  // added before truncation, which rounds to the nearest
         const auto mean = static_cast<std::int32_t>(sum * (1.0 / kPixel) + kHalf);
@@ -46,10 +48,11 @@ struct ExactSums {
     }
 };
 
-/// Sums of values times areas that are rounded to 2^-15 pixel, in integers of 32 bits, for images
-/// of 8 bits. Unsigned arithmetic wraps around, so that intermediate overflows do no harm. Values
-/// are counted from the middle of their range; this leaves room for means that exceed the range by
-/// up to half its size on either side, and are then clamped.
+/// Sums of 16-bit values times areas in 32-bit integers, for images of 8 bits per sample. Areas are
+/// rounded to 2^-15 pixel. Unsigned arithmetic wraps around, so that overflows of intermediate
+/// results are harmless. A sum represents the mean value minus the middle of the range of values.
+/// It can therefore represent means that exceed the range by up to half its size on either side;
+/// mean() clamps them.
 template <std::size_t Channels>
 struct SmallSums {
     using Number = std::uint32_t;
@@ -58,17 +61,20 @@ struct SmallSums {
     static constexpr int kPixelBits = 15;
     static constexpr std::int32_t kMiddle = 1 << 15;
 
-    /// Rounds an area to 2^-15 pixel. ArcSplitter::Part::whole is a multiple of this unit, and so
-    /// stays exact.
+    /// Converts an area from half square subpixels to units of 2^-15 pixel, and rounds it.
+    /// ArcSplitter::Part::twice_area is a multiple of this unit, so that the result for it is
+    /// exact.
     static Number of_area(std::int32_t area) {
         constexpr int kDropped = kAreaBits - kPixelBits;
         return static_cast<Number>((area + (1 << (kDropped - 1))) >> kDropped);
     }
     static Number of_value(std::int32_t value) { return static_cast<Number>(value); }
+    /// Returns the sum for a pixel whose value is `base` everywhere.
     static Number start(std::int32_t base) {
         return static_cast<Number>((base - kMiddle) * (1 << kPixelBits));
     }
 
+    /// Returns the mean value of a pixel, rounded to the nearest integer and clamped.
     static std::int32_t mean(Number sum) {
         constexpr Number kHalf = 1 << (kPixelBits - 1);
         const std::int32_t mean = (static_cast<std::int32_t>(sum + kHalf) >> kPixelBits) + kMiddle;
@@ -76,33 +82,38 @@ struct SmallSums {
     }
 };
 
-/// The topology of a row of pixels: a ring around a torus, or a line that ends on both sides.
+/// The topology of a row of pixels: a ring around a torus, or a line segment in the plane.
 enum class RowKind { Ring, Line };
 
-/// The sums along a row, as spans of pixels with equal sums. Only the first `count` spans are
-/// valid; the arrays never shrink.
+/// The sums along a row, as spans of pixels with equal sums. The arrays may have more elements than
+/// are used, because they never shrink.
 template <class Sum>
 struct RowSums {
-    std::size_t count = 0;
-    std::vector<std::uint16_t> begins;  // the first pixel of each span, and the width of the row
-    std::vector<Sum> sums;
+    std::size_t count = 0;              // number of spans
+    std::vector<std::uint16_t> begins;  // the first pixel of each span, then the width of the row
+    std::vector<Sum> sums;              // the sum of each pixel of a span
 };
 
-/// Accumulates signed areas over a band of rows. Each arc is added with the values on its two
-/// sides, per channel. The result for a pixel is the sum of value times covered area.
+/// Computes sums of values times areas in a band of rows. Arcs are added one by one, each with the
+/// change of the values from its left to its right, per channel. The sum of a pixel is a start
+/// value plus the contributions of all arcs; divided by the area of a pixel, it is the mean value
+/// of the pixel.
 ///
-/// Along a row, an arc adds its part of a pixel to that pixel, and its height to all pixels on its
-/// right. The band therefore stores differences from pixel to pixel, and a running sum along the
-/// row turns them into values.
+/// In each row, an arc adds its change of values times the area on its right: in the pixel of a
+/// part of the arc, this is the area between the part and the right border of the pixel; in each
+/// pixel further right it is the height of the part times the width of a pixel. The band therefore
+/// stores differences from pixel to pixel. A running sum along a row converts them to sums of
+/// pixels.
 ///
-/// On a torus a row is a ring, so that "to the right" has no end. The heights of each bubble's
-/// closed outline cancel in every row, however, so that only differences of periods matter: an arc
-/// that is k periods to the right of the band subtracts its height k times from the start of the
-/// row. In the plane, an arc to the left of the row adds its height to the whole row, and an arc to
-/// the right of the row adds nothing.
+/// On a torus a row is a ring, so that "further right" has no end. In every row, however, the
+/// signed heights of the closed outline of a bubble cancel. Only arcs of an outline that are in
+/// different periods of the torus need a correction: an arc that is k periods to the right of the
+/// image subtracts its height times its change of values, k times, from the start of the row. In
+/// the plane, an arc to the left of a row adds its height times its change of values to all pixels
+/// of the row, and an arc to the right of a row adds nothing.
 ///
 /// All sums are exact sums of integers, so that they do not depend on the order of the arcs. `Sums`
-/// (ExactSums or SmallSums) determines how they are stored.
+/// is ExactSums or SmallSums; it determines how sums are stored.
 template <class Sums>
 class Coverage {
   public:
@@ -110,45 +121,50 @@ class Coverage {
 
     /// The change of values from the left of an arc to its right.
     struct Step {
-        Sum across{};        // value on the right minus value on the left
-        Sum around{};        // the difference of the values times the periods of their sides
-        bool wraps = false;  // true if `around` may not be 0
+        Sum across{};  // value on the right minus value on the left
+        // The value on the right times ArcSides::right_periods minus the value on the left times
+        // ArcSides::left_periods.
+        Sum period_correction{};
+        bool wraps = false;  // if false, `period_correction` is 0
     };
 
-    /// Creates a band whose differences are all zero. Width and rows are in pixels.
+    /// Creates a band whose differences are all zero. `width` is the number of columns and `rows`
+    /// the number of rows of the band.
     Coverage(int width, int rows, RowKind kind = RowKind::Ring);
 
-    /// Adds an arc, moved by a translation. Its y is relative to the lower border of the band;
-    /// parts above and below the band are ignored. Arcs are split in batches, so the last arcs are
-    /// pending until finish() is called.
+    /// Adds an arc, moved by a translation. After the translation, y is relative to the lower
+    /// border of the band. Parts above and below the band are ignored. Arcs are split in batches,
+    /// so the last arcs are pending until finish() is called.
     void add(const MonotoneArc& arc, SubpixelPoint translation, const Step& step);
 
     /// Adds all pending arcs.
     void finish();
 
-    /// Computes the sums along a row from left to right, which is `start` plus the contributions of
-    /// arcs, and clears the row. Precondition: no arc is pending.
+    /// Stores in `sums` the sums of the pixels of a row: `start` plus the contributions of the
+    /// arcs. Then sets the differences of the row to zero. Precondition: no arc is pending.
     void take_row(int row, const Sum& start, RowSums<Sum>& sums);
 
   private:
     using Parts = std::span<const ArcSplitter::Part>;
     struct Band;
 
+    // Returns true if all parts of a pending arc are in columns of the band.
     bool is_inside(std::size_t arc) const {
         return splitter_.leftmost(arc) >= 0 && splitter_.rightmost(arc) < width_;
     }
     void add_inside(Parts parts, const Step& step);
     void add_outside(Parts parts, const Step& step);
-    void add_around(Parts parts, const Step& step);
+    void add_period_correction(Parts parts, const Step& step);
 
     int width_;
     RowKind kind_;
-    std::size_t stride_;  // pixels between rows; one pixel beyond the width receives what an arc
-                          // adds to the right of the last pixel
-    std::size_t words_;   // words of 64 flags per row
+    std::size_t stride_;  // pixels from the start of a row to the start of the next one; at least
+                          // width_ + 1, because an arc in the last pixel also adds to the pixel on
+                          // its right
+    std::size_t words_;   // number of 64-bit words of flags per row
     std::vector<Sum> differences_;
     std::vector<std::uint64_t>
-        touched_;  // one bit per pixel, set if its difference may not be zero
+        touched_;  // one flag per pixel, set if its difference may be nonzero
     ArcSplitter splitter_;
     std::array<Step, ArcSplitter::kMaxArcs> steps_;  // the steps of the pending arcs
     std::vector<Sum> starts_;                        // added to the start of each row's running sum

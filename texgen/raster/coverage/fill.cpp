@@ -8,6 +8,8 @@
 #include "texgen/raster/coverage/pixel_means.h"
 #include "texgen/raster/coverage/row_writer.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <optional>
 #include <span>
@@ -20,35 +22,55 @@ namespace foam::texgen {
 namespace {
 
 // The image is filled in bands of rows, in parallel. For each band, the arcs that overlap it are
-// added to a Coverage, which accumulates signed areas; a running sum along each row gives the value
-// of every pixel, and only the spans between arcs are written. All bubbles and films are summed in
-// one pass: films are the background, and each arc adds the difference of the values on its two
+// added to a Coverage, which accumulates signed areas. A running sum along each row gives the mean
+// of every pixel, in spans of equal pixels, which are converted and written span by span. All
+// bubbles and films are summed in one pass: at first all pixels have the value of films, or in a
+// patch the value of the ghost bubble, and each arc adds the difference of the values on its two
 // sides.
 
-// Bytes of sums per band. Few of them are touched, so cache misses cost less than splitting arcs at
-// the borders of more bands (README).
+// The intended number of bytes of the sums of a band. Arcs add to few of these sums, so that cache
+// misses cost less than splitting arcs at the borders of more bands (README.md). The actual number
+// may differ, because the number of rows of a band is limited to a range, and ArcBands rounds it up
+// to a power of two.
 constexpr std::size_t kBandBytes = std::size_t{1} << 21;
-constexpr std::size_t kPrefetchDistance = 6;  // prefetch distance in arcs, which are not contiguous
-constexpr int kMinRows = 4;
+// The number of arcs by which prefetching is ahead of processing. Prefetching is needed because
+// arcs are sorted by tile, so that successive arcs are not contiguous in memory.
+constexpr std::size_t kPrefetchDistance = 6;
+constexpr int kMinRows = 4;  // per band
 constexpr int kMaxRows = 64;
 
+// Returns the number of rows of a band. `sum_bytes` is the number of bytes of the sums of a pixel.
 int rows_per_band(int width, std::size_t sum_bytes) {
     const std::size_t row_bytes = static_cast<std::size_t>(width) * sum_bytes;
     return std::clamp(static_cast<int>(kBandBytes / row_bytes), kMinRows, kMaxRows);
 }
 
-bool have_values(const CellArcs& cells, std::size_t values) {
-    const auto is_known = [&](std::uint32_t side) { return side == kFilmSide || side < values; };
-    for (const std::vector<MonotoneArc>& batch : cells.batches) {
-        for (const MonotoneArc& arc : batch) {
-            if (!is_known(arc.sides.left) || !is_known(arc.sides.right)) {
-                return false;
-            }
-        }
+// Throws std::invalid_argument if a bubble has no value; kFilmSide needs none. `values` is the
+// number of bubbles that have values.
+void check_bubble(std::size_t bubble, std::size_t values) {
+    if (bubble != kFilmSide && bubble >= values) {
+        throw std::invalid_argument(
+            fmt::format("there are values for {} bubbles, but the value of bubble {} is needed",
+                        values,
+                        bubble));
     }
-    return !cells.outside || index_of(*cells.outside) < values;
 }
 
+// Throws std::invalid_argument unless every bubble beside an arc, and the ghost bubble of a patch,
+// has a value. `values` is the number of bubbles that have values.
+void check_values(const CellArcs& cells, std::size_t values) {
+    if (cells.ghost) {
+        check_bubble(index_of(*cells.ghost), values);
+    }
+    for (const std::vector<MonotoneArc>& batch : cells.batches) {
+        for (const MonotoneArc& arc : batch) {
+            check_bubble(arc.sides.left, values);
+            check_bubble(arc.sides.right, values);
+        }
+    }
+}
+
+// Throws std::invalid_argument if the arguments of fill_cells do not match.
 template <class Sample>
 void check(const CellArcs& cells, const CellValues& values, ImageView<Sample> image) {
     if (image.width() != cells.grid.width || image.height() != cells.grid.height) {
@@ -59,12 +81,10 @@ void check(const CellArcs& cells, const CellValues& values, ImageView<Sample> im
         throw std::invalid_argument(
             "the image must have as many channels as the values, from 1 to 4");
     }
-    if (!have_values(cells, values.cells.size() / values.channels)) {
-        throw std::invalid_argument("every bubble needs a value");
-    }
+    check_values(cells, values.bubbles.size() / values.channels);
 }
 
-// Fills an image of `Channels` channels. ToSamples computes the samples of a pixel from its sums.
+// Fills an image of `Channels` channels. ToSamples converts sums to pixels (pixel_means.h).
 template <class Sums, std::size_t Channels, class Sample, class ToSamples>
 class Filler {
   public:
@@ -83,7 +103,8 @@ class Filler {
           bands_(
               cells, rows_per_band(image.width(), sizeof(typename BandCoverage::Sum)), threads_) {}
 
-    // Fills all bands in parallel. Each worker allocates its buffers once for all its bands.
+    // Fills all bands in parallel. A worker allocates its buffers once and reuses them for all
+    // bands that it fills.
     void fill() const {
         const int workers = std::min(threads_, bands_.count());
         std::vector<std::optional<Worker>> all(static_cast<std::size_t>(workers));
@@ -136,18 +157,19 @@ class Filler {
     }
 
     std::span<const std::uint16_t, Channels> value_of(BubbleId bubble) const {
-        return std::span<const std::uint16_t, Channels>(&values_.cells[index_of(bubble) * Channels],
-                                                        Channels);
+        return std::span<const std::uint16_t, Channels>(
+            &values_.bubbles[index_of(bubble) * Channels], Channels);
     }
 
     // Returns the value of pixels before any arc is added. On a torus this is the value of films.
-    // In a patch it is the value of the ghost bubble, which the outlines of the ghost subtract
-    // within the foam.
+    // In a patch it is the value of the ghost bubble; within the foam, the outlines of the ghost
+    // change it to the value of films.
     std::span<const std::uint16_t, Channels> base() const {
-        return cells_.outside ? value_of(*cells_.outside)
-                              : std::span(values_.film).template first<Channels>();
+        return cells_.ghost ? value_of(*cells_.ghost)
+                            : std::span(values_.film).template first<Channels>();
     }
 
+    // Returns the sum of a pixel before any arc is added.
     typename Sums::Sum start_of_rows() const {
         typename Sums::Sum start{};
         for (std::size_t c = 0; c < Channels; ++c) {
@@ -156,12 +178,13 @@ class Filler {
         return start;
     }
 
-    // Returns the value of a side minus the value of films, which are the background.
+    // Returns the value on a side of an arc minus the value of films. The result is 0 if there is a
+    // film on this side.
     typename BandCoverage::Sum difference_from_film(std::uint32_t side) const {
         typename BandCoverage::Sum value{};
         if (side != kFilmSide) {
             for (std::size_t c = 0; c < Channels; ++c) {
-                value[c] = Sums::of_value(values_.cells[side * Channels + c] - values_.film[c]);
+                value[c] = Sums::of_value(values_.bubbles[side * Channels + c] - values_.film[c]);
             }
         }
         return value;
@@ -177,8 +200,8 @@ class Filler {
         step.wraps = arc.sides.left_periods != 0 || arc.sides.right_periods != 0;
         if (step.wraps) {
             for (std::size_t c = 0; c < Channels; ++c) {
-                step.around[c] = Sums::of_value(arc.sides.right_periods) * right[c] -
-                                 Sums::of_value(arc.sides.left_periods) * left[c];
+                step.period_correction[c] = Sums::of_value(arc.sides.right_periods) * right[c] -
+                                            Sums::of_value(arc.sides.left_periods) * left[c];
             }
         }
         return step;
@@ -192,7 +215,8 @@ class Filler {
     ArcBands bands_;
 };
 
-// Calls fill with the number of channels as a std::integral_constant.
+// Checks the arguments, then calls fill(channels) with the number of channels as a
+// std::integral_constant.
 template <class Sample, class Fill>
 void fill_channels(const CellArcs& cells,
                    const CellValues& values,

@@ -16,7 +16,8 @@
 
 namespace foam::texgen {
 
-/// Returns the samples of a pixel in one word. The first byte in memory is the lowest byte.
+/// Returns the samples of a pixel in one word. The byte that is first in the image is the lowest
+/// byte of the word.
 template <class Sample, std::size_t Channels>
 std::uint64_t packed(const std::array<Sample, Channels>& samples) {
     std::uint64_t pixel = 0;
@@ -30,7 +31,8 @@ std::uint64_t packed(const std::array<Sample, Channels>& samples) {
     return pixel;
 }
 
-/// Converts sums to means.
+/// Computes the mean of each sum (Sums::mean) and stores the means in the array `to`, in the order
+/// of the sums.
 template <class Sums>
 void find_means(std::span<const typename Sums::Number> sums, std::uint16_t* to) {
     at_simd_level([sums, to] {
@@ -41,7 +43,8 @@ void find_means(std::span<const typename Sums::Number> sums, std::uint16_t* to) 
     });
 }
 
-/// Converts sums to pixels whose samples are encode(mean). Buffers are reused between rows.
+/// Converts sums to pixels whose samples are encode(mean). A call stores one packed pixel per sum.
+/// Precondition: there is at least one sum. Buffers are reused between rows.
 template <std::size_t Channels, class Sums, class Encode>
 class EncodedMeans {
   public:
@@ -51,7 +54,7 @@ class EncodedMeans {
         constexpr std::size_t kChannels = std::tuple_size_v<typename Sums::Sum>;
         grow(means_, kChannels * sums.size());
         find_means<Sums>({sums.front().data(), kChannels * sums.size()}, means_.data());
-        const Encode encode = encode_;  // a copy, which no store changes
+        const Encode encode = encode_;  // a copy, which the stores below cannot change
         const std::uint16_t* means = means_.data();
         for (std::size_t k = 0; k < sums.size(); ++k, means += kChannels) {
             std::array<decltype(encode(std::uint16_t{})), Channels> samples{};
@@ -67,8 +70,8 @@ class EncodedMeans {
     std::vector<std::uint16_t> means_;
 };
 
-/// Converts sums to pixels of straight colors. The last channel is the opacity; the other channels
-/// are divided by it.
+/// Converts sums of premultiplied colors to pixels of straight colors. The last channel is the
+/// opacity; the other channels are divided by it. A call stores one packed pixel per sum.
 template <std::size_t Channels>
 struct StraightMeans {
     using Sums = ExactSums<Channels>;
@@ -80,6 +83,7 @@ struct StraightMeans {
         }
     }
 
+    /// Returns the samples of a pixel. All of them are 0 if the opacity is 0 or negative.
     static Samples samples_of(const typename Sums::Sum& sum) {
         Samples samples{};
         const auto opacity = static_cast<std::int64_t>(sum[Channels - 1]);

@@ -9,20 +9,23 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr std::size_t kWords = kBlockBytes / sizeof(std::uint64_t);
+constexpr std::size_t kWords = kBlockBytes / sizeof(std::uint64_t);  // words per block
 
-std::uint64_t in_memory(std::uint64_t word) {
+// Returns a word whose first byte in memory is the lowest byte of `word`.
+std::uint64_t to_little_endian(std::uint64_t word) {
     return std::endian::native == std::endian::little ? word : __builtin_bswap64(word);
 }
 
-// The pattern of a block of equal pixels. A pixel is repeated until it fills a word of 8 bytes, or
-// 6 bytes of a word if the pixel has 3 or 6 bytes. In the second case each word of a block starts
-// at another byte of the pattern; it is composed of two shifted copies of the pattern.
+// The pattern of a block of equal pixels. A pixel is repeated until it fills a pattern of 8 bytes,
+// or of 6 bytes if the pixel has 3 or 6 bytes. In the second case the words of a block start at
+// different bytes of the pattern; each word is composed of two shifted copies of the pattern.
 template <std::size_t PixelBytes>
 struct Repetition {
     static constexpr std::size_t kBytes = 8 % PixelBytes == 0 ? 8 : 6;
 
-    std::array<std::uint64_t, kWords> right{};  // shifts of the pattern for each word, in bits
+    // For each word, the number of bits by which one copy of the pattern is shifted right and the
+    // other copy left.
+    std::array<std::uint64_t, kWords> right{};
     std::array<std::uint64_t, kWords> left{};
 
     constexpr Repetition() {
@@ -32,6 +35,7 @@ struct Repetition {
         }
     }
 
+    // Returns the pattern for a pixel.
     static std::uint64_t repeated(std::uint64_t pixel) {
         for (std::size_t bytes = PixelBytes; bytes < kBytes; bytes *= 2) {
             pixel |= pixel << 8 * bytes;
@@ -44,18 +48,18 @@ template <std::size_t PixelBytes>
 inline void store_block(std::uint64_t pixel, std::uint8_t* to) {
     static constexpr Repetition<PixelBytes> kRepetition;
     const std::uint64_t all = kRepetition.repeated(pixel);
-#pragma GCC unroll 1  // unrolled, it would not be vectorized
+#pragma GCC unroll 1  // GCC would not vectorize the unrolled loop
     for (std::size_t k = 0; k < kWords; ++k) {
         const std::uint64_t word =
-            in_memory(all >> kRepetition.right[k] | all << kRepetition.left[k]);
+            to_little_endian(all >> kRepetition.right[k] | all << kRepetition.left[k]);
         std::memcpy(to + k * sizeof(word), &word, sizeof(word));
     }
 }
 
 }  // namespace
 
-// Most spans are shorter than a block. The excess of a block is overwritten by the next one, which
-// avoids an unpredictable branch per span.
+// Writes spans in whole blocks. Most spans are shorter than a block; the next span overwrites the
+// excess. A loop over single pixels would have an unpredictable branch per span.
 template <std::size_t PixelBytes>
 void paint_spans(std::span<const std::uint16_t> begins,
                  const std::uint64_t* pixels,

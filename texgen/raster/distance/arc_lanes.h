@@ -11,30 +11,35 @@
 
 namespace foam::texgen {
 
-/// Arcs in structure-of-arrays layout, in blocks of eight that are computed at once.
+/// Arcs in structure-of-arrays layout, in blocks of eight arcs that SIMD code processes at once.
+/// Positions are in pixels.
 class ArcLanes {
   public:
     static constexpr std::size_t kLanes = 8;
     template <class Value>
     using Lanes = std::array<Value, kLanes>;
 
-    /// The smallest cosine that the half angle of an arc may have in the boundary of a region. Arcs
-    /// with a larger half angle are halved, because they are too wide for the half-plane test that
-    /// decides whether a point faces an arc.
+    /// The smallest cosine of the half angle of an arc from which distances are measured: such an
+    /// arc turns by at most 120 degrees. The class Boundary cuts wider arcs in half until they fit.
+    /// The limit must be below 180 degrees: whether a point faces an arc, that is, whether the
+    /// point is between the normals at both ends of the arc, is tested with two half-planes, and
+    /// this test fails beyond 180 degrees.
     static constexpr double kMinCosine = 0.5;
 
     /// Eight arcs. Lanes beyond the last arc have unspecified values.
     struct alignas(64) Block {
         Lanes<double> tail_x, tail_y, chord_x, chord_y, cosine, sine;
-        Lanes<std::uint8_t> corner;
+        Lanes<std::uint8_t> corner;  // 1 if the tail is a corner of more than 180 degrees, else 0
     };
 
+    /// Removes all arcs, and keeps the memory.
     void clear();
-    /// Adds an arc. `corner` is true if the region has an angle of more than 180 degrees at the
-    /// tail, so that the tail itself may be the nearest point. Precondition: the chord is longer
-    /// than kShortestSide.
+    /// Adds an arc that begins at `tail`. `corner` is true if the region on the left of the arcs
+    /// (boundary.h) has an inner angle of more than 180 degrees at the tail, so that the tail
+    /// itself may be the nearest point of the boundary. Precondition: the chord is longer than
+    /// kShortestSide.
     void add(const PixelArc& shape, const Vec2& tail, bool corner);
-    /// Adds a copy of the arc k of another object.
+    /// Adds a copy of the arc k of another ArcLanes.
     void add(const ArcLanes& other, std::size_t k);
     /// Marks the tail of an arc as a corner of more than 180 degrees.
     void set_corner(std::size_t k);
@@ -43,7 +48,9 @@ class ArcLanes {
     std::size_t block_count() const { return (size_ + kLanes - 1) / kLanes; }
     const Block* blocks() const { return blocks_.data(); }
 
+    /// Returns true if the tail of the arc k is a corner of more than 180 degrees.
     bool has_corner(std::size_t k) const { return at(&Block::corner, k) != 0; }
+    /// Returns true if the tail of any arc is a corner of more than 180 degrees.
     bool has_corners() const { return has_corners_; }
     Vec2 tail(std::size_t k) const { return {at(&Block::tail_x, k), at(&Block::tail_y, k)}; }
     Vec2 chord(std::size_t k) const { return {at(&Block::chord_x, k), at(&Block::chord_y, k)}; }

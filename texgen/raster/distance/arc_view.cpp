@@ -16,10 +16,10 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-// Let c be the chord, a the half angle, and q the position of the point relative to the middle of
-// the chord. Two functions are 0 at both ends of the chord: e = c/4 - q²/c, which is 0 on the
-// circle that has the chord as its diameter, and h, the distance of q to the left of the chord. A
-// rotation by the half angle combines them:
+// Let c be the length of the chord, a the half angle, and q the position of the point relative to
+// the middle of the chord. Two functions are 0 at both ends of the chord: e = c/4 - q²/c, which is
+// 0 on the circle that has the chord as its diameter, and h, the signed distance of q from the line
+// of the chord, positive on its left. A rotation by the half angle combines them:
 //   f = sin a e + cos a h is 0 on the circle of the arc, has slope 1 there, and is positive on the
 //   left of the arc;
 //   t = cos a e - sin a h is 0 on the circle that crosses the arc's circle at right angles at both
@@ -27,7 +27,7 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 //
 // The distance to the circle of the arc is 2 |f| / (1 + |grad f|), for any curvature. A point
 // beyond an end of the arc is at least as far from the arc as from the line that is normal to the
-// arc at this end.
+// arc at this end. Therefore the distance to this line is a lower bound.
 [[gnu::always_inline]] inline void ArcView::evaluate(double x,
                                                      double y,
                                                      const ArcLanes::Block& arcs,
@@ -49,13 +49,13 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
         const double e = 0.25 * chord - (qx * qx + qy * qy) * inverse_chord;
         const double curvature = 2.0 * inverse_chord * sine;
         const double along_curvature = 2.0 * inverse_chord * cosine;
-        const double reach = 0.5 * chord * cosine - sine * left;
-        const double twice = 2.0 * (sine * e + cosine * left);
+        const double half_width = 0.5 * chord * cosine - sine * left;
+        const double twice_value = 2.0 * (sine * e + cosine * left);
         const double slope_x = -curvature * qx - cosine * along_y;
         const double slope_y = -curvature * qy + cosine * along_x;
-        const double past_tail = reach + cosine * forward;
-        const double before_head = reach - cosine * forward;
-        b.twice[k] = static_cast<float>(twice);
+        const double past_tail = half_width + cosine * forward;
+        const double before_head = half_width - cosine * forward;
+        b.twice_value[k] = static_cast<float>(twice_value);
         b.slope_x[k] = static_cast<float>(slope_x);
         b.slope_y[k] = static_cast<float>(slope_y);
         b.curvature[k] = static_cast<float>(curvature);
@@ -71,7 +71,7 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
         b.along_curvature[k] = static_cast<float>(along_curvature);
         b.chord[k] = static_cast<float>(chord);
         const double slope = std::sqrt(slope_x * slope_x + slope_y * slope_y);
-        const double distance = std::abs(twice) / (1.0 + slope);
+        const double distance = std::abs(twice_value) / (1.0 + slope);
         const double end = min_value(past_tail, before_head);
         b.facing[k] = end >= 0.0 ? distance : far;
         b.lower_bound[k] = max_value(distance, -end);
@@ -100,17 +100,17 @@ double ArcView::horizon(double reach) const {
     return nearest + 2.0 * reach + PixelBatch::kMargin;
 }
 
-ArcFunctions ArcView::functions(std::size_t k) const {
+ArcFunctions ArcView::arc_functions(std::size_t k) const {
     const Block& b = blocks_[k / kLanes];
     k %= kLanes;
-    return {{b.twice[k], b.slope_x[k], b.slope_y[k], b.curvature[k]},
+    return {{b.twice_value[k], b.slope_x[k], b.slope_y[k], b.curvature[k]},
             {b.tail[k], b.tail_x[k], b.tail_y[k]},
             {b.head[k], b.head_x[k], b.head_y[k]}};
 }
 
 FilmFunctions ArcView::film_functions(std::size_t k) const {
     const Block& b = blocks_[k / kLanes];
-    const FloatQuadratic across = functions(k).across;
+    const FloatQuadratic across = arc_functions(k).across;
     k %= kLanes;
     return {
         across, {b.twice_along[k], b.along_x[k], b.along_y[k], b.along_curvature[k]}, b.chord[k]};

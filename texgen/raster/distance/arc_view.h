@@ -10,24 +10,27 @@
 
 namespace foam::texgen {
 
-/// The functions from which distances to arcs are computed, evaluated at a point, and bounds of the
-/// distances. Eight arcs are computed at once.
+/// Evaluates the functions of arcs at one point, from which PixelBatch computes the distances
+/// between the arcs and the pixels near this point. Also computes lower bounds of the distances
+/// between the arcs and the point itself. Positions and distances are in pixels. Eight arcs are
+/// processed at once.
 class ArcView {
   public:
-    /// Computes the functions and bounds of all arcs at a point. The members below refer to this
+    /// Computes the functions and bounds of all arcs at a point. The other members refer to this
     /// point and these arcs.
     void evaluate(const ArcLanes& arcs, const Vec2& point);
 
-    /// Returns a horizon: an arc that is farther from the point than the horizon is not the nearest
-    /// arc of any pixel within `reach` of the point. The horizon is the distance to the nearest arc
-    /// that the point faces, plus twice the reach and a margin.
+    /// Returns a distance, the horizon: an arc that is farther from the point than the horizon is
+    /// not the nearest arc of any pixel within a distance of `reach` from the point. The horizon is
+    /// the distance to the nearest arc that the point faces (ArcLanes::kMinCosine), plus twice the
+    /// reach and a margin. It is infinite if the point faces no arc.
     double horizon(double reach) const;
-    /// Returns false if the arc k is certainly farther from the point than the horizon.
+    /// Returns false only if the arc k is certainly farther from the point than the horizon.
     bool is_within(std::size_t k, double horizon) const {
         return blocks_[k / kLanes].lower_bound[k % kLanes] <= horizon;
     }
-    /// Return the functions of the arc k, relative to the point.
-    ArcFunctions functions(std::size_t k) const;
+    /// Return the functions of the arc k as functions of a position relative to the point.
+    ArcFunctions arc_functions(std::size_t k) const;
     FilmFunctions film_functions(std::size_t k) const;
 
   private:
@@ -38,11 +41,11 @@ class ArcView {
 
     // The results for eight arcs.
     struct alignas(64) Block {
-        FloatLanes twice, slope_x, slope_y, curvature;
-        FloatLanes tail, tail_x, tail_y, head, head_x, head_y;
-        FloatLanes twice_along, along_x, along_y, along_curvature, chord;
-        Lanes lower_bound;  // a lower bound of the distance
-        Lanes facing;       // the distance, or infinity if the point does not face the arc
+        FloatLanes twice_value, slope_x, slope_y, curvature;               // ArcFunctions::across
+        FloatLanes tail, tail_x, tail_y, head, head_x, head_y;             // past_tail, before_head
+        FloatLanes twice_along, along_x, along_y, along_curvature, chord;  // FilmFunctions::along
+        Lanes lower_bound;  // a lower bound of the distance of the point from the arc
+        Lanes facing;       // the distance itself, or infinity if the point does not face the arc
     };
 
     static void evaluate(double x, double y, const ArcLanes::Block& arcs, Block& block);

@@ -10,17 +10,19 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr double kRounding = 2.0;  // subpixels; rounding moves the ends of a side by less
+constexpr double kRounding = 2.0;  // upper bound of the rounding error of an end, subpixels
 
 // The bounds of an outline, in subpixels.
 struct Bounds {
     double left, right, bottom, top;  // bounds of the ends of arcs
-    double beyond;                    // the largest distance of an arc from its chord
+    double beyond;                    // upper bound of the distance of any arc from its chord
 };
 
-// Extends the bounds by eight arcs. An arc reaches beyond its chord by its sagitta: half the chord
-// times the tangent of a quarter of the angle by which the arc turns. For wide arcs the diameter of
-// the circle is used instead. The length of the chord is bounded by the sum of its components.
+// Extends the bounds by eight arcs. The largest distance of an arc from its chord is its sagitta:
+// half the chord times the tangent of a quarter of the angle by which the arc turns. For wide arcs,
+// the diameter of the circle is used as an upper bound instead. The sum of the absolute values of
+// the two components of the chord is an upper bound of the chord's length. Heads are not needed,
+// because each head in a closed loop is the tail of the next arc.
 [[gnu::always_inline]] inline void extend(const Boundary::Outline& arcs, Bounds& bounds) {
     constexpr double kMinCosine = 0.2;  // wider arcs use the diameter
     Bounds b = bounds;
@@ -50,6 +52,7 @@ void Boundary::clear() {
     edges_ = 0;
 }
 
+// Adds an arc to a boundary that has wide arcs. `shape` may be the first wide arc.
 void Boundary::add_wide(const PixelArc& shape, const Vec2& tail, bool corner) {
     if (!has_wide_) {
         films_ = arcs_;
@@ -90,8 +93,8 @@ Extent Boundary::extent() const {
     });
 }
 
-// The middle of an arc that turns left is to the right of the chord by the sagitta, half the chord
-// times the tangent of half the half angle.
+// The middle of an arc that turns left is to the right of the middle of the chord. The distance of
+// these two points, the sagitta, is half the chord times the tangent of half the half angle.
 std::array<PixelArc, 2> halves(const PixelArc& arc) {
     const double cosine = std::sqrt(0.5 * (1.0 + arc.cosine));
     const double sine = 0.5 * arc.sine / cosine;

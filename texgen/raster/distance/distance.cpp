@@ -14,6 +14,7 @@ namespace foam::texgen {
 
 namespace {
 
+// Gives an image the size of the grid if it is needed, and empties it otherwise.
 template <class Sample>
 void allocate(bool needed, const RasterGrid& grid, int channels, Image<Sample>& image) {
     const bool fits = image.width() == grid.width && image.height() == grid.height;
@@ -34,24 +35,24 @@ void allocate(DistanceNeeds needs, const RasterGrid& grid, DistanceField& field)
 
 // The field is painted region by region. paint_regions distributes the bubbles and the surroundings
 // of a patch over threads. For each region, RegionPixels finds the pixels whose centers are inside,
-// RegionField measures them in batches, and FieldWriter stores the results. The formulas are in
-// arc_view.cpp (distances) and pixel_batch.cpp (smooth distances).
+// RegionField computes their distances in batches, and FieldWriter stores the results. The formulas
+// are in arc_view.cpp (distances) and pixel_batch.cpp (smooth distances).
 
-// Paints regions, one after the other. Buffers are reused between regions.
+// Paints regions on one thread, one after the other. Buffers are reused between regions.
 class RegionPainter {
   public:
     RegionPainter(DistanceNeeds needs, DistanceField& field)
         : needs_(needs), writer_(needs, field) {}
 
-    // Paints the pixels of a region in some rows. If the region is small, its pixels in the images
-    // are prefetched while the mask is computed.
+    // Paints the pixels of a region, moved by a translation, in some rows of the images. If the
+    // region has few columns, its pixels in the images are prefetched while the mask is computed.
     void paint(const Region& region, SubpixelPoint translation, PixelRows rows) {
         constexpr int kMaxColumns = 64;
         const PixelBox box = box_around(region, translation);
         if (box.columns() <= kMaxColumns) {
             writer_.prefetch(box, rows);
         }
-        pixels_.place(region, translation, rows);
+        pixels_.rasterize(region, translation, rows);
         field_.measure(region, pixels_, needs_, [&](const PixelBatch& batch) {
             writer_.write(batch, pixels_.box(), region.id);
         });

@@ -8,18 +8,21 @@
 
 namespace foam::texgen {
 
-/// Returns the distance field of a frame. The distance of each pixel is measured from the arcs of
-/// its own bubble only, because the shortest path to a film crosses no other film.
+/// Returns the distance field of a frame on the pixels of a grid: the ids, the distances, and the
+/// images in `needs`. The distance of a pixel is measured from the arcs of its own bubble only,
+/// because the shortest path to a film crosses no other film.
 ///
-/// The result is the same to the bit for any number of threads. A shift of the grid shifts the
-/// images cyclically, to the bit. Throws std::invalid_argument as pixels_per_unit does.
+/// The result has the same bits for any number of threads. A shift of the grid shifts the images
+/// cyclically, bit by bit (for the exception, see RasterGrid). Throws std::invalid_argument if
+/// pixels_per_unit throws it. `threads` is the number of threads; 0 or less means as many as the
+/// hardware runs at once.
 DistanceField distance_field(const Frame& frame,
                              const RasterGrid& grid,
                              DistanceNeeds needs,
                              int threads);
 
-/// Writes the distance field of a frame into an existing field, whose memory it reuses. The result
-/// and the exceptions are the same as for distance_field.
+/// Computes the same distance field as distance_field, but writes it to `field`, whose memory is
+/// reused if its images have the size of the grid. Throws the exceptions of distance_field.
 void write_distance_field(const Frame& frame,
                           const RasterGrid& grid,
                           DistanceNeeds needs,

@@ -8,37 +8,38 @@
 
 namespace foam::texgen {
 
-/// The images of a DistanceField that are computed in addition to ids and distances.
+/// Selects the images of a DistanceField that are computed in addition to ids and distances.
 struct DistanceNeeds {
-    bool gradient = false;
-    bool smooth = false;  // the smooth distance and its gradient
+    bool gradient = false;  // of the distance
+    bool smooth = false;    // the smooth distance and its gradient
 };
 
 /// The bubble at the center of each pixel, and the distance from the center to the nearest film.
-/// Images have one channel; gradients have two, x to the right and y up. Images that are not in the
-/// DistanceNeeds are empty.
+/// Gradients are images of two channels: x to the right and y up. All other images have one
+/// channel. Images that the DistanceNeeds do not select are empty.
 struct DistanceField {
     /// The index of the bubble whose outline, for films of no width, encloses the pixel's center.
-    /// In a patch the surroundings have the index of the ghost bubble, and lone bubbles follow in
-    /// their order, as in CellValues. Where bubbles of a patch overlap, the one with the largest
-    /// index counts.
+    /// In a patch the surroundings have the index of the ghost bubble, and the indices of the lone
+    /// bubbles follow, in the order of Frame::lone_bubbles. Where bubbles of a patch overlap, the
+    /// pixel gets the largest index of these bubbles.
     Image<std::uint32_t> ids;
-    /// The distance to the nearest point of a film in pixels, never negative. It is infinite if
-    /// there is no film. The error is at most 1e-6 of the distance or of 8 pixels, whichever is
-    /// larger. On a sheared torus, the shear is rounded to a whole number of subpixels, as in the
-    /// grid.
+    /// The distance to the nearest point of a film in pixels, never negative. It is infinite if the
+    /// region of the pixel has no film. The error is at most 1e-6 times the sum of the distance and
+    /// 8 pixels. On a sheared torus, the shear is rounded to a whole number of subpixels, as for
+    /// the ids.
     Image<float> distance;
-    /// The unit vector that points away from the nearest point of a film; zero in the center of a
-    /// circle.
+    /// The unit vector that points away from the nearest point of a film. It is zero at the center
+    /// of a circle and where there is no film.
     Image<float> gradient;
-    /// The smooth distance s in pixels, never negative. Like the distance, it is 0 and has slope 1
-    /// on a film, but it has no creases within a bubble. 1/s² is the sum of 1/phi² over the films
-    /// of the bubble, where phi is the function of Biswas and Shapiro, "Approximate distance fields
-    /// with non-vanishing gradients" (2004). In the middle of a bubble s is smaller than the
-    /// distance. In a lone bubble of radius R, at r from its center, s = (R² - r²) / 2R. Around a
-    /// patch s is the distance.
+    /// The smooth distance s in pixels, never negative. Like the distance, s is 0 and has slope 1
+    /// on a film, but s has no creases within a bubble. 1/s² is the sum of 1/phi² over the films of
+    /// the bubble, where phi is the approximate distance to a film of Biswas and Shapiro,
+    /// "Approximate distance fields with non-vanishing gradients" (2004). In the middle of a bubble
+    /// s is smaller than the distance. In a lone bubble of radius R, s = (R² - r²) / (2 R) at a
+    /// distance r from its center. In the surroundings of a patch s is the distance.
     Image<float> smooth;
-    /// The gradient of the smooth distance per pixel; its length is 1 on films and 0 at summits.
+    /// The gradient of the smooth distance, per pixel. Its length is 1 on films and 0 at the maxima
+    /// of the smooth distance.
     Image<float> smooth_gradient;
 };
 

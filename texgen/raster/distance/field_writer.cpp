@@ -12,9 +12,9 @@ namespace foam::texgen {
 
 namespace {
 
-// Calls visit(begin, size) for pieces that cover [0, count) and may overlap. Their sizes are
-// compile-time constants: most spans are a few pixels long, for which calls of memcpy and fill are
-// slow. Precondition: count > 0.
+// Calls visit(begin, size) for pieces that cover [0, count) and may overlap. `size` is a
+// compile-time constant: most spans are only a few pixels long, and for short spans calls of memcpy
+// and fill are slow. Precondition: count > 0.
 template <class Visit>
 [[gnu::always_inline]] inline void in_pieces(std::size_t count, const Visit& visit) {
     constexpr std::integral_constant<std::size_t, 8> kEight;
@@ -39,6 +39,7 @@ template <class Visit>
     in_pieces(count, [&](std::size_t k, auto size) { std::copy_n(from + k, size(), to + k); });
 }
 
+// Copies two arrays into one array of (x, y) pairs.
 inline void copy_pairs(const float* xs, const float* ys, std::size_t count, float* to) {
     for (std::size_t k = 0; k < count; ++k) {
         to[2 * k] = xs[k];

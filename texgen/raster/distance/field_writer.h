@@ -11,26 +11,27 @@
 
 namespace foam::texgen {
 
-/// Writes measured pixels into the images of a distance field. Borrows the field.
+/// Writes the values of batches into the images of a distance field. Borrows the field.
 class FieldWriter {
   public:
-    /// Precondition: the images of `field` that are needed have the size of the grid.
+    /// Precondition: ids, distances and the images that `needs` selects have the size of the grid.
     FieldWriter(DistanceNeeds needs, DistanceField& field) : needs_(needs), field_(field) {}
 
-    /// Writes a batch of a region's pixels. `box` is the region's box in the image. On a torus,
-    /// columns beyond the image's width wrap around.
+    /// Writes the values of a batch of pixels of a region. `box` is the box of the region in the
+    /// image, and `id` is the id of the region. On a torus, columns outside of the image wrap
+    /// around.
     void write(const PixelBatch& batch, const PixelBox& box, std::uint32_t id);
 
-    /// Prefetches the pixels of a box in some rows of the image. Rows are far apart in memory, so
-    /// hardware prefetchers do not predict them.
+    /// Prefetches the ids and distances of the pixels of a box in some rows of the image. Rows are
+    /// far apart in memory, so that hardware prefetchers do not predict them.
     void prefetch(const PixelBox& box, PixelRows rows) const;
 
   private:
-    // Adjacent pixels of the image.
+    // Adjacent pixels in a row of the image.
     struct Span {
         int row;
-        int x;
-        std::size_t first;  // position among the values of the batch
+        int x;              // column of the first pixel
+        std::size_t first;  // index of the first pixel in the values of the batch
         std::size_t count;
     };
 

@@ -23,11 +23,12 @@ namespace {
 
 // On a torus, a bubble that is within one band of rows of the unshifted grid is painted immediately
 // after it is traced, so that its boundary is not stored. Bands are painted in parallel. All other
-// regions, and all regions of a patch, are stored, sorted by the bands of the image that they
-// overlap, and painted in parts. No two threads write the same rows, and the order in which
-// overlapping regions are painted depends neither on threads nor on shifts.
+// regions, and all regions of a patch, are stored and sorted by the bands of the image that they
+// overlap. They are then painted band by band, each band on one thread. No two threads write the
+// same rows, and the order in which overlapping regions are painted depends neither on threads nor
+// on shifts.
 
-// A multiple of RegionField::kTileRows and TorusRegions::kSquare.
+// The number of rows of a band, a multiple of RegionField::kTileRows and TorusRegions::kSquare.
 constexpr int kBandRows = 128;
 
 // A copy of a region that overlaps the image.
@@ -44,9 +45,11 @@ PixelRows band_rows(const RasterGrid& grid, int band) {
     return {band * kBandRows, std::min((band + 1) * kBandRows, grid.height)};
 }
 
-// Calls visit(translation) for the copies of a region that overlap the rows of an image. On a
-// torus, copies are moved by whole periods so that the first point of the region is within the
-// columns of the image. A copy one period up is also moved to the right by the shear.
+// Calls visit(translation) for the copies of a region that overlap the rows of an image. In the
+// plane, the only copy is the region itself. On a torus, copies are moved by whole periods so that
+// Region::first is within the columns of the image. The copies further left and right are left out,
+// because painting wraps columns around. A copy one period up is also moved to the right by `shear`
+// subpixels.
 template <class Visit>
 void for_each_copy(const Region& of,
                    const RasterGrid& grid,
@@ -67,7 +70,8 @@ void for_each_copy(const Region& of,
     }
 }
 
-// Calls put(band, copy) for each copy of a region and each band of rows that it overlaps.
+// Calls put(band, copy) for each copy of a region and each band of the image that the copy
+// overlaps.
 template <class Put>
 void put_copies(const Region& region, const RasterGrid& grid, std::int32_t shear, const Put& put) {
     for_each_copy(region, grid, shear, [&](SubpixelPoint translation) {
@@ -79,6 +83,8 @@ void put_copies(const Region& region, const RasterGrid& grid, std::int32_t shear
     });
 }
 
+// Returns the copies of all regions, with one bucket per band of the image. Within a bucket, copies
+// are in the order of their regions.
 Buckets<RegionCopy> copies_by_band(std::span<const Region> regions,
                                    const RasterGrid& grid,
                                    std::int32_t shear,
@@ -94,9 +100,10 @@ Buckets<RegionCopy> copies_by_band(std::span<const Region> regions,
     });
 }
 
-// Traces the bubbles of a torus that begin in a band of rows of the unshifted grid. Bubbles that
-// are within the band are painted immediately, because no other worker paints in the same rows,
-// whatever the shift is. The other bubbles are appended to `rest`.
+// Traces the bubbles of a torus that begin (torus_regions.h) in a band of rows of the unshifted
+// grid. Bubbles that are within the band are painted immediately. No other worker paints the same
+// rows, because a shift of the grid moves all bands by the same distance. The other bubbles are
+// appended to `rest`.
 class TorusPainter {
   public:
     TorusPainter(const TorusRegions& regions,
@@ -123,7 +130,7 @@ class TorusPainter {
 
   private:
     // Returns true if a region is within a band. A region that begins on the upper border of the
-    // grid belongs to the first band, where its copy is.
+    // grid belongs to the first band, which contains its periodic copy.
     bool is_within(const Region& region, int band) const {
         const std::int32_t height = grid_.height * kSubpixel;
         const std::int32_t down = region.first.y < height ? 0 : height;
@@ -143,7 +150,7 @@ class TorusPainter {
     std::array<Region, TorusRegions::kGroupSize> group_;
 };
 
-// Paints the regions that are within a band, and returns all others.
+// Paints the bubbles that are within one band, and returns the regions of all others.
 std::vector<Region> paint_within_bands(const TorusRegions& regions,
                                        const RasterGrid& grid,
                                        int workers,
@@ -166,8 +173,8 @@ std::vector<Region> paint_within_bands(const TorusRegions& regions,
 
 }  // namespace
 
-// A region that overlaps several bands is painted in parts, so that no two threads write the same
-// rows.
+// A stored region that overlaps several bands is painted in one part per band, so that no two
+// threads write the same rows.
 void paint_regions(const Frame& frame,
                    const RasterGrid& grid,
                    int workers,
@@ -186,13 +193,13 @@ void paint_regions(const Frame& frame,
     std::iota(all.begin(), all.end(), 0);
     parallel_for(bands_of(grid), all, [&](int worker, int band) {
         const auto k = static_cast<std::size_t>(band);
-        for (const RegionCopy& copy : copies.of(k, k + 1)) {
+        for (const RegionCopy& copy : copies.items_of(k, k + 1)) {
             paint(worker, *copy.region, copy.translation, band_rows(grid, band));
         }
     });
 }
 
-void RegionPixels::place(const Region& region, SubpixelPoint translation, PixelRows rows) {
+void RegionPixels::rasterize(const Region& region, SubpixelPoint translation, PixelRows rows) {
     box_ = box_around(region, translation);
     const SubpixelPoint by = translation - box_.corner();
     const PixelRows shown{std::max(rows.begin - box_.bottom, 0),

@@ -21,24 +21,26 @@ namespace {
 
 constexpr std::size_t kRegionsPerTask = 256;
 
-// Rounds a position in pixels to whole subpixels. The result has doubles, because it may not fit 32
-// bits.
+// Converts a position from pixels to subpixels, rounded to whole numbers. The result consists of
+// doubles, because it may not fit into 32 bits.
 Vec2 rounded_to_subpixels(const Vec2& pixels) {
     return (kSubpixel * pixels.array() + 0.5).floor().matrix();
 }
 
+// Clamps a position in subpixels to the pixels of the image.
 SubpixelPoint clamped(const Vec2& subpixels, const RasterGrid& grid) {
     const Vec2 last = Vec2(grid.width, grid.height) * kSubpixel - Vec2::Ones();
     const Vec2 within = subpixels.cwiseMax(Vec2::Zero()).cwiseMin(last);
     return {static_cast<std::int32_t>(within.x()), static_cast<std::int32_t>(within.y())};
 }
 
-// Adds the edges of a chain that approximates a side. The chain is computed from the lower end (in
-// x, then y) of the side, so that both sides of a film have the same edges.
+// Adds to the outline the edges of a chain that approximates a side. `head` is the head of the
+// side. The chain is computed from the end with the smaller x, or with the smaller y if both have
+// the same x, so that both sides of a film have the same edges.
 void add_chain(const ArcLoops::Side& side, const Vec2& head, Boundary& boundary) {
     const bool tail_first = std::pair(side.tail.x(), side.tail.y()) < std::pair(head.x(), head.y());
     std::vector<Vec2> points;
-    append_inner_points(film_arc(tail_first ? side.arc : reversed(side.arc)),
+    append_chain_points(film_arc(tail_first ? side.arc : reversed(side.arc)),
                         tail_first ? side.tail : head,
                         points);
     if (!tail_first) {
@@ -53,6 +55,7 @@ void add_chain(const ArcLoops::Side& side, const Vec2& head, Boundary& boundary)
     }
 }
 
+// Returns the boundary of a region: its exact arcs, and their chains as the outline.
 Boundary boundary_of(const PixelPatch& pixels, BubbleId bubble) {
     const ArcLoops traced = boundaries_of(pixels, bubble);
     Boundary boundary;
@@ -67,7 +70,7 @@ Boundary boundary_of(const PixelPatch& pixels, BubbleId bubble) {
     return boundary;
 }
 
-// Returns the region of a bubble, or nullopt if it is outside the image.
+// Returns the region of a bubble, or nullopt if the box around the region is outside the image.
 std::optional<Region> region_of(const PixelPatch& pixels, std::size_t index) {
     const RasterGrid& grid = pixels.grid;
     Region region;
@@ -86,6 +89,7 @@ std::optional<Region> region_of(const PixelPatch& pixels, std::size_t index) {
     return region;
 }
 
+// Returns the region of the ghost bubble. Its box is the whole image.
 Region surroundings(const PixelPatch& pixels) {
     const BubbleId ghost = pixels.frame.network.ghost();
     Region region;

@@ -17,25 +17,28 @@ namespace {
 
 // Distances to arcs are kept as fractions 2 |f| / (1 + |grad f|) (arc_view.cpp) and compared by
 // cross-multiplication, which avoids a division per arc. Only the smallest fraction of each pixel
-// is divided. Smooth distances follow Biswas and Shapiro, "Approximate distance fields with
-// non-vanishing gradients" (2004): 1/s² is the sum of 1/phi² over the films of a bubble. All loops
-// are over lanes of pixels and have no branches, so that compilers vectorize them.
+// is evaluated by a division. Smooth distances follow Biswas and Shapiro, "Approximate distance
+// fields with non-vanishing gradients" (2004): 1/s² is the sum of 1/phi² over the films of a
+// bubble. The innermost loops are over pixels and have no branches, so that compilers vectorize
+// them.
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-// A pixel that is past the end of an arc by at most this distance, in pixels, still faces the arc.
-// Otherwise rounding could leave a gap between two arcs that continue each other smoothly.
+// A pixel that is at most this many pixels beyond the normal at an end of an arc still faces the
+// arc. Without this, rounding could leave a gap between two arcs that continue each other smoothly.
 constexpr float kPastEnd = 1e-3F;
 // The smallest phi², in square pixels. It keeps the inverse within the range of floats.
 constexpr float kMinSquare = 1e-12F;
-// The smallest root, which avoids 0 / 0 at the ends of a film.
+// The smallest value of `root` in add_film. It avoids 0 / 0 at the ends of a film.
 constexpr float kMinRoot = 1e-18F;
-// A sum of 1/phi² below this counts as 0. The limit is the sum at a smooth distance of 1e6 pixels.
+// A smaller sum of 1/phi² counts as 0: the smooth distance is more than 1e6 pixels.
 constexpr float kMinSum = 1e-12F;
 
-// One float for each pixel of a block.
+// One float for each of the kLanes pixels that are measured at once. These pixels are called a
+// block.
 using Lanes = std::array<float, PixelBatch::kLanes>;
 
-// Returns a mask for `chosen`, which selects a value without a branch, so that loops vectorize.
+// mask_if returns a mask of 32 bits: all ones if the condition is true, else all zeros. chosen
+// returns `first` if `mask` is all ones, and `second` if `mask` is all zeros.
 std::uint32_t mask_if(bool condition) {
     return condition ? ~std::uint32_t{0} : 0;
 }
@@ -50,14 +53,15 @@ struct Fraction {
     float denominator;
 };
 
-// The smallest distance of each pixel of a block so far, and a vector in the direction of its
-// gradient, which has any length.
+// The smallest distance so far of each pixel of a block, and a vector in the direction of the
+// gradient of this distance. The length of the vector is arbitrary.
 struct Nearest {
     Lanes numerator{};
     Lanes denominator{};
     Lanes gradient_x{};
     Lanes gradient_y{};
 
+    // Replaces the distance of pixel k, and the vector, if the given distance is smaller.
     template <bool kGradient>
     [[gnu::always_inline]] void take(std::size_t k, Fraction distance, float x, float y) {
         const std::uint32_t nearer =
@@ -73,8 +77,8 @@ struct Nearest {
 
 // The value and the gradient of a FloatQuadratic at a point.
 struct ValueAndGradient {
-    float twice;  // twice the value
-    float x;      // the gradient
+    float twice_value;  // twice the value
+    float x;            // the gradient
     float y;
 };
 
@@ -97,8 +101,8 @@ template <bool kGradient>
         const ValueAndGradient f = evaluate(arc.across, x[k], y[k]);
         const float slope = std::sqrt(f.x * f.x + f.y * f.y);
         const float end = min_value(at(arc.past_tail, x[k], y[k]), at(arc.before_head, x[k], y[k]));
-        const float numerator = end >= -kPastEnd ? std::abs(f.twice) : kInfinity;
-        const float sign = std::copysign(1.0F, f.twice);
+        const float numerator = end >= -kPastEnd ? std::abs(f.twice_value) : kInfinity;
+        const float sign = std::copysign(1.0F, f.twice_value);
         nearest.take<kGradient>(k, {numerator, 1.0F + slope}, sign * f.x, sign * f.y);
     }
 }
@@ -117,9 +121,11 @@ template <bool kGradient>
     }
 }
 
-// The arrays into which distances and unit gradients are written. Distances are fractions until
-// `divide` is called.
-struct Distances {
+// The arrays into which distances and their gradients are written. Until `divide` is called,
+// `distance` contains the numerators of the distances. Until `normalize_gradients` is called,
+// gradients have arbitrary lengths. For smooth distances, the arrays contain the values of
+// SmoothSums until `finish_sums` is called, and `denominator` is null.
+struct BatchArrays {
     float* distance;
     float* denominator;
     float* gradient_x;
@@ -132,7 +138,7 @@ template <bool kGradient>
                                                 std::size_t count,
                                                 const float* xs,
                                                 const float* ys,
-                                                const Distances& to) {
+                                                const BatchArrays& to) {
     for (std::size_t from = 0; from < count; from += PixelBatch::kLanes) {
         Nearest nearest;
         nearest.numerator.fill(kInfinity);
@@ -152,8 +158,8 @@ template <bool kGradient>
     }
 }
 
-// Divides the fractions. Returns true if all distances are finite.
-[[gnu::always_inline]] inline bool divide(std::size_t count, const Distances& to) {
+// Divides the numerators by the denominators. Returns true if all distances are finite.
+[[gnu::always_inline]] inline bool divide(std::size_t count, const BatchArrays& to) {
     std::uint32_t any_far = 0;
     for (std::size_t k = 0; k < count; ++k) {
         any_far |= mask_if(to.distance[k] == kInfinity);
@@ -162,7 +168,7 @@ template <bool kGradient>
     return any_far == 0;
 }
 
-[[gnu::always_inline]] inline void normalize_gradients(std::size_t count, const Distances& to) {
+[[gnu::always_inline]] inline void normalize_gradients(std::size_t count, const BatchArrays& to) {
     for (std::size_t k = 0; k < count; ++k) {
         const float x = to.gradient_x[k];
         const float y = to.gradient_y[k];
@@ -180,9 +186,9 @@ struct SmoothSums {
     Lanes y{};
 };
 
-// Adds a film to the sums. Let f be the function across the film, t the function along the film and
-// c its chord. Then phi² = f² + r² with r = (root - t) / 2 and root = sqrt(t² + f^4 / c²). The
-// gradient satisfies r grad r = r (f³ / c² grad f - r grad t) / root.
+// Adds a film to the sums. Let f be the value of film.across, t the value of film.along, and c the
+// length of the chord. Then phi² = f² + r² with r = (root - t) / 2 and root = sqrt(t² + f^4 / c²).
+// The gradient satisfies r grad r = r (f³ / c² grad f - r grad t) / root.
 [[gnu::always_inline]] inline void add_film(const FilmFunctions& film,
                                             const float* xs,
                                             const float* ys,
@@ -191,12 +197,12 @@ struct SmoothSums {
     for (std::size_t k = 0; k < PixelBatch::kLanes; ++k) {
         const ValueAndGradient across = evaluate(film.across, xs[k], ys[k]);
         const ValueAndGradient along = evaluate(film.along, xs[k], ys[k]);
-        const float f = 0.5F * across.twice;
-        const float t = 0.5F * along.twice;
+        const float f = 0.5F * across.twice_value;
+        const float t = 0.5F * along.twice_value;
         const float bend = f * f * inverse_chord;
         const float root = max_value(std::sqrt(t * t + bend * bend), kMinRoot);
         const float sum = root + std::abs(t);
-        const float inside = 0.5F * bend * (bend / sum);
+        const float inside = 0.5F * bend * (bend / sum);  // (root - t) / 2 without cancellation
         const float r = t > 0.0F ? inside : 0.5F * sum;
         const float weight = 1.0F / max_value(f * f + r * r, kMinSquare);
         const float part = r / root;  // at most 1
@@ -213,7 +219,7 @@ struct SmoothSums {
                                              std::size_t count,
                                              const float* xs,
                                              const float* ys,
-                                             const Distances& to) {
+                                             const BatchArrays& to) {
     for (std::size_t from = 0; from < count; from += PixelBatch::kLanes) {
         SmoothSums sums;
         for (const FilmFunctions& film : films) {
@@ -225,11 +231,12 @@ struct SmoothSums {
     }
 }
 
-// Computes s = S^-1/2 from S, the sum of 1/phi². The gradient of s is s³ times the sum of
-// phi^-4 (f grad f + r grad r). If S is practically 0, the plain distance takes the place of s.
+// Computes s = S^-1/2 from S, the sum of 1/phi². The gradient of s is s³ times the sum of phi^-4 (f
+// grad f + r grad r). If S is at most kMinSum, or NaN, the plain distance and its gradient replace
+// s and its gradient.
 [[gnu::always_inline]] inline void finish_sums(std::size_t count,
-                                               const Distances& plain,
-                                               const Distances& to) {
+                                               const BatchArrays& plain,
+                                               const BatchArrays& to) {
     for (std::size_t k = 0; k < count; ++k) {
         const float sum = to.distance[k];
         const float s = 1.0F / std::sqrt(sum);
@@ -264,7 +271,7 @@ bool PixelBatch::measure(std::span<const ArcFunctions> arcs,
     const std::size_t count = padded_count();
     const float* const xs = x_.data();
     const float* const ys = y_.data();
-    const Distances to{
+    const BatchArrays to{
         distance_.data(), denominator_.data(), gradient_x_.data(), gradient_y_.data()};
     const auto measure_with = [=](auto with_gradient) {
         return at_simd_level([=] {
@@ -282,8 +289,8 @@ void PixelBatch::measure_smooth(std::span<const FilmFunctions> films) {
     const std::size_t count = padded_count();
     const float* const xs = x_.data();
     const float* const ys = y_.data();
-    const Distances plain{distance_.data(), nullptr, gradient_x_.data(), gradient_y_.data()};
-    const Distances to{smooth_.data(), nullptr, smooth_x_.data(), smooth_y_.data()};
+    const BatchArrays plain{distance_.data(), nullptr, gradient_x_.data(), gradient_y_.data()};
+    const BatchArrays to{smooth_.data(), nullptr, smooth_x_.data(), smooth_y_.data()};
     at_simd_level([=] {
         add_films(films, count, xs, ys, to);
         finish_sums(count, plain, to);

@@ -11,76 +11,83 @@
 
 namespace foam::texgen {
 
-/// A quadratic function of the plane. At a position d relative to the middle of a batch it is
-/// value + gradient . d - curvature / 2 d².
+/// A quadratic function of a position in the plane. At a position d relative to the middle of a
+/// batch of pixels (PixelBatch), the function has the value twice_value / 2 + (x, y) · d -
+/// curvature / 2 · d².
 struct FloatQuadratic {
-    float twice_value = 0.0F;
-    float x = 0.0F;  // the gradient
+    float twice_value = 0.0F;  // at the middle of a batch
+    float x = 0.0F;            // the gradient at the middle of a batch
     float y = 0.0F;
     float curvature = 0.0F;
 };
 
-/// The signed distance from a line.
+/// The signed distance from a line, as a function of a position relative to the middle of a batch.
 struct FloatLine {
-    float value = 0.0F;  // distance at the middle of a batch
+    float value = 0.0F;  // at the middle of a batch
     float x = 0.0F;      // the gradient
     float y = 0.0F;
 };
 
-/// The functions of an arc, relative to the middle of a batch. `across` is 0 on the circle of the
-/// arc and has slope 1 there. The lines are normal to the arc at its ends, and positive on the side
-/// of the arc.
+/// The functions of an arc that determine distances. `across` is 0 on the circle of the arc and has
+/// slope 1 there. `past_tail` and `before_head` are the signed distances from the two lines that
+/// are normal to the arc at its tail and at its head. They are positive on the side of the line on
+/// which the arc is.
 struct ArcFunctions {
     FloatQuadratic across;
     FloatLine past_tail;
     FloatLine before_head;
 };
 
-/// The functions of a film that determine smooth distances, relative to the middle of a batch.
-/// `across` is the function of its arc. `along` is 0 on the circle that is normal to the arc at
-/// both ends, has slope 1 there, and is positive on the film.
+/// The functions of a film that determine smooth distances. `across` is ArcFunctions::across of the
+/// film's arc. `along` is 0 on the circle that is normal to the arc at both ends, has slope 1
+/// there, and is positive on the film.
 struct FilmFunctions {
     FloatQuadratic across;
     FloatQuadratic along;
-    float chord = 0.0F;  // length, pixels
+    float chord = 0.0F;  // length of the chord, pixels
 };
 
 /// Up to 1600 pixels of a region that are close together, with their distances, gradients and
-/// smooth distances. The functions of the arcs are evaluated in doubles at the middle of the batch;
-/// all further arithmetic is in floats relative to the middle. This avoids cancellation, however
-/// large the arcs are. The result of a pixel does not depend on the other pixels of its batch.
+/// smooth distances. Positions are in pixels, in the coordinates of the box of the region. The
+/// functions of the arcs are evaluated in doubles at the middle of the batch; all further
+/// arithmetic is in floats relative to the middle. This avoids cancellation, however large the arcs
+/// are. The result of a pixel does not depend on the other pixels of its batch.
 class PixelBatch {
   public:
     static constexpr std::size_t kCapacity = 1600;
     static constexpr std::size_t kLanes = 16;  // pixels that are measured at once
-    static constexpr double kMargin = 0.01;    // upper bound of the error of the floats, pixels
+    static constexpr double kMargin = 0.01;    // upper bound of the error of a distance, pixels
     using Values = std::array<float, kCapacity + kLanes>;
 
-    /// Adjacent pixels of a row, in the coordinates of the region's box.
+    /// Adjacent pixels of a row.
     struct Span {
-        int column = 0;
+        int column = 0;  // column of the first pixel
         int row = 0;
-        std::uint32_t first = 0;  // position of the first pixel among the batch's values
+        std::uint32_t first = 0;  // index of the first pixel in the values of the batch
         std::uint32_t count = 0;
     };
 
-    /// Starts an empty batch. Precondition: the middle is at whole or half pixels.
+    /// Starts an empty batch. Precondition: both coordinates of the middle are multiples of 1/2.
     void clear(const Vec2& middle);
-    /// Adds a span of pixels. Precondition: the capacity is not exceeded.
+    /// Adds `count` pixels of a row, starting with the given column. Precondition: the capacity is
+    /// not exceeded.
     void add_span(int column, int row, int count);
 
     const Vec2& middle() const { return middle_; }
     std::span<const Span> spans() const { return std::span(spans_).first(span_count_); }
     bool is_empty() const { return count_ == 0; }
 
-    /// Computes the distance of each pixel to the nearest of the points and of the arcs that it
-    /// faces. Points are relative to the middle. `gradient` is true if gradients are needed.
-    /// Returns false if any distance is infinite, because a pixel faces no arc and there is no
-    /// point.
+    /// Computes the distance of each pixel to the nearest point or arc. Only arcs that the pixel
+    /// faces count: the pixel must be between the normals at both ends of the arc. Arcs and points
+    /// are relative to the middle. Gradients are computed if `gradient` is true. Returns false if
+    /// the distance of any pixel is infinite, because the pixel faces no arc and there are no
+    /// points.
     bool measure(std::span<const ArcFunctions> arcs, std::span<const Vec2> points, bool gradient);
 
-    /// Computes smooth distances and their gradients. Without films, or far from all of them, these
-    /// equal the distance and its gradient. Precondition: measure() has computed gradients.
+    /// Computes smooth distances and their gradients. Films are relative to the middle. If there
+    /// are no films, or if the smooth distance would be 1e6 pixels or more, the smooth distance and
+    /// its gradient equal the distance and its gradient. Precondition: measure() has computed
+    /// gradients.
     void measure_smooth(std::span<const FilmFunctions> films);
 
     const Values& distance() const { return distance_; }
@@ -95,7 +102,7 @@ class PixelBatch {
     std::size_t padded_count() const { return (count_ + kLanes - 1) / kLanes * kLanes; }
 
     Vec2 middle_{0.0, 0.0};
-    float first_x_ = 0.0F;  // exact vector from the center of pixel (0, 0) to the middle
+    float first_x_ = 0.0F;  // vector from the center of pixel (0, 0) to the middle, exact
     float first_y_ = 0.0F;
     std::size_t count_ = 0;
     std::size_t span_count_ = 0;
@@ -103,7 +110,7 @@ class PixelBatch {
     alignas(64) Values x_{};  // positions relative to the middle
     alignas(64) Values y_{};
     alignas(64) Values distance_{};
-    alignas(64) Values denominator_{};
+    alignas(64) Values denominator_{};  // of distances, until measure() has divided by it
     alignas(64) Values gradient_x_{};
     alignas(64) Values gradient_y_{};
     alignas(64) Values smooth_{};
@@ -111,8 +118,8 @@ class PixelBatch {
     alignas(64) Values smooth_y_{};
 };
 
-// Writes whole vectors. The last one may extend beyond the span; the next span overwrites the
-// excess.
+// Writes whole vectors of kLanes positions. The last vector may extend beyond the span; the next
+// span overwrites the excess.
 inline void PixelBatch::add_span(int column, int row, int count) {
     const auto size = static_cast<std::uint32_t>(count);
     spans_[span_count_++] = {column, row, static_cast<std::uint32_t>(count_), size};

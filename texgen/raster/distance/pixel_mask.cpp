@@ -16,14 +16,15 @@ namespace foam::texgen {
 namespace {
 
 // Each arc is oriented upwards, and its crossing with the middle of every row between its ends is
-// computed (CrossingSolver). The crossing is rounded to a subpixel. All pixels of the row whose
-// middles are at or to the right of it are flipped. An arc whose tangent is horizontal somewhere is
-// first split into monotone pieces. Rounding depends only on the film, never on the side, so two
-// neighboring regions compute the same crossings.
+// computed (CrossingSolver). The crossing is rounded to a subpixel: to the nearest one, or up if
+// the edges of the outline are straight. All pixels of the row whose middles are at or to the right
+// of the rounded crossing are flipped. An arc whose tangent is horizontal somewhere is first split
+// into monotone pieces. Rounding depends only on the film, never on the side, so two neighboring
+// regions compute the same crossings.
 
 constexpr int kRows = 8;  // number of rows whose crossings are computed at once
 using Lanes = ArcLanes::Lanes<double>;
-constexpr double kTwoTo52 = 0x1p52;  // adding it to a smaller positive double rounds to an integer
+constexpr double kTwoTo52 = 0x1p52;  // its sum with a smaller positive double is a whole number
 constexpr double kHalfPixel = 0.5 * kSubpixel;
 
 constexpr std::array<double, kRows> kRowSteps = [] {
@@ -43,42 +44,47 @@ constexpr std::array<double, kRows> kRowSteps = [] {
 
 // One of these numbers is added to a crossing before it is rounded down. kToNearest rounds to the
 // nearest subpixel. kUp rounds up. Rounding up gives the same columns as the exact crossing,
-// because the middles of pixels are at whole subpixels. The difference of kUp from 1 is below the
-// smallest fractional part that the crossing of an edge can have.
+// because the middles of pixels are at whole subpixels. kUp is less than 1, so that a whole number
+// is not rounded up to the next one. The difference of kUp from 1 is smaller than the smallest
+// fractional part, other than 0, that the crossing of a straight edge can have.
 constexpr double kToNearest = 0.5;
 constexpr double kUp = 1.0 - 0x1p-27;
 
-// The words of a mask and its extent.
+// The words of a mask, its extent, and the rounding of crossings.
 struct MaskWords {
     std::uint64_t* words;
-    std::size_t stride;
-    std::size_t word_columns;
+    std::size_t stride;        // number of words in a column of words
+    std::size_t word_columns;  // number of columns of words
     PixelRows rows;
-    int columns;      // pixels
+    int columns;      // number of columns of pixels
     double rounding;  // kToNearest or kUp
 };
 
-// Eight arcs that go up, in subpixels, each with the range of rows whose middles it crosses.
+// Eight arcs that are oriented upwards, in subpixels. Each arc crosses the middles of the rows
+// [first, last).
 struct alignas(64) RisingArcs {
+    // The lower end, then the members of CrossingSolver::Coefficients.
     Lanes low_x, low_y, half_x, half_y, sine, bulge, across, up;
     Lanes first, last;
-    Lanes non_rising;  // not 0 if the tangent of the arc is horizontal somewhere; `first` and
-                       // `last` are then equal
+    Lanes non_monotone_in_y;  // not 0 if the tangent of the arc is horizontal somewhere; `first`
+                              // and `last` are then equal
 
     [[gnu::always_inline]] CrossingSolver<double> arc(std::size_t k) const {
         return CrossingSolver<double>({half_x[k], half_y[k], sine[k], bulge[k], across[k], up[k]});
     }
 };
 
-// Returns the first row whose middle is at or above a height in subpixels, clamped to the rows.
+// Returns the first row whose middle is at or above y, in subpixels. The result is clamped to
+// [rows.begin, rows.end].
 [[gnu::always_inline]] inline double first_row_from(double y, PixelRows rows) {
     const double row = std::ceil((y - kHalfPixel) / kSubpixel);
     return min_value(max_value(row, static_cast<double>(rows.begin)),
                      static_cast<double>(rows.end));
 }
 
-// Orients eight arcs of an outline, moved by (x, y), so that they go up.
-[[gnu::always_inline]] inline void turn_up(
+// Moves eight arcs of an outline by (x, y) and orients them upwards. Writes them to `rising`.
+// `rows` are the rows of the mask.
+[[gnu::always_inline]] inline void orient_upwards(
     const Boundary::Outline& arcs, double x, double y, PixelRows rows, RisingArcs& rising) {
 #pragma GCC unroll 1  // GCC would not vectorize the unrolled loop
     for (std::size_t k = 0; k < ArcLanes::kLanes; ++k) {
@@ -105,7 +111,7 @@ struct alignas(64) RisingArcs {
         rising.first[k] = first_row_from(low_y, rows);
         const double steepness = cosine * height - std::abs(sine * dx);
         rising.last[k] = first_row_from(low_y + (steepness > 0.0 ? height : 0.0), rows);
-        rising.non_rising[k] = steepness > 0.0 ? 0.0 : std::abs(dx) + height;
+        rising.non_monotone_in_y[k] = steepness > 0.0 ? 0.0 : std::abs(dx) + height;
     }
 }
 
@@ -120,8 +126,9 @@ struct alignas(64) RisingArcs {
     }
 }
 
-// Flips the pixels to the right of an arc in the rows [first, last). Rows are processed in groups
-// of kRows. The words of a group from `last` on are written back unchanged.
+// Flips the pixels to the right of an arc in the rows [first, last). (low_x, low_y) is the lower
+// end of the arc. If the mask is one word wide, rows are processed in groups of kRows. If the last
+// group extends beyond `last`, the words of the rows from `last` on are written back unchanged.
 [[gnu::always_inline]] inline void flip_right_of_arc(const CrossingSolver<double>& rising,
                                                      double low_x,
                                                      double low_y,
@@ -156,9 +163,9 @@ struct alignas(64) RisingArcs {
     } while (row < last);
 }
 
-// Flips the pixels to the right of an arc that is not monotone, piece by piece. The arc is split
-// from its lower end on, or from its left end if both ends are at the same height, so that both
-// sides of a film have the same pieces.
+// Flips the pixels to the right of an arc that is not monotone, one monotone piece after the other.
+// The pieces are computed from the lower end of the arc, or from its left end if both ends are at
+// the same height, so that both sides of a film have the same pieces.
 void flip_right_of_pieces(
     const Vec2& from, const Vec2& to, double cosine, double sine, const MaskWords& mask) {
     const Vec2 ahead = to - from;
@@ -191,6 +198,7 @@ void flip_right_of_pieces(
 void PixelMask::reset(int columns, PixelRows rows, bool full) {
     columns_ = columns;
     rows_ = rows;
+    // The last group of rows may extend beyond the mask by up to kRows rows.
     stride_ = static_cast<std::size_t>(std::max(rows.end - rows.begin, 0)) + kRows;
     const int word_columns = columns / kWordColumns + 1;
     words_.assign(stride_ * static_cast<std::size_t>(word_columns), full ? ~std::uint64_t{0} : 0);
@@ -215,10 +223,10 @@ void PixelMask::flip_right_of(std::span<const Boundary::Outline> outline,
         [outline, mask, x = offset.x(), y = offset.y(), non_monotone = non_monotone_.data()] {
             RisingArcs rising{};
             for (std::size_t block = 0; block < outline.size(); ++block) {
-                turn_up(outline[block], x, y, mask.rows, rising);
+                orient_upwards(outline[block], x, y, mask.rows, rising);
                 std::uint32_t bits = 0;
                 for (std::size_t k = 0; k < ArcLanes::kLanes; ++k) {
-                    bits |= rising.non_rising[k] != 0.0 ? 1U << k : 0U;
+                    bits |= rising.non_monotone_in_y[k] != 0.0 ? 1U << k : 0U;
                     flip_right_of_arc(rising.arc(k),
                                       rising.low_x[k],
                                       rising.low_y[k],

@@ -12,7 +12,8 @@
 
 namespace foam::texgen {
 
-/// Calls visit(begin, count) for each span of bits that are set, from the lowest bit on.
+/// Calls visit(begin, count) for each span of successive bits that are set, starting with the
+/// lowest. `begin` is the index of the lowest bit of the span.
 template <class Visit>
 void for_each_span_of_bits(std::uint64_t bits, const Visit& visit) {
     int end = 0;
@@ -25,39 +26,40 @@ void for_each_span_of_bits(std::uint64_t bits, const Visit& visit) {
     }
 }
 
-/// The pixels of a rectangle whose centers are within a region, as a bit mask. Of two regions that
-/// share a side, exactly one contains each pixel along that side.
+/// A bit mask of the pixels of a rectangle whose centers are within a region. Each pixel along the
+/// common side of two regions is in exactly one of them.
 ///
 /// The region is filled by the even-odd rule: a mask starts empty, or full for an unbounded region,
 /// and each arc of the boundary flips all pixels to the right of it, row by row. A center exactly
-/// on an arc counts as to the right of it.
+/// on an arc counts as being to the right of it.
 class PixelMask {
   public:
     static constexpr int kWordColumns = 64;
 
-    /// Starts a mask of some rows of a box. Columns and rows count from the lower left corner of
-    /// the box. `full` is true for an unbounded region.
+    /// Starts a mask of the given rows of a box with `columns` columns. Rows and columns count from
+    /// the lower left corner of the box. The mask is full if `full` is true, for an unbounded
+    /// region; otherwise it is empty.
     void reset(int columns, PixelRows rows, bool full = false);
 
     int columns() const { return columns_; }
     PixelRows rows() const { return rows_; }
 
-    /// Flips the pixels to the right of each arc of an outline. `offset` is the translation from
-    /// the outline to the corner of the box, in whole subpixels. Crossings with rows are rounded to
-    /// the nearest subpixel. If `is_chain` is true, the outline has straight edges, whose crossings
-    /// are exact.
+    /// Flips the pixels to the right of each arc of an outline. `offset` is the translation, in
+    /// whole subpixels, from the coordinates of the outline to those of the box. The point at which
+    /// an arc crosses the middle of a row is rounded to the nearest subpixel. If `is_chain` is
+    /// true, the edges of the outline are straight, and the exact crossings are used instead.
     void flip_right_of(std::span<const Boundary::Outline> outline,
                        const Vec2& offset,
                        bool is_chain);
 
-    /// Returns the 64 pixels of a row from column 64 k on, the first pixel in the lowest bit.
+    /// Returns the 64 pixels of a row from column 64 k on. The lowest bit is the leftmost pixel.
     std::uint64_t word(int k, int row) const {
         return words_[static_cast<std::size_t>(k) * stride_ +
                       static_cast<std::size_t>(row - rows_.begin)];
     }
 
-    /// Calls visit(column, count) for the spans of set pixels in a row. Spans end at the borders of
-    /// words.
+    /// Calls visit(column, count) for each span of set pixels in a row. A span ends where a word
+    /// ends, even if the next pixel is set.
     template <class Visit>
     void for_each_span(int row, const Visit& visit) const {
         for (int k = 0; k * kWordColumns < columns_; ++k) {
@@ -70,10 +72,10 @@ class PixelMask {
   private:
     int columns_ = 0;
     PixelRows rows_;
-    std::size_t stride_ = 0;                   // distance between columns of words, in words
-    std::vector<std::uint64_t> words_;         // all rows, one column of words after the other
-    std::vector<std::uint32_t> non_monotone_;  // per block of an outline: bits of arcs that are not
-                                               // monotone in y
+    std::size_t stride_ = 0;            // number of words in a column of words
+    std::vector<std::uint64_t> words_;  // one column of words after the other, a word per row
+    std::vector<std::uint32_t> non_monotone_;  // for each block of an outline, a bit mask of the
+                                               // arcs that are not monotone in y
 };
 
 }  // namespace foam::texgen

@@ -12,22 +12,25 @@ namespace foam::texgen {
 enum class RegionKind {
     Bubble,
     Circle,        // a lone bubble; its boundary is a circle of two arcs
-    Surroundings,  // the surroundings of a patch; unbounded, smooth distances equal distances
+    Surroundings,  // the ghost bubble: the space around a patch and in its holes, unbounded
 };
 
-/// A region of the plane whose pixels have the same id. Positions are in the unshifted grid. On a
-/// torus the region is unwrapped: it may extend beyond the grid by several periods.
+/// A region of the plane whose pixels have the same id. Positions are in the coordinates of the
+/// unshifted grid. On a torus the region is unwrapped: it may extend beyond the grid by several
+/// periods.
 struct Region {
-    std::uint32_t id = 0;  // as in DistanceField
+    std::uint32_t id = 0;  // the value of the region's pixels in DistanceField::ids
     RegionKind kind = RegionKind::Bubble;
-    bool is_chain = false;  // true if the outline has straight edges, whose crossings are exact
-    SubpixelPoint first;    // the tail of the first side; torus only
-    SubpixelPoint lowest;   // lower left corner of a box around the region, in subpixels
-    SubpixelPoint highest;  // upper right corner
+    bool is_chain = false;  // true if all edges of the outline are straight
+    SubpixelPoint first;    // the tail of the first side of the bubble; set on a torus only
+    // The lower left and the upper right corner of a box around the region. In a patch, the box is
+    // clipped to the image.
+    SubpixelPoint lowest;
+    SubpixelPoint highest;
     Boundary boundary;
 };
 
-/// A range of rows of pixels.
+/// The rows of pixels [begin, end).
 struct PixelRows {
     int begin = 0;
     int end = 0;
@@ -46,7 +49,7 @@ struct PixelBox {
     bool is_within(PixelRows rows) const { return bottom >= rows.begin && top <= rows.end; }
 };
 
-/// Returns a box of the pixels that a region, moved by a translation, may cover.
+/// Returns a box that contains all pixels of a region that is moved by a translation.
 inline PixelBox box_around(const Region& region, SubpixelPoint translation) {
     const SubpixelPoint low = region.lowest + translation;
     const SubpixelPoint high = region.highest + translation;

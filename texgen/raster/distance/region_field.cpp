@@ -12,19 +12,22 @@ namespace foam::texgen {
 namespace {
 
 // Arcs are culled by distance. Let d be the distance from the middle of a batch to the nearest arc
-// that the middle faces, and r the reach, the distance from the middle to the farthest pixel. An
-// arc that is farther from the middle than d + 2 r is not the nearest one of any pixel
-// (ArcView::horizon). The same test at the middle of a block of tiles narrows the arcs for all its
-// parts.
+// that the middle faces, and r the reach: the distance from the middle to the farthest pixel of the
+// batch. An arc that is farther from the middle than d + 2 r is not the nearest arc of any pixel
+// (ArcView::horizon). The same test at the middle of a block of tiles selects the arcs that are
+// tested for all parts of the block.
 
 // sqrt(7.5² + 3.5²), the distance from the middle of a tile to its farthest pixel center.
 constexpr double kTileReach = 8.276472678623424;
-constexpr int kSmall = 40;             // largest number of columns and rows of a one-batch region
-constexpr std::size_t kFewSides = 24;  // up to this number, every batch tests all sides
-// A film whose chord is shorter than this fraction of its distance is ignored in smooth distances.
-// It would add less than 1e-8, and its functions could leave the range of floats.
+// The largest number of columns and of rows of a region that is measured as one batch.
+constexpr int kMaxBatchSide = 40;
+// A region or a block of tiles with at most this number of arcs is not subdivided to cull arcs.
+constexpr std::size_t kMaxUnculledArcs = 24;
+// A film whose chord is at most this fraction of its distance from the farthest pixel of a batch is
+// ignored in smooth distances. The film would add only about 1e-8 / distance² to the sum of 1/phi²,
+// and its functions could leave the range of floats.
 constexpr double kMinChord = 1e-4;
-constexpr float kNoEnd = 1e15F;  // value of `along` for a circle, whose film has no end
+constexpr float kNoEnd = 1e15F;  // constant value of `along` for a circle, whose film has no ends
 
 }  // namespace
 
@@ -39,7 +42,8 @@ void RegionField::measure(const Region& region,
     const ArcLanes& arcs = region.boundary.arcs();
     const PixelMask& mask = pixels.mask();
     const int rows = pixels.box().rows();
-    if (mask.columns() <= kSmall && rows <= kSmall && arcs.size() <= kFewSides) {
+    if (mask.columns() <= kMaxBatchSide && rows <= kMaxBatchSide &&
+        arcs.size() <= kMaxUnculledArcs) {
         measure_at_once(mask, rows);
         return;
     }
@@ -51,6 +55,7 @@ void RegionField::measure(const Region& region,
     subdivide(mask, arcs, {0, first, tiles}, 0);
 }
 
+// Measures a small region as one batch. `rows` is the number of rows of its box.
 void RegionField::measure_at_once(const PixelMask& mask, int rows) {
     batch_.clear(Vec2(mask.columns() / 2, rows / 2));
     at_simd_level([&mask, &batch = batch_] {
@@ -62,9 +67,10 @@ void RegionField::measure_at_once(const PixelMask& mask, int rows) {
     measure_batch(region_->boundary.arcs(), 0.5 * Vec2(mask.columns(), rows).norm());
 }
 
-// Measures a block of tiles. If the block is a single tile or has few arcs, its tiles are measured.
-// Otherwise arcs that cannot be the nearest arc of any pixel of the block are dropped, and the
-// quarters of the block are processed recursively.
+// Measures a block of tiles. `arcs` are the arcs that may be the nearest arc of a pixel in the
+// block, and `level` is the depth of the recursion. If the block is a single tile or has few arcs,
+// its tiles are measured. Otherwise arcs that cannot be the nearest arc of any pixel of the block
+// are dropped, and the quarters of the block are processed recursively.
 void RegionField::subdivide(const PixelMask& mask,
                             const ArcLanes& arcs,
                             Block block,
@@ -76,7 +82,7 @@ void RegionField::subdivide(const PixelMask& mask,
     if (columns <= 0 || rows <= 0) {
         return;
     }
-    if (block.tiles == 1 || arcs.size() <= kFewSides) {
+    if (block.tiles == 1 || arcs.size() <= kMaxUnculledArcs) {
         measure_tiles(mask, arcs, block);
         return;
     }
@@ -111,7 +117,8 @@ void RegionField::measure_tiles(const PixelMask& mask, const ArcLanes& arcs, Blo
     }
 }
 
-// Fills the batch with the pixels of a tile.
+// Fills the batch with the pixels of the region in a tile. `x` and `y` are the column and the row
+// of the tile, counted in tiles.
 void RegionField::take_tile(const PixelMask& mask, int x, int y) {
     constexpr int kTilesPerWord = PixelMask::kWordColumns / kTileColumns;
     const int column = x * kTileColumns;
@@ -126,8 +133,9 @@ void RegionField::take_tile(const PixelMask& mask, int x, int y) {
     }
 }
 
-// Measures the batch and passes it to the visitor. Precondition: `reach` is at least the distance
-// from the middle of the batch to its farthest pixel.
+// Measures the batch and passes it to the visitor. `arcs` are the arcs that may be the nearest arc
+// of a pixel. Precondition: `reach` is at least the distance from the middle of the batch to its
+// farthest pixel.
 void RegionField::measure_batch(const ArcLanes& arcs, double reach) {
     if (batch_.is_empty()) {
         return;
@@ -137,9 +145,10 @@ void RegionField::measure_batch(const ArcLanes& arcs, double reach) {
     const double horizon = view_.horizon(reach);
     grow(functions_, arcs.size());
     points_.clear();
-    std::size_t count = 0;  // counts without a branch, which would be unpredictable
+    // The number of near arcs. The loop counts them without a branch, which would be unpredictable.
+    std::size_t count = 0;
     for (std::size_t k = 0; k < arcs.size(); ++k) {
-        functions_[count] = view_.functions(k);
+        functions_[count] = view_.arc_functions(k);
         count += view_.is_within(k, horizon) ? 1U : 0U;
     }
     for (std::size_t k = 0; arcs.has_corners() && k < arcs.size(); ++k) {
@@ -149,7 +158,8 @@ void RegionField::measure_batch(const ArcLanes& arcs, double reach) {
     }
     const std::span<const ArcFunctions> near = std::span(functions_).first(count);
     const bool gradient = needs_.gradient || needs_.smooth;
-    // A pixel slightly outside of a sharp corner may face no arc; then the ends of all arcs count.
+    // A pixel slightly outside of a sharp corner may face no arc. Then distances to the ends of all
+    // arcs are included.
     if (!batch_.measure(near, points_, gradient)) {
         for (std::size_t k = 0; k < arcs.size(); ++k) {
             points_.push_back(arcs.tail(k) + to_batch);
@@ -163,6 +173,9 @@ void RegionField::measure_batch(const ArcLanes& arcs, double reach) {
     (*visit_)(batch_);
 }
 
+// Computes the smooth distances of the batch. The surroundings get no films, so that their smooth
+// distances equal their distances. A circle gets one of its two arcs, whose function `across` is 0
+// on the whole circle.
 void RegionField::measure_smooth(double reach) {
     static const ArcLanes none;
     const bool is_circle = region_->kind == RegionKind::Circle;

@@ -17,28 +17,30 @@
 
 namespace foam::texgen {
 
-/// Measures the pixels of regions in batches. A small region is one batch; other regions are
-/// divided into tiles. A region with many sides is subdivided recursively, as in a quadtree, and
-/// arcs that are too far from a part to be the nearest one are dropped. Buffers are reused between
-/// regions.
+/// Computes the distances, gradients and smooth distances of the pixels of regions, in batches. A
+/// small region with few arcs is one batch; any other region is divided into tiles, and each tile
+/// is one batch. A region with many arcs is subdivided recursively, as in a quadtree: for each part
+/// of the region, arcs that are too far away to be the nearest arc of any pixel of the part are
+/// dropped. Buffers are reused between regions.
 class RegionField {
   public:
     static constexpr int kTileColumns = 16;  // pixels
     static constexpr int kTileRows = 8;
     using Visit = std::function<void(const PixelBatch&)>;
 
-    /// Measures all pixels of a region and calls visit(batch) for each batch.
+    /// Measures all pixels of a region and calls visit(batch) for each batch. The batch is valid
+    /// only during the call.
     void measure(const Region& region,
                  const RegionPixels& pixels,
                  DistanceNeeds needs,
                  const Visit& visit);
 
   private:
-    // A block with equal numbers of rows and columns of tiles.
+    // A square block of tiles: it has as many rows as columns of tiles.
     struct Block {
-        int x;  // position of the first tile, in tiles
+        int x;  // column and row of its lower left tile, counted in tiles
         int y;
-        int tiles;  // number of rows and of columns of tiles, a power of two
+        int tiles;  // number of rows and of columns, a power of two
     };
 
     void measure_at_once(const PixelMask& mask, int rows);
@@ -51,7 +53,7 @@ class RegionField {
     DistanceNeeds needs_;
     const Visit* visit_ = nullptr;
     const Region* region_ = nullptr;
-    Vec2 offset_{0.0, 0.0};      // translation from the region to the pixels of its box
+    Vec2 offset_{0.0, 0.0};      // RegionPixels::offset
     std::deque<ArcLanes> near_;  // the remaining arcs at each level of the recursion
     ArcView view_;
     std::vector<ArcFunctions> functions_;

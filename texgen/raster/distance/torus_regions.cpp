@@ -3,7 +3,7 @@
 #include "texgen/raster/distance/torus_regions.h"
 
 #include "core/parallel/parallel_for.h"
-#include "texgen/raster/arcs/film_shapes.h"
+#include "texgen/raster/arcs/film_arcs.h"
 
 #include <algorithm>
 
@@ -11,11 +11,11 @@ namespace foam::texgen {
 
 namespace {
 
-// Films are not contiguous along the outline of a bubble, so tracing one bubble stalls on a cache
+// The films around a bubble are not contiguous in memory, so tracing one bubble stalls on a cache
 // miss at every side. Up to 16 bubbles are therefore traced in lockstep: the next film of each
-// bubble is prefetched while the others advance. A film, including the index of the side that
-// follows, fits into one cache line. Bubbles are sorted by squares of the grid, so that bubbles
-// that are traced together write pixels that are close together.
+// bubble is prefetched while the others advance. The data of a film, including the next side, fit
+// into one cache line. Bubbles are sorted by squares of the grid, so that bubbles that are traced
+// together write pixels that are close together.
 
 constexpr std::size_t kStartsPerTask = 2048;
 
@@ -27,8 +27,9 @@ Vec2 real(SubpixelPoint point) {
     return Vec2(point.x, point.y);
 }
 
-// Returns the row or column of the square that contains a position. A position on the far border of
-// the grid belongs to the first square, where its copy is.
+// Returns the row or column of the square that contains a coordinate in subpixels. `pixels` is the
+// height or width of the grid. A coordinate on the upper or right border of the grid belongs to the
+// first square, which contains its periodic copy.
 std::size_t square_of(std::int32_t position, int pixels) {
     const int pixel = pixel_of(position);
     return static_cast<std::size_t>(pixel < pixels ? pixel / TorusRegions::kSquare : 0);
@@ -43,34 +44,35 @@ std::size_t squares_along(int pixels) {
 TorusRegions::TorusRegions(const Frame& frame, const RasterGrid& grid, int threads)
     : pixels_(frame, grid),
       columns_(squares_along(grid.width)),
-      junctions_(pixels_.junctions(threads)),
+      junctions_(pixels_.rounded_positions(threads)),
       films_(films(threads)),
       starts_(sorted_starts(threads)) {}
 
 std::unique_ptr<TorusRegions::Film[]> TorusRegions::films(int threads) const {
     const Network& network = pixels_.frame.network;
     auto films = std::make_unique_for_overwrite<Film[]>(network.film_slots());
-    shape_films(pixels_.frame, pixels_.scale, threads, [&](std::size_t k, const PixelArc& shape) {
-        const HalfEdgeId forward = forward_side(id_at<FilmId>(k));
-        const HalfEdgeId other = twin(forward);
-        const SubpixelPoint tail = junctions_[index_of(network.tail(forward))];
-        const SubpixelPoint head = junctions_[index_of(network.tail(other))];
-        const SubpixelPoint lift = pixels_.translation(network.offset(forward));
-        films[k] = {shape.chord.x(),
-                    shape.chord.y(),
-                    shape.cosine,
-                    shape.sine,
-                    {tail.x, head.x},
-                    {tail.y, head.y},
-                    {network.next(forward), network.next(other)},
-                    lift.x,
-                    lift.y};
-    });
+    for_each_film_arc(
+        pixels_.frame, pixels_.scale, threads, [&](std::size_t k, const PixelArc& shape) {
+            const HalfEdgeId forward = forward_side(id_at<FilmId>(k));
+            const HalfEdgeId other = twin(forward);
+            const SubpixelPoint tail = junctions_[index_of(network.tail(forward))];
+            const SubpixelPoint head = junctions_[index_of(network.tail(other))];
+            const SubpixelPoint offset = pixels_.translation(network.offset(forward));
+            films[k] = {shape.chord.x(),
+                        shape.chord.y(),
+                        shape.cosine,
+                        shape.sine,
+                        {tail.x, head.x},
+                        {tail.y, head.y},
+                        {network.next(forward), network.next(other)},
+                        offset.x,
+                        offset.y};
+        });
     return films;
 }
 
-// Returns the starts of all bubbles, sorted by squares. Two short loops let the processor overlap
-// the cache misses of successive iterations.
+// Returns the starts of all bubbles, sorted by squares. Each chunk has two short loops instead of a
+// long one, so that the processor overlaps the cache misses of successive iterations.
 Buckets<TorusRegions::Start> TorusRegions::sorted_starts(int threads) const {
     const Network& network = pixels_.frame.network;
     const RasterGrid& grid = pixels_.grid;
@@ -84,7 +86,7 @@ Buckets<TorusRegions::Start> TorusRegions::sorted_starts(int threads) const {
             starts[k] = {static_cast<std::uint32_t>(k),
                          network.first(id_at<BubbleId>(k)),
                          junctions_[index_of(tails[k])],
-                         pixels_.exact(tails[k])};
+                         pixels_.exact_position(tails[k])};
         }
     });
     const std::size_t parts = (starts.size() + kStartsPerTask - 1) / kStartsPerTask;
@@ -102,19 +104,22 @@ std::span<const TorusRegions::Start> TorusRegions::starts(int first, int rows) c
     const std::size_t all = squares_along(pixels_.grid.height);
     const auto begin = static_cast<std::size_t>(first / kSquare);
     const std::size_t end = std::min(begin + static_cast<std::size_t>(rows / kSquare), all);
-    return starts_.of(begin * columns_, end * columns_);
+    return starts_.items_of(begin * columns_, end * columns_);
 }
 
+// Adds the next side of a bubble to its boundary, and prefetches the side after it.
 inline void TorusRegions::advance(Traversal& traversal) const {
     const Film& film = films_[index_of(film_of(traversal.side))];
     const std::size_t end = index_of(traversal.side) % 2;
-    const int along = 1 - 2 * static_cast<int>(end);  // no branch, it would be unpredictable
+    const int along = 1 - 2 * static_cast<int>(end);  // a branch would be unpredictable
     const PixelArc shape{
         {along * film.chord_x, along * film.chord_y}, film.cosine, along * film.sine};
-    const SubpixelPoint from = SubpixelPoint{film.tail_x[end], film.tail_y[end]} + traversal.lift;
-    traversal.lift = traversal.lift + SubpixelPoint{along * film.lift_x, along * film.lift_y};
+    const SubpixelPoint from =
+        SubpixelPoint{film.tail_x[end], film.tail_y[end]} + traversal.unwrapping;
+    traversal.unwrapping =
+        traversal.unwrapping + SubpixelPoint{along * film.offset_x, along * film.offset_y};
     const SubpixelPoint to =
-        SubpixelPoint{film.tail_x[1 - end], film.tail_y[1 - end]} + traversal.lift;
+        SubpixelPoint{film.tail_x[1 - end], film.tail_y[1 - end]} + traversal.unwrapping;
     traversal.side = film.next[end];
     __builtin_prefetch(&films_[index_of(film_of(traversal.side))]);
     traversal.boundary->add_arc(shape, traversal.tail);

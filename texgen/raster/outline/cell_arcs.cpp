@@ -2,11 +2,13 @@
 
 #include "texgen/raster/outline/cell_arcs.h"
 
-#include "texgen/raster/arcs/film_shapes.h"
+#include "texgen/raster/arcs/film_arcs.h"
 #include "texgen/raster/arcs/monotone_arc.h"
 #include "texgen/raster/coords/pixel_frame.h"
 #include "texgen/raster/outline/full_insets.h"
 #include "texgen/raster/outline/inset.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,20 +22,21 @@ namespace {
 
 constexpr std::size_t kGroupsPerTask = 256;  // groups of films
 
-// Returns, for each side, the number of periods by which its film is further right in the unwrapped
-// outline of its bubble. The number is 0 unless a side of the bubble crosses the left or right
-// border of the torus.
+// Returns the periods for ArcSides, indexed by half-edge. The value of a half-edge is the number of
+// periods by which the arc of its film is further right in the unwrapped outline of the bubble on
+// the left of the half-edge than the coordinates of the arc say. The value is 0 unless a side of
+// the bubble crosses the left or right border of the torus.
 std::vector<std::int16_t> periods_of_sides(const Network& network) {
     std::vector<std::int16_t> periods(2 * network.film_slots());
     const auto circulate = [&](BubbleId bubble) {
         const HalfEdgeId first = network.first(bubble);
-        LatticeOffset lift;
+        LatticeOffset unwrapping;
         HalfEdgeId h = first;
         do {
-            const LatticeOffset next_lift = lift + network.offset(h);
-            const LatticeOffset& of_film = is_forward(h) ? lift : next_lift;
+            const LatticeOffset next_unwrapping = unwrapping + network.offset(h);
+            const LatticeOffset& of_film = is_forward(h) ? unwrapping : next_unwrapping;
             periods[index_of(h)] = static_cast<std::int16_t>(of_film.i);
-            lift = next_lift;
+            unwrapping = next_unwrapping;
             h = network.next(h);
         } while (h != first);
     };
@@ -47,7 +50,7 @@ std::vector<std::int16_t> periods_of_sides(const Network& network) {
     return periods;
 }
 
-// Makes the arcs of films without a width. make() processes one group of films.
+// Makes the arcs of films whose width is 0. make() processes one group of kFilmsPerGroup films.
 class FilmArcs {
   public:
     FilmArcs(const PixelFrame& pixels, const std::vector<std::int16_t>& periods)
@@ -55,18 +58,19 @@ class FilmArcs {
 
     void make(std::size_t group, ArcBatch& batch) const {
         const Network& network = pixels_.frame.network;
-        const auto append = [&](std::size_t film, const PixelArc& shape) {
+        const auto append = [&](std::size_t film, const PixelArc& arc) {
             const HalfEdgeId h = forward_side(id_at<FilmId>(film));
-            append_arc(shape,
-                       pixels_.junction(network.tail(h)),
-                       pixels_.junction(network.head(h)) + pixels_.translation(network.offset(h)),
-                       {arc_side(network.left(h)),
-                        arc_side(network.right(h)),
-                        periods_[index_of(h)],
-                        periods_[index_of(twin(h))]},
-                       batch.arcs);
+            append_arc(
+                arc,
+                pixels_.rounded_position(network.tail(h)),
+                pixels_.rounded_position(network.head(h)) + pixels_.translation(network.offset(h)),
+                {arc_side(network.left(h)),
+                 arc_side(network.right(h)),
+                 periods_[index_of(h)],
+                 periods_[index_of(twin(h))]},
+                batch.arcs);
         };
-        shape_some(pixels_.frame, pixels_.scale, group * kFilmsPerGroup, append);
+        for_each_arc_in_group(pixels_.frame, pixels_.scale, group * kFilmsPerGroup, append);
     }
 
   private:
@@ -74,14 +78,14 @@ class FilmArcs {
     const std::vector<std::int16_t>& periods_;
 };
 
-// Makes the arcs that bound the parts of bubbles that films of a given width do not cover. make()
-// processes one group of bubbles.
+// Makes the arcs that bound the insets of bubbles, that is, the parts that films do not cover.
+// `inset` is half the film width in pixels. make() processes one group of kBubblesPerGroup bubbles.
 class InsetArcs {
   public:
     static constexpr std::size_t kBubblesPerGroup = 16;
 
-    InsetArcs(const PixelFrame& pixels, const std::vector<PixelArc>& shapes, double inset)
-        : pixels_(pixels), shapes_(shapes), inset_(inset) {}
+    InsetArcs(const PixelFrame& pixels, const std::vector<PixelArc>& arcs, double inset)
+        : pixels_(pixels), arcs_(arcs), inset_(inset) {}
 
     void make(std::size_t group, ArcBatch& batch) {
         const std::size_t first = group * kBubblesPerGroup;
@@ -100,13 +104,14 @@ class InsetArcs {
   private:
     const Network& network() const { return pixels_.frame.network; }
 
-    // Appends the outline of a bubble. Coordinates are relative to the tail of its first side.
+    // Appends the outline of a bubble to outlines_. The coordinates are relative to the tail of the
+    // bubble's first side.
     void add_outline(BubbleId bubble) {
         Vec2 tail = Vec2::Zero();
         const HalfEdgeId first = network().first(bubble);
         HalfEdgeId h = first;
         do {
-            const PixelArc arc = shape_along(shapes_, h);
+            const PixelArc arc = arc_along(arcs_, h);
             outlines_.sides.push_back({tail, arc});
             tail += arc.chord;
             h = network().next(h);
@@ -114,8 +119,11 @@ class InsetArcs {
         outlines_.loop_ends.push_back(outlines_.sides.size());
     }
 
+    // Appends the arcs of the inset of a bubble. `outline` is the index of the bubble's outline in
+    // outlines_.
     void append_inset(BubbleId bubble, std::size_t outline, ArcBatch& batch) {
-        const SubpixelPoint origin = pixels_.junction(network().tail(network().first(bubble)));
+        const SubpixelPoint origin =
+            pixels_.rounded_position(network().tail(network().first(bubble)));
         if (full_.shows_every_side(outline)) {
             inset_loop_.sides.clear();
             inset_loop_.loop_ends.clear();
@@ -127,11 +135,11 @@ class InsetArcs {
         for (std::size_t k = 0; k < loops.loop_ends.size(); ++k) {
             append_loop(loops.loop(k), origin, bubble, batch);
         }
-        batch.unresolved += loops.open_ends;
+        batch.unclosed_loops += loops.unclosed_loops;
     }
 
-    // Appends a loop unless its area in subpixels is 0 or negative. Such a loop is too small, or
-    // its bubble is invalid.
+    // Appends the arcs of a loop, unless the area within the rounded arcs is 0 or negative: such a
+    // loop is too small to be visible, or its bubble is invalid.
     static void append_loop(std::span<const ArcLoops::Side> sides,
                             SubpixelPoint origin,
                             BubbleId bubble,
@@ -151,7 +159,7 @@ class InsetArcs {
     }
 
     const PixelFrame& pixels_;
-    const std::vector<PixelArc>& shapes_;
+    const std::vector<PixelArc>& arcs_;  // indexed by film
     double inset_;
     ArcLoops outlines_;
     FullInsets full_;
@@ -168,8 +176,8 @@ CellArcs torus_arcs(const Frame& frame, const RasterGrid& grid, double film_widt
         const auto films = [&] { return FilmArcs(pixels, periods); };
         return make_arcs(grid, groups, kGroupsPerTask, films, threads);
     }
-    const std::vector<PixelArc> shapes = film_shapes(frame, pixels.scale, threads);
-    const auto insets = [&] { return InsetArcs(pixels, shapes, 0.5 * film_width); };
+    const std::vector<PixelArc> arcs = film_arcs(frame, pixels.scale, threads);
+    const auto insets = [&] { return InsetArcs(pixels, arcs, 0.5 * film_width); };
     constexpr std::size_t kGroupSize = InsetArcs::kBubblesPerGroup;
     const std::size_t groups = (network.bubble_slots() + kGroupSize - 1) / kGroupSize;
     return make_arcs(grid, groups, kBubblesPerTask / kGroupSize, insets, threads);
@@ -179,7 +187,8 @@ CellArcs torus_arcs(const Frame& frame, const RasterGrid& grid, double film_widt
 
 CellArcs cell_arcs(const Frame& frame, const RasterGrid& grid, double film_width, int threads) {
     if (!(film_width >= 0.0) || !std::isfinite(film_width)) {
-        throw std::invalid_argument("film width must be 0 or more");
+        throw std::invalid_argument(
+            fmt::format("the film width must be finite and at least 0, but is {}", film_width));
     }
     if (frame.domain.is_plane()) {
         return patch_arcs(frame, grid, film_width, threads);

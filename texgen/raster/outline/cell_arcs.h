@@ -7,21 +7,25 @@
 
 namespace foam::texgen {
 
-/// Returns the arcs that bound the visible part of every bubble of a frame. A film covers all
-/// points within half of its width; `film_width` is the whole width in pixels.
+/// Returns the arcs that bound the visible parts of every bubble of a frame. `film_width` is in
+/// pixels. A film covers all points whose distance from its arc is less than half the width.
 ///
-/// If the width is 0, each film appears once, between its two bubbles. Otherwise each visible part
-/// of a bubble is bounded by one closed chain of arcs. Most bubbles have one visible part; a bubble
-/// that is covered by its films has none. In a patch, arcs also bound the ghost bubble and the lone
-/// bubbles; the indices of lone bubbles follow the index of the ghost bubble. Arcs of a patch that
-/// do not affect any pixel are left out.
+/// If the width is 0, bubbles meet at their films. On a torus, each film is then one arc of the
+/// result, with a bubble on either side. In a patch it is two arcs, one per bubble. If the width is
+/// positive, each visible part of a bubble other than the ghost bubble is bounded by one closed
+/// chain of arcs, with films on the other side. Most bubbles have one visible part; a bubble that
+/// films cover completely has none.
+///
+/// In a patch, arcs also bound the ghost bubble and the lone bubbles. Some arcs that do not affect
+/// any pixel are left out. The indices of lone bubbles follow the index of the ghost bubble.
 ///
 /// Apart from CellArcs::grid, the result depends neither on the number of threads nor on the shift
-/// of the grid. Throws
-/// std::invalid_argument if the width is negative or not finite, or if pixels_per_unit throws it.
+/// of the grid. Throws std::invalid_argument if the width is negative or not finite, and under the
+/// same conditions as pixels_per_unit.
 CellArcs cell_arcs(const Frame& frame, const RasterGrid& grid, double film_width, int threads);
 
-/// Implements cell_arcs for a frame in the plane.
+/// Implements cell_arcs for a frame in the plane. Precondition: the width is finite and not
+/// negative.
 CellArcs patch_arcs(const Frame& frame, const RasterGrid& grid, double film_width, int threads);
 
 }  // namespace foam::texgen

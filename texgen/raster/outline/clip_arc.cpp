@@ -10,7 +10,8 @@ namespace foam::texgen {
 
 namespace {
 
-// Returns the part of a piece between two heights. Precondition: the heights are within the piece.
+// Returns the part of a piece between the heights `low` and `high`. Precondition: both are between
+// the heights of the ends of the piece.
 MonotonePieces::Piece between(const MonotonePieces::Piece& piece, double low, double high) {
     const CrossingSolver<double> arc(piece.head - piece.tail, piece.sine);
     const auto point_at = [&](double y) {
@@ -23,7 +24,8 @@ MonotonePieces::Piece between(const MonotonePieces::Piece& piece, double low, do
     return part;
 }
 
-// Returns the height at which a piece crosses an x, or the height of its nearer end.
+// Returns the height at which a piece crosses the vertical line at x. If the piece does not cross
+// the line, returns the height of the end that is nearest to the line.
 double height_at(const MonotonePieces::Piece& piece, double x) {
     const double from = piece.tail.x();
     const double to = piece.head.x();

@@ -10,14 +10,17 @@
 
 namespace foam::texgen {
 
-/// The pieces that replace a rising piece in a box. The part inside the box stays, the part to the
-/// left of the box becomes a piece of the box's left border with the same heights, and all other
-/// parts are dropped.
+/// Clips a rising monotone piece of an arc to a box. The part inside the box is kept. The part to
+/// the left of the box is replaced by the part of the left border of the box at the same heights,
+/// because an arc affects all pixels on its right. The parts above, below and to the right of the
+/// box are dropped.
 class ClippedPiece {
   public:
-    /// `low` and `high` are the corners of the box. Precondition: the piece rises.
+    /// `low` is the lower left corner of the box, `high` the upper right corner. Precondition: the
+    /// piece rises.
     ClippedPiece(const MonotonePieces::Piece& piece, const Vec2& low, const Vec2& high);
 
+    /// Returns the pieces that replace the given piece, from low to high.
     std::span<const MonotonePieces::Piece> pieces() const {
         return std::span(pieces_).first(count_);
     }

@@ -17,22 +17,24 @@ namespace foam::texgen {
 
 namespace {
 
-// Limits on the half angle of a side and on the left turn from one side to the next. Within these
-// limits, the nearest points of two sides that meet are on the sides, not beyond their ends.
+// Limits on the half angle of a side (at most 60 degrees) and on the angle of the left turn from
+// one side to the next (from 0.06 to 120 degrees). Within these limits, if a point of an offset is
+// too near to the circle of an adjacent side, the point of the circle that is nearest to it is on
+// this side, not beyond its ends.
 constexpr double kMinSideCosine = 0.5;
 constexpr double kMinCornerSine = 1e-3;
 constexpr double kMinCornerCosine = -0.5;
 
-constexpr std::size_t kFewestSides = 3;
-
-constexpr std::size_t kLanes = 8;
+constexpr std::size_t kLanes = 8;  // number of sides that keep_clear_of tests at once
 template <class Number>
 using Lanes = std::array<Number, kLanes>;
 
 }  // namespace
 
-// The computations, as loops over all sides.
+// The stages of the computation. Each stage consists of loops over sides, which compilers
+// vectorize.
 struct FullInsets::Formulas {
+    // Returns side k; its reach is not set.
     static OffsetArc side(const Columns& c, std::size_t k) {
         return {{c.middle_x[k], c.middle_y[k]},
                 {c.along_x[k], c.along_y[k]},
@@ -41,6 +43,7 @@ struct FullInsets::Formulas {
                 c.sine[k]};
     }
 
+    // Returns the offset of side k.
     static OffsetArc offset(const Columns& c, std::size_t k) {
         return {{c.offset_x[k], c.offset_y[k]},
                 {c.along_x[k], c.along_y[k]},
@@ -53,7 +56,8 @@ struct FullInsets::Formulas {
     static void offset_sides(Columns& c, std::size_t count, double distance) {
         for (std::size_t k = 0; k < count; ++k) {
             const Point chord(c.chord_x[k], c.chord_y[k]);
-            const OffsetArc side = place(chord, c.cosine[k], c.sine[k], {c.tail_x[k], c.tail_y[k]});
+            const OffsetArc side =
+                offset_arc_from(chord, c.cosine[k], c.sine[k], {c.tail_x[k], c.tail_y[k]});
             const OffsetArc offset = offset_left(side, distance);
             c.middle_x[k] = side.middle.x;
             c.middle_y[k] = side.middle.y;
@@ -64,15 +68,16 @@ struct FullInsets::Formulas {
             c.offset_y[k] = offset.middle.y;
             c.offset_curvature[k] = offset.curvature;
             c.offset_reach[k] = offset.reach;
-            const bool fits = and_nonshort(
+            const bool passes = and_nonshort(
                 and_nonshort(chord.norm() > kShortestSide, side.cosine >= kMinSideCosine),
                 shrinkage(side, distance) >= kSmallestShrinkage);
-            c.fits[k] = fits ? 1.0 : 0.0;
+            c.passes_tests[k] = passes ? 1.0 : 0.0;
         }
     }
 
-    // Cuts each offset at its crossing with the next one. Beyond the crossing, the offset is too
-    // near to the next side. Two successive offsets must cross exactly once.
+    // Cuts each offset and the next one at their crossing. Beyond the crossing, each of the two
+    // offsets is too near to the side of the other offset. If two successive offsets do not cross
+    // exactly once, the first of them fails the tests.
     static void cut_corners(Columns& c, std::size_t count) {
         for (std::size_t k = 0; k + 1 < count; ++k) {
             const OffsetArc first = offset(c, k);
@@ -93,12 +98,14 @@ struct FullInsets::Formulas {
                              back_crossings.leaving >= -second.reach);
             const bool is_on_both = and_nonshort(std::abs(ahead_crossings.leaving) < first.reach,
                                                  std::abs(back_crossings.entering) < second.reach);
-            const bool fits = and_nonshort(and_nonshort(turns_clearly_left, is_on_both),
-                                           and_nonshort(!crosses_twice_ahead, !crosses_twice_back));
-            c.fits[k] = fits ? c.fits[k] : 0.0;
+            const bool passes =
+                and_nonshort(and_nonshort(turns_clearly_left, is_on_both),
+                             and_nonshort(!crosses_twice_ahead, !crosses_twice_back));
+            c.passes_tests[k] = passes ? c.passes_tests[k] : 0.0;
         }
     }
 
+    // Computes the piece of each offset between its two cuts.
     static void compute_pieces(Columns& c, std::size_t count) {
         for (std::size_t k = 0; k < count; ++k) {
             const Point tail = point_at(offset(c, k), c.from[k]);
@@ -107,32 +114,37 @@ struct FullInsets::Formulas {
             c.point_y[k] = tail.y;
             c.piece_cosine[k] = turn.cosine;
             c.piece_sine[k] = turn.sine;
-            c.fits[k] = c.to[k] - c.from[k] > kShortestPiece ? c.fits[k] : 0.0;
+            c.passes_tests[k] = c.to[k] - c.from[k] > kShortestPiece ? c.passes_tests[k] : 0.0;
         }
     }
 
+    // Returns true if it is proven that every side of a loop is visible in the inset of the loop.
     static bool shows_every_side(const Columns& c, const Loop& loop, double distance) {
-        double fit = loop.size >= kFewestSides ? 1.0 : 0.0;
+        double all_pass = loop.size >= kFewestSides ? 1.0 : 0.0;
         for (std::size_t k = 0; k < loop.size; ++k) {
-            fit = min_value(fit, c.fits[loop.begin + k]);
+            all_pass = min_value(all_pass, c.passes_tests[loop.begin + k]);
         }
         for (std::size_t first = 0; first < loop.size; first += kLanes) {
-            fit = keep_clear_of(c, loop, first, distance) ? fit : 0.0;
+            all_pass = keep_clear_of(c, loop, first, distance) ? all_pass : 0.0;
         }
-        return fit > 0.0;
+        return all_pass > 0.0;
     }
 
-    // Returns true if all pieces keep the distance from the eight sides from `first` on.
+    // Returns true if all pieces of a loop have at least the given distance from each of the eight
+    // sides that start at index `first` of the loop.
     //
-    // Every piece must be on the left of the offsets of all other sides. Let p and q be the
-    // distances to the left of an offset at the ends of a piece, c the chord of the piece, and k
-    // and k' the curvatures of the piece and of the other side. At the fraction t of the chord, the
-    // distance is at least t p + (1 - t) q - t (1 - t) c² (k + k'). The last term bounds the
-    // deviations of both circles from their chords, by the intersecting chords theorem. The
-    // distance is not negative for any t if c² (k + k') <= (sqrt p + sqrt q)². The code tests
-    // against p + q + 2 min(p, q), which is a lower bound of the right side. A piece and the offset
-    // of a neighboring side share one end. They do not cross again if the other end of the piece is
-    // on the left of that offset.
+    // Every piece must be on the left of the offsets of all other sides. Let p and q be the signed
+    // distances of the two ends of a piece from the offset of another side, positive on the left of
+    // this offset. Let c be the length of the chord of the piece, and k and k' the absolute
+    // curvatures of the piece and of the other side. Let t be a fraction of the chord, counted from
+    // the end with the distance q. The signed distance of the piece from the offset at this
+    // fraction is at least t p + (1 - t) q - t (1 - t) c² (k + k'). By the intersecting chords
+    // theorem, the last term is an upper bound of the deviations of both circles from their chords.
+    // The signed distance is not negative for any t if c² (k + k') <= (sqrt p + sqrt q)². The code
+    // compares with p + q + 2 min(p, q), which is at most the right-hand side.
+    //
+    // A piece and the offset of an adjacent side share one end. The piece and this offset do not
+    // cross again if the other end of the piece is on the left of the offset.
     static bool keep_clear_of(const Columns& c,
                               const Loop& loop,
                               std::size_t first,
@@ -147,7 +159,7 @@ struct FullInsets::Formulas {
             before[lane] = own > 0 ? own - 1 : size - 1;
             after[lane] = own + 1 < size ? own + 1 : 0;
         }
-        Lanes<double> p{};  // the distances of the preceding point
+        Lanes<double> p{};  // signed distances of the preceding point from the eight offsets
         p.fill(std::numeric_limits<double>::infinity());
         Lanes<std::int64_t> too_near{};
         const std::size_t begin = loop.begin;
@@ -174,7 +186,8 @@ struct FullInsets::Formulas {
                 p[lane] = q;
             }
         }
-        // Lanes beyond the end of the loop contain sides of other loops and are ignored.
+        // Lanes beyond the last side of the loop do not contain sides of this loop, and are
+        // ignored.
         std::int64_t any = 0;
         for (std::size_t lane = 0; lane < kLanes; ++lane) {
             any |= sides[lane] < size ? too_near[lane] : 0;
@@ -203,12 +216,13 @@ void FullInsets::trace(const ArcLoops& outlines, double distance) {
     });
 }
 
-// Copies the sides of all loops that fit into the columns. Returns the number of sides stored,
-// including the repeated first side of each loop.
+// Copies the sides of loops to the columns. Leaves out loops of fewer than kFewestSides sides, and
+// loops that do not fit. Returns the number of elements of each column that are in use, including
+// the repeated first side of each loop.
 std::size_t FullInsets::fill_columns(const ArcLoops& outlines) {
     Columns& c = *columns_;
     std::size_t count = 0;
-    const auto place = [&](const ArcLoops::Side& side) {
+    const auto append_side = [&](const ArcLoops::Side& side) {
         c.tail_x[count] = side.tail.x();
         c.tail_y[count] = side.tail.y();
         c.chord_x[count] = side.arc.chord.x();
@@ -220,14 +234,15 @@ std::size_t FullInsets::fill_columns(const ArcLoops& outlines) {
     loops_.clear();
     for (std::size_t k = 0; k < outlines.loop_ends.size(); ++k) {
         const std::span<const ArcLoops::Side> sides = outlines.loop(k);
-        // The last block of lanes may extend beyond the last side.
-        if (count + sides.size() + 1 + kLanes > kCapacity) {
+        // The last block of kLanes sides may extend beyond the last side.
+        const bool fits = count + sides.size() + 1 + kLanes <= kCapacity;
+        if (sides.size() < kFewestSides || !fits) {
             loops_.push_back({});
             continue;
         }
         loops_.push_back({count, sides.size()});
-        std::for_each(sides.begin(), sides.end(), place);
-        place(sides.front());
+        std::for_each(sides.begin(), sides.end(), append_side);
+        append_side(sides.front());
     }
     return count;
 }

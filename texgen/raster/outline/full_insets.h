@@ -11,28 +11,40 @@
 
 namespace foam::texgen {
 
-/// The length in pixels below which a piece of an offset is dropped. A piece of at least this
-/// length is long enough for InsetTracer to detect that a side at an angle to the piece is too near
-/// to its middle.
+/// InsetTracer drops pieces of offsets that are shorter than this length, in pixels. FullInsets
+/// proves nothing for a loop with such a piece. The reason is that InsetTracer tests, with a
+/// tolerance, whether the middle of a piece has the required distance from all sides. A piece ends
+/// where it crosses the offset of another side. Close to this crossing, the distance from the other
+/// side is within the tolerance of the required distance, on both sides of the crossing, so that
+/// the test could not tell a piece to keep from a piece to drop. The middle of a longer piece is
+/// far enough from the crossing, unless the two offsets are nearly parallel.
 inline constexpr double kShortestPiece = 1e-6;
 
-/// Finds the insets of loops all of whose sides are visible in the inset. Most bubbles have such
-/// loops. The offset of each side is then cut only by the offsets of the two neighboring sides.
-/// Bounds on the distances of all pieces from all sides prove that this is the case.
+/// Finds the insets of loops. The inset of a loop consists of all points of its region whose
+/// distance from every side is at least a given distance. The offset of a side is the arc at this
+/// distance on its left. A side is visible in the inset if a piece of its offset is part of the
+/// boundary of the inset.
 ///
-/// The sides of many loops are stored as a structure of arrays and computed at once. The capacity
-/// is about 500 sides. A loop that does not fit counts as not proven. Buffers are reused between
-/// calls.
+/// FullInsets finds the inset of a loop only if every side is visible, which is true of most
+/// bubbles. The offset of each side is then cut only by the offsets of the two adjacent sides.
+/// Bounds on the distances of all pieces from all sides prove that every side is visible.
+///
+/// The sides of many loops are stored as a structure of arrays, so that each formula is computed
+/// for several sides at once. The capacity is about 500 sides. shows_every_side is false for a loop
+/// that does not fit, or that has fewer than kFewestSides sides. Buffers are reused between calls.
 class FullInsets {
   public:
-    /// Computes the insets of closed loops. Each loop has its region on its left. `distance` is in
-    /// pixels. Precondition: distance > 0.
+    static constexpr std::size_t kFewestSides = 3;
+
+    /// Tries to find the insets of closed loops, each by itself. The region of a loop is on the
+    /// left of the loop. `distance` is in pixels. Precondition: distance > 0.
     void trace(const ArcLoops& outlines, double distance);
 
-    /// Returns true if it is proven that every side of a loop is visible in the inset of the loop.
+    /// Returns true if trace() has proven that every side of a loop is visible in the inset of the
+    /// loop.
     bool shows_every_side(std::size_t loop) const { return loops_[loop].shows_every_side; }
 
-    /// Appends the inset of a loop. Precondition: shows_every_side(loop).
+    /// Appends the inset of a loop to `to`. Precondition: shows_every_side(loop).
     void append_inset(std::size_t loop, ArcLoops& to) const;
 
   private:
@@ -42,19 +54,20 @@ class FullInsets {
         bool shows_every_side = false;
     };
 
-    // A column has one number per side. The first side of each loop is repeated after its last
-    // side, so that side k + 1 always follows side k. Because the columns are members of one
-    // object, compilers know that they do not overlap, and vectorize loops over them.
+    // A column has one number per side. The first side of each loop is repeated after the last side
+    // of the loop, so that the side after side k is always side k + 1. Because the columns are
+    // members of one object, compilers know that they do not overlap, and vectorize loops over
+    // them.
     static constexpr std::size_t kCapacity = 512;
     using Column = std::array<double, kCapacity>;
     struct alignas(64) Columns {
         Column tail_x, tail_y, chord_x, chord_y, cosine, sine;
         Column middle_x, middle_y, along_x, along_y, curvature;
         Column offset_x, offset_y, offset_curvature, offset_reach;
-        Column from, to;          // parameters at which the neighbors cut the offset
-        Column point_x, point_y;  // the tail of the piece that remains of the offset
-        Column piece_cosine, piece_sine;
-        Column fits;  // 1 if the side has passed all tests so far, else 0
+        Column from, to;          // OffsetArc parameters at which adjacent offsets cut the offset
+        Column point_x, point_y;  // tail of the piece between these cuts
+        Column piece_cosine, piece_sine;  // of half the angle by which the piece turns left
+        Column passes_tests;              // 1 if the side has passed all tests so far, else 0
     };
 
     struct Formulas;

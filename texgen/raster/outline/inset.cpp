@@ -14,16 +14,20 @@ namespace foam::texgen {
 
 namespace {
 
+// The value of InsetTracer::Offset::side for the offset of a corner.
 constexpr std::size_t kCorner = std::numeric_limits<std::size_t>::max();
 
 // Tolerances in pixels. Coordinates within a bubble have errors of about 1e-11, and crossings of
-// arcs that meet at a small angle have errors of about 1e-7. A piece is linked to a successor whose
-// tail is at most kLargestGap away, which is about a subpixel.
+// arcs that meet at a small angle have errors of about 1e-7. A point therefore counts as far enough
+// from a side if its distance falls short of the required distance by at most kDistanceTolerance. A
+// piece is linked to a successor if the tail of the successor is less than kLargestGap, about a
+// subpixel, from the head of the piece.
 constexpr double kDistanceTolerance = 1e-7;
 constexpr double kLargestGap = 1e-3;
 
-// Returns false if two arcs are certainly farther apart than a distance.
-bool within(const OffsetArc& a, const OffsetArc& b, double distance) {
+// Returns true unless two arcs are certainly farther apart than a distance. The test compares the
+// distance of their middles with the sum of their extents.
+bool may_be_within(const OffsetArc& a, const OffsetArc& b, double distance) {
     const double reach = extent(a) + extent(b) + distance;
     return (a.middle - b.middle).squared_norm() <= reach * reach;
 }
@@ -56,7 +60,7 @@ void InsetTracer::add_loop(std::span<const ArcLoops::Side> loop) {
     const std::size_t first = sides_.size();
     for (const ArcLoops::Side& side : loop) {
         if (side.arc.chord.norm() > kShortestSide) {
-            sides_.push_back(place(side.arc, side.tail));
+            sides_.push_back(offset_arc_from(side.arc, side.tail));
         }
     }
     collect_offsets(first, sides_.size());
@@ -91,7 +95,7 @@ void InsetTracer::collect_cuts(const Offset& offset) {
     const OffsetArc& arc = offset.arc;
     cuts_ = {-arc.reach, arc.reach};
     for (const Offset& other : offsets_) {
-        if (&other == &offset || !within(arc, other.arc, kDistanceTolerance)) {
+        if (&other == &offset || !may_be_within(arc, other.arc, kDistanceTolerance)) {
             continue;
         }
         const Crossings found = crossings(arc, other.arc);
@@ -107,7 +111,7 @@ void InsetTracer::collect_cuts(const Offset& offset) {
 void InsetTracer::collect_nearby(const Offset& offset) {
     nearby_.clear();
     for (std::size_t k = 0; k < sides_.size(); ++k) {
-        if (k != offset.side && within(offset.arc, sides_[k], distance_)) {
+        if (k != offset.side && may_be_within(offset.arc, sides_[k], distance_)) {
             nearby_.push_back(k);
         }
     }
@@ -142,7 +146,8 @@ void InsetTracer::collect_pieces(std::size_t index) {
 }
 
 // Returns the piece whose tail is nearest to the head of `piece`. Candidates are the pieces that
-// are not linked yet and the first piece of the loop. Returns null if none is within kLargestGap.
+// are not linked yet and the first piece of the loop. Returns null if no tail of a candidate is
+// within kLargestGap.
 InsetTracer::Piece* InsetTracer::successor(const Piece& piece, const Piece& first) {
     Piece* nearest = nullptr;
     double min_gap = kLargestGap * kLargestGap;
@@ -163,7 +168,7 @@ void InsetTracer::link_loop(Piece& first) {
         current->linked = true;
         Piece* next = successor(*current, first);
         if (next == nullptr) {
-            ++loops_.open_ends;
+            ++loops_.unclosed_loops;
             loops_.sides.resize(begin);
             return;
         }

@@ -11,39 +11,42 @@
 
 namespace foam::texgen {
 
-/// Finds the inset of a region: all points whose distance from every side of the region is at least
-/// a given distance. The boundary of the inset consists of pieces of the offsets of the sides and
-/// of circular arcs around corners with an inner angle of more than 180 degrees.
+/// Finds the inset of a region: all points of the region whose distance from every side of the
+/// region is at least a given distance. The boundary of the inset consists of pieces of offsets.
+/// The offset of a side is the arc at the given distance on the left of the side. The offset of a
+/// corner with an inner angle of more than 180 degrees is a circular arc around the corner.
 ///
-/// Each offset is cut at its crossings with other offsets. A piece between two cuts belongs to the
-/// boundary if and only if the middle of the piece keeps the distance. Sides that are too short to
-/// be visible, bubbles that split into several parts and bubbles without an inset need no special
-/// cases. If FullInsets also finds the inset of a loop, both results have the same bits.
+/// Each offset is cut at its crossings with all other offsets. A piece between two cuts belongs to
+/// the boundary if and only if the middle of the piece has at least the given distance from all
+/// sides. Sides that are too short to be visible, insets of several parts and empty insets need no
+/// special cases. If FullInsets also finds the inset of a loop, both results have the same bits.
 ///
 /// Buffers are reused between regions.
 class InsetTracer {
   public:
-    /// Traces the inset of a region. The region is on the left of its loops: outer loops are
-    /// counter-clockwise, loops around holes are clockwise. Sides with a chord of at
-    /// most kShortestSide are ignored. `distance` is in pixels. The result is valid until the next
-    /// call. Precondition: distance > 0.
+    /// Returns the boundary loops of the inset of a region. The region is on the left of its loops:
+    /// outer loops are counter-clockwise, and loops around holes are clockwise. (All loops of the
+    /// ghost bubble are clockwise, except those of holes of a raft.) Sides with a chord of at most
+    /// kShortestSide are ignored. `distance` is in pixels. The result is valid until the next call.
+    /// ArcLoops::unclosed_loops is the number of loops that did not close and were dropped.
+    /// Precondition: distance > 0.
     const ArcLoops& trace(const ArcLoops& region, double distance);
 
-    /// Traces one of the loops as if it were the only one.
+    /// Does the same for a single loop, as if it were the only loop of the region.
     const ArcLoops& trace_loop(const ArcLoops& region, std::size_t loop, double distance);
 
   private:
     struct Offset {
         OffsetArc arc;
-        std::size_t side = 0;  // index of its side; kCorner for an arc around a corner
+        std::size_t side = 0;  // index of the side; kCorner if this is the offset of a corner
     };
     struct Piece {
-        std::size_t offset = 0;
-        double from = 0.0;  // parameters on the offset
-        double to = 0.0;
+        std::size_t offset = 0;  // index of the offset
+        double from = 0.0;       // parameter of the tail on the offset (see OffsetArc)
+        double to = 0.0;         // parameter of the head on the offset
         Point tail;
         Point head;
-        bool linked = false;
+        bool linked = false;  // true if the piece is part of a loop, even of a dropped one
     };
 
     void begin(double distance);
@@ -62,8 +65,8 @@ class InsetTracer {
     std::vector<Offset> offsets_;
     ArcLoops loops_;
 
-    std::vector<double> cuts_;         // parameters along one offset
-    std::vector<std::size_t> nearby_;  // indices of sides that may be too near to one offset
+    std::vector<double> cuts_;         // parameters at which the current offset is cut
+    std::vector<std::size_t> nearby_;  // indices of sides that may be too near to this offset
     std::vector<Piece> pieces_;
 };
 

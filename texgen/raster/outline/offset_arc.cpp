@@ -21,9 +21,10 @@ OffsetArc corner_arc(const OffsetArc& before, const OffsetArc& after, double dis
     return cap;
 }
 
-// The nearest point of the circle has the parameter 2 u / (2 - k v - k d). Here u and v are the
-// coordinates of the given point along the tangent and the normal at the middle of the arc, and d
-// is its signed distance from the circle.
+// The nearest point of the circle has the parameter 2 u / (2 - k v - k d). Here k is the curvature,
+// u and v are the coordinates of the given point along the tangent and the normal at the middle of
+// the arc, and d is the signed distance of the given point from the circle. If this parameter is
+// not on the arc, the nearest point of the arc is one of its ends.
 double distance(const OffsetArc& arc, Point point) {
     const Point y = point - arc.middle;
     const double u = arc.direction.dot(y);

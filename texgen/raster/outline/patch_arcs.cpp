@@ -16,6 +16,7 @@ namespace foam::texgen {
 
 namespace {
 
+// Returns the area within a loop in square pixels, negative if the loop is clockwise.
 double area_of(std::span<const ArcLoops::Side> loop) {
     double area = 0.0;
     const Vec2& origin = loop.front().tail;
@@ -27,7 +28,8 @@ double area_of(std::span<const ArcLoops::Side> loop) {
     return area;
 }
 
-// Makes the arcs that bound the part of each bubble, and of the ghost, that films do not cover.
+// Makes the arcs that bound the insets of regions of a patch, that is, the parts that films do not
+// cover. make() processes one region (region_count).
 class PatchArcs {
   public:
     PatchArcs(const PixelPatch& pixels, double film_width)
@@ -48,28 +50,40 @@ class PatchArcs {
 
   private:
     void append_insets(const ArcLoops& boundaries, BubbleId bubble, ArcBatch& batch) {
-        // Coordinates relative to a point of the boundary have smaller rounding errors.
+        // Coordinates are made relative to a point of the boundary, which reduces rounding errors.
         const Vec2 anchor = boundaries.sides.front().tail;
         ArcLoops region = boundaries;
         for (ArcLoops::Side& side : region.sides) {
             side.tail -= anchor;
         }
-        full_.trace(region, inset_);
-        if (region.loop_ends.size() == 1 && full_.shows_every_side(0)) {
+        if (trace_full_inset(region)) {
             ArcLoops loops;
             full_.append_inset(0, loops);
             append_loops(loops, anchor, bubble, batch);
-        } else if (const ArcLoops& loops = tracer_.trace(region, inset_); loops.open_ends == 0) {
+        } else if (const ArcLoops& loops = tracer_.trace(region, inset_);
+                   loops.unclosed_loops == 0) {
             append_loops(loops, anchor, bubble, batch);
         } else {
             append_each(boundaries, region, bubble, batch);
         }
     }
 
-    // Insets each loop by itself, because the loops together have no inset. This happens if rafts
-    // overlap, which nothing prevents. If a raft overlaps itself, the boundary of the ghost is the
-    // boundary of the raft without an inset, and the outer halves of the raft's outer films are not
-    // drawn. `region` is `boundaries` relative to its first tail.
+    // Returns true if `full_` has found the inset of a region. A FullInsets finds only the insets
+    // of single loops, so that it is not used for a region of several loops.
+    bool trace_full_inset(const ArcLoops& region) {
+        if (region.loop_ends.size() != 1) {
+            return false;
+        }
+        full_.trace(region, inset_);
+        return full_.shows_every_side(0);
+    }
+
+    // Appends the inset of each loop by itself. This function is necessary if the boundary of the
+    // inset of all loops does not close, which happens if rafts overlap. If a raft overlaps itself,
+    // the inset of its own loop does not close either. This loop of the ghost bubble is then
+    // appended without an inset, so that the outer halves of the raft's outer films are not drawn.
+    // For any other bubble, such a loop is left out. `region` is `boundaries` relative to its first
+    // tail.
     void append_each(const ArcLoops& boundaries,
                      const ArcLoops& region,
                      BubbleId bubble,
@@ -77,8 +91,8 @@ class PatchArcs {
         const Vec2& anchor = boundaries.sides.front().tail;
         for (std::size_t k = 0; k < boundaries.loop_ends.size(); ++k) {
             const ArcLoops& loops = tracer_.trace_loop(region, k, inset_);
-            batch.unresolved += loops.open_ends;
-            if (loops.open_ends == 0) {
+            batch.unclosed_loops += loops.unclosed_loops;
+            if (loops.unclosed_loops == 0) {
                 append_loops(loops, anchor, bubble, batch);
             } else if (bubble == pixels_.frame.network.ghost()) {
                 append_loop(boundaries.loop(k), Vec2::Zero(), bubble, batch);
@@ -92,8 +106,9 @@ class PatchArcs {
         }
     }
 
-    // Appends a loop unless it cannot be visible. Also leaves out a clockwise loop of a bubble,
-    // which only an invalid bubble has.
+    // Appends the arcs of a loop, moved by `anchor`. Leaves out a loop that cannot be visible. Also
+    // leaves out a loop of a bubble other than the ghost if the loop is clockwise, or its area is
+    // 0; only an invalid bubble has such a loop.
     void append_loop(std::span<const ArcLoops::Side> sides,
                      const Vec2& anchor,
                      BubbleId bubble,
@@ -114,8 +129,9 @@ class PatchArcs {
         }
     }
 
-    // Always splits from the end with the smaller x, so that both sides of a film have the same
-    // pieces.
+    // Appends the arc of a side. The arc is always split into pieces from the end with the smaller
+    // x on, or with the smaller y if both ends have the same x, so that both sides of a film have
+    // the same pieces.
     void append_side(const ArcLoops::Side& side,
                      const Vec2& head,
                      const ArcSides& sides,
@@ -128,6 +144,7 @@ class PatchArcs {
         }
     }
 
+    // Appends the monotone pieces of an arc. Pieces whose ends have the same y are left out.
     void append_pieces(const Vec2& tail,
                        const Vec2& head,
                        const PixelArc& arc,
@@ -143,12 +160,13 @@ class PatchArcs {
         });
     }
 
+    // Appends the parts of a rising piece that may affect pixels of the image.
     void append_clipped(const MonotonePieces::Piece& piece,
                         const ArcSides& sides,
                         std::vector<MonotoneArc>& to) const {
-        const Vec2 guard(kGuard, kGuard);
+        const Vec2 margin(kClipMargin, kClipMargin);
         const Vec2 size(pixels_.grid.width, pixels_.grid.height);
-        const ClippedPiece clipped(piece, -guard, size + guard);
+        const ClippedPiece clipped(piece, -margin, size + margin);
         for (const MonotonePieces::Piece& part : clipped.pieces()) {
             append_piece(to_subpixel(part.tail), to_subpixel(part.head), part.sine, sides, to);
         }
@@ -167,7 +185,7 @@ CellArcs patch_arcs(const Frame& frame, const RasterGrid& grid, double film_widt
     const PixelPatch pixels{frame, grid, pixels_per_unit(grid, frame.domain)};
     const auto arcs = [&] { return PatchArcs(pixels, film_width); };
     CellArcs cells = make_arcs(grid, region_count(frame), kBubblesPerTask, arcs, threads);
-    cells.outside = frame.network.ghost();
+    cells.ghost = frame.network.ghost();
     return cells;
 }
 

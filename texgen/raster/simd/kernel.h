@@ -9,8 +9,8 @@
 
 namespace foam::texgen {
 
-/// Return the smaller and the larger of two values. Unlike std::min and std::max they take no
-/// references, so compilers vectorize loops that call them.
+/// Return the smaller (min_value) and the larger (max_value) of two values. Unlike std::min and
+/// std::max, they take no references, so that compilers vectorize loops that call them.
 template <class Number>
 [[gnu::always_inline]] inline Number min_value(Number a, Number b) {
     return a < b ? a : b;
@@ -20,14 +20,14 @@ template <class Number>
     return a > b ? a : b;
 }
 
-/// Returns a && b without a branch: both operands are evaluated. Compilers can therefore vectorize
-/// loops that call it.
+/// Returns a && b without a branch: both operands are always evaluated. Compilers can therefore
+/// vectorize loops that call this function.
 [[gnu::always_inline]] inline bool and_nonshort(bool a, bool b) {
     return (static_cast<int>(a) & static_cast<int>(b)) != 0;
 }
 
-/// Grows a scratch array to at least `count` values. It never shrinks, so that it allocates rarely
-/// when it is used again and again.
+/// Grows a scratch array to at least `count` values. Never shrinks it. If the array is too small,
+/// it grows to twice the count, so that repeated use rarely allocates memory.
 template <class Value>
 void grow(std::vector<Value>& values, std::size_t count) {
     if (values.size() < count) {

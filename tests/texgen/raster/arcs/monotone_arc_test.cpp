@@ -28,8 +28,8 @@ TEST(MonotoneArc, IsLeftOutIfItIsLevel) {
     EXPECT_TRUE(to.empty());
 }
 
-// Half a circle of radius 1 whose chord is vertical: its first piece goes right, its second one
-// left, and both rise.
+// The arc is half a circle of radius 1 with a vertical chord. Its first piece goes right and its
+// second piece left; both rise.
 TEST(MonotoneArc, IsCutWhereTheArcGoesBack) {
     std::vector<MonotoneArc> to;
     append_arc(pixel_arc({{0.0, 2.0}, 0.5 * kPi}), {0, 0}, {0, 2048}, kSides, to);
@@ -44,8 +44,8 @@ TEST(MonotoneArc, IsCutWhereTheArcGoesBack) {
     }
 }
 
-// A half disc of radius 1: its area is pi / 2. The series of a quarter of a circle is good to
-// 2.5e-3 of the segment.
+// The arcs bound half a disc of radius 1, whose area is pi / 2. For a quarter of a circle, the
+// power series of the area between chord and arc has a relative error of 2.5e-3.
 TEST(MonotoneArc, ChainHasTheAreaOnItsLeft) {
     std::vector<MonotoneArc> chain;
     append_arc(pixel_arc({{0.0, 2.0}, 0.5 * kPi}), {0, 0}, {0, 2048}, {9}, chain);
@@ -58,11 +58,11 @@ TEST(MonotoneArc, ChainHasTheAreaOnItsLeft) {
     EXPECT_NEAR(0.5 * twice_area(clockwise, 9) / (1024.0 * 1024.0), -0.5 * kPi, 2e-3);
 }
 
-// Each item makes as many arcs as its index and leaves one part unresolved.
+// A maker for make_arcs. For item k it appends k arcs and counts one unresolved boundary.
 struct CountingMaker {
     void make(std::size_t k, ArcBatch& batch) const {
         batch.arcs.resize(batch.arcs.size() + k);
-        ++batch.unresolved;
+        ++batch.unclosed_loops;
     }
 };
 
@@ -73,7 +73,7 @@ TEST(MonotoneArc, BatchesAreMadeByTasks) {
     EXPECT_EQ(cells.batches[0].size(), 1U);
     EXPECT_EQ(cells.batches[1].size(), 5U);
     EXPECT_EQ(cells.batches[2].size(), 4U);
-    EXPECT_EQ(cells.unresolved, 5);
+    EXPECT_EQ(cells.unclosed_loops, 5);
     EXPECT_EQ(cells.grid.height, 6);
 }
 

@@ -10,6 +10,7 @@
 namespace foam::texgen {
 namespace {
 
+// Returns the area on the left of a closed loop, in square pixels.
 double area_of(std::span<const ArcLoops::Side> loop) {
     double area = 0.0;
     for (const ArcLoops::Side& side : loop) {
@@ -29,8 +30,8 @@ void expect_closed(const ArcLoops& loops) {
     }
 }
 
-// The area of each bubble in pixels, on its left; the ghost's boundaries take the areas of all
-// bubbles away.
+// A boundary has its region on its left. The area within the boundaries of a bubble is therefore
+// positive. The areas within the boundaries of the ghost add up to minus the area of all bubbles.
 TEST(PatchBoundaries, EncloseTheirBubbles) {
     const Frame frame = snapshot(test::patch_foam(20, 3), 1);
     const RasterGrid grid{100, 80, 0, 0, View{{0.3, 0.1}, 7.0}};
@@ -78,7 +79,7 @@ TEST(PatchBoundaries, ShowOnlyIfTheyReachTheImage) {
     EXPECT_FALSE(may_be_visible(grid, {}));
     const std::vector<ArcLoops::Side> near{{{11.0, 5.0}, pixel_arc({{3.0, 0.0}, 0.0})},
                                            {{14.0, 5.0}, pixel_arc({{-3.0, 0.0}, 0.3})}};
-    EXPECT_TRUE(may_be_visible(grid, near));  // an arc reaches no farther than its length
+    EXPECT_TRUE(may_be_visible(grid, near));  // an arc may reach as far as its length
 }
 
 }  // namespace

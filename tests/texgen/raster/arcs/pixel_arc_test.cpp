@@ -20,7 +20,8 @@ TEST(MonotonePieces, LeavesAShortArcWhole) {
     EXPECT_EQ(all.pieces()[0].sine, std::sin(0.2));
 }
 
-// Of radius 1, from the tail upwards around (-1, 0), and leftwards around (0, 1).
+// Both arcs have the radius 1. The first one starts upward around (-1, 0), the second one to the
+// left around (0, 1).
 TEST(MonotonePieces, SplitsThreeQuartersOfACircle) {
     const double sine = std::sin(0.25 * kPi);
     const MonotonePieces left(pixel_arc({{-1.0, -1.0}, 0.75 * kPi}));
@@ -37,7 +38,7 @@ TEST(MonotonePieces, SplitsThreeQuartersOfACircle) {
     }
 }
 
-// Pieces lie on the arc, one after the other, and none goes back.
+// The pieces are consecutive parts of the arc, and each one is monotone in x and in y.
 TEST(MonotonePieces, PiecesAreOfTheArc) {
     for (int k = 1; k < 1000; ++k) {
         const double direction = 0.37 * k;

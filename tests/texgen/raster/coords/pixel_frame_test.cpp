@@ -16,18 +16,19 @@ TEST(PixelFrame, RoundsJunctionsToTheNearestSubpixel) {
     const Frame frame = test::fitted_frame(test::bent_foam(40, 0.3, 2), kSide, kSide);
     const RasterGrid grid{kSide, kSide};
     const PixelFrame pixels(frame, grid);
-    const std::vector<SubpixelPoint> junctions = pixels.junctions(2);
+    const std::vector<SubpixelPoint> junctions = pixels.rounded_positions(2);
     ASSERT_EQ(junctions.size(), frame.positions.size());
     for (std::size_t k = 0; k < junctions.size(); ++k) {
         const auto junction = id_at<JunctionId>(k);
-        const Vec2 exact = pixels.exact(junction);
-        EXPECT_EQ(junctions[k], pixels.junction(junction));
+        const Vec2 exact = pixels.exact_position(junction);
+        EXPECT_EQ(junctions[k], pixels.rounded_position(junction));
         EXPECT_LE(std::abs(junctions[k].x - kSubpixel * exact.x()), 0.5 + 1e-9);
         EXPECT_LE(std::abs(junctions[k].y - kSubpixel * exact.y()), 0.5 + 1e-9);
     }
 }
 
-// One period to the right is the width of the grid, one period up its height and the shear.
+// The period to the right is the width of the grid. The period upward is the height of the grid and
+// the shear.
 TEST(PixelFrame, TranslatesByPeriods) {
     Foam foam = test::bent_foam(40, 0.3, 2);
     shear(foam, 0.25);

@@ -39,7 +39,7 @@ TEST(RasterGrid, SnapsIntoTheGrid) {
     EXPECT_EQ(snap({0.0, 2.0 - 1e-9}), (SubpixelPoint{0, 20480}));
 }
 
-// Half a period to the left of 10 pixels a unit, 1024 subpixels a pixel.
+// The shear is half a period of 10 pixels to the left, with 1024 subpixels per pixel.
 TEST(RasterGrid, ReturnsTheShear) {
     EXPECT_EQ(shear_in_subpixels({10, 20, 0, 0}, {1.0, 2.0, -0.5}), -5120);
     EXPECT_EQ(shear_in_subpixels({10, 20, 0, 0}, {1.0, 2.0}), 0);

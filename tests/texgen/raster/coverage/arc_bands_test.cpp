@@ -36,7 +36,7 @@ TEST(ArcBands, HoldTheArcsThatReachIntoThem) {
         cells_of({arc_in_rows(5, 3, 40), arc_in_rows(5, 32, 64)}, {kWidth, kHeight}), 32, 1);
     EXPECT_EQ(bands.entries(0).size(), 1U);
     EXPECT_EQ(bands.entries(1).size(), 2U);
-    EXPECT_EQ(bands.entries(2).size(), 0U);  // the second arc ends at its lower border
+    EXPECT_EQ(bands.entries(2).size(), 0U);  // the second arc ends at the lower border of this band
 }
 
 TEST(ArcBands, SortArcsByTilesFromLeftToRight) {
@@ -51,7 +51,8 @@ TEST(ArcBands, SortArcsByTilesFromLeftToRight) {
     EXPECT_EQ(columns, (std::vector<std::int32_t>{-195, 70, 150}));  // -195 is wrapped to 5
 }
 
-// An arc across the upper border has a copy at the lower one, moved by the shear.
+// An arc across the upper border of the torus has a copy at the lower border, displaced by the
+// shear.
 TEST(ArcBands, WrapAroundTheTorus) {
     CellArcs cells = cells_of({arc_in_rows(5, 90, 110)}, {kWidth, kHeight, 3, 0});
     cells.shear = 77;

@@ -18,14 +18,16 @@
 namespace foam::texgen {
 namespace {
 
-// A straight edge; what is on its sides does not matter here.
+// Returns a straight edge. These tests do not use its sides.
 MonotoneArc edge(SubpixelPoint low, SubpixelPoint high) {
     return {low, high, 0.0, {}};
 }
 
+// For each pixel (row, column), the sums of the heights of the parts in it, in subpixels, and of
+// ArcSplitter::Part::on_left.
 using Parts = std::map<std::pair<int, int>, std::pair<int, std::int64_t>>;
 
-// Adds the parts up.
+// Returns the sums over the parts of an arc that is moved by a translation, in the rows [0, rows).
 Parts split_parts(const MonotoneArc& arc, SubpixelPoint translation, int rows) {
     Parts parts;
     ArcSplitter splitter(rows);
@@ -37,18 +39,18 @@ Parts split_parts(const MonotoneArc& arc, SubpixelPoint translation, int rows) {
     for (const ArcSplitter::Part& part : splitter.parts(0)) {
         EXPECT_LE(splitter.leftmost(0), part.column);
         EXPECT_GE(splitter.rightmost(0), part.column);
-        if (part.whole == 0) {
-            EXPECT_EQ(part.on_left, 0);
+        if (part.twice_area == 0) {
+            EXPECT_EQ(part.twice_area_on_left, 0);
             continue;
         }
         auto& [height, area] = parts[{part.row, part.column}];
-        height += part.whole / (2 * kSubpixel);
-        area += part.on_left;
+        height += part.twice_area / (2 * kSubpixel);
+        area += part.twice_area_on_left;
     }
     return parts;
 }
 
-// The straight edges of a chain; those that go down take away.
+// Returns the sums over the straight edges of a closed chain. Edges that go down have the sign -1.
 Parts split_parts(const std::vector<SubpixelPoint>& chain, SubpixelPoint translation, int rows) {
     Parts all;
     SubpixelPoint from = chain.back();
@@ -67,8 +69,9 @@ Parts split_parts(const std::vector<SubpixelPoint>& chain, SubpixelPoint transla
 }
 
 TEST(ArcSplitter, SquareInTheMiddleOfAPixel) {
-    // Half a pixel wide and high, counter-clockwise. Left side at x = 256, down: area 512 x (2 x
-    // 256); right side at x = 768, up: 512 x (2 x 768).
+    // The square is half a pixel wide and high, counter-clockwise. Its left side is at x = 256 and
+    // goes down; twice the area on the left of it is 512 x (2 x 256). Its right side is at x = 768
+    // and goes up; twice the area on the left of it is 512 x (2 x 768).
     const Parts parts = split_parts({{256, 256}, {768, 256}, {768, 768}, {256, 768}}, {}, 1);
     ASSERT_EQ(parts.size(), 1U);
     EXPECT_EQ(parts.at({0, 0}).first, 0);
@@ -76,14 +79,16 @@ TEST(ArcSplitter, SquareInTheMiddleOfAPixel) {
 }
 
 TEST(ArcSplitter, DiagonalAcrossFourPixels) {
-    // Up from (0, 0) to (2, 2) pixels and down again at x = 0: half of two pixels, all of one.
+    // The triangle goes up from (0, 0) to (2, 2) pixels and down at x = 0. It contains half of two
+    // pixels and the whole of one.
     const Parts parts = split_parts({{0, 0}, {2048, 2048}, {0, 2048}}, {}, 2);
     EXPECT_EQ(parts.at({0, 0}), (std::pair<int, std::int64_t>{0, 1024 * 1024}));
     EXPECT_EQ(parts.at({1, 0}), (std::pair<int, std::int64_t>{-1024, 0}));
     EXPECT_EQ(parts.at({1, 1}), (std::pair<int, std::int64_t>{1024, 1024 * 1024}));
 }
 
-// Each 1024 to the left is 50 up: at the borders y is 125, 175, 225 and 275.
+// The arc rises by 50 for every 1024 to the left. It crosses borders of columns at y = 125, 175,
+// 225 and 275.
 TEST(ArcSplitter, FlatArcCrossesManyColumnsOfARow) {
     const Parts parts = split_parts(edge({4608, 100}, {512, 300}), {}, 1);
     ASSERT_EQ(parts.size(), 5U);
@@ -94,7 +99,7 @@ TEST(ArcSplitter, FlatArcCrossesManyColumnsOfARow) {
     EXPECT_EQ(parts.at({0, 0}).first, 25);
 }
 
-// Each 1 to the left is 20 up: x is 1024 at y = 76 x 20, in row 1.
+// The arc rises by 20 for every 1 to the left. It crosses x = 1024 at y = 76 x 20 = 1520, in row 1.
 TEST(ArcSplitter, SteepArcCrossesManyRowsOfAColumn) {
     const Parts parts = split_parts(edge({1100, 0}, {900, 4000}), {}, 4);
     ASSERT_EQ(parts.size(), 5U);
@@ -105,8 +110,8 @@ TEST(ArcSplitter, SteepArcCrossesManyRowsOfAColumn) {
     EXPECT_EQ(parts.at({3, 0}).first, 4000 - 3072);
 }
 
-// A border is that of the pixel on its right: from the left the arc ends in pixel 1, from the right
-// in it, too.
+// A border belongs to the pixel on its right. Both arcs end on the border between pixels 0 and 1:
+// one arc comes from the left, the other one from the right.
 TEST(ArcSplitter, EndsOnBorders) {
     const Parts right = split_parts(edge({0, 0}, {1024, 1024}), {}, 1);
     const Parts left = split_parts(edge({2048, 0}, {1024, 1024}), {}, 1);
@@ -136,12 +141,13 @@ class ArcSplitterOfRandomChains : public ::testing::Test {
     std::mt19937 random_{7};
 };
 
-// Flat ones cross many columns within a row, which steep ones do not.
+// Half of the rounds have long arcs, many of which cross several columns within a row. The others
+// have short arcs.
 TEST_F(ArcSplitterOfRandomChains, ArcsSplitTogetherAreSplitAsOneByOne) {
     const auto list = [](std::span<const ArcSplitter::Part> parts) {
         std::vector<std::array<std::int32_t, 4>> numbers;
         for (const ArcSplitter::Part& part : parts) {
-            numbers.push_back({part.row, part.column, part.whole, part.on_left});
+            numbers.push_back({part.row, part.column, part.twice_area, part.twice_area_on_left});
         }
         return numbers;
     };
@@ -196,8 +202,9 @@ TEST_F(ArcSplitterOfRandomChains, BentArcsMoveWithWholePixels) {
     }
 }
 
-// A circle of radius r around the origin, in quarters: pixels get what of them is nearer to the
-// origin than r, which 400 lines per pixel find to 1e-5 and subpixels spoil by their half.
+// The arc is a quarter of a circle of radius r around the origin. The part of a pixel within the
+// circle is compared with the mean over 400 lines, whose error is 1e-5 pixel. Rounding to subpixels
+// changes the part by up to half a subpixel.
 TEST(ArcSplitter, OfACircleHasItsAreaInEveryPixel) {
     constexpr int kLines = 400;
     for (const int radius : {1024, 1500, 4000, 30000}) {
@@ -211,7 +218,8 @@ TEST(ArcSplitter, OfACircleHasItsAreaInEveryPixel) {
                 const double x = std::sqrt(std::max(0.0, r * r - y * y));
                 area += y < r ? std::clamp(x - pixel.second, 0.0, 1.0) / kLines : 0.0;
             }
-            // The pixels on the right of the arc's last one in the row are left out of the sum.
+            // The pixel is on the left of all parts in columns further right. Each of them adds the
+            // area of its height times the width of the pixel.
             double own = static_cast<double>(part.second);
             for (const auto& [other, right] : parts) {
                 const bool is_right = other.first == pixel.first && other.second > pixel.second;

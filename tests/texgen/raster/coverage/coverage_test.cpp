@@ -28,7 +28,7 @@ std::vector<std::int64_t> take(Coverage<ExactSums<1>>& coverage, int row, int wi
     return values;
 }
 
-// Adds the straight edges of a closed chain, with a value on the left of each.
+// Adds the straight edges of a closed chain that has `value` on its left.
 template <std::size_t Channels>
 void add(Coverage<ExactSums<Channels>>& coverage,
          const std::vector<SubpixelPoint>& chain,
@@ -54,7 +54,7 @@ std::vector<SubpixelPoint> box(std::int32_t x0, std::int32_t y0, std::int32_t x1
 }
 
 TEST(Coverage, OfABoxAcrossPixels) {
-    // From x = 0.5 to 2.25 pixels, in the lower half of row 0.
+    // The box is from x = 0.5 to 2.25 pixels, in the lower half of row 0.
     Coverage<ExactSums<1>> coverage(4, 1);
     add<1>(coverage, box(512, 0, 2304, 512), {}, {4});
     const std::vector<std::int64_t> expected{kFull, 2 * kFull, kFull / 2, 0};
@@ -69,7 +69,8 @@ TEST(Coverage, TakingARowClearsIt) {
 }
 
 TEST(Coverage, WrapsAroundInX) {
-    // From x = 3.5 to 5.5 of a torus 4 pixels wide: half of pixels 3 and 1, all of pixel 0.
+    // The box is from x = 3.5 to 5.5 pixels on a torus 4 pixels wide. It covers half of pixels 3
+    // and 1 and all of pixel 0.
     const std::vector<std::int64_t> expected{kFull, kFull / 2, 0, kFull / 2};
     for (const int periods : {-3, -1, 0, 1, 2}) {
         Coverage<ExactSums<1>> coverage(4, 1);
@@ -78,7 +79,8 @@ TEST(Coverage, WrapsAroundInX) {
     }
 }
 
-// From x = -1.5 to 2.25 of a line 4 pixels wide; what is beyond either end does not come back.
+// The first box is from x = -1.5 to 2.25 pixels in a line 4 pixels wide. The parts of boxes beyond
+// the ends of the line are not wrapped around.
 TEST(Coverage, OfALineEndsAtItsEnds) {
     Coverage<ExactSums<1>> coverage(4, 1, RowKind::Line);
     add<1>(coverage, box(-1536, 0, 2304, 1024), {}, {1});
@@ -91,7 +93,7 @@ TEST(Coverage, OfALineEndsAtItsEnds) {
 }
 
 TEST(Coverage, OfABoxWiderThanTheTorus) {
-    // 2.5 times around: the half round falls on pixels 0 and 1.
+    // The box covers the torus 2.5 times. The last half covers pixels 0 and 1.
     Coverage<ExactSums<1>> coverage(4, 1);
     add<1>(coverage, box(0, 0, 10 * kSubpixel, kSubpixel), {}, {1});
     const std::vector<std::int64_t> expected{3 * kFull, 3 * kFull, 2 * kFull, 2 * kFull};
@@ -116,8 +118,9 @@ TEST(Coverage, ClockwiseSubtracts) {
     EXPECT_EQ(take(coverage, 0, 4), expected);
 }
 
-// Two bubbles around a torus 4 pixels wide: one from x = 1.5 to 3, the other from there to 5.5. The
-// arc between that and the first lies at x = 1.5, a period further right in the second's outline.
+// Two bubbles cover a torus 4 pixels wide: one from x = 1.5 to 3, the other one from x = 3 to 5.5.
+// The arc at x = 1.5 is also the right end of the second bubble. In the outline of that bubble it
+// is one period further right.
 TEST(Coverage, CountsAFilmOnceForBothItsSides) {
     Coverage<ExactSums<1>> coverage(4, 1);
     const double first = 3.0;
@@ -129,8 +132,9 @@ TEST(Coverage, CountsAFilmOnceForBothItsSides) {
     EXPECT_EQ(take(coverage, 0, 4), expected);
 }
 
-// A quarter of a circle of radius 1 pixel around (1, 0), from (2, 0) up to (1, 1), and straight
-// down: pi / 4 of pixel 1, to half a thousandth; its chord would cut off half of it.
+// The first arc is a quarter of a circle with a radius of 1 pixel around (1, 0), from (2, 0) up to
+// (1, 1). The second one is an edge straight down. They cover pi / 4 of pixel 1, with an error of
+// half a thousandth. With the chord instead of the arc, they would cover half of it.
 TEST(Coverage, OfAQuarterOfACircle) {
     Coverage<ExactSums<1>> coverage(4, 1);
     const double sine = std::sin(0.125 * 2.0 * std::numbers::pi);
@@ -175,7 +179,8 @@ TEST(Coverage, OrderDoesNotMatter) {
 
 constexpr std::int32_t kPixel = 1 << kAreaBits;
 
-// A pixel of a value, of which some area has another.
+// Returns the mean of a pixel with the value `base`, in which a part of the given area has the
+// value `other`.
 template <class Sums>
 std::int32_t mean_of(std::int32_t base, std::int32_t other, std::int32_t area) {
     typename Sums::Sum sum{Sums::start(base)};
@@ -188,8 +193,8 @@ void expect_means() {
     EXPECT_EQ(mean_of<Sums>(0, 65535, 0), 0);
     EXPECT_EQ(mean_of<Sums>(0, 65535, kPixel), 65535);
     EXPECT_EQ(mean_of<Sums>(65535, 0, kPixel), 0);
-    EXPECT_EQ(mean_of<Sums>(65535, 0, kPixel / 4), 49151);  // of 49151.25
-    EXPECT_EQ(mean_of<Sums>(100, 103, kPixel / 2), 102);    // of 101.5
+    EXPECT_EQ(mean_of<Sums>(65535, 0, kPixel / 4), 49151);  // the mean is 49151.25
+    EXPECT_EQ(mean_of<Sums>(100, 103, kPixel / 2), 102);    // the mean is 101.5
     EXPECT_EQ(mean_of<Sums>(40000, 20000, 3 * kPixel / 8), 32500);
 }
 
@@ -198,7 +203,7 @@ TEST(CoverageSums, GiveTheNearestMean) {
     expect_means<SmallSums<1>>();
 }
 
-// Where arcs overlap, up to half a pixel too much or too little counts.
+// If arcs overlap, the areas in a pixel may add up to half a pixel too much or too little.
 TEST(CoverageSums, HoldMeansWithinTheirRange) {
     for (const std::int32_t excess : {1, kPixel / 1000, kPixel / 2 - kPixel / 1000}) {
         EXPECT_EQ(mean_of<ExactSums<1>>(65535, 0, kPixel + excess), 0);
@@ -209,7 +214,7 @@ TEST(CoverageSums, HoldMeansWithinTheirRange) {
     }
 }
 
-// Parts of a height, which is whole subpixels, add up to all of it.
+// A height is a whole number of subpixels, so that its area is not rounded.
 TEST(CoverageSums, KeepHeightsExact) {
     using Sums = SmallSums<1>;
     for (std::int32_t height = 0; height <= kSubpixel; ++height) {

@@ -28,7 +28,7 @@ CellValues random_values(std::size_t bubbles, std::size_t channels, std::uint64_
     Random random(seed);
     CellValues values{channels, {}, {65535, 0, 30000, 1}};
     for (std::size_t k = 0; k < bubbles * channels; ++k) {
-        values.cells.push_back(static_cast<std::uint16_t>(random.below(65536)));
+        values.bubbles.push_back(static_cast<std::uint16_t>(random.below(65536)));
     }
     return values;
 }
@@ -43,7 +43,7 @@ Image16 filled(const Frame& frame, const RasterGrid& grid, double width, const C
     return filled(cell_arcs(frame, grid, width, 1), values);
 }
 
-// The foams that the exact properties are tested on, down to a single bubble.
+// Returns foams for the tests of exact properties, including a foam of a single bubble.
 std::vector<Foam> foams() {
     std::vector<Foam> all;
     all.push_back(test::single_bubble());
@@ -76,13 +76,14 @@ TEST(Fill, EqualCellsWithoutFilmsShowNoEdge) {
     }
 }
 
-// Every bubble is full in one of four channels: they sum to full, but for the rounding of each.
+// Every bubble has the full value in one of four channels. The channels of a pixel add up to the
+// full value, up to the rounding of each channel.
 TEST(Fill, CoverageSumsToOne) {
     for (const Foam& foam : foams()) {
         const Frame frame = test::fitted_frame(foam, 60, 37);
         CellValues values{4, std::vector<std::uint16_t>(4 * frame.bubbles.size(), 0), {}};
         for (std::size_t k = 0; k < frame.bubbles.size(); ++k) {
-            values.cells[4 * k + k % 4] = 65535;
+            values.bubbles[4 * k + k % 4] = 65535;
         }
         const Image16 image = filled(frame, {60, 37, 0, 0}, 0.0, values);
         for (int y = 0; y < image.height(); ++y) {
@@ -129,7 +130,7 @@ bool is_all_cells(const Frame& frame, int size) {
     });
 }
 
-// A junction that is rounded to the far border of the torus stays with its films.
+// A junction that is rounded to the far border of the torus stays connected to its films.
 TEST(Fill, LeavesNoGapsAtTheBorder) {
     const Foam foam = test::bent_foam(30, 0.3, 3);
     for (const JunctionId junction : foam.network.junctions()) {
@@ -151,15 +152,15 @@ TEST(Fill, AShearedTorusIsCoveredOnce) {
     }
 }
 
-// Pixels show the bubble at their middle, but for those that films cross; so do the rows beyond the
-// upper border, which are those of the lower one further to the right.
+// A pixel shows the bubble at its center, unless a film crosses it. This is also true for rows
+// beyond the upper border, which are rows at the lower border, displaced to the right by the shear.
 TEST(Fill, AShearedTorusShowsTheBubblesWhereTheyAre) {
     Foam foam = test::bent_foam(30, 0.3, 3);
     shear(foam, 0.3);
     const Frame frame = test::fitted_frame(foam, 80, 80);
     CellValues values{1, {}, {}};
     for (std::size_t k = 0; k < frame.bubbles.size(); ++k) {
-        values.cells.push_back(static_cast<std::uint16_t>(1000 * (k + 1)));
+        values.bubbles.push_back(static_cast<std::uint16_t>(1000 * (k + 1)));
     }
     for (const int shift_y : {0, 30}) {
         const Image16 image = filled(frame, {80, 80, 17, shift_y}, 0.0, values);
@@ -168,7 +169,7 @@ TEST(Fill, AShearedTorusShowsTheBubblesWhereTheyAre) {
             for (int x = 0; x < 80; ++x) {
                 const Vec2 point = foam.domain.width / 80.0 * Vec2(x + 17.5, y + shift_y + 0.5);
                 const std::uint16_t sample = image.row(y)[static_cast<std::size_t>(x)];
-                matching += sample == values.cells[index_of(*bubble_at(foam, point))] ? 1 : 0;
+                matching += sample == values.bubbles[index_of(*bubble_at(foam, point))] ? 1 : 0;
             }
         }
         EXPECT_GT(matching, 80 * 80 * 7 / 10);
@@ -183,7 +184,7 @@ TEST(Fill, DoesNotDependOnThreads) {
         const Image16 one = filled(cells, values, 1);
         EXPECT_EQ(one, filled(cells, values, 2));
         EXPECT_EQ(one, filled(cells, values, 3));
-        EXPECT_EQ(one, filled(cells, values, 0));  // as many as the hardware runs
+        EXPECT_EQ(one, filled(cells, values, 0));  // all hardware threads
     }
 }
 
@@ -199,9 +200,10 @@ TEST(Fill, HasTheSameBitsAtEverySimdLevel) {
     }
 }
 
-// Rows that begin at a line of a cache may be stored past it; others are not.
+// The pixels do not depend on the alignment of the image: its rows may or may not begin at a cache
+// line.
 TEST(Fill, LargeImagesAreTheSameWhereverTheyLie) {
-    constexpr int kSide = 1120;  // whole lines a row, but not whole words of flags
+    constexpr int kSide = 1120;  // a row is whole cache lines, but not whole words of flags
     const Frame frame = test::fitted_frame(test::bent_foam(60, 0.5, 3), kSide, kSide);
     const CellArcs cells = cell_arcs(frame, {kSide, kSide, 0, 0}, 3.0, 1);
     const CellValues values = random_values(frame.bubbles.size(), 4, 5);
@@ -211,8 +213,8 @@ TEST(Fill, LargeImagesAreTheSameWhereverTheyLie) {
     EXPECT_TRUE(std::ranges::equal(image.samples(), std::span(moved).subspan(1)));
 }
 
-// Areas are rounded to 2^-15 pixel there: up to three arcs in a pixel, each of which may round the
-// part of two values, are off by 6 of 65535 at most.
+// If samples have 8 bits, areas are rounded to 2^-15 pixel. A pixel has up to three arcs, each of
+// which may round the parts of two values. Means are therefore wrong by at most 6 of 65535.
 TEST(Fill, EncodesEachMean) {
     constexpr int kRounding = 6;
     const Frame frame = test::fitted_frame(test::bent_foam(20, 0.3, 3), 50, 50);
@@ -247,15 +249,16 @@ TEST(Fill, RejectsMismatchedSizes) {
                  std::invalid_argument);
 }
 
-// One bubble after another in white, against the samples. Returns the largest difference.
+// Draws one bubble after the other in white. Returns the largest difference of a pixel from the
+// samples, where white is 1.
 double largest_error(const Frame& frame, int size, double width) {
     const test::SampledCoverage sampled = test::sample_coverage(frame, size, size, width);
     const CellArcs cells = cell_arcs(frame, {size, size, 0, 0}, width, 1);
-    EXPECT_EQ(cells.unresolved, 0);
+    EXPECT_EQ(cells.unclosed_loops, 0);
     double largest = 0.0;
     for (std::size_t bubble = 0; bubble < frame.bubbles.size(); ++bubble) {
         CellValues values{1, std::vector<std::uint16_t>(frame.bubbles.size(), 0), {}};
-        values.cells[bubble] = 65535;
+        values.bubbles[bubble] = 65535;
         const Image16 image = filled(cells, values);
         for (std::size_t k = 0; k < sampled.parts.size(); ++k) {
             const double exact = image.samples()[k] / 65535.0;
@@ -265,8 +268,8 @@ double largest_error(const Frame& frame, int size, double width) {
     return largest;
 }
 
-// The chains' own error is below 0.001 and rounding to subpixels adds up to as much again; the
-// samples are good to 0.0007. Half a step of 8 bits is 0.002.
+// The error of the arcs is below 0.001, rounding to subpixels adds up to 0.001, and the error of
+// the samples is up to 0.0007. For comparison: half a step of 8 bits is 0.002.
 constexpr double kReferenceTolerance = 0.0027;
 
 TEST(FillAgainstSamples, BentVoronoi) {

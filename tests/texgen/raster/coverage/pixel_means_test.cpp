@@ -32,7 +32,7 @@ void expect_means() {
     }
 }
 
-// Several vectors and a rest, of both kinds of sums.
+// The 37 sums are several vectors and a remainder.
 TEST(PixelMeans, AreEncoded) {
     at_every_simd_level([] {
         expect_means<ExactSums<1>>();
@@ -44,8 +44,8 @@ TEST(PixelMeans, PackSamplesInTheOrderOfMemory) {
     EXPECT_EQ(packed(std::array<std::uint8_t, 3>{1, 2, 3}), 0x030201U);
 }
 
-// The mean 20000 at an opacity of 32768 of 65535 is the color 20000 / 32768 x 65535. Where nothing
-// is opaque all samples are 0. A color beyond its opacity is clamped.
+// The mean color 20000 at an opacity of 32768 of 65535 is the straight color 20000 / 32768 x 65535.
+// All samples of a fully transparent pixel are 0. A color above its opacity is clamped.
 TEST(PixelMeans, DivideColorsByOpacity) {
     using Sums = ExactSums<2>;
     const StraightMeans<2> means;

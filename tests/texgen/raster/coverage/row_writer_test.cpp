@@ -21,7 +21,7 @@ template <std::size_t PixelBytes>
 class Row {
   public:
     Row(std::mt19937_64& random, unsigned longest) {
-        std::size_t next = 0;  // where the next span begins
+        std::size_t next = 0;  // the start of the next span
         for (std::size_t x = 0; x < kWidth; ++x) {
             if (x == next) {
                 begins_.push_back(static_cast<std::uint16_t>(x));
@@ -35,8 +35,8 @@ class Row {
         begins_.push_back(kWidth);
     }
 
-    // Paints the row `offset` bytes into an array; what is before it and more than a block behind
-    // it has to stay as it was.
+    // Paints the row into an array, `offset` bytes from its start. Expects that the bytes before
+    // the row, and the bytes more than a block after the row, are unchanged.
     void expect_painted(std::size_t offset) const {
         std::vector<std::uint8_t> bytes(offset + expected_.size() + kBlockBytes + 1, kUntouched);
         paint_spans<PixelBytes>(begins_, pixels_.data(), bytes.data() + offset);
@@ -56,7 +56,7 @@ class Row {
     std::vector<std::uint8_t> expected_;
 };
 
-// Spans of one pixel each, of a few, and of more than a block.
+// Tests spans of one pixel, of a few pixels, and of more than a block.
 template <std::size_t PixelBytes>
 void expect_painted() {
     at_every_simd_level([] {
@@ -80,7 +80,7 @@ TEST(PaintSpans, WritesEverySpan) {
     expect_painted<8>();
 }
 
-// The samples of two spans, in a row with room behind it and in one without.
+// Writes the samples of two spans, once with room for a block after the row and once without.
 TEST(RowWriter, WritesOnlyItsRow) {
     using Sums = SmallSums<1>;
     const auto to_samples = [](std::span<const Sums::Sum> sums, std::uint64_t* pixels) {

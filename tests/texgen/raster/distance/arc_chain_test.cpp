@@ -11,7 +11,7 @@
 namespace foam::texgen {
 namespace {
 
-// An arc of a radius, in a direction that favours no axis.
+// Returns an arc with the given radius, in a direction that is not parallel to an axis.
 FilmArc arc_of(double radius, double half_angle) {
     const double c = 2.0 * radius * std::sin(std::abs(half_angle));
     return {Vec2(c * std::cos(0.7), c * std::sin(0.7)), half_angle};
@@ -19,7 +19,7 @@ FilmArc arc_of(double radius, double half_angle) {
 
 std::vector<Vec2> chain_of(const FilmArc& arc) {
     std::vector<Vec2> chain{Vec2::Zero()};
-    append_inner_points(arc, Vec2::Zero(), chain);
+    append_chain_points(arc, Vec2::Zero(), chain);
     chain.push_back(arc.chord);
     return chain;
 }
@@ -32,7 +32,8 @@ double area_left_of_chord(const std::vector<Vec2>& chain) {
     return 0.5 * twice;
 }
 
-// How far outside the arc the chain is, along the arc, at n places in the middle of n equal parts.
+// Returns the distances by which the chain is outside of the arc, in pixels, at the middles of n
+// equal parts of the arc.
 std::vector<double> excess(const FilmArc& arc, int n) {
     const std::vector<Vec2> chain = chain_of(arc);
     const double sign = arc.half_angle > 0.0 ? 1.0 : -1.0;
@@ -52,7 +53,8 @@ std::vector<double> excess(const FilmArc& arc, int n) {
     return distances;
 }
 
-// The largest area between chain and arc over a stretch as long as a pixel's diagonal.
+// Returns the largest area between chain and arc along any part of the arc as long as the diagonal
+// of a pixel.
 double largest_area_error(const FilmArc& arc) {
     constexpr int kSamples = 4000;
     const std::vector<double> distances = excess(arc, kSamples);
@@ -70,10 +72,10 @@ double largest_area_error(const FilmArc& arc) {
 
 TEST(ArcChain, DoesNotSplitAStraightArc) {
     std::vector<Vec2> points;
-    append_inner_points({Vec2(100.0, 30.0), 0.0}, Vec2::Zero(), points);
-    append_inner_points({Vec2(0.0, 0.0), 0.0}, Vec2::Zero(), points);
-    append_inner_points({Vec2(0.0, 0.0), 0.5}, Vec2::Zero(), points);
-    append_inner_points({Vec2(1.0, 0.0), 1e-6}, Vec2::Zero(), points);
+    append_chain_points({Vec2(100.0, 30.0), 0.0}, Vec2::Zero(), points);
+    append_chain_points({Vec2(0.0, 0.0), 0.0}, Vec2::Zero(), points);
+    append_chain_points({Vec2(0.0, 0.0), 0.5}, Vec2::Zero(), points);
+    append_chain_points({Vec2(1.0, 0.0), 1e-6}, Vec2::Zero(), points);
     EXPECT_TRUE(points.empty());
 }
 
@@ -101,8 +103,8 @@ TEST(ArcChain, IsRelativeToTheTail) {
     const FilmArc arc = arc_of(20.0, 0.7);
     std::vector<Vec2> original;
     std::vector<Vec2> moved;
-    append_inner_points(arc, Vec2::Zero(), original);
-    append_inner_points(arc, Vec2(3.0, -2.0), moved);
+    append_chain_points(arc, Vec2::Zero(), original);
+    append_chain_points(arc, Vec2(3.0, -2.0), moved);
     ASSERT_EQ(original.size(), moved.size());
     for (std::size_t k = 0; k < original.size(); ++k) {
         EXPECT_LT((moved[k] - original[k] - Vec2(3.0, -2.0)).norm(), 1e-12);

@@ -20,7 +20,7 @@ struct PlacedArc {
     Vec2 tail;
 };
 
-// Turning by up to 120 degrees, as the sides of a region.
+// Returns random arcs that turn by up to 120 degrees, like the arcs of a Boundary.
 std::vector<PlacedArc> random_arcs(std::size_t count, std::mt19937& random) {
     std::uniform_real_distribution<double> uniform(-1.0, 1.0);
     std::vector<PlacedArc> arcs;
@@ -32,7 +32,8 @@ std::vector<PlacedArc> random_arcs(std::size_t count, std::mt19937& random) {
     return arcs;
 }
 
-// By the points of an arc; too large by less than 1e-4 where the point is a pixel or more away.
+// Returns the distance from a point to the nearest of 2001 points of an arc. If this is a pixel or
+// more, it is too large by less than 1e-4.
 double sampled_distance(const PlacedArc& arc, const Vec2& point) {
     constexpr int kSamples = 2000;
     double min_distance = std::numeric_limits<double>::infinity();
@@ -51,7 +52,7 @@ ArcLanes lanes_of(const std::vector<PlacedArc>& arcs) {
     return lanes;
 }
 
-// More arcs than lanes, and not a multiple of them.
+// The number of arcs is larger than the number of lanes, and not a multiple of it.
 TEST(ArcView, BoundAndMeasureTheDistanceOfEachArc) {
     at_every_simd_level([] {
         std::mt19937 random(3);
@@ -64,7 +65,7 @@ TEST(ArcView, BoundAndMeasureTheDistanceOfEachArc) {
             for (std::size_t k = 0; k < arcs.size(); ++k) {
                 const double distance = sampled_distance(arcs[k], point);
                 EXPECT_TRUE(view.is_within(k, distance + 1e-9));
-                const ArcFunctions f = view.functions(k);
+                const ArcFunctions f = view.arc_functions(k);
                 if (f.past_tail.value >= 0.0F && f.before_head.value >= 0.0F) {
                     const double slope = std::hypot(f.across.x, f.across.y);
                     EXPECT_NEAR(std::abs(f.across.twice_value) / (1.0 + slope), distance, 2e-3);
@@ -75,7 +76,7 @@ TEST(ArcView, BoundAndMeasureTheDistanceOfEachArc) {
     });
 }
 
-// Arcs beyond the horizon are not nearest to any point within reach.
+// An arc beyond the horizon is not the nearest arc of any point within reach.
 TEST(ArcView, HorizonHoldsTheNearestArcOfAllPointsWithinReach) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> uniform(-20.0, 20.0);
@@ -105,8 +106,9 @@ TEST(ArcView, HorizonHoldsTheNearestArcOfAllPointsWithinReach) {
     EXPECT_GT(dropped, 100U);
 }
 
-// f is 0 on the arc, t on the circle through its ends that is normal to the arc there: on the arc's
-// middle t is the sagitta of both, at the ends both are 0.
+// `across` is 0 on the arc. `along` is 0 on the circle that crosses the arc at right angles at its
+// ends, and positive on the arc between them. At the ends, the gradients of both are perpendicular
+// unit vectors.
 TEST(ArcView, FunctionsOfAFilmVanishAtItsEnds) {
     at_every_simd_level([] {
         const FilmArc film{{6.0, 2.0}, 0.8};

@@ -26,7 +26,8 @@ TEST(Boundary, HalvesMeetInTheMiddleOfTheArc) {
     }
 }
 
-// The tangents at the corner differ by the angle between the chords and both half angles.
+// The tangents at a corner determine whether a boundary turns right. They depend on the chords and
+// on the half angles.
 TEST(Boundary, TurnsRightByItsTangents) {
     const PixelArc straight = arc_of({2.0, 0.0}, 0.0);
     EXPECT_TRUE(turns_right(straight, arc_of({1.0, -1.0}, 0.0)));
@@ -55,7 +56,8 @@ TEST(Boundary, ExtentEnclosesTheBoundary) {
     }
 }
 
-// A square with a hole: only the hole has corners of more than 180 degrees.
+// The region is a square with a square hole. It has angles of more than 180 degrees only at the
+// corners of the hole.
 TEST(Boundary, FindsTheCornersOfEachLoop) {
     const auto add_square = [](double side, double turn, Boundary& boundary) {
         Vec2 tail(1.0, 1.0);

@@ -45,7 +45,7 @@ void expect_nearest(const Frame& frame, const RasterGrid& grid) {
     }
 }
 
-// Bubbles of which nothing is nearer to another one's film.
+// Expects that the bubble of each pixel covers a part of the pixel.
 void expect_ids(const Frame& frame, const RasterGrid& grid) {
     const DistanceField field = distance_field(frame, grid, {}, 2);
     const test::SampledCoverage sampled =
@@ -75,7 +75,8 @@ TEST(DistanceInPatches, HoldsForAFewBubblesWithWideArcs) {
     }
 }
 
-// Of a circle of radius r around c: |r - |p - c||, and (r² - |p - c|²) / 2r for the smooth one.
+// For a circle of radius r around c, the distance at p is |r - |p - c||. The smooth distance inside
+// is (r² - |p - c|²) / 2r.
 TEST(DistanceInPatches, OfLoneBubblesIsKnown) {
     const double area = 4.0;
     const Frame frame =
@@ -117,8 +118,9 @@ TEST(DistanceInPatches, IsInfiniteWithoutAnyFilm) {
     }
 }
 
-// How much the smooth distance's gradient differs along an axis from that by differences, of views
-// moved by a twentieth of a pixel to either side; the largest in bubbles, a pixel off the films.
+// Returns the largest error of the gradient of the smooth distance along an axis, over the pixels
+// of bubbles that are more than a pixel away from films. The reference is the difference of two
+// views that are displaced by a twentieth of a pixel to either side.
 double slope_error(const Frame& frame, int axis) {
     constexpr double kScale = 15.0;
     constexpr double kStep = 0.05;

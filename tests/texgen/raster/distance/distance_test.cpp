@@ -16,7 +16,8 @@ namespace foam::texgen {
 namespace {
 
 constexpr DistanceNeeds kAll{.gradient = true, .smooth = true};
-// Chains lie up to 1/1000 pixel beside their arcs; there the bubble may be the other one.
+// In pixels. The outlines that decide ids are rounded to subpixels. If the distance of a pixel is
+// at most this tolerance, the id may be that of the bubble on the other side of the film.
 constexpr double kChainTolerance = 2e-3;
 constexpr double kTolerance = 2e-5;
 
@@ -25,7 +26,8 @@ Vec2 pair_at(const Image<float>& image, int x, int y) {
     return {pixel[0], pixel[1]};
 }
 
-// Against all films in all copies; a step back along the gradient leads onto a film.
+// Compares the field with all films in all periodic copies. A step back along the gradient must
+// lead to a film.
 void expect_nearest(const Frame& frame, int width, int height, double tolerance = kTolerance) {
     const DistanceField field = distance_field(frame, {width, height}, kAll, 1);
     const test::NearestFilms films(frame, width);
@@ -67,14 +69,14 @@ TEST(Distance, HoldsForTwoSidedBubbles) {
     expect_nearest(test::fitted_frame(foam, 60, 60), 60, 60);
 }
 
-// One bubble around the torus, wider than the image; its own copies are its neighbors.
+// The bubble extends around the torus, so its neighbors are its own copies.
 TEST(Distance, HoldsForABubbleThatMeetsItself) {
     expect_nearest(test::fitted_frame(test::single_bubble(), 50, 50), 50, 50);
     expect_nearest(test::fitted_frame(honeycomb(1, 2), 40, 40), 40, 40);
     expect_nearest(test::fitted_frame(test::single_bubble(), 1, 1), 1, 1);
 }
 
-// Copies of a bubble are moved by the shear in whole subpixels.
+// The shear between copies of a bubble is rounded to whole subpixels.
 TEST(Distance, HoldsOnAShearedTorus) {
     Foam foam = test::bent_foam(16, 0.3, 8);
     shear(foam, 0.37);
@@ -109,7 +111,7 @@ TEST(Distance, ShiftsBitForBit) {
     }
 }
 
-// Bubbles that lie within a band of rows, across two of them, and across the border.
+// Some bubbles are within a band of rows, some are in two bands, and some extend across the border.
 TEST(Distance, ShiftsSmallBubblesBitForBit) {
     Foam foam = test::bent_foam(900, 0.3, 3);
     shear(foam, 0.21);
@@ -118,7 +120,7 @@ TEST(Distance, ShiftsSmallBubblesBitForBit) {
     for (const auto& [dx, dy] : {std::pair{1, 0}, {0, 1}, {0, 64}, {109, 299}, {33, 150}}) {
         const RasterGrid grid{110, 300, dx, dy};
         const DistanceField shifted = distance_field(frame, grid, kAll, 2);
-        const int rows = 300 - dy;  // those beyond have moved along, as the torus is sheared
+        const int rows = 300 - dy;  // rows beyond the border are displaced by the shear
         for (int y = 0; y < rows; ++y) {
             for (int x = 0; x < 110; ++x) {
                 const int from_x = (x + dx) % 110;
@@ -159,8 +161,8 @@ TEST(Distance, RejectsAnImageOfAnotherAspect) {
     EXPECT_THROW(distance_field(frame, {9, 8}, {}, 1), std::invalid_argument);
 }
 
-// At a film it goes with the distance; between, its gradient turns and never jumps as that of the
-// distance does, in the middle of a bubble.
+// At films the smooth distance agrees with the distance. Inside a bubble its gradient changes
+// gradually, whereas the gradient of the distance jumps in the middle of the bubble.
 TEST(SmoothDistance, HasNoCreases) {
     const Frame frame = test::fitted_frame(test::polydisperse_foam(12, 4), 160, 160);
     const DistanceField field = distance_field(frame, {160, 160}, kAll, 1);

@@ -19,7 +19,8 @@ DistanceField empty_field() {
             Image<float>(kWidth, 3, 2)};
 }
 
-// Spans of every length, beginning anywhere and going around the image; no other pixel changes.
+// Spans of 1 to 40 pixels begin at various columns and wrap around the image. No other pixel
+// changes.
 TEST(FieldWriter, WritesSpansAroundTheImage) {
     for (int left = 0; left < 2 * kWidth; left += 7) {
         for (int count = 1; count <= 40; ++count) {

@@ -20,10 +20,10 @@
 namespace foam::texgen {
 namespace {
 
-// A copy of a region, by its id and translation.
+// A copy of a region: its id and its translation in subpixels.
 using Copy = std::tuple<std::uint32_t, int, int>;
 
-// The copies that are painted in each row, in order.
+// Returns the copies that are painted in each row, in the order in which they are painted.
 std::vector<std::vector<Copy>> painted_rows(const Frame& frame,
                                             const RasterGrid& grid,
                                             int workers) {
@@ -39,8 +39,8 @@ std::vector<std::vector<Copy>> painted_rows(const Frame& frame,
     return painted;
 }
 
-// In the rows of its box each copy is painted once. Copies of a bubble are a period apart, and one
-// of them begins within the columns.
+// Each copy is painted once in each row of its box. Copies of a bubble are a period apart. Only the
+// copies that begin within the columns of the grid are painted.
 TEST(FrameRegions, PaintEachCopyOnceInItsRows) {
     Foam foam = test::bent_foam(40, 0.4, 3);
     shear(foam, 0.3);
@@ -87,7 +87,7 @@ TEST(FrameRegions, RejectAnImageOfAnotherAspect) {
     EXPECT_THROW(painted_rows(frame, RasterGrid{9, 8}, 1), std::invalid_argument);
 }
 
-// Counts the pixels of a region, which are in the rows.
+// Adds 1 to `times` for each pixel of a region. Expects that all pixels are in the rows.
 void count_pixels(const RegionPixels& pixels, PixelRows rows, Image<int>& times) {
     const PixelMask& mask = pixels.mask();
     for (int row = mask.rows().begin; row < mask.rows().end; ++row) {
@@ -102,13 +102,13 @@ void count_pixels(const RegionPixels& pixels, PixelRows rows, Image<int>& times)
     }
 }
 
-// Each pixel of an image belongs to exactly one region.
+// Expects that each pixel of an image belongs to exactly one region.
 void expect_tiling(const Frame& frame, const RasterGrid& grid) {
     at_every_simd_level([&] {
         Image<int> times(grid.width, grid.height, 1);
         RegionPixels pixels;
         const auto paint = [&](int, const Region& region, SubpixelPoint by, PixelRows rows) {
-            pixels.place(region, by, rows);
+            pixels.rasterize(region, by, rows);
             count_pixels(pixels, rows, times);
         };
         paint_regions(frame, grid, 1, paint);

@@ -18,8 +18,8 @@ RasterGrid grid_of(int width, int height, const Vec2& center, double scale) {
     return {width, height, 0, 0, View{center, scale}};
 }
 
-// Each edge of an outline ends where another one begins; the next one, except at the ends of loops.
-// Returns the number of loops.
+// Expects that each edge of an outline ends where another edge begins. This is the next edge,
+// except at the end of a loop. Returns the number of loops.
 int expect_closed_loops(const Boundary& boundary) {
     using Point = std::pair<double, double>;
     std::vector<Point> begins;
@@ -50,8 +50,8 @@ TEST(PatchRegions, BeginWithTheSurroundingsAndHaveClosedBoundaries) {
     const std::vector<Region> regions = patch_regions(frame, grid, 2);
     ASSERT_EQ(regions.size(), 7U);
     for (std::size_t k = 0; k < 7; ++k) {
-        EXPECT_EQ(expect_closed_loops(regions[k].boundary),
-                  k == 0 ? 2 : 1);  // outside, and the hole
+        // The surroundings have two loops: around the ring and in the hole.
+        EXPECT_EQ(expect_closed_loops(regions[k].boundary), k == 0 ? 2 : 1);
     }
     const Region& around = regions.front();
     EXPECT_EQ(around.kind, RegionKind::Surroundings);
@@ -70,7 +70,7 @@ TEST(PatchRegions, LeaveOutBubblesOutsideOfTheImage) {
     EXPECT_EQ(regions[1].kind, RegionKind::Circle);
 }
 
-// So close that positions in subpixels do not fit 32 bits.
+// The view is so close that positions in subpixels do not fit in 32 bits.
 TEST(PatchRegions, HaveBoxesInTheImageAtAnyScale) {
     const Frame frame = snapshot(test::patch_foam(12, 3), 1);
     const RasterGrid grid = grid_of(50, 60, {0.3, 0.1}, 1e8);

@@ -13,7 +13,7 @@
 namespace foam::texgen {
 namespace {
 
-// 20 x 20 pixels, in spans of different lengths.
+// Fills a batch with 20 x 20 pixels, in spans of different lengths.
 void add_pixels(PixelBatch& batch) {
     batch.clear(Vec2(10.0, 10.0));
     for (int row = 0; row < 20; ++row) {
@@ -39,11 +39,11 @@ ArcFunctions functions_of(const PixelArc& arc, const Vec2& tail, const Vec2& mid
     lanes.add(arc, tail, false);
     ArcView view;
     view.evaluate(lanes, middle);
-    return view.functions(0);
+    return view.arc_functions(0);
 }
 
-// The nearest of a segment along the x axis and a point: the pixels between the ends face the
-// segment, for the others only the point counts.
+// Distances are measured from a horizontal segment and from a point. Pixels between the ends of the
+// segment face it. For other pixels only the point counts.
 TEST(PixelBatch, TakesTheNearestOfArcsAndPoints) {
     at_every_simd_level([] {
         PixelBatch batch;
@@ -94,8 +94,8 @@ TEST(PixelBatch, ReportsPixelsThatFaceNoArc) {
     });
 }
 
-// Two long parallel films: 1/s² = 1/a² + 1/b², and where films are far longer than their distance
-// the distances from their lines are a and b.
+// The films are two parallel lines, far longer than the distance between them. The smooth distance
+// s follows from the distances a and b from the lines: 1/s² = 1/a² + 1/b².
 TEST(PixelBatch, JoinsFilmsSmoothly) {
     at_every_simd_level([] {
         PixelBatch batch;
@@ -105,7 +105,7 @@ TEST(PixelBatch, JoinsFilmsSmoothly) {
         films.add({{-2e4, 0.0}, 1.0, 0.0}, {1e4, 23.0}, false);
         ArcView view;
         view.evaluate(films, batch.middle());
-        const std::vector<ArcFunctions> arcs{view.functions(0), view.functions(1)};
+        const std::vector<ArcFunctions> arcs{view.arc_functions(0), view.arc_functions(1)};
         ASSERT_TRUE(batch.measure(arcs, {}, true));
         batch.measure_smooth(
             std::vector<FilmFunctions>{view.film_functions(0), view.film_functions(1)});

@@ -48,8 +48,9 @@ bool holds(const PixelMask& mask, int x, int y) {
     return ((mask.word(x / PixelMask::kWordColumns, y) >> (x % PixelMask::kWordColumns)) & 1) != 0;
 }
 
-// A circle of a radius, cut by a chord at any angle into two arcs of less and of more than half a
-// turn: they rise, fall and do both. The radius spans one or several words of a row.
+// A chord at any angle divides the circle into two arcs, of less and of more than half a turn. They
+// rise, fall, or do both. `radius` is in pixels; a row of the circle is in one or in several words
+// of the mask.
 void expect_circles(double radius) {
     const int side = static_cast<int>(2.0 * radius + 10.0);
     const Vec2 center = Vec2(0.5 * side, 0.5 * side - 1.0);
@@ -85,7 +86,7 @@ TEST(PixelMask, HoldsThePixelsOfACircle) {
     });
 }
 
-// A film between two regions, straight or bent to either side: each pixel of both regions together
+// Two regions share a side, which is straight or bent to either side. Each pixel of the two regions
 // is in exactly one of them.
 TEST(PixelMask, GivesEachPixelAlongASharedSideToOneRegion) {
     constexpr int kSide = 40;
@@ -124,7 +125,8 @@ std::vector<Side> square(double low, double high) {
             arc_between({low, high}, {low, low}, 0.0)};
 }
 
-// The square from pixel center to pixel center has the centers on its left and lower sides.
+// The corners of the square are centers of pixels. The mask contains the centers on its left and
+// lower sides.
 TEST(PixelMask, CountsACenterOnASideAsToItsRight) {
     const PixelMask mask = mask_of(square(512.0, 512.0 + 2048.0), 4, {0, 4});
     for (int y = 0; y < 4; ++y) {
@@ -132,8 +134,9 @@ TEST(PixelMask, CountsACenterOnASideAsToItsRight) {
     }
 }
 
-// The edge crosses the middle of row 0 at 512.25 subpixels, a quarter beyond the center of pixel 0:
-// the center of that pixel is on its left.
+// The edge crosses the middle of row 0 at 512.25 subpixels, a quarter of a subpixel beyond the
+// center of pixel 0. The center is therefore on the left of the edge. If the crossing is rounded,
+// the center is on the right.
 TEST(PixelMask, DoesNotRoundTheCrossingsOfAnEdge) {
     const Vec2 low(512.0, 510.0);
     const Vec2 high(513.0, 518.0);
@@ -158,7 +161,7 @@ TEST(PixelMask, StartsFullForARegionWithoutEnd) {
     PixelMask mask;
     mask.reset(100, {0, 5}, true);
     std::vector<Side> hole = square(2048.0, 4096.0);
-    for (Side& side : hole) {  // is to the right of its sides
+    for (Side& side : hole) {  // the hole is on the right of its sides
         std::swap(side.from, side.to);
     }
     flip(hole, false, mask);

@@ -16,13 +16,14 @@
 namespace foam::texgen {
 namespace {
 
-// Measures region k of a patch in all rows of the image and compares it with the nearest of all
-// films; returns the number of batches. Each pixel of the mask is in exactly one batch.
+// Measures region k of a patch in all rows of the image. Expects that each pixel of the mask is in
+// exactly one batch, and that its distance is that of the nearest of all films. Returns the number
+// of batches.
 int expect_nearest(const Frame& frame, const RasterGrid& grid, std::size_t k) {
     const std::vector<Region> regions = patch_regions(frame, grid, 1);
     const test::NearestFilms films(frame, *grid.view, grid.width, grid.height);
     RegionPixels pixels;
-    pixels.place(regions[k], {}, {0, grid.height});
+    pixels.rasterize(regions[k], {}, {0, grid.height});
     const PixelBox& box = pixels.box();
     std::size_t expected = 0;
     for (int row = 0; row < box.rows(); ++row) {
@@ -50,7 +51,8 @@ int expect_nearest(const Frame& frame, const RasterGrid& grid, std::size_t k) {
     return batches;
 }
 
-// A hexagon of a ring in one batch, and in tiles; its wide outer side is halved.
+// A bubble of the ring is measured in one batch, or in tiles if it is large. Its wide outer side is
+// halved.
 TEST(RegionField, MeasuresABubbleAtOnceOrByTiles) {
     const Frame ring = snapshot(test::ring_foam(), 1);
     at_every_simd_level([&] {
@@ -59,8 +61,8 @@ TEST(RegionField, MeasuresABubbleAtOnceOrByTiles) {
     });
 }
 
-// The surroundings have a hole, corners of more than 180 degrees and more than the few sides that
-// each batch looks at.
+// The surroundings have a hole, corners of more than 180 degrees, and more sides than a batch
+// needs.
 TEST(RegionField, FindsTheNearestOfManySides) {
     const Frame ring = snapshot(test::ring_foam(), 1);
     const Frame disc = snapshot(test::patch_foam(120, 3), 1);

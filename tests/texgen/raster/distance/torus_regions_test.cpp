@@ -21,14 +21,15 @@ Vec2 real(SubpixelPoint point) {
     return Vec2(point.x, point.y);
 }
 
+// Expects that the sides of a region are those of its bubble in the network.
 void expect_traced(const Region& region, const Frame& frame, const PixelFrame& pixels) {
     const Network& network = frame.network;
     const std::vector<HalfEdgeId> around = network.around(id_at<BubbleId>(region.id));
     const ArcLanes& arcs = region.boundary.films();
     ASSERT_EQ(arcs.size(), around.size());
-    LatticeOffset lift;
-    Vec2 tail = pixels.exact(network.tail(around.front()));
-    EXPECT_EQ(region.first, pixels.junction(network.tail(around.front())));
+    LatticeOffset unwrapping;
+    Vec2 tail = pixels.exact_position(network.tail(around.front()));
+    EXPECT_EQ(region.first, pixels.rounded_position(network.tail(around.front())));
     for (std::size_t k = 0; k < around.size(); ++k) {
         const Boundary::Outline& edges = region.boundary.outline()[k / ArcLanes::kLanes];
         const std::size_t lane = k % ArcLanes::kLanes;
@@ -39,20 +40,22 @@ void expect_traced(const Region& region, const Frame& frame, const PixelFrame& p
         EXPECT_NEAR(edges.cosine[lane], expected.cosine, 1e-14);
         EXPECT_NEAR(edges.sine[lane], expected.sine, 1e-14);
         const Vec2 from(edges.from_x[lane], edges.from_y[lane]);
-        EXPECT_EQ(from, real(pixels.junction(network.tail(around[k])) + pixels.translation(lift)));
-        lift = lift + network.offset(around[k]);
+        EXPECT_EQ(from,
+                  real(pixels.rounded_position(network.tail(around[k])) +
+                       pixels.translation(unwrapping)));
+        unwrapping = unwrapping + network.offset(around[k]);
         tail += expected.chord;
         const HalfEdgeId next = around[(k + 1) % around.size()];
-        const LatticeOffset at = k + 1 < around.size() ? lift : LatticeOffset{};
+        const LatticeOffset at = k + 1 < around.size() ? unwrapping : LatticeOffset{};
         EXPECT_EQ(Vec2(edges.to_x[lane], edges.to_y[lane]),
-                  real(pixels.junction(network.tail(next)) + pixels.translation(at)));
+                  real(pixels.rounded_position(network.tail(next)) + pixels.translation(at)));
         EXPECT_LE(region.lowest.x, from.x());
         EXPECT_GE(region.highest.y, from.y());
     }
 }
 
-// Against the network: each side begins where the one before it ends, has the shape of its film,
-// and the last one ends where the first begins.
+// Compares the regions with the network. Each side begins where the preceding side ends and has the
+// shape of its film. The last side ends where the first side begins.
 TEST(TorusRegions, TraceEveryBubbleOnce) {
     Foam foam = test::polydisperse_foam(120, 4);
     shear(foam, 0.3);

@@ -16,7 +16,7 @@
 namespace foam::texgen {
 namespace {
 
-// By bubble, in pixels.
+// Returns the area within the arcs of each bubble, in square pixels.
 std::map<std::uint32_t, double> areas(const CellArcs& cells) {
     std::map<std::uint32_t, std::vector<MonotoneArc>> chains;
     for (const std::vector<MonotoneArc>& batch : cells.batches) {
@@ -32,7 +32,8 @@ std::map<std::uint32_t, double> areas(const CellArcs& cells) {
 }
 
 TEST(CellArcs, WithoutWidthAreTheFilmsOnce) {
-    // Of 25 bubbles there are 75 films, all of them there, some in two pieces or three.
+    // 25 bubbles have 75 films. The result contains every film, some of them in two or three
+    // pieces.
     const Frame frame = test::fitted_frame(test::bent_foam(25, 0.5, 1), 96, 64);
     const CellArcs cells = cell_arcs(frame, {96, 64, 0, 0}, 0.0, 1);
     ASSERT_EQ(cells.batches.size(), 1U);
@@ -46,25 +47,25 @@ TEST(CellArcs, WithoutWidthAreTheFilmsOnce) {
 }
 
 TEST(CellArcs, LeaveAStripOfHalfTheWidthFree) {
-    // A cell of area A and perimeter P, its corners k of angle b each, loses P h - k h² cot(b / 2)
-    // at distance h while all its films show; a hexagon loses P h - 6 h² / sqrt(3). The grid's
-    // aspect is that of the honeycomb to 1e-6, as 4 / (2 sqrt(3)) = 1351 / 1170 nearly: sqrt(3)
-    // = 1.7320508.
+    // A polygon of perimeter P with k corners of angle b loses the area P h - k h² cot(b / 2) at
+    // the distance h, as long as every side is visible. A hexagon loses P h - 6 h² / sqrt(3). The
+    // aspect ratio of the grid is that of the honeycomb to 1e-6: 4 / (2 sqrt(3)) is nearly 1351 /
+    // 1170.
     Foam foam = honeycomb(4, 4);
     const Frame frame = test::fitted_frame(foam, 1351, 1170);
     const double scale = 1351.0 / frame.domain.width;
     const CellArcs cells = cell_arcs(frame, {1351, 1170, 0, 0}, 8.0, 1);
-    const double side = std::sqrt(2.0 / (3.0 * std::sqrt(3.0))) * scale;  // of area 1
+    const double side = std::sqrt(2.0 / (3.0 * std::sqrt(3.0))) * scale;  // of a hexagon of area 1
     const double h = 4.0;
     const double expected = scale * scale - 6.0 * side * h + 6.0 * h * h / std::sqrt(3.0);
     const std::map<std::uint32_t, double> found = areas(cells);
     EXPECT_EQ(found.size(), 16U);
     for (const auto& [bubble, area] : found) {
-        EXPECT_NEAR(area, expected, 1.0) << bubble;  // of 1e5
+        EXPECT_NEAR(area, expected, 1.0) << bubble;  // of 1e5 square pixels
     }
 }
 
-// As InsetTracer finds it for each bubble; in pixels.
+// Returns the area of the inset that InsetTracer finds for a bubble, in square pixels.
 double area_left_free(const Frame& frame, double scale, BubbleId bubble, double inset) {
     ArcLoops outline;
     Vec2 at = Vec2::Zero();
@@ -83,8 +84,8 @@ double area_left_free(const Frame& frame, double scale, BubbleId bubble, double 
     return area;
 }
 
-// Bubbles with few sides are traced several at once; the one with 6 films and a bubble amid each of
-// them has 18 sides.
+// Bubbles with few sides are traced several at once. A two-sided bubble is inserted into each of
+// the 6 films of one bubble, which then has 18 sides.
 TEST(CellArcs, AreTheInsetsOfBubblesWithFewSidesAndMany) {
     Foam foam = honeycomb(4, 4);
     const auto crowded = id_at<BubbleId>(5);
@@ -98,7 +99,7 @@ TEST(CellArcs, AreTheInsetsOfBubblesWithFewSidesAndMany) {
     EXPECT_EQ(found.size(), 22U);
     for (const auto& [index, area] : found) {
         const double expected = area_left_free(frame, scale, id_at<BubbleId>(index), 1.0);
-        EXPECT_NEAR(area, expected, 0.2) << index;  // 200 pixels of perimeter, to a subpixel
+        EXPECT_NEAR(area, expected, 0.2) << index;  // 200 pixels of perimeter, rounded to subpixels
     }
 }
 
@@ -116,7 +117,7 @@ TEST(CellArcs, AllCloseInEquilibrium) {
     for (const std::uint64_t seed : {1U, 2U, 3U}) {
         const Frame frame = test::fitted_frame(test::polydisperse_foam(100, seed), 128, 128);
         for (const double width : {0.01, 0.5, 2.0, 5.0, 12.0, 100.0}) {
-            EXPECT_EQ(cell_arcs(frame, {128, 128, 0, 0}, width, 1).unresolved, 0)
+            EXPECT_EQ(cell_arcs(frame, {128, 128, 0, 0}, width, 1).unclosed_loops, 0)
                 << seed << " " << width;
         }
     }

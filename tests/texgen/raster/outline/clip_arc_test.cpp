@@ -9,7 +9,7 @@
 namespace foam::texgen {
 namespace {
 
-// In a box of 10 x 10.
+// Clips a piece to a box of 10 x 10.
 ClippedPiece clipped_to_box(const MonotonePieces::Piece& piece) {
     return {piece, Vec2(0.0, 0.0), Vec2(10.0, 10.0)};
 }
@@ -38,8 +38,8 @@ TEST(ClipArc, KeepsTheHeightsOfPartsOnTheLeft) {
     }
 }
 
-// A quarter of the circle of radius 20 around (-12, -8), from (8, -8) up to (-12, 12): it enters
-// the box at y = 0 and leaves it at x = 0.
+// The piece is a quarter of the circle of radius 20 around (-12, -8), from (8, -8) up to (-12, 12).
+// It enters the box at y = 0 and leaves it at x = 0.
 TEST(ClipArc, CutsACircleAtBorders) {
     const ClippedPiece clipped = clipped_to_box({{8.0, -8.0}, {-12.0, 12.0}, std::sqrt(0.5)});
     const double x = std::sqrt(20.0 * 20.0 - 8.0 * 8.0) - 12.0;

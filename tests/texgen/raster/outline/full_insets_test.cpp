@@ -46,8 +46,8 @@ TEST(FullInsets, OfARectangleIsARectangle) {
     });
 }
 
-// The offset of an arc of a hexagon keeps its center, so that the inset's corners are on the
-// bisectors.
+// The offset of an arc has the same center as the arc. The hexagon is symmetric, so the corners of
+// the inset are on its bisectors.
 TEST(FullInsets, KeepTheCurvatureCentersOfASymmetricBubble) {
     const std::vector<Vec2> corners = regular(6, 10.0);
     FullInsets insets;
@@ -71,20 +71,34 @@ TEST(FullInsets, AreNotProvenWhereASideDropsOut) {
     EXPECT_FALSE(shows_every_side(polygon({{0, 0}, {9, 0}, {9, 0}, {9, 5}}), 0.1));  // no length
 }
 
-// An L of which the inner corner turns right: circles around it belong to the inset.
+// The inner corner of an L turns right, so a circular arc around this corner is part of the
+// boundary of the inset.
 TEST(FullInsets, AreNotProvenAtACornerThatTurnsRight) {
     EXPECT_FALSE(
         shows_every_side(polygon({{0, 0}, {10, 0}, {10, 4}, {4, 4}, {4, 10}, {0, 10}}), 1.0));
 }
 
-// The long sides bend inwards. The second bubble has a waist of 0.6, through which the ends of its
-// inset pass, but not the middle.
+// The long sides bend inward. The second bubble has a waist of 0.6, less than twice the distance.
+// Its inset consists of two parts, one at either end.
 TEST(FullInsets, AreNotProvenWhereOppositeSidesAreTooNear) {
     at_every_simd_level([] {
         const std::vector<Vec2> corners{{0, 0}, {10, 0}, {10, 2}, {0, 2}};
         EXPECT_TRUE(shows_every_side(polygon(corners, -0.05), 0.35));
         EXPECT_FALSE(shows_every_side(polygon(corners, -0.28), 0.35));
     });
+}
+
+TEST(FullInsets, AreNotProvenForLoopsOfFewerThanThreeSides) {
+    ArcLoops outlines = polygon(regular(12, 40.0));
+    add_polygon({}, 0.0, outlines);
+    add_polygon({{0, 0}, {9, 0}}, 0.5, outlines);
+    add_polygon(regular(5, 20.0), 0.0, outlines);
+    FullInsets insets;
+    insets.trace(outlines, 1.0);
+    EXPECT_TRUE(insets.shows_every_side(0));
+    EXPECT_FALSE(insets.shows_every_side(1));
+    EXPECT_FALSE(insets.shows_every_side(2));
+    EXPECT_TRUE(insets.shows_every_side(3));
 }
 
 TEST(FullInsets, DoNotProveOutlinesBeyondTheirCapacity) {
@@ -125,7 +139,8 @@ void expect_same(const ArcLoops& found, const ArcLoops& expected) {
     }
 }
 
-// Returns the number of bubbles of which every side shows.
+// Expects that FullInsets and InsetTracer find the same insets. Returns the number of bubbles for
+// which FullInsets proves that every side is visible.
 int compare_with_all_cuts(const Foam& foam, double distance) {
     const ArcLoops outlines = outlines_of(foam);
     constexpr std::size_t kGroupSize = 16;

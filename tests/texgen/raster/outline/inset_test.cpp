@@ -21,11 +21,11 @@ double loop_area(const ArcLoops& loops, std::size_t begin, std::size_t end) {
     return area;
 }
 
-// Area of each part that is left.
+// Returns the area of each part of the inset of a region.
 std::vector<double> inset_areas(const ArcLoops& region, double distance) {
     InsetTracer tracer;
     const ArcLoops& loops = tracer.trace(region, distance);
-    EXPECT_EQ(loops.open_ends, 0);
+    EXPECT_EQ(loops.unclosed_loops, 0);
     std::vector<double> areas;
     std::size_t begin = 0;
     for (const std::size_t end : loops.loop_ends) {
@@ -49,7 +49,8 @@ TEST(Inset, IsEmptyIfFilmsCoverTheBubble) {
 }
 
 TEST(Inset, OfARegularHexagon) {
-    // Side 1, apothem sqrt(3)/2; area is 2 sqrt(3) apothem squared.
+    // The side is 1 and the apothem sqrt(3)/2. The area of a hexagon is 2 sqrt(3) times the squared
+    // apothem.
     std::vector<Vec2> corners;
     for (int k = 0; k < 6; ++k) {
         const double angle = k * std::numbers::pi / 3.0;
@@ -62,9 +63,9 @@ TEST(Inset, OfARegularHexagon) {
 }
 
 TEST(Inset, DropsASideThatIsTooShort) {
-    // A square with one corner cut off along x + y = 19. At distance h, the cut's offset
-    // x + y = 19 - h sqrt(2) passes the corner (10 - h, 10 - h) of the others at h = 1 / (2 -
-    // sqrt(2)).
+    // One corner of the square is cut off along x + y = 19. At the distance h, the offset of the
+    // cut is x + y = 19 - h sqrt(2). It passes through the corner (10 - h, 10 - h) of the adjacent
+    // offsets at h = 1 / (2 - sqrt(2)), and is not visible for larger h.
     const auto region = polygon({{0.0, 0.0}, {10.0, 0.0}, {10.0, 9.0}, {9.0, 10.0}, {0.0, 10.0}});
     const double leg = std::numbers::sqrt2 - 1.0;  // 9 + 9 - (19 - sqrt(2))
     EXPECT_NEAR(inset_areas(region, 1.0).at(0), 64.0 - 0.5 * leg * leg, 1e-12);
@@ -72,8 +73,8 @@ TEST(Inset, DropsASideThatIsTooShort) {
 }
 
 TEST(Inset, OfATwoSidedBubble) {
-    // Two arcs of half angle 60 degrees; their centers are as far apart as the radius r. The inset
-    // is the lens of two circles of radius r - h around the same centers.
+    // The sides are two arcs with half angles of 60 degrees. The distance between their centers is
+    // their radius r. The inset is the lens of two circles of radius r - h around the same centers.
     const double chord = 10.0;
     const double half_angle = std::numbers::pi / 3.0;
     const ArcLoops region{{{{0.0, 0.0}, pixel_arc({Vec2(chord, 0.0), half_angle})},
@@ -91,9 +92,10 @@ TEST(Inset, OfATwoSidedBubble) {
 }
 
 TEST(Inset, FallsIntoPartsAndRoundsCornersThatTurnBack) {
-    // Two 10 x 10 squares, joined by a corridor of width 2 and length 4; distance 1.5 closes it.
-    // Each part is a 7 x 7 square and a bulge towards the corridor, between circles around its two
-    // corners: 2 times the integral of 1.5 - sqrt(2.25 - t²) over t from 0 to 1.
+    // Two squares of 10 x 10 are joined by a corridor of width 2 and length 4, which has no inset
+    // at the distance 1.5. Each part of the inset is a square of 7 x 7 and a bulge toward the
+    // corridor, between circles around its two corners. The area of the bulge is twice the integral
+    // of 1.5 - sqrt(2.25 - t²) over t from 0 to 1.
     const auto region = polygon({{0.0, 0.0},
                                  {10.0, 0.0},
                                  {10.0, 4.0},
@@ -114,7 +116,7 @@ TEST(Inset, FallsIntoPartsAndRoundsCornersThatTurnBack) {
 }
 
 TEST(Inset, OfACircleInThreeArcs) {
-    // Corners that do not turn at all: the offsets touch there instead of crossing.
+    // The boundary does not turn at its corners, so the offsets touch there instead of crossing.
     ArcLoops region;
     for (int k = 0; k < 3; ++k) {
         const double a = 2.0 * std::numbers::pi / 3.0 * k + 0.1;

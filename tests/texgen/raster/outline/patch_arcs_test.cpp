@@ -27,22 +27,22 @@ std::size_t value_count(const Frame& frame) {
     return frame.network.bubble_slots() + frame.lone_bubbles.size();
 }
 
-// What is drawn, films or cells, in white on black.
+// Returns values with which bubbles and films are white and the surroundings are black.
 CellValues opacity(const Frame& frame) {
     CellValues values{1, std::vector<std::uint16_t>(value_count(frame), 65535), {65535}};
-    values.cells[index_of(frame.network.ghost())] = 0;
+    values.bubbles[index_of(frame.network.ghost())] = 0;
     return values;
 }
 
 Image16 filled(const Frame& frame, const RasterGrid& grid, double width, const CellValues& values) {
     const CellArcs cells = cell_arcs(frame, grid, width, 1);
-    EXPECT_EQ(cells.unresolved, 0);
+    EXPECT_EQ(cells.unclosed_loops, 0);
     Image16 image(grid.width, grid.height, static_cast<int>(values.channels));
     fill_cells(cells, values, 1, image.view());
     return image;
 }
 
-// In pixels.
+// Returns the sum of all pixels, where white is 1.
 double white_area(const Image16& image) {
     double area = 0.0;
     for (const std::uint16_t sample : image.samples()) {
@@ -55,7 +55,8 @@ double opaque_area(const Frame& frame, const RasterGrid& grid, double width) {
     return white_area(filled(frame, grid, width, opacity(frame)));
 }
 
-// A circle of radius r covers pi (r + w / 2)², and the ring of its film 2 pi r w of it.
+// A circle of radius r with a film of width w covers the area pi (r + w / 2)². The film covers 2 pi
+// r w of it.
 TEST(PatchArcs, OfACircleHaveItsArea) {
     const Frame frame = snapshot(test::circles({{0, {0.3, -0.2}, 2.0}}), 1);
     const double radius = std::sqrt(2.0 / kPi);
@@ -68,12 +69,13 @@ TEST(PatchArcs, OfACircleHaveItsArea) {
         }
     }
     CellValues film = opacity(frame);
-    film.cells[1] = 0;
+    film.bubbles[1] = 0;
     const Image16 ring = filled(frame, grid_of(128, 128, Vec2::Zero(), 50.0), 4.0, film);
     EXPECT_NEAR(white_area(ring) / (2.0 * kPi * 50.0 * radius * 4.0), 1.0, 1e-4);
 }
 
-// Two circles whose films just overlap: the union of two discs, less one lens of two segments.
+// The films of two circles just overlap. The covered area is two discs minus one lens, which
+// consists of two segments.
 TEST(PatchArcs, OfCirclesThatAreCloseMerge) {
     const double r = std::sqrt(1.0 / kPi);
     const Frame frame =
@@ -89,7 +91,8 @@ TEST(PatchArcs, OfCirclesThatAreCloseMerge) {
         opaque_area(frame, grid_of(160, 96, Vec2::Zero(), scale), 5.0) / expected, 1.0, 1e-4);
 }
 
-// Without films, every pixel wholly within the patch is opaque, and the sum is the patch's area.
+// Without films, the sum of the opacities is the area of the patch. If the surroundings have the
+// value of the bubbles, every pixel has this value.
 TEST(PatchArcs, WithoutWidthEndAtTheOuterArcs) {
     for (const Foam& foam : {test::patch_foam(2, 3), test::patch_foam(40, 1, kFrame)}) {
         const Frame frame = snapshot(foam, 1);
@@ -101,7 +104,7 @@ TEST(PatchArcs, WithoutWidthEndAtTheOuterArcs) {
         const RasterGrid grid = grid_of(160, 160, Vec2::Zero(), scale);
         EXPECT_NEAR(opaque_area(frame, grid, 0.0) / (area * scale * scale), 1.0, 1e-4);
         CellValues outside{1, std::vector<std::uint16_t>(value_count(frame), 54321), {7}};
-        outside.cells[index_of(frame.network.ghost())] = 54321;
+        outside.bubbles[index_of(frame.network.ghost())] = 54321;
         const Image16 image = filled(frame, grid, 0.0, outside);
         for (const std::uint16_t sample : image.samples()) {
             ASSERT_EQ(sample, 54321);
@@ -109,14 +112,15 @@ TEST(PatchArcs, WithoutWidthEndAtTheOuterArcs) {
     }
 }
 
-// Any bubble, what is around them, and the films, in white, against the samples.
+// Draws each bubble, and the surroundings, in white. Returns the largest difference of a pixel from
+// the samples.
 double largest_error(const Frame& frame, const RasterGrid& grid, double width) {
     const test::SampledCoverage sampled =
         test::sample_coverage(frame, *grid.view, grid.width, grid.height, width);
     double largest = 0.0;
     for (std::size_t k = 0; k < value_count(frame); ++k) {
         CellValues values{1, std::vector<std::uint16_t>(value_count(frame), 0), {}};
-        values.cells[k] = 65535;
+        values.bubbles[k] = 65535;
         const Image16 image = filled(frame, grid, width, values);
         for (std::size_t pixel = 0; pixel < sampled.parts.size(); ++pixel) {
             const double exact = image.samples()[pixel] / 65535.0;
@@ -126,7 +130,7 @@ double largest_error(const Frame& frame, const RasterGrid& grid, double width) {
     return largest;
 }
 
-// As in FillAgainstSamples.
+// The tolerance is explained at FillAgainstSamples (fill_test.cpp).
 constexpr double kReferenceTolerance = 0.0027;
 
 TEST(PatchArcsAgainstSamples, PatchOfManyBubbles) {
@@ -139,8 +143,8 @@ TEST(PatchArcsAgainstSamples, PatchOfManyBubbles) {
 
 TEST(PatchArcsAgainstSamples, AHoleAndRaftsThatAreClose) {
     Foam foam = test::ring_foam();
-    // In the hole, and 0.12 from an outer film, whose middle is 1.905 + 1.1 tan(0.35) from the
-    // origin: less than a pixel.
+    // One lone bubble is in the hole. The other one is 0.12, less than a pixel, from an outer film,
+    // whose middle is 1.905 + 1.1 tan(0.35) from the origin.
     foam.lone_bubbles = {{90, {0.05, -0.02}, 0.1}, {91, {2.45, 1.415}, 0.5}};
     const Frame frame = snapshot(foam, 1);
     const RasterGrid grid = grid_of(36, 36, {0.4, 0.3}, 6.0);
@@ -156,9 +160,9 @@ TEST(PatchArcsAgainstSamples, OuterFilmsThatBulgeBeyondHalfACircle) {
     EXPECT_LT(largest_error(frame, grid, 2.0), kReferenceTolerance);
 }
 
-// Circles of radius 1 and 0.5 around points 1.2 apart, with films of 0.2: nothing keeps them from
-// it. What either covers shows, none of it twice: the union of two discs of radii 1.1 and 0.6, by
-// their common chord at x = (1.1² - 0.6² + 1.2²) / 2.4 from the first.
+// Two circles of radius 1 and 0.5, whose centers are 1.2 apart, overlap. With films of 0.2 they
+// cover two discs of radius 1.1 and 0.6. The union of the discs follows from their common chord,
+// which is at x = (1.1² - 0.6² + 1.2²) / 2.4 from the first center.
 TEST(PatchArcs, RaftsThatOverlapBothShow) {
     const Frame frame =
         snapshot(test::circles({{0, {0.0, 0.0}, kPi}, {1, {1.2, 0.0}, 0.25 * kPi}}), 1);
@@ -173,8 +177,9 @@ TEST(PatchArcs, RaftsThatOverlapBothShow) {
     EXPECT_NEAR(opaque_area(frame, grid, 8.0) / (expected * scale * scale), 1.0, 1e-3);
 }
 
-// A view moved by whole pixels shows the same pixels: nothing wraps, and what is outside does not
-// matter. A quarter of a unit is four pixels, exactly.
+// A view that is displaced by whole pixels shows the same pixels: nothing wraps around, and what is
+// outside of the view has no influence. The displacements are multiples of a quarter of a unit,
+// which is exactly four pixels.
 TEST(PatchArcs, APartOfAPictureIsThatPartBitForBit) {
     const Frame frame = snapshot(test::patch_foam(30, 4, kFrame), 1);
     const Image16 whole = filled(frame, grid_of(128, 128, Vec2::Zero(), 16.0), 2.0, opacity(frame));
@@ -190,7 +195,8 @@ TEST(PatchArcs, APartOfAPictureIsThatPartBitForBit) {
     }
 }
 
-// A bubble a million pixels wide: its film, cut off far outside, still runs where it should.
+// The bubble is a million pixels wide. Its film is cut off far outside of the view, and is still
+// drawn exactly.
 TEST(PatchArcs, AVeryCloseViewIsCutOffExactly) {
     const Frame frame = snapshot(test::circles({{0, {0.0, 0.0}, kPi}}), 1);
     const double scale = 5e5;
@@ -200,7 +206,7 @@ TEST(PatchArcs, AVeryCloseViewIsCutOffExactly) {
         const RasterGrid grid = grid_of(64, 64, on_film, scale);
         const double sagitta = 32.0 * 32.0 / (2.0 * scale);
         CellValues values = opacity(frame);
-        values.cells[1] = 0;  // the film alone
+        values.bubbles[1] = 0;  // the film alone
         const Image16 image = filled(frame, grid, width, values);
         for (int y = 0; y < 64; ++y) {
             for (int x = 0; x < 64; ++x) {
@@ -213,7 +219,7 @@ TEST(PatchArcs, AVeryCloseViewIsCutOffExactly) {
                 ASSERT_TRUE(!is_free || image.pixel(x, y)[0] == 0);
             }
         }
-        // Where there is nothing but a bubble, or nothing at all.
+        // These views show only the bubble, or only its surroundings.
         const RasterGrid inside = grid_of(8, 8, 0.9 * on_film, scale);
         EXPECT_EQ(opaque_area(frame, inside, width), 64.0);
         EXPECT_EQ(opaque_area(frame, grid_of(8, 8, 1.1 * on_film, scale), width), 0.0);
@@ -245,7 +251,7 @@ TEST(PatchArcs, NeedAView) {
     EXPECT_THROW(cell_arcs(frame, {16, 16, 0, 0}, 1.0, 1), std::invalid_argument);
 }
 
-// Straight colors are those of the cells, whatever part of a pixel they cover.
+// Straight colors are the colors of the cells, however small the part of a pixel that they cover.
 TEST(FillStraight, ColorsAreWholeWhereOpacityIsNot) {
     const Frame frame = snapshot(test::circles({{0, {0.0, 0.0}, 2.0}}), 1);
     CellValues values{4, {0, 0, 0, 0, 1000, 65535, 30001, 65535}, {1000, 65535, 30001, 65535}};

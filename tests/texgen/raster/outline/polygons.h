@@ -17,7 +17,7 @@ inline void add_polygon(const std::vector<Vec2>& corners, double half_angle, Arc
     to.loop_ends.push_back(to.sides.size());
 }
 
-/// Returns such a loop alone.
+/// Returns a single loop of this kind.
 inline ArcLoops polygon(const std::vector<Vec2>& corners, double half_angle = 0.0) {
     ArcLoops loops;
     add_polygon(corners, half_angle, loops);

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "core/foam/foam.h"
+
+#include <map>
+
+namespace foam {
+
+/// Returns the center of each bubble of a patch: the mean of all points of its films. The center of
+/// a lone bubble is the center of its circle.
+std::map<BubbleIdentity, Vec2> bubble_centers(const Foam& patch);
+
+/// Moves and rotates every raft of a patch as a rigid body so that the centers of its bubbles fit
+/// their earlier centers, `before`, by least squares. Equilibrium determines neither the position
+/// nor the rotation of a raft, so that a solver may change both, although no force moves the raft.
+/// A lone bubble returns to its earlier center.
+void restore_rafts(Foam& patch, const std::map<BubbleIdentity, Vec2>& before);
+
+}  // namespace foam

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/maps/arc_distance.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+namespace foam::texgen {
+namespace {
+
+// Returns the distance from a point to the nearest of many points of an arc.
+double sampled_distance(const FilmArc& arc, const Vec2& point) {
+    constexpr int kSamples = 200'000;
+    const double radius = 0.5 * arc.chord.norm() / std::sin(arc.half_angle);
+    const Vec2 center =
+        0.5 * arc.chord + radius * std::cos(arc.half_angle) * turned_left(arc.chord.normalized());
+    double nearest = std::numeric_limits<double>::infinity();
+    for (int k = 0; k <= kSamples; ++k) {
+        const double angle = 2.0 * arc.half_angle * k / kSamples;
+        const Vec2 from_center = -center;
+        const Vec2 at =
+            center + std::cos(angle) * from_center + std::sin(angle) * turned_left(from_center);
+        nearest = std::min(nearest, (point - at).norm());
+    }
+    return nearest;
+}
+
+TEST(ArcDistance, IsTheDistanceToTheNearestPointOfTheArc) {
+    for (const double half_angle : {-2.9, -1.6, -0.7, -0.01, 0.02, 0.9, 1.5, 2.0, 3.0}) {
+        const FilmArc arc{{12.0, 5.0}, half_angle};
+        for (const Vec2& point : {Vec2(3.0, 9.0),
+                                  Vec2(-4.0, 1.0),
+                                  Vec2(15.0, 2.0),
+                                  Vec2(6.0, 2.5),
+                                  Vec2(7.0, -8.0),
+                                  Vec2(-20.0, 30.0)}) {
+            EXPECT_NEAR(distance_to_arc(pixel_arc(arc), point), sampled_distance(arc, point), 1e-6)
+                << "half angle " << half_angle << ", point " << point.transpose();
+        }
+    }
+}
+
+TEST(ArcDistance, IsExactForAStraightLine) {
+    const PixelArc line{{10.0, 0.0}, 1.0, 0.0};
+    EXPECT_EQ(distance_to_arc(line, {4.0, 3.0}), 3.0);
+    EXPECT_EQ(distance_to_arc(line, {4.0, -3.0}), 3.0);
+    EXPECT_EQ(distance_to_arc(line, {13.0, 4.0}), 5.0);
+    EXPECT_EQ(distance_to_arc(line, {-3.0, -4.0}), 5.0);
+}
+
+TEST(ArcDistance, AnArcWithoutLengthIsAPoint) {
+    EXPECT_EQ(distance_to_arc({{0.0, 0.0}, 1.0, 0.0}, {3.0, 4.0}), 5.0);
+    EXPECT_EQ(distance_to_arc({{0.0, 0.0}, 1.0, 0.0}, {0.0, 0.0}), 0.0);
+}
+
+// An arc through the corner of a torus is also near the other three corners of the image.
+TEST(ArcDistance, ContinuesAcrossTheBordersOfATorus) {
+    const Domain domain{1.0, 1.0};
+    const std::vector<PlacedArc> arcs = {{{0.0, 0.0}, {{2.0, 0.0}, 1.0, 0.0}}};
+    const Image<float> image = distance_to_arcs(arcs, {32, 32}, domain, 4.0);
+    EXPECT_FLOAT_EQ(image.pixel(1, 0)[0], 0.5F);
+    EXPECT_FLOAT_EQ(image.pixel(1, 31)[0], 0.5F);
+    EXPECT_FLOAT_EQ(image.pixel(31, 0)[0], std::sqrt(0.5F));
+    EXPECT_FLOAT_EQ(image.pixel(31, 31)[0], std::sqrt(0.5F));
+    EXPECT_FLOAT_EQ(image.pixel(16, 16)[0], 4.0F);
+}
+
+// The sum of the coverage is the area of a stroke with round ends.
+TEST(ArcDistance, StrokesHaveTheirArea) {
+    const Domain domain{1.0, 1.0};
+    for (const double width : {0.25, 1.0, 3.0, 9.5}) {
+        const PixelArc line{{30.0, 17.0}, 1.0, 0.0};
+        const Image<float> image =
+            stroke_coverage(std::vector<PlacedArc>{{{0.8, 0.7}, line}}, {96, 96}, domain, width);
+        double sum = 0.0;
+        for (const float sample : image.samples()) {
+            sum += static_cast<double>(sample);
+        }
+        const double wide = std::max(width, 1.0);
+        const double area = std::min(width, 1.0) *
+                            (wide * line.chord.norm() + 0.25 * std::numbers::pi * wide * wide);
+        EXPECT_NEAR(sum, area, 0.01 * area + 0.2 * std::min(width, 1.0)) << width;
+    }
+}
+
+}  // namespace
+}  // namespace foam::texgen

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "core/dynamics/state_change.h"
+#include "core/dynamics/target_area_schedule.h"
+#include "core/foam/foam.h"
+#include "core/foam/random.h"
+#include "texgen/events/event_base.h"
+#include "texgen/raster/coords/raster_grid.h"
+
+#include <array>
+#include <map>
+
+namespace foam::texgen {
+
+/// The schedule of the target area of a driven bubble over some frames.
+struct DrivenSchedule {
+    FrameSpan frames;
+    TargetAreaSchedule schedule;
+    bool vanishes = false;  // true if the bubble vanishes at the last frame
+};
+
+/// The schedules of all driven bubbles. If a later event drives the same bubble, its schedule
+/// replaces the earlier one.
+using DrivenSchedules = std::map<BubbleIdentity, DrivenSchedule>;
+
+/// Returns the point of the plane, in foam units, at a position in an image. `size` is the size of
+/// the image in pixels. The position is in fractions of the image's width and height, from the
+/// lower left corner of the image.
+Vec2 point_in_view(const View& view, const Vec2& size, const std::array<double, 2>& position);
+
+/// The arguments of the effect of an event on the step that leads to a frame. The foam is in
+/// equilibrium, and the step has not begun. The event adds changes to impose during this step and
+/// later ones. It may also change the foam directly.
+struct EventContext {
+    int frame = 0;  // the frame at the end of the step
+    Foam& foam;
+    Random& random;              // a generator that only this event uses
+    double t2_area = 0.0;        // square foam units
+    View view;                   // view of the images of a patch; unused on a torus
+    Vec2 image_size;             // pixels
+    StateChange& change;         // changes to impose during this step
+    DrivenSchedules& schedules;  // target areas to impose during this step and later ones
+
+    /// Returns the point of the foam, in foam units, at a position in the image (point_in_view). An
+    /// image of a torus shows exactly the torus.
+    Vec2 point_at(const std::array<double, 2>& position) const;
+};
+
+}  // namespace foam::texgen

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/image/color.h"
+#include "texgen/maps/albedo_options.h"
+#include "texgen/maps/frame_layers.h"
+#include "texgen/maps/map_image.h"
+
+#include <cstddef>
+#include <functional>
+
+namespace foam::texgen {
+
+/// Returns the fraction of every pixel that films cover, from 0 to 1, in one channel. For even
+/// films the fraction is exact. Wet films end where the smooth distance (distance_field.h) is half
+/// of options.film_width, which rounds the corners of bubbles. At the edge of a wet film the
+/// fraction falls linearly from 1 to 0 over the width of a pixel.
+Image<float> film_coverage(FrameLayers& layers, const AlbedoOptions& options);
+
+/// Returns the fraction of every pixel that films and bubbles cover together, in one channel.
+Image<float> foam_coverage(FrameLayers& layers, const AlbedoOptions& options);
+/// Returns the same fraction as the function above. `films` is the result of film_coverage. It is
+/// used only for wet films in a patch; in all other cases an empty image is allowed.
+Image<float> foam_coverage(FrameLayers& layers,
+                           const AlbedoOptions& options,
+                           const Image<float>& films);
+
+/// Returns the weight of the shade's color at every pixel. The weight is options.shade on the
+/// center lines of films and falls smoothly to 0 at the smooth distance options.shade_width. The
+/// image has one channel. Precondition: options.shade > 0, because otherwise the distance field may
+/// lack the smooth distance.
+Image<float> film_shade(FrameLayers& layers, const AlbedoOptions& options);
+
+/// Returns the images of the distance field that the functions of this file need.
+DistanceNeeds film_distance_needs(const AlbedoOptions& options);
+
+/// Returns an image of films over bubbles. `color_at` returns the color of the bubbles at a pixel;
+/// its argument is the index of the pixel, counted row by row from the bottom row. The surroundings
+/// of a patch are transparent, as in fill_colors.
+ColorPixels paint_films(FrameLayers& layers,
+                        const AlbedoOptions& options,
+                        const std::function<LinearRgb(std::size_t)>& color_at);
+
+}  // namespace foam::texgen

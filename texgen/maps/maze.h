@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/keys/key.h"
+#include "texgen/maps/map.h"
+#include "texgen/maps/maze_graph.h"
+
+#include <cstdint>
+#include <string>
+
+namespace foam::texgen {
+
+inline constexpr MapTraits kMazeMap = {
+    .name = "maze",
+    .meaning = "maze of the foam: bubbles are rooms, films are walls or open",
+    .unit = "light",
+    .channels = "R G B",
+    .png_filter = PngFilter::Up};
+
+inline constexpr MapTraits kMazeSolutionMap = {
+    .name = "maze_solution",
+    .meaning = "maze, and its shortest way as a smooth line",
+    .unit = "light",
+    .channels = "R G B",
+    .png_filter = PngFilter::Up};
+
+struct MazeOptions {
+    double chance = 0.4;       // share of chance in the choice of openings; the rest is pressure
+    std::int64_t seed = 1;     // of the random choices
+    double loops = 0.0;        // fraction of the walls that are opened in addition
+    double wall_width = 0.22;  // full width of walls, in diameters of a seeded mean bubble
+    std::string wall_color = "#16262f";  // colors are sRGB
+    std::string passage_color = "#f4efe2";
+    double solution_width = 0.26;  // full width of the line, in diameters of a seeded mean bubble
+    std::string solution_color = "#e2472c";
+};
+
+Keys<MazeOptions> maze_keys();
+
+/// Returns the rule by which the maps build their maze. Passages that walls of the given width
+/// would nearly fill count as narrow.
+MazeRule maze_rule(const MazeOptions& options);
+
+/// Draws a maze (find_maze): passages, and walls with round ends along the films that are not
+/// open. The surroundings of a patch are transparent.
+ColorPixels draw_maze(FrameLayers& layers, const MazeOptions& options);
+
+/// Draws the maze and its solution: a smooth line through the middles of the films that the
+/// shortest way passes. On a torus it begins and ends in the middle of a bubble, on a patch outside
+/// the entrance and the exit.
+ColorPixels draw_maze_solution(FrameLayers& layers, const MazeOptions& options);
+
+}  // namespace foam::texgen

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/maps/maze_graph.h"
+
+#include "core/geometry/film_arc.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+namespace foam::texgen {
+
+namespace {
+
+// The spanning tree is built by Kruskal's algorithm: films are visited in the order of their
+// weights, and a film is opened if there is no way yet between the bubbles on its sides. Groups of
+// bubbles that are connected are kept in a disjoint-set forest. The longest way of a tree is found
+// by two breadth-first searches: the bubble farthest from any bubble is one of its ends.
+
+// A disjoint-set forest with union by size and path halving (R. E. Tarjan and J. van Leeuwen,
+// "Worst-case analysis of set union algorithms", 1984).
+class DisjointSets {
+  public:
+    explicit DisjointSets(std::size_t count) : parents_(count), sizes_(count, 1) {
+        std::iota(parents_.begin(), parents_.end(), std::size_t{0});
+    }
+
+    std::size_t root_of(std::size_t element) {
+        while (parents_[element] != element) {
+            parents_[element] = parents_[parents_[element]];
+            element = parents_[element];
+        }
+        return element;
+    }
+
+    // Returns the number of elements in the set of an element.
+    std::size_t size_of(std::size_t element) { return sizes_[root_of(element)]; }
+
+    // Joins the sets of two elements. Returns false if they were in one set already.
+    bool join(std::size_t a, std::size_t b) {
+        a = root_of(a);
+        b = root_of(b);
+        if (a == b) {
+            return false;
+        }
+        if (sizes_[a] < sizes_[b]) {
+            std::swap(a, b);
+        }
+        parents_[b] = a;
+        sizes_[a] += sizes_[b];
+        return true;
+    }
+
+  private:
+    std::vector<std::size_t> parents_;
+    std::vector<std::size_t> sizes_;  // of the sets, at the index of their root
+};
+
+// Returns a number in [0, 1) that depends on the seed and on an unordered pair of identities: the
+// upper bits of the finalizer of SplitMix64 (S. Vigna, 2015), applied to each in turn.
+double number_of_pair(std::int64_t seed, BubbleIdentity one, BubbleIdentity other) {
+    const auto scrambled = [](std::uint64_t x) {
+        x += 0x9e3779b97f4a7c15U;
+        x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9U;
+        x = (x ^ (x >> 27U)) * 0x94d049bb133111ebU;
+        return x ^ (x >> 31U);
+    };
+    const auto [low, high] = std::minmax(one, other);
+    const std::uint64_t bits = scrambled(
+        scrambled(scrambled(static_cast<std::uint64_t>(seed)) ^ static_cast<std::uint64_t>(low)) ^
+        static_cast<std::uint64_t>(high));
+    return static_cast<double>(bits >> 11U) * 0x1p-53;
+}
+
+using OpenFilms = Indexed<FilmId, std::uint8_t>;
+
+// A film between two different bubbles.
+struct Wall {
+    FilmId film;
+    bool is_narrow;  // MazeRule::narrow
+    double weight;   // of the spanning tree; films of small weight are opened first
+    double number;   // random; decides which walls are opened in addition
+};
+
+// Returns true if walls would fill the passage through a film (MazeRule::narrow).
+bool is_narrow(const Frame& frame, FilmId film, double width) {
+    const HalfEdgeId side = forward_side(film);
+    const double area = std::min(frame.bubbles[frame.network.left(side)].area,
+                                 frame.bubbles[frame.network.right(side)].area);
+    return arc_length(frame.arcs[film]) < width || 4.0 * area < std::numbers::pi * width * width;
+}
+
+// Returns the films between two different bubbles, without the outer films of a patch.
+std::vector<Wall> walls_of(const Frame& frame, const MazeRule& rule) {
+    const Network& network = frame.network;
+    std::vector<Wall> walls;
+    double sum = 0.0;
+    for (const FilmId film : network.films()) {
+        const HalfEdgeId side = forward_side(film);
+        const BubbleId left = network.left(side);
+        const BubbleId right = network.right(side);
+        if (left == right || network.is_outer(film)) {
+            continue;
+        }
+        const FrameBubble& a = frame.bubbles[left];
+        const FrameBubble& b = frame.bubbles[right];
+        const double step = std::abs(a.pressure - b.pressure);
+        walls.push_back({film,
+                         is_narrow(frame, film, rule.narrow),
+                         step,
+                         number_of_pair(rule.seed, a.identity, b.identity)});
+        sum += step;
+    }
+    // The mean difference of pressures weighs as much as the mean random number. Differences that
+    // are only errors of the solver do not count.
+    constexpr double kLargestError = 1e-8;  // in film tensions per foam unit of length
+    const double mean = sum / std::max(static_cast<double>(walls.size()), 1.0);
+    const double scale = mean > kLargestError * frame.film_tension ? 0.5 / mean : 0.0;
+    for (Wall& wall : walls) {
+        wall.weight = (1.0 - rule.chance) * scale * wall.weight + rule.chance * wall.number;
+    }
+    return walls;
+}
+
+// The spanning tree of a frame.
+struct SpanningTree {
+    OpenFilms is_open;
+    std::vector<Wall> closed;                    // all films between bubbles that are not open
+    BubbleId in_largest_raft = kNone<BubbleId>;  // a bubble; kNone if all rafts have one bubble
+};
+
+// Opens films until exactly one way leads from any bubble to any other of its raft.
+SpanningTree spanning_tree(const Frame& frame, const MazeRule& rule) {
+    std::vector<Wall> walls = walls_of(frame, rule);
+    std::sort(walls.begin(), walls.end(), [](const Wall& a, const Wall& b) {
+        return std::tuple(a.is_narrow, a.weight, a.film) <
+               std::tuple(b.is_narrow, b.weight, b.film);
+    });
+    SpanningTree tree{OpenFilms(frame.network.film_slots(), 0), {}, kNone<BubbleId>};
+    DisjointSets connected(frame.network.bubble_slots());
+    for (const Wall& wall : walls) {
+        const HalfEdgeId side = forward_side(wall.film);
+        if (connected.join(index_of(frame.network.left(side)),
+                           index_of(frame.network.right(side)))) {
+            tree.is_open[wall.film] = 1;
+        } else {
+            tree.closed.push_back(wall);
+        }
+    }
+    std::size_t largest = 1;
+    for (const BubbleId bubble : frame.network.bubbles()) {
+        if (connected.size_of(index_of(bubble)) > largest) {
+            largest = connected.size_of(index_of(bubble));
+            tree.in_largest_raft = bubble;
+        }
+    }
+    return tree;
+}
+
+// Returns the open films of a maze: those of the tree, and the given fraction of all others, chosen
+// by their random numbers.
+OpenFilms with_loops(SpanningTree tree, double loops) {
+    std::sort(tree.closed.begin(), tree.closed.end(), [](const Wall& a, const Wall& b) {
+        return std::tuple(a.is_narrow, a.number, a.film) <
+               std::tuple(b.is_narrow, b.number, b.film);
+    });
+    const auto extra =
+        static_cast<std::size_t>(std::lround(loops * static_cast<double>(tree.closed.size())));
+    for (std::size_t k = 0; k < std::min(extra, tree.closed.size()); ++k) {
+        tree.is_open[tree.closed[k].film] = 1;
+    }
+    return std::move(tree.is_open);
+}
+
+// A breadth-first search through the open films, from one bubble.
+class Search {
+  public:
+    Search(const Frame& frame, const OpenFilms& is_open, BubbleId from)
+        : network_(frame.network),
+          reached_by_(network_.bubble_slots(), kNone<HalfEdgeId>),
+          order_{from} {
+        Indexed<BubbleId, std::uint8_t> is_reached(network_.bubble_slots(), 0);
+        is_reached[from] = 1;
+        for (std::size_t k = 0; k < order_.size(); ++k) {
+            for (const HalfEdgeId side : network_.around(order_[k])) {
+                const BubbleId next = network_.right(side);
+                if (is_open[film_of(side)] != 0 && next != network_.ghost() &&
+                    is_reached[next] == 0) {
+                    is_reached[next] = 1;
+                    reached_by_[next] = side;
+                    order_.push_back(next);
+                }
+            }
+        }
+    }
+
+    // Returns the bubbles that can be reached, nearest first.
+    const std::vector<BubbleId>& order() const { return order_; }
+
+    // Returns the films on the way to a bubble that can be reached.
+    std::vector<HalfEdgeId> way_to(BubbleId bubble) const {
+        std::vector<HalfEdgeId> way;
+        for (; reached_by_[bubble] != kNone<HalfEdgeId>; bubble = network_.left(way.back())) {
+            way.push_back(reached_by_[bubble]);
+        }
+        std::reverse(way.begin(), way.end());
+        return way;
+    }
+
+  private:
+    const Network& network_;
+    Indexed<BubbleId, HalfEdgeId> reached_by_;  // the half-edge through which a bubble is entered
+    std::vector<BubbleId> order_;
+};
+
+// Returns the longest side of a bubble that is an outer film, or kNone if it has no outer film.
+HalfEdgeId outer_side_of(const Frame& frame, BubbleId bubble) {
+    HalfEdgeId longest = kNone<HalfEdgeId>;
+    double length = -1.0;
+    for (const HalfEdgeId side : frame.network.around(bubble)) {
+        const double arc = arc_length(frame.arc(side));
+        if (frame.network.is_outer(film_of(side)) && arc > length) {
+            longest = side;
+            length = arc;
+        }
+    }
+    return longest;
+}
+
+// Returns how well the solution may start or end in a bubble: 2 is well, 0 is not at all. Every
+// bubble of a torus is an end. On a patch only bubbles at the rim are, best with an outer film that
+// is not narrow.
+int rank_as_end(const Frame& frame, const MazeRule& rule, BubbleId bubble) {
+    if (!frame.domain.is_plane()) {
+        return 2;
+    }
+    const HalfEdgeId side = outer_side_of(frame, bubble);
+    if (side == kNone<HalfEdgeId>) {
+        return 0;
+    }
+    return arc_length(frame.arc(side)) < rule.narrow ? 1 : 2;
+}
+
+// Returns the farthest of the bubbles of a search that are best as an end of the solution, but not
+// the bubble in which the search begins.
+BubbleId farthest_end(const Frame& frame, const MazeRule& rule, const Search& search) {
+    return *std::max_element(
+        search.order().rbegin(), search.order().rend() - 1, [&](BubbleId farther, BubbleId nearer) {
+            return rank_as_end(frame, rule, farther) < rank_as_end(frame, rule, nearer);
+        });
+}
+
+}  // namespace
+
+Maze find_maze(const Frame& frame, const MazeRule& rule) {
+    const SpanningTree tree = spanning_tree(frame, rule);
+    Maze maze;
+    maze.is_open = with_loops(tree, rule.loops);
+    if (tree.in_largest_raft == kNone<BubbleId>) {
+        return maze;
+    }
+    const Search from_any(frame, tree.is_open, tree.in_largest_raft);
+    const BubbleId start = farthest_end(frame, rule, from_any);
+    const BubbleId end = farthest_end(frame, rule, Search(frame, tree.is_open, start));
+    maze.solution = Search(frame, maze.is_open, start).way_to(end);
+    if (frame.domain.is_plane()) {
+        maze.solution.insert(maze.solution.begin(), twin(outer_side_of(frame, start)));
+        maze.solution.push_back(outer_side_of(frame, end));
+        maze.is_open[film_of(maze.solution.front())] = 1;
+        maze.is_open[film_of(maze.solution.back())] = 1;
+    }
+    return maze;
+}
+
+MazeStatistics measure(const Maze& maze, const Frame& frame) {
+    MazeStatistics statistics;
+    const int films = static_cast<int>(maze.solution.size());
+    statistics.solution = films == 0 ? 0 : films + (frame.domain.is_plane() ? -1 : 1);
+    for (const BubbleId bubble : frame.network.bubbles()) {
+        const std::vector<HalfEdgeId> sides = frame.network.around(bubble);
+        const auto open = std::count_if(sides.begin(), sides.end(), [&](HalfEdgeId side) {
+            return maze.is_open[film_of(side)] != 0;
+        });
+        statistics.dead_ends += open == 1 ? 1 : 0;
+        statistics.branches += open > 2 ? 1 : 0;
+    }
+    return statistics;
+}
+
+}  // namespace foam::texgen

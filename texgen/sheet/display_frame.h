@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/image/image.h"
+#include "texgen/sheet/map_sequence.h"
+
+#include <cstdint>
+
+namespace foam::texgen {
+
+/// The gray behind transparent frames and between frames, as an 8-bit sRGB code.
+inline constexpr std::uint8_t kBackgroundGray = 0x2b;
+
+/// A frame for display, with red, green and blue from 0 to 1. Colors are linear light, composited
+/// over kBackgroundGray. In a map of data, 0 and 1 stand for the numbers that the smallest and the
+/// largest code of a PNG represent, even if the file is not a PNG.
+struct DisplayFrame {
+    static constexpr int kColors = 3;
+
+    Image<float> pixels;    // three channels
+    bool is_light = false;  // true for colors, false for data
+};
+
+/// Reads a frame of a map. In a file of floats, the channels R, G and B are shown as red, green and
+/// blue. If there is no R, the channels X, Y and Z are shown as red, green and blue; if there is
+/// neither R nor X, the channel Y is shown as gray. Floats are scaled to [0, 1] from the range in
+/// the manifest (MapSamples::range), if there is one, and clamped. Throws InputError if the file
+/// cannot be read, lacks the layer of the map, has none of the channels R, X and Y of floats, or
+/// contains floats of data whose range is not in the manifest.
+DisplayFrame read_display_frame(const MapFile& file, const ManifestMap& map);
+
+/// Returns a frame reduced to a smaller size. Each new pixel is the mean of the old pixels that it
+/// covers, weighted by area. Colors are averaged as linear light. Because a new pixel depends only
+/// on the area that it covers, a reduced frame still tiles if the frame tiles. Precondition:
+/// neither width nor height grows.
+DisplayFrame reduced(const DisplayFrame& frame, int width, int height);
+
+/// Returns a frame as 8-bit codes. Values are clamped to [0, 1]; colors are encoded as sRGB, data
+/// linearly.
+Image<std::uint8_t> codes_of(const DisplayFrame& frame);
+
+}  // namespace foam::texgen
