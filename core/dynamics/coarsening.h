@@ -22,8 +22,8 @@ double lone_growth_rate(const Foam& foam, const CoarseningOptions& options);
 
 /// Lets gas diffuse for the given time: every target area changes at the growth rate of its bubble.
 /// On a torus the sum of the target areas is unchanged; a patch loses gas to the ghost. The target
-/// area of a bubble may become negative; such a bubble has to vanish, and collapse_due (collapse.h)
-/// removes it.
+/// area of a bubble may become negative. Such a bubble has to vanish: collapse_due (collapse.h)
+/// removes it or, if it cannot vanish, raises its target area.
 void diffuse(Foam& foam, double time, const CoarseningOptions& options);
 
 }  // namespace foam

@@ -72,7 +72,8 @@ void apply_t2(Foam& foam, BubbleId bubble) {
     }
 }
 
-// Returns the film between the two bubbles if the bubble belongs to a raft of two, otherwise none.
+// Returns the film between the two bubbles if the bubble belongs to a raft of two; otherwise
+// returns kNone.
 FilmId film_of_raft_of_two(const Network& network, BubbleId bubble) {
     for (const HalfEdgeId h : network.around(bubble)) {
         if (is_inside_double_bubble(network, film_of(h))) {

@@ -19,7 +19,8 @@ constexpr double kLargestStep = 0.1;
 // of the range that the paper recommends (eq. 16). With the default of TopologyThresholds, 0.05,
 // hardly any film would flip.
 constexpr double kT1Distance = 0.25;
-// A film may flip during a push if its length is below this fraction of its initial length.
+// A film may flip during a push if its length is below this fraction of its length at the start of
+// the push or, if it has flipped, after its last flip.
 constexpr double kShortened = 0.5;
 
 // Returns the length of the chord.

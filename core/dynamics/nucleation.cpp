@@ -28,9 +28,9 @@ namespace {
 
 // Largest fraction of the gas of the surrounding bubbles that a new bubble may take.
 constexpr double kLargestGasFraction = 0.5;
-// Largest fraction of the length of a film that a new bubble may cover before the equilibration. A
-// bubble at a junction covers the film from one end, a bubble on a film from its middle to each
-// side.
+// Before the equilibration, a new bubble at a junction covers at most this fraction of the length
+// of each film at the junction. A new bubble on a film covers at most this fraction of the length
+// on each side of the middle.
 constexpr double kLargestFilmFraction = 0.45;
 
 // Returns the side of the triangle of a regular three-sided bubble of the given area.

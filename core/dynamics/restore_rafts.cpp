@@ -81,8 +81,8 @@ struct RigidMotion {
 };
 
 // Returns the rigid motion that moves the centers of a raft's bubbles back to their earlier
-// centers, by weighted least squares. Bubbles without an earlier center are ignored; if there is no
-// other bubble, the raft does not move.
+// centers, by weighted least squares. Bubbles without an earlier center are ignored. If no bubble
+// has an earlier center, the raft does not move.
 RigidMotion motion_back(const Foam& patch,
                         const Raft& raft,
                         const std::map<BubbleIdentity, Vec2>& before) {

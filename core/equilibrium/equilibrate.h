@@ -8,7 +8,7 @@
 
 namespace foam {
 
-/// How an equilibration ended.
+/// The outcome of an equilibration.
 enum class EquilibriumStatus {
     Converged,
     RoundLimit,       // no equilibrium within max_rounds rounds

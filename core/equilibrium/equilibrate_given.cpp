@@ -13,8 +13,8 @@ namespace foam {
 
 // The foam is scaled to a mean area of 1 and a film tension of 1, since the default thresholds
 // (TopologyThresholds) apply to these units. Up to three attempts start from the given state:
-// Newton's method alone, then relaxation and Newton's method, and finally both with T1s. Each
-// attempt may change more of the state than the attempt before.
+// Newton's method without an initial relaxation, then relaxation and Newton's method, and finally
+// both with T1s. Each attempt may change more of the state than the attempt before.
 
 namespace {
 

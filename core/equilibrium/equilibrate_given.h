@@ -8,7 +8,7 @@ namespace foam {
 
 /// Brings a foam that was made elsewhere to mechanical equilibrium (E2), in its own units: its mean
 /// bubble area and its film tension may have any value. The first two attempts keep the topology:
-/// the first uses Newton's method alone, the second relaxation before it. If neither attempt
+/// the first begins with Newton's method, the second with relaxation. If neither attempt
 /// converges, the third attempt allows T1s. Its T1 distance is the default of TopologyThresholds,
 /// in units in which the mean bubble area is 1. If no attempt converges, the foam stays as it was
 /// given. The events of the T1s are appended to the events of the foam.

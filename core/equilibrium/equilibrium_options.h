@@ -9,14 +9,15 @@ namespace foam {
 /// Options of `equilibrate` and of `equilibrate_by_sweeps` (core/reference).
 struct EquilibriumOptions {
     TopologyThresholds thresholds{};
-    // The equilibrium is accepted if the errors of the foam are below this
+    // The equilibrium is accepted if the errors of the foam are below this number
     // (EquilibriumErrors::are_below). The Gauss-Seidel solver (E5) also stops its sweeps at this
     // tolerance; it is very slow if the tolerance is below 1e-4.
     double tolerance = 1e-9;
     bool relaxes_first = true;  // relaxes the foam first (E4), for a foam far from equilibrium
-    // Sweeps of the first relaxation of the whole foam, of its further passes, and of relaxations
-    // of the worst regions. Later relaxations of the whole foam start with 15, 3, 1 and 60 sweeps
-    // in turn if this is 60 (next_sweeps in equilibrate.cpp).
+    // Number of sweeps of the first relaxation of the whole foam, of each further pass
+    // (GlobalRelaxationOptions), and of each relaxation of a worst region. In `equilibrate`, later
+    // relaxations of the whole foam start with 15, 3, 1 and 60 sweeps in turn if this number is 60
+    // (next_sweeps in equilibrate.cpp).
     int relaxation_sweeps = 60;
     int threads = 0;  // as in parallel_for; the result has the same bits for any number
     // Largest number of rounds. A round is a run of the solver with the T1s or the relaxation that

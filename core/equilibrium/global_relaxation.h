@@ -13,8 +13,9 @@ struct GlobalRelaxationOptions {
     int further_sweeps = 60;
     // If true, the first pass resets pressures and half angles (RelaxationOptions::restarts). If
     // false, the first pass resets them only if the foam is tangled, has films at the limit of
-    // their half angle, or is a patch far from equilibrium. A patch is far from equilibrium if a
-    // large part of it is, or if only the arcs of outer films have large errors.
+    // their half angle, or is a patch far from equilibrium. A patch is far from equilibrium if its
+    // defect regions (defect_regions.h) would be too large, or if only the arcs of outer films have
+    // large errors.
     bool restarts = false;
     TopologyThresholds thresholds{};
     int threads = 0;  // same meaning as in parallel_for

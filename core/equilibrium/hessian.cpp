@@ -30,8 +30,9 @@ using OuterFilmMatrix = Eigen::Matrix<double, 7, 7>;
 constexpr std::array<int, 5> kFilmRows = {2, 2, 1, 1, 1};
 constexpr std::array<int, 5> kFirstFilmRow = {0, 2, 4, 5, 6};
 
-// Returns the second derivatives of one film's term in L with respect to the tail, the head, the
-// left pressure and the right pressure.
+// Returns the second derivatives of one film's term in L, including its polygon terms (E3), with
+// respect to the tail, the head, the left pressure and the right pressure. `d` is the chord, and
+// `delta` is the left pressure minus the right pressure.
 FilmMatrix film_matrix(const Vec2& d, double delta, const FilmEnergyHessian& hessian) {
     Mat2 turn_right;
     turn_right << 0.0, 1.0, -1.0, 0.0;
@@ -118,7 +119,8 @@ struct Hessian::NodePattern {
     }
 
   private:
-    // The number of pairs at the start of kPairs that do not contain the half angle.
+    // kPairs contains the pairs of different positions in FilmNodes. The first kInnerPairs of them
+    // do not contain the half angle, which is at position 4.
     static constexpr std::size_t kInnerPairs = 6;
     static constexpr std::array<std::array<std::size_t, 2>, 10> kPairs = {
         {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}, {0, 4}, {1, 4}, {2, 4}, {3, 4}}};

@@ -20,7 +20,8 @@ std::size_t max_bytes(const Eigen::SparseMatrix<double>& matrix) {
     return kMaxBytesOfFewRows + kMaxBytesPerRow * static_cast<std::size_t>(matrix.rows());
 }
 
-// Returns the mean position of the bubble's junctions, wrapped into the torus' own cell.
+// Returns the mean position of the bubble's junctions, wrapped into the fundamental cell of the
+// torus.
 Vec2 middle_of(const Foam& foam, BubbleId bubble) {
     const Vec2 start = foam.positions[foam.network.tail(foam.network.first(bubble))];
     Vec2 from_start = Vec2::Zero();

@@ -31,7 +31,8 @@ void remove_dead(const Network& network, DefectRegion& region) {
 }
 
 // Solves one region: runs of Newton's method alternate with the T1s that the method requests, or
-// with one relaxation if the method stalls. Returns the number of T1s.
+// with one relaxation if the method stalls or reaches its limit of iterations. Returns the number
+// of T1s.
 int solve_region(Foam& foam,
                  DefectRegion region,
                  const TopologyThresholds& thresholds,

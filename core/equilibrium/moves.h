@@ -35,8 +35,8 @@ void wrap(Foam& foam, const Unknowns& unknowns);
 /// Returns the largest fraction, up to 1, of a change of a film's chord that may be made. This part
 /// of the change must stay within two limits. Along the chord, it may shorten the chord by at most
 /// `largest` times the chord length; lengthening is not limited. Across the chord, it may move the
-/// two ends relative to each other by at most `largest` times the chord length. If the whole change
-/// lengthens the chord, the limit across the chord is `largest` times the new length. Returns 1 for
+/// two ends relative to each other by at most `largest` times the chord length. In the limit across
+/// the chord, the chord length includes the lengthening by the whole change, if any. Returns 1 for
 /// a chord of no length.
 double allowed_fraction(const Vec2& chord, const Vec2& change, double largest);
 

@@ -12,8 +12,9 @@ namespace foam {
 /// Options of `newton`.
 struct NewtonOptions {
     int max_iterations = 40;
-    // The method has converged when every force is below `force_tolerance`, in film tensions, and
-    // every area error is below `area_tolerance`, relative to the target area.
+    // The method has converged when every force (ResidualNorms::force) is below `force_tolerance`,
+    // in film tensions, and every area error is below `area_tolerance`, relative to the target
+    // area.
     double force_tolerance = 1e-11;
     double area_tolerance = 1e-11;
     // Largest relative motion of the two ends of a film in one limited step, in chord lengths
@@ -28,7 +29,7 @@ struct NewtonOptions {
     TopologyThresholds thresholds{};
 };
 
-/// How Newton's method ended.
+/// The outcome of a run of Newton's method.
 enum class NewtonStatus {
     Converged,
     FilmsCollapse,  // films need a T1 before the next step

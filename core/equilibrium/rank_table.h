@@ -60,7 +60,7 @@ class RankTable {
 
     // Returns the slot of the id, or the free slot where it would be inserted.
     std::size_t slot_of(Id id) const {
-        // 2^32 divided by the golden ratio: Fibonacci hashing.
+        // Fibonacci hashing multiplies the id by 2^32 divided by the golden ratio.
         constexpr std::uint32_t kGoldenRatio = 0x9E3779B9;
         std::size_t slot = (static_cast<std::uint32_t>(id) * kGoldenRatio) >> shift_;
         while (entries_[slot].id != id && entries_[slot].id != kNone<Id>) {

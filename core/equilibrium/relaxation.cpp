@@ -27,12 +27,12 @@ namespace foam {
 namespace {
 
 constexpr int kSweepsPerUpdate = 10;  // sweeps between updates of the method of multipliers (E4)
-constexpr double kLargestBend = 0.3;  // largest change of a half angle in a sweep, radians
+constexpr double kLargestBend = 0.3;  // largest change of a half angle by a call of `bend`, radians
 // Lower bound of cos alpha in the stiffness of a film against bending (`bend`), where alpha is the
 // half angle. Also the lower bound of Pull::stiffness of an outer film.
 constexpr double kMinStiffness = 0.1;
 
-// How an arc acts on one end of its chord in the Newton step of the junction at this end
+// Describes how an arc acts on one end of its chord in the Newton step of the junction at this end
 // (`newton_step`). Tension and stiffness are in film tensions; c is the length of the chord; q, h
 // and w are the functions of the half angle alpha in E3. Inner arcs keep their half angles, so that
 // their length c q and the area of their segment, c² h / 4, grow with the chord. Outer arcs keep

@@ -57,7 +57,7 @@ FilmGradient film_gradient(const Foam& foam, FilmId film) {
 }
 
 // Adds a contribution to a row. Does nothing if the row is negative, which means that the unknown
-// is fixed.
+// is held.
 void add(Eigen::VectorXd& r, int row, const Vec2& force) {
     if (row >= 0) {
         r.segment<2>(row) += force;

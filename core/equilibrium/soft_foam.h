@@ -64,7 +64,7 @@ class SoftFoam {
     /// Updates a bubble after the T1 rule has been applied near it: loads the arcs of its outer
     /// films, since the rule may have joined two films into one, and measures its area. If
     /// `may_be_empty` is true, for example after a film has torn, and the bubble has less than half
-    /// of its target area, its outer films are bent until it has this area (bulge_outer_films).
+    /// of its target area, its outer films are bent by bulge_outer_films.
     void renew(BubbleId bubble, bool may_be_empty);
 
   private:
@@ -90,9 +90,9 @@ class SoftFoam {
     std::vector<BubbleId> loaded_;
 };
 
-/// Bends the outer films of a bubble so that the bubble gets its target area. The area that the
-/// polygon of the bubble lacks is divided equally among the segments of these films. Does nothing
-/// if the bubble has no outer film.
+/// Bends the outer films of a bubble so that the bubble would have its target area if its inner
+/// films were straight. The area that the polygon of the bubble lacks is divided equally among the
+/// segments of the outer films. Does nothing if the bubble has no outer film.
 void bulge_outer_films(Foam& foam, BubbleId bubble);
 
 }  // namespace foam

@@ -78,7 +78,8 @@ void add_junction_at(HalfEdgeId h, const Vec2& point, Foam& foam) {
     }
 }
 
-// Returns the lattice offset of the copy of the junction that is at the point.
+// Returns the lattice offset of the copy of a junction that is at the point. `junction` is the
+// position of the junction.
 LatticeOffset copy_of(const Domain& domain, const Vec2& point, const Vec2& junction) {
     const Vec2 apart = point - junction;
     return {static_cast<std::int32_t>(std::lround(apart.x() / domain.width)),

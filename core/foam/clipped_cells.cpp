@@ -14,8 +14,8 @@
 // is clipped separately, so that the cuts of neighboring cells agree only up to rounding. Points
 // closer than a tolerance are therefore merged. To find them, the plane is divided into square
 // boxes as large as the tolerance, and the 3 x 3 boxes around a point are searched. Finally, small
-// parts are merged with their neighbors, because slivers at the outline would become bubbles that
-// vanish at once.
+// parts (slivers) are merged with their neighbors, because slivers at the outline would become
+// bubbles that vanish at once.
 
 namespace foam {
 

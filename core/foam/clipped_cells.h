@@ -15,8 +15,8 @@ struct ClippedCells {
                                 // the whole cell if no part is within the outline
 };
 
-/// Clips the cells to the outline. Precondition: no cell near the outline crosses the boundary of
-/// the fundamental cell of the torus.
+/// Clips the cells of a diagram on a torus to the outline. Precondition: no lattice copy of a cell
+/// overlaps the outline, apart from the cell itself.
 ClippedCells clip_cells(const Outline& outline, const CellDiagram& diagram);
 
 /// Returns the area of a cell of the mesh.

@@ -17,7 +17,7 @@ namespace {
 // of its circle. No film of a bubble above the T2 area is so close to a full circle.
 constexpr double kLargestHalfAngle = std::numbers::pi - 1e-6;
 
-// Keeps only the values of the given ids, in this order.
+// Keeps only the values of the ids in `kept`, in the order of `kept`.
 template <class Id, class T>
 void keep(Indexed<Id, T>& values, const std::vector<Id>& kept) {
     Indexed<Id, T> dense;

@@ -21,8 +21,8 @@ struct LoneBubble {
 };
 
 /// The whole state of a dry foam, in foam units (the mean bubble area of a seeded foam is 1). On a
-/// torus, the positions of all junctions are in the fundamental cell, [0, width) x [0, height)
-/// (geometry/domain.h).
+/// torus, the positions of all junctions are in the fundamental cell, [0, width) x [0, height), up
+/// to rounding (geometry/domain.h). E1 and E7 are equations in core/README.md.
 ///
 /// A patch is in the plane and has a ghost bubble, which represents the atmosphere. The pressure of
 /// the ghost is 0. Its target area is infinite, because the atmosphere gives and takes any amount
@@ -30,7 +30,7 @@ struct LoneBubble {
 struct Foam {
     Domain domain;
     double film_tension = 1.0;  // T = 2 gamma
-    double time = 0.0;          // foam time
+    double time = 0.0;          // foam time (core/README.md)
     Network network;
     Indexed<JunctionId, Vec2> positions;
     Indexed<BubbleId, double> pressures;  // on a torus determined only up to a common constant
@@ -80,15 +80,17 @@ void fit_half_angle(Foam& foam, FilmId film);
 /// bubble of the network is a new ghost, for which the foam has no values yet.
 void complete_patch(Foam& foam);
 
-/// Moves the junction to a point of the plane. On a torus, wraps the junction into the fundamental
-/// cell and updates the lattice offsets of its films. Precondition: the point is the present
-/// position of the junction plus a displacement. This point may be outside of the fundamental cell.
+/// Moves the junction to a point of the plane. On a torus, the point may be outside of the
+/// fundamental cell: this function wraps the junction into it and updates the lattice offsets of
+/// the junction's films. Precondition: the point is the present position of the junction plus its
+/// displacement. Another lattice copy of this point would stretch the films across the torus.
 void place_junction(Foam& foam, JunctionId junction, const Vec2& point);
 
 /// Moves all junctions by the same vector. Lone bubbles are not moved.
 void translate(Foam& foam, const Vec2& by);
 
-/// Removes the dead slots from the network (Network::compact) and from every vector of the foam.
+/// Removes the dead slots from the network (Network::compact) and from every vector of the foam
+/// that is indexed by ids.
 void compact(Foam& foam);
 
 }  // namespace foam

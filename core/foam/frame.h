@@ -24,7 +24,7 @@ struct Frame {
     Network network;
     Indexed<JunctionId, Vec2> positions;
     Indexed<FilmId, FilmArc> arcs;           // of the forward sides
-    Indexed<BubbleId, FrameBubble> bubbles;  // without the ghost, the last bubble of the network
+    Indexed<BubbleId, FrameBubble> bubbles;  // without the ghost, which is last in the network
     std::vector<LoneBubble> lone_bubbles;
 
     /// Returns the arc of a film in the direction of the half-edge.
@@ -34,7 +34,7 @@ struct Frame {
     }
 };
 
-/// Returns the present state of the foam as the frame of the given number.
+/// Returns the present state of the foam as the frame with the given number.
 Frame snapshot(const Foam& foam, int number);
 
 }  // namespace foam

@@ -14,7 +14,7 @@ namespace {
 
 // Returns the steps (column, row) from a hexagon of the given row to its six neighbors,
 // counter-clockwise, beginning with the neighbor on the right. Hexagons have a corner at the top.
-// Odd rows are shifted to the right by half of a hexagon.
+// Odd rows are shifted to the right by half of the width of a hexagon.
 std::array<std::array<int, 2>, 6> neighbor_steps(int row) {
     const int shift = row % 2;
     return {{{1, 0}, {shift, 1}, {shift - 1, 1}, {-1, 0}, {shift - 1, -1}, {shift, -1}}};

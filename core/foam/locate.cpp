@@ -103,8 +103,8 @@ double distance_to_segment(const Vec2& from, const Vec2& along) {
     return (from + part * along).norm();
 }
 
-// Returns the distance from a film's chord to the nearest copy of the point. Tries all copies of
-// the point near the chord, because the chord may be longer than the periods of the torus.
+// Returns the distance from a point to the nearest lattice copy of a film's chord. Tries all copies
+// near the point, because the chord may be longer than the periods of the torus.
 double distance_to_chord(const Foam& foam, FilmId film, const Vec2& point) {
     const HalfEdgeId h = forward_side(film);
     const Vec2 along = chord(foam, h);

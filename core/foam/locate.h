@@ -10,7 +10,7 @@
 namespace foam {
 
 /// Returns the bubble with the given identity. Returns nothing if the network has no such bubble,
-/// because it has vanished or is a lone bubble.
+/// for example because the bubble has vanished or is a lone bubble.
 std::optional<BubbleId> find_bubble(const Foam& foam, BubbleIdentity identity);
 
 /// Returns the number of times that the outlines of a bubble and of all its lattice copies wind
@@ -24,20 +24,20 @@ int winding_number(const Foam& foam, BubbleId bubble, const Vec2& point);
 /// the point is in the ghost or in a lone bubble. Precondition: no two bubbles overlap.
 std::optional<BubbleId> bubble_at(const Foam& foam, const Vec2& point);
 
-/// Returns the identity of the bubble or lone bubble that contains a point, or nothing if there is
-/// none.
+/// Returns the identity of the bubble or lone bubble that contains a point, or nothing if no bubble
+/// contains it.
 std::optional<BubbleIdentity> identity_at(const Foam& foam, const Vec2& point);
 
 /// Returns the live bubbles with the given number of sides, by increasing target area.
 std::vector<BubbleId> bubbles_of_sides(const Foam& foam, int sides);
 
-/// Returns the junction with the lattice copy nearest to a point, which may be anywhere in the
-/// plane. If several junctions are equally near, returns the junction with the smallest id.
-/// Precondition: there is a junction.
+/// Returns the junction whose nearest lattice copy has the smallest distance from a point. The
+/// point may be anywhere in the plane. If several junctions are equally near, returns the junction
+/// with the smallest id. Precondition: there is a junction.
 JunctionId nearest_junction(const Foam& foam, const Vec2& point);
-/// Returns the film with the lattice copy whose chord is nearest to a point, which may be anywhere
-/// in the plane. If several films are equally near, returns the film with the smallest id.
-/// Precondition: there is a film.
+/// Returns the film for which the nearest lattice copy of its chord has the smallest distance from
+/// a point. The point may be anywhere in the plane. If several films are equally near, returns the
+/// film with the smallest id. Precondition: there is a film.
 FilmId nearest_film(const Foam& foam, const Vec2& point);
 
 }  // namespace foam

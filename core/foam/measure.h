@@ -6,13 +6,14 @@
 
 namespace foam {
 
-/// Returns the area of a bubble within its arcs (E1). The area of an inverted bubble is negative.
+/// Returns the area of a bubble within its arcs (E1 in core/README.md). The area of an inverted
+/// bubble is negative.
 double bubble_area(const Foam& foam, BubbleId bubble);
 
 /// Returns the area of a bubble within the chords of its films.
 double polygon_area(const Foam& foam, BubbleId bubble);
 
-/// Returns bubble_area for every live bubble, and 0 in dead slots.
+/// Returns bubble_area for every live bubble, and 0 for the ghost and in dead slots.
 Indexed<BubbleId, double> bubble_areas(const Foam& foam);
 
 /// Returns the radius of a lone bubble, a circle of its target area. The pressure of a lone bubble
@@ -32,8 +33,8 @@ double energy(const Foam& foam);
 /// (kLargestSine). A foam with such a film is not in equilibrium.
 int films_at_limit(const Foam& foam);
 
-/// Distance from equilibrium (E2). If the foam contains a NaN, the errors that depend on this value
-/// are NaN, and are_below then returns false for any tolerance.
+/// Distance from equilibrium (E2 in core/README.md). If the foam contains a NaN, the errors that
+/// depend on this value are NaN, and are_below then returns false for any tolerance.
 struct EquilibriumErrors {
     double area = 0.0;   // largest |A / A_target - 1|
     double angle = 0.0;  // largest |angle between two films - 120 degrees|, radians
@@ -46,7 +47,7 @@ struct EquilibriumErrors {
     }
 };
 
-/// Returns the largest errors over all bubbles, junctions and outer films.
+/// Returns the largest errors over all bubbles of the network, all junctions and all outer films.
 EquilibriumErrors equilibrium_errors(const Foam& foam);
 
 }  // namespace foam

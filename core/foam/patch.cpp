@@ -135,8 +135,8 @@ void normalize(PolygonMesh& mesh) {
     }
 }
 
-// Merges slivers, normalizes the mesh and returns it as a foam. Throws std::runtime_error if the
-// foam is not valid.
+// Merges slivers (clipped_cells.h), normalizes the mesh and returns it as a foam. Throws
+// std::runtime_error if the foam is not valid.
 Foam foam_of(ClippedCells cells) {
     merge_slivers(cells.mesh);
     normalize(cells.mesh);

@@ -159,7 +159,7 @@ class PatchBuilder {
     const PolygonMesh& mesh_;
     Foam foam_;
     std::set<Side> sides_;
-    std::vector<JunctionId> junctions_;           // per point; none where two sides meet
+    std::vector<JunctionId> junctions_;           // per point; kNone unless three sides meet
     std::map<Side, HalfEdgeId> half_edges_;       // by the first side of the chain
     std::vector<std::vector<HalfEdgeId>> loops_;  // per cell
 };

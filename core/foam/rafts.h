@@ -9,19 +9,19 @@ namespace foam {
 /// Returns true if the film separates the two bubbles of a raft of two bubbles.
 bool is_inside_double_bubble(const Network& network, FilmId film);
 
-/// Tears a film with the ghost at both ends (split.h) and records a T1. On each side of the torn
-/// film, two outer films become one arc. Its half angle is the mean of the two half angles that fit
-/// the old tangents at its tail and at its head. A bubble that no longer touches another bubble
-/// becomes a lone bubble, whose circle touches the old outer film of this bubble at one end.
-/// Precondition: can_split.
+/// Tears a film with the ghost at both ends (core/network/split.h) and records a T1. On each side
+/// of the torn film, two outer films become one arc. Its half angle is the mean of the two half
+/// angles that fit the old tangents at its tail and at its head. A bubble that no longer touches
+/// another bubble becomes a lone bubble, whose circle touches the old outer film of this bubble at
+/// one end. Precondition: can_split.
 void tear_film(Foam& foam, FilmId film);
 
 /// Returns true if the outer film is at a hole of at most three films, all with chords shorter than
-/// `length`.
+/// `length`. Precondition: the film is an outer film.
 bool is_small_hole(const Foam& foam, FilmId film, double length);
 
 /// Returns true if the outer film is at a hole in which bubbles overlap. The boundary of such a
-/// hole encloses a negative area.
+/// hole encloses a negative area. Precondition: the film is an outer film.
 bool is_overlapping_hole(const Foam& foam, FilmId film);
 
 /// Closes the hole at an outer film. A hole of three films becomes a junction at the mean of its

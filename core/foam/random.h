@@ -7,9 +7,9 @@
 
 namespace foam {
 
-/// A generator of random numbers that are the same on every platform. The C++ standard fixes the
-/// bits of the engine; their mapping to real numbers is implemented here, because the standard
-/// distributions differ between libraries.
+/// A generator of random numbers that are the same on every platform. The C++ standard specifies
+/// the output of the engine. Its mapping to real numbers is implemented here, because the results
+/// of the standard distributions differ between libraries.
 class Random {
   public:
     explicit Random(std::uint64_t seed) : engine_(seed) {}

@@ -11,10 +11,10 @@
 #include <cmath>
 
 // The paper flips every film below the T1 distance (paper eq. 2). This rule adds a test of forces,
-// so that a flip does not have to be undone (E7). In units of the film tension, the flipped film
-// pulls the junctions at its ends together with a force of 1, and the neighboring films pull them
-// apart. The flipped film stays open if the neighboring films pull harder. The same forces decide
-// whether a collapsed film is reopened as it is or flipped.
+// so that a flip does not have to be undone (E7 in core/README.md). In units of the film tension,
+// the flipped film pulls the junctions at its ends together with a force of 1, and the neighboring
+// films pull them apart. The flipped film stays open if the neighboring films pull harder. The same
+// forces decide whether a collapsed film is reopened as it is or flipped.
 
 namespace foam {
 
@@ -44,12 +44,12 @@ Vec2 tangent(const Foam& foam, HalfEdgeId h) {
     return arc.chord == Vec2::Zero() ? Vec2(0.0, 0.0) : tangent_at_tail(arc);
 }
 
-// The pull with which the four neighboring films stretch a film: half of the force on one end minus
-// half of the force on the other end, in units of the film tension. The flipped film is across the
-// present film: its left end is on the left of the present film.
+// The pull with which the four neighboring films stretch a film, in units of the film tension: half
+// of the difference between the forces on its two ends. The flipped film is across the present
+// film: its left end is on the left of the present film.
 struct NeighborPull {
-    Vec2 present;  // on the present film: force on its head minus force on its tail
-    Vec2 flipped;  // on the flipped film: force on its left end minus force on its right end
+    Vec2 present;  // of the present film: half of (force on its head - force on its tail)
+    Vec2 flipped;  // of the flipped film: half of (force on its left end - force on its right end)
 };
 
 NeighborPull neighbor_pull(const Foam& foam, FilmId film) {
@@ -62,9 +62,9 @@ NeighborPull neighbor_pull(const Foam& foam, FilmId film) {
             0.5 * (tail_left + head_left - tail_right - head_right)};
 }
 
-// Moves the junctions of the film so that it has the given middle and the given vector from its
-// tail to its head. `middle` is the new midpoint of the chord as middle_of would return it, before
-// the junctions are wrapped into the fundamental cell.
+// Moves the junctions of the film so that its chord has the midpoint `middle` and is the vector
+// `tail_to_head`. On a torus, `middle` is in the lattice copy of the film that middle_of uses;
+// place_junction then wraps the junctions into the fundamental cell.
 void place_film(Foam& foam, FilmId film, const Vec2& middle, const Vec2& tail_to_head) {
     const HalfEdgeId h = forward_side(film);
     const Vec2 head_translation = foam.domain.translation(foam.network.offset(h));

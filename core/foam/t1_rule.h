@@ -10,16 +10,18 @@
 
 namespace foam {
 
-/// Applies the T1 rule (E7): decides whether a film flips, tears or is reopened, or whether the
-/// hole beside the film closes, and performs the change. The functions that change the network are
-/// in core/network (t1.h, split.h, t2.h) and rafts.h. The first case that applies is decisive:
+/// Applies the T1 rule (E7 in core/README.md): decides whether a film flips, tears or is reopened,
+/// or whether the hole beside the film closes, and performs the change. The functions that change
+/// the network are in core/network (t1.h, split.h, t2.h) and rafts.h. The first case that applies
+/// is decisive:
 /// - A film that can tear (can_tear) tears if it is shorter than its T1 distance (t1_distance_at)
 ///   and would stay open afterwards (flipped_pulls_apart), or if it has collapsed
 ///   (collapsed_length) and the neighboring films pull harder across it than along it. Such a film
 ///   never flips, because the flipped film would have the ghost on both sides.
-/// - If an outer film is at a small hole (is_small_hole), the hole closes, if it can.
-/// - If an outer film is at a hole in which bubbles overlap (is_overlapping_hole), the hole closes
-///   or, if it cannot close, the film flips, if it can.
+/// - If an outer film is at a small hole (is_small_hole with the T1 distance of the thresholds),
+///   the hole closes, if it can.
+/// - If an outer film of any length is at a hole in which bubbles overlap (is_overlapping_hole),
+///   the hole closes or, if it cannot close, the film flips, if it can.
 /// - A collapsed film (collapsed_length) is reopened (reopen_film).
 /// - Any other film that is shorter than its T1 distance (t1_distance_at) flips if it can and if it
 ///   would stay open afterwards (flipped_pulls_apart).
@@ -35,14 +37,14 @@ int apply_t1_rule(Foam& foam, std::span<const FilmId> films, const TopologyThres
 /// can flip or tear, and would stay open afterwards (flipped_pulls_apart).
 std::vector<FilmId> short_films(const Foam& foam, const TopologyThresholds& thresholds);
 
-/// Returns the T1 distance of the film, the chord length below which the film may flip. This
-/// distance is the T1 distance of the thresholds. If the smallest target area of the four bubbles
-/// around the film is below 1, the distance is multiplied by the square root of this area. For a
-/// disarmed film (Foam::t1_armed), the distance is ten times smaller.
+/// Returns the T1 distance of the film, the chord length below which the film may flip: the T1
+/// distance of the thresholds, multiplied by two factors. If the smallest target area of the four
+/// bubbles around the film is below 1, the first factor is the square root of this area, otherwise
+/// 1. The second factor is 0.1 for a disarmed film (Foam::t1_armed), otherwise 1.
 double t1_distance_at(const Foam& foam, FilmId film, const TopologyThresholds& thresholds);
 
 /// Returns the chord length below which the film counts as collapsed to a point where four films
-/// meet.
+/// meet: 5 % of the T1 distance that the film has when it is armed.
 double collapsed_length(const Foam& foam, FilmId film, const TopologyThresholds& thresholds);
 
 /// Returns true if the film would stay open after a flip, that is, if the mean pull of the four
@@ -51,7 +53,8 @@ double collapsed_length(const Foam& foam, FilmId film, const TopologyThresholds&
 bool flipped_pulls_apart(const Foam& foam, FilmId film);
 
 /// Flips the film (t1.h), records a T1 and disarms the film (Foam::t1_armed). The chord of the
-/// flipped film is the old chord, rotated by 90 degrees around its midpoint (paper section 3).
+/// flipped film is the old chord, rotated clockwise by 90 degrees around its midpoint (paper
+/// section 3).
 /// Precondition: can_flip.
 void flip_film(Foam& foam, FilmId film);
 
@@ -68,8 +71,8 @@ bool can_tear(const Network& network, FilmId film);
 /// Returns true if the film can flip or tear.
 bool can_change(const Network& network, FilmId film);
 
-/// Arms each disarmed film (Foam::t1_armed) among the given films that is longer than twice its T1
-/// distance. Here the T1 distance is t1_distance_at of the film if it were armed.
+/// Arms each disarmed film (Foam::t1_armed) among the given films that is longer than twice the T1
+/// distance that it has when it is armed (t1_distance_at).
 void rearm_grown_films(Foam& foam,
                        std::span<const FilmId> films,
                        const TopologyThresholds& thresholds);

@@ -24,9 +24,9 @@ enum class TopologyEventKind {
 struct TopologyEvent {
     TopologyEventKind kind = TopologyEventKind::T1;
     double time = 0.0;        // foam time at the start of the substep (core/dynamics/step.h)
-    Vec2 position{0.0, 0.0};  // at the time of the change; not wrapped into the fundamental cell
-    // The bubbles whose neighbors changed. For T2 and Birth, the first is the bubble that vanished
-    // or was added.
+    Vec2 position{0.0, 0.0};  // where the change happened; not wrapped into the fundamental cell
+    // The bubbles whose neighbors changed, without the ghost. For T2 and Birth, the first is the
+    // bubble that vanished or was added.
     std::vector<BubbleIdentity> bubbles{};
 
     friend bool operator==(const TopologyEvent&, const TopologyEvent&) = default;

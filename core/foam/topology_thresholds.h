@@ -4,7 +4,8 @@
 
 namespace foam {
 
-/// Thresholds at which the topology changes (paper eq. 2, 3 and 16), in foam units.
+/// Thresholds at which the topology changes (E7 and E8 in core/README.md; paper eq. 2, 3 and 16),
+/// in foam units.
 struct TopologyThresholds {
     double t1_distance = 0.05;  // a film with a shorter chord may flip (E7)
     double t2_area = 0.01;      // bubbles of 2 or 3 sides vanish at or below this target area (E8)

@@ -65,7 +65,7 @@ void add_copy(
 }
 
 // Adds those copies of the sites at one offset that are within a margin around the fundamental
-// cell. The margin is in grid points, here and below.
+// cell. In this file, margins are in units of the grid spacing.
 void add_copies_at(Copies& all,
                    const std::vector<GridPoint>& sites,
                    LatticeOffset offset,

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-// The energy is T c q(alpha) - delta c² h(alpha) / 4. Its derivatives with respect to the chord,
-// the pressure difference and the half angle (E3) follow from q' = sin(alpha) w and h' = 2 w
-// (ArcShape).
+// The energy is T c q(alpha) - delta c² h(alpha) / 4, with the symbols of bulge_energy.h and of
+// ArcShape. Its derivatives with respect to the chord, the pressure difference and the half angle
+// (E3 in core/README.md) follow from q' = sin(alpha) w and h' = 2 w.
 
 namespace foam {
 

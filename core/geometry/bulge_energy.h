@@ -6,15 +6,15 @@
 
 namespace foam {
 
-/// The contribution of an outer film to the function L of E3:
-/// energy(d, alpha, delta) = T length - delta segment_area. Equilibrium is a stationary point of L.
-/// T is the film tension, d the chord, c its length, and delta = p_left - p_right the pressure
-/// difference. The half angle alpha in
-/// (-pi, pi) is an unknown of its own. Length and segment area are given by E1. The energy is
-/// stationary in alpha if Laplace-Young's law holds:
+/// The contribution of an outer film of a patch to the function L of E3 in core/README.md:
+///     energy(d, alpha, delta) = T length - delta segment_area
+/// Equilibrium is a stationary point of L. T is the film tension, d the chord, c its length, and
+/// delta = p_left - p_right the pressure difference. The half angle alpha in (-pi, pi) is an
+/// unknown of its own. Length and segment area are given by E1. The energy is stationary in alpha
+/// if Laplace-Young's law holds:
 ///     d energy / d alpha = c w (T sin alpha - delta c / 2) = 0,  with w as in ArcShape.
-/// This formulation is regular at 90 degrees and beyond, where the law alone does not determine
-/// alpha.
+/// This formulation is regular at 90 degrees and beyond, where Laplace-Young's law alone does not
+/// determine alpha.
 struct BulgeEnergy {
     double value = 0.0;
     double segment_area = 0.0;  // minus the derivative with respect to the pressure difference

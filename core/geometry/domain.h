@@ -49,8 +49,9 @@ struct Domain {
     }
 
     /// Returns the lattice offset of the cell that contains the point. The point minus the
-    /// translation by this offset is in the fundamental cell. Exception: a component that would not
-    /// fit into 32 bits, or that belongs to a NaN, is 0. In the plane, returns the zero offset.
+    /// translation by this offset is in the fundamental cell, up to rounding. Exception: a
+    /// component that would not fit into 32 bits, or that belongs to a NaN, is 0. In the plane,
+    /// returns the zero offset.
     LatticeOffset cell_of(const Vec2& point) const;
 
     /// Returns the offsets whose translations differ from the point by at most `reach` in x and in

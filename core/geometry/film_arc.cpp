@@ -6,10 +6,10 @@
 #include <cmath>
 #include <numbers>
 
-// In the closed forms of most functions of an arc (E1, E3), terms nearly cancel near a straight
-// film (half angle alpha = 0). There the functions are evaluated as power series in s = sin alpha.
-// The coefficients of these series follow from the coefficients of the binomial series of
-// 1/sqrt(1 - s²).
+// In the closed forms of most functions of an arc (E1 and E3 in core/README.md), terms nearly
+// cancel near a straight film (half angle alpha = 0). There the functions are evaluated as power
+// series in s = sin alpha. The coefficients of these series follow from the coefficients of the
+// binomial series of 1/sqrt(1 - s²).
 
 namespace foam {
 
@@ -43,11 +43,11 @@ constexpr Series weighted_series(Weight weight) {
     return series;
 }
 
-// The series of segment_shape(s), divided by s, and of segment_shape_derivative(s).
+// The series of segment_shape(s) / s and of segment_shape_derivative(s).
 constexpr Series kShape = weighted_series([](int k) { return 2.0 / (2 * k + 3); });
 constexpr Series kShapeDerivative =
     weighted_series([](int k) { return 2.0 * (2 * k + 1) / (2 * k + 3); });
-// The series of the derivative of segment_shape_derivative(s), divided by s.
+// The series of (d/ds segment_shape_derivative(s)) / s.
 constexpr Series kShapeSecondDerivative =
     weighted_series([](int k) { return 2.0 * (2 * k + 1) * (2 * k + 3) / (2 * k + 5); });
 

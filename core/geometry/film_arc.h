@@ -12,7 +12,7 @@ namespace foam {
 /// zero, the arc has no length.
 struct FilmArc {
     Vec2 chord{0.0, 0.0};     // head minus tail, foam units
-    double half_angle = 0.0;  // radians; half of the left turn of the tangent along the arc
+    double half_angle = 0.0;  // radians; half of the angle by which the arc turns left
 };
 
 /// Returns the length of the arc, c alpha / sin alpha, with c the length of the chord and alpha the
@@ -44,9 +44,9 @@ inline FilmArc reversed(const FilmArc& arc) {
 }
 
 /// Returns the function g of E3, (asin s - s sqrt(1 - s²)) / s². For an arc of half angle asin s,
-/// this is four times the segment area divided by the square of the chord length. The result is
-/// accurate to a few units in the last place for |s| <= 1: near s = 0, where the two terms nearly
-/// cancel, a series is used instead.
+/// g is four times the segment area divided by the square of the chord length. The result is
+/// accurate to a few units in the last place. Near s = 0, where the two terms nearly cancel, a
+/// series is used instead. Precondition: |s| <= 1.
 double segment_shape(double s);
 
 /// Returns the derivative of segment_shape, the function g' of E3. Precondition: |s| < 1.

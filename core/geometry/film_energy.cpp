@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-// E3 gives the derivatives. The energy of a Laplace-Young arc is stationary in the half angle, so
-// the gradient of the energy is its partial derivative at a fixed half angle. At the limit
-// (kLargestSine) the half angle is constant, so all derivatives, also the second ones, are taken at
-// a fixed half angle.
+// The derivatives are given by E3 in core/README.md. The energy of a Laplace-Young arc is
+// stationary in the half angle, so the gradient of the energy is its partial derivative at a fixed
+// half angle. At the limit (kLargestSine) the half angle is constant, so the second derivatives are
+// taken at a fixed half angle, too.
 
 namespace foam {
 

@@ -6,11 +6,11 @@
 
 namespace foam {
 
-/// The contribution of one film to the function L of E3:
-/// energy(d, delta) = T length - delta segment_area. Equilibrium is a stationary point of L. T is
-/// the film tension, d the chord, and delta = p_left - p_right the pressure difference. The film is
-/// a Laplace-Young arc: the arc that satisfies Laplace-Young's law (E1). The sine of its half angle
-/// is s = delta |d| / 2T.
+/// The contribution of one film to the function L of E3 in core/README.md:
+///     energy(d, delta) = T length - delta segment_area
+/// Equilibrium is a stationary point of L. T is the film tension, d the chord, and
+/// delta = p_left - p_right the pressure difference. The film is a Laplace-Young arc: the arc that
+/// satisfies Laplace-Young's law (E1). The sine of its half angle is s = delta |d| / 2T.
 ///
 /// If the half angle of the Laplace-Young arc would exceed the limit (|s| > kLargestSine), or if
 /// there is no such arc (|s| > 1), the half angle is clamped to the limit and `at_limit` is set.

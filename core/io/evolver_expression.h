@@ -13,10 +13,11 @@ namespace foam::evolver {
 using Parameters = std::map<std::string, double>;
 
 /// Reads a constant expression and returns its value. The expression consists of numbers,
-/// parameters, pi and e, + - * / ^, parentheses, and the usual functions of one argument. As in
-/// Evolver, a sign with white space before it and none after it begins the next expression of a
-/// list: `1 -2` is two expressions. Except within parentheses, an operator that begins a line ends
-/// the expression, too. Throws FormatError if there is no expression or if its value is not finite.
+/// parameters, pi and e, + - * / ^, parentheses, and functions of one argument such as sqrt and sin
+/// (find_function in evolver_expression.cpp has the list). Outside parentheses, a sign with white
+/// space before it and none after it begins the next expression of a list, as in Evolver: `1 -2` is
+/// two expressions. Outside parentheses, an operator at the start of a line also ends the
+/// expression. Throws FormatError if there is no expression or if its value is not finite.
 double take_expression(TokenReader& tokens, const Parameters& parameters);
 
 }  // namespace foam::evolver

@@ -20,7 +20,7 @@ namespace foam::evolver {
 
 namespace {
 
-constexpr double kMaxCoordinate = 1e6;    // largest coordinate of a vertex, in periods
+constexpr double kMaxCoordinate = 1e6;    // largest |coordinate| of a vertex, in periods
 constexpr double kCoverTolerance = 1e-6;  // relative tolerance of the sum of the areas of faces
 
 using Loop = std::vector<EdgeSide>;
@@ -91,7 +91,8 @@ class LoopBuilder {
         }
     }
 
-    // Returns the lattice offset of the copy of the head that is nearest to the tail.
+    // Returns the lattice offset of the copy of the head that is nearest to the tail. On a sheared
+    // torus, chooses the nearest row of copies first, and then the nearest copy in this row.
     LatticeOffset nearest_copy(const Edge& edge) const {
         const Vec2 back = mesh_.vertices[edge.tail].point - mesh_.vertices[edge.head].point;
         const auto j = static_cast<std::int32_t>(std::lround(back.y() / domain_.height));

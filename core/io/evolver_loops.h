@@ -26,11 +26,11 @@ struct FilmLoop {
 
 /// Returns the faces of a mesh on a torus or in the plane, in the same order, as loops of films. If
 /// no edge of the file has a wrap, each edge ends at the copy of its head that is nearest to its
-/// tail. Throws FormatError, with `file` as the name in its message, if the faces do not cover the
-/// torus once, if an edge has no face on one side (in the plane, on both sides) or two faces on the
-/// same side, if a vertex joins one edge or more than three, if a face is not a closed loop or has
-/// no vertex of three edges, or if a vertex is more than a million periods from the origin of a
-/// torus.
+/// tail; on a sheared torus, the nearest row of copies is chosen first. Throws FormatError, with
+/// `file` as the name in its message, if the faces do not cover the torus once, if an edge has no
+/// face on one side (in the plane, on both sides) or two faces on the same side, if a vertex joins
+/// one edge or more than three, if a face is not a closed loop or has no vertex of three edges, or
+/// if a vertex is more than a million periods from the origin of a torus.
 std::vector<FilmLoop> film_loops(const Mesh& mesh, const Domain& domain, const std::string& file);
 
 }  // namespace foam::evolver

@@ -36,8 +36,8 @@ class IdTable {
         }
     }
 
-    // Returns the index of the element with the number `id`. If there is none, throws FormatError;
-    // the message names `user`, the element that refers to it.
+    // Returns the index of the element with the number `id`. Throws FormatError if the file has no
+    // such element; the message then names `user`, the element that contains the reference.
     std::size_t index_of(int id, int line, const std::string& user) const {
         const auto found = indices_.find(id);
         if (found == indices_.end()) {
@@ -54,7 +54,7 @@ class IdTable {
     std::unordered_map<int, std::size_t> indices_;
 };
 
-// A section of the file, which begins with one of `words`.
+// A section of the file. It begins with one of `words`, of which unused entries are empty.
 struct Section {
     std::array<std::string_view, 4> words;
     const char* name = "";

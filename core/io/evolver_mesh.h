@@ -23,9 +23,11 @@ struct Vertex {
 struct Edge {
     int id = 0;
     int line = 0;
-    std::size_t tail = 0;               // index in Mesh::vertices
-    std::size_t head = 0;               // index in Mesh::vertices
-    std::optional<LatticeOffset> wrap;  // offset of the copy of the head at which it ends
+    std::size_t tail = 0;  // index in Mesh::vertices
+    std::size_t head = 0;  // index in Mesh::vertices
+    // The lattice offset of the copy of the head at which the edge ends; nothing if the file gives
+    // no wrap for the edge.
+    std::optional<LatticeOffset> wrap;
     double tension = 1.0;
 };
 
@@ -50,7 +52,7 @@ struct Body {
     std::size_t face = 0;   // index in Mesh::faces
     bool reversed = false;  // true if the file gives the number of the face with a minus sign
     std::optional<double> volume;
-    std::optional<double> pressure;
+    std::optional<double> pressure;  // the Lagrange multiplier or the pressure in the file
 };
 
 /// The elements of a data file, each in the order of the file.

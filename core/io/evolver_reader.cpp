@@ -105,9 +105,9 @@ class FoamBuilder {
     static std::size_t index(EdgeSide side) { return 2 * side.edge + (side.forward ? 0 : 1); }
     static std::size_t twin_index(EdgeSide side) { return index(side) ^ 1U; }
 
-    // Adds the films. Each film has one or two sides in `loops_`. Films are in the order in which
-    // the first edges of these sides appear in half_edges_; the side that comes first becomes the
-    // forward side.
+    // Adds the films. A film between two faces has two sides in `loops_`, an outer film has one.
+    // The side whose first edge has the smaller index() becomes the forward side. Films are ordered
+    // by the index() of the first edge of the forward side.
     void add_films() {
         std::vector<const FilmSide*> begins(2 * mesh_.edges.size(), nullptr);
         for (const FilmLoop& loop : loops_) {
@@ -205,7 +205,8 @@ class FoamBuilder {
     }
 
     // Checks that target areas are positive. On a torus, also checks that their sum is the area of
-    // the torus within kVolumeTolerance, and scales them to this sum.
+    // the torus within kVolumeTolerance, and scales them to the area of the torus if the relative
+    // difference exceeds kVolumeRounding.
     void check_sum_of_areas() {
         double sum = 0.0;
         for (const BubbleId bubble : foam_.network.bubbles()) {
@@ -241,7 +242,7 @@ class FoamBuilder {
     const std::string& file_;
     std::vector<FilmLoop> loops_;
     std::vector<JunctionId> junctions_;   // per vertex; none for midpoints and dissolved vertices
-    std::vector<HalfEdgeId> half_edges_;  // by index(); set if a film begins there
+    std::vector<HalfEdgeId> half_edges_;  // by index(); kNone unless a film begins with this side
     Foam foam_;
 };
 

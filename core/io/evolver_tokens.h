@@ -25,7 +25,7 @@ struct Token {
     int line = 1;                 // line of the file; the first is 1
     bool starts_line = false;     // true for the first token of a line
     bool follows_space = false;   // true if white space or a comment is before the token
-    bool precedes_space = false;  // true if white space or the end of the text is after it
+    bool precedes_space = false;  // true if white space or the end of the file is after the token
 
     bool is_symbol(char symbol) const {
         return kind == TokenKind::Symbol && text.front() == symbol;
@@ -58,9 +58,9 @@ class TokenReader {
     /// digit.
     bool at_integer() const;
 
-    // Each of these functions consumes the next token and returns its value; an integer may have a
-    // sign. The functions throw FormatError if the token is of another kind. The message says that
-    // `meaning` was expected.
+    // Each of these functions consumes the next token and returns its value. take_integer also
+    // consumes a sign before the integer. The functions throw FormatError if the token is of
+    // another kind. The message says that `meaning` was expected.
     int take_integer(std::string_view meaning);
     std::string_view take_word(std::string_view meaning);
     std::string_view take_text(std::string_view meaning);

@@ -203,8 +203,8 @@ class Reader {
         return angle;
     }
 
-    // Sets the outgoing half-edge of each junction to the one in the file. This must be done last,
-    // because set_tail in read_film also sets it.
+    // Sets the outgoing half-edge of each junction to the outgoing half-edge in the file. This must
+    // be done last, because set_tail in read_film also sets outgoing half-edges.
     void set_outgoing() {
         const JsonItem junctions = root_.member("junctions");
         for (const JunctionId junction : foam_.network.junctions()) {

@@ -24,7 +24,7 @@ class JsonItem {
     /// Creates the item of the root. `file` is the name of the file in error messages.
     JsonItem(const JsonTree& root, const std::string& file) : tree_(&root), file_(&file) {}
 
-    /// Returns the member of the root with the given name.
+    /// Returns the member with the given name. Precondition: this item is the root.
     JsonItem member(const char* name) const;
     /// Returns the number of elements of a list, or the number of numbers in an array.
     std::size_t size() const { return array().size(); }

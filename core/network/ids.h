@@ -9,7 +9,7 @@
 namespace foam {
 
 /// Indices of the network's elements. Each kind of element has a type of index of its own, so that
-/// the compiler finds confused indices.
+/// the compiler rejects an index of another kind.
 enum class JunctionId : std::uint32_t {};
 enum class FilmId : std::uint32_t {};
 enum class BubbleId : std::uint32_t {};

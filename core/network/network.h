@@ -18,8 +18,8 @@ namespace foam {
 /// Half-edges run counter-clockwise around the bubble on their left. Each half-edge stores the
 /// junction at its tail, the bubble on its left, and its successor around this bubble. Each film
 /// stores a lattice offset. A film starts at the junction at its tail, but on a torus it may end at
-/// a periodic copy of the junction at its head. The lattice offset is the translation from this
-/// junction to that copy.
+/// a periodic copy of the junction at its head. The lattice offset is the translation from the
+/// junction at the head to this copy.
 ///
 /// In the plane one more bubble, the ghost, represents the space around the foam and in its holes
 /// (paper 4.2). A film with the ghost on one side is an outer film. The ghost has an id and a slot,
@@ -33,8 +33,8 @@ namespace foam {
 /// otherwise.
 class Network {
   public:
-    // Return the number of slots, live and dead. A vector that is indexed by ids of this kind has
-    // this size.
+    // Return the number of slots of one kind of elements, live and dead. A vector that is indexed
+    // by the ids of these elements has this size.
     std::size_t junction_slots() const { return outgoing_.size(); }
     std::size_t film_slots() const { return offsets_.size(); }
     std::size_t bubble_slots() const { return first_.size(); }

@@ -25,7 +25,7 @@ struct Vanished {
 };
 
 /// Removes a bubble by the T2 process (E8; paper Figure 2). Of the three junctions of a three-sided
-/// bubble, the tail of `first(bubble)` remains, in the same cell of the torus as before. The films
+/// bubble, the tail of `first(bubble)` remains and is not rebased (Network::rebase). The films
 /// at all three corners then meet at this junction. A two-sided bubble is removed with both its
 /// junctions, and the films at its two corners become one film. Precondition: can_vanish.
 Vanished vanish(Network& network, BubbleId bubble);

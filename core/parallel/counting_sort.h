@@ -15,7 +15,8 @@ namespace foam {
 template <class Item>
 struct Buckets {
     std::vector<Item> items;
-    // For each bucket, the index of its first item in `items`; finally the size of `items`.
+    // For each bucket, the index of its first item in `items`. The last element is the size of
+    // `items`.
     std::vector<std::size_t> begins{0};
 
     /// Returns the items of all buckets in [first, last).

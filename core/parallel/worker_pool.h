@@ -30,8 +30,8 @@ class WorkerPool {
     /// Calls work() on the caller's thread and concurrently on up to `helpers` threads of the pool,
     /// the helpers. Returns when all calls that have begun have returned. Once the call on the
     /// caller's thread has returned, no further helper begins, so the caller then waits only for
-    /// helpers that are still inside work(). Therefore work() may itself call run(), and any number
-    /// of threads may call run() at once.
+    /// helpers that are still inside work(). Therefore no deadlock can occur if work() itself calls
+    /// run(), or if any number of threads call run() at once.
     ///
     /// Throws std::system_error if a thread cannot be started. Preconditions: work() does not
     /// throw, and is correct for any number of concurrent calls, including one.

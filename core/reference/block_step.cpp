@@ -18,9 +18,9 @@ namespace {
 
 using Eigen::Index;
 
-// Singular values below this fraction of the largest one count as zero, since the differences are
-// no more accurate (DifferenceOptions::threshold). The unknowns are scaled so that the singular
-// values of a regular block are well above this fraction.
+// Singular values below this fraction of the largest one count as zero, since the derivatives are
+// only accurate to about 1e-6 (DifferenceOptions::threshold). The unknowns are scaled so that the
+// singular values of a regular block are well above this fraction.
 constexpr double kSingular = 1e-6;
 
 BlockVector central_difference(const JunctionBlock& block, Index unknown, double step) {

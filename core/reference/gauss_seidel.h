@@ -21,7 +21,7 @@ struct GaussSeidelOptions {
     double tolerance = 1e-4;
     int max_sweeps = 10000;
     SweepOrder order = SweepOrder::Sequential;
-    // Number of threads of colored sweeps, with the same meaning as in parallel_for. The result has
+    // Number of threads of colored sweeps, with the same meaning as in thread_count. The result has
     // the same bits for any number of threads.
     int threads = 0;
     // Largest change of each pressure and of each half angle of a block, and largest displacement

@@ -13,9 +13,8 @@ inline constexpr std::ptrdiff_t kTileColumns = 4;
 /// The largest number of columns that are eliminated directly, without a matrix product.
 inline constexpr std::ptrdiff_t kMaxDirectColumns = 16;
 
-/// The largest depth of a product (DenseProduct): the largest number of terms of its sums. Sums
-/// over more pivots are cut into pieces of this size, so that the factors of a product stay in the
-/// cache.
+/// The largest depth of a product (DenseProduct): the largest number of terms of its sums. Longer
+/// sums are cut into pieces of this size, so that the factors of a product stay in the cache.
 inline constexpr std::ptrdiff_t kMaxDepth = 128;
 
 /// The operands of target −= left · rightᵀ. The target has `rows` rows and `cols` columns, `left`

@@ -40,11 +40,11 @@ struct Dissection {
 
 /// Returns an order of elimination, found by nested dissection (George 1973). The nodes are divided
 /// by a light separator (a separator of few rows), which is eliminated last. Both sides are then
-/// divided in the same way, until a part has at most DissectionOptions::leaf_rows rows. Separators
-/// are found from positions, or from the edges of the graph where positions give heavy separators
-/// (PartDivider). On a torus, the separators of the first two levels consist of two lines each: one
-/// closed line does not divide a torus, and one line across a band around the torus does not divide
-/// this band.
+/// divided in the same way, until a part has at most DissectionOptions::leaf_rows rows or one side
+/// of its separator would be empty. Separators are found from positions, or from the edges of the
+/// graph where positions give heavy separators (PartDivider). On a torus, the separators of the
+/// first two levels consist of two lines each: one closed line does not divide a torus, and one
+/// line across a band around the torus does not divide this band.
 ///
 /// The order is valid for any positions, and is the same for any number of threads. `threads` has
 /// the same meaning as in thread_count. Precondition: there is at least one node.

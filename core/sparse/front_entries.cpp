@@ -41,7 +41,7 @@ std::vector<std::size_t> begins_of_columns(const Matrix& lower, const FrontPlan&
     return begins;
 }
 
-// Returns the entries sorted by column. `next_of_columns` must be begins_of_columns.
+// Returns the entries sorted by column. `next_of_columns` is the result of begins_of_columns.
 // `Entry::target` does not have its final value yet: it is the row of the entry in the order of
 // elimination.
 std::vector<FrontPlan::Entry> sorted_entries(const Matrix& lower,

@@ -25,9 +25,9 @@ inline constexpr std::size_t kMinParallelRows = 3000;
 /// consists of all later rows that are coupled to the pivots, directly or through rows that were
 /// eliminated earlier. Rows are numbered in the order of elimination.
 ///
-/// The columns of the pivots are the front's panel. After the elimination, the panel holds the
-/// front's part of L and D. The Schur complement over the rows and columns of the border is the
-/// front's update matrix. It is added to the parent front.
+/// The columns of the pivots are the front's panel, stored column by column. After the elimination,
+/// the panel holds the front's part of L and D. The Schur complement over the rows and columns of
+/// the border is the front's update matrix. It is added to the parent front.
 struct Front {
     static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 

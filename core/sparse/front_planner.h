@@ -17,7 +17,8 @@ namespace foam {
 /// has the first rows of the matrix, the second node has the next rows, and so on. Returns
 /// std::nullopt if the factor and the update matrices of fronts would take more than `limit`
 /// floating-point numbers. The plan is the same for any number of threads. `threads` has the same
-/// meaning as in thread_count. Precondition: the pattern is compressed and its columns are sorted.
+/// meaning as in thread_count. Precondition: the pattern is compressed, and the entries of each
+/// column are sorted by row.
 std::optional<FrontPlan> plan_fronts(const Eigen::SparseMatrix<double>& lower_pattern,
                                      std::span<const SolverNode> nodes,
                                      const Domain& domain,

@@ -19,8 +19,8 @@
 
 namespace foam {
 
-/// A rectangle around the nodes of a part. A few nodes may be slightly outside of it, because boxes
-/// end at the median coordinate and separators deviate from it.
+/// A rectangle around the nodes of a part. A few nodes may be slightly outside of the rectangle,
+/// because it ends at a median coordinate from which the separator deviates.
 struct PartBox {
     Vec2 low;
     Vec2 high;
@@ -40,9 +40,11 @@ struct DivisionMemory {
     static constexpr std::uint32_t kNotInPart = std::numeric_limits<std::uint32_t>::max();
 
     std::vector<Zone> zones;                  // all Outside between divisions
-    std::vector<double> keys;                 // coordinate of each node along the divided axis
+    std::vector<double> keys;                 // coordinate along the divided axis, from the
+                                              // middle of the box
     std::vector<std::uint32_t> band_indices;  // see SeparatorSearch
-    std::vector<std::uint32_t> part_indices;  // index in the divided graph, or kNotInPart
+    std::vector<std::uint32_t> part_indices;  // index in the graph that is divided or refined, or
+                                              // kNotInPart
 
     explicit DivisionMemory(std::size_t nodes)
         : zones(nodes, Zone::Outside),

@@ -9,8 +9,8 @@ namespace foam {
 // The band is grown by breadth-first search from the border between the zones. The last layer that
 // was added in each zone is the rim. The nodes of the rim in Low are the sources of a minimum
 // vertex cut, the nodes of the rim in High are the sinks, and the weight of a node is its number of
-// rows. A node of a zone that is not in the band has no neighbors in the band except in the rim of
-// its own zone. So the cut separates the zones.
+// rows. If a node of a zone is outside the band, its only neighbors in the band are in the rim of
+// this zone. So the cut separates the zones.
 
 void SeparatorSearch::separate(std::span<const std::uint32_t> part) {
     band_.clear();

@@ -38,7 +38,7 @@ class SparseLdlt {
     /// exceed LdltOptions::max_bytes. `nodes` are the nodes (SolverNode) of the matrix, and
     /// `domain` is the torus or plane of their positions. The first node has the first rows of the
     /// matrix, the second node has the next rows, and so on. Precondition: the lower triangle is
-    /// compressed and its columns are sorted.
+    /// compressed, and the entries of each column are sorted by row.
     LdltAnalysis analyze(const Eigen::SparseMatrix<double>& lower_pattern,
                          std::span<const SolverNode> nodes,
                          const Domain& domain,

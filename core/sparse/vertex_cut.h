@@ -37,6 +37,8 @@ class VertexCut {
   private:
     // An arc (directed edge) of the flow network. A node is an arc from its entry vertex to its
     // exit vertex, with the weight as its capacity; a connection is an arc of unlimited capacity.
+    // Vertex 0 is the source of the flow, which has an arc to each node that is a source. Vertex 1
+    // is the sink, to which each node that is a sink has an arc.
     struct Arc {
         std::uint32_t to = 0;
         std::uint32_t next = 0;  // next arc that leaves the same vertex
@@ -56,7 +58,7 @@ class VertexCut {
     // For each vertex, the first of its arcs that may still carry flow. Reset after each call of
     // find_levels.
     std::vector<std::uint32_t> untried_;
-    std::vector<int> levels_;  // for each vertex, steps from the source, -1 if unreachable
+    std::vector<int> levels_;  // for each vertex, steps from vertex 0; -1 if unreachable
     std::vector<std::uint32_t> queue_;
     std::vector<CutSide> sides_;
 };

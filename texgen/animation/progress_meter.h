@@ -12,7 +12,7 @@ namespace foam::texgen {
 /// The progress of a run after a frame has been simulated, measured or written.
 struct RunProgress {
     int frame = 0;             // number of the frame
-    int done = 0;              // number of frames done so far, this one included
+    int done = 0;              // number of frames done so far, including this frame
     int total = 0;             // number of frames in the run
     int bubbles = 0;           // number of bubbles in this frame
     double area_error = 0.0;   // largest |A / A_target - 1| (E2)
@@ -20,11 +20,11 @@ struct RunProgress {
     double seconds = 0.0;      // wall time since the run began
 };
 
-/// Called from one thread at a time.
+/// Receives the progress after each frame, from one thread at a time.
 using ProgressCallback = std::function<void(const RunProgress&)>;
 
-/// Counts the frames of a run and reports each. The time since the run began is measured from the
-/// construction of the meter. Not thread-safe.
+/// Counts the frames of a run and reports each to a callback. The time since the run began is
+/// measured from the construction of the meter. Not thread-safe.
 class ProgressMeter {
   public:
     /// Keeps a reference to the callback, which may be empty. `total` is the number of frames in

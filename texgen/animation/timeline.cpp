@@ -38,7 +38,8 @@ Timeline::Timeline(const Preset& preset)
     }
     for (std::size_t k = 0; k < preset.events.size(); ++k) {
         Event event = preset.events[k];
-        event.frames = *frames_of(event, preset.frames);  // a checked preset always gives frames
+        // frames_of returns a value, because the preset has passed check_events.
+        event.frames = *frames_of(event, preset.frames);
         entries_.push_back({std::move(event), Random(seed_of(preset, k))});
     }
 }

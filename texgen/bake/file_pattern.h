@@ -21,7 +21,7 @@ struct ImageFormat;
 ///     #         the frame number in four digits
 ///     ## ###    the frame number in as many digits as there are characters
 ///     @ @@      the frame number in as many digits as there are characters
-///     %04d %d   the frame number as in C's printf
+///     %04d %d   the frame number as in C's printf, with a width of at most 9
 ///
 /// Shorter numbers get leading zeros; longer numbers are written in full.
 class FilePattern {

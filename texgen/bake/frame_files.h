@@ -35,7 +35,7 @@ class FrameFiles {
     /// written.
     std::vector<WrittenFile> write(ShownLayers& shown) const;
 
-    /// Returns the kinds of distance fields that the maps need.
+    /// Returns the images of the distance field that the maps need.
     DistanceNeeds distance() const;
 
     /// Returns true if drawing the maps of a frame also needs the frame after it.

@@ -19,19 +19,20 @@ constexpr int kLastFrame = 1'000'000;
 ///     1-10x2   every second: 1 3 5 7 9       1-10y3   all but every third: 2 3 5 6 8 9
 ///     10-1     backwards                     1-3,7    a list of ranges
 ///
-/// Throws std::invalid_argument for any other text, for frames outside 1 to kLastFrame, and for a
-/// range without any frame.
+/// Throws std::invalid_argument for any other text, for frames and steps outside 1 to kLastFrame,
+/// and for a text that selects no frame.
 std::vector<int> parse_frame_range(std::string_view text);
 
 /// Returns a short text that parse_frame_range parses to these frames. Three or more frames from a
-/// to b in arithmetic progression become `a-bxs`, where s is the difference between neighbors. If s
-/// is 1, they become `a-b`, and two frames are enough. Precondition: each frame is given once.
+/// to b in arithmetic progression become `a-bxs`, where s is the absolute difference between
+/// neighbors. If s is 1, they become `a-b`, and two frames are enough. Precondition: each frame is
+/// given once.
 std::string format_frame_range(std::span<const int> frames);
 
 /// Returns true if the frames, played repeatedly in increasing order, advance evenly through a loop
 /// of `count` frames: the difference from each frame to the following one, modulo `count`, is the
 /// same for all frames, also from the last frame to the first one. Examples for a loop of 48 frames
-/// are 1-48, 1-48x2 and a single frame. Precondition: there is a frame.
+/// are 1-48, 1-48x2 and a single frame. Preconditions: there is a frame; `count` is positive.
 bool closes_loop(std::span<const int> frames, int count);
 
 }  // namespace foam::texgen

@@ -22,8 +22,8 @@ class Cache {
 
     const CacheInfo& info() const { return info_; }
 
-    /// Returns the state with the given number. Throws InputError if its file is missing or
-    /// damaged.
+    /// Returns the state with the given number, without its view and its closing error. Throws
+    /// InputError if its file is missing or damaged.
     SimulatedFrame state(int number) const;
 
     /// Returns a source of frames. The frames equal, to the last bit, the frames that a simulation
@@ -38,11 +38,11 @@ class Cache {
     std::vector<double> first_pressures_;
 };
 
-/// Simulates a preset and writes the states that the frames need to a cache. Also writes the state
-/// after each frame, because some maps, such as `motion`, need it. Uses only `frames` and `threads`
-/// of the options. Creates the folder if necessary and overwrites files of an existing cache.
-/// Throws std::invalid_argument if there are no frames or a frame number is below 1, OutputError if
-/// a file cannot be written, and the exceptions of Simulation.
+/// Simulates a preset and writes into a cache the states that the frames need. Also writes the
+/// state after each frame, because some maps, such as `motion`, need it. Uses only `frames` and
+/// `threads` of the options. Creates the folder if necessary and overwrites files of an existing
+/// cache. Throws std::invalid_argument if there are no frames or a frame number is below 1,
+/// OutputError if a file cannot be written, and the exceptions of Simulation.
 RunOutcome simulate_into_cache(const Preset& preset,
                                const BakeOptions& options,
                                const std::filesystem::path& folder,

@@ -18,7 +18,7 @@ inline constexpr const char* kCacheName = "cache.json";
 struct CacheInfo {
     Preset preset;
     std::string version;                  // version of foamtex that simulated the states
-    std::string simulation;               // simulation_hash
+    std::string simulation;               // result of simulation_hash
     std::vector<int> frames;              // frames that can be drawn from the cache
     std::optional<double> closing_error;  // Simulation::closing_error
 };

@@ -11,9 +11,10 @@
 namespace foam::texgen {
 
 /// Encodes a state: the frame, the effort of its simulation (FrameEffort), and the record of
-/// earlier frames that maps need (FoamRecord). The pressures of the first equilibrium are left out
-/// if they equal `first_pressures` and are not empty. The times of births and changes are left out
-/// for bubbles that have vanished, because no map needs them.
+/// earlier frames that maps need (FoamRecord). The view and the closing error are not encoded;
+/// Cache::frames_of sets them. The pressures of the first equilibrium are left out if they equal
+/// `first_pressures` and are not empty. The times of births and changes are left out for bubbles
+/// that have vanished, because no map needs them.
 Bytes pack_state(const SimulatedFrame& state, const std::vector<double>& first_pressures);
 
 /// Decodes a state. Maps drawn from the decoded state have the same bits as maps drawn from the

@@ -5,10 +5,11 @@
 #include <fmt/core.h>
 #include <fmt/format.h>
 
-// The generated script reads the words of the command line to find the command path: the program,
-// its subcommand and further subcommands. A first `case` completes the value of the option before
-// the cursor; it has an entry for each command path and each option with a value. A second `case`
-// completes options, subcommands and positional arguments; it has an entry for each command path.
+// In the generated script, a loop over the words of the command line finds the command path: the
+// program, its subcommand and further subcommands. After the loop, a first `case` completes the
+// value of the option before the cursor; it has one entry per command path and option with a value.
+// A second `case` completes options, subcommands and positional arguments; it has one entry per
+// command path.
 
 namespace foam::texgen {
 

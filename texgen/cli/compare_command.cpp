@@ -44,7 +44,8 @@ struct CompareArguments {
 using Paths = std::pair<std::filesystem::path, std::filesystem::path>;
 
 /// Returns the pairs of images to compare: one pair, or one per frame of --frames. Throws
-/// std::invalid_argument if there are several frames and a pattern has no frame number.
+/// std::invalid_argument if the range or a pattern is malformed, or if there are several frames and
+/// a pattern has no frame number.
 std::vector<Paths> pairs_of(const CompareArguments& arguments) {
     if (!arguments.frames) {
         return {{arguments.a, arguments.b}};

@@ -13,7 +13,7 @@ namespace foam::texgen {
 /// A foam that was read from a file.
 struct LoadedFoam {
     Foam foam;
-    std::vector<std::string> notes;  // parts of the file that were ignored, one line each
+    std::vector<std::string> notes;  // remarks, for example on ignored parts, one line each
 };
 
 /// Throws std::invalid_argument unless the name ends in an allowed extension: .fe or .dmp for files

@@ -14,7 +14,7 @@ namespace foam::texgen {
 /// An option or a positional argument of a command.
 struct ArgumentGrammar {
     std::vector<std::string> names;  // such as "-o" and "--out"; one name for a positional argument
-    std::string value;               // placeholder of an option's value ("W[xH]"), else empty
+    std::string value;               // placeholder of the value ("W[xH]"); empty without a value
     std::string meaning;
 };
 

@@ -32,7 +32,8 @@ void add_image_options(CLI::App& command, ImageArguments& arguments);
 std::vector<Assignment> assignments_of(const ImageArguments& arguments);
 
 /// Draws the frames of a preset, writes the image files and their manifest, and writes statistics
-/// if requested. Prints the names of the files, or a JSON object. Returns the exit code.
+/// if requested. With --json, prints a JSON object. Otherwise prints the names of the files, unless
+/// the run failed or `verbosity` is Quiet. Returns the exit code.
 ExitCode run_images(const Preset& preset,
                     const BakeOptions& options,
                     const ImageArguments& arguments,

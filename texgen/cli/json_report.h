@@ -13,8 +13,8 @@ Json json_report();
 
 /// Returns the JSON object of a command that simulates or draws frames. Its members are `status`
 /// ("complete", "no_equilibrium" or "open_loop"), `failed_frame` (null if complete) and
-/// `closing_error` (null if no cycle was simulated, or if infinite). The command adds further
-/// members.
+/// `closing_error` (in mean bubble diameters, Simulation::closing_error; null if no cycle of a loop
+/// was simulated, or if infinite). The command adds further members.
 Json json_report(const RunOutcome& outcome);
 
 /// Prints an object on stdout as one line.

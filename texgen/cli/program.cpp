@@ -56,7 +56,7 @@ std::vector<std::string> subcommand_names(const CLI::App& command) {
 }
 
 /// Returns a message that describes the error in the command line. If an unknown word is given
-/// instead of a subcommand, the message suggests the most similar subcommand.
+/// instead of a subcommand, the message suggests the most similar subcommand, if one is similar.
 std::string message_of(const CLI::App& app, const CLI::ParseError& error) {
     const CLI::App* command = &app;
     while (!command->get_subcommands().empty()) {
@@ -75,7 +75,7 @@ std::string message_of(const CLI::App& app, const CLI::ParseError& error) {
 }
 
 /// Reports an exception of the parser and returns the exit code. CLI11 also throws an exception for
-/// --help and --version; its code is then 0.
+/// --help and --version; the code of this exception is 0.
 ExitCode report_parse(const CLI::App& app, const CLI::ParseError& error) {
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
         app.exit(error);
@@ -105,7 +105,7 @@ ExitCode parse_and_run(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return report_parse(app, error);
     }
-    simd_level();  // throws here, before any work, if FOAMTEX_SIMD is wrong
+    simd_level();  // throws here, before any work, if FOAMTEX_SIMD has an invalid value
     return action();
 }
 

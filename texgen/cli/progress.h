@@ -19,7 +19,7 @@ enum class Verbosity {
 /// "[######------------------] 12/48  583 bubbles  0:14 left".
 std::string progress_bar(const RunProgress& progress);
 
-/// Returns the line that reports a frame. Example:
+/// Returns the line that reports a frame. It ends with the wall time since the run began. Example:
 /// "frame 12: 583 bubbles, area error 1.2e-14, angle error 3.1e-15, 4.21 s".
 std::string progress_line(const RunProgress& progress);
 

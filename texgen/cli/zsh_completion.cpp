@@ -12,7 +12,7 @@ namespace foam::texgen {
 namespace {
 
 // Escapes a text for single quotes and for the specifications that _arguments and _describe read.
-// In these specifications brackets and colons have a special meaning.
+// In these specifications square brackets, colons and backslashes have a special meaning.
 std::string zsh_escaped(std::string_view text) {
     std::string result;
     for (const char c : text) {
@@ -42,9 +42,9 @@ std::string zsh_action(const Values& values, bool or_files) {
     }
 }
 
-// Writes one shell function per command. The function of a command without subcommands calls
-// _arguments with one specification per option and positional argument. The function of a command
-// with subcommands calls the functions of the subcommands.
+// Writes one shell function per command. The function calls _arguments with one specification per
+// option and positional argument. If the command has subcommands, the function also completes their
+// names, and calls the function of a subcommand for the words that follow its name.
 class ZshScript {
   public:
     ZshScript(const CommandGrammar& program, const CompletionWords& words) : words_(words) {

@@ -21,7 +21,8 @@ inline constexpr EventTraits kDriveEvent = {
 enum class Phases { Same, Random };
 
 struct DriveOptions {
-    double scale = 1.0;      // target area at the last frame divided by the area at the start
+    double scale = 1.0;      // target area at the last frame divided by the area at the start,
+                             // both without the oscillation
     double amplitude = 0.0;  // amplitude of the oscillation, as a fraction of the target area
     double period = 24.0;    // period of the oscillation, in frames
     double phase = 0.0;      // phase of the oscillation at its start, in cycles

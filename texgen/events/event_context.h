@@ -21,8 +21,8 @@ struct DrivenSchedule {
     bool vanishes = false;  // true if the bubble vanishes at the last frame
 };
 
-/// The schedules of all driven bubbles. If a later event drives the same bubble, its schedule
-/// replaces the earlier one.
+/// The schedules of all driven bubbles. If a later event drives the same bubble, the schedule of
+/// the later event replaces the earlier schedule.
 using DrivenSchedules = std::map<BubbleIdentity, DrivenSchedule>;
 
 /// Returns the point of the plane, in foam units, at a position in an image. `size` is the size of

@@ -26,7 +26,7 @@ namespace {
 
 // The first bytes of every PNG.
 constexpr std::array<unsigned char, 8> kSignature = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-// Sizes in bytes.
+// The following sizes are in bytes.
 constexpr std::size_t kWord = 4;           // the length, the type or the checksum of a chunk
 constexpr std::size_t kSizeBytes = 8;      // width and height, at the start of an IHDR's content
 constexpr std::size_t kFrameControl = 26;  // the content of an fcTL
@@ -101,7 +101,8 @@ Chunk take_chunk(Content& rest) {
 }
 
 /// Returns all chunks of a PNG. They refer to the bytes of `png`. Throws std::invalid_argument if
-/// the first chunk is not IHDR, if no chunk is IDAT, or if the PNG has a palette.
+/// the signature is wrong, if a chunk is incomplete, if the first chunk is not IHDR, if no chunk is
+/// IDAT, or if the PNG has a palette.
 std::vector<Chunk> chunks_of(Content png) {
     std::vector<Chunk> chunks;
     for (Content rest = after_signature(png); !rest.empty();) {

@@ -11,9 +11,9 @@
 
 namespace foam::texgen {
 
-/// The allowed differences between two samples. Codes are scaled so that the largest code is 1;
-/// other samples are not scaled (read_numbers). The defaults are the defaults of OpenImageIO's
-/// program idiff.
+/// The allowed differences between two samples. Codes (SampleType) are scaled so that the largest
+/// code is 1; other samples are not scaled (read_numbers). The defaults are the defaults of
+/// OpenImageIO's program idiff.
 struct CompareLimits {
     double warn = 1e-6;  // a larger difference is a warning
     double fail = 1e-6;  // a larger difference is a failure

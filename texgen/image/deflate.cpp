@@ -17,8 +17,8 @@ namespace {
 // The compression level for ISA-L, 0 to 3. Level 3 gives files 1 % smaller than level 2 and takes 2
 // to 6 times as long.
 constexpr int kFastLevel = 2;
-// The compression level for libdeflate, 1 to 12. Level 9 gives files 1 % smaller than level 7 and
-// takes 2 to 4 times as long.
+// The level of libdeflate, 0 to 12, for Compression::Small; level 0 stores without compression.
+// Level 9 gives files 1 % smaller than level 7 and takes 2 to 4 times as long.
 constexpr int kSmallLevel = 7;
 
 // The number of bytes at the start of a stream that are compressed and flushed separately. This

@@ -21,7 +21,7 @@ struct ExrChannel {
     std::string name;
     SampleType type = SampleType::Half;
     std::variant<ImageView<const float>, ImageView<const std::uint32_t>> pixels;
-    int channel_index = 0;  // index of the channel in the pixels of `pixels`
+    int channel_index = 0;  // index of this channel among the channels of `pixels`
 };
 
 /// The lossless compression methods of EXR. Rle is run-length encoding, Zips and Zip are deflate,
@@ -50,8 +50,9 @@ struct ExrEncoding {
 /// opacity, which is the channel A.
 ///
 /// Metadata is stored in the attributes `chromaticities`, `wrapmodes` and `framesPerSecond`, and
-/// each text in a string attribute. The keywords of texts must be distinct, have 1 to 31
-/// characters, and not be names of standard attributes of EXR.
+/// each text in a string attribute. The keywords of texts must be distinct and have 1 to 31
+/// characters. They must not be names of attributes that every EXR has, such as `channels`, or
+/// names in the list kReservedNames in exr_encode.cpp.
 ///
 /// Throws std::invalid_argument for channels or texts that break these rules, and for a number that
 /// is not finite or that its type cannot hold. Throws OutputError if OpenEXR fails.

@@ -25,7 +25,7 @@ namespace {
 // The largest compression ratio of deflate. The other methods of EXR, except DWA, compress samples
 // of 16 bits by at most this ratio, too.
 constexpr double kMaxDeflateRatio = 1032.0;
-// DWA first reduces each block of 64 samples to at least one number.
+// DWA, a lossy method of EXR, first reduces each block of 64 samples to at least one number.
 constexpr double kMaxDwaRatio = 64.0 * kMaxDeflateRatio;
 
 // Returns an upper bound on the compression ratio of a file. A file is rejected, before its pixels
@@ -52,9 +52,10 @@ struct Extent {
     int height;
 };
 
-/// Returns the width and height of a window in pixels. `bytes` is the size of the file. Throws
-/// InputError if the file has no channels or a subsampled channel, or if it is too small to contain
-/// the pixels of the window. The smallest samples, half floats, have 2 bytes.
+/// Returns the width and height in pixels of a data window, the rectangle of pixels that a file or
+/// one of its mip levels stores. `bytes` is the size of the file. Throws InputError if the file has
+/// no channels or a subsampled channel, or if it is too small to contain the pixels of the window.
+/// The smallest samples, half floats, have 2 bytes.
 Extent extent_of(const Imath::Box2i& window, const Imf::Header& header, std::size_t bytes) {
     const auto width = std::int64_t{window.max.x} - window.min.x + 1;
     const auto height = std::int64_t{window.max.y} - window.min.y + 1;
@@ -110,7 +111,7 @@ void flip_rows(Image<Sample>& image) {
     }
 }
 
-/// Returns the channels of a window, one group per channel. `bytes` is the size of the file.
+/// Returns the channels of a data window, one group per channel. `bytes` is the size of the file.
 /// `read(buffer)` must read the pixels of the window into a frame buffer.
 template <class Read>
 Groups read_groups(const Imf::Header& header,

@@ -27,8 +27,8 @@ namespace {
 constexpr int kTileSide = 64;
 constexpr std::size_t kLongestName = 31;  // characters; old readers reject longer attribute names
 
-// The names of optional standard attributes of EXR, which texts must not have. The required
-// attributes are not listed: every Imf::Header has them, and is_text_name searches the header, too.
+// The optional standard attributes of EXR whose names texts must not have. The required attributes
+// are not listed: every Imf::Header has them, and is_text_name searches the header, too.
 constexpr std::array<std::string_view, 7> kReservedNames = {
     "chromaticities", "wrapmodes", "framesPerSecond", "name", "type", "view", "chunkCount"};
 

@@ -31,8 +31,8 @@ enum class FormatSamples {
     Numbers,
 };
 
-/// A still-image format. The rest of the program uses formats only through this interface.
-/// README.md explains how to add a format.
+/// A still-image format. Baked images are written and read only through this interface. README.md
+/// explains how to add a format.
 struct ImageFormat {
     std::string_view name;    // name in messages, such as "PNG"
     std::string_view suffix;  // end of its file names, such as ".png"

@@ -19,7 +19,7 @@ enum class PngFilter : std::uint8_t { None, Sub, Up, Average, Paeth };
 
 /// Options of filtering and compression. The pixels do not depend on them.
 struct PngEncoding {
-    PngFilter filter = PngFilter::None;  // best for cells of one color; Up is best for smooth maps
+    PngFilter filter = PngFilter::None;  // best for cells of one color; Up and Sub suit smooth maps
     Compression compression = Compression::Fast;
     /// The number of threads that compress a picture with Compression::Fast, as for thread_count
     /// (core/parallel/parallel_for.h). The other kinds use one thread. The bytes do not depend on

@@ -2,7 +2,8 @@
 
 #pragma once
 
-// Shared by png_encode.cpp and png_decode.cpp. No other file uses libpng.
+// This file is shared by png_encode.cpp and png_decode.cpp. No other file of the program uses
+// libpng.
 
 #include <png.h>
 

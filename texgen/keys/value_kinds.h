@@ -200,7 +200,7 @@ struct Maybe {
     }
 };
 
-/// The values of an enumeration, each written as a word. `choices` has the word of each value.
+/// The values of an enumeration, each written as a word. `choices` pairs each word with its value.
 template <class Enum, std::size_t count = 2>
 struct Choices {
     std::array<std::pair<std::string_view, Enum>, count> choices;

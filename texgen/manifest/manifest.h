@@ -103,7 +103,7 @@ struct BakedSet {
     std::vector<ManifestMap> maps;
     std::vector<ManifestFile> files;                // sorted by frame, then in the order of `maps`
     std::vector<FrameStatistics> frame_statistics;  // sorted by frame
-    std::string failure;  // why the last bake ended early; empty if it did not
+    std::string failure;  // why the last bake ended early; empty if it did not or if complete()
 
     /// Returns true if every map has a file of each of its requested frames.
     bool complete() const;
@@ -132,10 +132,10 @@ BakedSet* find_same_set(Manifest& manifest, const BakedSet& set);
 const BakedSet* find_same_set(const Manifest& manifest, const BakedSet& set);
 
 /// Merges the set of a bake into a manifest. If the manifest has a set with the same parameters,
-/// the maps, files and frames of `set` are added to that set. A file replaces the file with the
-/// same path, and a frame replaces the frame with the same number. Otherwise `set` is appended.
-/// Files with the same paths are removed from all other sets, and other sets that have no files are
-/// removed.
+/// the maps, files and frame statistics of `set` are added to that set. A file replaces the file
+/// with the same path, and the statistics of a frame replace its earlier statistics. Otherwise
+/// `set` is appended. Files with the same paths are removed from all other sets, and other sets
+/// that have no files are removed.
 void merge(Manifest& manifest, const BakedSet& set);
 
 /// Removes the files with the given paths, relative to the folder of the manifest, from all sets.

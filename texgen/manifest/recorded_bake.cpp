@@ -100,7 +100,7 @@ class ManifestWriter {
 };
 
 // Returns the message for a run that ended early because its loop does not close. `closing_error`
-// is infinite if bubbles have different neighbors at the end of the cycle.
+// is infinite if, at the end of the cycle, a bubble is missing or has another number of sides.
 std::string open_loop_failure(const std::optional<double>& closing_error) {
     if (!closing_error || !std::isfinite(*closing_error)) {
         return "the loop does not close: bubbles at the end of the cycle have different neighbors "

@@ -13,9 +13,9 @@ namespace foam::texgen {
 
 namespace {
 
-// Returns the distance to the circle of an arc. With q = |p|² sin a - p.c sin a - (c x p) cos a,
-// for the point p, the chord c and the half angle a, the distance is |q| / (|c| / 2 + sqrt(|c|² / 4
-// + q sin a)). This holds for a straight line, too, where a = 0.
+// Returns the distance from a point to the circle of an arc. With the point p relative to the tail,
+// the chord c, the half angle a and q = |p|² sin a - p.c sin a - (c x p) cos a, the distance is
+// |q| / (|c| / 2 + sqrt(|c|² / 4 + q sin a)). This holds for a straight line, too, where a = 0.
 double distance_to_circle(const PixelArc& arc, const Vec2& point) {
     const double q = arc.sine * point.dot(point - arc.chord) - arc.cosine * cross(arc.chord, point);
     const double half_chord = 0.5 * arc.chord.norm();
@@ -23,15 +23,16 @@ double distance_to_circle(const PixelArc& arc, const Vec2& point) {
     return std::abs(q) / (half_chord + root);
 }
 
-// Returns the radius of a circle around the middle of the chord that contains the whole arc. Its
-// points are farthest from there at the ends or in the middle of the arc.
+// Returns the radius of a circle around the middle of the chord that contains the whole arc. The
+// point of the arc that is farthest from the middle of the chord is an end or the middle of the
+// arc.
 double radius_around_chord(const PixelArc& arc) {
     const Vec2 middle = halves(arc)[0].chord;
     return std::max(0.5 * arc.chord.norm(), (middle - 0.5 * arc.chord).norm());
 }
 
-// Calls visit(x, y, point) for the pixels of the grid whose centers are at most `reach` outside the
-// box around an arc; `point` is the center of the pixel relative to the tail, in pixels.
+// Calls visit(x, y, point) for all pixels of the grid whose centers are within `reach` of an arc,
+// and for other pixels nearby. `point` is the center of the pixel relative to the tail, in pixels.
 template <class Visit>
 void for_each_pixel_near(const PixelArc& arc,
                          SubpixelPoint tail,
@@ -57,7 +58,8 @@ void for_each_pixel_near(const PixelArc& arc,
 }  // namespace
 
 double distance_to_arc(const PixelArc& arc, const Vec2& point) {
-    // Two half-planes tell which points face an arc, but only if the arc does not turn far.
+    // A point between the normals at both ends is nearest to an inner point of the arc. Two
+    // half-planes decide this, but only if the arc does not turn far (ArcLanes::kMinCosine).
     if (arc.cosine < ArcLanes::kMinCosine) {
         const auto [first, second] = halves(arc);
         return std::min(distance_to_arc(first, point),

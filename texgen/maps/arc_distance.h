@@ -11,7 +11,7 @@
 
 namespace foam::texgen {
 
-/// An arc somewhere in the foam.
+/// An arc, and the position of its tail in the foam.
 struct PlacedArc {
     Vec2 tail{0.0, 0.0};  // foam units
     PixelArc arc;         // pixels; turns by less than 360 degrees
@@ -23,18 +23,18 @@ double distance_to_arc(const PixelArc& arc, const Vec2& point);
 
 /// Returns an image of one channel: the distance in pixels from the center of every pixel to the
 /// nearest of the arcs and of their periodic copies, or `reach` if the distance is larger. Visits
-/// the pixels in a square around each arc, so it serves for lines of short arcs. Throws
-/// std::invalid_argument if pixels_per_unit throws it.
+/// all pixels in a square around each arc, so it is fast only if the arcs are short. Precondition:
+/// pixels_per_unit does not throw for this grid and this domain.
 Image<float> distance_to_arcs(std::span<const PlacedArc> arcs,
                               const RasterGrid& grid,
                               const Domain& domain,
                               double reach);
 
 /// Returns the fraction of every pixel that strokes with round ends cover, in one channel. Every
-/// arc is the center line of a stroke; `width` is the full width in pixels. The fraction is exact
-/// to first order: it is linear in the distance from the pixel's center to the edge of the stroke
-/// over the width of a pixel. Strokes narrower than a pixel are paler instead. Throws as
-/// distance_to_arcs does.
+/// arc is the center line of a stroke; `width` is the full width in pixels. The fraction is
+/// approximate: at the edge of a stroke it falls linearly from 1 to 0 over the width of a pixel. A
+/// stroke narrower than a pixel is drawn one pixel wide, with its fractions multiplied by its
+/// width. The precondition is that of distance_to_arcs.
 Image<float> stroke_coverage(std::span<const PlacedArc> arcs,
                              const RasterGrid& grid,
                              const Domain& domain,

@@ -17,8 +17,8 @@ PerBubble<double> scale_positions(const Frame& frame, const AlbedoOptions& optio
 
 /// Returns the color of every bubble: the color at its position on the scale, times a factor.
 /// Positions are clamped to [0, 1]. The factor differs from 1 by at most options.variation, and a
-/// bubble keeps it for life. Throws std::invalid_argument for an unknown color map or an invalid
-/// color, and as scale_positions does.
+/// bubble keeps it for life. Throws std::invalid_argument if a color of options.colors is invalid,
+/// or if that list is empty and the color map is unknown. Also throws as scale_positions does.
 PerBubble<LinearRgb> cell_colors(const Frame& frame, const AlbedoOptions& options);
 
 }  // namespace foam::texgen

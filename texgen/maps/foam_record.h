@@ -11,7 +11,7 @@ namespace foam::texgen {
 /// A topology event between two consecutive frames.
 struct RecordedEvent {
     TopologyEventKind kind = TopologyEventKind::T1;
-    int frame = 0;            // first frame that shows the event, counted as in FoamRecord
+    int frame = 0;            // first frame that shows the event, counted as FoamRecord describes
     Vec2 position{0.0, 0.0};  // moved along with the foam if the foam is sheared later
 
     friend bool operator==(const RecordedEvent&, const RecordedEvent&) = default;
@@ -25,7 +25,7 @@ inline constexpr int kRecordedFrames = 100;
 /// simulation (animation/README.md). In the loops `flow` and `pingpong`, the frames of the
 /// animation have other numbers.
 struct FoamRecord {
-    /// The number of the frame that the record belongs to, counted like RecordedEvent::frame.
+    /// The number of the frame to which the record belongs; the first frame is 1.
     int frame = 1;
     /// The pressures of all bubbles in the equilibrium at the end of the warm-up, in increasing
     /// order and in units of PressureUnit::Current: divided by the film tension and multiplied by

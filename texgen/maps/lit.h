@@ -11,6 +11,8 @@
 
 namespace foam::texgen {
 
+/// The traits declare no smooth distance, because draw_lit computes a distance field of its own, on
+/// a finer grid.
 inline constexpr MapTraits kLitMap = {
     .name = "lit",
     .meaning = "albedo or thin_film, shaded by a light on the relief",

@@ -79,7 +79,7 @@ ColorPixels blend(FrameLayers& layers, const LinearRgb& ground, const std::vecto
         double opacity = layers.is_patch() ? static_cast<double>(foam.samples()[k]) : 1.0;
         for (const Layer& layer : over) {
             const auto part = static_cast<double>(layer.coverage.samples()[k]);
-            // Where the ground is missing, the layer alone is seen.
+            // Where the ground is missing, only the layer is visible.
             opacity = std::max(opacity, part);
             color = mixed(color, layer.color, opacity > 0.0 ? part / opacity : 0.0);
         }
@@ -143,7 +143,8 @@ Keys<MazeOptions> maze_keys() {
 }
 
 MazeRule maze_rule(const MazeOptions& options) {
-    // Walls end in half disks: an open film shows a gap of its length less the width of a wall.
+    // Walls end in half disks, so the gap at an open film is its length minus the width of a wall.
+    // A film whose gap is smaller than kSmallestGap counts as narrow.
     constexpr double kSmallestGap = 0.5;                     // in widths of a wall
     const double diameter = 2.0 * std::numbers::inv_sqrtpi;  // of a mean bubble, in foam units
     const double width = options.wall_width * diameter;

@@ -28,7 +28,7 @@ inline constexpr MapTraits kMazeSolutionMap = {
 struct MazeOptions {
     double chance = 0.4;       // share of chance in the choice of openings; the rest is pressure
     std::int64_t seed = 1;     // of the random choices
-    double loops = 0.0;        // fraction of the walls that are opened in addition
+    double loops = 0.0;        // fraction (0 to 1) of the walls that are opened in addition
     double wall_width = 0.22;  // full width of walls, in diameters of a seeded mean bubble
     std::string wall_color = "#16262f";  // colors are sRGB
     std::string passage_color = "#f4efe2";
@@ -47,8 +47,8 @@ MazeRule maze_rule(const MazeOptions& options);
 ColorPixels draw_maze(FrameLayers& layers, const MazeOptions& options);
 
 /// Draws the maze and its solution: a smooth line through the middles of the films that the
-/// shortest way passes. On a torus it begins and ends in the middle of a bubble, on a patch outside
-/// the entrance and the exit.
+/// shortest way passes. On a torus the line begins and ends in the middle of a bubble. On a patch
+/// it begins and ends in the middles of two outer films, the entrance and the exit.
 ColorPixels draw_maze_solution(FrameLayers& layers, const MazeOptions& options);
 
 }  // namespace foam::texgen

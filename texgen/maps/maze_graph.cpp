@@ -18,8 +18,9 @@ namespace {
 
 // The spanning tree is built by Kruskal's algorithm: films are visited in the order of their
 // weights, and a film is opened if there is no way yet between the bubbles on its sides. Groups of
-// bubbles that are connected are kept in a disjoint-set forest. The longest way of a tree is found
-// by two breadth-first searches: the bubble farthest from any bubble is one of its ends.
+// bubbles that are connected are kept in a disjoint-set forest. The longest way in a tree is found
+// by two breadth-first searches: the bubble farthest from an arbitrary bubble is one end of the
+// way, and the bubble farthest from this end is the other.
 
 // A disjoint-set forest with union by size and path halving (R. E. Tarjan and J. van Leeuwen,
 // "Worst-case analysis of set union algorithms", 1984).
@@ -61,7 +62,8 @@ class DisjointSets {
 };
 
 // Returns a number in [0, 1) that depends on the seed and on an unordered pair of identities: the
-// upper bits of the finalizer of SplitMix64 (S. Vigna, 2015), applied to each in turn.
+// upper 53 bits of a hash. Steps of SplitMix64 (S. Vigna, 2015) mix the seed, the smaller identity
+// and the larger identity, in this order.
 double number_of_pair(std::int64_t seed, BubbleIdentity one, BubbleIdentity other) {
     const auto scrambled = [](std::uint64_t x) {
         x += 0x9e3779b97f4a7c15U;
@@ -130,7 +132,8 @@ std::vector<Wall> walls_of(const Frame& frame, const MazeRule& rule) {
 struct SpanningTree {
     OpenFilms is_open;
     std::vector<Wall> closed;                    // all films between bubbles that are not open
-    BubbleId in_largest_raft = kNone<BubbleId>;  // a bubble; kNone if all rafts have one bubble
+    BubbleId in_largest_raft = kNone<BubbleId>;  // a bubble of the raft with most bubbles; kNone
+                                                 // if all rafts have one bubble
 };
 
 // Opens films until exactly one way leads from any bubble to any other of its raft.
@@ -161,8 +164,8 @@ SpanningTree spanning_tree(const Frame& frame, const MazeRule& rule) {
     return tree;
 }
 
-// Returns the open films of a maze: those of the tree, and the given fraction of all others, chosen
-// by their random numbers.
+// Returns the open films of a maze: the open films of the tree, and the fraction `loops` of its
+// closed films. Films that are not narrow are opened first, in the order of their random numbers.
 OpenFilms with_loops(SpanningTree tree, double loops) {
     std::sort(tree.closed.begin(), tree.closed.end(), [](const Wall& a, const Wall& b) {
         return std::tuple(a.is_narrow, a.number, a.film) <
@@ -231,9 +234,9 @@ HalfEdgeId outer_side_of(const Frame& frame, BubbleId bubble) {
     return longest;
 }
 
-// Returns how well the solution may start or end in a bubble: 2 is well, 0 is not at all. Every
-// bubble of a torus is an end. On a patch only bubbles at the rim are, best with an outer film that
-// is not narrow.
+// Returns the suitability of a bubble as an end of the solution. On a torus it is 2. On a patch it
+// is 0 for a bubble without outer films, 1 if the longest outer film is shorter than rule.narrow,
+// otherwise 2.
 int rank_as_end(const Frame& frame, const MazeRule& rule, BubbleId bubble) {
     if (!frame.domain.is_plane()) {
         return 2;
@@ -245,8 +248,8 @@ int rank_as_end(const Frame& frame, const MazeRule& rule, BubbleId bubble) {
     return arc_length(frame.arc(side)) < rule.narrow ? 1 : 2;
 }
 
-// Returns the farthest of the bubbles of a search that are best as an end of the solution, but not
-// the bubble in which the search begins.
+// Returns the farthest of the bubbles of a search that have the highest rank_as_end. The bubble in
+// which the search begins is not considered.
 BubbleId farthest_end(const Frame& frame, const MazeRule& rule, const Search& search) {
     return *std::max_element(
         search.order().rbegin(), search.order().rend() - 1, [&](BubbleId farther, BubbleId nearer) {

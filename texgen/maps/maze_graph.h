@@ -9,24 +9,24 @@
 
 namespace foam::texgen {
 
-/// How a maze is built from a foam.
+/// The parameters with which a maze is built from a foam.
 struct MazeRule {
     double chance = 0.4;    // share of chance in the choice of openings; the rest is pressure
     std::int64_t seed = 1;  // of the random numbers
     double loops =
         0.0;  // fraction (0 to 1) of the walls between bubbles that are opened in addition
-    double narrow = 0.0;  // width in foam units that walls would fill: shorter films, and films of
-                          // bubbles smaller than a circle of this diameter, are opened only if
-                          // nothing else leads to a bubble
+    double narrow = 0.0;  // a length in foam units. A film is narrow if it is shorter, or if a
+                          // bubble beside it has a smaller area than a circle of this diameter.
+                          // Narrow films are opened only after all other films.
 };
 
 /// A maze whose rooms are the bubbles of a foam and whose walls are its films, some of which are
-/// open. The shortest way, `solution`, is the way through the fewest bubbles.
+/// open. `solution` is the way through the fewest bubbles between two ends (find_maze).
 struct Maze {
-    Indexed<FilmId, std::uint8_t> is_open;  // 1 for films that one can pass, 0 for walls
-    /// The films that the solution passes, in order. It leaves the bubble on the left of each
-    /// half-edge and enters the bubble on its right. On a patch the first half-edge has the ghost
-    /// on its left and the last one has the ghost on its right.
+    Indexed<FilmId, std::uint8_t> is_open;  // 1 for open films, 0 for walls
+    /// The films that the solution passes, in order. The solution leaves the bubble on the left of
+    /// each half-edge and enters the bubble on its right. On a patch the first half-edge has the
+    /// ghost on its left and the last one has the ghost on its right.
     std::vector<HalfEdgeId> solution;
 };
 
@@ -37,21 +37,22 @@ struct Maze {
 /// both bubbles, so that passages follow bubbles of similar pressure. rule.loops opens further
 /// films, which makes several ways.
 ///
-/// The ends of the solution are as far apart in the tree as possible. On a torus they are any two
-/// bubbles. On a patch they are at the rim or beside a hole, and an outer film of each is open: the
-/// entrance and the exit. Ends whose outer film is not narrow (MazeRule::narrow) come first. Rafts
-/// of a patch are separate mazes; only the raft with most bubbles has a solution. There is no
-/// solution if no two bubbles share a film.
+/// The ends of the solution are two bubbles that are as far apart in the tree as possible. On a
+/// torus any bubble can be an end. On a patch the ends are at the rim or beside a hole, and the
+/// longest outer film of each end is open: the entrance and the exit. Bubbles whose longest outer
+/// film has at least the length rule.narrow are preferred as ends. Rafts of a patch are separate
+/// mazes; only the raft with most bubbles has a solution. There is no solution if no two bubbles
+/// share a film.
 Maze find_maze(const Frame& frame, const MazeRule& rule);
 
-/// Figures of a maze.
+/// Counts of bubbles that describe a maze.
 struct MazeStatistics {
     int solution = 0;   // number of bubbles that the solution visits
     int dead_ends = 0;  // number of bubbles with exactly one open film
     int branches = 0;   // number of bubbles with three or more open films
 };
 
-/// Returns the figures of a maze. The entrance and the exit of a patch count as open films.
+/// Returns the statistics of a maze. The entrance and the exit of a patch count as open films.
 MazeStatistics measure(const Maze& maze, const Frame& frame);
 
 }  // namespace foam::texgen

@@ -10,7 +10,7 @@ constexpr int kPiecesPerCurve = 16;
 
 // A point of the line, and the direction of the line there, a unit vector.
 struct Station {
-    Vec2 position{0.0, 0.0};  // foam units, on the plane that is wrapped around a torus
+    Vec2 position{0.0, 0.0};  // foam units; not wrapped into the fundamental cell of a torus
     Vec2 direction{0.0, 0.0};
 };
 
@@ -43,7 +43,7 @@ Vec2 mean_corner(const Frame& frame, HalfEdgeId side) {
     return sum / count;
 }
 
-// Returns the points at which the line crosses films, and on a torus both ends.
+// Returns the points at which the line crosses films, and on a torus also both ends of the line.
 std::vector<Station> stations_of(const Frame& frame, std::span<const HalfEdgeId> way) {
     std::vector<Station> stations;
     Vec2 tail = frame.positions[frame.network.tail(way.front())];

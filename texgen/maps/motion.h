@@ -19,7 +19,7 @@ inline constexpr MapTraits kMotionMap = {
     .png_filter = PngFilter::Up,
     .needs_next = true};
 
-/// The unit of the numbers of a motion map, in x and y. A PNG is the same for both units.
+/// The unit of both channels of a motion map. A PNG is the same for both units.
 enum class MotionUnit {
     Image,   // fractions of the image's width
     Pixels,  // pixels, which compositing programs expect

@@ -66,9 +66,9 @@ double rank_among(std::span<const double> sorted, double pressure) {
     return (lower - 1.0 + (pressure - below) / (*first - below)) / steps;
 }
 
-// Returns the pressures, in increasing order, among which ranks and percentiles are measured: those
-// of the end of the warm-up, or if pressures are smoothed or flattened, the resulting ones of this
-// frame.
+// Returns the pressures, in increasing order, among which ranks and percentiles are measured: the
+// pressures at the end of the warm-up or, if pressures are smoothed or flattened, the resulting
+// pressures of this frame.
 std::vector<double> scale_of(const FrameLayers& layers,
                              const PerBubble<double>& pressures,
                              const PressureOptions& options) {
@@ -95,8 +95,8 @@ double tone_of(double pressure, std::span<const double> scale, const PressureOpt
                          percentile_of(scale, 100.0 - options.percentile));
 }
 
-// Returns the fraction of the area of all bubbles that has a lower pressure than each bubble. The
-// bubble itself, and bubbles of the same pressure, count half.
+// Returns for each bubble the fraction of the total area of all bubbles in which the pressure is
+// lower. The areas of the bubble itself, and of bubbles of the same pressure, count half.
 PerBubble<double> area_shares(const Frame& frame, const PerBubble<double>& pressures) {
     const auto areas = per_bubble<double>(
         frame,
@@ -124,8 +124,9 @@ PerBubble<double> area_shares(const Frame& frame, const PerBubble<double>& press
     return shares;
 }
 
-// Averages pressures with those of neighbors, and subtracts a wider average. The pressures that are
-// left vary over distances between both widths, so that corridors are about equally wide.
+// Averages pressures with those of neighbors, and subtracts a wider average. The results vary over
+// distances between the widths of the two averages, so that the corridors of a labyrinth are about
+// equally wide.
 void smooth_and_flatten(const Frame& frame,
                         const PressureOptions& options,
                         PerBubble<double>& pressures) {

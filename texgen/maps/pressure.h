@@ -29,7 +29,7 @@ enum class PressureScaling {
                  // which spreads the area evenly over all tones
 };
 
-/// The options of the map. The scale of pressures is the same in all frames to prevent flicker.
+/// The options of the map.
 struct PressureOptions {
     PressureScaling scaling = PressureScaling::Percentile;
     PressureUnit unit = PressureUnit::Current;  // the unit of low and high, for Range

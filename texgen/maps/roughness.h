@@ -17,8 +17,9 @@ inline constexpr MapTraits kRoughnessMap = {
 
 struct RoughnessOptions {
     double cell = 0.15;      // roughness of bubbles, which are smooth and wet
-    double film = 0.45;      // roughness of films, which have the width and shape of albedo
-    double variation = 0.1;  // width of the range of bubbles around `cell`, clamped to [0, 1]
+    double film = 0.45;      // roughness of films; the options of albedo give their width and shape
+    double variation = 0.1;  // full width of the range, centered on `cell`, of the roughness of
+                             // bubbles; the roughness is clamped to [0, 1]
 };
 
 Keys<RoughnessOptions> roughness_keys();

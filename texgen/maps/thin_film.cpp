@@ -32,7 +32,7 @@ constexpr double kIndex = 1.33;             // refractive index of soapy water
 constexpr double kFirstWavelength = 380.0;  // shortest wavelength, nanometers
 constexpr double kWavelengthStep = 5.0;     // nanometers
 constexpr int kWavelengths = 81;            // number of wavelengths, up to 780 nanometers
-constexpr int kThickest = 4000;             // nanometers; thicker films are practically white
+constexpr int kThickest = 4000;             // nanometers; thicker films are practically gray
 
 struct Xyz {
     double x = 0.0;

@@ -20,8 +20,8 @@ inline constexpr MapTraits kThinFilmMap = {
 /// The soap film that spans each bubble. It is not the film between two bubbles.
 struct ThinFilmOptions {
     double thickness = 350.0;  // in the middle of a bubble, mean over bubbles, nanometers
-    double variation = 0.6;    // range of the thickness among bubbles, as a fraction of the
-                               // thickness; constant for a bubble's life
+    double variation = 0.6;    // width of the range of thicknesses among bubbles, as a fraction of
+                               // `thickness`; a bubble keeps its thickness for life
     double drainage = 0.5;     // added thickness at the bubble's rim, where liquid gathers, as a
                                // fraction of the thickness in the middle
     double exposure = 8.0;     // factor on the reflected light; a soap film reflects at most 8 % of

@@ -122,6 +122,8 @@ void check_frames(const EventCheck& check) {
     check.require(check.event.frames.first != 0 || check.event.time, "kind", kRule);
 }
 
+// Returns the properties of the foam that events depend on. A torus has the area foam.bubbles and
+// the aspect ratio of the image.
 EventSetting setting_of(const Preset& preset) {
     const auto [shorter, longer] = std::minmax(preset.image.width, preset.image.height);
     return {.is_patch = preset.shape.kind == FoamKind::Patch,

@@ -16,8 +16,8 @@ namespace foam::texgen {
 bool is_event_key(std::string_view key);
 
 /// Stores the value of a key of an event in the preset. An assignment of the table event[n] adds
-/// the n-th event. Throws PresetError if the key is unknown, if the event does not exist, or if the
-/// value is not allowed.
+/// the n-th event. Throws PresetError if the key is malformed or unknown, if the event does not
+/// exist, or if the value is not allowed.
 void assign_event(Preset& preset, const Assignment& assignment);
 
 /// Checks that each event of a preset has a kind, has frames or a time, has only keys of its kind,

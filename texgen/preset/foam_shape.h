@@ -17,7 +17,7 @@ enum class FoamKind { Torus, Patch };
 /// follows from the number of bubbles, whose mean area is 1.
 struct FoamShape {
     FoamKind kind = FoamKind::Torus;
-    std::string outline = "disc";  // "disc", "rectangle", or a polygon as WKT
+    std::string outline = "disc";  // "disc", "rectangle", or a polygon as WKT (well-known text)
     double outline_aspect = 1.0;   // factor that stretches the outline in x; at 1 a disc is a
                                    // circle and a rectangle is a square
 };

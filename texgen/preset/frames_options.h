@@ -10,15 +10,17 @@ namespace foam::texgen {
 /// which is a Voronoi diagram with straight films (foam/seeding.h in core).
 enum class FirstFrame { Equilibrium, Diagram };
 
-/// The times that the frames show. Foam time is the time t in the law of coarsening (E6). Frame 1
-/// shows the foam at the foam time warm_up. The time from frame i to frame i + 1 is time_step *
-/// step_growth^(i - 1).
+/// The number of frames and the times that they show. Foam time is the time t in the law of
+/// coarsening (E6 in core/README.md). Without a loop (loop.h), frame 1 shows the foam at the foam
+/// time warm_up, and the time from frame i to frame i + 1 is time_step * step_growth^(i - 1). With
+/// FirstFrame::Diagram, frame 1 shows the foam at time 0, and the warm-up is simulated between
+/// frame 1 and the first time step.
 struct FramesOptions {
     int count = 48;  // number of frames
     FirstFrame first = FirstFrame::Equilibrium;
-    double time_step = 1.0;    // foam time from frame 1 to frame 2
+    double time_step = 1.0;    // foam time of the step to frame 2
     double step_growth = 1.0;  // quotient of each time step and the preceding time step
-    double warm_up = 0.0;      // foam time that is simulated before frame 1
+    double warm_up = 0.0;      // foam time of the warm-up, which precedes the first time step
 };
 
 Keys<FramesOptions> frames_keys();

@@ -19,7 +19,7 @@ Keys<LoopOptions> loop_keys() {
                                                {"drift", LoopKind::Drift},
                                                {"flow", LoopKind::Flow},
                                                {"pingpong", LoopKind::PingPong}}}};
-    // A key refers to its meaning, which must therefore be static.
+    // A key stores its meaning as a string_view, so the text must be static.
     static const std::string amplitude_meaning = fmt::format(
         "for \"breathe\": relative amplitude of every bubble's area; for \"shear\": amplitude of "
         "the strain, at most {}",

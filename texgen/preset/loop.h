@@ -26,12 +26,12 @@ inline constexpr double kLargestShearAmplitude = 0.4;
 struct LoopOptions {
     LoopKind kind = LoopKind::None;
     double amplitude = 0.15;  // Breathe: relative amplitude of areas; Shear: amplitude of strain
-    std::array<int, 2> drift = {0, 0};  // motion per loop, in widths and heights of the torus
+    std::array<int, 2> drift = {0, 0};  // motion per loop, in image widths and heights; y is up
     /// Breathe and Shear: cycles are simulated before frame 1 until the foam at the end of a cycle
     /// agrees with the foam at the start of this cycle. This is the largest number of these cycles.
     int cycles = 12;
-    /// Flow: the fraction of the frames, at the end of the loop, that fade into the frames one loop
-    /// earlier, which precede frame 1.
+    /// Flow: the fraction of the frames, at the end of the loop, that fade into the states of the
+    /// foam one loop earlier. These states are simulated before frame 1.
     double fade = 1.0;
     /// Flow: regions of the image begin to fade one after the other. The last region begins after
     /// this fraction of the fade.

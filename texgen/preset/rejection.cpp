@@ -15,7 +15,7 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr std::size_t kLongestShown = 60;  // largest number of bytes of a value in a message
+constexpr std::size_t kLongestShown = 60;  // in bytes; longer values are cut off in messages
 
 // Returns the text. If it is longer than kLongestShown, replaces its end by "...", without
 // splitting a UTF-8 character.

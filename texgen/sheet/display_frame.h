@@ -26,8 +26,9 @@ struct DisplayFrame {
 /// blue. If there is no R, the channels X, Y and Z are shown as red, green and blue; if there is
 /// neither R nor X, the channel Y is shown as gray. Floats are scaled to [0, 1] from the range in
 /// the manifest (MapSamples::range), if there is one, and clamped. Throws InputError if the file
-/// cannot be read, lacks the layer of the map, has none of the channels R, X and Y of floats, or
-/// contains floats of data whose range is not in the manifest.
+/// cannot be read or lacks the layer of the map. For a file without codes, also throws InputError
+/// if R, X and Y are all missing or not floats, or if the map is data and its range is not in the
+/// manifest.
 DisplayFrame read_display_frame(const MapFile& file, const ManifestMap& map);
 
 /// Returns a frame reduced to a smaller size. Each new pixel is the mean of the old pixels that it

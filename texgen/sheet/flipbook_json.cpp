@@ -13,8 +13,9 @@ namespace foam::texgen {
 
 namespace {
 
-// Returns true if the frames form a closed loop: if the step from the last frame to the first
-// frame, one period later, equals all other steps.
+// Returns true if the frames form a closed loop: if they have a common step, and the number of
+// frames times the absolute value of this step is the period of the loop. The step of a single
+// frame is 1.
 bool closes(const ManifestLoop& loop, std::span<const int> frames) {
     const std::optional<int> step = common_step(frames);
     return loop.period > 0 && step &&

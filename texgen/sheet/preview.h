@@ -38,11 +38,12 @@ struct PreviewOptions {
 
 /// Writes previews of a baked set into the folder `to`, and returns their paths:
 /// {preset}_{map}_contact.png, {preset}_{map}_tiling.png, {preset}_{map}_loop.png,
-/// {preset}_{map}.mp4 and {preset}_{map}.gif. Frames are opaque, and large frames are reduced in
-/// size (display_frame.h). `folder` is the folder of the manifest. `to` is created if needed.
-/// Throws std::invalid_argument for a map of integers that must not be mixed (ids or sides), and
-/// for the tiling of a frame that does not tile. Throws OutputError if a file cannot be written.
-/// Also throws the exceptions of map_sequence, read_display_frame, ApngMuxer and encode_video.
+/// {preset}_{map}.mp4 and {preset}_{map}.gif. Frames are composited over gray, and large frames are
+/// reduced in size (display_frame.h). `folder` is the folder of the manifest. `to` is created if
+/// needed. Throws std::invalid_argument if no map was baked, for a map of integers that must not be
+/// mixed (ids or sides), and for the tiling of a frame that does not tile. Throws OutputError if a
+/// file cannot be written. Also throws the exceptions of map_sequence, read_display_frame,
+/// ApngMuxer and encode_video.
 std::vector<std::filesystem::path> write_previews(const BakedSet& set,
                                                   const std::filesystem::path& folder,
                                                   const PreviewOptions& options,

@@ -16,7 +16,7 @@ namespace foam::texgen {
 /// contains the periodic continuation of the frame; otherwise, the gutter repeats the pixels at the
 /// edge of the frame. The sheet contains only this map, and its channel names have no layer. While
 /// the sheet is composed, the whole sheet and one frame are in memory; while it is written, the
-/// whole sheet and the encoded file.
+/// whole sheet and the encoded file. Precondition: the sequence has layout.frames files.
 ///
 /// Throws InputError if a file cannot be read or lacks the layer of the map, if its size differs
 /// from the frame size of the layout, or if its channels differ from the channels of the first

@@ -22,7 +22,8 @@ namespace {
 
 using Arguments = std::vector<std::string>;
 
-// Returns the last lines of a text file as one line, with a space before each.
+// Returns the last kMaxLines lines of a text file, joined into one line with a space before each of
+// them.
 std::string last_lines(const std::filesystem::path& path) {
     constexpr std::size_t kMaxLines = 5;
     std::deque<std::string> lines;

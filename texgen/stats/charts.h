@@ -14,19 +14,21 @@ namespace foam::texgen {
 enum class ChartStatus { Drawn, NoGnuplot, GnuplotFailed };
 
 /// Returns a gnuplot script that draws charts of a run's tables (csv.h) into the folder of the
-/// tables. The charts over the logarithm of time are omitted unless there are frames at two
-/// different times above 0. The charts are:
+/// tables. README.md explains which frames the charts show, when charts over the logarithm of time
+/// are omitted, and what the scaling state is. "The paper" is named in core/README.md. The charts
+/// are:
 ///
 ///     mean_area      mean bubble area over time, with a line fitted to the scaling state
-///     second_moment  second moment mu_2 of the number of sides over log time, its mean in the
-///                    scaling state, and the value measured in soap froths
+///     second_moment  second moment mu_2 of the number of sides over log time, the mean of mu_2 in
+///                    the scaling state, and the value measured in soap froths
 ///     sides          for each number of sides, the fraction of bubbles that have so many sides,
 ///                    over log time
 ///     pressures      for each number of sides, the mean pressure of its bubbles over log time, in
 ///                    units of film tension / sqrt(mean area)
 ///     growth_rates   mean dA/dt against the number of sides, measured from areas and from
 ///                    pressures, and von Neumann's law
-///     seconds        wall time per frame against the number of bubbles, and the paper's Figure 5
+///     seconds        wall time per frame against the number of bubbles, and the times in Figure 5
+///                    of the paper
 std::string charts_script(const RunRecord& run);
 
 /// Runs gnuplot on a script, with the folder of the script as working directory. Throws OutputError

@@ -11,8 +11,8 @@ namespace foam::texgen {
 
 namespace {
 
-// Returns the growth of the bubbles with a given number of sides. If the record has none, the
-// number of bubbles in the result is 0.
+// Returns the growth of the bubbles with a given number of sides. If the record has no growth for
+// this number, the number of bubbles in the result is 0.
 SidesGrowth growth_of(const FrameRecord& record, int sides) {
     const auto found = std::find_if(record.growth.begin(),
                                     record.growth.end(),

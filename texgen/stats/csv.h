@@ -19,9 +19,9 @@ std::string frames_csv(const RunRecord& run);
 
 /// Returns a table with one row per frame and number of sides that occurs in it:
 /// frame,time,sides,bubbles,share,mean_area,mean_pressure,untouched,area_rate,film_rate,law_rate
-/// `area_rate` is empty for the first frame of the run. In a later row it is empty if every bubble
-/// with this number of sides has other neighbors than in the preceding frame of the run, or if no
-/// foam time has passed since the preceding frame.
+/// `area_rate` is empty in the rows of the first frame and of lone bubbles (0 sides). In any other
+/// row it is empty if every bubble with this number of sides has other neighbors than in the
+/// preceding frame of the table, or if no foam time has passed since the preceding frame.
 std::string sides_csv(const RunRecord& run);
 
 }  // namespace foam::texgen

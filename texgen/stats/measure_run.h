@@ -13,9 +13,10 @@ struct MeasureSummary {
     RunRecord run;  // if the run failed, only the frames before the failure
 };
 
-/// Simulates the same frames as a bake of the preset, and measures them instead of drawing them. Of
-/// the options, only `frames`, `source` and, if there is no source, `threads` are used.
-/// `on_progress` is called after each frame. Throws the exceptions of the source.
+/// Takes the same frames as a bake of the preset from their source, by default a simulation of the
+/// preset, and measures them instead of drawing them. Of the options, only `frames`, `source` and,
+/// if there is no source, `threads` are used. `on_progress` is called after each frame. Throws the
+/// exceptions of the source.
 MeasureSummary measure_run(const Preset& preset,
                            const BakeOptions& options,
                            const ProgressCallback& on_progress);

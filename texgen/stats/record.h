@@ -12,8 +12,8 @@
 
 namespace foam::texgen {
 
-/// The statistics of one frame. Growth is measured since the preceding record. Topology changes and
-/// wall time are counted since the preceding record or, in the first record, since the start of the
+/// The statistics of one frame. Growth is measured since the preceding record. T1s, T2s and wall
+/// time are counted since the preceding record or, in the first record, since the start of the
 /// simulation.
 struct FrameRecord {
     int frame = 0;      // number of the frame
@@ -26,15 +26,16 @@ struct FrameRecord {
 /// The statistics of a run, and the parameters needed to interpret them.
 struct RunRecord {
     std::string preset;         // name of the preset
-    double film_tension = 1.0;  // T = 2 gamma
-    double kappa = 0.0;         // diffusion constant (E6)
+    double film_tension = 1.0;  // T = 2 gamma, where gamma is the surface tension
+    double kappa = 0.0;         // diffusion constant (E6 in core/README.md)
     std::vector<FrameRecord> frames;
 
     /// Returns the dA/dt of a bubble with the given number of sides by von Neumann's law (E6).
     double law_rate(int sides) const;
 };
 
-/// Records the statistics of the frames of a run, which are passed one at a time and in order.
+/// Records the statistics of the frames of a run, which are passed one at a time, in the order in
+/// which their source emits them (FrameAssembly).
 class Recorder {
   public:
     explicit Recorder(const Preset& preset);
@@ -43,7 +44,8 @@ class Recorder {
     /// growth since this frame.
     void record(const std::shared_ptr<const Frame>& frame, const FrameEffort& effort);
 
-    /// Returns a function for simulate_frames that calls record(). It borrows the recorder.
+    /// Returns a function that calls record() for each frame it receives. The function refers to
+    /// this recorder, which must outlive it.
     FrameVisitor visitor();
 
     const RunRecord& run() const { return run_; }

@@ -8,18 +8,19 @@
 
 namespace foam::texgen {
 
-/// How two samples are compared. The difference of two numbers a and b is |a - b|. The difference
-/// of two ids is 1 if the ids differ and 0 if they are equal.
+/// Selects how two samples are compared. The difference of two numbers a and b is |a - b|, where
+/// codes are not scaled. The difference of two ids is 1 if the ids differ and 0 if they are equal.
 enum class Difference { Numbers, Ids };
 
-/// The step across a possible seam, and the largest step elsewhere. A step is the mean difference
-/// of the samples of two adjacent columns, rows or frames.
+/// The step across a seam, and the largest other step. A step is the mean difference of the samples
+/// of two adjacent columns, rows or frames. A seam is the border of an image that should tile, or
+/// the change from the last frame of a loop to the first.
 struct Seam {
     double across = 0.0;          // the step across the seam
     double largest_within = 0.0;  // the largest of all other steps
 
     /// Returns across / largest_within. Returns 0 if `across` is 0. Returns infinity if `across` is
-    /// infinite or NaN, or if only `largest_within` is 0.
+    /// infinite or NaN, or if `largest_within` is 0 and `across` is not.
     double ratio() const;
 };
 

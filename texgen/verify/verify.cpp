@@ -20,11 +20,11 @@ namespace foam::texgen {
 
 namespace {
 
-// Every file is decoded once. The hash of its pixels is compared with the manifest. Then each map
-// in the file is added to the MapCheck of that map. A step is the mean difference of the samples of
-// two adjacent columns, rows or frames (steps.h). A MapCheck accumulates the largest steps within
-// frames, across the borders of frames and from frame to frame. After the last file, the MapCheck
-// returns the steps across seams together with the largest other steps.
+// Every file is decoded once. The hash of its pixels is compared with the hash in the manifest.
+// Then the picture is added to the MapCheck of each map in the file. A step is the mean difference
+// of the samples of two adjacent columns, rows or frames (steps.h). A MapCheck accumulates the
+// largest steps within frames, across the borders of frames and from frame to frame. After the last
+// file, the MapCheck returns the steps across seams together with the largest other steps.
 
 using File = std::shared_ptr<const Picture>;  // a decoded file
 
@@ -41,7 +41,7 @@ class MapCheck {
         : difference_(difference_of(map)), period_(period), found_{map.name, {}, 0, {}} {}
 
     // Adds a frame of the map. Frames must be added in increasing order. `tiles` is true if the
-    // frame is to be checked for seams at its border.
+    // seams at the border of the frame are to be checked.
     void add(const File& file, int frame, bool tiles) {
         if (tiles) {
             add_tile(tile_seams(groups_of(*file, found_.name), difference_), frame);
@@ -116,7 +116,7 @@ class MapCheck {
     File last_;   // the last frame of the period that was added
     int first_frame_ = 0;
     int last_frame_ = 0;
-    int steps_ = 0;  // number of steps between successive frames of the period
+    int steps_ = 0;  // number of steps that were measured between successive frames of the period
     Seam loop_;
     Border columns_;
     Border rows_;

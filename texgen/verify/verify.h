@@ -12,15 +12,15 @@
 
 namespace foam::texgen {
 
-/// The largest Seam::ratio of frames that tile without a seam. The ratio is the largest step across
-/// the border of any frame, divided by the largest step within any frame. A step is the mean
-/// difference of the samples of two adjacent columns, rows or frames (steps.h).
+/// The largest allowed Seam::ratio of frames that tile. The ratio is the largest step across the
+/// border of any frame, divided by the largest step within any frame. A step is the mean difference
+/// of the samples of two adjacent columns, rows or frames (steps.h).
 inline constexpr double kLargestTileRatio = 1.25;
 /// The smallest width and height, in pixels, of images whose tiling is checked. Smaller images have
 /// too few columns or rows for a comparison.
 inline constexpr int kSmallestTile = 64;
-/// The largest Seam::ratio of a loop without a seam. The ratio is the step from the last frame to
-/// the first, divided by the largest step between successive frames.
+/// The largest allowed Seam::ratio of a loop. The ratio is the step from the last frame to the
+/// first, divided by the largest step between successive frames.
 inline constexpr double kLargestLoopRatio = 1.1;
 
 /// The result of checking the seams of a map. A seam that was not checked is nullopt. `tile` is the
@@ -43,7 +43,7 @@ struct VerifiedSet {
     // One line for each bad file, for each set of missing frames (naming all maps that lack them),
     // and for each seam whose ratio is above its limit.
     std::vector<std::string> problems;
-    std::vector<VerifiedMap> maps;
+    std::vector<VerifiedMap> maps;  // maps of which at least one file has the recorded pixels
 
     /// Returns true if there are no problems.
     bool holds() const { return problems.empty(); }
@@ -59,10 +59,11 @@ struct Verification {
 };
 
 /// Checks the images of a folder against its manifest. Every file must exist, and its pixels must
-/// have the hash in the manifest. Frames that tile must have no seam at their border, and loops no
-/// seam between their last frame and their first. A loop is checked only if all frames from 1 to
-/// its period exist; later frames are ignored. `path` is the folder or the manifest in it. Throws
-/// InputError if the manifest cannot be read; all other problems are part of the result.
+/// have the hash in the manifest. The ratios of the seams (Seam::ratio) of frames that tile and of
+/// loops must not exceed their limits. A loop is checked only if its period is at least 2 frames
+/// and all frames from 1 to its period exist; later frames are ignored. `path` is the folder or the
+/// manifest in it. Throws InputError if the manifest cannot be read; all other problems are part of
+/// the result.
 Verification verify(const std::filesystem::path& path);
 
 /// Returns the result as text for users, with a few lines per set.

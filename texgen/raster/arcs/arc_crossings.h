@@ -21,8 +21,8 @@ inline std::int32_t rounded(double x) {
 
 /// Returns x rounded to the nearest integer; ties are rounded to even. Precondition: |x| < 2^22.
 inline std::int32_t rounded(float x) {
-    // Adding kWhole rounds x, because all floats of this size are whole numbers. The bits of
-    // successive whole numbers of this size are successive integers.
+    // Adding kWhole rounds x, because all floats from 2^23 to 2^24 are whole numbers. The bits of
+    // successive floats in this range are successive integers.
     constexpr float kWhole = 0x1.8p23F;
     return std::bit_cast<std::int32_t>(x + kWhole) - std::bit_cast<std::int32_t>(kWhole);
 }
@@ -141,7 +141,8 @@ class RoundedCrossings {
 
 /// A query for `count` crossings of an arc with horizontal or vertical lines. Relative to the tail
 /// of the arc, the lines are at `first`, first + step, first + 2 step, and so on. Each result is
-/// sign * (offset + crossing). All coordinates are in subpixels.
+/// sign * (offset + crossing), where `crossing` is relative to the tail, too. All coordinates are
+/// in subpixels.
 struct ArcCrossings {
     static constexpr std::size_t kLanes = 8;  // number of crossings that are computed at once
 

@@ -23,9 +23,10 @@ namespace foam::texgen {
 inline constexpr std::uint32_t kFilmSide = std::numeric_limits<std::uint32_t>::max();
 
 /// The two sides of an arc: the index of the bubble on each side, or kFilmSide. On a torus, the
-/// outline of a bubble is closed only if it is not wrapped. In the unwrapped outline of the bubble
-/// on the left, the arc is `left_periods` periods further right than its coordinates say; in the
-/// outline of the bubble on the right, it is `right_periods` periods further right.
+/// outline of a bubble may cross the border. It is closed only if it is unwrapped, that is,
+/// continued beyond the border. In the unwrapped outline of the bubble on the left, the arc is
+/// `left_periods` periods further right than its coordinates say. In the unwrapped outline of the
+/// bubble on the right, the arc is `right_periods` periods further right.
 struct ArcSides {
     std::uint32_t left = kFilmSide;
     std::uint32_t right = kFilmSide;
@@ -67,7 +68,7 @@ struct CellArcs {
     std::optional<BubbleId> ghost = {};  // the ghost bubble of a patch
 };
 
-/// The arcs that one task of make_arcs creates. The members are as in CellArcs.
+/// The arcs that one task of make_arcs creates. `unclosed_loops` is as in CellArcs.
 struct ArcBatch {
     std::vector<MonotoneArc> arcs;
     int unclosed_loops = 0;
@@ -97,8 +98,8 @@ double twice_area(std::span<const MonotoneArc> chain, std::uint32_t bubble);
 /// The recommended number of bubbles per task of make_arcs.
 inline constexpr std::size_t kBubblesPerTask = 256;
 
-/// Calls maker.make(k, batch) for each k in [0, count). Each call appends arcs to the batch, and
-/// adds to its number of unclosed loops. Returns all arcs; the caller sets `shear` and `ghost`.
+/// Calls maker.make(k, batch) for each k in [0, count). Each call appends arcs to batch.arcs, and
+/// adds to batch.unclosed_loops. Returns all arcs; the caller sets `shear` and `ghost`.
 /// Tasks run in parallel. Each task processes up to `per_task` values of k with its own maker,
 /// which new_maker() returns.
 template <class NewMaker>

@@ -32,8 +32,8 @@ struct PixelPatch {
 /// Regions are numbered in this order.
 std::size_t region_count(const Frame& frame);
 
-/// The width in pixels of a margin around the image. Parts of arcs outside of the margin are cut
-/// off, so that the coordinates of the other parts fit in 32 bits in subpixels. No pixel depends on
+/// The width in pixels of a margin around the image. Parts of arcs beyond this margin are cut off,
+/// so that the coordinates of the other parts fit in 32 bits in subpixels. No pixel depends on
 /// the shape of the parts that are cut off.
 inline constexpr double kClipMargin = kLargestSide;
 

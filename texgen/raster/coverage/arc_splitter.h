@@ -83,9 +83,10 @@ class ArcSplitter {
         std::size_t parts = 0;
     };
 
-    // Returns the column that contains an x. A point on a border between columns belongs to the
-    // column on the right of the border; in mirrored coordinates this is the preceding column,
-    // which arc.bias accounts for.
+    // Returns the column of pixels that contains an x of an arc. If the arc is mirrored, `x` is
+    // mirrored, too, and the result is minus the column. A point on a border between columns
+    // belongs to the column on the right of the border. For this purpose, the bias of a mirrored
+    // arc makes pixel_of round up instead of down.
     static std::int32_t column_of(const Arc& arc, std::int32_t x) { return pixel_of(x + arc.bias); }
     static void measure_arc(const Arc& arc,
                             std::int32_t last_row,
@@ -108,10 +109,11 @@ class ArcSplitter {
     // Scratch array for the arc that is being processed; otherwise all elements are 0. Element k
     // belongs to border k between columns, where borders are counted from 0 in the order in which
     // the arc crosses them. The element is the number of borders between rows that the arc crosses
-    // before this border, or 0 if the arc crosses no border between rows after the preceding border
-    // between columns.
+    // before this border. The element may also be 0 if the arc crosses no border between rows
+    // between border k - 1 and border k.
     std::vector<std::int32_t> rows_crossed_;
-    // The start of each part of each arc, and the end of the last part of each arc.
+    // The start of each part of each arc, and the end of the last part of each arc. The x of a
+    // mirrored arc are mirrored.
     std::vector<std::int32_t> point_x_;
     std::vector<std::int32_t> point_y_;
     std::vector<Part> parts_;

@@ -198,7 +198,7 @@ void Coverage<Sums>::take_row(int row, const Sum& start, RowSums<Sum>& sums) {
     grow(sums.sums, width + 2);
     Sum sum = start;
     add_times(1, std::exchange(starts_[index], Sum{}), sum);
-    // 1 if the first pixel has no flag, otherwise 0.
+    // There is a span before the first flag unless the first pixel has a flag.
     const std::size_t leading_spans = (touched[0] & 1) == 0 ? 1 : 0;
     sums.begins[0] = 0;
     sums.sums[0] = sum;

@@ -51,8 +51,8 @@ struct ExactSums {
 /// Sums of 16-bit values times areas in 32-bit integers, for images of 8 bits per sample. Areas are
 /// rounded to 2^-15 pixel. Unsigned arithmetic wraps around, so that overflows of intermediate
 /// results are harmless. A sum represents the mean value minus the middle of the range of values.
-/// It can therefore represent means that exceed the range by up to half its size on either side;
-/// mean() clamps them.
+/// A sum can therefore represent means that exceed the range by up to half the size of the range on
+/// either side; mean() clamps such means.
 template <std::size_t Channels>
 struct SmallSums {
     using Number = std::uint32_t;
@@ -96,14 +96,14 @@ struct RowSums {
 
 /// Computes sums of values times areas in a band of rows. Arcs are added one by one, each with the
 /// change of the values from its left to its right, per channel. The sum of a pixel is a start
-/// value plus the contributions of all arcs; divided by the area of a pixel, it is the mean value
-/// of the pixel.
+/// value plus the contributions of all arcs. Sums::mean converts the sum to the mean value of the
+/// pixel.
 ///
-/// In each row, an arc adds its change of values times the area on its right: in the pixel of a
-/// part of the arc, this is the area between the part and the right border of the pixel; in each
-/// pixel further right it is the height of the part times the width of a pixel. The band therefore
-/// stores differences from pixel to pixel. A running sum along a row converts them to sums of
-/// pixels.
+/// In each row, an arc adds its change of values times the area on its right. In the pixel of a
+/// part of the arc (ArcSplitter::Part), this is the area between the part and the right border of
+/// the pixel. In each pixel further right, it is the height of the part times the width of a pixel.
+/// The band therefore stores differences from pixel to pixel. A running sum along a row converts
+/// the differences to sums of pixels.
 ///
 /// On a torus a row is a ring, so that "further right" has no end. In every row, however, the
 /// signed heights of the closed outline of a bubble cancel. Only arcs of an outline that are in

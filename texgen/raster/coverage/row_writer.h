@@ -44,7 +44,8 @@ class RowWriter {
     }
 
     /// Writes a row of `width` pixels to the start of `output`. May overwrite the rest of `output`,
-    /// but nothing beyond its end; rows that are stored there must be written after this row.
+    /// but nothing beyond its end. Rows that are stored in the rest of `output` must be written
+    /// after this row.
     void write(const RowSums<typename Sums::Sum>& sums,
                std::size_t width,
                std::span<Sample> output) {

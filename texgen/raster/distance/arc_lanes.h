@@ -21,9 +21,9 @@ class ArcLanes {
 
     /// The smallest cosine of the half angle of an arc from which distances are measured: such an
     /// arc turns by at most 120 degrees. The class Boundary cuts wider arcs in half until they fit.
-    /// The limit must be below 180 degrees: whether a point faces an arc, that is, whether the
-    /// point is between the normals at both ends of the arc, is tested with two half-planes, and
-    /// this test fails beyond 180 degrees.
+    /// The limit must be below 180 degrees. A point faces an arc if it is between the normals at
+    /// both ends of the arc. This is tested with two half-planes, and the test fails for arcs that
+    /// turn by more than 180 degrees.
     static constexpr double kMinCosine = 0.5;
 
     /// Eight arcs. Lanes beyond the last arc have unspecified values.

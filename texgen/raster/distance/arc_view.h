@@ -10,10 +10,10 @@
 
 namespace foam::texgen {
 
-/// Evaluates the functions of arcs at one point, from which PixelBatch computes the distances
-/// between the arcs and the pixels near this point. Also computes lower bounds of the distances
-/// between the arcs and the point itself. Positions and distances are in pixels. Eight arcs are
-/// processed at once.
+/// Evaluates the functions of arcs (ArcFunctions and FilmFunctions) at one point. PixelBatch uses
+/// the results to compute the distances between the arcs and the pixels near this point. Also
+/// computes lower bounds of the distances between the arcs and the point itself. Positions and
+/// distances are in pixels. Eight arcs are processed at once.
 class ArcView {
   public:
     /// Computes the functions and bounds of all arcs at a point. The other members refer to this

@@ -10,7 +10,7 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr double kRounding = 2.0;  // upper bound of the rounding error of an end, subpixels
+constexpr double kRounding = 2.0;  // margin for rounding errors, subpixels
 
 // The bounds of an outline, in subpixels.
 struct Bounds {
@@ -52,7 +52,8 @@ void Boundary::clear() {
     edges_ = 0;
 }
 
-// Adds an arc to a boundary that has wide arcs. `shape` may be the first wide arc.
+// Adds an arc to a boundary that has wide arcs, that is, arcs that are stored as halves in arcs_.
+// `shape` may be the first wide arc.
 void Boundary::add_wide(const PixelArc& shape, const Vec2& tail, bool corner) {
     if (!has_wide_) {
         films_ = arcs_;

@@ -49,7 +49,8 @@ class Boundary {
     void add_edge(const Vec2& from, const Vec2& to, double cosine, double sine);
 
     /// Returns a box that encloses the outline. It is the smallest box around the ends of all arcs,
-    /// enlarged by an upper bound of the largest sagitta and of the rounding errors of the ends.
+    /// enlarged by an upper bound of the largest distance of an arc from its chord and by a margin
+    /// for rounding errors.
     /// Precondition: the outline is not empty.
     Extent extent() const;
 

@@ -188,7 +188,7 @@ struct SmoothSums {
 
 // Adds a film to the sums. Let f be the value of film.across, t the value of film.along, and c the
 // length of the chord. Then phi² = f² + r² with r = (root - t) / 2 and root = sqrt(t² + f^4 / c²).
-// The gradient satisfies r grad r = r (f³ / c² grad f - r grad t) / root.
+// The gradient of r satisfies r grad r = r (f³ / c² grad f - r grad t) / root.
 [[gnu::always_inline]] inline void add_film(const FilmFunctions& film,
                                             const float* xs,
                                             const float* ys,

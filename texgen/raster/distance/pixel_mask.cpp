@@ -35,8 +35,8 @@ constexpr std::array<double, kRows> kRowSteps = [] {
     return steps;
 }();
 
-// Returns the first column whose middle is at or to the right of x, in subpixels. Precondition: x
-// is a whole number in [0, 2^31).
+// Returns the first column whose middle is at or to the right of x. x is in subpixels.
+// Precondition: x is a whole number in [0, 2^31).
 [[gnu::always_inline]] inline std::uint64_t first_column_from(double x) {
     return std::bit_cast<std::uint64_t>((x - 0.5) / kSubpixel + kTwoTo52) -
            std::bit_cast<std::uint64_t>(kTwoTo52);
@@ -74,8 +74,8 @@ struct alignas(64) RisingArcs {
     }
 };
 
-// Returns the first row whose middle is at or above y, in subpixels. The result is clamped to
-// [rows.begin, rows.end].
+// Returns the first row whose middle is at or above y, clamped to [rows.begin, rows.end]. y is in
+// subpixels.
 [[gnu::always_inline]] inline double first_row_from(double y, PixelRows rows) {
     const double row = std::ceil((y - kHalfPixel) / kSubpixel);
     return min_value(max_value(row, static_cast<double>(rows.begin)),

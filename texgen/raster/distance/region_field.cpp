@@ -27,7 +27,7 @@ constexpr std::size_t kMaxUnculledArcs = 24;
 // ignored in smooth distances. The film would add only about 1e-8 / distance² to the sum of 1/phi²,
 // and its functions could leave the range of floats.
 constexpr double kMinChord = 1e-4;
-constexpr float kNoEnd = 1e15F;  // constant value of `along` for a circle, whose film has no ends
+constexpr float kNoEnd = 1e15F;  // twice_value of `along` for a circle, whose film has no ends
 
 }  // namespace
 

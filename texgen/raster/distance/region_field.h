@@ -28,8 +28,8 @@ class RegionField {
     static constexpr int kTileRows = 8;
     using Visit = std::function<void(const PixelBatch&)>;
 
-    /// Measures all pixels of a region and calls visit(batch) for each batch. The batch is valid
-    /// only during the call.
+    /// Measures `pixels`, the pixels of a region in some rows of the image, and calls visit(batch)
+    /// for each batch. The batch is valid only during the call.
     void measure(const Region& region,
                  const RegionPixels& pixels,
                  DistanceNeeds needs,

@@ -22,10 +22,10 @@ namespace {
 
 constexpr std::size_t kGroupsPerTask = 256;  // groups of films
 
-// Returns the periods for ArcSides, indexed by half-edge. The value of a half-edge is the number of
-// periods by which the arc of its film is further right in the unwrapped outline of the bubble on
-// the left of the half-edge than the coordinates of the arc say. The value is 0 unless a side of
-// the bubble crosses the left or right border of the torus.
+// Returns a number of periods per half-edge, indexed by half-edge. For the arc of a film, the
+// number of the forward side is ArcSides::left_periods, and the number of its twin is
+// ArcSides::right_periods. The number of a half-edge is 0 unless a side of the bubble on its left
+// crosses the left or right border of the torus.
 std::vector<std::int16_t> periods_of_sides(const Network& network) {
     std::vector<std::int16_t> periods(2 * network.film_slots());
     const auto circulate = [&](BubbleId bubble) {

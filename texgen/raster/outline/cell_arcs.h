@@ -16,8 +16,9 @@ namespace foam::texgen {
 /// chain of arcs, with films on the other side. Most bubbles have one visible part; a bubble that
 /// films cover completely has none.
 ///
-/// In a patch, arcs also bound the ghost bubble and the lone bubbles. Some arcs that do not affect
-/// any pixel are left out. The indices of lone bubbles follow the index of the ghost bubble.
+/// In a patch, arcs also bound the ghost bubble and the lone bubbles. The indices of lone bubbles
+/// follow the index of the ghost bubble. On a torus and in a patch, some arcs that do not affect
+/// any pixel are left out.
 ///
 /// Apart from CellArcs::grid, the result depends neither on the number of threads nor on the shift
 /// of the grid. Throws std::invalid_argument if the width is negative or not finite, and under the

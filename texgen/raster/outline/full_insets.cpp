@@ -19,8 +19,8 @@ namespace {
 
 // Limits on the half angle of a side (at most 60 degrees) and on the angle of the left turn from
 // one side to the next (from 0.06 to 120 degrees). Within these limits, if a point of an offset is
-// too near to the circle of an adjacent side, the point of the circle that is nearest to it is on
-// this side, not beyond its ends.
+// too near to the circle of an adjacent side, the nearest point of this circle is on that side, not
+// beyond an end of the side.
 constexpr double kMinSideCosine = 0.5;
 constexpr double kMinCornerSine = 1e-3;
 constexpr double kMinCornerCosine = -0.5;
@@ -76,8 +76,8 @@ struct FullInsets::Formulas {
     }
 
     // Cuts each offset and the next one at their crossing. Beyond the crossing, each of the two
-    // offsets is too near to the side of the other offset. If two successive offsets do not cross
-    // exactly once, the first of them fails the tests.
+    // offsets is too near to the side of the other offset. The first offset fails the tests if the
+    // two do not cross exactly once, or if the turn between their sides is not within the limits.
     static void cut_corners(Columns& c, std::size_t count) {
         for (std::size_t k = 0; k + 1 < count; ++k) {
             const OffsetArc first = offset(c, k);

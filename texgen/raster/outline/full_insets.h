@@ -11,8 +11,9 @@
 
 namespace foam::texgen {
 
-/// InsetTracer drops pieces of offsets that are shorter than this length, in pixels. FullInsets
-/// proves nothing for a loop with such a piece. The reason is that InsetTracer tests, with a
+/// InsetTracer drops pieces of offsets that are shorter than this length, in pixels. The length is
+/// measured as the difference of the parameters (OffsetArc) of the two ends. FullInsets proves
+/// nothing for a loop with such a piece. Short pieces are dropped because InsetTracer tests, with a
 /// tolerance, whether the middle of a piece has the required distance from all sides. A piece ends
 /// where it crosses the offset of another side. Close to this crossing, the distance from the other
 /// side is within the tolerance of the required distance, on both sides of the crossing, so that

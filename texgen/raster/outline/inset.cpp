@@ -25,8 +25,8 @@ constexpr std::size_t kCorner = std::numeric_limits<std::size_t>::max();
 constexpr double kDistanceTolerance = 1e-7;
 constexpr double kLargestGap = 1e-3;
 
-// Returns true unless two arcs are certainly farther apart than a distance. The test compares the
-// distance of their middles with the sum of their extents.
+// Returns true unless two arcs are certainly farther apart than `distance`. The test compares the
+// distance of their middles with the sum of their extents and `distance`.
 bool may_be_within(const OffsetArc& a, const OffsetArc& b, double distance) {
     const double reach = extent(a) + extent(b) + distance;
     return (a.middle - b.middle).squared_norm() <= reach * reach;

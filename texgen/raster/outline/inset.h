@@ -18,7 +18,7 @@ namespace foam::texgen {
 ///
 /// Each offset is cut at its crossings with all other offsets. A piece between two cuts belongs to
 /// the boundary if and only if the middle of the piece has at least the given distance from all
-/// sides. Sides that are too short to be visible, insets of several parts and empty insets need no
+/// sides. Sides without a piece in the boundary, insets of several parts and empty insets need no
 /// special cases. If FullInsets also finds the inset of a loop, both results have the same bits.
 ///
 /// Buffers are reused between regions.
@@ -66,7 +66,7 @@ class InsetTracer {
     ArcLoops loops_;
 
     std::vector<double> cuts_;         // parameters at which the current offset is cut
-    std::vector<std::size_t> nearby_;  // indices of sides that may be too near to this offset
+    std::vector<std::size_t> nearby_;  // indices of sides that may be near the current offset
     std::vector<Piece> pieces_;
 };
 

@@ -29,7 +29,7 @@ double area_of(std::span<const ArcLoops::Side> loop) {
 }
 
 // Makes the arcs that bound the insets of regions of a patch, that is, the parts that films do not
-// cover. make() processes one region (region_count).
+// cover. make() processes one region, whose number is defined at region_count.
 class PatchArcs {
   public:
     PatchArcs(const PixelPatch& pixels, double film_width)
