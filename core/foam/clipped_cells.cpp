@@ -45,10 +45,11 @@ class PointSet {
         for (std::int64_t dx = -1; dx <= 1; ++dx) {
             for (std::int64_t dy = -1; dy <= 1; ++dy) {
                 const auto [begin, end] = boxes_.equal_range({x + dx, y + dy});
-                for (auto at = begin; at != end; ++at) {
-                    if ((points_[at->second] - point).norm() < tolerance_) {
-                        return at->second;
-                    }
+                const auto near = std::find_if(begin, end, [&](const auto& entry) {
+                    return (points_[entry.second] - point).norm() < tolerance_;
+                });
+                if (near != end) {
+                    return near->second;
                 }
             }
         }
