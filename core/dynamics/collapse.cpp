@@ -12,11 +12,11 @@
 #include <vector>
 
 // The T2 process (E8; paper section 3, eq. 3 and Figure 2). The paper removes three-sided bubbles
-// and suggests T1s for bubbles with more sides. Here, the shortest film of the bubble that can flip
-// is flipped, again and again, until the bubble can vanish. Unlike the T1 rule
+// and suggests T1s for bubbles with more sides. Here, of the films of the bubble that can flip, the
+// shortest is flipped; this is repeated until the bubble can vanish. Unlike the T1 rule
 // (core/foam/t1_rule.h), these flips do not depend on forces. The number of flips is limited to
-// twice the number of sides of the bubble. If one bubble of a raft of two vanishes, no junction is
-// left, so the film between the two bubbles is torn instead.
+// twice the number of sides of the bubble. A T2 in a raft of two would leave no junction. Such a
+// bubble is therefore removed by tearing the film between the two bubbles.
 
 namespace foam {
 

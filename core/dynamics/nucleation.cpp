@@ -29,8 +29,8 @@ namespace {
 // Largest fraction of the gas of the surrounding bubbles that a new bubble may take.
 constexpr double kLargestGasFraction = 0.5;
 // Before the equilibration, a new bubble at a junction covers at most this fraction of the length
-// of each film at the junction. A new bubble on a film covers at most this fraction of the length
-// on each side of the middle.
+// of each film at the junction. A new bubble on a film extends from the middle of the film by at
+// most this fraction of the whole length in each direction.
 constexpr double kLargestFilmFraction = 0.45;
 
 // Returns the side of the triangle of a regular three-sided bubble of the given area.
@@ -68,8 +68,9 @@ double mean_pressure(const Foam& foam, const std::set<BubbleId>& bubbles) {
     return sum / static_cast<double>(bubbles.size());
 }
 
-// Appends the values of the new junctions, the new films and the new bubble of the network. The new
-// junctions are at the origin until the caller places them.
+// The network has new junctions, new films and a new bubble. Appends their elements to the vectors
+// of the foam, such as positions and pressures. The new junctions are at the origin until the
+// caller places them.
 void complete(Foam& foam, double area, double pressure) {
     foam.positions.resize(foam.network.junction_slots(), Vec2(0.0, 0.0));
     foam.t1_armed.resize(foam.network.film_slots(), 1);
@@ -87,11 +88,11 @@ double fraction_of(const FilmArc& arc, double distance) {
 }
 
 // Sets the half angle of an outer film of which a new bubble has cut off a part. `whole_half_angle`
-// is the half angle of the whole arc along h; `part_left` is the fraction of the arc's length that
-// is left. Does nothing to inner films, because their half angles follow from the pressures.
-void cut_film(Foam& foam, HalfEdgeId h, double whole_half_angle, double part_left) {
+// is the half angle of the whole arc along h; `remaining` is the fraction of the arc's length that
+// remains. Does nothing to inner films, because their half angles follow from the pressures.
+void cut_film(Foam& foam, HalfEdgeId h, double whole_half_angle, double remaining) {
     if (foam.network.is_outer(film_of(h))) {
-        foam.half_angles[film_of(h)] = (is_forward(h) ? 1.0 : -1.0) * part_left * whole_half_angle;
+        foam.half_angles[film_of(h)] = (is_forward(h) ? 1.0 : -1.0) * remaining * whole_half_angle;
     }
 }
 

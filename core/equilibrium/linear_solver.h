@@ -40,8 +40,9 @@ class LinearSolver {
     /// and all matrices since then have the same sparsity pattern.
     bool factor(const Eigen::SparseMatrix<double>& matrix);
 
-    /// Returns the solution for a right-hand side, to about six digits if the factor is in single
-    /// precision. Precondition: `factor` has succeeded.
+    /// Returns the solution for a right-hand side. If the factor is in single precision, the
+    /// solution has only a few correct digits, fewer in large systems (core/sparse/README.md).
+    /// Precondition: `factor` has succeeded.
     Eigen::VectorXd solve(const Eigen::VectorXd& right_hand_side) const;
 
   private:

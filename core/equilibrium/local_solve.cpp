@@ -25,14 +25,15 @@ constexpr int kWorstRings = 3;         // rings of neighbors around the worst de
 // A defect is among the worst if its force or area error is at least this share of the largest.
 constexpr double kWorstFraction = 0.2;
 
-// Erases bubbles that are no longer in the network, because they left their raft when a film tore.
+// Erases bubbles that are no longer in the network, because they became lone bubbles when a
+// film tore.
 void remove_dead(const Network& network, DefectRegion& region) {
     std::erase_if(region, [&](BubbleId bubble) { return !network.is_live(bubble); });
 }
 
-// Solves one region: runs of Newton's method alternate with the T1s that the method requests, or
-// with one relaxation if the method stalls or reaches its limit of iterations. Returns the number
-// of T1s.
+// Solves one region in rounds. Each round runs Newton's method. If the method requests T1s, they
+// are made before the next round. If it stalls or reaches its limit of iterations, the region is
+// relaxed the first time; the second time, the function gives up. Returns the number of T1s.
 int solve_region(Foam& foam,
                  DefectRegion region,
                  const TopologyThresholds& thresholds,

@@ -16,7 +16,8 @@ inline constexpr int kFoamJsonVersion = 2;
 
 /// Returns the whole state of a foam as JSON, in the foam's own units. README.md specifies the
 /// format. A foam that is written and read again evolves with the same bits as the original. Dead
-/// slots and the list of topology events are not written. Precondition: all numbers are finite.
+/// slots and the list of topology events are not written. Precondition: all numbers are
+/// finite, except the target area of the ghost, which is not written.
 std::string write_foam_json(const Foam& foam);
 
 /// Parses a state file and returns the foam. Ignores unknown members. Throws FormatError, with

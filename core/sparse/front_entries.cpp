@@ -28,8 +28,8 @@ void each_entry(const Matrix& lower, const FrontPlan& plan, const Action& action
     }
 }
 
-// For the entries sorted by their column in the order of elimination, returns the index of each
-// column's first entry, followed by the number of all entries.
+// Columns are numbered in the order of elimination. Returns, for entries sorted by column, the
+// index of the first entry of each column, followed by the number of all entries.
 std::vector<std::size_t> begins_of_columns(const Matrix& lower, const FrontPlan& plan) {
     std::vector<std::size_t> begins(plan.position_of_row.size() + 1, 0);
     each_entry(lower, plan, [&](std::size_t, std::uint32_t column, std::uint32_t) {

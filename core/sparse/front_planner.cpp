@@ -58,8 +58,8 @@ class FrontBuilder {
     }
 
   private:
-    // Finds the positions of the nodes, the first row of each position, and the positions of the
-    // rows in the order of elimination.
+    // Finds the position of each node in the order of elimination, the index of each matrix row in
+    // this order, and the first of these indices for each position.
     void order_rows(std::span<const SolverNode> nodes) {
         const std::vector<std::size_t> matrix_rows = first_rows_of(nodes);
         plan_.position_of_row.resize(matrix_rows.back());

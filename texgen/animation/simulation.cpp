@@ -120,7 +120,7 @@ FoamRecord Simulation::record() const {
             transformed_for_display(event.position, foam_.domain, loop_, loop_progress());
     }
     if (loop_.is_cycle()) {
-        // Times of more than one period ago are raised to the time one period ago, so that the
+        // Births and changes more than one period ago count as exactly one period old, so that the
         // record is the same in every cycle.
         const double oldest = foam_.time - frames_.count * frames_.time_step;
         clamp_to_min(oldest, record.births);

@@ -21,9 +21,9 @@ enum class PngFilter : std::uint8_t { None, Sub, Up, Average, Paeth };
 struct PngEncoding {
     PngFilter filter = PngFilter::None;  // best for cells of one color; Up and Sub suit smooth maps
     Compression compression = Compression::Fast;
-    /// The number of threads that compress a picture with Compression::Fast, as for thread_count
-    /// (core/parallel/parallel_for.h). The other kinds use one thread. The bytes do not depend on
-    /// the number of threads.
+    /// The number of threads that compress a picture with Compression::Fast; 0 or less means as
+    /// many as the hardware runs at once. The other kinds use one thread. The bytes do not depend
+    /// on the number of threads.
     int threads = 1;
 };
 
@@ -32,8 +32,8 @@ struct PngEncoding {
 /// run upward and rows of a PNG downward, so the encoder reverses their order. If `metadata.color`
 /// is set, the file has the chunks sRGB (perceptual intent), gAMA and cHRM. The members `periodic`
 /// and `frame_rate` of `metadata` are not stored. Throws std::invalid_argument for an empty view,
-/// for other numbers of channels, and for a keyword that PNG forbids. Throws OutputError if libpng
-/// fails.
+/// for a number of channels that is not from 1 to 4, and for a keyword that PNG forbids. Throws
+/// OutputError if libpng fails.
 Bytes encode_png(ImageView<const std::uint8_t> pixels,
                  const ImageMetadata& metadata = {},
                  const PngEncoding& encoding = {});

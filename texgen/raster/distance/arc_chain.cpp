@@ -14,7 +14,8 @@ namespace {
 // area that the edges cut off. Within a pixel that contains whole edges, the area that is cut off
 // and the area that is added cancel, so short edges may have a larger sagitta (the largest distance
 // of an arc from its chord). Longer edges must be accurate on their own. The ends of the arc cannot
-// be moved outwards, so an arc gets one edge more than its sagitta requires. All lengths are in
+// be moved outwards, so that of n edges only the n - 1 inner points compensate, and a single edge
+// has none. An arc therefore gets one edge more than its sagitta requires. All lengths are in
 // pixels.
 constexpr double kSagittaOfShortEdges = 1.0 / 256;  // largest sagitta of short edges
 constexpr double kShortEdge = std::numbers::sqrt2;  // largest length of short edges

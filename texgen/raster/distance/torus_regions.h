@@ -44,8 +44,8 @@ class TorusRegions {
     /// Precondition: there are at least as many regions as starts.
     void trace(std::span<const Start> starts, std::span<Region> regions) const;
 
-    /// Returns the distance, in subpixels, by which the copy of a point one period up is moved to
-    /// the right.
+    /// Returns the shear in subpixels: the copy of a point that is one period higher is also moved
+    /// to the right by this distance.
     std::int32_t shear() const { return pixels_.shear; }
 
   private:
