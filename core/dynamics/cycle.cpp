@@ -103,21 +103,36 @@ StepSummary Cycle::step_to(int position,
     return summary;
 }
 
+// Returns the sine of an oscillation with the given phase, in turns.
+double Cycle::sine_at(int position, double phase) const {
+    const double turns = static_cast<double>(position % options_.steps) / options_.steps;
+    return std::sin(2.0 * std::numbers::pi * (turns + phase));
+}
+
+// Returns the strain that leads a torus from the preceding position to the given one. The shear of
+// a torus is determined only up to multiples of its width, so the strain is corrected by the number
+// of widths that brings it closest to the difference of both positions. Without this correction, a
+// tall torus would be sheared by a whole width in each step in which its shear is above half of
+// its width.
+double Cycle::strain_to(int position, const Domain& domain) const {
+    const double target = options_.strain * sine_at(position, 0.0);
+    const double before = position > 0 ? options_.strain * sine_at(position - 1, 0.0) : 0.0;
+    const double strain = target + (shear_ - domain.shear) / domain.height;
+    const double whole_width = domain.width / domain.height;
+    return strain - whole_width * std::round((strain - (target - before)) / whole_width);
+}
+
 // Returns the change that leads a foam with the given domain to the given position. The position is
 // taken modulo the length of a cycle, so that every cycle has the same targets to the last bit.
 StateChange Cycle::change_to(int position, const Domain& domain) const {
-    const auto sine = [&](double phase) {
-        const double turns = static_cast<double>(position % options_.steps) / options_.steps;
-        return std::sin(2.0 * std::numbers::pi * (turns + phase));
-    };
     StateChange change;
     for (const Oscillation& bubble : oscillations_) {
         const double area =
-            bubble.target_area * (1.0 + options_.area_amplitude * sine(bubble.phase));
+            bubble.target_area * (1.0 + options_.area_amplitude * sine_at(position, bubble.phase));
         change.driven.push_back({bubble.bubble, area, false});
     }
     if (options_.strain != 0.0) {
-        change.strain = options_.strain * sine(0.0) + (shear_ - domain.shear) / domain.height;
+        change.strain = strain_to(position, domain);
     }
     return change;
 }

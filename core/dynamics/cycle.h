@@ -42,6 +42,8 @@ class Cycle {
         double phase = 0.0;        // in turns
     };
 
+    double sine_at(int position, double phase) const;
+    double strain_to(int position, const Domain& domain) const;
     StateChange change_to(int position, const Domain& domain) const;
     void restore_positions(Foam& foam) const;
 

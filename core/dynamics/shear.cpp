@@ -2,7 +2,7 @@
 
 #include "core/dynamics/shear.h"
 
-#include <cmath>
+#include "core/foam/lattice.h"
 
 namespace foam {
 
@@ -13,21 +13,6 @@ void shear(Foam& foam, double strain) {
         place_junction(foam, junction, {at.x() + strain * at.y(), at.y()});
     }
     reduce_lattice(foam);
-}
-
-void reduce_lattice(Foam& foam) {
-    Domain& domain = foam.domain;
-    if (std::abs(domain.shear) <= 0.5 * domain.width) {
-        return;
-    }
-    // The old period (shear, height) equals the new one plus this many periods (width, 0).
-    const auto widths = static_cast<std::int32_t>(std::lround(domain.shear / domain.width));
-    domain.shear -= widths * domain.width;
-    for (const FilmId film : foam.network.films()) {
-        const HalfEdgeId h = forward_side(film);
-        const LatticeOffset offset = foam.network.offset(h);
-        foam.network.set_offset(h, {offset.i + widths * offset.j, offset.j});
-    }
 }
 
 }  // namespace foam

@@ -117,7 +117,9 @@ double max_fraction_of_change(const Foam& foam,
 TopologyCounts collapse_forced(Foam& foam, const StateChange& change) {
     TopologyCounts counts;
     for (const LiveDrivenBubble& live : live_driven_bubbles(foam, change)) {
-        if (live.driven.vanishes) {
+        // The first of two bubbles of a raft to vanish leaves the other one alone; collapse_lone
+        // removes it.
+        if (live.driven.vanishes && foam.network.is_live(live.bubble)) {
             collapse(foam, live.bubble, counts);
         }
     }

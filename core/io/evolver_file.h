@@ -20,9 +20,10 @@ struct EvolverFoam {
 /// Reads a Surface Evolver data file or dump: a two-dimensional string model on a torus or a free
 /// cluster, with straight edges or arcs. Bubbles are the faces, films are the edges (vertices of
 /// two edges are dissolved), and junctions are the vertices of three edges, all in the order of the
-/// file. Target areas are the volumes of the bodies; pressures are the Lagrange multipliers of the
-/// bodies, by default 0. README.md lists all elements that are read, ignored or rejected. Throws
-/// FormatError, with `file` as the name in its message, if the file is not valid or not supported.
+/// file. On a torus, periods are reduced (reduce_lattice). Target areas are the volumes of the
+/// bodies; pressures are the Lagrange multipliers of the bodies, by default 0. README.md lists all
+/// elements that are read, ignored or rejected. Throws FormatError, with `file` as the name in its
+/// message, if the file is not valid or not supported.
 EvolverFoam read_evolver(std::string_view text, const std::string& file);
 
 /// The form in which write_evolver writes films.
@@ -34,9 +35,9 @@ enum class EvolverEdges {
 /// Returns the foam as the text of a Surface Evolver data file. Elements are numbered from 1 by
 /// increasing id; dead slots are skipped. The pressures of a torus are shifted so that the first
 /// body has the pressure 0, which is Evolver's convention; all other numbers read back to the same
-/// bits. The time, the identities, the armed flags of films (Foam::t1_armed), and lone bubbles are
-/// not written. Throws std::range_error if a component of a lattice offset is below -16 or above
-/// 15: the format cannot store it.
+/// bits. The time, the identities and the armed flags of films (Foam::t1_armed) are not written.
+/// Throws std::range_error if the format cannot store the foam: if it has lone bubbles, or if a
+/// component of a lattice offset is below -16 or above 15.
 std::string write_evolver(const Foam& foam, EvolverEdges edges = EvolverEdges::Arcs);
 
 }  // namespace foam

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
+#include "core/foam/lattice.h"
 #include "core/io/evolver_file.h"
 #include "core/io/evolver_loops.h"
 #include "core/io/format_error.h"
@@ -53,6 +54,8 @@ class FoamBuilder {
         set_areas_and_pressures();
         if (foam_.domain.is_plane()) {
             complete_patch(foam_);
+        } else {
+            reduce_lattice(foam_);
         }
         return std::move(foam_);
     }

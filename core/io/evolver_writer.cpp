@@ -18,7 +18,7 @@ constexpr unsigned kWrapBits = 6;  // bits per axis in the numeric form of a wra
 constexpr std::int32_t kMinWrap = -16;
 constexpr std::int32_t kMaxWrap = 15;
 
-// Returns the number in the file, from 1, of each live element.
+// Numbers the live elements from 1, as in the file. Returns the number of each.
 template <class Id>
 Indexed<Id, int> numbers(const LiveRange<Id>& live, std::size_t slots) {
     Indexed<Id, int> result(slots, 0);
@@ -185,6 +185,13 @@ class Writer {
 }  // namespace
 
 std::string write_evolver(const Foam& foam, EvolverEdges edges) {
+    if (!foam.lone_bubbles.empty()) {
+        throw std::range_error(
+            fmt::format("a Surface Evolver file cannot store bubbles without neighbors, of which "
+                        "this foam has {}; "
+                        "use a .json file",
+                        foam.lone_bubbles.size()));
+    }
     return Writer(foam, edges).write();
 }
 

@@ -103,5 +103,22 @@ TEST(ClosingError, IsInfiniteIfBubblesDiffer) {
     EXPECT_EQ(closing_error(one, other), std::numeric_limits<double>::infinity());
 }
 
+// The shear of a tall torus exceeds half its width, so that the same torus is described by a shear
+// that is smaller by a whole width. A step to the present position must not shear it by that width.
+TEST(Cycle, ATallTorusIsNotShearedByAWholeWidth) {
+    const Foam start = honeycomb(4, 12);
+    const Cycle cycle(start, {.steps = kSteps, .strain = 0.3});
+    Foam foam = start;
+    for (int position = 1; position <= kSteps / 4; ++position) {
+        ASSERT_TRUE(cycle.step_to(position, foam, 0.0, {}).equilibrium.converged()) << position;
+    }
+    ASSERT_LT(foam.domain.shear, 0.0);  // 0.3 times the height, less the width
+    const Foam before = foam;
+    const StepSummary again = cycle.step_to(kSteps / 4, foam, 0.0, {});
+    ASSERT_TRUE(again.equilibrium.converged());
+    EXPECT_EQ(again.equilibrium.t1, 0);
+    EXPECT_LT(closing_error(before, foam), kClosed);
+}
+
 }  // namespace
 }  // namespace foam

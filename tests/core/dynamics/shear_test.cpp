@@ -47,25 +47,6 @@ TEST(Shear, IsAffine) {
     }
 }
 
-// The lattice with the periods (w, 0) and (s, h) also has the periods (w, 0) and (s + w, h).
-TEST(Shear, TheReducedLatticeIsTheSame) {
-    Foam foam = equilibrated_foam(40, 1);
-    const double width = foam.domain.width;
-    shear(foam, 0.45);
-    const Foam before = foam;
-    foam.domain.shear += width;  // other periods of the same lattice
-    for (const FilmId film : foam.network.films()) {
-        const LatticeOffset offset = foam.network.offset(forward_side(film));
-        foam.network.set_offset(forward_side(film), {offset.i - offset.j, offset.j});
-    }
-    reduce_lattice(foam);
-    EXPECT_NEAR(foam.domain.shear, before.domain.shear, 1e-15 * width);
-    for (const FilmId film : foam.network.films()) {
-        EXPECT_TRUE(foam.network.offset(forward_side(film)) ==
-                    before.network.offset(forward_side(film)));
-    }
-}
-
 // A strain of width / height maps the lattice of the torus to itself.
 TEST(Shear, OfAWholePeriodGivesTheSameLattice) {
     Foam foam = honeycomb(4, 4);

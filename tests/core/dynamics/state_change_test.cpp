@@ -150,5 +150,20 @@ TEST(ForcedCollapse, InAPatch) {
     }
 }
 
+// The first of two bubbles to vanish removes the film between them, and the other one is alone.
+TEST(StateChange, BothBubblesOfARaftMayVanishInOneStep) {
+    Foam foam = test::double_bubble(1.0, 2.0);
+    StateChange change;
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        change.driven.push_back({foam.identities[bubble], 0.0, true});
+    }
+    ASSERT_EQ(change.driven.size(), 2U);
+    EXPECT_EQ(collapse_forced(foam, change).t2, 2);
+    EXPECT_EQ(foam.network.bubble_count(), 0);
+    EXPECT_EQ(foam.network.film_count(), 0);
+    EXPECT_TRUE(foam.lone_bubbles.empty());
+    EXPECT_TRUE(test::is_valid(foam.network));
+}
+
 }  // namespace
 }  // namespace foam

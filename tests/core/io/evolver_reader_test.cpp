@@ -3,6 +3,7 @@
 #include "core/foam/honeycomb.h"
 #include "core/foam/measure.h"
 #include "core/io/evolver_file.h"
+#include "core/io/foam_json.h"
 #include "tests/core/foams.h"
 #include "tests/core/io/small_torus.h"
 
@@ -75,6 +76,17 @@ TEST(EvolverReader, WrapsJunctionsFromAnywhere) {
     text = test::edited(text, "3 2 1 + *", "3 2 1 wrap 1986");  // wrap (2, -1)
     const Foam moved = read_evolver(text, "a.fe").foam;
     EXPECT_TRUE(test::are_same(moved, read_evolver(test::kSmallTorus, "a.fe").foam));
+}
+
+// The periods (3, 0) and (6.5, 2) describe the same lattice as (3, 0) and (0.5, 2). A JSON state
+// stores only shears of at most the width.
+TEST(EvolverReader, ReducesPeriods) {
+    const Foam foam = edited_foam("0 2\nvertices", "6.5 2\nvertices").foam;
+    EXPECT_EQ(foam.domain.shear, 0.5);
+    EXPECT_EQ(foam.network.offset(HalfEdgeId{2}).i, 3);  // the wrap + + is 1 + 2 widths
+    EXPECT_EQ(foam.network.offset(HalfEdgeId{2}).j, 1);
+    EXPECT_EQ(write_foam_json(read_foam_json(write_foam_json(foam), "a.json")),
+              write_foam_json(foam));
 }
 
 TEST(EvolverReader, ReadsTwoSidedBubbles) {

@@ -107,6 +107,19 @@ TEST(EvolverWriter, RejectsWrapsThatTheFormatCannotStore) {
     }
 }
 
+TEST(EvolverWriter, RejectsBubblesWithoutNeighbors) {
+    Foam foam = read_evolver(test::kSmallTorus, "a.fe").foam;
+    foam.lone_bubbles.push_back({9, {5.0, 5.0}, 3.0});
+    try {
+        write_evolver(foam);
+        FAIL();
+    } catch (const std::range_error& error) {
+        EXPECT_STREQ(error.what(),
+                     "a Surface Evolver file cannot store bubbles without neighbors, of which this "
+                     "foam has 1; use a .json file");
+    }
+}
+
 TEST(EvolverWriter, LeavesOutDeadSlots) {
     Foam foam = test::honeycomb_around(3);
     TopologyCounts counts;
