@@ -12,6 +12,7 @@
 
 #include <cerrno>
 #include <filesystem>
+#include <string_view>
 #include <system_error>
 
 namespace foam::texgen {
@@ -50,9 +51,9 @@ class SpawnActions {
     posix_spawn_file_actions_t actions_{};
 };
 
-[[noreturn]] void fail(const std::string& program, int error) {
+[[noreturn]] void fail(std::string_view action, const std::string& program, int error) {
     throw OutputError(fmt::format(
-        "cannot start the program '{}': {}", program, std::generic_category().message(error)));
+        "cannot {} the program '{}': {}", action, program, std::generic_category().message(error)));
 }
 
 /// Returns true if a working directory is given but does not exist.
@@ -66,7 +67,7 @@ int wait_for(const std::string& program, pid_t child) {
     int status = 0;
     while (waitpid(child, &status, 0) < 0) {
         if (errno != EINTR) {
-            fail(program, errno);
+            fail("wait for", program, errno);
         }
     }
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
@@ -87,7 +88,8 @@ std::optional<int> run_external(std::vector<std::string> arguments,
     pid_t child = 0;
     const int error =
         posix_spawnp(&child, program.c_str(), actions.get(), nullptr, pointers.data(), environ);
-    // The error ENOENT means that the program or its working directory does not exist.
+    // ENOENT means that the program, its working directory or the folder of options.error_file does
+    // not exist.
     if (error == ENOENT && is_missing(options.folder)) {
         throw OutputError(
             fmt::format("cannot start the program '{}': its working directory '{}' does not exist",
@@ -98,7 +100,7 @@ std::optional<int> run_external(std::vector<std::string> arguments,
         return std::nullopt;
     }
     if (error != 0) {
-        fail(program, error);
+        fail("start", program, error);
     }
     return wait_for(program, child);
 }

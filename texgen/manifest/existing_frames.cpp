@@ -41,11 +41,16 @@ std::set<int> existing_frames_of(const Preset& preset,
     if (set == nullptr) {
         return {};
     }
+    // A layered EXR with further maps is not the file that a bake of these maps writes.
+    const auto is_wanted = [&](const std::string& map) {
+        return std::ranges::find(preset.image.maps, map) != preset.image.maps.end();
+    };
     std::set<int> present;
     std::ranges::copy_if(frames, std::inserter(present, present.end()), [&](int frame) {
         return std::ranges::all_of(preset.image.maps, [&](const std::string& map) {
             const ManifestFile* const file = set->find_file(map, frame);
-            return file != nullptr && has_recorded_pixels(*file, folder);
+            return file != nullptr && std::ranges::all_of(file->maps, is_wanted) &&
+                   has_recorded_pixels(*file, folder);
         });
     });
     return present;

@@ -28,6 +28,9 @@ constexpr double kFlattest = 0.05;
 Image<float> wet_films(FrameLayers& layers, double width) {
     const DistanceField& field = layers.distance();
     Image<float> films(layers.grid().width, layers.grid().height, 1);
+    if (width == 0.0) {
+        return films;
+    }
     for (std::size_t k = 0; k < films.samples().size(); ++k) {
         const auto slope = field.smooth_gradient.samples().subspan(2 * k, 2);
         const double steepness =
@@ -37,16 +40,6 @@ Image<float> wet_films(FrameLayers& layers, double width) {
         films.samples()[k] = static_cast<float>(std::clamp(part, 0.0, 1.0));
     }
     return films;
-}
-
-// Writes a color and, if the pixel has four channels, the opacity.
-void write_pixel(const LinearRgb& color, double opacity, std::span<std::uint16_t> pixel) {
-    pixel[0] = to_sample(color.r);
-    pixel[1] = to_sample(color.g);
-    pixel[2] = to_sample(color.b);
-    if (pixel.size() > 3) {
-        pixel[3] = to_sample(opacity);
-    }
 }
 
 }  // namespace

@@ -2,10 +2,12 @@
 
 #pragma once
 
+#include "texgen/image/color.h"
 #include "texgen/image/image.h"
 
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <variant>
 
 namespace foam::texgen {
@@ -27,6 +29,17 @@ inline constexpr int kChannelsWithOpacity = 4;
 /// `light` is from 0 to 1.
 inline std::uint16_t to_sample(double light) {
     return static_cast<std::uint16_t>(std::lround(light * kWhite));
+}
+
+/// Writes a color to the first three channels of a pixel of ColorPixels. If there is a fourth
+/// channel, writes the opacity to it.
+inline void write_pixel(const LinearRgb& color, double opacity, std::span<std::uint16_t> pixel) {
+    pixel[0] = to_sample(color.r);
+    pixel[1] = to_sample(color.g);
+    pixel[2] = to_sample(color.b);
+    if (pixel.size() > 3) {
+        pixel[3] = to_sample(opacity);
+    }
 }
 
 /// Numbers in the map's own unit, and the range of numbers that a PNG can store: code 0 is `low`,

@@ -158,7 +158,7 @@ void check_event(EventCheck check, const Event& event, const Preset& preset) {
     check.require(
         frames.has_value(),
         "time",
-        fmt::format("must be before frame {}; frames.time_step decides which frame shows a time",
+        fmt::format("must be at most frame {}; frames.time_step decides which frame shows a time",
                     kLastEventFrame));
     check.frames = *frames;
     find_event_kind(event.kind).check(check, event);

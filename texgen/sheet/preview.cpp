@@ -114,9 +114,17 @@ class Previews {
         : set_(set), options_(options), sequence_(map_sequence(set, folder, map, options.frames)) {
         if (sequence_.map.samples->kind == "id") {
             throw std::invalid_argument(
-                fmt::format("map '{}' stores bubble ids, which cannot be shown as a picture; bake "
-                            "the map 'id_color' instead",
+                fmt::format("map '{}' stores whole numbers, which cannot be shown as a picture; "
+                            "the map 'id_color' shows bubbles by color",
                             map));
+        }
+        const MapFile& first = sequence_.files.front();
+        if (!first.tiles && std::ranges::count(options.kinds, PreviewKind::Tiling) > 0) {
+            throw std::invalid_argument(
+                fmt::format("frame {} of preset '{}' does not tile; previews 'tiling' need a torus "
+                            "without shear",
+                            first.frame,
+                            set.preset));
         }
     }
 
@@ -175,15 +183,7 @@ class Previews {
 
     Bytes tiling() const {
         const MapFile& file = sequence_.files.front();
-        if (!file.tiles) {
-            throw std::invalid_argument(
-                fmt::format("frame {} of preset '{}' does not tile; previews 'tiling' need a torus "
-                            "without shear",
-                            file.frame,
-                            set_.preset));
-        }
-        const Codes tile = codes_within(read_display_frame(file, sequence_.map), kTileSize);
-        return encoded(tiled(tile));
+        return encoded(tiled(codes_within(read_display_frame(file, sequence_.map), kTileSize)));
     }
 
     const Bytes& loop() {
@@ -214,12 +214,17 @@ std::vector<std::filesystem::path> write_previews(const BakedSet& set,
     if (full.maps.empty()) {
         full.maps.push_back(default_map(set));
     }
+    // All maps are checked before the first file is written.
+    std::vector<Previews> previews;
+    previews.reserve(full.maps.size());
+    for (const std::string& map : full.maps) {
+        previews.emplace_back(set, folder, full, map);
+    }
     make_folders(to);
     std::vector<std::filesystem::path> written;
-    for (const std::string& map : full.maps) {
-        Previews previews(set, folder, full, map);
-        for (const PreviewKind kind : previews.kinds()) {
-            written.push_back(previews.write(kind, to));
+    for (Previews& of_map : previews) {
+        for (const PreviewKind kind : of_map.kinds()) {
+            written.push_back(of_map.write(kind, to));
         }
     }
     return written;

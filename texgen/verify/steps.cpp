@@ -103,7 +103,8 @@ double Seam::ratio() const {
     if (across == 0.0) {
         return 0.0;
     }
-    const bool is_comparable = largest_within > 0.0 && std::isfinite(across);
+    const bool is_comparable =
+        largest_within > 0.0 && std::isfinite(largest_within) && std::isfinite(across);
     return is_comparable ? across / largest_within : kInfinite;
 }
 

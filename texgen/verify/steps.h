@@ -19,7 +19,7 @@ struct Seam {
     double across = 0.0;          // the step across the seam
     double largest_within = 0.0;  // the largest of all other steps
 
-    /// Returns across / largest_within. Returns 0 if `across` is 0. Returns infinity if `across` is
+    /// Returns across / largest_within. Returns 0 if `across` is 0. Returns infinity if a step is
     /// infinite or NaN, or if `largest_within` is 0 and `across` is not.
     double ratio() const;
 };

@@ -128,6 +128,17 @@ TEST(Resume, RebakesMissingDamagedOrChangedFiles) {
     EXPECT_EQ(images_of(folder), images);
 }
 
+// A layered EXR of two maps is not what a bake of one of them writes.
+TEST(Resume, RebakesLayeredFilesOfMoreMaps) {
+    const TemporaryFolder folder;
+    Preset preset = two_maps(folder.path());
+    preset.output.pattern = (folder.path() / "layers.####.exr").string();
+    bake_recorded(preset, {.frames = {1, 2}, .threads = 1}, {});
+    preset.image.maps = {"age"};
+    EXPECT_EQ(resumed(preset, {1, 2}), (std::set{1, 2}));
+    EXPECT_TRUE(resumed(preset, {1, 2}).empty());
+}
+
 TEST(Resume, BakesEverythingWithoutAManifest) {
     const TemporaryFolder folder;
     const Preset preset = two_maps(folder.path());

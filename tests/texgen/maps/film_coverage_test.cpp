@@ -42,6 +42,15 @@ TEST(FilmCoverage, AWetFilmOfACircleEndsWhereItsSmoothDistanceIsHalfTheWidth) {
                 2e-3);
 }
 
+TEST(FilmCoverage, WetFilmsOfNoWidthCoverNothing) {
+    const test::MapSubject& subject = test::torus_subject();
+    FrameLayers layers = layers_of(subject.frame, subject.record, test::torus_grid(kSize));
+    AlbedoOptions options;
+    options.film_width = 0.0;
+    options.film_profile = FilmProfile::Wet;
+    EXPECT_EQ(test::sum_of(film_coverage(layers, options)), 0.0);
+}
+
 TEST(FilmCoverage, WetFilmsCoverEvenFilmsAndCorners) {
     const test::MapSubject& subject = test::torus_subject();
     FrameLayers layers = layers_of(subject.frame, subject.record, test::torus_grid(kSize));

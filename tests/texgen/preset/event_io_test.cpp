@@ -123,7 +123,7 @@ TEST(EventIo, ATimeReplacesFrames) {
         "a.toml:3: key 'event[1].time' = 3: exactly one of the keys frame, frames and time must "
         "be given");
     EXPECT_EQ(failure(toml + "1e9\n"),
-              "a.toml:3: key 'event[1].time' = 1000000000.0: must be before frame 100000; "
+              "a.toml:3: key 'event[1].time' = 1000000000.0: must be at most frame 100000; "
               "frames.time_step decides which frame shows a time");
 }
 

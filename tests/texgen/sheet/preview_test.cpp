@@ -135,6 +135,10 @@ TEST(Preview, RejectsMapsThatCannotBeShown) {
     const BakedSet more = baked(small_patch(folder.path()), {"height"});
     EXPECT_THROW(write(more, folder, {.maps = {"height"}, .kinds = {PreviewKind::Tiling}}),
                  std::invalid_argument);
+    const std::vector<PreviewKind> kinds{PreviewKind::Contact, PreviewKind::Tiling};
+    EXPECT_THROW(write(more, folder, {.maps = {"height"}, .kinds = kinds}), std::invalid_argument);
+    EXPECT_THROW(write(more, folder, {.maps = {"height", "id"}}), std::invalid_argument);
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "shown"));  // nothing was written
 }
 
 }  // namespace

@@ -51,6 +51,7 @@ TEST(Steps, SeamIsInfiniteWithoutOtherSteps) {
     const double infinity = std::numeric_limits<double>::infinity();
     EXPECT_TRUE(std::isinf(Seam({infinity, infinity}).ratio()));
     EXPECT_TRUE(std::isinf(Seam({std::nan(""), 1.0}).ratio()));
+    EXPECT_TRUE(std::isinf(Seam({1.0, infinity}).ratio()));
 }
 
 // The rows have the values 0, 3, 6 and 9. The step across the border is from the last row to the
