@@ -6,6 +6,7 @@
 #include "texgen/maps/albedo.h"
 #include "texgen/maps/albedo_options.h"
 #include "texgen/maps/area.h"
+#include "texgen/maps/contour.h"
 #include "texgen/maps/curvature.h"
 #include "texgen/maps/distance.h"
 #include "texgen/maps/event.h"
@@ -52,7 +53,8 @@ struct MapOptions {
     OcclusionOptions occlusion;
     CurvatureOptions curvature;
     ThinFilmOptions thin_film;
-    MazeOptions maze;  // used by maze and maze_solution
+    MazeOptions maze;  // used by maze and maze_solution, and by reliefs of walls
+    ContourOptions contour;
 };
 
 /// Returns the keys of all maps, such as "height.full", in the order in which presets list them.
@@ -77,7 +79,8 @@ Keys<M> map_keys() {
                    nested_keys("occlusion", &M::occlusion, occlusion_keys()),
                    nested_keys("curvature", &M::curvature, curvature_keys()),
                    nested_keys("thin_film", &M::thin_film, thin_film_keys()),
-                   nested_keys("maze", &M::maze, maze_keys())});
+                   nested_keys("maze", &M::maze, maze_keys()),
+                   nested_keys("contour", &M::contour, contour_keys())});
 }
 
 /// Returns a map that is drawn by draw(layers, options.*members...). `note` becomes Map::note.
@@ -98,17 +101,18 @@ inline constexpr std::array kMaps = [] {
         map_of<draw_thin_film, &M::thin_film, &M::albedo>(kThinFilmMap),
         Map{kLitMap,
             [](FrameLayers& layers, const M& all) -> MapImage {
-                return draw_lit(
-                    layers, all.lit, {all.albedo, all.thin_film, all.relief, all.occlusion});
+                return draw_lit(layers,
+                                all.lit,
+                                {all.albedo, all.thin_film, all.relief, all.occlusion, all.maze});
             }},
         map_of<draw_opacity, &M::albedo>(kOpacityMap),
         map_of<draw_film, &M::albedo>(kFilmMap),
         map_of<draw_distance, &M::distance, &M::albedo>(kDistanceMap),
-        map_of<draw_height, &M::relief, &M::height>(kHeightMap),
-        map_of<draw_normal, &M::relief, &M::normal>(
+        map_of<draw_height, &M::relief, &M::maze, &M::height>(kHeightMap),
+        map_of<draw_normal, &M::relief, &M::maze, &M::normal>(
             kNormalMap, [](const M& options) { return note_on_normals(options.normal); }),
-        map_of<draw_occlusion, &M::relief, &M::occlusion>(kOcclusionMap),
-        map_of<draw_curvature, &M::relief, &M::curvature>(kCurvatureMap),
+        map_of<draw_occlusion, &M::relief, &M::maze, &M::occlusion>(kOcclusionMap),
+        map_of<draw_curvature, &M::relief, &M::maze, &M::curvature>(kCurvatureMap),
         map_of<draw_roughness, &M::roughness, &M::albedo>(kRoughnessMap),
         map_of<draw_pressure, &M::pressure>(kPressureMap),
         map_of<draw_area, &M::area>(kAreaMap),
@@ -121,7 +125,8 @@ inline constexpr std::array kMaps = [] {
             kMotionMap, [](const M& options) { return note_on_motion(options.motion); }),
         map_of<draw_event, &M::event_map>(kEventMap),
         map_of<draw_maze, &M::maze>(kMazeMap),
-        map_of<draw_maze_solution, &M::maze>(kMazeSolutionMap)};
+        map_of<draw_maze_solution, &M::maze>(kMazeSolutionMap),
+        map_of<draw_contour, &M::contour, &M::pressure>(kContourMap)};
 }();
 
 /// Returns every map.

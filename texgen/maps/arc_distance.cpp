@@ -2,25 +2,34 @@
 
 #include "texgen/maps/arc_distance.h"
 
+#include "core/parallel/parallel_for.h"
 #include "texgen/maps/grid_positions.h"
 #include "texgen/raster/distance/arc_lanes.h"
 #include "texgen/raster/distance/boundary.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
 
 namespace foam::texgen {
 
 namespace {
 
-// Returns the distance from a point to the circle of an arc. With the point p relative to the tail,
-// the chord c, the half angle a and q = |p|² sin a - p.c sin a - (c x p) cos a, the distance is
-// |q| / (|c| / 2 + sqrt(|c|² / 4 + q sin a)). This holds for a straight line, too, where a = 0.
-double distance_to_circle(const PixelArc& arc, const Vec2& point) {
+constexpr int kBandRows = 32;  // rows that one thread computes at a time
+
+// Returns the distance to the circle of an arc. With q = |p|² sin a - p.c sin a - (c x p) cos a,
+// for the point p, the chord c and the half angle a, the distance is |q| / (|c| / 2 + sqrt(|c|² / 4
+// + q sin a)). This holds for a straight line, too, where a = 0. The gradient of |q| points away
+// from the nearest point of the circle.
+NearestOnArc nearest_on_circle(const PixelArc& arc, const Vec2& point) {
     const double q = arc.sine * point.dot(point - arc.chord) - arc.cosine * cross(arc.chord, point);
     const double half_chord = 0.5 * arc.chord.norm();
     const double root = std::sqrt(std::max(half_chord * half_chord + q * arc.sine, 0.0));
-    return std::abs(q) / (half_chord + root);
+    const Vec2 gradient =
+        arc.sine * (2.0 * point - arc.chord) - arc.cosine * turned_left(arc.chord);
+    return {std::abs(q) / (half_chord + root), q < 0.0 ? Vec2(-gradient) : gradient};
 }
 
 // Returns the radius of a circle around the middle of the chord that contains the whole arc. The
@@ -31,75 +40,128 @@ double radius_around_chord(const PixelArc& arc) {
     return std::max(0.5 * arc.chord.norm(), (middle - 0.5 * arc.chord).norm());
 }
 
-// Calls visit(x, y, point) for all pixels of the grid whose centers are within `reach` of an arc,
-// and for other pixels nearby. `point` is the center of the pixel relative to the tail, in pixels.
-template <class Visit>
-void for_each_pixel_near(const PixelArc& arc,
-                         SubpixelPoint tail,
-                         const RasterGrid& grid,
-                         double reach,
-                         const Visit& visit) {
-    const double radius = radius_around_chord(arc);
-    const Vec2 start = Vec2(tail.x, tail.y) / kSubpixel;
-    const Vec2 center = start + 0.5 * arc.chord;
-    const auto first = [&](double middle) {
-        return std::max(static_cast<int>(std::floor(middle - radius - reach)), 0);
-    };
-    const auto last = [&](double middle, int size) {
-        return std::min(static_cast<int>(std::ceil(middle + radius + reach)), size - 1);
-    };
-    for (int y = first(center.y()); y <= last(center.y(), grid.height); ++y) {
-        for (int x = first(center.x()); x <= last(center.x(), grid.width); ++x) {
-            visit(x, y, Vec2(x + 0.5, y + 0.5) - start);
+// An arc, or a periodic copy of it, with the square of pixels that are near it.
+struct ArcCopy {
+    const PixelArc* arc;
+    Vec2 tail;      // in pixels of the image
+    Vec2 center;    // of the square
+    double extent;  // half the side of the square
+};
+
+// Returns the copies whose squares overlap the image. The squares contain all points that are at
+// most `reach` pixels from an arc.
+std::vector<ArcCopy> copies_in_image(std::span<const PlacedArc> arcs,
+                                     const RasterGrid& grid,
+                                     const Domain& domain,
+                                     double reach) {
+    std::vector<ArcCopy> copies;
+    for (const PlacedArc& placed : arcs) {
+        const double radius = radius_around_chord(placed.arc);
+        for_each_copy(grid, domain, placed.tail, reach + 2.0 * radius, [&](SubpixelPoint tail) {
+            const Vec2 start = Vec2(tail.x, tail.y) / kSubpixel;
+            copies.push_back({&placed.arc, start, start + 0.5 * placed.arc.chord, radius + reach});
+        });
+    }
+    return copies;
+}
+
+// A half-open range of rows or columns of pixels.
+struct PixelRange {
+    int begin;
+    int end;
+};
+
+// Returns the part of a range whose pixels are at most `extent` from a position.
+PixelRange range_near(double position, double extent, PixelRange range) {
+    const double first = std::floor(position - extent);
+    const double last = std::ceil(position + extent);
+    return {static_cast<int>(std::max(first, static_cast<double>(range.begin))),
+            static_cast<int>(std::min(last + 1.0, static_cast<double>(range.end)))};
+}
+
+// Updates the distances of the pixels in some rows by the distances to one copy of an arc.
+void add_arc(const ArcCopy& copy, PixelRange rows, ArcDistances& distances) {
+    const PixelRange columns =
+        range_near(copy.center.x(), copy.extent, {0, distances.distance.width()});
+    const PixelRange own_rows = range_near(copy.center.y(), copy.extent, rows);
+    for (int y = own_rows.begin; y < own_rows.end; ++y) {
+        for (int x = columns.begin; x < columns.end; ++x) {
+            const NearestOnArc nearest =
+                nearest_on_arc(*copy.arc, Vec2(x + 0.5, y + 0.5) - copy.tail);
+            float& distance = distances.distance.pixel(x, y)[0];
+            if (static_cast<float>(nearest.distance) < distance) {
+                distance = static_cast<float>(nearest.distance);
+                const Vec2 gradient = nearest.direction.stableNormalized();
+                const auto pixel = distances.gradient.pixel(x, y);
+                pixel[0] = static_cast<float>(gradient.x());
+                pixel[1] = static_cast<float>(gradient.y());
+            }
+        }
+    }
+}
+
+// Makes the distances above `reach` infinite.
+void limit(ArcDistances& distances, double reach) {
+    for (std::size_t k = 0; k < distances.distance.samples().size(); ++k) {
+        float& distance = distances.distance.samples()[k];
+        if (static_cast<double>(distance) > reach) {
+            distance = std::numeric_limits<float>::infinity();
+            distances.gradient.samples()[2 * k] = 0.0F;
+            distances.gradient.samples()[2 * k + 1] = 0.0F;
         }
     }
 }
 
 }  // namespace
 
-double distance_to_arc(const PixelArc& arc, const Vec2& point) {
+NearestOnArc nearest_on_arc(const PixelArc& arc, const Vec2& point) {
     // A point between the normals at both ends is nearest to an inner point of the arc. Two
     // half-planes decide this, but only if the arc does not turn far (ArcLanes::kMinCosine).
     if (arc.cosine < ArcLanes::kMinCosine) {
         const auto [first, second] = halves(arc);
-        return std::min(distance_to_arc(first, point),
-                        distance_to_arc(second, point - first.chord));
+        const NearestOnArc on_first = nearest_on_arc(first, point);
+        const NearestOnArc on_second = nearest_on_arc(second, point - first.chord);
+        return on_first.distance <= on_second.distance ? on_first : on_second;
     }
     const Vec2 from_head = point - arc.chord;
     if (arc.chord.isZero(0.0)) {
-        return point.norm();
+        return {point.norm(), point};
     }
     if (tail_tangent(arc).dot(point) >= 0.0 && head_tangent(arc).dot(from_head) <= 0.0) {
-        return distance_to_circle(arc, point);
+        return nearest_on_circle(arc, point);
     }
-    return std::sqrt(std::min(point.squaredNorm(), from_head.squaredNorm()));
+    const Vec2 nearer = point.squaredNorm() <= from_head.squaredNorm() ? point : from_head;
+    return {nearer.norm(), nearer};
 }
 
-Image<float> distance_to_arcs(std::span<const PlacedArc> arcs,
-                              const RasterGrid& grid,
-                              const Domain& domain,
-                              double reach) {
-    Image<float> image(grid.width, grid.height, 1);
-    std::fill(image.samples().begin(), image.samples().end(), static_cast<float>(reach));
-    for (const PlacedArc& one : arcs) {
-        const double extent = reach + 2.0 * radius_around_chord(one.arc);
-        for_each_copy(grid, domain, one.tail, extent, [&](SubpixelPoint tail) {
-            for_each_pixel_near(one.arc, tail, grid, reach, [&](int x, int y, const Vec2& point) {
-                float& distance = image.pixel(x, y)[0];
-                distance = std::min(distance, static_cast<float>(distance_to_arc(one.arc, point)));
-            });
-        });
-    }
-    return image;
+ArcDistances distances_to_arcs(std::span<const PlacedArc> arcs,
+                               const RasterGrid& grid,
+                               const Domain& domain,
+                               double reach,
+                               int threads) {
+    ArcDistances distances{{grid.width, grid.height, 1}, {grid.width, grid.height, 2}};
+    std::fill(distances.distance.samples().begin(),
+              distances.distance.samples().end(),
+              std::numeric_limits<float>::infinity());
+    const std::vector<ArcCopy> copies = copies_in_image(arcs, grid, domain, reach);
+    const auto rows = static_cast<std::size_t>(grid.height);
+    parallel_for(rows, kBandRows, threads, [&](std::size_t first, std::size_t last) {
+        for (const ArcCopy& copy : copies) {
+            add_arc(copy, {static_cast<int>(first), static_cast<int>(last)}, distances);
+        }
+    });
+    limit(distances, reach);
+    return distances;
 }
 
 Image<float> stroke_coverage(std::span<const PlacedArc> arcs,
                              const RasterGrid& grid,
                              const Domain& domain,
-                             double width) {
+                             double width,
+                             int threads) {
     const double half_width = 0.5 * std::max(width, 1.0);
     const double strength = std::min(width, 1.0);
-    Image<float> image = distance_to_arcs(arcs, grid, domain, half_width + 1.0);
+    Image<float> image = distances_to_arcs(arcs, grid, domain, half_width + 1.0, threads).distance;
     for (float& sample : image.samples()) {
         const double inside = half_width - static_cast<double>(sample);
         sample = static_cast<float>(strength * std::clamp(0.5 + inside, 0.0, 1.0));

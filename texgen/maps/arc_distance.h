@@ -17,27 +17,43 @@ struct PlacedArc {
     PixelArc arc;         // pixels; turns by less than 360 degrees
 };
 
-/// Returns the distance from a point to the nearest point of an arc. Both are in pixels, relative
-/// to the tail of the arc.
-double distance_to_arc(const PixelArc& arc, const Vec2& point);
+/// The distance from a point to the nearest point of an arc.
+struct NearestOnArc {
+    double distance = 0.0;  // in pixels
+    // The direction from the nearest point of the arc to the given point, as a vector of any
+    // length; the zero vector if both points agree.
+    Vec2 direction{0.0, 0.0};
+};
 
-/// Returns an image of one channel: the distance in pixels from the center of every pixel to the
-/// nearest of the arcs and of their periodic copies, or `reach` if the distance is larger. Visits
-/// all pixels in a square around each arc, so it is fast only if the arcs are short. Precondition:
-/// pixels_per_unit does not throw for this grid and this domain.
-Image<float> distance_to_arcs(std::span<const PlacedArc> arcs,
-                              const RasterGrid& grid,
-                              const Domain& domain,
-                              double reach);
+/// Finds the nearest point of an arc. The given point is in pixels, relative to the tail of the
+/// arc.
+NearestOnArc nearest_on_arc(const PixelArc& arc, const Vec2& point);
+
+/// Distances from the centers of pixels to the nearest of several arcs.
+struct ArcDistances {
+    Image<float> distance;  // one channel, in pixels; infinite beyond the reach
+    Image<float> gradient;  // of the distance: x to the right, y up; zero beyond the reach
+};
+
+/// Returns the distances to the nearest of the arcs and of their periodic copies. Distances above
+/// `reach`, in pixels, are infinite. Visits the pixels in a square around each arc, so it serves
+/// for lines of short arcs. The result does not depend on `threads` (core/parallel/parallel_for.h).
+/// Precondition: pixels_per_unit does not throw for this grid and this domain.
+ArcDistances distances_to_arcs(std::span<const PlacedArc> arcs,
+                               const RasterGrid& grid,
+                               const Domain& domain,
+                               double reach,
+                               int threads);
 
 /// Returns the fraction of every pixel that strokes with round ends cover, in one channel. Every
 /// arc is the center line of a stroke; `width` is the full width in pixels. The fraction is
 /// approximate: at the edge of a stroke it falls linearly from 1 to 0 over the width of a pixel. A
 /// stroke narrower than a pixel is drawn one pixel wide, with its fractions multiplied by its
-/// width. The precondition is that of distance_to_arcs.
+/// width. The precondition is that of distances_to_arcs.
 Image<float> stroke_coverage(std::span<const PlacedArc> arcs,
                              const RasterGrid& grid,
                              const Domain& domain,
-                             double width);
+                             double width,
+                             int threads);
 
 }  // namespace foam::texgen

@@ -38,8 +38,9 @@ Keys<CurvatureOptions> curvature_keys() {
 
 NumberPixels draw_curvature(FrameLayers& layers,
                             const ReliefOptions& relief_options,
+                            const MazeOptions& maze,
                             const CurvatureOptions& options) {
-    const Relief relief(layers, relief_options);
+    const Relief relief(layers, relief_options, maze);
     const double radius = options.radius * relief.diameter();
     Image<float> image(layers.grid().width, layers.grid().height, 1);
     for (std::size_t k = 0; k < image.samples().size(); ++k) {

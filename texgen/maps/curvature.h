@@ -4,6 +4,7 @@
 
 #include "texgen/keys/key.h"
 #include "texgen/maps/map.h"
+#include "texgen/maps/maze.h"
 #include "texgen/maps/relief_options.h"
 
 namespace foam::texgen {
@@ -32,6 +33,7 @@ Keys<CurvatureOptions> curvature_keys();
 /// channel and is 0 around a patch, apart from the outer half of ridges and wet films.
 NumberPixels draw_curvature(FrameLayers& layers,
                             const ReliefOptions& relief,
+                            const MazeOptions& maze,
                             const CurvatureOptions& options);
 
 }  // namespace foam::texgen

@@ -4,6 +4,7 @@
 
 #include "texgen/keys/key.h"
 #include "texgen/maps/map.h"
+#include "texgen/maps/maze.h"
 #include "texgen/maps/relief_options.h"
 
 namespace foam::texgen {
@@ -27,6 +28,7 @@ Keys<HeightOptions> height_keys();
 /// channel and is 0 around a patch, apart from the outer half of ridges and wet films.
 NumberPixels draw_height(FrameLayers& layers,
                          const ReliefOptions& relief,
+                         const MazeOptions& maze,
                          const HeightOptions& options);
 
 }  // namespace foam::texgen

@@ -115,24 +115,34 @@ Image<float> glow_of(FrameLayers& layers, const AlbedoOptions& albedo, double gl
     return shining;
 }
 
+// Draws the colors without light.
+ColorPixels draw_colors(FrameLayers& layers, LitColors colors, const LitSurface& surface) {
+    switch (colors) {
+        case LitColors::Albedo:
+            return draw_albedo(layers, surface.albedo);
+        case LitColors::ThinFilm:
+            return draw_thin_film(layers, surface.thin_film, surface.albedo);
+        default:
+            return draw_maze(layers, surface.maze);
+    }
+}
+
 // Draws the shaded colors, one sample per pixel of the layers.
 ColorPixels draw_samples(FrameLayers& layers, const LitOptions& lit, const LitSurface& surface) {
-    ColorPixels colors = lit.colors == LitColors::Albedo
-                             ? draw_albedo(layers, surface.albedo)
-                             : draw_thin_film(layers, surface.thin_film, surface.albedo);
-    const Relief relief(layers, surface.relief);
-    const NumberPixels sky = draw_occlusion(layers, surface.relief, surface.occlusion);
+    ColorPixels colors = draw_colors(layers, lit.colors, surface);
+    const Relief relief(layers, surface.relief, surface.maze);
+    const Image<float> sky = occlusion_of(relief, layers.grid(), surface.occlusion);
     const Image<float> glow =
         lit.glow > 0.0 ? glow_of(layers, surface.albedo, lit.glow) : Image<float>();
     const Lighting lighting(lit);
     const std::span<std::uint16_t> samples = colors.pixels.samples();
     const auto channels = static_cast<std::size_t>(colors.pixels.channels());
-    for (std::size_t k = 0; k < sky.pixels.samples().size(); ++k) {
+    for (std::size_t k = 0; k < sky.samples().size(); ++k) {
         const auto pixel = samples.subspan(channels * k, 3);
         const LinearRgb shown =
             lighting.lit({pixel[0] / kWhite, pixel[1] / kWhite, pixel[2] / kWhite},
                          relief.slope(k),
-                         static_cast<double>(sky.pixels.samples()[k]),
+                         static_cast<double>(sky.samples()[k]),
                          glow.samples().empty() ? 0.0 : static_cast<double>(glow.samples()[k]));
         pixel[0] = to_sample(shown.r);
         pixel[1] = to_sample(shown.g);
@@ -181,8 +191,9 @@ class Means {
 
 Keys<LitOptions> lit_keys() {
     using Options = LitOptions;
-    constexpr Choices<LitColors> kColors = {
-        {{{"albedo", LitColors::Albedo}, {"thin_film", LitColors::ThinFilm}}}};
+    constexpr Choices<LitColors, 3> kColors = {{{{"albedo", LitColors::Albedo},
+                                                 {"thin_film", LitColors::ThinFilm},
+                                                 {"maze", LitColors::Maze}}}};
     return {
         key("colors", kColors, "the map that is lit", &Options::colors),
         key("azimuth",
@@ -226,7 +237,9 @@ ColorPixels draw_lit(FrameLayers& layers, const LitOptions& options, const LitSu
                      finer(layers.grid(), samples),
                      layers.threads());
     const ColorPixels drawn = draw_samples(
-        fine, options, {fine_albedo, surface.thin_film, surface.relief, surface.occlusion});
+        fine,
+        options,
+        {fine_albedo, surface.thin_film, surface.relief, surface.occlusion, surface.maze});
     const int channels = drawn.pixels.channels();
     Image<std::uint16_t> image(layers.grid().width, layers.grid().height, channels);
     const Means means(drawn.pixels, samples);

@@ -5,6 +5,7 @@
 #include "texgen/keys/key.h"
 #include "texgen/maps/albedo_options.h"
 #include "texgen/maps/map.h"
+#include "texgen/maps/maze.h"
 #include "texgen/maps/occlusion.h"
 #include "texgen/maps/relief_options.h"
 #include "texgen/maps/thin_film.h"
@@ -15,13 +16,13 @@ namespace foam::texgen {
 /// a finer grid.
 inline constexpr MapTraits kLitMap = {
     .name = "lit",
-    .meaning = "albedo or thin_film, shaded by a light on the relief",
+    .meaning = "albedo, thin_film or maze, shaded by a light on the relief",
     .unit = "light",
     .channels = "R G B",
     .png_filter = PngFilter::Up};
 
 /// The map whose colors are lit.
-enum class LitColors { Albedo, ThinFilm };
+enum class LitColors { Albedo, ThinFilm, Maze };
 
 /// A distant light, and how the surface reflects it. The viewer is straight above the foam.
 struct LitOptions {
@@ -32,9 +33,9 @@ struct LitOptions {
     double gloss = 0.25;      // brightness of highlights
     double shininess = 40.0;  // exponent of highlights; larger values make them smaller
     double rim = 0.0;         // brightness added to steep slopes, such as the rims of bubbles
-    // The fraction of the color that is emitted light, on films and where AlbedoOptions::shade
-    // colors the bubbles beside them. It is weighted by the coverage of the film or by the weight
-    // of the shade, whichever is larger.
+    // The fraction of the color that is emitted light. It applies to films and to the shade beside
+    // them (AlbedoOptions::shade): at each pixel it is multiplied by the coverage of the film or by
+    // the weight of the shade, whichever is larger.
     double glow = 0.0;
     // Samples per pixel in each direction; a pixel shows their mean. Fewer are used if a side of
     // the image of samples would exceed kLargestSide.
@@ -49,12 +50,13 @@ struct LitSurface {
     const ThinFilmOptions& thin_film;
     const ReliefOptions& relief;
     const OcclusionOptions& occlusion;
+    const MazeOptions& maze;
 };
 
 /// Draws the colors of the foam on its relief, lit by a distant light. Flat ground keeps its color
 /// if the whole sky is visible from it. Highlights follow J. F. Blinn, "Models of light reflection
-/// for computer synthesized pictures" (1977). draw_occlusion computes the visible fraction of the
-/// sky. The surroundings of a patch are transparent.
+/// for computer synthesized pictures" (1977). The visible fraction of the sky is that of the map
+/// occlusion (occlusion_of). The surroundings of a patch are transparent.
 ColorPixels draw_lit(FrameLayers& layers, const LitOptions& options, const LitSurface& surface);
 
 }  // namespace foam::texgen

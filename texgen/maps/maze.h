@@ -3,11 +3,13 @@
 #pragma once
 
 #include "texgen/keys/key.h"
+#include "texgen/maps/arc_distance.h"
 #include "texgen/maps/map.h"
 #include "texgen/maps/maze_graph.h"
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace foam::texgen {
 
@@ -41,6 +43,10 @@ Keys<MazeOptions> maze_keys();
 /// Returns the rule by which the maps build their maze. Passages that walls of the given width
 /// would nearly fill count as narrow.
 MazeRule maze_rule(const MazeOptions& options);
+
+/// Returns the arcs of the walls of the maze, and the circles of lone bubbles. Throws
+/// std::invalid_argument if pixels_per_unit throws it.
+std::vector<PlacedArc> maze_walls(const FrameLayers& layers, const MazeOptions& options);
 
 /// Draws a maze (find_maze): passages, and walls with round ends along the films that are not
 /// open. The surroundings of a patch are transparent.

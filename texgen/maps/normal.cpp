@@ -20,8 +20,9 @@ Keys<NormalOptions> normal_keys() {
 
 NumberPixels draw_normal(FrameLayers& layers,
                          const ReliefOptions& relief_options,
+                         const MazeOptions& maze,
                          const NormalOptions& options) {
-    const Relief relief(layers, relief_options);
+    const Relief relief(layers, relief_options, maze);
     const double up = options.y == NormalY::Up ? 1.0 : -1.0;
     Image<float> image(layers.grid().width, layers.grid().height, 3);
     for (std::size_t k = 0; 3 * k < image.samples().size(); ++k) {

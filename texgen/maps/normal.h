@@ -4,6 +4,7 @@
 
 #include "texgen/keys/key.h"
 #include "texgen/maps/map.h"
+#include "texgen/maps/maze.h"
 #include "texgen/maps/relief_options.h"
 
 #include <string>
@@ -36,6 +37,7 @@ Keys<NormalOptions> normal_keys();
 /// are (0, 0, 1) where the relief is flat.
 NumberPixels draw_normal(FrameLayers& layers,
                          const ReliefOptions& relief,
+                         const MazeOptions& maze,
                          const NormalOptions& options);
 
 /// Returns "y up (OpenGL)" or "y down (DirectX)".

@@ -97,18 +97,25 @@ Keys<OcclusionOptions> occlusion_keys() {
                 &OcclusionOptions::strength)};
 }
 
-NumberPixels draw_occlusion(FrameLayers& layers,
-                            const ReliefOptions& relief_options,
-                            const OcclusionOptions& options) {
-    const Relief relief(layers, relief_options);
-    const VisibleSky sky(relief.section(), relief_options.strength);
-    Image<float> image(layers.grid().width, layers.grid().height, 1);
+Image<float> occlusion_of(const Relief& relief,
+                          const RasterGrid& grid,
+                          const OcclusionOptions& options) {
+    const VisibleSky sky(relief.section(), relief.strength());
+    Image<float> image(grid.width, grid.height, 1);
     for (std::size_t k = 0; k < image.samples().size(); ++k) {
         const double visible =
             relief.unit(k) > 0.0 ? sky.at(relief.section().distance(relief.smooth(k))) : 1.0;
         image.samples()[k] = static_cast<float>(std::pow(visible, options.strength));
     }
-    return {std::move(image), 0.0, 1.0};
+    return image;
+}
+
+NumberPixels draw_occlusion(FrameLayers& layers,
+                            const ReliefOptions& relief_options,
+                            const MazeOptions& maze,
+                            const OcclusionOptions& options) {
+    const Relief relief(layers, relief_options, maze);
+    return {occlusion_of(relief, layers.grid(), options), 0.0, 1.0};
 }
 
 }  // namespace foam::texgen

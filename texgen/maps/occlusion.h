@@ -4,6 +4,8 @@
 
 #include "texgen/keys/key.h"
 #include "texgen/maps/map.h"
+#include "texgen/maps/maze.h"
+#include "texgen/maps/relief.h"
 #include "texgen/maps/relief_options.h"
 
 namespace foam::texgen {
@@ -29,6 +31,12 @@ Keys<OcclusionOptions> occlusion_keys();
 /// films.
 NumberPixels draw_occlusion(FrameLayers& layers,
                             const ReliefOptions& relief,
+                            const MazeOptions& maze,
                             const OcclusionOptions& options);
+
+/// Returns the same image for a given relief. `grid` is the grid of its pixels.
+Image<float> occlusion_of(const Relief& relief,
+                          const RasterGrid& grid,
+                          const OcclusionOptions& options);
 
 }  // namespace foam::texgen

@@ -139,25 +139,6 @@ void smooth_and_flatten(const Frame& frame,
     }
 }
 
-PerBubble<double> pressure_tones(const FrameLayers& layers, const PressureOptions& options) {
-    const bool is_range = options.scaling == PressureScaling::Range;
-    PerBubble<double> tones =
-        pressures_of(layers.frame(), is_range ? options.unit : PressureUnit::Current);
-    smooth_and_flatten(layers.frame(), options, tones);
-    if (options.scaling == PressureScaling::Share) {
-        tones = area_shares(layers.frame(), tones);
-    } else {
-        const std::vector<double> scale = scale_of(layers, tones, options);
-        for (double& tone : tones) {
-            tone = tone_of(tone, scale, options);
-        }
-    }
-    for (double& tone : tones) {
-        tone = kMiddle + options.exaggeration * (tone - kMiddle);
-    }
-    return tones;
-}
-
 }  // namespace
 
 Keys<PressureOptions> pressure_keys() {
@@ -211,13 +192,32 @@ Keys<PressureOptions> pressure_keys() {
             &Options::colormap)};
 }
 
-MapImage draw_pressure(FrameLayers& layers, const PressureOptions& options) {
+PerBubble<double> pressure_tones(const FrameLayers& layers, const PressureOptions& options) {
     if (!(options.low < options.high)) {
         throw std::invalid_argument(
             fmt::format("pressure.low is {}, but must be below pressure.high, which is {}",
                         options.low,
                         options.high));
     }
+    const bool is_range = options.scaling == PressureScaling::Range;
+    PerBubble<double> tones =
+        pressures_of(layers.frame(), is_range ? options.unit : PressureUnit::Current);
+    smooth_and_flatten(layers.frame(), options, tones);
+    if (options.scaling == PressureScaling::Share) {
+        tones = area_shares(layers.frame(), tones);
+    } else {
+        const std::vector<double> scale = scale_of(layers, tones, options);
+        for (double& tone : tones) {
+            tone = tone_of(tone, scale, options);
+        }
+    }
+    for (double& tone : tones) {
+        tone = kMiddle + options.exaggeration * (tone - kMiddle);
+    }
+    return tones;
+}
+
+MapImage draw_pressure(FrameLayers& layers, const PressureOptions& options) {
     const PerBubble<double> tones = pressure_tones(layers, options);
     if (options.colormap == "none") {
         return NumberPixels{fill_numbers(layers, tones), 0.0, 1.0};

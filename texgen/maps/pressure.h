@@ -5,6 +5,7 @@
 #include "texgen/keys/key.h"
 #include "texgen/maps/bubble_pressure.h"
 #include "texgen/maps/map.h"
+#include "texgen/maps/per_bubble.h"
 
 #include <string>
 
@@ -44,14 +45,17 @@ struct PressureOptions {
 
 Keys<PressureOptions> pressure_keys();
 
-/// Draws the pressures of bubbles as tones, without films. A tone is the position of a pressure on
-/// the scale, with its difference from 0.5 multiplied by options.exaggeration. Tones are drawn as
-/// numbers or as colors of a color map. Numbers may be outside the range from 0 to 1; colors are
-/// clamped to the ends of the color map. Tones are 0.5 if both percentiles are equal, or if
-/// percentiles and ranks are unknown because FoamRecord::first_pressures is empty. Numbers have one
-/// channel and are 0 around a patch; colors are transparent there. Throws std::invalid_argument for
-/// an unknown color map, and if options.low is not below options.high, even if the scaling is not
+/// Returns the tone of every bubble: the position of its pressure on the scale, with its difference
+/// from 0.5 multiplied by options.exaggeration. Tones are 0.5 if both percentiles are equal, or if
+/// percentiles and ranks are unknown because FoamRecord::first_pressures is empty. Throws
+/// std::invalid_argument if options.low is not below options.high, even if the scaling is not
 /// Range.
+PerBubble<double> pressure_tones(const FrameLayers& layers, const PressureOptions& options);
+
+/// Draws the tones of bubbles without films, as numbers or as colors of a color map. Numbers may be
+/// outside the range from 0 to 1; colors are clamped to the ends of the color map. Numbers have one
+/// channel and are 0 around a patch; colors are transparent there. Throws as pressure_tones does,
+/// and std::invalid_argument for an unknown color map.
 MapImage draw_pressure(FrameLayers& layers, const PressureOptions& options);
 
 }  // namespace foam::texgen

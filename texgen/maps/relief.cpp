@@ -14,16 +14,10 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-// Returns the section's unit of length in pixels, indexed by the ids of the distance field. For
-// domes the unit is the radius of a circle with the area of the bubble. For other profiles the unit
-// is ReliefOptions::width.
-std::vector<double> units_of(FrameLayers& layers, const ReliefOptions& options, double diameter) {
+// Returns the radius in pixels of a circle with the area of the bubble, indexed by the ids of the
+// distance field.
+std::vector<double> dome_radii(FrameLayers& layers) {
     const Frame& frame = layers.frame();
-    if (options.profile != ReliefProfile::Dome) {
-        const double width = options.width * diameter;
-        const auto constant = [&](const auto&) { return width; };
-        return by_cell_id(layers, per_bubble<double>(frame, constant, constant), width);
-    }
     const double scale = pixels_per_unit(layers.grid(), frame.domain);
     const auto radii = per_bubble<double>(
         frame,
@@ -36,13 +30,30 @@ std::vector<double> units_of(FrameLayers& layers, const ReliefOptions& options, 
 
 }  // namespace
 
-Relief::Relief(FrameLayers& layers, const ReliefOptions& options)
-    : field_(layers.distance()),
-      section_(options.profile, options.angle * kDegree),
+Relief::Relief(FrameLayers& layers, const ReliefOptions& options, const MazeOptions& maze)
+    : section_(options.profile, options.angle * kDegree),
       strength_(options.strength),
       diameter_(diameter_of(options.mean_bubble, layers.frame()) *
                 pixels_per_unit(layers.grid(), layers.frame().domain)),
-      units_(units_of(layers, options, diameter_)) {}
+      width_(options.width * diameter_) {
+    if (options.films == ReliefFilms::Walls) {
+        walls_ = distances_to_arcs(maze_walls(layers, maze),
+                                   layers.grid(),
+                                   layers.frame().domain,
+                                   section_.reach() * width_,
+                                   layers.threads());
+        smooth_ = &walls_.distance;
+        gradient_ = &walls_.gradient;
+        return;
+    }
+    const DistanceField& field = layers.distance();
+    smooth_ = &field.smooth;
+    gradient_ = &field.smooth_gradient;
+    if (options.profile == ReliefProfile::Dome) {
+        ids_ = &field.ids;
+        radii_ = dome_radii(layers);
+    }
+}
 
 double Relief::height(std::size_t index) const {
     const double length_unit = unit(index);
@@ -53,7 +64,7 @@ Vec2 Relief::slope(std::size_t index) const {
     if (!(unit(index) > 0.0)) {
         return Vec2::Zero();
     }
-    const auto gradient = field_.smooth_gradient.samples().subspan(2 * index, 2);
+    const auto gradient = gradient_->samples().subspan(2 * index, 2);
     return strength_ * section_.slope(smooth(index)) * Vec2(gradient[0], gradient[1]);
 }
 

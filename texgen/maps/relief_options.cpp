@@ -11,12 +11,20 @@ Keys<ReliefOptions> relief_keys() {
     constexpr Choices<ReliefProfile, 3> kProfiles = {{{{"dome", ReliefProfile::Dome},
                                                        {"ridge", ReliefProfile::Ridge},
                                                        {"wet", ReliefProfile::Wet}}}};
+    constexpr Choices<ReliefFilms> kFilms = {
+        {{{"all", ReliefFilms::All}, {"walls", ReliefFilms::Walls}}}};
     return {
         key("profile",
             kProfiles,
             "shape of the surface of height, normal, occlusion, curvature and lit: domes, rounded "
             "ridges on films, or wet films with Plateau borders",
             &Options::profile),
+        key("films",
+            kFilms,
+            "films from which ridges and wet films rise: all of them, or only the walls of the "
+            "maze (table maze)",
+            &Options::films)
+            .only_for("relief.profile", {"ridge", "wet"}),
         key("angle", Reals{1.0, 85.0}, "slope of domes at films, degrees", &Options::angle)
             .in("degrees"),
         key("width",

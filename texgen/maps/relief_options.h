@@ -10,9 +10,16 @@
 
 namespace foam::texgen {
 
+/// The films from which the relief rises.
+enum class ReliefFilms {
+    All,
+    Walls,  // the walls of the maze (MazeOptions); not for domes
+};
+
 /// The options of the relief that the maps height, normal, occlusion, curvature and lit show.
 struct ReliefOptions {
     ReliefProfile profile = ReliefProfile::Dome;
+    ReliefFilms films = ReliefFilms::All;
     double angle = 50.0;    // slope angle of domes at films, degrees
     double width = 0.2;     // distance from a film to the foot of its ridge, or radius of Plateau
                             // borders; in diameters of the mean bubble; not used by domes

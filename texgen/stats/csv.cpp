@@ -61,6 +61,23 @@ std::string frames_csv(const RunRecord& run) {
     return csv;
 }
 
+std::string maze_csv(const RunRecord& run) {
+    std::string csv;
+    for (const FrameRecord& record : run.frames) {
+        if (record.maze) {
+            csv += csv.empty() ? "frame,time,bubbles,solution,dead_ends,branches\n" : "";
+            csv += fmt::format("{},{},{},{},{},{}\n",
+                               record.frame,
+                               record.time,
+                               record.foam.bubbles,
+                               record.maze->solution,
+                               record.maze->dead_ends,
+                               record.maze->branches);
+        }
+    }
+    return csv;
+}
+
 std::string sides_csv(const RunRecord& run) {
     std::string csv =
         "frame,time,sides,bubbles,share,mean_area,mean_pressure,"

@@ -24,4 +24,9 @@ std::string frames_csv(const RunRecord& run);
 /// preceding frame of the table, or if no foam time has passed since the preceding frame.
 std::string sides_csv(const RunRecord& run);
 
+/// Returns a table of the mazes with one row per frame:
+/// frame,time,bubbles,solution,dead_ends,branches
+/// The result is empty if the preset of the run has no map of a maze.
+std::string maze_csv(const RunRecord& run);
+
 }  // namespace foam::texgen

@@ -7,11 +7,11 @@
 
 #include <fmt/core.h>
 
-#include <array>
 #include <span>
 #include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 namespace foam::texgen {
 
@@ -29,10 +29,12 @@ void remove_file(const std::filesystem::path& path) {
 }  // namespace
 
 StatisticsFiles write_statistics(const RunRecord& run, const std::filesystem::path& folder) {
-    const std::array<std::pair<const char*, std::string>, 3> contents{
-        {{"stats.csv", frames_csv(run)},
-         {"sides.csv", sides_csv(run)},
-         {kChartsScriptName, charts_script(run)}}};
+    std::vector<std::pair<const char*, std::string>> contents{{"stats.csv", frames_csv(run)},
+                                                              {"sides.csv", sides_csv(run)}};
+    if (std::string mazes = maze_csv(run); !mazes.empty()) {
+        contents.emplace_back("maze.csv", std::move(mazes));
+    }
+    contents.emplace_back(kChartsScriptName, charts_script(run));
     make_folders(folder);
     StatisticsFiles files;
     for (const auto& [name, content] : contents) {

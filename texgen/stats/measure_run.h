@@ -13,10 +13,10 @@ struct MeasureSummary {
     RunRecord run;  // if the run failed, only the frames before the failure
 };
 
-/// Takes the same frames as a bake of the preset from their source, by default a simulation of the
-/// preset, and measures them instead of drawing them. Of the options, only `frames`, `source` and,
-/// if there is no source, `threads` are used. `on_progress` is called after each frame. Throws the
-/// exceptions of the source.
+/// Measures the frames that a bake with the same options would draw, without drawing them. The
+/// frames come from options.source or, if it is empty, from a simulation of the preset. Of the
+/// options, only `frames`, `source` and, if there is no source, `threads` are used. `on_progress`
+/// is called after each frame. Throws the exceptions of the source.
 MeasureSummary measure_run(const Preset& preset,
                            const BakeOptions& options,
                            const ProgressCallback& on_progress);

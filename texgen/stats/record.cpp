@@ -2,7 +2,11 @@
 
 #include "texgen/stats/record.h"
 
+#include "texgen/maps/maze.h"
+
+#include <algorithm>
 #include <numbers>
+#include <string_view>
 #include <utility>
 
 namespace foam::texgen {
@@ -12,12 +16,22 @@ double RunRecord::law_rate(int sides) const {
 }
 
 Recorder::Recorder(const Preset& preset)
-    : run_{preset.name, 2.0 * preset.seeding.surface_tension, preset.coarsening.kappa, {}} {}
+    : run_{preset.name, 2.0 * preset.seeding.surface_tension, preset.coarsening.kappa, {}} {
+    const auto& maps = preset.image.maps;
+    if (std::any_of(maps.begin(), maps.end(), [](std::string_view map) {
+            return map == kMazeMap.name || map == kMazeSolutionMap.name;
+        })) {
+        maze_ = maze_rule(preset.maps.maze);
+    }
+}
 
 void Recorder::record(const std::shared_ptr<const Frame>& frame, const FrameEffort& effort) {
     FrameRecord record{frame->number, frame->time, statistics(*frame), {}, effort};
     if (before_) {
         record.growth = growth_by_sides(*before_, *frame);
+    }
+    if (maze_) {
+        record.maze = measure(find_maze(*frame, *maze_), *frame);
     }
     run_.frames.push_back(std::move(record));
     before_ = frame;

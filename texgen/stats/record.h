@@ -4,9 +4,11 @@
 
 #include "core/foam/statistics.h"
 #include "texgen/animation/simulate_frames.h"
+#include "texgen/maps/maze_graph.h"
 #include "texgen/preset/preset.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,8 +21,9 @@ struct FrameRecord {
     int frame = 0;      // number of the frame
     double time = 0.0;  // foam time
     FoamStatistics foam;
-    std::vector<SidesGrowth> growth;  // empty in the first record
-    FrameEffort effort;               // numbers of T1s and T2s, errors, and wall time
+    std::vector<SidesGrowth> growth;       // empty in the first record
+    FrameEffort effort;                    // numbers of T1s and T2s, errors, and wall time
+    std::optional<MazeStatistics> maze{};  // only if the preset has a map of a maze
 };
 
 /// The statistics of a run, and the parameters needed to interpret them.
@@ -52,6 +55,7 @@ class Recorder {
 
   private:
     RunRecord run_;
+    std::optional<MazeRule> maze_;         // the rule of the maze, if the preset has a map of one
     std::shared_ptr<const Frame> before_;  // the preceding frame, or null
 };
 

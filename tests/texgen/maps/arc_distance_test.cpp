@@ -39,7 +39,8 @@ TEST(ArcDistance, IsTheDistanceToTheNearestPointOfTheArc) {
                                   Vec2(6.0, 2.5),
                                   Vec2(7.0, -8.0),
                                   Vec2(-20.0, 30.0)}) {
-            EXPECT_NEAR(distance_to_arc(pixel_arc(arc), point), sampled_distance(arc, point), 1e-6)
+            EXPECT_NEAR(
+                nearest_on_arc(pixel_arc(arc), point).distance, sampled_distance(arc, point), 1e-6)
                 << "half angle " << half_angle << ", point " << point.transpose();
         }
     }
@@ -47,27 +48,56 @@ TEST(ArcDistance, IsTheDistanceToTheNearestPointOfTheArc) {
 
 TEST(ArcDistance, IsExactForAStraightLine) {
     const PixelArc line{{10.0, 0.0}, 1.0, 0.0};
-    EXPECT_EQ(distance_to_arc(line, {4.0, 3.0}), 3.0);
-    EXPECT_EQ(distance_to_arc(line, {4.0, -3.0}), 3.0);
-    EXPECT_EQ(distance_to_arc(line, {13.0, 4.0}), 5.0);
-    EXPECT_EQ(distance_to_arc(line, {-3.0, -4.0}), 5.0);
+    EXPECT_EQ(nearest_on_arc(line, {4.0, 3.0}).distance, 3.0);
+    EXPECT_EQ(nearest_on_arc(line, {4.0, -3.0}).distance, 3.0);
+    EXPECT_EQ(nearest_on_arc(line, {13.0, 4.0}).distance, 5.0);
+    EXPECT_EQ(nearest_on_arc(line, {-3.0, -4.0}).distance, 5.0);
 }
 
 TEST(ArcDistance, AnArcWithoutLengthIsAPoint) {
-    EXPECT_EQ(distance_to_arc({{0.0, 0.0}, 1.0, 0.0}, {3.0, 4.0}), 5.0);
-    EXPECT_EQ(distance_to_arc({{0.0, 0.0}, 1.0, 0.0}, {0.0, 0.0}), 0.0);
+    EXPECT_EQ(nearest_on_arc({{0.0, 0.0}, 1.0, 0.0}, {3.0, 4.0}).distance, 5.0);
+    EXPECT_EQ(nearest_on_arc({{0.0, 0.0}, 1.0, 0.0}, {0.0, 0.0}).distance, 0.0);
+}
+
+// The derivative of a distance along a direction is the product of the direction and the gradient.
+TEST(ArcDistance, DirectionIsThatOfTheGradient) {
+    constexpr double kStep = 1e-6;
+    for (const double half_angle : {-2.9, -0.7, -0.01, 0.0, 0.9, 1.5, 3.0}) {
+        const PixelArc arc = pixel_arc({{12.0, 5.0}, half_angle});
+        for (const Vec2& point :
+             {Vec2(3.0, 9.0), Vec2(-4.0, 1.0), Vec2(15.0, 2.0), Vec2(7.0, -8.0)}) {
+            const auto distance = [&](double x, double y) {
+                return nearest_on_arc(arc, point + Vec2(x, y)).distance;
+            };
+            const Vec2 slopes(distance(kStep, 0.0) - distance(-kStep, 0.0),
+                              distance(0.0, kStep) - distance(0.0, -kStep));
+            const Vec2 gradient = nearest_on_arc(arc, point).direction.normalized();
+            EXPECT_LT((gradient - slopes / (2.0 * kStep)).norm(), 1e-6)
+                << "half angle " << half_angle << ", point " << point.transpose();
+        }
+    }
 }
 
 // An arc through the corner of a torus is also near the other three corners of the image.
 TEST(ArcDistance, ContinuesAcrossTheBordersOfATorus) {
     const Domain domain{1.0, 1.0};
     const std::vector<PlacedArc> arcs = {{{0.0, 0.0}, {{2.0, 0.0}, 1.0, 0.0}}};
-    const Image<float> image = distance_to_arcs(arcs, {32, 32}, domain, 4.0);
+    const Image<float> image = distances_to_arcs(arcs, {32, 32}, domain, 4.0, 1).distance;
     EXPECT_FLOAT_EQ(image.pixel(1, 0)[0], 0.5F);
     EXPECT_FLOAT_EQ(image.pixel(1, 31)[0], 0.5F);
     EXPECT_FLOAT_EQ(image.pixel(31, 0)[0], std::sqrt(0.5F));
     EXPECT_FLOAT_EQ(image.pixel(31, 31)[0], std::sqrt(0.5F));
-    EXPECT_FLOAT_EQ(image.pixel(16, 16)[0], 4.0F);
+    EXPECT_EQ(image.pixel(16, 16)[0], std::numeric_limits<float>::infinity());
+}
+
+TEST(ArcDistance, DoesNotDependOnTheNumberOfThreads) {
+    const Domain domain{1.0, 1.0};
+    const std::vector<PlacedArc> arcs = {{{0.1, 0.2}, {{70.0, 20.0}, 0.8, 0.6}},
+                                         {{0.9, 0.6}, {{40.0, 90.0}, 0.6, -0.8}}};
+    const ArcDistances one = distances_to_arcs(arcs, {160, 120}, domain, 30.0, 1);
+    const ArcDistances four = distances_to_arcs(arcs, {160, 120}, domain, 30.0, 4);
+    EXPECT_EQ(one.distance, four.distance);
+    EXPECT_EQ(one.gradient, four.gradient);
 }
 
 // The sum of the coverage is the area of a stroke with round ends.
@@ -76,7 +106,7 @@ TEST(ArcDistance, StrokesHaveTheirArea) {
     for (const double width : {0.25, 1.0, 3.0, 9.5}) {
         const PixelArc line{{30.0, 17.0}, 1.0, 0.0};
         const Image<float> image =
-            stroke_coverage(std::vector<PlacedArc>{{{0.8, 0.7}, line}}, {96, 96}, domain, width);
+            stroke_coverage(std::vector<PlacedArc>{{{0.8, 0.7}, line}}, {96, 96}, domain, width, 1);
         double sum = 0.0;
         for (const float sample : image.samples()) {
             sum += static_cast<double>(sample);

@@ -68,11 +68,14 @@ TEST(Lit, LightComesFromItsAzimuth) {
             layers_of(frame, record, {kSize, kSize, 0, 0, View{Vec2::Zero(), 40.0}});
         MapOptions options;
         options.lit.azimuth = azimuth;
-        const Image<std::uint16_t> image =
-            draw_lit(layers,
-                     options.lit,
-                     {options.albedo, options.thin_film, options.relief, options.occlusion})
-                .pixels;
+        const Image<std::uint16_t> image = draw_lit(layers,
+                                                    options.lit,
+                                                    {options.albedo,
+                                                     options.thin_film,
+                                                     options.relief,
+                                                     options.occlusion,
+                                                     options.maze})
+                                               .pixels;
         const auto light = [&](int x) { return static_cast<double>(image.pixel(x, kSize / 2)[1]); };
         return light(kSize / 2 + 20) / light(kSize / 2 - 20);
     };

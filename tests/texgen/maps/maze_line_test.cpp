@@ -44,7 +44,8 @@ TEST(MazeLine, CrossesFilmsInTheirMiddle) {
         const Vec2 tail = frame.positions[frame.network.tail(way[k])];
         const Vec2 head = frame.positions[frame.network.head(way[k])];
         EXPECT_NEAR((crossing - tail).norm(), (crossing - head).norm(), 1e-9);
-        EXPECT_NEAR(distance_to_arc(pixel_arc(frame.arc(way[k])), crossing - tail), 0.0, 1e-9);
+        EXPECT_NEAR(
+            nearest_on_arc(pixel_arc(frame.arc(way[k])), crossing - tail).distance, 0.0, 1e-9);
     }
 }
 

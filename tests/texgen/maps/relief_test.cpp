@@ -2,11 +2,13 @@
 
 #include "texgen/maps/relief.h"
 
+#include "tests/support/sample_foams.h"
 #include "tests/texgen/maps/lone_circle.h"
 #include "tests/texgen/maps/spherical_cap.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -21,7 +23,7 @@ constexpr double kRadius = 25.0;  // pixels
 // degrees). The slope at r is -r / sqrt(S² - r²).
 TEST(Relief, SlopesAndHeightsAreThoseOfACap) {
     LoneCircle circle(kRadius);
-    const Relief relief(circle.layers, {});
+    const Relief relief(circle.layers, {}, {});
     const test::SphericalCap cap{kRadius};
     EXPECT_NEAR(relief.diameter(), 2.0 * kRadius, 1e-9);
     test::for_each_inside(kRadius, [&](int x, int y, const Vec2& point) {
@@ -36,16 +38,73 @@ TEST(Relief, SlopesAndHeightsAreThoseOfACap) {
 
 TEST(Relief, AroundAPatchADomeIsFlat) {
     LoneCircle circle(kRadius);
-    const Relief relief(circle.layers, {});
+    const Relief relief(circle.layers, {}, {});
     EXPECT_EQ(relief.unit(0), 0.0);
     EXPECT_EQ(relief.height(0), 0.0);
     EXPECT_EQ(relief.slope(0), Vec2(0.0, 0.0));
 }
 
+// The wall of a maze of one lone bubble is its circle. At the distance d from the wall, a ridge of
+// width w has the height (1 - (d / w)²)² w / 2.
+TEST(Relief, OfWallsRisesFromTheWalls) {
+    LoneCircle circle(kRadius);
+    constexpr double kWidth = 6.0;
+    const ReliefOptions options{.profile = ReliefProfile::Ridge,
+                                .films = ReliefFilms::Walls,
+                                .width = kWidth / (2.0 * kRadius)};
+    const Relief relief(circle.layers, options, {});
+    for (int x = 0; x < test::kCircleImage; ++x) {
+        const auto index = static_cast<std::size_t>(32 * test::kCircleImage + x);
+        const Vec2 point = test::from_middle(x, 32);
+        const double from_wall = point.norm() - kRadius;
+        const double t = std::min(std::abs(from_wall) / kWidth, 1.0);
+        EXPECT_NEAR(relief.height(index), 0.5 * kWidth * std::pow(1.0 - t * t, 2), 1e-5) << x;
+        const double slope = -2.0 * t * (1.0 - t * t) * std::copysign(1.0, from_wall);
+        EXPECT_NEAR(relief.slope(index).dot(point.normalized()), slope, 1e-5) << x;
+    }
+}
+
+// Films that are open leave the ground flat.
+TEST(Relief, OfWallsIsFlatAtOpenFilms) {
+    const Frame frame = foam::test::fitted_frame(foam::test::polydisperse_foam(40, 1), 256, 256);
+    const FoamRecord record;
+    const RasterGrid grid{256, 256};
+    FrameLayers layers({frame, record}, grid, 1);
+    const MazeOptions maze;
+    const Relief relief(layers,
+                        {.profile = ReliefProfile::Ridge,
+                         .films = ReliefFilms::Walls,
+                         .width = 0.05,
+                         .mean_bubble = MeanBubble::Seed},
+                        maze);
+    const Maze graph = find_maze(frame, maze_rule(maze));
+    const double scale = pixels_per_unit(grid, frame.domain);
+    int walls = 0;
+    int open = 0;
+    for (const FilmId film : frame.network.films()) {
+        const FilmArc arc = frame.arc(forward_side(film));
+        const Vec2 middle =
+            scale * (frame.positions[frame.network.tail(forward_side(film))] + point_at(arc, 0.5));
+        const auto wrapped = [](double at) {
+            return static_cast<std::size_t>(static_cast<int>(std::floor(at)) & 255);
+        };
+        const std::size_t index = 256 * wrapped(middle.y()) + wrapped(middle.x());
+        if (graph.is_open[film] == 0) {
+            EXPECT_GT(relief.height(index), 0.8 * 0.5 * 0.05 * relief.diameter());
+            ++walls;
+        } else if (scale * arc.chord.norm() > 12.0) {
+            EXPECT_EQ(relief.height(index), 0.0);
+            ++open;
+        }
+    }
+    EXPECT_GT(walls, 40);
+    EXPECT_GT(open, 20);
+}
+
 TEST(Relief, StrengthIsAFactor) {
     LoneCircle circle(kRadius);
-    const Relief once(circle.layers, {});
-    const Relief thrice(circle.layers, {.strength = 3.0});
+    const Relief once(circle.layers, {}, {});
+    const Relief thrice(circle.layers, {.strength = 3.0}, {});
     const std::size_t middle = 32 * test::kCircleImage + 40;
     EXPECT_DOUBLE_EQ(thrice.height(middle), 3.0 * once.height(middle));
 }

@@ -64,6 +64,17 @@ TEST(Csv, SidesGolden) {
               "3,2.5,6,2,1,2,0,1,1e-10,0,0\n");
 }
 
+TEST(Csv, MazesGolden) {
+    EXPECT_EQ(maze_csv(synthetic_run()), "");
+    RunRecord run = synthetic_run();
+    run.frames[0].maze = {3, 2, 1};
+    run.frames[1].maze = {2, 0, 0};
+    EXPECT_EQ(maze_csv(run),
+              "frame,time,bubbles,solution,dead_ends,branches\n"
+              "1,0,4,3,2,1\n"
+              "3,2.5,2,2,0,0\n");
+}
+
 TEST(Csv, DoesNotDependOnTheLocale) {
     const CommaLocale locale;
     EXPECT_EQ(frames_csv(synthetic_run()), kFrames);

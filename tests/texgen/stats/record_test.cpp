@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <numbers>
+#include <optional>
 
 namespace foam::texgen {
 namespace {
@@ -46,6 +48,24 @@ TEST(Record, GrowthIsSinceTheRecordBefore) {
     ASSERT_EQ(second.growth.size(), 1U);
     EXPECT_EQ(second.growth[0].bubbles, 16);
     EXPECT_NEAR(second.growth[0].mean_rate, 0.05, 1e-15);
+}
+
+// In a tree the numbers of open films of all bubbles add up to twice the number of bubbles less 2.
+// So there are at least as many dead ends as branches, plus 2.
+TEST(Record, MazesAreMeasuredOnlyIfTheyAreDrawn) {
+    const auto frame = std::make_shared<const Frame>(snapshot(honeycomb(4, 4), 1));
+    Preset preset;
+    Recorder without(preset);
+    without.record(frame, {});
+    EXPECT_FALSE(without.run().frames[0].maze.has_value());
+    preset.image.maps = {"maze"};
+    Recorder with(preset);
+    with.record(frame, {});
+    const std::optional<MazeStatistics> maze = with.run().frames[0].maze;
+    ASSERT_TRUE(maze.has_value());
+    EXPECT_GE(maze->dead_ends, maze->branches + 2);
+    EXPECT_GE(maze->solution, 3);
+    EXPECT_LE(maze->solution, 16);
 }
 
 }  // namespace

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/keys/key.h"
+#include "texgen/maps/map.h"
+#include "texgen/maps/pressure.h"
+
+#include <cstdint>
+#include <string>
+
+namespace foam::texgen {
+
+inline constexpr MapTraits kContourMap = {
+    .name = "contour",
+    .meaning = "line art: only the films between different levels of pressure",
+    .unit = "light",
+    .channels = "R G B",
+    .png_filter = PngFilter::Up};
+
+struct ContourOptions {
+    std::int64_t levels = 2;  // equal parts of the scale of tones
+    double width = 0.2;       // full width of lines, in diameters of a seeded mean bubble
+    std::string line_color = "#16262f";  // colors are sRGB
+    std::string ground_color = "#f4efe2";
+};
+
+Keys<ContourOptions> contour_keys();
+
+/// Draws the films whose bubbles have tones (pressure_tones) on different levels, as lines with
+/// round ends. The scale of tones is divided into options.levels equal levels; tones beyond its
+/// ends belong to the first and the last level. The outer films of a patch and lone bubbles are
+/// drawn, too. The surroundings of a patch are transparent. Throws as draw_pressure does.
+ColorPixels draw_contour(FrameLayers& layers,
+                         const ContourOptions& options,
+                         const PressureOptions& pressure);
+
+}  // namespace foam::texgen

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/maps/film_strokes.h"
+
+#include "core/foam/measure.h"
+#include "texgen/image/bleed.h"
+#include "texgen/maps/albedo_options.h"
+#include "texgen/maps/cell_fill.h"
+#include "texgen/raster/arcs/film_arcs.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+namespace foam::texgen {
+
+std::vector<PlacedArc> chosen_films(const FrameLayers& layers,
+                                    const std::function<bool(FilmId)>& is_chosen) {
+    const Frame& frame = layers.frame();
+    const double scale = pixels_per_unit(layers.grid(), frame.domain);
+    const std::vector<PixelArc> arcs = film_arcs(frame, scale, layers.threads());
+    std::vector<PlacedArc> chosen;
+    for (const FilmId film : frame.network.films()) {
+        if (is_chosen(film)) {
+            const JunctionId tail = frame.network.tail(forward_side(film));
+            chosen.push_back({frame.positions[tail], arcs[index_of(film)]});
+        }
+    }
+    for (const LoneBubble& bubble : frame.lone_bubbles) {
+        const double radius = lone_radius(bubble);
+        for (const double side : {-1.0, 1.0}) {
+            const Vec2 tail = bubble.center + Vec2(side * radius, 0.0);
+            const Vec2 chord(-2.0 * side * radius * scale, 0.0);
+            chosen.push_back({tail, {chord, 0.0, 1.0}});
+        }
+    }
+    return chosen;
+}
+
+PaintLayer stroke_layer(const FrameLayers& layers,
+                        std::span<const PlacedArc> arcs,
+                        double width,
+                        const std::string& color) {
+    const RasterGrid& grid = layers.grid();
+    const Domain& domain = layers.frame().domain;
+    const double pixels = diameters_in_pixels(width, grid, domain);
+    return {to_linear(parse_color(color)),
+            stroke_coverage(arcs, grid, domain, pixels, layers.threads())};
+}
+
+ColorPixels paint_layers(FrameLayers& layers,
+                         const std::string& ground,
+                         std::span<const PaintLayer> over) {
+    const LinearRgb ground_color = to_linear(parse_color(ground));
+    const RasterGrid& grid = layers.grid();
+    const Image<float> foam =
+        layers.is_patch() ? fill_coverage(layers, Part::Foam, 0.0) : Image<float>();
+    const std::size_t channels = layers.is_patch() ? 4 : 3;
+    Image<std::uint16_t> image(grid.width, grid.height, static_cast<int>(channels));
+    const std::size_t pixels = image.samples().size() / channels;
+    for (std::size_t k = 0; k < pixels; ++k) {
+        LinearRgb color = ground_color;
+        double opacity = layers.is_patch() ? static_cast<double>(foam.samples()[k]) : 1.0;
+        for (const PaintLayer& layer : over) {
+            const auto part = static_cast<double>(layer.coverage.samples()[k]);
+            // Where the ground is missing, the layer alone is seen.
+            opacity = std::max(opacity, part);
+            color = mixed(color, layer.color, opacity > 0.0 ? part / opacity : 0.0);
+        }
+        write_pixel(color, opacity, image.samples().subspan(channels * k, channels));
+    }
+    if (layers.is_patch()) {
+        bleed_colors(
+            image.view(),
+            {to_sample(ground_color.r), to_sample(ground_color.g), to_sample(ground_color.b)});
+    }
+    return {std::move(image)};
+}
+
+}  // namespace foam::texgen

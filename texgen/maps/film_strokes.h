@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/image/color.h"
+#include "texgen/maps/arc_distance.h"
+#include "texgen/maps/frame_layers.h"
+#include "texgen/maps/map_image.h"
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace foam::texgen {
+
+/// Returns the arcs of the films for which is_chosen(film) is true, and the circles of all lone
+/// bubbles as two arcs each. Throws std::invalid_argument if pixels_per_unit throws it.
+std::vector<PlacedArc> chosen_films(const FrameLayers& layers,
+                                    const std::function<bool(FilmId)>& is_chosen);
+
+/// A layer of one color.
+struct PaintLayer {
+    LinearRgb color;
+    Image<float> coverage;  // the fraction of every pixel that the layer covers, in one channel
+};
+
+/// Returns a layer of strokes with round ends along arcs (stroke_coverage). `width` is their full
+/// width in diameters of a mean bubble of the seeded foam, and `color` is an sRGB color.
+PaintLayer stroke_layer(const FrameLayers& layers,
+                        std::span<const PlacedArc> arcs,
+                        double width,
+                        const std::string& color);
+
+/// Returns an image of layers over a ground of one sRGB color; a later layer covers the earlier
+/// ones. Around a patch pixels are transparent where no layer covers them.
+ColorPixels paint_layers(FrameLayers& layers,
+                         const std::string& ground,
+                         std::span<const PaintLayer> over);
+
+}  // namespace foam::texgen
