@@ -15,6 +15,8 @@ enum class ExitCode : int {
     BadInput = 4,         // an input file is unreadable or malformed
     OutputFailed = 5,     // an output could not be written
     CheckFailed = 6,      // verify: a check failed
+    Interrupted = 130,    // 128 + SIGINT
+    Terminated = 143,     // 128 + SIGTERM
 };
 
 }  // namespace foam::texgen

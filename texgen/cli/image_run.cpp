@@ -4,6 +4,7 @@
 
 #include "texgen/bake/file_pattern.h"
 #include "texgen/bake/frame_range.h"
+#include "texgen/cli/interruption.h"
 #include "texgen/cli/json_report.h"
 #include "texgen/cli/options.h"
 #include "texgen/cli/report.h"
@@ -25,7 +26,7 @@ namespace {
 
 /// Prints one line per map, or one line if all maps share a file. For a single frame, the line is
 /// the name of the file. Otherwise it is the file name pattern of the map and the frame range, a
-/// notation that image viewers accept.
+/// notation of programs for movie production.
 void print_images(const Preset& preset,
                   const FilePattern& pattern,
                   const std::vector<int>& frames) {
@@ -107,12 +108,19 @@ ExitCode run_images(const Preset& preset,
                     Verbosity verbosity) {
     const FilePattern pattern(preset.output.pattern);
     Recorder recorder(preset);
-    const BakeSummary summary =
-        bake_recorded(preset,
-                      options,
-                      {.on_progress = progress_reporter(verbosity),
-                       .on_frame = arguments.stats ? recorder.visitor() : FrameVisitor()},
-                      arguments.resume ? Resume::Yes : Resume::No);
+    const BakeSummary summary = [&] {
+        try {
+            return bake_recorded(
+                preset,
+                options,
+                {.on_progress = progress_reporter(verbosity),
+                 .on_frame = arguments.stats ? recorder.visitor() : FrameVisitor()},
+                arguments.resume ? Resume::Yes : Resume::No);
+        } catch (const Interrupted&) {
+            fmt::print(stderr, "foamtex: the same command with --resume goes on\n");
+            throw;
+        }
+    }();
     StatisticsFiles statistics;
     if (arguments.stats) {
         statistics = write_statistics(recorder.run(), statistics_folder(preset, pattern));

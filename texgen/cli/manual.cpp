@@ -67,9 +67,14 @@ std::string command_section(const CommandGrammar& command, const std::string& pa
 
 }  // namespace
 
-std::string manual_page(const CommandGrammar& program, std::string_view version) {
-    std::string page = fmt::format(
-        ".TH {} 1 \"\" \"{} {}\" \"User Commands\"\n", upper(program.name), program.name, version);
+std::string manual_page(const CommandGrammar& program,
+                        std::string_view version,
+                        std::string_view date) {
+    std::string page = fmt::format(".TH {} 1 \"{}\" \"{} {}\" \"User Commands\"\n",
+                                   upper(program.name),
+                                   date,
+                                   program.name,
+                                   version);
     page += fmt::format(".SH NAME\n{} \\- {}\n", escaped(program.name), escaped(program.meaning));
     page += fmt::format(".SH SYNOPSIS\n\\fB{}\\fR \\fICOMMAND\\fR [\\fIOPTIONS\\fR]\n.SH OPTIONS\n",
                         program.name);

@@ -22,7 +22,7 @@ void add_manual_command(CLI::App& app, Action& action) {
     command->footer(kManualExamples);
     command->callback([&action, &app] {
         action = [&app] {
-            fmt::print("{}", manual_page(grammar_of(app), FOAMTEX_VERSION));
+            fmt::print("{}", manual_page(grammar_of(app), FOAMTEX_VERSION, FOAMTEX_DATE));
             return ExitCode::Success;
         };
     });

@@ -5,6 +5,7 @@
 #include "core/io/format_error.h"
 #include "core/parallel/simd_level.h"
 #include "texgen/cli/command.h"
+#include "texgen/cli/interruption.h"
 #include "texgen/image/file_io.h"
 #include "texgen/keys/nearest.h"
 #include "texgen/preset/assignment.h"
@@ -13,6 +14,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <stdexcept>
@@ -33,8 +35,8 @@ constexpr const char* kFooter = R"(Examples:
   foamtex bake my.toml --frames 1-120
 
 Exit codes: 0 success, 1 unexpected internal failure, 2 bad command line or preset,
-  3 the foam did not reach equilibrium, or its loop does not close, 4 an input file
-  is unreadable or malformed, 5 an output could not be written, 6 a check of verify failed)";
+  3 the foam did not reach equilibrium, or its loop does not close, 4 bad input file,
+  5 an output could not be written, 6 a check of verify failed, 130 interrupted, 143 terminated)";
 
 /// Prints a message on stderr as one line, in which newlines are replaced by spaces. Returns the
 /// given exit code.
@@ -114,6 +116,9 @@ ExitCode parse_and_run(int argc, char** argv) {
 ExitCode run_program(int argc, char** argv) {
     try {
         return flushed(parse_and_run(argc, argv));
+    } catch (const Interrupted& error) {
+        return report(error.what(),
+                      error.signal() == SIGINT ? ExitCode::Interrupted : ExitCode::Terminated);
     } catch (const PresetError& error) {
         return report(error.what(), ExitCode::BadRequest);
     } catch (const std::invalid_argument& error) {

@@ -2,6 +2,8 @@
 
 #include "texgen/cli/progress.h"
 
+#include "texgen/cli/interruption.h"
+
 #include <fmt/core.h>
 #include <unistd.h>
 
@@ -65,13 +67,18 @@ std::string progress_line(const RunProgress& progress) {
 }
 
 ProgressCallback progress_reporter(Verbosity verbosity) {
-    if (verbosity == Verbosity::Verbose) {
-        return [](const RunProgress& p) { fmt::print(stderr, "{}\n", progress_line(p)); };
-    }
-    if (verbosity == Verbosity::Normal && isatty(STDERR_FILENO) != 0) {
-        return [color = wants_color()](const RunProgress& p) { draw_bar(p, color); };
-    }
-    return [](const RunProgress&) {};
+    const bool has_bar = verbosity == Verbosity::Normal && isatty(STDERR_FILENO) != 0;
+    handle_stop_signals();
+    return [=, color = wants_color()](const RunProgress& progress) {
+        if (verbosity == Verbosity::Verbose) {
+            fmt::print(stderr, "{}\n", progress_line(progress));
+        } else if (has_bar) {
+            draw_bar(progress, color);
+        }
+        if (progress.done < progress.total) {
+            throw_if_interrupted();
+        }
+    };
 }
 
 }  // namespace foam::texgen

@@ -24,7 +24,9 @@ std::string progress_bar(const RunProgress& progress);
 std::string progress_line(const RunProgress& progress);
 
 /// Returns a callback that reports progress on stderr. The bar is drawn only if stderr is a
-/// terminal. It is in color only if the environment variable NO_COLOR is unset or empty.
+/// terminal. It is in color only if the environment variable NO_COLOR is unset or empty. Calls
+/// handle_stop_signals; after SIGINT or SIGTERM the callback throws Interrupted, unless all frames
+/// are done.
 ProgressCallback progress_reporter(Verbosity verbosity);
 
 }  // namespace foam::texgen

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/cli/interruption.h"
+
+#include <unistd.h>
+
+#include <atomic>
+#include <csignal>
+#include <string_view>
+
+namespace foam::texgen {
+
+namespace {
+
+// The signal that arrived first, or 0.
+std::atomic<int> stop_signal{0};
+static_assert(std::atomic<int>::is_always_lock_free, "signal handlers may use it");
+
+// Calls only functions that a signal handler may call.
+void take_signal(int signal) {
+    constexpr std::string_view kNote =
+        "\nfoamtex: stopping after the current frame; a second signal stops at once\n";
+    stop_signal = signal;
+    [[maybe_unused]] const auto written = write(STDERR_FILENO, kNote.data(), kNote.size());
+}
+
+}  // namespace
+
+Interrupted::Interrupted(int signal)
+    : std::runtime_error(signal == SIGINT ? "interrupted" : "terminated"), signal_(signal) {}
+
+void handle_stop_signals() {
+    stop_signal = 0;
+    for (const int signal : {SIGINT, SIGTERM}) {
+        struct sigaction action {};
+        action.sa_handler = take_signal;
+        action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
+        sigaction(signal, &action, nullptr);
+    }
+}
+
+void throw_if_interrupted() {
+    if (const int signal = stop_signal; signal != 0) {
+        throw Interrupted(signal);
+    }
+}
+
+}  // namespace foam::texgen
