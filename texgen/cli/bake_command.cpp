@@ -34,6 +34,7 @@ ExitCode run_bake(const BakeArguments& arguments) {
         run_images(preset, options, arguments.images, verbosity_of(arguments.run));
     if (code == ExitCode::Success && !arguments.run.quiet && !arguments.images.json) {
         note_open_loop(preset, options.frames);
+        note_late_events(preset, options.frames);
     }
     return code;
 }

@@ -3,12 +3,17 @@
 #include "texgen/cli/report.h"
 
 #include "texgen/bake/frame_range.h"
+#include "texgen/preset/event_frames.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace foam::texgen {
 
@@ -51,6 +56,24 @@ void note_open_loop(const Preset& preset, std::span<const int> frames) {
                    format_frame_range(frames),
                    preset.name,
                    count);
+    }
+}
+
+void note_late_events(const Preset& preset, std::span<const int> frames) {
+    const int last = std::max(preset.frames.count, *std::max_element(frames.begin(), frames.end()));
+    std::vector<std::string> late;
+    for (std::size_t k = 0; k < preset.events.size(); ++k) {
+        const std::optional<FrameSpan> span = frames_of(preset.events[k], preset.frames);
+        if (span && span->first > last) {
+            late.push_back(fmt::format("event[{}] at frame {}", k + 1, span->first));
+        }
+    }
+    if (!late.empty()) {
+        fmt::print(stderr,
+                   "foamtex: note: events of '{}' begin after the last frame, {}: {}\n",
+                   preset.name,
+                   last,
+                   fmt::join(late, ", "));
     }
 }
 

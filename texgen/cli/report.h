@@ -27,6 +27,10 @@ void note_other_version(const CacheInfo& cache, const std::filesystem::path& fol
 /// (closes_loop).
 void note_open_loop(const Preset& preset, std::span<const int> frames);
 
+/// Prints a note on stderr if events of the preset begin after its last frame and after the last of
+/// the given frames, so that they never happen. Precondition: there is a frame.
+void note_late_events(const Preset& preset, std::span<const int> frames);
+
 /// Prints on stderr why a run failed, and returns the exit code for this failure. Precondition: the
 /// run failed.
 ExitCode report_failure(const RunOutcome& outcome);

@@ -4,7 +4,10 @@
 
 #include "core/foam/locate.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <utility>
@@ -113,6 +116,17 @@ void check_choice(const EventCheck& check, bool may_choose_all) {
     check.require(may_choose_all || given_count == 1,
                   "kind",
                   "the event must have one of the keys bubble, at and sides, which choose bubbles");
+    for (const BubbleIdentity bubble : event.bubbles) {
+        check.require(
+            static_cast<std::int64_t>(bubble) < check.setting.identities,
+            "bubble",
+            check.qualified_reason(
+                "bubble",
+                ": ",
+                fmt::format("must be below {}, the number of bubbles; there is no bubble {}",
+                            check.setting.identities,
+                            bubble)));
+    }
     check.require(!check.is_given("count") || !event.sides.empty(),
                   "count",
                   "only allowed together with sides");

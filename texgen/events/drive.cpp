@@ -10,25 +10,27 @@ namespace foam::texgen {
 Keys<DriveOptions> drive_keys() {
     using Options = DriveOptions;
     constexpr Choices<Phases> kPhases = {{{{"same", Phases::Same}, {"random", Phases::Random}}}};
-    return {key("scale",
-                Reals{0.01, 100.0},
-                "factor on the target area, reached linearly at the last frame",
-                &Options::scale),
-            key("amplitude",
-                Reals{0.0, 0.9},
-                "amplitude of the oscillation, as a fraction of the target area",
-                &Options::amplitude)
-                .in("fraction of the target area"),
-            key("period", Reals{1.0, 1e5}, "frames per oscillation", &Options::period).in("frames"),
-            key("phase",
-                Reals{-1.0, 1.0},
-                "phase of the oscillation at its start, in cycles",
-                &Options::phase)
-                .in("cycles"),
-            key("phases",
-                kPhases,
-                "all bubbles oscillate in phase, or each with a random phase",
-                &Options::phases)};
+    return {
+        key("scale",
+            Reals{0.01, 100.0},
+            "factor by which the target area changes, linearly from the first to the last frame of "
+            "the event",
+            &Options::scale),
+        key("amplitude",
+            Reals{0.0, 0.9},
+            "amplitude of the oscillation, as a fraction of the target area",
+            &Options::amplitude)
+            .in("fraction of the target area"),
+        key("period", Reals{1.0, 1e5}, "frames per oscillation", &Options::period).in("frames"),
+        key("phase",
+            Reals{-1.0, 1.0},
+            "phase of the oscillation at its start, in cycles",
+            &Options::phase)
+            .in("cycles"),
+        key("phases",
+            kPhases,
+            "all bubbles oscillate in phase, or each with a random phase",
+            &Options::phases)};
 }
 
 void check_drive(const EventCheck& check, const DriveOptions& /*options*/) {

@@ -158,7 +158,7 @@ Keys<EventBase> choice_keys(const std::vector<EventTraits>& kinds) {
                  &Traits::takes_bubbles,
                  key("bubble",
                      IntegerLists{{0, kLargestIdentity}},
-                     "identities of the bubbles; a seeded foam has 0 to bubbles - 1",
+                     "identities of the bubbles; N seeded bubbles have the identities 0 to N - 1",
                      &EventBase::bubbles)),
         taken_by(kinds,
                  &Traits::takes_position,
@@ -175,7 +175,8 @@ Keys<EventBase> choice_keys(const std::vector<EventTraits>& kinds) {
                  key("sides",
                      IntegerLists{{2, 100}},
                      "numbers of sides: chooses the smallest bubbles with these numbers of "
-                     "sides when the event begins; several numbers take turns",
+                     "sides, one bubble for each number in turn; a collapse in turn chooses each "
+                     "bubble when its turn begins, all other events when they begin",
                      &EventBase::sides)
                      .in("sides")),
         taken_by(kinds,

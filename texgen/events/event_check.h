@@ -4,7 +4,9 @@
 
 #include "texgen/events/event_base.h"
 
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <string>
 #include <string_view>
 
@@ -15,6 +17,9 @@ struct EventSetting {
     bool is_patch = false;
     double t2_area = 0.0;       // square foam units
     double shorter_side = 0.0;  // shorter side of a torus, foam units
+    // An upper bound of the number of identities: of seeded bubbles, and of bubbles that events
+    // create. All identities are below it.
+    std::int64_t identities = std::numeric_limits<std::int64_t>::max();
 };
 
 /// The arguments of the check of one event of a preset. The check covers conditions that involve

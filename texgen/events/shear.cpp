@@ -9,8 +9,9 @@ namespace foam::texgen {
 Keys<ShearOptions> shear_keys() {
     return {key("strain",
                 Reals{-100.0, 100.0},
-                "shear strain, shift along x / height, applied evenly over the frames; images of a "
-                "sheared foam tile in rows with the same shift",
+                "shear strain: how far the upper border moves to the right, divided by the height; "
+                "applied evenly over the frames. Images of a sheared foam tile if each row of "
+                "images is moved to the right of the row below by the same distance",
                 &ShearOptions::strain)};
 }
 

@@ -11,6 +11,24 @@ namespace foam::texgen {
 
 namespace {
 
+// Returns the key colormap. Of colormap and colors, the one that is set last is used, so that
+// setting a color map removes the colors of a preset.
+Key<AlbedoOptions> colormap_key() {
+    Key<AlbedoOptions> colormap = key("colormap",
+                                      Words{colormap_names()},
+                                      "color map of the bubbles; replaces albedo.colors that were "
+                                      "set before",
+                                      &AlbedoOptions::colormap);
+    colormap.read = [read = colormap.read](const Value& value, AlbedoOptions& options) {
+        if (!read(value, options)) {
+            return false;
+        }
+        options.colors.clear();
+        return true;
+    };
+    return colormap;
+}
+
 Keys<AlbedoOptions> bubble_keys() {
     using Options = AlbedoOptions;
     constexpr Choices<ColorBy, 4> kColorBys = {{{{"pressure", ColorBy::Pressure},
@@ -25,13 +43,10 @@ Keys<AlbedoOptions> bubble_keys() {
             "what determines the color of a bubble: its pressure, its area (the mean area has the "
             "middle color), its number of sides (3 to 9), or a random value that it keeps",
             &Options::color_by),
-        key("colormap",
-            Words{colormap_names()},
-            "color map of the bubbles; not used if albedo.colors is set",
-            &Options::colormap),
+        colormap_key(),
         key("colors",
             ColorLists{},
-            "custom colors that replace the colormap, from first to last",
+            "custom colors from first to last; replace an albedo.colormap that was set before",
             &Options::colors),
         key("color_mix",
             kColorMixes,

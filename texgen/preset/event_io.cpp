@@ -126,10 +126,15 @@ void check_frames(const EventCheck& check) {
 // the aspect ratio of the image.
 EventSetting setting_of(const Preset& preset) {
     const auto [shorter, longer] = std::minmax(preset.image.width, preset.image.height);
-    return {.is_patch = preset.shape.kind == FoamKind::Patch,
-            .t2_area = preset.thresholds.t2_area,
-            .shorter_side =
-                std::sqrt(preset.seeding.bubbles * (static_cast<double>(shorter) / longer))};
+    std::int64_t identities = preset.seeding.bubbles;
+    for (const Event& event : preset.events) {
+        identities += event.kind == "nucleate" ? event.count : 0;
+    }
+    return {
+        .is_patch = preset.shape.kind == FoamKind::Patch,
+        .t2_area = preset.thresholds.t2_area,
+        .shorter_side = std::sqrt(preset.seeding.bubbles * (static_cast<double>(shorter) / longer)),
+        .identities = identities};
 }
 
 EventCheck check_of(const Preset& preset,

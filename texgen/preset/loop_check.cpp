@@ -52,7 +52,8 @@ void check_frames(const Preset& preset, std::span<const Assignment> assignments)
     if (is_pingpong && (preset.frames.count < 2 || preset.frames.count % 2 != 0)) {
         reject_last(assignments,
                     {"frames.count", "loop.kind"},
-                    "the loop \"pingpong\" needs an even frames.count: both ends are shown once");
+                    "the loop \"pingpong\" needs an even frames.count: it shows the first and the "
+                    "last state once and every other state twice");
     }
     if (!is_pingpong && preset.frames.first == FirstFrame::Diagram) {
         reject_last(
@@ -76,8 +77,8 @@ void check_flow(const Preset& preset, std::span<const Assignment> assignments) {
     if (preset.frames.time_step == 0.0) {
         reject_last(assignments,
                     {"frames.time_step", "loop.kind"},
-                    "the loop \"flow\" needs frames.time_step above 0: bubbles vanish because gas "
-                    "diffuses");
+                    "the loop \"flow\" needs frames.time_step above 0: if no time passes, no gas "
+                    "diffuses and no bubble vanishes");
     }
     if (preset.frames.step_growth != 1.0) {
         reject_last(assignments,
@@ -97,10 +98,10 @@ void check_loop(const Preset& preset, std::span<const Assignment> assignments) {
     check_frames(preset, assignments);
     check_flow(preset, assignments);
     if (preset.loop.kind == LoopKind::Shear && preset.loop.amplitude > kLargestShearAmplitude) {
-        reject_last(
-            assignments,
-            {"loop.amplitude", "loop.kind"},
-            fmt::format("must be at most {} with loop.kind = \"shear\"", kLargestShearAmplitude));
+        reject_last(assignments,
+                    {"loop.amplitude", "loop.kind"},
+                    fmt::format("loop.amplitude must be at most {} with loop.kind = \"shear\"",
+                                kLargestShearAmplitude));
     }
 }
 

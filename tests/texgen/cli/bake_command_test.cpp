@@ -68,6 +68,23 @@ TEST(BakeCommand, NotesFramesThatDoNotLoop) {
     EXPECT_EQ(run_program("bake sea_foam --set loop.kind=none --frames 1-3" + small).err, "");
 }
 
+TEST(BakeCommand, NotesEventsThatNeverHappen) {
+    const std::string toml =
+        "[[event]]\nkind = 'collapse'\nframe = 2\nbubble = 3\n"
+        "[[event]]\nkind = 'collapse'\nframe = 9\nbubble = 5\n";
+    const auto baked = [&](const std::string& options) {
+        return run_program("--version > /dev/null && printf \"" + toml + "\" > e.toml && '" +
+                           foam::test::executable().string() +
+                           "' bake e.toml --set foam.bubbles=16 --size 8 --out a.####.png " +
+                           options);
+    };
+    const Outcome late = baked("--set frames.count=4");
+    EXPECT_EQ(late.code, 0);
+    EXPECT_EQ(late.err,
+              "foamtex: note: events of 'e' begin after the last frame, 4: event[2] at frame 9\n");
+    EXPECT_EQ(baked("--set frames.count=9 --frames 1").err, "");
+}
+
 TEST(BakeCommand, ABakeWritesItsStatisticsBesideTheImages) {
     const Outcome outcome = run_program(
         "bake sea_foam --set foam.bubbles=16 --frames 1-2 --size 8 --out a/####.png --stats");

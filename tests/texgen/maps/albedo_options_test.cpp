@@ -6,6 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <string_view>
+#include <vector>
+
 namespace foam::texgen {
 namespace {
 
@@ -24,6 +28,24 @@ TEST(AlbedoOptions, ChoicesHaveTheirWords) {
     test::expect_words(albedo_keys(), "film_profile", {"even", "wet"});
     test::expect_words(albedo_keys(), "film_unit", {"px", "diameter"});
     test::expect_words(albedo_keys(), "pressure_unit", {"seed", "current"});
+}
+
+TEST(AlbedoOptions, AColorMapReplacesColorsThatWereSetBefore) {
+    const auto set = [](AlbedoOptions& options, std::string_view path, const Value& value) {
+        for (const Key<AlbedoOptions>& key : albedo_keys()) {
+            if (key.path == path) {
+                EXPECT_TRUE(key.read(value, options)) << path;
+            }
+        }
+    };
+    const Value colors{Value::List{Value{std::string("#112233")}}};
+    AlbedoOptions options;
+    set(options, "colors", colors);
+    set(options, "colormap", Value{std::string("magma")});
+    EXPECT_TRUE(options.colors.empty());
+    EXPECT_EQ(options.colormap, "magma");
+    set(options, "colors", colors);
+    EXPECT_EQ(options.colors, std::vector<std::string>{"#112233"});
 }
 
 }  // namespace

@@ -61,6 +61,17 @@ TEST(EventIo, ALoneBubbleNeedsNoList) {
     EXPECT_EQ(read[0].bubbles, (std::vector<BubbleIdentity>{7}));
 }
 
+TEST(EventIo, RejectsBubblesThatCannotExist) {
+    const std::string collapse = "[[event]]\nkind = \"collapse\"\nframe = 9\nbubble = [3, 80]\n";
+    EXPECT_EQ(failure("[foam]\nbubbles = 80\n" + collapse),
+              "a.toml:6: key 'event[1].bubble' = [3, 80]: must be below 80, the number of bubbles; "
+              "there is no bubble 80");
+    // Bubbles that an event creates have the next identities.
+    const std::string nucleate =
+        "[[event]]\nkind = \"nucleate\"\nframe = 2\nat = [0.5, 0.5]\narea = 0.1\n";
+    EXPECT_EQ(events("[foam]\nbubbles = 80\n" + collapse + nucleate).size(), 2U);
+}
+
 TEST(EventIo, ErrorNamesLocationKeyValueAndLimits) {
     EXPECT_EQ(failure("[[event]]\nkind = \"explode\"\n"),
               "a.toml:2: key 'event[1].kind' = \"explode\": must be " + allowed_kinds());

@@ -35,12 +35,13 @@ TEST(LoopCheck, RejectsLoopsThatCannotClose) {
     EXPECT_EQ(failure("[loop]\ndrift = [0, 1]\n"),
               "test.toml:2: key 'loop.drift' = [0, 1]: loop.drift is only allowed with loop.kind = "
               "\"drift\", \"breathe\", \"shear\" or \"flow\"");
-    EXPECT_EQ(failure("[frames]\ncount = 25\n[loop]\nkind = 'pingpong'\n"),
-              "test.toml:4: key 'loop.kind' = \"pingpong\": the loop \"pingpong\" needs an even "
-              "frames.count: both ends are shown once");
     EXPECT_EQ(
-        failure("[loop]\nkind = 'shear'\namplitude = 0.5\n"),
-        "test.toml:3: key 'loop.amplitude' = 0.5: must be at most 0.4 with loop.kind = \"shear\"");
+        failure("[frames]\ncount = 25\n[loop]\nkind = 'pingpong'\n"),
+        "test.toml:4: key 'loop.kind' = \"pingpong\": the loop \"pingpong\" needs an even "
+        "frames.count: it shows the first and the last state once and every other state twice");
+    EXPECT_EQ(failure("[loop]\nkind = 'shear'\namplitude = 0.5\n"),
+              "test.toml:3: key 'loop.amplitude' = 0.5: loop.amplitude must be at most 0.4 with "
+              "loop.kind = \"shear\"");
     EXPECT_EQ(failure("[foam]\ndomain = 'patch'\n[loop]\nkind = 'shear'\n"),
               "test.toml:4: key 'loop.kind' = \"shear\": the loops \"shear\" and \"drift\" need "
               "foam.domain = \"torus\"");
@@ -56,7 +57,7 @@ TEST(LoopCheck, RejectsLoopsThatCannotClose) {
               "\"torus\": a patch loses gas and has no steady state");
     EXPECT_EQ(failure("[frames]\ntime_step = 0\n[loop]\nkind = 'flow'\n"),
               "test.toml:4: key 'loop.kind' = \"flow\": the loop \"flow\" needs frames.time_step "
-              "above 0: bubbles vanish because gas diffuses");
+              "above 0: if no time passes, no gas diffuses and no bubble vanishes");
     EXPECT_EQ(failure("[loop]\nkind = 'flow'\n[frames]\nstep_growth = 1.1\n"),
               "test.toml:4: key 'frames.step_growth' = 1.1: the loop \"flow\" needs "
               "frames.step_growth = 1: its speed is constant");
