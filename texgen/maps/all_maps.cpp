@@ -57,6 +57,18 @@ DistanceNeeds distance_needs(std::span<const std::string> names, const MapOption
             })};
 }
 
+bool shows_maze(std::span<const std::string> names, const MapOptions& options) {
+    const bool has_walls = options.relief.films == ReliefFilms::Walls;
+    return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+        const bool is_maze = name == kMazeMap.name || name == kMazeSolutionMap.name;
+        const bool is_lit = name == kLitMap.name;
+        const bool is_relief = is_lit || name == kHeightMap.name || name == kNormalMap.name ||
+                               name == kOcclusionMap.name || name == kCurvatureMap.name;
+        return is_maze || (is_lit && options.lit.colors == LitColors::Maze) ||
+               (is_relief && has_walls);
+    });
+}
+
 std::string describe_maps_in_markdown() {
     std::string table =
         "| map | what it shows | unit and range | channels | PNG |\n|---|---|---|---|---|\n";

@@ -53,7 +53,7 @@ struct MapOptions {
     OcclusionOptions occlusion;
     CurvatureOptions curvature;
     ThinFilmOptions thin_film;
-    MazeOptions maze;  // used by maze and maze_solution, and by reliefs of walls
+    MazeOptions maze;  // used by maze and maze_solution, by lit, and by the relief
     ContourOptions contour;
 };
 
@@ -93,6 +93,17 @@ constexpr Map map_of(const MapTraits& traits, std::string (*note)(const MapOptio
             note};
 }
 
+/// Returns a map of the relief that is drawn by draw(layers, source, options.*member).
+template <auto draw, auto member>
+constexpr Map relief_map_of(const MapTraits& traits,
+                            std::string (*note)(const MapOptions&) = nullptr) {
+    return {traits,
+            [](FrameLayers& layers, const MapOptions& options) -> MapImage {
+                return draw(layers, {options.relief, options.maze}, options.*member);
+            },
+            note};
+}
+
 /// All maps, in the order in which the program lists them.
 inline constexpr std::array kMaps = [] {
     using M = MapOptions;
@@ -103,16 +114,16 @@ inline constexpr std::array kMaps = [] {
             [](FrameLayers& layers, const M& all) -> MapImage {
                 return draw_lit(layers,
                                 all.lit,
-                                {all.albedo, all.thin_film, all.relief, all.occlusion, all.maze});
+                                {all.albedo, all.thin_film, {all.relief, all.maze}, all.occlusion});
             }},
         map_of<draw_opacity, &M::albedo>(kOpacityMap),
         map_of<draw_film, &M::albedo>(kFilmMap),
         map_of<draw_distance, &M::distance, &M::albedo>(kDistanceMap),
-        map_of<draw_height, &M::relief, &M::maze, &M::height>(kHeightMap),
-        map_of<draw_normal, &M::relief, &M::maze, &M::normal>(
+        relief_map_of<draw_height, &M::height>(kHeightMap),
+        relief_map_of<draw_normal, &M::normal>(
             kNormalMap, [](const M& options) { return note_on_normals(options.normal); }),
-        map_of<draw_occlusion, &M::relief, &M::maze, &M::occlusion>(kOcclusionMap),
-        map_of<draw_curvature, &M::relief, &M::maze, &M::curvature>(kCurvatureMap),
+        relief_map_of<draw_occlusion, &M::occlusion>(kOcclusionMap),
+        relief_map_of<draw_curvature, &M::curvature>(kCurvatureMap),
         map_of<draw_roughness, &M::roughness, &M::albedo>(kRoughnessMap),
         map_of<draw_pressure, &M::pressure>(kPressureMap),
         map_of<draw_area, &M::area>(kAreaMap),
@@ -139,9 +150,12 @@ std::span<const std::string_view> map_names();
 /// lists all names and, if a name is similar, suggests it.
 const Map& find_map(std::string_view name);
 
-/// Returns the images of the distance field that at least one of the maps with the given names
-/// needs. Throws as find_map does.
+/// Returns which images of the distance field are needed by at least one of the maps with the given
+/// names. Throws as find_map does.
 DistanceNeeds distance_needs(std::span<const std::string> names, const MapOptions& options);
+
+/// Returns true if at least one of the maps with the given names shows a maze (MapOptions::maze).
+bool shows_maze(std::span<const std::string> names, const MapOptions& options);
 
 /// Returns the table of all maps in README.md, as Markdown.
 std::string describe_maps_in_markdown();

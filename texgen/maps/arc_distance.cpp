@@ -32,9 +32,9 @@ NearestOnArc nearest_on_circle(const PixelArc& arc, const Vec2& point) {
     return {std::abs(q) / (half_chord + root), q < 0.0 ? Vec2(-gradient) : gradient};
 }
 
-// Returns the radius of a circle around the middle of the chord that contains the whole arc. The
-// point of the arc that is farthest from the middle of the chord is an end or the middle of the
-// arc.
+// Returns a radius such that the circle around the middle of the chord with this radius contains
+// the whole arc. The point of the arc that is farthest from the middle of the chord is an end or
+// the middle of the arc.
 double radius_around_chord(const PixelArc& arc) {
     const Vec2 middle = halves(arc)[0].chord;
     return std::max(0.5 * arc.chord.norm(), (middle - 0.5 * arc.chord).norm());
@@ -48,8 +48,8 @@ struct ArcCopy {
     double extent;  // half the side of the square
 };
 
-// Returns the copies whose squares overlap the image. The squares contain all points that are at
-// most `reach` pixels from an arc.
+// Returns all copies whose squares overlap the image, and some others near it. The squares contain
+// all points that are at most `reach` pixels from an arc.
 std::vector<ArcCopy> copies_in_image(std::span<const PlacedArc> arcs,
                                      const RasterGrid& grid,
                                      const Domain& domain,
@@ -79,7 +79,7 @@ PixelRange range_near(double position, double extent, PixelRange range) {
             static_cast<int>(std::min(last + 1.0, static_cast<double>(range.end)))};
 }
 
-// Updates the distances of the pixels in some rows by the distances to one copy of an arc.
+// Replaces the distances of pixels in some rows where one copy of an arc is nearer.
 void add_arc(const ArcCopy& copy, PixelRange rows, ArcDistances& distances) {
     const PixelRange columns =
         range_near(copy.center.x(), copy.extent, {0, distances.distance.width()});

@@ -21,7 +21,7 @@ struct PlacedArc {
 struct NearestOnArc {
     double distance = 0.0;  // in pixels
     // The direction from the nearest point of the arc to the given point, as a vector of any
-    // length; the zero vector if both points agree.
+    // length. For a point on the arc, a normal of the arc; at an end, the zero vector.
     Vec2 direction{0.0, 0.0};
 };
 
@@ -36,9 +36,10 @@ struct ArcDistances {
 };
 
 /// Returns the distances to the nearest of the arcs and of their periodic copies. Distances above
-/// `reach`, in pixels, are infinite. Visits the pixels in a square around each arc, so it serves
-/// for lines of short arcs. The result does not depend on `threads` (core/parallel/parallel_for.h).
-/// Precondition: pixels_per_unit does not throw for this grid and this domain.
+/// `reach`, in pixels, are infinite. Visits the pixels in a square around each arc, so it is
+/// fast only for short arcs. The result does not depend on `threads`
+/// (core/parallel/parallel_for.h). Precondition: pixels_per_unit does not throw for this grid and
+/// this domain.
 ArcDistances distances_to_arcs(std::span<const PlacedArc> arcs,
                                const RasterGrid& grid,
                                const Domain& domain,

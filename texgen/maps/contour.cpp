@@ -17,7 +17,7 @@ Keys<ContourOptions> contour_keys() {
     return {key("levels",
                 Integers{2, 256},
                 "number of equal levels into which the tones of the map pressure are divided; "
-                "lines run between bubbles of different levels",
+                "lines run between bubbles of different levels, and around a patch",
                 &Options::levels)
                 .in("levels"),
             key("width",
@@ -38,7 +38,7 @@ ColorPixels draw_contour(FrameLayers& layers,
         return std::clamp(std::floor(tones[index_of(bubble)] * levels), 0.0, levels - 1.0);
     };
     const Network& network = layers.frame().network;
-    const std::vector<PlacedArc> lines = chosen_films(layers, [&](FilmId film) {
+    const std::vector<PlacedArc> lines = arcs_of_films(layers, [&](FilmId film) {
         const HalfEdgeId side = forward_side(film);
         return network.is_outer(film) ||
                level_of(network.left(side)) != level_of(network.right(side));

@@ -37,10 +37,10 @@ Keys<CurvatureOptions> curvature_keys() {
 }
 
 NumberPixels draw_curvature(FrameLayers& layers,
-                            const ReliefOptions& relief_options,
-                            const MazeOptions& maze,
+                            const ReliefSource& source,
                             const CurvatureOptions& options) {
-    const Relief relief(layers, relief_options, maze);
+    // The section is flat beyond its foot, so heights matter up to a radius beyond the foot.
+    const Relief relief(layers, source, Relief::kFoot + options.radius / source.relief.width);
     const double radius = options.radius * relief.diameter();
     Image<float> image(layers.grid().width, layers.grid().height, 1);
     for (std::size_t k = 0; k < image.samples().size(); ++k) {
@@ -49,7 +49,7 @@ NumberPixels draw_curvature(FrameLayers& layers,
             const double curvature =
                 curvature_at(relief.section(), relief.smooth(k), radius / unit) / unit;
             image.samples()[k] =
-                static_cast<float>(relief_options.strength * curvature * relief.diameter());
+                static_cast<float>(relief.strength() * curvature * relief.diameter());
         }
     }
     return {std::move(image), -options.full, options.full};

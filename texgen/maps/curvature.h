@@ -4,8 +4,7 @@
 
 #include "texgen/keys/key.h"
 #include "texgen/maps/map.h"
-#include "texgen/maps/maze.h"
-#include "texgen/maps/relief_options.h"
+#include "texgen/maps/relief.h"
 
 namespace foam::texgen {
 
@@ -32,8 +31,7 @@ Keys<CurvatureOptions> curvature_keys();
 /// negative in furrows, and 0 where the relief is flat or has a constant slope. The image has one
 /// channel and is 0 around a patch, apart from the outer half of ridges and wet films.
 NumberPixels draw_curvature(FrameLayers& layers,
-                            const ReliefOptions& relief,
-                            const MazeOptions& maze,
+                            const ReliefSource& source,
                             const CurvatureOptions& options);
 
 }  // namespace foam::texgen

@@ -44,8 +44,8 @@ NumberPixels draw_distance(FrameLayers& layers,
     for (std::size_t k = 0; k < image.samples().size(); ++k) {
         const double distance = static_cast<double>(field.distance.samples()[k]);
         const bool around = layers.is_surroundings(field.ids.samples()[k]);
-        // A patch whose last bubble has vanished has no film, so the distance is infinite. An EXR
-        // cannot store infinite numbers.
+        // A patch whose last bubble has vanished has no film, so the distance is infinite. The
+        // EXR writer rejects infinite numbers.
         image.samples()[k] = static_cast<float>(
             std::isfinite(distance) ? ((around ? outwards * distance : distance) - edge) / unit
                                     : low);

@@ -26,11 +26,11 @@ constexpr double kFlattest = 0.05;
 // slope of the smooth distance. The coverage grows linearly with this distance, from 0 at -1/2
 // pixel to 1 at 1/2 pixel.
 Image<float> wet_films(FrameLayers& layers, double width) {
-    const DistanceField& field = layers.distance();
     Image<float> films(layers.grid().width, layers.grid().height, 1);
     if (width == 0.0) {
         return films;
     }
+    const DistanceField& field = layers.distance();
     for (std::size_t k = 0; k < films.samples().size(); ++k) {
         const auto slope = field.smooth_gradient.samples().subspan(2 * k, 2);
         const double steepness =

@@ -15,8 +15,8 @@
 
 namespace foam::texgen {
 
-std::vector<PlacedArc> chosen_films(const FrameLayers& layers,
-                                    const std::function<bool(FilmId)>& is_chosen) {
+std::vector<PlacedArc> arcs_of_films(const FrameLayers& layers,
+                                     const std::function<bool(FilmId)>& is_chosen) {
     const Frame& frame = layers.frame();
     const double scale = pixels_per_unit(layers.grid(), frame.domain);
     const std::vector<PixelArc> arcs = film_arcs(frame, scale, layers.threads());

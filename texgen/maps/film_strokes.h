@@ -14,10 +14,10 @@
 
 namespace foam::texgen {
 
-/// Returns the arcs of the films for which is_chosen(film) is true, and the circles of all lone
-/// bubbles as two arcs each. Throws std::invalid_argument if pixels_per_unit throws it.
-std::vector<PlacedArc> chosen_films(const FrameLayers& layers,
-                                    const std::function<bool(FilmId)>& is_chosen);
+/// Returns the arcs of the films for which is_chosen(film) is true, and always the circles of lone
+/// bubbles, two arcs each. Throws std::invalid_argument if pixels_per_unit throws it.
+std::vector<PlacedArc> arcs_of_films(const FrameLayers& layers,
+                                     const std::function<bool(FilmId)>& is_chosen);
 
 /// A layer of one color.
 struct PaintLayer {

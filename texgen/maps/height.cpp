@@ -18,10 +18,9 @@ Keys<HeightOptions> height_keys() {
 }
 
 NumberPixels draw_height(FrameLayers& layers,
-                         const ReliefOptions& relief_options,
-                         const MazeOptions& maze,
+                         const ReliefSource& source,
                          const HeightOptions& options) {
-    const Relief relief(layers, relief_options, maze);
+    const Relief relief(layers, source, Relief::kFoot);
     Image<float> image(layers.grid().width, layers.grid().height, 1);
     for (std::size_t k = 0; k < image.samples().size(); ++k) {
         image.samples()[k] = static_cast<float>(relief.height(k) / relief.diameter());

@@ -4,8 +4,7 @@
 
 #include "texgen/keys/key.h"
 #include "texgen/maps/map.h"
-#include "texgen/maps/maze.h"
-#include "texgen/maps/relief_options.h"
+#include "texgen/maps/relief.h"
 
 namespace foam::texgen {
 
@@ -27,8 +26,7 @@ Keys<HeightOptions> height_keys();
 /// Draws the height of the relief in diameters of the relief's mean bubble. The image has one
 /// channel and is 0 around a patch, apart from the outer half of ridges and wet films.
 NumberPixels draw_height(FrameLayers& layers,
-                         const ReliefOptions& relief,
-                         const MazeOptions& maze,
+                         const ReliefSource& source,
                          const HeightOptions& options);
 
 }  // namespace foam::texgen

@@ -102,15 +102,19 @@ class Lighting {
 };
 
 // Returns the fraction of every pixel's color that is emitted light.
-Image<float> glow_of(FrameLayers& layers, const AlbedoOptions& albedo, double glow) {
-    Image<float> shining = film_coverage(layers, albedo);
-    const Image<float> shade = albedo.shade > 0.0 ? film_shade(layers, albedo) : shining;
+Image<float> glow_of(FrameLayers& layers, const LitOptions& lit, const LitSurface& surface) {
+    const AlbedoOptions& albedo = surface.albedo;
+    const bool is_maze = lit.colors == LitColors::Maze;
+    Image<float> shining =
+        is_maze ? maze_wall_coverage(layers, surface.relief.maze) : film_coverage(layers, albedo);
+    const Image<float> shade =
+        albedo.shade > 0.0 && !is_maze ? film_shade(layers, albedo) : shining;
     std::transform(shining.samples().begin(),
                    shining.samples().end(),
                    shade.samples().begin(),
                    shining.samples().begin(),
                    [&](float film, float beside) {
-                       return static_cast<float>(glow) * std::max(film, beside);
+                       return static_cast<float>(lit.glow) * std::max(film, beside);
                    });
     return shining;
 }
@@ -122,18 +126,18 @@ ColorPixels draw_colors(FrameLayers& layers, LitColors colors, const LitSurface&
             return draw_albedo(layers, surface.albedo);
         case LitColors::ThinFilm:
             return draw_thin_film(layers, surface.thin_film, surface.albedo);
-        default:
-            return draw_maze(layers, surface.maze);
+        case LitColors::Maze:
+            return draw_maze(layers, surface.relief.maze);
     }
+    return {};
 }
 
 // Draws the shaded colors, one sample per pixel of the layers.
 ColorPixels draw_samples(FrameLayers& layers, const LitOptions& lit, const LitSurface& surface) {
     ColorPixels colors = draw_colors(layers, lit.colors, surface);
-    const Relief relief(layers, surface.relief, surface.maze);
+    const Relief relief(layers, surface.relief, ReliefSection::kSkyReach);
     const Image<float> sky = occlusion_of(relief, layers.grid(), surface.occlusion);
-    const Image<float> glow =
-        lit.glow > 0.0 ? glow_of(layers, surface.albedo, lit.glow) : Image<float>();
+    const Image<float> glow = lit.glow > 0.0 ? glow_of(layers, lit, surface) : Image<float>();
     const Lighting lighting(lit);
     const std::span<std::uint16_t> samples = colors.pixels.samples();
     const auto channels = static_cast<std::size_t>(colors.pixels.channels());
@@ -223,7 +227,8 @@ Keys<LitOptions> lit_keys() {
             &Options::rim),
         key("glow",
             kFractions,
-            "fraction of the color of films, and of the shade beside them, that is emitted light",
+            "fraction of the color of films, of the shade beside them, and of the walls of a maze, "
+            "that is emitted light",
             &Options::glow)
             .in("fraction of the color"),
         key("samples", Integers{1, 8}, "samples per pixel in each direction", &Options::samples)
@@ -237,9 +242,7 @@ ColorPixels draw_lit(FrameLayers& layers, const LitOptions& options, const LitSu
                      finer(layers.grid(), samples),
                      layers.threads());
     const ColorPixels drawn = draw_samples(
-        fine,
-        options,
-        {fine_albedo, surface.thin_film, surface.relief, surface.occlusion, surface.maze});
+        fine, options, {fine_albedo, surface.thin_film, surface.relief, surface.occlusion});
     const int channels = drawn.pixels.channels();
     Image<std::uint16_t> image(layers.grid().width, layers.grid().height, channels);
     const Means means(drawn.pixels, samples);

@@ -5,9 +5,8 @@
 #include "texgen/keys/key.h"
 #include "texgen/maps/albedo_options.h"
 #include "texgen/maps/map.h"
-#include "texgen/maps/maze.h"
 #include "texgen/maps/occlusion.h"
-#include "texgen/maps/relief_options.h"
+#include "texgen/maps/relief.h"
 #include "texgen/maps/thin_film.h"
 
 namespace foam::texgen {
@@ -48,9 +47,8 @@ Keys<LitOptions> lit_keys();
 struct LitSurface {
     const AlbedoOptions& albedo;
     const ThinFilmOptions& thin_film;
-    const ReliefOptions& relief;
+    ReliefSource relief;
     const OcclusionOptions& occlusion;
-    const MazeOptions& maze;
 };
 
 /// Draws the colors of the foam on its relief, lit by a distant light. Flat ground keeps its color

@@ -16,7 +16,7 @@ namespace foam::texgen {
 namespace {
 
 std::vector<PlacedArc> walls_of(const FrameLayers& layers, const Maze& maze) {
-    return chosen_films(layers, [&](FilmId film) { return maze.is_open[film] == 0; });
+    return arcs_of_films(layers, [&](FilmId film) { return maze.is_open[film] == 0; });
 }
 
 PaintLayer wall_layer(const FrameLayers& layers, const MazeOptions& options, const Maze& maze) {
@@ -45,7 +45,9 @@ Keys<MazeOptions> maze_keys() {
             .in("fraction of the walls"),
         key("wall_width",
             Reals{0.0, 10.0},
-            "full width of walls, in diameters of a mean bubble of the seeded foam",
+            "full width of walls, in diameters of a mean bubble of the seeded foam; films that "
+            "walls "
+            "of this width would nearly fill are opened last",
             &Options::wall_width)
             .in("mean bubble diameters of the seeded foam"),
         key("wall_color", Colors{}, "sRGB color of walls", &Options::wall_color),
@@ -70,6 +72,11 @@ MazeRule maze_rule(const MazeOptions& options) {
 
 std::vector<PlacedArc> maze_walls(const FrameLayers& layers, const MazeOptions& options) {
     return walls_of(layers, find_maze(layers.frame(), maze_rule(options)));
+}
+
+Image<float> maze_wall_coverage(const FrameLayers& layers, const MazeOptions& options) {
+    const Maze maze = find_maze(layers.frame(), maze_rule(options));
+    return wall_layer(layers, options, maze).coverage;
 }
 
 ColorPixels draw_maze(FrameLayers& layers, const MazeOptions& options) {

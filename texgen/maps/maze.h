@@ -48,6 +48,9 @@ MazeRule maze_rule(const MazeOptions& options);
 /// std::invalid_argument if pixels_per_unit throws it.
 std::vector<PlacedArc> maze_walls(const FrameLayers& layers, const MazeOptions& options);
 
+/// Returns the fraction of every pixel that walls cover, in one channel.
+Image<float> maze_wall_coverage(const FrameLayers& layers, const MazeOptions& options);
+
 /// Draws a maze (find_maze): passages, and walls with round ends along the films that are not
 /// open. The surroundings of a patch are transparent.
 ColorPixels draw_maze(FrameLayers& layers, const MazeOptions& options);

@@ -19,10 +19,9 @@ Keys<NormalOptions> normal_keys() {
 }
 
 NumberPixels draw_normal(FrameLayers& layers,
-                         const ReliefOptions& relief_options,
-                         const MazeOptions& maze,
+                         const ReliefSource& source,
                          const NormalOptions& options) {
-    const Relief relief(layers, relief_options, maze);
+    const Relief relief(layers, source, Relief::kFoot);
     const double up = options.y == NormalY::Up ? 1.0 : -1.0;
     Image<float> image(layers.grid().width, layers.grid().height, 3);
     for (std::size_t k = 0; 3 * k < image.samples().size(); ++k) {

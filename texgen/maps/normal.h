@@ -4,8 +4,7 @@
 
 #include "texgen/keys/key.h"
 #include "texgen/maps/map.h"
-#include "texgen/maps/maze.h"
-#include "texgen/maps/relief_options.h"
+#include "texgen/maps/relief.h"
 
 #include <string>
 
@@ -36,8 +35,7 @@ Keys<NormalOptions> normal_keys();
 /// (options.y), z towards the viewer. The image has three channels with values from -1 to 1; they
 /// are (0, 0, 1) where the relief is flat.
 NumberPixels draw_normal(FrameLayers& layers,
-                         const ReliefOptions& relief,
-                         const MazeOptions& maze,
+                         const ReliefSource& source,
                          const NormalOptions& options);
 
 /// Returns "y up (OpenGL)" or "y down (DirectX)".

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <iterator>
+#include <limits>
 #include <numbers>
 #include <span>
 #include <utility>
@@ -27,6 +28,7 @@ namespace {
 // that side, or the tangent at the point if that is steeper.
 
 constexpr int kSteps = 128;  // samples per unit of a section
+constexpr double kFar = std::numeric_limits<double>::infinity();
 
 // A table of the visible fraction of the sky along a section. The heights of the section are
 // multiplied by `strength`.
@@ -55,7 +57,8 @@ class VisibleSky {
 
   private:
     // Returns the derivative of the section's height with respect to the distance x from the film.
-    // For domes the smooth distance is s = x - x²/2, which is below 1 at x = 1; otherwise s = x.
+    // The smooth distance is s = x - x²/2 for domes, and s = x for other profiles. Domes are
+    // recognized by s < 1 at x = 1.
     static double slope_at(const ReliefSection& section, double distance) {
         const double smooth = section.smooth(distance);
         const double slope_of_smooth = section.smooth(1.0) < 1.0 ? 1.0 - distance : 1.0;  // ds/dx
@@ -103,18 +106,18 @@ Image<float> occlusion_of(const Relief& relief,
     const VisibleSky sky(relief.section(), relief.strength());
     Image<float> image(grid.width, grid.height, 1);
     for (std::size_t k = 0; k < image.samples().size(); ++k) {
-        const double visible =
-            relief.unit(k) > 0.0 ? sky.at(relief.section().distance(relief.smooth(k))) : 1.0;
+        const double distance =
+            relief.unit(k) > 0.0 ? relief.section().distance(relief.smooth(k)) : kFar;
+        const double visible = distance < kFar ? sky.at(distance) : 1.0;
         image.samples()[k] = static_cast<float>(std::pow(visible, options.strength));
     }
     return image;
 }
 
 NumberPixels draw_occlusion(FrameLayers& layers,
-                            const ReliefOptions& relief_options,
-                            const MazeOptions& maze,
+                            const ReliefSource& source,
                             const OcclusionOptions& options) {
-    const Relief relief(layers, relief_options, maze);
+    const Relief relief(layers, source, ReliefSection::kSkyReach);
     return {occlusion_of(relief, layers.grid(), options), 0.0, 1.0};
 }
 

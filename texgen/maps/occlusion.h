@@ -4,9 +4,7 @@
 
 #include "texgen/keys/key.h"
 #include "texgen/maps/map.h"
-#include "texgen/maps/maze.h"
 #include "texgen/maps/relief.h"
-#include "texgen/maps/relief_options.h"
 
 namespace foam::texgen {
 
@@ -30,8 +28,7 @@ Keys<OcclusionOptions> occlusion_keys();
 /// The image has one channel and is 1 around a patch, apart from the outer half of ridges and wet
 /// films.
 NumberPixels draw_occlusion(FrameLayers& layers,
-                            const ReliefOptions& relief,
-                            const MazeOptions& maze,
+                            const ReliefSource& source,
                             const OcclusionOptions& options);
 
 /// Returns the same image for a given relief. `grid` is the grid of its pixels.

@@ -13,7 +13,7 @@ namespace foam::texgen {
 
 inline constexpr MapTraits kPressureMap = {
     .name = "pressure",
-    .meaning = "pressure of bubbles, with the same scale in all frames",
+    .meaning = "pressure of bubbles, by default with the same scale in all frames",
     .unit = "0 to 1",
     .channels = "Y",
     .png_bits = 16};
@@ -36,7 +36,7 @@ struct PressureOptions {
     PressureUnit unit = PressureUnit::Current;  // the unit of low and high, for Range
     double low = -0.5;                          // pressure of tone 0, for Range
     double high = 0.5;                          // pressure of tone 1, for Range
-    double percentile = 2.0;    // for Percentile: percentage of bubbles left out at either end
+    double percentile = 2.0;    // for Percentile: percentage of bubbles left out at each end
     int smoothing = 0;          // rounds of averaging with neighbors (average_with_neighbors)
     int flattening = 0;         // rounds of a wider average that is subtracted; 0 subtracts nothing
     double exaggeration = 1.0;  // factor on the difference from the middle tone, 0.5
@@ -52,7 +52,8 @@ Keys<PressureOptions> pressure_keys();
 /// Range.
 PerBubble<double> pressure_tones(const FrameLayers& layers, const PressureOptions& options);
 
-/// Draws the tones of bubbles without films, as numbers or as colors of a color map. Numbers may be
+/// Draws every bubble in its tone, as a number or as a color of a color map. Films are not drawn.
+/// Numbers may be
 /// outside the range from 0 to 1; colors are clamped to the ends of the color map. Numbers have one
 /// channel and are 0 around a patch; colors are transparent there. Throws as pressure_tones does,
 /// and std::invalid_argument for an unknown color map.

@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-// Returns the radius in pixels of a circle with the area of the bubble, indexed by the ids of the
-// distance field.
+// Returns for each bubble the radius, in pixels, of a circle with its area. The table is indexed by
+// the ids of the distance field.
 std::vector<double> dome_radii(FrameLayers& layers) {
     const Frame& frame = layers.frame();
     const double scale = pixels_per_unit(layers.grid(), frame.domain);
@@ -30,17 +30,17 @@ std::vector<double> dome_radii(FrameLayers& layers) {
 
 }  // namespace
 
-Relief::Relief(FrameLayers& layers, const ReliefOptions& options, const MazeOptions& maze)
-    : section_(options.profile, options.angle * kDegree),
-      strength_(options.strength),
-      diameter_(diameter_of(options.mean_bubble, layers.frame()) *
+Relief::Relief(FrameLayers& layers, const ReliefSource& source, double reach)
+    : section_(source.relief.profile, source.relief.angle * kDegree),
+      strength_(source.relief.strength),
+      diameter_(diameter_of(source.relief.mean_bubble, layers.frame()) *
                 pixels_per_unit(layers.grid(), layers.frame().domain)),
-      width_(options.width * diameter_) {
-    if (options.films == ReliefFilms::Walls) {
-        walls_ = distances_to_arcs(maze_walls(layers, maze),
+      width_(source.relief.width * diameter_) {
+    if (source.relief.films == ReliefFilms::Walls) {
+        walls_ = distances_to_arcs(maze_walls(layers, source.maze),
                                    layers.grid(),
                                    layers.frame().domain,
-                                   section_.reach() * width_,
+                                   reach * width_,
                                    layers.threads());
         smooth_ = &walls_.distance;
         gradient_ = &walls_.gradient;
@@ -49,7 +49,7 @@ Relief::Relief(FrameLayers& layers, const ReliefOptions& options, const MazeOpti
     const DistanceField& field = layers.distance();
     smooth_ = &field.smooth;
     gradient_ = &field.smooth_gradient;
-    if (options.profile == ReliefProfile::Dome) {
+    if (source.relief.profile == ReliefProfile::Dome) {
         ids_ = &field.ids;
         radii_ = dome_radii(layers);
     }

@@ -15,15 +15,28 @@
 
 namespace foam::texgen {
 
+/// The options of a relief. Borrows them.
+struct ReliefSource {
+    const ReliefOptions& relief;
+    const MazeOptions& maze;  // used only if the walls of a maze shape the relief
+};
+
 /// The relief of a frame: a surface whose height varies over the foam, at the centers of pixels.
 /// Heights come from the smooth distance and slopes from its gradient, so that there are creases
 /// only along films. If only the walls of a maze shape the relief (ReliefFilms::Walls), the
-/// distance to the nearest wall replaces the smooth distance; it is infinite far from walls. Around
+/// distance to the nearest wall replaces the smooth distance, so that there are also creases where
+/// two walls are equally near. Around
 /// a patch the relief is flat, except for the outer half of ridges and wet films. Borrows the
 /// layers.
 class Relief {
   public:
-    Relief(FrameLayers& layers, const ReliefOptions& options, const MazeOptions& maze);
+    /// `reach` is in units of the section (ReliefSection). Distances above it from the walls of a
+    /// maze are infinite. It has no effect on other reliefs.
+    Relief(FrameLayers& layers, const ReliefSource& source, double reach);
+    /// The reach of a relief of which only heights and slopes are used: beyond the foot of ridges
+    /// and of Plateau borders, the relief is flat.
+    static constexpr double kFoot = 1.0;
+
     Relief(const Relief&) = delete;
     Relief& operator=(const Relief&) = delete;
 

@@ -21,21 +21,24 @@ Keys<ReliefOptions> relief_keys() {
             &Options::profile),
         key("films",
             kFilms,
-            "films from which ridges and wet films rise: all of them, or only the walls of the "
-            "maze (table maze)",
+            "films that the relief shows as ridges or wet films: all of them, or only the walls of "
+            "the maze (table maze)",
             &Options::films)
             .only_for("relief.profile", {"ridge", "wet"}),
         key("angle", Reals{1.0, 85.0}, "slope of domes at films, degrees", &Options::angle)
             .in("degrees"),
         key("width",
             Reals{0.001, 10.0},
-            "width of a ridge from film to foot, or radius of Plateau borders, in bubble diameters",
+            "width of a ridge from film to foot, or radius of Plateau borders, in bubble "
+            "diameters; "
+            "half of maze.wall_width gives ridges as wide as painted walls",
             &Options::width)
             .in(kReliefDiameters),
         key("strength", Reals{0.0, 100.0}, "factor that scales all heights", &Options::strength),
         key("mean_bubble",
             kMeanBubbles,
-            "mean bubble whose diameter is the unit: of the seeded foam or of this frame",
+            "the unit of heights and widths is the diameter of a mean bubble: of the seeded foam "
+            "(seed) or of the drawn frame (current)",
             &Options::mean_bubble)};
 }
 

@@ -44,7 +44,7 @@ double ReliefSection::height(double smooth) const {
             const double outside = std::clamp(smooth, kCrest, 1.0);
             const double inside = std::min(smooth, kCrest);
             return fillet_height(outside) +
-                   0.5 * fillet_slope(kCrest) * (inside * inside / kCrest - kCrest);
+                   0.5 * fillet_slope(kCrest) * (inside * inside - kCrest * kCrest) / kCrest;
         }
     }
 }

@@ -36,7 +36,8 @@ class ReliefSection {
     /// Returns the largest distance from the film that matters for the visible sky, in the
     /// section's unit: the distance of the middle of a dome, or the distance beyond which a ridge
     /// or wet film hides practically no part of the sky.
-    double reach() const { return profile_ == ReliefProfile::Dome ? 1.0 : 4.0; }
+    double reach() const { return profile_ == ReliefProfile::Dome ? 1.0 : kSkyReach; }
+    static constexpr double kSkyReach = 4.0;  // reach() of all profiles but domes
 
     /// Returns the height at the position x on a straight line across the film. The position of the
     /// film is 0; positions on its other side are negative. For domes, x = 1 is the middle of the

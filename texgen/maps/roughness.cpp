@@ -22,7 +22,8 @@ Keys<RoughnessOptions> roughness_keys() {
                 &RoughnessOptions::film),
             key("variation",
                 kFractions,
-                "width of the range, centered on roughness.cell, of the roughness of bubbles",
+                "every bubble has a roughness of its own, in a range of this width around "
+                "roughness.cell",
                 &RoughnessOptions::variation)};
 }
 

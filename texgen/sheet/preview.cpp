@@ -222,7 +222,8 @@ std::vector<std::filesystem::path> write_previews(const BakedSet& set,
     }
     make_folders(to);
     std::vector<std::filesystem::path> written;
-    for (Previews& of_map : previews) {
+    for (Previews& checked : previews) {
+        Previews of_map = std::move(checked);  // frees its animation before the next map
         for (const PreviewKind kind : of_map.kinds()) {
             written.push_back(of_map.write(kind, to));
         }

@@ -15,16 +15,17 @@ enum class ChartStatus { Drawn, NoGnuplot, GnuplotFailed };
 
 /// Returns a gnuplot script that draws charts of a run's tables (csv.h) into the folder of the
 /// tables. README.md explains which frames the charts show, when charts over the logarithm of time
-/// are omitted, and what the scaling state is. "The paper" is named in core/README.md. The charts
-/// are:
+/// are omitted, and what the scaling state is. core/README.md gives the reference to "the paper".
+/// The charts are:
 ///
 ///     mean_area      mean bubble area over time, with a line fitted to the scaling state
 ///     second_moment  second moment mu_2 of the number of sides over log time, the mean of mu_2 in
 ///                    the scaling state, and the value measured in soap froths
-///     sides          for each number of sides, the fraction of bubbles that have so many sides,
-///                    over log time
-///     pressures      for each number of sides, the mean pressure of its bubbles over log time, in
-///                    units of film tension / sqrt(mean area)
+///     sides          for each number of sides from 3 to 10, the fraction of bubbles that have this
+///                    number, over log time
+///     pressures      for each of these numbers, the mean pressure of these bubbles over log time,
+///                    in units of film tension / sqrt(mean area), where they are at least 1 % of
+///                    all bubbles
 ///     growth_rates   mean dA/dt against the number of sides, measured from areas and from
 ///                    pressures, and von Neumann's law
 ///     seconds        wall time per frame against the number of bubbles, and the times in Figure 5

@@ -2,11 +2,9 @@
 
 #include "texgen/stats/record.h"
 
-#include "texgen/maps/maze.h"
+#include "texgen/maps/all_maps.h"
 
-#include <algorithm>
 #include <numbers>
-#include <string_view>
 #include <utility>
 
 namespace foam::texgen {
@@ -17,10 +15,7 @@ double RunRecord::law_rate(int sides) const {
 
 Recorder::Recorder(const Preset& preset)
     : run_{preset.name, 2.0 * preset.seeding.surface_tension, preset.coarsening.kappa, {}} {
-    const auto& maps = preset.image.maps;
-    if (std::any_of(maps.begin(), maps.end(), [](std::string_view map) {
-            return map == kMazeMap.name || map == kMazeSolutionMap.name;
-        })) {
+    if (shows_maze(preset.image.maps, preset.maps)) {
         maze_ = maze_rule(preset.maps.maze);
     }
 }

@@ -17,9 +17,9 @@ namespace foam::texgen {
 namespace {
 
 TEST(PresetsCommand, APresetThatIsShownCanBeBaked) {
-    const Outcome outcome = run_program(
-        "presets show labyrinth > mine.toml && '" + foam::test::executable().string() +
-        "' bake mine.toml --set foam.bubbles=16 --maps pressure --frames 1 --size 8 --out a.png");
+    const Outcome outcome =
+        run_program("presets show labyrinth > mine.toml && '" + foam::test::executable().string() +
+                    "' bake mine.toml --set foam.bubbles=16 --frames 1 --size 8 --out a.png");
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(outcome.written, (std::vector<std::string>{"a.png", "manifest.json", "mine.toml"}));
 }

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <span>
 #include <string>
 #include <vector>
@@ -47,13 +48,17 @@ void expect_limits(const Keys<Owner>& keys, const std::vector<Limits>& all) {
     expect_limits(std::span<const Key<Owner>>(keys), all);
 }
 
-/// Expects that a key accepts each of the words, writes it unchanged, and rejects another word.
+/// Expects that the words of a key are the given ones, in any order, that the key writes each of
+/// them unchanged, and that it rejects another word.
 template <class Owner>
 void expect_words(const Keys<Owner>& keys,
                   const std::string& name,
                   const std::vector<std::string>& words) {
     const Key<Owner>* key = find_key(std::span<const Key<Owner>>(keys), name);
     ASSERT_NE(key, nullptr) << name;
+    EXPECT_TRUE(
+        std::is_permutation(words.begin(), words.end(), key->words.begin(), key->words.end()))
+        << name;
     Owner owner{};
     for (const std::string& word : words) {
         EXPECT_TRUE(key->read({word}, owner)) << name << " = " << word;

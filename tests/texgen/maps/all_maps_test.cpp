@@ -66,6 +66,16 @@ MapOptions lit_thin_film() {
     return options;
 }
 
+MapOptions maze_walls_in_relief(ReliefProfile profile) {
+    MapOptions options;
+    options.relief.films = ReliefFilms::Walls;
+    options.relief.profile = profile;
+    options.relief.width = 0.06;
+    options.lit.colors = LitColors::Maze;
+    options.lit.glow = 0.5;
+    return options;
+}
+
 std::vector<MapCase> all_cases() {
     std::vector<MapCase> cases;
     for (const std::string_view map : map_names()) {
@@ -75,6 +85,10 @@ std::vector<MapCase> all_cases() {
         cases.push_back({map, "wet", wet_and_shaded()});
     }
     cases.push_back({"lit", "thin_film", lit_thin_film()});
+    for (const char* map : {"lit", "height", "normal", "occlusion", "curvature"}) {
+        cases.push_back({map, "walls", maze_walls_in_relief(ReliefProfile::Ridge)});
+        cases.push_back({map, "wet_walls", maze_walls_in_relief(ReliefProfile::Wet)});
+    }
     return cases;
 }
 

@@ -13,6 +13,9 @@
 namespace foam::texgen {
 namespace {
 
+const ReliefOptions kRelief;
+const MazeOptions kMaze;
+
 using test::LoneCircle;
 
 constexpr double kRadius = 25.0;  // pixels
@@ -21,12 +24,12 @@ constexpr double kRadius = 25.0;  // pixels
 // of the second order in options.radius.
 TEST(Curvature, OfACapIsThatOfItsSphere) {
     LoneCircle circle(kRadius);
-    const auto image = draw_curvature(circle.layers, {}, {}, {.radius = 0.01});
+    const auto image = draw_curvature(circle.layers, {kRelief, kMaze}, {.radius = 0.01});
     const test::SphericalCap cap{kRadius};
     const double expected = 2.0 * kRadius / cap.sphere;
     EXPECT_NEAR(image.pixels.pixel(32, 32)[0], expected, 0.02 * expected);
     float at_rim = 0.0F;
-    const auto wide = draw_curvature(circle.layers, {}, {}, {.radius = 0.1});
+    const auto wide = draw_curvature(circle.layers, {kRelief, kMaze}, {.radius = 0.1});
     test::for_each_inside(kRadius, [&](int x, int y, const Vec2&) {
         at_rim = std::min(at_rim, wide.pixels.pixel(x, y)[0]);
     });

@@ -11,6 +11,9 @@
 namespace foam::texgen {
 namespace {
 
+const ReliefOptions kRelief;
+const MazeOptions kMaze;
+
 using test::LoneCircle;
 
 constexpr double kRadius = 25.0;  // pixels
@@ -18,12 +21,12 @@ constexpr double kRadius = 25.0;  // pixels
 TEST(Height, ALoneBubblesDomeIsACap) {
     LoneCircle circle(kRadius);
     const test::SphericalCap cap{kRadius};
-    const NumberPixels height = draw_height(circle.layers, {}, {}, {});
+    const NumberPixels height = draw_height(circle.layers, {kRelief, kMaze}, {});
     test::for_each_inside(kRadius, [&](int x, int y, const Vec2& point) {
         EXPECT_NEAR(height.pixels.pixel(x, y)[0], cap.height(point.norm()) / (2 * kRadius), 1e-4);
     });
     EXPECT_EQ(height.pixels.pixel(0, 0)[0], 0.0F);
-    EXPECT_EQ(draw_height(circle.layers, {}, {}, {.full = 3.0}).high, 3.0);
+    EXPECT_EQ(draw_height(circle.layers, {kRelief, kMaze}, {.full = 3.0}).high, 3.0);
 }
 
 TEST(Height, LimitsHoldOnBothSides) {

@@ -72,9 +72,8 @@ TEST(Lit, LightComesFromItsAzimuth) {
                                                     options.lit,
                                                     {options.albedo,
                                                      options.thin_film,
-                                                     options.relief,
-                                                     options.occlusion,
-                                                     options.maze})
+                                                     {options.relief, options.maze},
+                                                     options.occlusion})
                                                .pixels;
         const auto light = [&](int x) { return static_cast<double>(image.pixel(x, kSize / 2)[1]); };
         return light(kSize / 2 + 20) / light(kSize / 2 - 20);
@@ -97,7 +96,7 @@ TEST(Lit, LimitsHoldOnBothSides) {
 }
 
 TEST(Lit, ChoicesHaveTheirWords) {
-    test::expect_words(lit_keys(), "colors", {"albedo", "thin_film"});
+    test::expect_words(lit_keys(), "colors", {"albedo", "thin_film", "maze"});
 }
 
 }  // namespace

@@ -15,6 +15,9 @@
 namespace foam::texgen {
 namespace {
 
+const ReliefOptions kRelief;
+const MazeOptions kMaze;
+
 using test::LoneCircle;
 
 constexpr double kRadius = 25.0;  // pixels
@@ -22,7 +25,7 @@ constexpr double kRadius = 25.0;  // pixels
 TEST(Normal, ALoneBubblesDomeIsACap) {
     LoneCircle circle(kRadius);
     const test::SphericalCap cap{kRadius};
-    const NumberPixels normal = draw_normal(circle.layers, {}, {}, {});
+    const NumberPixels normal = draw_normal(circle.layers, {kRelief, kMaze}, {});
     test::for_each_inside(kRadius, [&](int x, int y, const Vec2& point) {
         const auto n = normal.pixels.pixel(x, y);
         EXPECT_NEAR(n[0], point.x() / cap.sphere, 1e-3);
@@ -36,8 +39,8 @@ TEST(Normal, DirectXNormalsPointDown) {
     FrameInput input = test::torus_subject().input();
     input.distance = {.gradient = true, .smooth = true};
     FrameLayers layers(input, test::torus_grid(64), 1);
-    const auto up = draw_normal(layers, {}, {}, {.y = NormalY::Up});
-    const auto down = draw_normal(layers, {}, {}, {.y = NormalY::Down});
+    const auto up = draw_normal(layers, {kRelief, kMaze}, {.y = NormalY::Up});
+    const auto down = draw_normal(layers, {kRelief, kMaze}, {.y = NormalY::Down});
     for (std::size_t k = 0; k < up.pixels.samples().size(); ++k) {
         const float sign = k % 3 == 1 ? -1.0F : 1.0F;
         ASSERT_EQ(up.pixels.samples()[k], sign * down.pixels.samples()[k]);

@@ -13,6 +13,9 @@
 namespace foam::texgen {
 namespace {
 
+const ReliefOptions kSteepRelief{.angle = 30.0};
+const MazeOptions kMaze;
+
 using test::LoneCircle;
 
 constexpr double kRadius = 25.0;  // pixels
@@ -24,7 +27,7 @@ constexpr double kRadius = 25.0;  // pixels
 // cap nothing hides the sky.
 TEST(Occlusion, IsThatOfAFurrow) {
     LoneCircle circle(kRadius);
-    const auto image = draw_occlusion(circle.layers, {.angle = 30.0}, {}, {});
+    const auto image = draw_occlusion(circle.layers, {kSteepRelief, kMaze}, {});
     EXPECT_NEAR(image.pixels.pixel(32, 32)[0], 1.0, 1e-3);
     float minimum = 1.0F;
     for (int y = 0; y < test::kCircleImage; ++y) {
@@ -34,7 +37,7 @@ TEST(Occlusion, IsThatOfAFurrow) {
     }
     EXPECT_NEAR(minimum, 0.75, 0.01);  // somewhere near the rim
     EXPECT_EQ(image.pixels.pixel(0, 0)[0], 1.0F);
-    const auto squared = draw_occlusion(circle.layers, {.angle = 30.0}, {}, {.strength = 2.0});
+    const auto squared = draw_occlusion(circle.layers, {kSteepRelief, kMaze}, {.strength = 2.0});
     EXPECT_NEAR(
         squared.pixels.pixel(20, 40)[0], std::pow(image.pixels.pixel(20, 40)[0], 2.0), 1e-6);
 }

@@ -6,6 +6,7 @@
 #include "tests/support/sample_foams.h"
 #include "tests/texgen/keys/limits.h"
 #include "tests/texgen/maps/map_subjects.h"
+#include "texgen/image/colormap.h"
 
 #include <gtest/gtest.h>
 
@@ -188,7 +189,9 @@ TEST(Pressure, LimitsHoldOnBothSides) {
 TEST(Pressure, ChoicesHaveTheirWords) {
     test::expect_words(pressure_keys(), "scaling", {"range", "percentile", "rank", "share"});
     test::expect_words(pressure_keys(), "unit", {"seed", "current"});
-    test::expect_words(pressure_keys(), "colormap", {"none", "magma"});
+    std::vector<std::string> colormaps(colormap_names().begin(), colormap_names().end());
+    colormaps.emplace_back("none");
+    test::expect_words(pressure_keys(), "colormap", colormaps);
 }
 
 }  // namespace

@@ -18,6 +18,7 @@ TEST(ReliefOptions, LimitsHoldOnBothSides) {
 
 TEST(ReliefOptions, ChoicesHaveTheirWords) {
     test::expect_words(relief_keys(), "profile", {"dome", "ridge", "wet"});
+    test::expect_words(relief_keys(), "films", {"all", "walls"});
     test::expect_words(relief_keys(), "mean_bubble", {"seed", "current"});
 }
 

@@ -15,6 +15,9 @@
 namespace foam::texgen {
 namespace {
 
+const ReliefOptions kRelief;
+const MazeOptions kMaze;
+
 using test::LoneCircle;
 
 constexpr double kRadius = 25.0;  // pixels
@@ -23,7 +26,7 @@ constexpr double kRadius = 25.0;  // pixels
 // degrees). The slope at r is -r / sqrt(S² - r²).
 TEST(Relief, SlopesAndHeightsAreThoseOfACap) {
     LoneCircle circle(kRadius);
-    const Relief relief(circle.layers, {}, {});
+    const Relief relief(circle.layers, {kRelief, kMaze}, Relief::kFoot);
     const test::SphericalCap cap{kRadius};
     EXPECT_NEAR(relief.diameter(), 2.0 * kRadius, 1e-9);
     test::for_each_inside(kRadius, [&](int x, int y, const Vec2& point) {
@@ -38,7 +41,7 @@ TEST(Relief, SlopesAndHeightsAreThoseOfACap) {
 
 TEST(Relief, AroundAPatchADomeIsFlat) {
     LoneCircle circle(kRadius);
-    const Relief relief(circle.layers, {}, {});
+    const Relief relief(circle.layers, {kRelief, kMaze}, Relief::kFoot);
     EXPECT_EQ(relief.unit(0), 0.0);
     EXPECT_EQ(relief.height(0), 0.0);
     EXPECT_EQ(relief.slope(0), Vec2(0.0, 0.0));
@@ -52,7 +55,7 @@ TEST(Relief, OfWallsRisesFromTheWalls) {
     const ReliefOptions options{.profile = ReliefProfile::Ridge,
                                 .films = ReliefFilms::Walls,
                                 .width = kWidth / (2.0 * kRadius)};
-    const Relief relief(circle.layers, options, {});
+    const Relief relief(circle.layers, {options, kMaze}, Relief::kFoot);
     for (int x = 0; x < test::kCircleImage; ++x) {
         const auto index = static_cast<std::size_t>(32 * test::kCircleImage + x);
         const Vec2 point = test::from_middle(x, 32);
@@ -70,14 +73,12 @@ TEST(Relief, OfWallsIsFlatAtOpenFilms) {
     const FoamRecord record;
     const RasterGrid grid{256, 256};
     FrameLayers layers({frame, record}, grid, 1);
-    const MazeOptions maze;
-    const Relief relief(layers,
-                        {.profile = ReliefProfile::Ridge,
-                         .films = ReliefFilms::Walls,
-                         .width = 0.05,
-                         .mean_bubble = MeanBubble::Seed},
-                        maze);
-    const Maze graph = find_maze(frame, maze_rule(maze));
+    const ReliefOptions options{.profile = ReliefProfile::Ridge,
+                                .films = ReliefFilms::Walls,
+                                .width = 0.05,
+                                .mean_bubble = MeanBubble::Seed};
+    const Relief relief(layers, {options, kMaze}, Relief::kFoot);
+    const Maze graph = find_maze(frame, maze_rule(kMaze));
     const double scale = pixels_per_unit(grid, frame.domain);
     int walls = 0;
     int open = 0;
@@ -103,8 +104,9 @@ TEST(Relief, OfWallsIsFlatAtOpenFilms) {
 
 TEST(Relief, StrengthIsAFactor) {
     LoneCircle circle(kRadius);
-    const Relief once(circle.layers, {}, {});
-    const Relief thrice(circle.layers, {.strength = 3.0}, {});
+    const Relief once(circle.layers, {kRelief, kMaze}, Relief::kFoot);
+    const ReliefOptions strong{.strength = 3.0};
+    const Relief thrice(circle.layers, {strong, kMaze}, Relief::kFoot);
     const std::size_t middle = 32 * test::kCircleImage + 40;
     EXPECT_DOUBLE_EQ(thrice.height(middle), 3.0 * once.height(middle));
 }

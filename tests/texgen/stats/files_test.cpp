@@ -39,6 +39,17 @@ TEST(StatisticsFiles, AreWrittenIntoAFolderOfTheirOwn) {
     EXPECT_EQ(folder.files().size(), files.paths.size());
 }
 
+TEST(StatisticsFiles, ATableOfMazesExistsOnlyIfThereIsAMaze) {
+    const TemporaryFolder folder;
+    RunRecord run = test::run_of({{0.0, 12}});
+    run.frames[0].maze = {3, 2, 1};
+    write_statistics(run, folder.path());
+    EXPECT_EQ(text_of(folder.path() / "maze.csv"), maze_csv(run));
+    run.frames[0].maze.reset();
+    write_statistics(run, folder.path());
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "maze.csv"));
+}
+
 TEST(StatisticsFiles, ChartsOfAnEarlierRunAreRemoved) {
     const TemporaryFolder folder;
     write_file(folder.path() / "sides.svg", {});

@@ -58,6 +58,11 @@ TEST(Record, MazesAreMeasuredOnlyIfTheyAreDrawn) {
     Recorder without(preset);
     without.record(frame, {});
     EXPECT_FALSE(without.run().frames[0].maze.has_value());
+    preset.image.maps = {"albedo", "normal"};
+    preset.maps.relief.films = ReliefFilms::Walls;
+    Recorder relief(preset);
+    relief.record(frame, {});
+    EXPECT_TRUE(relief.run().frames[0].maze.has_value());
     preset.image.maps = {"maze"};
     Recorder with(preset);
     with.record(frame, {});
