@@ -69,9 +69,9 @@ OuterFilmMatrix outer_film_matrix(const Vec2& d, double delta, const BulgeEnergy
 
 // Adds one block of a film's matrix to `values`. The block has the rows of the first node of the
 // pair and the columns of the second node. `values` points to the first value of the block in the
-// Hessian. `stride` is FilmSlots::strides[b] for the second node b. `is_own` is true if the two
-// nodes of the pair are one node of the Hessian's pattern, as they always are for a node with
-// itself. Only the lower triangle of the block is then added.
+// Hessian. `stride` is FilmSlots::strides[b] for the second node b. `is_own` is true if both
+// nodes of the film are the same node of the Hessian: if a = b, or if a film begins and ends at the
+// same junction of a torus. Only the lower triangle of the block is then added.
 template <class Matrix>
 void add_block(
     double* values, int stride, const Matrix& film, std::array<std::size_t, 2> pair, bool is_own) {

@@ -11,12 +11,13 @@ namespace {
 
 // Regularization: a number that is added to each diagonal entry of the Hessian, because the Hessian
 // is singular. Its null modes are, for example, the translation of the whole foam and, on a torus,
-// a common change of all pressures (E3). The numbers are these fractions of the film tension for
-// junctions and half angles, and of the diagonal entry for pressures. The regularization is small
-// compared with the stiffness of the softest shear mode of the foam, and large compared with
-// rounding errors in the factor. In a small foam a null mode of the junctions may be determined
-// only by a pressure that is eliminated later. One pivot is then as small as the regularization and
-// the next one as large as its inverse, which requires double precision.
+// a common change of all pressures (E3). For junctions and half angles the number is one of the
+// fractions below times the film tension; for pressures, times the diagonal entry. The
+// regularization is small compared with the stiffness of the softest shear mode of the foam, and
+// large compared with rounding errors in the factor. In a small foam, a motion of junctions may
+// meet no resistance from films, but only from the area constraint of a bubble whose pressure is
+// eliminated later. One pivot is then as small as the regularization and the next one as large as
+// its inverse, which requires double precision.
 constexpr double kSingleRegularization = 1e-6;
 constexpr double kDoubleRegularization = 1e-7;
 constexpr int kFewUnknowns = 500;  // with fewer unknowns, factors are in double precision
@@ -84,11 +85,12 @@ void NewtonSystem::factor(const Foam& foam) {
     has_factor_ = solver_.factor(hessian_->matrix());
 }
 
-// Returns the residual without its components along the null modes of the Hessian. No step can
-// change these components. They are the mean force, since a translation of the foam changes no
-// force and no area, and, on a torus, the mean area error, since a common change of all pressures
-// changes no force and no area. Both components are zero except for rounding errors, which a factor
-// in single precision would concentrate in one bubble.
+// Returns the residual without its components along the null modes that the Hessians of all foams
+// have. No step can change these components. They are the mean force, since a translation of the
+// whole foam changes no force and no area, and, on a torus, the mean area error, since a common
+// change of all pressures changes no force and no area. Translations of single rafts of a patch,
+// and rotations, are left to the regularization. Both components are zero except for rounding
+// errors, which a factor in single precision would concentrate in one bubble.
 Eigen::VectorXd NewtonSystem::solvable_part(const Foam& foam, Eigen::VectorXd residual) const {
     if (is_whole_) {
         remove_mean(residual, unknowns_.junctions.size());

@@ -18,11 +18,12 @@
 namespace foam {
 
 // Relaxation (E4) is a nonlinear Gauss-Seidel method. A sweep makes a Newton step for each
-// junction, and then for the half angle of each film, one at a time with everything else held. The
-// areas of the adjacent bubbles are updated after each step. The pressure of a bubble is the sum of
-// a multiplier of its area constraint and a penalty on its area error. After every kSweepsPerUpdate
-// sweeps, the present pressure becomes the multiplier (method of multipliers), so that the areas
-// converge to their targets without a large stiffness.
+// junction, and then for the half angle of each film, one at a time with
+// all other unknowns held, except that a moved junction changes the half angles of its outer films.
+// The areas of the adjacent bubbles are updated after each step. The pressure of a bubble is the
+// sum of a multiplier of its area constraint and a penalty on its area error. After every
+// kSweepsPerUpdate sweeps, the present pressure becomes the multiplier (method of multipliers), so
+// that the areas converge to their targets without a large stiffness.
 
 namespace {
 
@@ -93,9 +94,9 @@ class Relaxation {
         }
     }
 
-    // Returns the pressure that would balance the films if all bubbles of the part had the same
-    // pressure p. The formula follows from the energy of a patch in equilibrium, film tension times
-    // length = 2 sum p A (E3), with chord lengths and target areas.
+    // Returns an estimate of the pressures: the common pressure p for which T Σ l = 2 p Σ A, the
+    // relation that holds for a patch in equilibrium (E3), with chord lengths as l and target areas
+    // as A.
     double mean_pressure() const {
         double length = 0.0;
         for (const FilmId film : part_.films) {

@@ -47,8 +47,9 @@ double t1_distance_at(const Foam& foam, FilmId film, const TopologyThresholds& t
 /// meet: 5 % of the T1 distance that the film has when it is armed.
 double collapsed_length(const Foam& foam, FilmId film, const TopologyThresholds& thresholds);
 
-/// Returns true if the film would stay open after a flip, that is, if the mean pull of the four
-/// films at its ends, along the flipped film, exceeds the tension of the flipped film. If the film
+/// Returns true if the film would stay open after a flip, that is, if the two films at each
+/// end together pull outward, along the flipped film, with more than the tension of the flipped
+/// film, in the mean of both ends. If the film
 /// can tear, the threshold is 0, because after tearing no film pulls the two sides together.
 bool flipped_pulls_apart(const Foam& foam, FilmId film);
 

@@ -5,10 +5,14 @@
 #include <fmt/core.h>
 
 #include <array>
+#include <cmath>
 
 namespace foam::evolver {
 
 namespace {
+
+// The largest shear of a torus in widths. A larger one would leave few digits for coordinates.
+constexpr double kMaxShear = 1e6;
 
 // Returns the keywords that are rejected, in lower case, each with a text. The error message
 // consists of the keyword and this text.
@@ -151,6 +155,14 @@ class HeaderReader {
                 fmt::format("the width and height of the torus must be positive, not {} and {}",
                             periods[0],
                             periods[3]));
+        }
+        if (std::abs(periods[2]) > kMaxShear * periods[0]) {
+            tokens_.fail(line_,
+                         fmt::format("the x component of the second period must be at most {} "
+                                     "times the width of the torus, {}, not {}",
+                                     kMaxShear,
+                                     periods[0],
+                                     periods[2]));
         }
         header_.domain = {periods[0], periods[3], periods[2]};
     }

@@ -67,7 +67,7 @@ double JsonItem::integer(double min, double max) const {
 
 std::uint32_t JsonItem::index(std::size_t count, const char* kind) const {
     if (count == 0) {
-        fail(fmt::format("there is no {} to refer to, found {}", kind, number()));
+        fail(fmt::format("refers to {} {}, but the file has no {}", kind, number(), kind));
     }
     return static_cast<std::uint32_t>(integer(0.0, static_cast<double>(count) - 1.0));
 }

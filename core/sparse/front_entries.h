@@ -10,8 +10,8 @@ namespace foam {
 
 /// Finds, for every entry of the matrix, its index in the panel of its front. Sets
 /// FrontPlan::entries, and for each front the range of its entries (Front::entries_begin and
-/// entries_end). Preconditions: the pattern is compressed, and the fronts and borders of the plan
-/// are set.
+/// entries_end). Preconditions: the pattern is compressed, and position_of_row, the fronts and the
+/// borders of the plan are set.
 void locate_entries(const Eigen::SparseMatrix<double>& lower_pattern, FrontPlan& plan);
 
 }  // namespace foam

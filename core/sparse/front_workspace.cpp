@@ -35,7 +35,7 @@ class Stacks {
 
   private:
     // Lays out the update matrices of a subtree. `tops` holds, for each of the two stacks, the
-    // index from which on the subtree may use memory.
+    // first index that the subtree may use.
     void lay_out(std::size_t root, int level, std::array<std::size_t, 2> tops) {
         Front& front = fronts_[root];
         const std::size_t own = level % 2 == 0 ? 0 : 1;

@@ -9,17 +9,17 @@ namespace foam {
 
 // The method of Fiduccia and Mattheyses (1982), adapted to vertex separators. A sweep takes the
 // move with the largest gain from a priority queue. When the gain of a node changes, a move with
-// the new gain is added to the queue. Outdated moves are recognized by their gain, and removed when
-// they reach the top of the queue. Changes are recorded so that the best separator of a sweep can
-// be restored.
+// the new gain is added to the queue. A move is outdated if its node has left the separator or has
+// another gain now. Outdated moves are removed when they reach the top of the queue. Changes are
+// recorded so that the best separator of a sweep can be restored.
 
 namespace {
 
 constexpr int kMaxSweeps = 20;
 
-// A sweep ends at the latest after a number of consecutive moves without a new best separator. This
-// number is kMovesWithoutProgressPerNode times the number of nodes of the separator at the start of
-// the sweep, but at most kMaxMovesWithoutProgress.
+// A sweep ends, at the latest, when this many consecutive moves have not given a new best
+// separator: kMovesWithoutProgressPerNode times the number of nodes of the separator at the start
+// of the sweep, but at most kMaxMovesWithoutProgress.
 constexpr std::size_t kMovesWithoutProgressPerNode = 2;
 constexpr std::size_t kMaxMovesWithoutProgress = 300;
 

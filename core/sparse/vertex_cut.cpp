@@ -7,10 +7,10 @@
 
 namespace foam {
 
-// Dinic's maximum flow algorithm alternates two steps: it finds the levels of all vertices by
-// breadth-first search, and pushes a blocking flow along arcs from each level to the next. When the
-// sink is unreachable, the cut consists of the nodes whose entry vertex can be reached and whose
-// exit vertex cannot be reached (max-flow min-cut theorem).
+// Dinic's maximum flow algorithm alternates two steps: it finds the levels of the vertices, up
+// to the level of the sink, by breadth-first search, and pushes a blocking flow along arcs from
+// each level to the next. When the sink is unreachable, the cut consists of the nodes whose entry
+// vertex can be reached and whose exit vertex cannot be reached (max-flow min-cut theorem).
 
 namespace {
 
@@ -51,9 +51,9 @@ void VertexCut::add_arc(std::size_t from, std::size_t to, int capacity) {
     first_[to] = arc + 1;
 }
 
-// Finds the number of steps from the source to each vertex along arcs with free capacity, by
-// breadth-first search. Stops when the sink has been found. Returns false if the sink is
-// unreachable.
+// Finds the level of each vertex, the number of steps from the source along arcs with free
+// capacity, by breadth-first search. Stops when the sink is found; the levels of vertices that were
+// not found until then are -1. Returns false if the sink is unreachable.
 bool VertexCut::find_levels() {
     levels_.assign(first_.size(), -1);
     queue_.assign(1, static_cast<std::uint32_t>(kSource));

@@ -34,8 +34,8 @@ std::vector<std::uint32_t> match(const WeightedGraph& graph, int max_weight) {
 
 // Appends the edges of one coarse node, whose fine nodes are `members`. `edge_indices` holds, for
 // each coarse node, the index of the edge that leads to it from the node whose edges are appended.
-// The indices of earlier calls are not reset. So an index is valid only if it is at least `begin`
-// and the edge at this index leads to this coarse node.
+// The indices of earlier calls are not reset, but they are below `begin`, the index of the first
+// edge that this call appends.
 void append_edges(const WeightedGraph& fine,
                   std::span<const std::uint32_t> members,
                   CoarseGraph& coarse,

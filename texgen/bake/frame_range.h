@@ -23,9 +23,9 @@ constexpr int kLastFrame = 1'000'000;
 /// and for a text that selects no frame.
 std::vector<int> parse_frame_range(std::string_view text);
 
-/// Returns a short text that parse_frame_range parses to these frames. Three or more frames from a
-/// to b in arithmetic progression become `a-bxs`, where s is the absolute difference between
-/// neighbors. If s is 1, they become `a-b`, and two frames are enough. Precondition: each frame is
+/// Returns a short text that parse_frame_range parses to these frames. Three or more frames from A
+/// to B in arithmetic progression become `A-BxS`, with the step S. Two or more frames with the step
+/// 1 become `A-B`. Precondition: each frame is
 /// given once.
 std::string format_frame_range(std::span<const int> frames);
 

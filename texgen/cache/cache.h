@@ -22,8 +22,8 @@ class Cache {
 
     const CacheInfo& info() const { return info_; }
 
-    /// Returns the state with the given number, without its view and its closing error. Throws
-    /// InputError if its file is missing or damaged.
+    /// Returns the state with the given number. Its members `view` and `closing_error` are not set.
+    /// Throws InputError if its file is missing or damaged.
     SimulatedFrame state(int number) const;
 
     /// Returns a source of frames. The frames equal, to the last bit, the frames that a simulation

@@ -19,7 +19,7 @@ namespace foam::texgen {
 namespace {
 
 constexpr std::string_view kMagic = "foamtex";
-constexpr int kLevel = 6;  // compression level of libdeflate, from 1 to 12
+constexpr int kLevel = 6;  // compression level of libdeflate, from 0 (none) to 12
 // The largest compression ratio of deflate. A header that claims a larger ratio is rejected before
 // memory is allocated for the content.
 constexpr std::size_t kLargestRatio = 1032;

@@ -30,7 +30,7 @@ constexpr std::array<unsigned char, 8> kSignature = {0x89, 'P', 'N', 'G', '\r', 
 constexpr std::size_t kWord = 4;           // the length, the type or the checksum of a chunk
 constexpr std::size_t kSizeBytes = 8;      // width and height, at the start of an IHDR's content
 constexpr std::size_t kFrameControl = 26;  // the content of an fcTL
-// The number of plays in an acTL that means an endless loop.
+// An acTL chunk with this number of plays requests an endless loop.
 constexpr std::uint32_t kPlayForever = 0;
 
 using Content = std::span<const std::byte>;

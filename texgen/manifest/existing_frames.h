@@ -13,8 +13,9 @@
 namespace foam::texgen {
 
 /// Returns the subset of `frames` whose files can be kept by a resumed bake: for every map of the
-/// preset, the file exists, is in a set with the same BakedSet::parameters, and still has the
-/// pixels that the manifest records. `folder` is the folder of the manifest.
+/// preset, the file exists, is in a set with the same BakedSet::parameters, still has the
+/// pixels that the manifest records, and contains no map that the preset does not have. `folder` is
+/// the folder of the manifest.
 std::set<int> existing_frames_of(const Preset& preset,
                                  const std::vector<int>& frames,
                                  const std::filesystem::path& folder,

@@ -8,8 +8,9 @@
 
 namespace foam::texgen {
 
-/// Selects how two samples are compared. The difference of two numbers a and b is |a - b|, where
-/// codes are not scaled. The difference of two ids is 1 if the ids differ and 0 if they are equal.
+/// Selects how two samples are compared. The difference of two numbers a and b is |a - b|; codes
+/// are compared as integers, from 0 to 255 or 65535. The difference of two ids is 1 if the ids
+/// differ and 0 if they are equal.
 enum class Difference { Numbers, Ids };
 
 /// The step across a seam, and the largest other step. A step is the mean difference of the samples
@@ -37,7 +38,8 @@ struct TileSeams {
 TileSeams tile_seams(std::span<const ChannelGroup* const> groups, Difference difference);
 
 /// Returns the mean difference of the samples of two images, which are given as lists of groups.
-/// Returns infinity if the images differ in size, channels or sample type, or have no groups.
+/// Returns infinity if the images differ in size, channels or the type of samples in memory
+/// (Samples), or have no groups.
 double step_between(std::span<const ChannelGroup* const> a,
                     std::span<const ChannelGroup* const> b,
                     Difference difference);

@@ -89,6 +89,13 @@ TEST(EvolverReader, ReducesPeriods) {
               write_foam_json(foam));
 }
 
+TEST(EvolverReader, RejectsAShearOfMillionsOfWidths) {
+    expect_rejected("0 2\nvertices",
+                    "1e9 2\nvertices",
+                    "a.fe:4: the x component of the second period must be at most 1000000 times "
+                    "the width of the torus, 3, not 1000000000");
+}
+
 TEST(EvolverReader, ReadsTwoSidedBubbles) {
     const Foam foam = read_evolver(kLensTorus, "a.fe").foam;
     EXPECT_TRUE(test::is_valid(foam.network));

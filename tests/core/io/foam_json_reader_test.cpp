@@ -102,12 +102,14 @@ TEST(FoamJsonReader, RejectsBadValues) {
 }
 
 TEST(FoamJsonReader, RejectsReferencesToElementsOfAnEmptyList) {
-    expect_rejected("[\n[0.0, 0.5, 3],\n[1.0, 1.0, 4]\n]",
-                    "[]",
-                    "a.json:10: 'films'[0], value 1: there is no junction to refer to, found 0");
-    expect_rejected("[\n[0, 0.0, 6.0, 0, 6]\n]",
-                    "[]",
-                    "a.json:13: 'films'[0], value 3: there is no bubble to refer to, found 0");
+    expect_rejected(
+        "[\n[0.0, 0.5, 3],\n[1.0, 1.0, 4]\n]",
+        "[]",
+        "a.json:10: 'films'[0], value 1: refers to junction 0, but the file has no junction");
+    expect_rejected(
+        "[\n[0, 0.0, 6.0, 0, 6]\n]",
+        "[]",
+        "a.json:13: 'films'[0], value 3: refers to bubble 0, but the file has no bubble");
 }
 
 TEST(FoamJsonReader, RejectsInvalidFoams) {

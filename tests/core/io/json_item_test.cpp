@@ -60,8 +60,9 @@ TEST(JsonItem, NamesTheValueInItsMessages) {
                     "a.json:6: 'films'[1], value 3: expected an integer from 0 to 9, found 2.5");
     expect_rejected([&](const JsonItem& root) { film(root, 0).value(1).index(4, "bubble"); },
                     "a.json:5: 'films'[0], value 2: expected an integer from 0 to 3, found 4");
-    expect_rejected([&](const JsonItem& root) { film(root, 0).value(1).index(0, "bubble"); },
-                    "a.json:5: 'films'[0], value 2: there is no bubble to refer to, found 4");
+    expect_rejected(
+        [&](const JsonItem& root) { film(root, 0).value(1).index(0, "bubble"); },
+        "a.json:5: 'films'[0], value 2: refers to bubble 4, but the file has no bubble");
     expect_rejected([&](const JsonItem& root) { film(root, 0).fail("is wrong"); },
                     "a.json:5: 'films'[0]: is wrong");
 }

@@ -27,7 +27,9 @@ constexpr std::size_t kMaxUnculledArcs = 24;
 // ignored in smooth distances. The film would add only about 1e-8 / distance² to the sum of 1/phi²,
 // and its functions could leave the range of floats.
 constexpr double kMinChord = 1e-4;
-constexpr float kNoEnd = 1e15F;  // twice_value of `along` for a circle, whose film has no ends
+// For a circle, whose film has no ends, FilmFunctions::along is a constant. This is twice the
+// constant: so large that every pixel counts as beside the film, not beyond its ends.
+constexpr float kNoEnd = 1e15F;
 
 }  // namespace
 
@@ -173,9 +175,9 @@ void RegionField::measure_batch(const ArcLanes& arcs, double reach) {
     (*visit_)(batch_);
 }
 
-// Computes the smooth distances of the batch. The surroundings get no films, so that their smooth
-// distances equal their distances. A circle gets one of its two arcs, whose function `across` is 0
-// on the whole circle.
+// Computes the smooth distances of the batch. For the surroundings, no films are passed to the
+// batch, so that their smooth distances equal their distances. For a circle, only one of its two
+// arcs is passed, since its function `across` is 0 on the whole circle.
 void RegionField::measure_smooth(double reach) {
     static const ArcLanes none;
     const bool is_circle = region_->kind == RegionKind::Circle;

@@ -10,15 +10,16 @@ namespace foam::texgen {
 /// Returns the arcs that bound the visible parts of every bubble of a frame. `film_width` is in
 /// pixels. A film covers all points whose distance from its arc is less than half the width.
 ///
-/// If the width is 0, bubbles meet at their films. On a torus, each film is then one arc of the
-/// result, with a bubble on either side. In a patch it is two arcs, one per bubble. If the width is
+/// If the width is 0, bubbles meet at their films. On a torus, each film is then in the result
+/// once, divided into monotone pieces, with a bubble on either side. In a patch it is there twice,
+/// once per bubble. If the width is
 /// positive, each visible part of a bubble other than the ghost bubble is bounded by one closed
 /// chain of arcs, with films on the other side. Most bubbles have one visible part; a bubble that
 /// films cover completely has none.
 ///
-/// In a patch, arcs also bound the ghost bubble and the lone bubbles. The indices of lone bubbles
-/// follow the index of the ghost bubble. On a torus and in a patch, some arcs that do not affect
-/// any pixel are left out.
+/// In a patch, arcs also bound the ghost bubble and the lone bubbles. In ArcSides, the indices
+/// of lone bubbles follow the index of the ghost bubble. On a torus and in a patch, some arcs that
+/// do not affect any pixel are left out.
 ///
 /// Apart from CellArcs::grid, the result depends neither on the number of threads nor on the shift
 /// of the grid. Throws std::invalid_argument if the width is negative or not finite, and under the
