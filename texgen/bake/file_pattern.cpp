@@ -83,7 +83,7 @@ FilePattern::Piece FilePattern::take_format(std::string_view& rest) const {
     const bool padded = format.size() == 4 && format[1] == '0' &&
                         std::isdigit(static_cast<unsigned char>(format[2])) != 0;
     if (!padded) {
-        reject("'%' must be followed by d or a width and d, as in %04d");
+        reject("'%' must be followed by d, or by 0, one digit and d, as in %04d");
     }
     return FrameNumber{format[2] - '0', std::string(format)};
 }

@@ -171,7 +171,8 @@ void add_compare_command(CLI::App& app, Action& action) {
     command->add_option("--diff", arguments->difference, "Write the differences as a gray PNG")
         ->excludes("--frames")
         ->option_text("FILE");
-    add_quiet_option(*command, arguments->quiet, "Print nothing; the exit code is the result");
+    add_quiet_option(
+        *command, arguments->quiet, "Print only errors, and --json; the exit code is the result");
     add_json_option(*command, arguments->json);
     command->footer(kCompareExamples);
     command->callback(

@@ -5,8 +5,8 @@
 namespace foam::texgen {
 
 /// The exit codes of the program. The help of the program also lists them. `compare` differs: like
-/// OpenImageIO's idiff, it returns its Verdict (0 to 3) as the exit code if all images are
-/// readable.
+/// OpenImageIO's idiff, it returns its Verdict (0 to 3, image/compare.h) as the exit code,
+/// unless an exception or lost output gives one of these codes.
 enum class ExitCode : int {
     Success = 0,
     InternalFailure = 1,  // a bug, or out of memory

@@ -17,8 +17,8 @@ namespace {
 constexpr const char* kVerifyExamples = R"(Examples:
   foamtex verify out
   foamtex verify out --json > report.json
-Checks against the manifest that every file has the pixels that were baked, images of a torus tile,
-and the last frame of a loop leads into the first.
+Checks that every file has the pixels that the manifest records, that images of a torus tile
+without a seam, and that the last frame of a loop leads into the first.
 Exit codes: 0 all checks passed, 6 a check failed, 4 the manifest cannot be read)";
 
 struct VerifyArguments {
@@ -47,7 +47,8 @@ void add_verify_command(CLI::App& app, Action& action) {
         ->required()
         ->option_text(" ");
     add_json_option(*command, arguments->json);
-    add_quiet_option(*command, arguments->quiet, "Print nothing; the exit code is the result");
+    add_quiet_option(
+        *command, arguments->quiet, "Print only errors, and --json; the exit code is the result");
     command->footer(kVerifyExamples);
     command->callback(
         [&action, arguments] { action = [arguments] { return run_verify(*arguments); }; });

@@ -10,8 +10,8 @@ namespace foam::texgen {
 inline constexpr EventTraits kCollapseEvent = {
     .name = "collapse",
     .meaning =
-        "bubbles shrink and vanish, `at-once` or `in-turn`; the others take up their gas in "
-        "proportion to their areas",
+        "bubbles shrink and vanish, `at-once` or `in-turn`; on a torus the others take "
+        "up their gas in proportion to their areas, in a patch it goes to the surroundings",
     .takes_bubbles = true,
     .takes_position = true,
     .takes_count = true};

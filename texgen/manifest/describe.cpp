@@ -28,11 +28,13 @@ const char* description_of(LoopKind kind) {
             return "bubbles vanish and as many new ones appear; the last frames fade into the "
                    "first";
         case LoopKind::PingPong:
-            return "half of the frames, then the same frames backwards";
+            return "the states of the foam forwards, then backwards; the first and the last state "
+                   "are shown "
+                   "once";
         case LoopKind::None:
             break;
     }
-    return "no loop: the foam coarsens";
+    return "no loop";
 }
 
 ManifestLoop loop_of(const Preset& preset) {
@@ -103,7 +105,7 @@ ManifestFile file_of(const WrittenFile& written, int frame, const std::filesyste
     return file;
 }
 
-// Stores the format of the samples of each map in a file.
+// For each map in a written file, records the format of its samples in the set.
 void store_sample_formats(BakedSet& set, const WrittenFile& written) {
     for (const auto& [map, samples] : written.maps) {
         std::ranges::find(set.maps, map->name, &ManifestMap::name)->samples = samples;

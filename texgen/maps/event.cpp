@@ -46,17 +46,17 @@ void paint_copy(const EventDisk& disk, SubpixelPoint middle, ImageView<float> im
 }  // namespace
 
 Keys<EventMapOptions> event_map_keys() {
-    return {
-        key("radius",
-            Reals{0.01, 100.0},
-            "radius of the disks of map event, in diameters of a mean bubble of the seeded foam",
-            &EventMapOptions::radius)
-            .in("mean bubble diameters of the seeded foam"),
-        key("fade",
-            Integers{1, kRecordedFrames},
-            "number of frames until a disk has faded out",
-            &EventMapOptions::fade)
-            .in("frames")};
+    return {key("radius",
+                Reals{0.01, 100.0},
+                "radius of the disks in the map `event`, in diameters of a mean bubble of the "
+                "seeded foam",
+                &EventMapOptions::radius)
+                .in("mean bubble diameters of the seeded foam"),
+            key("fade",
+                Integers{1, kRecordedFrames},
+                "number of frames until a disk has faded out",
+                &EventMapOptions::fade)
+                .in("frames")};
 }
 
 NumberPixels draw_event(FrameLayers& layers, const EventMapOptions& options) {

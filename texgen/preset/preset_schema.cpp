@@ -90,11 +90,11 @@ std::string preset_schema() {
     Json schema{{"$schema", kDraft}, {"title", "A preset of foamtex " FOAMTEX_VERSION}};
     schema.update(object_schema());
     Json& tables = schema["properties"];
-    tables["extends"] = {
-        {"type", "string"},
-        {"minLength", 1},
-        {"description",
-         "shipped preset, or file relative to this one, whose keys this preset changes"}};
+    tables["extends"] = {{"type", "string"},
+                         {"minLength", 1},
+                         {"description",
+                          "the preset that this one extends: the name of a shipped preset, or a "
+                          "path relative to the folder of this file"}};
     for (const KeyInfo& key : preset_keys()) {
         const std::string table(key.table());
         if (!tables.contains(table)) {

@@ -17,10 +17,11 @@ namespace {
 // An arc is split in stages. First its crossings with borders between rows are computed, then its
 // crossings with borders between columns. The two sequences are then merged: the index of a
 // crossing in the merged sequence is its own index plus the number of crossings of the other kind
-// before it. This number follows from the column of the crossing or from a counter of rows. No two
-// crossings are compared, so the merge has no unpredictable branches. Finally the area to the left
-// of each part is computed: the area to the left of the chord of the part, plus the area between
-// the chord and the arc.
+// before it. For a crossing with a border between rows, this number follows from the column of the
+// crossing; for a crossing with a border between columns, from a counter of rows. No two crossings
+// are compared, so the merge has no unpredictable branches. Finally the area to the left of each
+// part is computed: the area to the left of the chord of the part, plus the area between the chord
+// and the arc.
 
 constexpr std::size_t kLanes = 16;  // number of parts whose areas are computed at once
 

@@ -106,9 +106,10 @@ struct RowSums {
 /// the differences to sums of pixels.
 ///
 /// On a torus a row is a ring, so that "further right" has no end. In every row, however, the
-/// signed heights of the closed outline of a bubble cancel. Only arcs of an outline that are in
-/// different periods of the torus need a correction: an arc that is k periods to the right of the
-/// image subtracts its height times its change of values, k times, from the start of the row. In
+/// signed heights of the closed outline of a bubble cancel. This is true only if all arcs of the
+/// outline are in the same period of the torus. Therefore an arc that is k periods to the right of
+/// the image subtracts, from the start of each of its rows, k times its height times its change of
+/// values (add_outside, Step::period_correction). In
 /// the plane, an arc to the left of a row adds its height times its change of values to all pixels
 /// of the row, and an arc to the right of a row adds nothing.
 ///
