@@ -20,10 +20,13 @@ constexpr const char* kLongBake =
     "' bake sea_foam --set loop.kind=none --set foam.bubbles=16 --set frames.count=100000 --size 8 "
     "--out a.######.png";
 
-// Sends a signal to the bake after half a second. The exit code is that of the bake.
+// Sends a signal to the bake as soon as it has written a frame. The exit code is that of the bake.
 Outcome stopped_by(const std::string& signal, const TemporaryFolder& folder) {
-    return run_program("--version > /dev/null && timeout --preserve-status --signal=" + signal +
-                           " 0.5 '" + foam::test::executable().string() + kLongBake,
+    return run_program("--version > /dev/null; { '" + foam::test::executable().string() +
+                           kLongBake +
+                           " & until [ -e a.000001.png ] || ! kill -0 $!; do sleep 0.02; done; "
+                           "kill -" +
+                           signal + " $!; wait $!; }",
                        folder);
 }
 
