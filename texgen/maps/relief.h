@@ -25,9 +25,8 @@ struct ReliefSource {
 /// Heights come from the smooth distance and slopes from its gradient, so that there are creases
 /// only along films. If only the walls of a maze shape the relief (ReliefFilms::Walls), the
 /// distance to the nearest wall replaces the smooth distance, so that there are also creases where
-/// two walls are equally near. Around
-/// a patch the relief is flat, except for the outer half of ridges and wet films. Borrows the
-/// layers.
+/// two walls are equally near. Around a patch the relief is flat, except for the outer half of
+/// ridges and wet films. Borrows the layers.
 class Relief {
   public:
     /// `reach` is in units of the section (ReliefSection). Distances above it from the walls of a
