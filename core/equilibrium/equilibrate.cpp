@@ -32,9 +32,9 @@ namespace {
 constexpr double kSlowRatio = 0.1;
 // After this many rounds without equilibrium, defect regions are no longer solved on their own.
 constexpr int kRoundsWithRegions = 20;
-// The whole foam is relaxed at every stall of Newton's method whose number is a multiple of this
-// period. Only stalls for which there are worst regions are counted. At the other counted stalls,
-// only the worst regions are relaxed.
+// Stalls of Newton's method are counted if there are worst regions. At every
+// kGlobalRelaxationPeriod-th counted stall the whole foam is relaxed, at the others only the worst
+// regions. At a stall that is not counted, the whole foam is relaxed.
 constexpr int kGlobalRelaxationPeriod = 4;
 
 // The foam that all rounds work on, and the buffers that they reuse.
@@ -70,8 +70,8 @@ void count_t1(int t1, Progress& progress) {
 
 // Returns the number of sweeps of the next relaxation of the whole foam. The number cycles through
 // `sweeps`, a quarter, a sixteenth and a sixty-fourth of `sweeps`, rounded down, but is at least
-// one. Since the number varies, Newton's method starts from a different state than the one in which
-// it stalled.
+// one. It varies so that repeated relaxations do not lead Newton's method back to the same state,
+// in which it would stall again.
 int next_sweeps(int sweeps, Progress& progress) {
     const int quarterings = progress.global_relaxations++ % 4;
     return std::max(1, sweeps >> (2 * quarterings));

@@ -12,15 +12,19 @@ namespace {
 // Regularization: a number that is added to each diagonal entry of the Hessian, because the Hessian
 // is singular. Its null modes are, for example, the translation of the whole foam and, on a torus,
 // a common change of all pressures (E3). For junctions and half angles the number is one of the
-// fractions below times the film tension; for pressures, times the diagonal entry. The
+// fractions below times the film tension; for pressures, times the magnitude of the diagonal entry
+// plus 1e-12, since the entry may be 0. The
 // regularization is small compared with the stiffness of the softest shear mode of the foam, and
-// large compared with rounding errors in the factor. In a small foam, a motion of junctions may
-// meet no resistance from films, but only from the area constraint of a bubble whose pressure is
-// eliminated later. One pivot is then as small as the regularization and the next one as large as
-// its inverse, which requires double precision.
+// large compared with rounding errors in the factor.
 constexpr double kSingleRegularization = 1e-6;
 constexpr double kDoubleRegularization = 1e-7;
-constexpr int kFewUnknowns = 500;  // with fewer unknowns, factors are in double precision
+
+// Systems of fewer unknowns are factored in double precision. In a small foam, it may be that no
+// film resists a certain motion of junctions, but only the area constraint of a bubble does. If the
+// pressure of this bubble is eliminated after these junctions, a pivot of the junctions is only as
+// large as the regularization, and the pivot of the pressure has about the magnitude of its
+// inverse. Single precision is not enough for such pivots.
+constexpr int kFewUnknowns = 500;
 
 // Subtracts the mean vector of all junctions from the vector of each junction. The vectors are in
 // the first rows, two rows per junction.
@@ -85,12 +89,12 @@ void NewtonSystem::factor(const Foam& foam) {
     has_factor_ = solver_.factor(hessian_->matrix());
 }
 
-// Returns the residual without its components along the null modes that the Hessians of all foams
-// have. No step can change these components. They are the mean force, since a translation of the
-// whole foam changes no force and no area, and, on a torus, the mean area error, since a common
-// change of all pressures changes no force and no area. Translations of single rafts of a patch,
-// and rotations, are left to the regularization. Both components are zero except for rounding
-// errors, which a factor in single precision would concentrate in one bubble.
+// Returns the residual without the components that no step can change: the mean force and, on a
+// torus, the mean area error. The reason is that a translation of the whole foam and, on a torus, a
+// common change of all pressures change no force and no area, and that the Hessian is symmetric.
+// These components are zero except for rounding errors, which a factor in single precision would
+// concentrate in one bubble. Translations of single rafts of a patch, and rotations, are left to
+// the regularization. If the system covers only a part of the foam, returns the residual unchanged.
 Eigen::VectorXd NewtonSystem::solvable_part(const Foam& foam, Eigen::VectorXd residual) const {
     if (is_whole_) {
         remove_mean(residual, unknowns_.junctions.size());

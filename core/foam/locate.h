@@ -15,13 +15,15 @@ std::optional<BubbleId> find_bubble(const Foam& foam, BubbleIdentity identity);
 
 /// Returns the number of times that the outlines of a bubble and of all its lattice copies wind
 /// counter-clockwise around a point of the plane: 1 if the point is inside one of them, 0 if it is
-/// outside of all. The sides of an outline are the arcs of the films. A point on a film may count
-/// as inside or outside.
+/// outside of all. If the bubble is inverted or overlaps its copies, other numbers are possible.
+/// The sides of an outline are the arcs of the films. A point on a film may count as inside or
+/// outside.
 int winding_number(const Foam& foam, BubbleId bubble, const Vec2& point);
 
 /// Returns the bubble that contains a point. The point may be anywhere in the plane, also on a
 /// torus. For a point on a film, returns a bubble beside the film. In a patch, returns nothing if
-/// the point is in the ghost or in a lone bubble. Precondition: no two bubbles overlap.
+/// the point is in the ghost or in a lone bubble. On a torus, returns the first bubble if rounding
+/// errors hide which bubble contains the point. Precondition: no two bubbles overlap.
 std::optional<BubbleId> bubble_at(const Foam& foam, const Vec2& point);
 
 /// Returns the identity of the bubble or lone bubble that contains a point, or nothing if no bubble

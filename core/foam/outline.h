@@ -22,10 +22,11 @@ struct Outline {
 /// not valid, for example because it crosses itself.
 Outline outline_from_wkt(const std::string& text);
 
-/// Returns the unit disc as a regular polygon of 360 sides.
+/// Returns the unit disc around the origin as a regular polygon of 360 sides.
 Outline disc_outline();
 
-/// Returns a rectangle of height 1. `aspect` is its width divided by its height.
+/// Returns a rectangle of height 1 whose lower left corner is the origin. `aspect` is its width
+/// divided by its height.
 Outline rectangle_outline(double aspect);
 
 /// Returns the area within the outer ring minus the area of the holes.

@@ -19,7 +19,7 @@ struct Split {
 };
 
 /// Removes the film and both its junctions. On each side of the film, the two outer films that it
-/// separated become one. If a bubble beside the film has only one other film, this film and the
+/// separated become one. If a bubble beside the film has only one other film, that film and the
 /// bubble are also removed from the network. If both ends of the film were on the same boundary of
 /// the ghost, the two bubbles belong to different rafts afterwards. Otherwise, the boundaries at
 /// the two ends have become one; for example, a hole is now open to the outside. Precondition:

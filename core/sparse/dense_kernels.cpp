@@ -64,8 +64,9 @@ struct Kernels {
         Lanes sums[size(kTileColumns)][size(Strip)];
     };
 
-    // SIMD vectors are passed by reference. If they were passed by value, they would change the
-    // calling convention of functions that are not compiled for the SIMD level.
+    // SIMD vectors are passed by reference. How a vector is passed by value depends on the
+    // instruction set for which a function is compiled, and the functions below are compiled for
+    // the SIMD level only where at_simd_level inlines them.
     static void load(const Real* source, Lanes& lanes) {
         std::memcpy(&lanes, source, sizeof lanes);
     }

@@ -23,7 +23,7 @@ namespace foam {
 namespace {
 
 // Smallest number of rows of a part whose separator is refined. In a smaller part, refinement would
-// take longer than factoring would become faster.
+// take more time than it saves in the factorization.
 constexpr int kMinRefinedPart = 2000;
 
 // Refinement may move a separator through this many layers of nodes on each side of it.
@@ -187,8 +187,9 @@ WeightedGraph PartDivider::graph_of(Nodes part) {
     return graph;
 }
 
-// Appends a node and its edges to numbered neighbors to the graph. Returns two flags, for Low and
-// for High. A flag is true if the node also has neighbors without a number in this zone.
+// Appends to `graph` a node, and those of its edges that lead to numbered nodes. Returns two flags,
+// for Low and for High. A flag is true if the node also has neighbors in this zone that have no
+// number.
 std::array<bool, 2> PartDivider::append_node(std::uint32_t node, WeightedGraph& graph) const {
     std::array<bool, 2> touches_rest{};
     graph.begins.push_back(narrow(graph.edges.size()));

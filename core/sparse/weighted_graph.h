@@ -20,7 +20,8 @@ struct WeightedGraph {
 
     std::vector<int> weights;  // weights of the nodes, not negative
     std::vector<Edge> edges;   // sorted by node; each edge occurs at both its ends
-    // For each node, the index of its first edge in `edges`; finally the size of `edges`.
+    // For each node, the index of its first edge in `edges`; the last element is the size of
+    // `edges`.
     std::vector<std::uint32_t> begins;
 
     /// Returns the number of nodes.
@@ -38,10 +39,10 @@ struct CoarseGraph {
 };
 
 /// Returns a coarser graph by merging pairs of neighbors. The nodes are visited in their order. A
-/// node that is not merged yet is merged with the unmerged neighbor to which it has the heaviest
-/// edge ("heavy-edge matching", Karypis and Kumar 1998). The weights of merged nodes are added up,
-/// and so are the weights of parallel edges. Two nodes whose weights add up to more than
-/// `max_weight` are not merged.
+/// node that is not merged yet is merged with an unmerged neighbor, if there is one such that the
+/// weights of both nodes add up to at most `max_weight`; among several, with the one to which it
+/// has the heaviest edge ("heavy-edge matching", Karypis and Kumar 1998). The weights of merged
+/// nodes are added up, and so are the weights of parallel edges.
 CoarseGraph coarsen(const WeightedGraph& fine, int max_weight);
 
 }  // namespace foam

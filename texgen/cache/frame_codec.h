@@ -7,10 +7,10 @@
 
 namespace foam::texgen {
 
-// A compact encoding of a frame: about 105 bytes per bubble before compression. The topology is
-// stored as the half-edges that leave each junction and one half-edge of each bubble; all other
-// links follow from these. The geometry is stored as the values from which arcs and areas are
-// computed. README.md lists the stored values.
+// A compact encoding of a frame: about 105 bytes per bubble of a torus before compression. The
+// topology is stored as the half-edges that leave each junction and one half-edge of each bubble;
+// all other links follow from these. The geometry is stored as the values from which arcs and areas
+// are computed. README.md lists the stored values of a state, of which the frame is a part.
 
 /// Appends an encoded frame to the bytes of the writer.
 void write_frame(const Frame& frame, ByteWriter& writer);

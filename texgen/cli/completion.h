@@ -17,10 +17,10 @@ struct CompletionWords {
 };
 
 /// Return a script that completes the command lines of a program, for bash and for zsh. The script
-/// offers map names after --maps and keys after --set. It offers preset names and files for the
-/// positional argument PRESET, but only preset names for the positional argument NAME. For an
-/// option with a placeholder such as "a|b|c", it offers the words a, b and c. For all other values,
-/// it offers files.
+/// offers map names after --maps and keys after --set. For the positional argument PRESET it
+/// offers preset names and files; bash offers files only if no preset name matches. For the
+/// positional argument NAME it offers only preset names. For an option with a placeholder such as
+/// "a|b|c", it offers the words a, b and c. For all other values, it offers files.
 std::string bash_completion(const CommandGrammar& program, const CompletionWords& words);
 std::string zsh_completion(const CommandGrammar& program, const CompletionWords& words);
 

@@ -23,7 +23,8 @@ struct Values {
     std::vector<std::string> words{};  // empty for paths
 };
 
-/// Returns the values that completion offers for an argument.
+/// Returns the values that completion offers for an argument. For a positional argument other than
+/// NAME, the completion scripts also offer files.
 Values values_of(const ArgumentGrammar& argument, const CompletionWords& words);
 
 /// Returns the words, separated by spaces.

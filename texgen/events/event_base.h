@@ -51,11 +51,12 @@ struct EventBase {
 
 /// The properties of a kind of event, and the shared keys that it accepts.
 struct EventTraits {
-    std::string_view name;        // as in `kind = "collapse"`
-    std::string_view meaning;     // what happens, in Markdown
-    bool takes_bubbles = false;   // true if the kind accepts the keys bubble and sides
-    bool takes_position = false;  // true if the kind accepts the key at
-    bool takes_count = false;     // true if the kind accepts the key count
+    std::string_view name;         // as in `kind = "collapse"`
+    std::string_view meaning;      // what happens, in Markdown
+    bool takes_bubbles = false;    // true if the kind accepts the keys bubble and sides
+    bool takes_position = false;   // true if the kind accepts the key at
+    bool takes_count = false;      // true if the kind accepts the key count
+    bool creates_bubbles = false;  // true if the kind creates `count` bubbles
 };
 
 /// Returns the keys that determine when an event happens: frame, frames and time.

@@ -17,8 +17,7 @@ struct EventSetting {
     bool is_patch = false;
     double t2_area = 0.0;       // square foam units
     double shorter_side = 0.0;  // shorter side of a torus, foam units
-    // An upper bound of the number of identities: of seeded bubbles, and of bubbles that events
-    // create. All identities are below it.
+    // All identities, of seeded bubbles and of bubbles that events create, are below this number.
     std::int64_t identities = std::numeric_limits<std::int64_t>::max();
 };
 
@@ -42,8 +41,8 @@ struct EventCheck {
         }
     }
     /// Returns the reason to report for a wrong value of a key of the event. If a key of the event
-    /// was assigned, the reason is `text`. Otherwise the error message begins with a key outside of
-    /// the event that was assigned. The result is then "event[2].key" + separator + text, so that
+    /// was assigned, the reason is `text`. Otherwise the error message names an assigned key that
+    /// does not belong to the event. The result is then "event[2].key" + separator + text, so that
     /// the message also names the key of the event.
     std::string qualified_reason(std::string_view key,
                                  std::string_view separator,

@@ -14,7 +14,8 @@ Keys<NucleateOptions> nucleate_keys() {
         {{{"junction", NucleationSite::Junction}, {"film", NucleationSite::Film}}}};
     return {key("on",
                 kSites,
-                "origin of a new bubble: a junction (three sides) or a film (two sides)",
+                "where a new bubble appears: at a junction (the bubble has three sides) or on a "
+                "film (two sides)",
                 &Options::on),
             key("area",
                 Reals{0.0002, 100.0},
@@ -38,7 +39,7 @@ void check_nucleate(const EventCheck& check, const NucleateOptions& options) {
                       : fmt::format("must be below {}.area = {}", check.name, options.area));
     check.require(!check.event.at || check.event.count == 1,
                   "count",
-                  "must be 1 if the event has the key at (a position)");
+                  "must be 1 if the event has a position (the key 'at')");
 }
 
 void advance_nucleate(const EventBase& event,

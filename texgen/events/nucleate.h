@@ -13,7 +13,8 @@ inline constexpr EventTraits kNucleateEvent = {.name = "nucleate",
                                                    "`count` new bubbles of a given `area` appear "
                                                    "on junctions or films, evenly over the frames",
                                                .takes_position = true,
-                                               .takes_count = true};
+                                               .takes_count = true,
+                                               .creates_bubbles = true};
 
 struct NucleateOptions {
     NucleationSite on = NucleationSite::Junction;

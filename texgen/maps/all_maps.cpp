@@ -61,11 +61,8 @@ bool shows_maze(std::span<const std::string> names, const MapOptions& options) {
     const bool has_walls = options.relief.films == ReliefFilms::Walls;
     return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
         const bool is_maze = name == kMazeMap.name || name == kMazeSolutionMap.name;
-        const bool is_lit = name == kLitMap.name;
-        const bool is_relief = is_lit || name == kHeightMap.name || name == kNormalMap.name ||
-                               name == kOcclusionMap.name || name == kCurvatureMap.name;
-        return is_maze || (is_lit && options.lit.colors == LitColors::Maze) ||
-               (is_relief && has_walls);
+        const bool has_maze_colors = name == kLitMap.name && options.lit.colors == LitColors::Maze;
+        return is_maze || has_maze_colors || (has_walls && find_map(name).shows_relief);
     });
 }
 

@@ -11,11 +11,12 @@ namespace foam::texgen {
 inline constexpr MapTraits kCurvatureMap = {
     .name = "curvature",
     .meaning = "curvature of the relief: above 0 on crests, below 0 in furrows",
-    .unit = "per bubble diameter; PNG: 0.5 stands for 0, 1 is curvature.full",
+    .unit = "per bubble diameter; PNG: 0.5 stands for 0, 1 for curvature.full",
     .channels = "Y",
     .png_bits = 16,
     .png_filter = PngFilter::Up,
-    .smooth_distance = SmoothDistance::Used};
+    .smooth_distance = SmoothDistance::Used,
+    .shows_relief = true};
 
 struct CurvatureOptions {
     double radius = 0.08;  // radius of the neighborhood, in diameters of the relief's mean bubble

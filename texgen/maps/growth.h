@@ -10,7 +10,7 @@ namespace foam::texgen {
 inline constexpr MapTraits kGrowthMap = {
     .name = "growth",
     .meaning = "growth rate of bubbles, to the next frame",
-    .unit = "area per foam time; PNG: 0.5 stands for 0, 1 is growth.full",
+    .unit = "area per foam time; PNG: 0.5 stands for 0, 1 for growth.full",
     .channels = "Y",
     .png_bits = 16,
     .needs_next = true};
@@ -24,10 +24,12 @@ Keys<GrowthOptions> growth_keys();
 /// Draws the growth rate of every bubble: the change of its area until the next frame, divided by
 /// the magnitude of the change of foam time. A bubble that vanishes before the next frame has the
 /// area 0 there. A pixel that several bubbles share has the mean of their rates, weighted by the
-/// part of the pixel that each bubble covers. A rate follows von Neumann's law (E6 in
-/// core/README.md) if nothing but diffusion changes the area of the bubble and its number of sides
-/// stays the same. The image has one channel. It is 0 around a patch; if no time passes until the
-/// next frame, it is 0 everywhere. Throws std::invalid_argument if there is no next frame.
+/// part of the pixel that each bubble covers. In the second half of a pingpong loop, time runs
+/// backwards: a bubble that shrinks from frame to frame has a negative rate there, too. Otherwise a
+/// rate follows von Neumann's law (E6 in core/README.md) if nothing but diffusion changes the area
+/// of the bubble and its number of sides stays the same. The image has one channel. It is 0 around
+/// a patch; if no time passes until the next frame, it is 0 everywhere. Throws
+/// std::invalid_argument if there is no next frame.
 NumberPixels draw_growth(FrameLayers& layers, const GrowthOptions& options);
 
 }  // namespace foam::texgen

@@ -15,7 +15,8 @@ inline constexpr MapTraits kHeightMap = {
     .channels = "Y",
     .png_bits = 16,
     .png_filter = PngFilter::Up,
-    .smooth_distance = SmoothDistance::Used};
+    .smooth_distance = SmoothDistance::Used,
+    .shows_relief = true};
 
 struct HeightOptions {
     double full = 0.5;  // height stored as the largest code of a PNG, in bubble diameters

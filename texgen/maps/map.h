@@ -38,6 +38,7 @@ struct MapTraits {
     bool needs_next = false;                 // true if drawing needs the next frame
     SmoothDistance smooth_distance = SmoothDistance::Unused;
     Mixing mixing = Mixing::Values;
+    bool shows_relief = false;  // true if the map depends on the relief
 };
 
 /// A map: its traits, and the functions that depend on options. Each function gets the options of

@@ -17,10 +17,10 @@ namespace foam::texgen {
 namespace {
 
 // The spanning tree is built by Kruskal's algorithm: films are visited in the order of their
-// weights, and a film is opened if there is no way yet between the bubbles on its sides. Groups of
-// bubbles that are connected are kept in a disjoint-set forest. The longest way in a tree is found
-// by two breadth-first searches: the bubble farthest from an arbitrary bubble is one end of the
-// way, and the bubble farthest from this end is the other.
+// weights, all narrow films last, and a film is opened if there is no way yet between the bubbles
+// on its sides. Groups of bubbles that are connected are kept in a disjoint-set forest. The longest
+// way in a tree is found by two breadth-first searches: the bubble farthest from an arbitrary
+// bubble is one end of the way, and the bubble farthest from this end is the other.
 
 // A disjoint-set forest with union by size and path halving (R. E. Tarjan and J. van Leeuwen,
 // "Worst-case analysis of set union algorithms", 1984).
@@ -84,11 +84,12 @@ using OpenFilms = Indexed<FilmId, std::uint8_t>;
 struct Wall {
     FilmId film;
     bool is_narrow;  // MazeRule::narrow
-    double weight;   // of the spanning tree; films of small weight are opened first
+    double weight;   // the spanning tree opens films of small weight first, but narrow films last
     double number;   // random; decides which walls are opened in addition
 };
 
-// Returns true if walls would fill the passage through a film (MazeRule::narrow).
+// Returns true if a film is narrow (MazeRule::narrow): if it is shorter than `width`, or if a
+// bubble beside it has a smaller area than a circle of this diameter.
 bool is_narrow(const Frame& frame, FilmId film, double width) {
     const HalfEdgeId side = forward_side(film);
     const double area = std::min(frame.bubbles[frame.network.left(side)].area,
@@ -117,8 +118,8 @@ std::vector<Wall> walls_of(const Frame& frame, const MazeRule& rule) {
                          number_of_pair(rule.seed, a.identity, b.identity)});
         sum += step;
     }
-    // The mean difference of pressures weighs as much as the mean random number. Differences that
-    // are only errors of the solver do not count.
+    // Differences of pressure are scaled so that their mean is 0.5, the mean of the random numbers.
+    // If the mean is so small that it may be an error of the solver, all differences count as 0.
     constexpr double kLargestError = 1e-8;  // in film tensions per foam unit of length
     const double mean = sum / std::max(static_cast<double>(walls.size()), 1.0);
     const double scale = mean > kLargestError * frame.film_tension ? 0.5 / mean : 0.0;
@@ -131,7 +132,7 @@ std::vector<Wall> walls_of(const Frame& frame, const MazeRule& rule) {
 // The spanning tree of a frame.
 struct SpanningTree {
     OpenFilms is_open;
-    std::vector<Wall> closed;                    // all films between bubbles that are not open
+    std::vector<Wall> closed;                    // all films of walls_of that are not open
     BubbleId in_largest_raft = kNone<BubbleId>;  // a bubble of the raft with most bubbles; kNone
                                                  // if all rafts have one bubble
 };

@@ -17,7 +17,8 @@ inline constexpr MapTraits kNormalMap = {
     .channels = "X Y Z",
     .png_filter = PngFilter::Up,
     .smooth_distance = SmoothDistance::Used,
-    .mixing = Mixing::Slopes};
+    .mixing = Mixing::Slopes,
+    .shows_relief = true};
 
 /// The direction in which the second channel (green in a PNG) is positive.
 enum class NormalY {

@@ -14,7 +14,8 @@ inline constexpr MapTraits kOcclusionMap = {
     .unit = "0 to 1",
     .channels = "Y",
     .png_filter = PngFilter::Up,
-    .smooth_distance = SmoothDistance::Used};
+    .smooth_distance = SmoothDistance::Used,
+    .shows_relief = true};
 
 struct OcclusionOptions {
     double strength = 1.0;  // exponent of the visible fraction

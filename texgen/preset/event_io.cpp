@@ -128,7 +128,8 @@ EventSetting setting_of(const Preset& preset) {
     const auto [shorter, longer] = std::minmax(preset.image.width, preset.image.height);
     std::int64_t identities = preset.seeding.bubbles;
     for (const Event& event : preset.events) {
-        identities += event.kind == "nucleate" ? event.count : 0;
+        const bool creates = !event.kind.empty() && find_event_kind(event.kind).creates_bubbles;
+        identities += creates ? event.count : 0;
     }
     return {
         .is_patch = preset.shape.kind == FoamKind::Patch,

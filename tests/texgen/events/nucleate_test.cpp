@@ -51,7 +51,7 @@ TEST(Nucleate, OnlyOneBubbleBeginsAtAPosition) {
     EventBase event = nucleate_of(2, {2, 3});
     event.at = {0.5, 0.5};
     EXPECT_EQ(test::checked(event, NucleateOptions{}, check_nucleate),
-              "count: must be 1 if the event has the key at (a position)");
+              "count: must be 1 if the event has a position (the key 'at')");
 }
 
 TEST(Nucleate, LimitsHoldOnBothSides) {

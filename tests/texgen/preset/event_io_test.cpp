@@ -210,7 +210,7 @@ TEST(EventIo, ANewBubbleIsLargerThanTheT2Area) {
 TEST(EventIo, OnlyOneNewBubbleMayHaveAPosition) {
     EXPECT_EQ(
         failure("[[event]]\nkind = \"nucleate\"\nframe = 9\nat = [0, 0]\ncount = 2\n"),
-        "a.toml:5: key 'event[1].count' = 2: must be 1 if the event has the key at (a position)");
+        "a.toml:5: key 'event[1].count' = 2: must be 1 if the event has a position (the key 'at')");
 }
 
 // 64 bubbles in a square image are on a torus of 8 x 8 foam units.

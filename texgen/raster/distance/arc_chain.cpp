@@ -14,9 +14,9 @@ namespace {
 // area that the edges cut off. Within a pixel that contains whole edges, the area that is cut off
 // and the area that is added cancel, so short edges may have a larger sagitta (the largest distance
 // of an arc from its chord). Longer edges must be accurate on their own. The ends of the arc cannot
-// be moved outwards, so that of n edges only the n - 1 inner points compensate, and a single edge
-// has none. An arc therefore gets one edge more than its sagitta requires. All lengths are in
-// pixels.
+// be moved outwards. n edges have only n - 1 inner points that can compensate, and a single edge
+// has no inner point. An arc whose sagitta is above kSagitta therefore gets one edge more than the
+// limits below require. A flatter arc is replaced by its chord. All lengths are in pixels.
 constexpr double kSagittaOfShortEdges = 1.0 / 256;  // largest sagitta of short edges
 constexpr double kShortEdge = std::numbers::sqrt2;  // largest length of short edges
 constexpr double kSagitta = 1.0 / 1024;             // largest sagitta of longer edges
@@ -52,9 +52,9 @@ int edge_count(const FilmArc& arc, double sine) {
 
 }  // namespace
 
-// The n edges cut off n circular segments, each with an area of about 2/3 sagitta * edge, where
-// `edge` is the length of an edge. Moving an inner point outwards by a distance adds an area of
-// about distance * edge, and there are n - 1 inner points. The total areas that are cut off and
+// The n edges, each of length e, cut off n circular segments, each with an area of about
+// 2/3 sagitta * e. Moving an inner point outwards by a distance adds an area of about distance * e,
+// and there are n - 1 inner points. The total areas that are cut off and
 // added are equal for distance = 2/3 sagitta * n / (n - 1). The outward direction is normal to the
 // sum of the two edge vectors at the point. The length of this sum is 2 cos(half_step) times the
 // length of an edge.
@@ -67,8 +67,8 @@ void append_chain_points(const FilmArc& arc, const Vec2& tail, std::vector<Vec2>
     const Rotation half_step(arc.half_angle / edges);
     const Rotation step = half_step.twice();
     Vec2 edge = half_step * half_turn.back(arc.chord) * (half_step.s / half_turn.s);
-    const double sagitta =
-        0.5 * half_step.s / (1.0 + half_step.c);  // in units of the edge's length
+    // In units of the length of an edge; negative if the arc turns right.
+    const double sagitta = 0.5 * half_step.s / (1.0 + half_step.c);
     const double outwards = 2.0 / 3.0 * sagitta * edges / (edges - 1) / (2.0 * half_step.c);
     Vec2 at = tail;
     for (int k = 1; k < edges; ++k) {
