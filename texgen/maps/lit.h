@@ -18,7 +18,8 @@ inline constexpr MapTraits kLitMap = {
     .meaning = "albedo, thin_film or maze, shaded by a light on the relief",
     .unit = "light",
     .channels = "R G B",
-    .png_filter = PngFilter::Up};
+    .png_filter = PngFilter::Up,
+    .shows_relief = true};
 
 /// The map whose colors are lit.
 enum class LitColors { Albedo, ThinFilm, Maze };
@@ -32,6 +33,14 @@ struct LitOptions {
     double gloss = 0.25;      // brightness of highlights
     double shininess = 40.0;  // exponent of highlights; larger values make them smaller
     double rim = 0.0;         // brightness added to steep slopes, such as the rims of bubbles
+    // The surroundings that the surface reflects like a mirror: up to two windows and a sky that is
+    // brightest at the horizon. The first window is in the direction of the light; the second one
+    // is opposite to it and fainter, as the reflection from the back of a bubble is.
+    int windows = 0;
+    double window_size = 30.0;       // width and height of a window, degrees
+    double window_softness = 0.4;    // width of its soft border, as a fraction of half its size
+    double window_brightness = 1.0;  // brightness of the first window
+    double horizon = 0.0;            // brightness of the sky at the horizon
     // The fraction of the color that is emitted light. It applies to films and to the shade beside
     // them (AlbedoOptions::shade): at each pixel it is multiplied by the coverage of the film or by
     // the weight of the shade, whichever is larger.
@@ -53,8 +62,10 @@ struct LitSurface {
 
 /// Draws the colors of the foam on its relief, lit by a distant light. Flat ground keeps its color
 /// if the whole sky is visible from it. Highlights follow J. F. Blinn, "Models of light reflection
-/// for computer synthesized pictures" (1977). The visible fraction of the sky is that of the map
-/// occlusion (occlusion_of). The surroundings of a patch are transparent.
+/// for computer synthesized pictures" (1977); reflections of windows and of the horizon follow J.
+/// F. Blinn and M. E. Newell, "Texture and reflection in computer generated images" (1976). The
+/// visible fraction of the sky is that of the map occlusion (occlusion_of). The surroundings of a
+/// patch are transparent.
 ColorPixels draw_lit(FrameLayers& layers, const LitOptions& options, const LitSurface& surface);
 
 }  // namespace foam::texgen

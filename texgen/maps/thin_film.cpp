@@ -24,9 +24,13 @@ namespace {
 // integrated over the visible spectrum with the CIE 1931 color matching functions, in the
 // multi-lobe approximation of Wyman, Sloan and Shirley ("Simple analytic approximations to the CIE
 // XYZ color matching functions", 2013). The result is converted to linear sRGB and divided by the
-// color of a perfect mirror. A table contains the color for every nanometer of thickness. The soap
-// film that spans a bubble is thinnest in the middle of the bubble and thickest at its rim; the
-// thickness is a function of the smooth distance from the films between bubbles.
+// color of a perfect mirror. A table contains the color for every nanometer of thickness.
+//
+// The thickness of the soap film that spans a bubble depends on the place in the bubble: liquid
+// gathers at the rim and at the bottom, and swirls. The place is a vector that is zero in the
+// middle of the bubble and has length 1 at its rim: the negative gradient of the smooth distance
+// (raster/distance/distance_field.h). In a circle of radius R, this is the position relative to the
+// center, divided by R.
 
 constexpr double kIndex = 1.33;             // refractive index of soapy water
 constexpr double kFirstWavelength = 380.0;  // shortest wavelength, nanometers
@@ -126,6 +130,7 @@ LinearRgb within_srgb(const LinearRgb& color) {
 struct Film {
     double thickness = 0.0;  // nanometers, in the middle
     double radius = 0.0;     // of a circle with the bubble's area, in pixels; 0 around a patch
+    double phase = 0.0;      // of the swirls, radians
 };
 
 // Returns the soap films of all bubbles, indexed by the ids of the distance field.
@@ -136,24 +141,45 @@ std::vector<Film> films_of(FrameLayers& layers, const ThinFilmOptions& options) 
         const double number = identity_number(bubble, IdentityStream::Second) - 0.5;
         return options.thickness * (1.0 + options.variation * number);
     };
+    const auto film_of = [&](BubbleIdentity bubble, double radius) {
+        const double number = identity_number(bubble, IdentityStream::First);
+        return Film{thickness_of(bubble), scale * radius, 2.0 * std::numbers::pi * number};
+    };
     const auto films = per_bubble<Film>(
         frame,
         [&](BubbleId bubble) {
             const FrameBubble& one = frame.bubbles[bubble];
-            return Film{thickness_of(one.identity), scale * std::sqrt(one.area / std::numbers::pi)};
+            return film_of(one.identity, std::sqrt(one.area / std::numbers::pi));
         },
-        [&](const LoneBubble& bubble) {
-            return Film{thickness_of(bubble.identity), scale * lone_radius(bubble)};
-        });
+        [&](const LoneBubble& bubble) { return film_of(bubble.identity, lone_radius(bubble)); });
     return by_cell_id(layers, films, Film{});
 }
 
-// Returns the thickness in nanometers at a smooth distance, in pixels, from the rim. The variable
-// `rim` is 1 at the rim and 0 in the middle, because in the middle of a circle of radius R the
-// smooth distance is R / 2.
-double thickness_at(const Film& film, double smooth, double drainage) {
+// Returns a number from -1 to 1 that varies smoothly over a bubble: two crossed waves, one of them
+// bent by the other. The bubble is twisted about its middle, so that waves wind around it. `phase`
+// turns the pattern and shifts the waves, so that bubbles differ.
+double swirl_at(const Vec2& place, double phase) {
+    constexpr double kTwist = 2.2;  // angle between the middle and the rim, radians
+    const double angle = phase + kTwist * place.squaredNorm();
+    const Vec2 at(std::cos(angle) * place.x() - std::sin(angle) * place.y(),
+                  std::sin(angle) * place.x() + std::cos(angle) * place.y());
+    const double across = std::sin(2.5 * at.y() + 3.0 * phase);
+    return 0.65 * std::sin(4.0 * at.x() + 1.5 * across + phase) + 0.35 * across;
+}
+
+// Returns the thickness in nanometers at a place (see the top of this file) with the given smooth
+// distance, in pixels, from the rim. The variable `rim` is 1 at the rim and 0 in the middle,
+// because in the middle of a circle of radius R the smooth distance is R / 2.
+double thickness_at(const Film& film,
+                    double smooth,
+                    const Vec2& place,
+                    const ThinFilmOptions& options) {
     const double rim = 1.0 - std::min(2.0 * smooth / film.radius, 1.0);
-    return film.thickness * (1.0 + drainage * rim * rim);
+    double factor = 1.0 + options.drainage * rim * rim - options.gravity * place.y();
+    if (options.swirl > 0.0) {
+        factor += options.swirl * swirl_at(place, film.phase);
+    }
+    return film.thickness * std::max(factor, 0.0);
 }
 
 // The interference colors of bubbles at the centers of pixels.
@@ -169,8 +195,9 @@ class FilmColors {
             return std::nullopt;
         }
         const auto smooth = static_cast<double>(field_.smooth.samples()[index]);
-        const LinearRgb light =
-            reflectance_from_table(thickness_at(film, smooth, options_.drainage));
+        const auto gradient = field_.smooth_gradient.samples().subspan(2 * index, 2);
+        const Vec2 place(-gradient[0], -gradient[1]);
+        const LinearRgb light = reflectance_from_table(thickness_at(film, smooth, place, options_));
         const double exposure = options_.exposure;
         return within_srgb({exposure * light.r, exposure * light.g, exposure * light.b});
     }
@@ -198,6 +225,17 @@ Keys<ThinFilmOptions> thin_film_keys() {
                 Reals{0.0, 10.0},
                 "added thickness at the rim of a bubble, as a fraction of the thickness",
                 &ThinFilmOptions::drainage)
+                .in("fraction of the thickness"),
+            key("gravity",
+                Reals{0.0, 10.0},
+                "added thickness at the bottom of a bubble, and removed thickness at its top, as a "
+                "fraction of the thickness",
+                &ThinFilmOptions::gravity)
+                .in("fraction of the thickness"),
+            key("swirl",
+                Reals{0.0, 10.0},
+                "amplitude of swirls in the thickness, as a fraction of the thickness",
+                &ThinFilmOptions::swirl)
                 .in("fraction of the thickness"),
             key("exposure",
                 Reals{0.0, 100.0},

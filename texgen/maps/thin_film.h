@@ -24,6 +24,10 @@ struct ThinFilmOptions {
                                // `thickness`; a bubble keeps its thickness for life
     double drainage = 0.5;     // added thickness at the bubble's rim, where liquid gathers, as a
                                // fraction of the thickness in the middle
+    double gravity = 0.0;      // added thickness at the bottom of a bubble, and removed thickness
+                               // at its top, as a fraction of the thickness in the middle
+    double swirl = 0.0;        // amplitude of swirls in the thickness, as a fraction of the
+                               // thickness in the middle; each bubble has swirls of its own
     double exposure = 8.0;     // factor on the reflected light; a soap film reflects at most 8 % of
                                // the incident light
 };

@@ -10,8 +10,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <utility>
 #include <variant>
 
 namespace foam::texgen {
@@ -33,6 +35,8 @@ TEST(Lit, FlatGroundKeepsItsColors) {
     options.lit.samples = 1;
     options.lit.gloss = 2.0;
     options.lit.rim = 1.0;
+    options.lit.windows = 2;
+    options.lit.horizon = 1.0;
     const auto albedo = std::get<ColorPixels>(
         draw("albedo", test::torus_subject(), test::torus_grid(kSize), 1, options));
     EXPECT_EQ(lit_pixels(test::torus_subject(), options), albedo.pixels);
@@ -83,6 +87,72 @@ TEST(Lit, LightComesFromItsAzimuth) {
     EXPECT_NEAR(right_over_left(90.0), 1.0, 0.05);
 }
 
+// A spherical dome of 60 degrees reflects the window where its normal points halfway between the
+// viewer and the window. On a sphere of radius r, whose section is R = r sin 60°, a slope of the
+// angle a is at the distance r sin a from the middle.
+TEST(Lit, ReflectsAWindowHalfwayToTheLight) {
+    constexpr double kRadius = 40.0;
+    const Frame frame = snapshot(foam::test::circles({{7, {0.0, 0.0}, std::numbers::pi}}), 1);
+    const FoamRecord record;
+    FrameLayers layers =
+        layers_of(frame, record, {kSize, kSize, 0, 0, View{Vec2::Zero(), kRadius}});
+    MapOptions options;
+    options.albedo.colors = {"#000000"};
+    options.albedo.film_width = 0.0;
+    options.relief.angle = 60.0;
+    options.lit.gloss = 0.0;
+    options.lit.azimuth = 0.0;
+    options.lit.elevation = 50.0;
+    options.lit.windows = 2;
+    options.lit.window_size = 20.0;
+    const Image<std::uint16_t> image =
+        draw_lit(
+            layers,
+            options.lit,
+            {options.albedo, options.thin_film, {options.relief, options.maze}, options.occlusion})
+            .pixels;
+    const double sphere = kRadius / std::sin(std::numbers::pi / 3.0);
+    const int at = static_cast<int>(sphere * std::sin(20.0 * std::numbers::pi / 180.0));
+    const auto light = [&](int x) { return image.pixel(kSize / 2 + x, kSize / 2)[1] / kWhite; };
+    EXPECT_GT(light(at), 0.95);
+    EXPECT_NEAR(light(-at), 0.4, 0.05);
+    EXPECT_LT(light(0), 0.01);
+    EXPECT_LT(light(2 * at), 0.01);
+}
+
+// The horizon is reflected where the slope is 45 degrees: light above, none below.
+TEST(Lit, ReflectsTheHorizonAsARing) {
+    constexpr double kRadius = 40.0;
+    const Frame frame = snapshot(foam::test::circles({{7, {0.0, 0.0}, std::numbers::pi}}), 1);
+    const FoamRecord record;
+    FrameLayers layers =
+        layers_of(frame, record, {kSize, kSize, 0, 0, View{Vec2::Zero(), kRadius}});
+    MapOptions options;
+    options.albedo.colors = {"#000000"};
+    options.albedo.film_width = 0.0;
+    options.relief.angle = 75.0;
+    options.lit.gloss = 0.0;
+    options.lit.horizon = 1.0;
+    const Image<std::uint16_t> image =
+        draw_lit(
+            layers,
+            options.lit,
+            {options.albedo, options.thin_film, {options.relief, options.maze}, options.occlusion})
+            .pixels;
+    const double sphere = kRadius / std::sin(75.0 * std::numbers::pi / 180.0);
+    const auto light = [&](double degrees, double x, double y) {
+        const double r = sphere * std::sin(degrees * std::numbers::pi / 180.0);
+        return image.pixel(kSize / 2 + static_cast<int>(r * x),
+                           kSize / 2 + static_cast<int>(r * y))[1] /
+               kWhite;
+    };
+    for (const auto& [x, y] : {std::pair(1.0, 0.0), std::pair(0.0, 1.0), std::pair(-1.0, 0.0)}) {
+        EXPECT_GT(light(41.0, x, y), 0.4);
+        EXPECT_LT(light(57.0, x, y), 0.05);
+        EXPECT_LT(light(10.0, x, y), 0.05);
+    }
+}
+
 TEST(Lit, LimitsHoldOnBothSides) {
     test::expect_limits(lit_keys(),
                         {{"azimuth", "-361", "-360", "360", "361"},
@@ -91,6 +161,11 @@ TEST(Lit, LimitsHoldOnBothSides) {
                          {"gloss", "-0.1", "0", "1000", "1001"},
                          {"shininess", "0.9", "1", "10000", "10001"},
                          {"rim", "-0.1", "0", "1000", "1001"},
+                         {"windows", "-1", "0", "2", "3"},
+                         {"window_size", "0.9", "1", "120", "121"},
+                         {"window_softness", "-0.1", "0", "1", "1.1"},
+                         {"window_brightness", "-0.1", "0", "1000", "1001"},
+                         {"horizon", "-0.1", "0", "1000", "1001"},
                          {"glow", "-0.1", "0", "1", "1.1"},
                          {"samples", "0", "1", "8", "9"}});
 }

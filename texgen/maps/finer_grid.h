@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/image/image.h"
+#include "texgen/raster/coords/raster_grid.h"
+
+#include <algorithm>
+
+namespace foam::texgen {
+
+/// Returns the number of samples per pixel in each direction for a map that is drawn on a finer
+/// grid: `wanted`, or fewer if a side of the finer grid would exceed kLargestSide.
+inline int samples_for(const RasterGrid& grid, int wanted) {
+    return std::clamp(kLargestSide / std::max(grid.width, grid.height), 1, wanted);
+}
+
+/// Returns the grid with `samples` times as many pixels in each direction, for the same view.
+inline RasterGrid finer(RasterGrid grid, int samples) {
+    grid.width *= samples;
+    grid.height *= samples;
+    grid.shift_x *= samples;
+    grid.shift_y *= samples;
+    if (grid.view) {
+        grid.view->pixels_per_unit *= samples;
+    }
+    return grid;
+}
+
+}  // namespace foam::texgen
