@@ -6,10 +6,25 @@
 #include "texgen/maps/bubble_pressure.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 
 namespace foam::texgen {
 
-History::History(const Foam& foam) : time_(foam.time), domain_(foam.domain) {}
+namespace {
+
+// Calls change(average, value) for the pressure, the area and the number of sides of a bubble.
+template <class Change>
+void for_each_value(BubbleValues& averages, const BubbleValues& values, const Change& change) {
+    change(averages.pressure, values.pressure);
+    change(averages.area, values.area);
+    change(averages.sides, values.sides);
+}
+
+}  // namespace
+
+History::History(const Foam& foam, double smoothing)
+    : smoothing_(smoothing), time_(foam.time), domain_(foam.domain) {}
 
 void History::record_events(Foam& foam, int frame) {
     shear_recorded_events(foam.domain);
@@ -49,8 +64,55 @@ void History::shear_recorded_events(const Domain& domain) {
 }
 
 void History::record_pressures(const Foam& foam) {
-    record_.first_pressures = pressures_of(snapshot(foam, 1), PressureUnit::Current);
+    record_.first_pressures =
+        pressures_of(present_values(snapshot(foam, 1)), PressureUnit::Current);
     std::sort(record_.first_pressures.begin(), record_.first_pressures.end());
+}
+
+// Identities are given in increasing order, so a bubble is new if its identity is not below the
+// number of identities at the last call.
+void History::average_values(const Foam& foam) {
+    if (smoothing_ == 0.0) {
+        return;
+    }
+    const double weight = 1.0 / (1.0 + smoothing_);
+    const auto approach = [weight](double& average, double value) {
+        average += weight * (value - average);
+    };
+    const Frame frame = snapshot(foam, 1);
+    const FoamValues present = values_to_average(frame);
+    std::vector<BubbleValues>& averages = record_.averages.bubbles;
+    const std::size_t known = averages.size();
+    averages.resize(foam.next_identity);
+    const PerBubble<BubbleIdentity> identities = identities_of(frame);
+    for (std::size_t k = 0; k < identities.size(); ++k) {
+        BubbleValues& average = averages[identities[k]];
+        if (identities[k] >= known) {
+            average = present.bubbles[k];
+        }
+        for_each_value(average, present.bubbles[k], approach);
+    }
+    if (known == 0) {
+        record_.averages.mean_area = present.mean_area;
+    }
+    approach(record_.averages.mean_area, present.mean_area);
+}
+
+// A cycle of n frames changes an average from v to c + k v, where k = (1 - weight)^n and c depends
+// only on the values in the cycle. After infinitely many cycles, v = c / (1 - k).
+void History::close_averages(const RecentAverages& start, int frames) {
+    if (smoothing_ == 0.0) {
+        return;
+    }
+    const double kept = std::pow(smoothing_ / (1.0 + smoothing_), frames);
+    const auto close = [kept](double& average, double before) {
+        average = (average - kept * before) / (1.0 - kept);
+    };
+    std::vector<BubbleValues>& averages = record_.averages.bubbles;
+    for (std::size_t k = 0; k < averages.size(); ++k) {
+        for_each_value(averages[k], start.bubbles[k], close);
+    }
+    close(record_.averages.mean_area, start.mean_area);
 }
 
 }  // namespace foam::texgen

@@ -11,8 +11,8 @@ namespace foam::texgen {
 class History {
   public:
     /// Starts the record of a newly seeded foam. Its bubbles count as born at the present time of
-    /// the foam, which is 0.
-    explicit History(const Foam& foam);
+    /// the foam, which is 0. `smoothing` is FramesOptions::smoothing.
+    explicit History(const Foam& foam, double smoothing = 0.0);
 
     /// Moves the foam's topology events, which happened during the step to the given frame, into
     /// the record. Also records when bubbles were born and when their neighbors last changed. Drops
@@ -30,6 +30,15 @@ class History {
     /// (FoamRecord::first_pressures).
     void record_pressures(const Foam& foam);
 
+    /// Updates the averages of values (RecentAverages) with the values of a foam, the next frame.
+    /// Does nothing if `smoothing` is 0.
+    void average_values(const Foam& foam);
+
+    /// Replaces the averages by those after infinitely many cycles of a loop, which do not depend
+    /// on what happened before. `start` are the averages before the last cycle, which had the given
+    /// number of frames. Precondition: the bubbles are the same at the start and at the end.
+    void close_averages(const RecentAverages& start, int frames);
+
     const FoamRecord& record() const { return record_; }
 
   private:
@@ -38,6 +47,7 @@ class History {
     void shear_recorded_events(const Domain& domain);
 
     FoamRecord record_;
+    double smoothing_;
     double time_ = 0.0;  // foam time of the previous frame
     Domain domain_;      // domain of the positions of the recorded events
 };

@@ -62,13 +62,16 @@ Simulation::Simulation(const Preset& preset, int threads)
       options_(step_options_of(preset, threads)),
       foam_(seeded_foam(preset)),
       timeline_(preset),
-      history_(foam_),
+      history_(foam_, preset.frames.smoothing),
       seed_(preset.seeding.seed) {}
 
 bool Simulation::advance() {
     ++number_;
     const bool found = reach_frame();
     history_.record_events(foam_, number_);
+    if (number_ > 1) {
+        history_.average_values(foam_);
+    }
     return found;
 }
 
@@ -99,6 +102,7 @@ bool Simulation::reach_first_frame() {
     }
     history_.record_events(foam_, number_);
     history_.forget_events();
+    history_.average_values(foam_);
     if (foam_.domain.is_plane()) {
         view_ = camera_view(frame(), image_, camera_);
         timeline_.set_view(*view_);
@@ -144,13 +148,16 @@ bool Simulation::close_loop() {
     bool found = step_cycle(0);
     for (int cycle = 0; cycle < loop_.cycles && found; ++cycle) {
         const Foam start = foam_;
+        const RecentAverages averages = history_.record().averages;
         history_.renumber(-frames_.count);
         for (int position = 1; position <= frames_.count && found; ++position) {
             found = step_cycle(position);
             history_.record_events(foam_, 1 + position - frames_.count);
+            history_.average_values(foam_);
         }
         closing_error_ = foam::closing_error(start, foam_);
         if (found && *closing_error_ < kClosed) {
+            history_.close_averages(averages, frames_.count);
             return true;
         }
     }

@@ -4,15 +4,16 @@
 
 #include "texgen/cache/byte_stream.h"
 #include "texgen/cache/frame_codec.h"
+#include "texgen/maps/per_bubble.h"
 
 #include <algorithm>
 #include <memory>
 
 // An encoded state consists of its frame (frame_codec.h), its effort and its record, in this order.
 // Values per bubble are in the order of the bubbles of the frame, followed by its lone bubbles, so
-// identities are stored only once, in the frame. The pressures of the first equilibrium are last in
-// the record, after a flag. If the flag is 1, they equal the pressures in pressures.foam and are
-// left out.
+// identities are stored only once, in the frame. The pressures of the first equilibrium follow a
+// flag. If the flag is 1, they equal the pressures in pressures.foam and are left out. The averages
+// of values are last in the record, also after a flag, which is 0 if nothing is averaged.
 
 namespace foam::texgen {
 
@@ -34,17 +35,6 @@ FrameEffort read_effort(ByteReader& reader) {
     effort.angle_error = reader.take<double>();
     effort.seconds = reader.take<double>();
     return effort;
-}
-
-std::vector<BubbleIdentity> identities_of(const Frame& frame) {
-    std::vector<BubbleIdentity> all;
-    for (const FrameBubble& bubble : frame.bubbles) {
-        all.push_back(bubble.identity);
-    }
-    for (const LoneBubble& bubble : frame.lone_bubbles) {
-        all.push_back(bubble.identity);
-    }
-    return all;
 }
 
 void write_by_identity(const std::vector<double>& values,
@@ -108,6 +98,39 @@ std::vector<double> read_numbers(ByteReader& reader) {
     return numbers;
 }
 
+void write_averages(const RecentAverages& averages,
+                    const std::vector<BubbleIdentity>& bubbles,
+                    ByteWriter& writer) {
+    const bool known = !averages.bubbles.empty();
+    writer.put(static_cast<std::uint8_t>(known));
+    if (!known) {
+        return;
+    }
+    writer.put(averages.mean_area);
+    for (const BubbleIdentity bubble : bubbles) {
+        const BubbleValues& values = averages.bubbles.at(bubble);
+        writer.put(values.pressure);
+        writer.put(values.area);
+        writer.put(values.sides);
+    }
+}
+
+RecentAverages read_averages(const std::vector<BubbleIdentity>& bubbles, ByteReader& reader) {
+    RecentAverages averages;
+    if (reader.take<std::uint8_t>() == 0) {
+        return averages;
+    }
+    averages.mean_area = reader.take<double>();
+    for (const BubbleIdentity bubble : bubbles) {
+        averages.bubbles.resize(std::max(averages.bubbles.size(), std::size_t{bubble} + 1));
+        BubbleValues& values = averages.bubbles[bubble];
+        values.pressure = reader.take<double>();
+        values.area = reader.take<double>();
+        values.sides = reader.take<double>();
+    }
+    return averages;
+}
+
 void write_record(const FoamRecord& record,
                   const Frame& frame,
                   const std::vector<double>& first_pressures,
@@ -122,6 +145,7 @@ void write_record(const FoamRecord& record,
     if (!known) {
         write_numbers(record.first_pressures, writer);
     }
+    write_averages(record.averages, bubbles, writer);
 }
 
 FoamRecord read_record(const Frame& frame,
@@ -138,6 +162,7 @@ FoamRecord read_record(const Frame& frame,
         throw BadContent("'pressures.foam' is missing in the cache");
     }
     record.first_pressures = known ? first_pressures : read_numbers(reader);
+    record.averages = read_averages(bubbles, reader);
     return record;
 }
 

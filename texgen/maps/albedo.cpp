@@ -17,7 +17,7 @@ namespace {
 ColorPixels draw_flat(FrameLayers& layers, const AlbedoOptions& options) {
     const double width = film_width_in_pixels(options, layers.grid(), layers.frame().domain);
     return fill_colors(layers,
-                       cell_colors(layers.frame(), options),
+                       cell_colors(layers.frame(), layers.record(), options),
                        to_linear(parse_color(options.film_color)),
                        width);
 }
@@ -26,7 +26,8 @@ ColorPixels draw_flat(FrameLayers& layers, const AlbedoOptions& options) {
 // the shade beside films into these colors, and paints the films over the result.
 ColorPixels draw_shaded(FrameLayers& layers, const AlbedoOptions& options) {
     const LinearRgb film = to_linear(parse_color(options.film_color));
-    const ColorPixels cells = fill_colors(layers, cell_colors(layers.frame(), options), film, 0.0);
+    const ColorPixels cells =
+        fill_colors(layers, cell_colors(layers.frame(), layers.record(), options), film, 0.0);
     const auto channels = static_cast<std::size_t>(cells.pixels.channels());
     const auto color_at = [&](std::size_t k) {
         const auto pixel = cells.pixels.samples().subspan(channels * k, 3);

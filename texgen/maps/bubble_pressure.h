@@ -3,15 +3,15 @@
 #pragma once
 
 #include "texgen/keys/value_kinds.h"
-#include "texgen/maps/per_bubble.h"
+#include "texgen/maps/bubble_values.h"
 
 namespace foam::texgen {
 
 /// The unit of a pressure.
 enum class PressureUnit {
     Seed,     // film tension / sqrt(mean area of the seeded foam); this mean area is 1
-    Current,  // film tension / sqrt(mean area of the frame), which preserves contrast while
-              // the foam coarsens
+    Current,  // film tension / sqrt(FoamValues::mean_area), which preserves contrast while the
+              // foam coarsens
 };
 
 inline constexpr Choices<PressureUnit> kPressureUnits = {
@@ -20,7 +20,7 @@ inline constexpr Choices<PressureUnit> kPressureUnits = {
 /// The range of pressures that keys of a preset accept, in either unit.
 inline constexpr Reals kPressures{-1e6, 1e6};
 
-/// Returns the pressures of all bubbles of a frame in the given unit.
-PerBubble<double> pressures_of(const Frame& frame, PressureUnit unit);
+/// Returns the pressures of all bubbles in the given unit.
+PerBubble<double> pressures_of(const FoamValues& values, PressureUnit unit);
 
 }  // namespace foam::texgen

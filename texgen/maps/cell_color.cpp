@@ -2,10 +2,10 @@
 
 #include "texgen/maps/cell_color.h"
 
-#include "core/foam/measure.h"
 #include "texgen/image/colormap.h"
+#include "texgen/maps/bubble_pressure.h"
+#include "texgen/maps/color_scale.h"
 #include "texgen/maps/identity_number.h"
-#include "texgen/maps/mean_bubble.h"
 
 #include <fmt/core.h>
 
@@ -23,7 +23,7 @@ namespace {
 constexpr double kFewestSides = 3.0;
 constexpr double kMaxSides = 9.0;
 
-PerBubble<double> positions_by_pressure(const Frame& frame, const AlbedoOptions& options) {
+PerBubble<double> positions_by_pressure(const FoamValues& values, const AlbedoOptions& options) {
     if (!(options.pressure_low < options.pressure_high)) {
         throw std::invalid_argument(
             fmt::format("albedo.pressure_low is {}, but must be below albedo.pressure_high, "
@@ -31,7 +31,7 @@ PerBubble<double> positions_by_pressure(const Frame& frame, const AlbedoOptions&
                         options.pressure_low,
                         options.pressure_high));
     }
-    PerBubble<double> positions = pressures_of(frame, options.pressure_unit);
+    PerBubble<double> positions = pressures_of(values, options.pressure_unit);
     const double range = options.pressure_high - options.pressure_low;
     for (double& position : positions) {
         position = (position - options.pressure_low) / range;
@@ -39,24 +39,21 @@ PerBubble<double> positions_by_pressure(const Frame& frame, const AlbedoOptions&
     return positions;
 }
 
-// Maps areas to (0, 1) so that the mean area of the frame is the middle of the scale.
-PerBubble<double> positions_by_area(const Frame& frame) {
-    const double mean = area_of(MeanBubble::Current, frame);
-    const auto position = [mean](double area) { return area / (area + mean); };
-    return per_bubble<double>(
-        frame,
-        [&](BubbleId bubble) { return position(frame.bubbles[bubble].area); },
-        [&](const LoneBubble& bubble) { return position(bubble.target_area); });
+// Maps areas to (0, 1) so that the mean area is the middle of the scale.
+PerBubble<double> positions_by_area(const FoamValues& values) {
+    PerBubble<double> positions;
+    for (const BubbleValues& bubble : values.bubbles) {
+        positions.push_back(bubble.area / (bubble.area + values.mean_area));
+    }
+    return positions;
 }
 
-PerBubble<double> positions_by_sides(const Frame& frame) {
-    const auto position = [](int sides) {
-        return (sides - kFewestSides) / (kMaxSides - kFewestSides);
-    };
-    return per_bubble<double>(
-        frame,
-        [&](BubbleId bubble) { return position(frame.network.sides(bubble)); },
-        [&](const LoneBubble&) { return position(0); });
+PerBubble<double> positions_by_sides(const FoamValues& values) {
+    PerBubble<double> positions;
+    for (const BubbleValues& bubble : values.bubbles) {
+        positions.push_back((bubble.sides - kFewestSides) / (kMaxSides - kFewestSides));
+    }
+    return positions;
 }
 
 PerBubble<double> numbers_of(const Frame& frame, IdentityStream stream) {
@@ -68,59 +65,39 @@ PerBubble<double> numbers_of(const Frame& frame, IdentityStream stream) {
 
 using ColorScale = std::function<LinearRgb(double)>;
 
-// Returns the color at a position on the scale, interpolated in sRGB, like ColorMap::at.
-// Precondition: `position` is from 0 to 1.
-LinearRgb blended(const std::vector<LinearRgb>& colors, double position) {
-    const double scaled = position * static_cast<double>(colors.size() - 1);
-    const auto below = std::min(static_cast<std::size_t>(scaled), colors.size() - 1);
-    const auto above = std::min(below + 1, colors.size() - 1);
-    const double part = scaled - static_cast<double>(below);
-    const auto mix = [&](double a, double b) {
-        return srgb_to_linear(std::lerp(linear_to_srgb(a), linear_to_srgb(b), part));
-    };
-    const LinearRgb& a = colors[below];
-    const LinearRgb& b = colors[above];
-    return {mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b)};
-}
-
-LinearRgb picked(const std::vector<LinearRgb>& colors, double position) {
-    const double scaled = position * static_cast<double>(colors.size());
-    return colors[std::min(static_cast<std::size_t>(scaled), colors.size() - 1)];
-}
-
 ColorScale color_scale(const AlbedoOptions& options) {
     if (options.colors.empty()) {
         const ColorMap& colormap = find_colormap(options.colormap);
         return [&colormap](double position) { return colormap.at(position); };
     }
-    std::vector<LinearRgb> colors;
-    for (const std::string& color : options.colors) {
-        colors.push_back(to_linear(parse_color(color)));
-    }
     const auto color_at = options.color_mix == ColorMix::Blend ? blended : picked;
-    return [colors, color_at](double position) {
-        return color_at(colors, std::clamp(position, 0.0, 1.0));
+    return [colors = parse_colors(options.colors), color_at](double position) {
+        return color_at(colors, position);
     };
 }
 
 }  // namespace
 
-PerBubble<double> scale_positions(const Frame& frame, const AlbedoOptions& options) {
+PerBubble<double> scale_positions(const Frame& frame,
+                                  const FoamRecord& record,
+                                  const AlbedoOptions& options) {
     switch (options.color_by) {
         case ColorBy::Pressure:
-            return positions_by_pressure(frame, options);
+            return positions_by_pressure(shown_values(frame, record), options);
         case ColorBy::Area:
-            return positions_by_area(frame);
+            return positions_by_area(shown_values(frame, record));
         case ColorBy::Sides:
-            return positions_by_sides(frame);
+            return positions_by_sides(shown_values(frame, record));
         default:
             return numbers_of(frame, IdentityStream::First);
     }
 }
 
-PerBubble<LinearRgb> cell_colors(const Frame& frame, const AlbedoOptions& options) {
+PerBubble<LinearRgb> cell_colors(const Frame& frame,
+                                 const FoamRecord& record,
+                                 const AlbedoOptions& options) {
     const ColorScale scale = color_scale(options);
-    const PerBubble<double> positions = scale_positions(frame, options);
+    const PerBubble<double> positions = scale_positions(frame, record, options);
     const PerBubble<double> numbers = numbers_of(frame, IdentityStream::Second);
     PerBubble<LinearRgb> colors;
     for (std::size_t k = 0; k < positions.size(); ++k) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "texgen/maps/albedo_options.h"
+#include "texgen/maps/bubble_values.h"
 #include "texgen/maps/cell_fill.h"
 
 #include <vector>
@@ -10,15 +11,20 @@
 namespace foam::texgen {
 
 /// Returns the position of every bubble on the scale of options.color_by: 0 is the start of the
-/// scale, 1 its end. Pressures and numbers of sides beyond the scale have positions outside [0, 1].
-/// Throws std::invalid_argument if options.color_by is Pressure and pressure_low is not below
-/// pressure_high.
-PerBubble<double> scale_positions(const Frame& frame, const AlbedoOptions& options);
+/// scale, 1 its end. Pressures, areas and numbers of sides are averages over recent frames if the
+/// record has them (shown_values). Pressures and numbers of sides beyond the scale have positions
+/// outside [0, 1]. Throws std::invalid_argument if options.color_by is Pressure and pressure_low is
+/// not below pressure_high.
+PerBubble<double> scale_positions(const Frame& frame,
+                                  const FoamRecord& record,
+                                  const AlbedoOptions& options);
 
 /// Returns the color of every bubble: the color at its position on the scale, times a factor.
 /// Positions are clamped to [0, 1]. The factor differs from 1 by at most options.variation, and a
 /// bubble keeps it for life. Throws std::invalid_argument if a color of options.colors is invalid,
 /// or if that list is empty and the color map is unknown. Also throws as scale_positions does.
-PerBubble<LinearRgb> cell_colors(const Frame& frame, const AlbedoOptions& options);
+PerBubble<LinearRgb> cell_colors(const Frame& frame,
+                                 const FoamRecord& record,
+                                 const AlbedoOptions& options);
 
 }  // namespace foam::texgen

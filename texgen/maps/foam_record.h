@@ -17,6 +17,28 @@ struct RecordedEvent {
     friend bool operator==(const RecordedEvent&, const RecordedEvent&) = default;
 };
 
+/// The values of a bubble by which maps choose its color or tone.
+struct BubbleValues {
+    double pressure = 0.0;  // divided by the film tension, per foam unit
+    double area = 0.0;      // within the arcs of the bubble, square foam units
+    double sides = 0.0;     // number of films around the bubble
+
+    friend bool operator==(const BubbleValues&, const BubbleValues&) = default;
+};
+
+/// Averages over recent frames. In each frame, an average moves towards the present value by the
+/// fraction 1 / (1 + FramesOptions::smoothing) of the difference. A bubble starts with its first
+/// values.
+///
+/// The pressure of a bubble that vanishes grows without limit. Therefore not the pressure is
+/// averaged, but p / (1 + |p|), where p is the pressure in units of PressureUnit::Current. An
+/// average in this scale changes by at most 2 / (1 + smoothing) per frame.
+struct RecentAverages {
+    std::vector<BubbleValues> bubbles{};  // indexed by the bubble's identity;
+                                          // BubbleValues::pressure is the average of p / (1 + |p|)
+    double mean_area = 1.0;               // of all bubbles, square foam units
+};
+
 /// The number of frames for which a record keeps an event, including the first frame that shows it.
 inline constexpr int kRecordedFrames = 100;
 
@@ -46,6 +68,9 @@ struct FoamRecord {
     /// before frame 1 are kept only in the loops `breathe` and `shear`, which repeat a cycle:
     /// events of the cycles before frame 1 have frame numbers of at most 1.
     std::vector<RecordedEvent> events{};
+    /// Averages of values over recent frames; without bubbles if nothing is averaged. In the loops
+    /// `breathe` and `shear` they are the averages after infinitely many cycles.
+    RecentAverages averages{};
 };
 
 }  // namespace foam::texgen

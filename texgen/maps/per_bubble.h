@@ -28,4 +28,12 @@ PerBubble<Value> per_bubble(const Frame& frame, const Of& of, const OfLone& of_l
     return values;
 }
 
+/// Returns the identities of all bubbles.
+inline PerBubble<BubbleIdentity> identities_of(const Frame& frame) {
+    return per_bubble<BubbleIdentity>(
+        frame,
+        [&](BubbleId bubble) { return frame.bubbles[bubble].identity; },
+        [](const LoneBubble& bubble) { return bubble.identity; });
+}
+
 }  // namespace foam::texgen

@@ -200,8 +200,8 @@ PerBubble<double> pressure_tones(const FrameLayers& layers, const PressureOption
                         options.high));
     }
     const bool is_range = options.scaling == PressureScaling::Range;
-    PerBubble<double> tones =
-        pressures_of(layers.frame(), is_range ? options.unit : PressureUnit::Current);
+    PerBubble<double> tones = pressures_of(shown_values(layers.frame(), layers.record()),
+                                           is_range ? options.unit : PressureUnit::Current);
     smooth_and_flatten(layers.frame(), options, tones);
     if (options.scaling == PressureScaling::Share) {
         tones = area_shares(layers.frame(), tones);

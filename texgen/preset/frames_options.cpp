@@ -19,15 +19,30 @@ Keys<FramesOptions> frames_keys() {
             "what frame 1 shows: the foam in equilibrium, or the diagram of straight films that it "
             "starts from",
             &Options::first),
-        key("time_step", kTimes, "foam time from one frame to the next", &Options::time_step)
+        key("time_step",
+            kTimes,
+            "foam time from frame 1 to frame 2; every later step is frames.step_growth times as "
+            "long as the step before it",
+            &Options::time_step)
             .in("foam time"),
         key("step_growth",
             Reals{0.1, 10.0},
-            "growth factor from each time step to the next; values above 1 compensate for a foam "
+            "factor from each time step to the next; values above 1 compensate for a foam "
             "that slows down",
             &Options::step_growth),
-        key("warm_up", kTimes, "foam time that passes before frame 1", &Options::warm_up)
-            .in("foam time")};
+        key("warm_up",
+            kTimes,
+            "foam time of the warm-up, before frame 1; with frames.first = \"diagram\", between "
+            "frames 1 and 2",
+            &Options::warm_up)
+            .in("foam time"),
+        key("smoothing",
+            Reals{0.0, 1000.0},
+            "number of frames by which the pressures, areas and numbers of sides that colors and "
+            "tones show lag behind the foam, so that colors do not jump where bubbles vanish; 0 "
+            "shows present values",
+            &Options::smoothing)
+            .in("frames")};
 }
 
 }  // namespace foam::texgen

@@ -68,6 +68,55 @@ TEST(History, RecordsBirthsAndChangesOfBubbles) {
     EXPECT_EQ(history.record().births[3], 0.0);
 }
 
+// With a smoothing of 3 frames, an average moves by a quarter of its distance from the present
+// value per frame. A new bubble starts with its first values. The bubbles have the mean area 1, so
+// that the average of a pressure p is the average of p / (1 + p).
+TEST(History, AveragesFollowTheFoamWithALag) {
+    Foam foam = honeycomb(4, 4);
+    History history(foam, 3.0);
+    foam.pressures[BubbleId{2}] = 1.0;
+    history.average_values(foam);
+    EXPECT_NEAR(history.record().averages.bubbles[2].pressure, 0.5, 1e-12);
+    foam.pressures[BubbleId{2}] = 9.0;
+    history.average_values(foam);
+    EXPECT_NEAR(history.record().averages.bubbles[2].pressure, 0.6, 1e-12);
+    history.average_values(foam);
+    EXPECT_NEAR(history.record().averages.bubbles[2].pressure, 0.675, 1e-12);
+    nucleate_at_junction(foam, JunctionId{0}, 0.01);
+    history.average_values(foam);
+    ASSERT_EQ(history.record().averages.bubbles.size(), 17U);
+    EXPECT_EQ(history.record().averages.bubbles[16].sides, 3.0);
+}
+
+TEST(History, WithoutSmoothingThereAreNoAverages) {
+    const Foam foam = honeycomb(4, 4);
+    History history(foam);
+    history.average_values(foam);
+    EXPECT_TRUE(history.record().averages.bubbles.empty());
+}
+
+// One cycle from any start, closed, gives the averages that a second cycle reproduces.
+TEST(History, ClosedAveragesRepeatAfterOneCycle) {
+    Foam foam = honeycomb(4, 4);
+    History history(foam, 5.0);
+    foam.pressures[BubbleId{2}] = 40.0;  // a transient that must be forgotten
+    history.average_values(foam);
+    const auto run_cycle = [&] {
+        for (const double pressure : {1.0, 4.0, 2.0, -3.0}) {
+            foam.pressures[BubbleId{2}] = pressure;
+            history.average_values(foam);
+        }
+        return history.record().averages.bubbles[2].pressure;
+    };
+    const RecentAverages start = history.record().averages;
+    run_cycle();
+    history.close_averages(start, 4);
+    const double closed = history.record().averages.bubbles[2].pressure;
+    EXPECT_NEAR(run_cycle(), closed, 1e-12);
+    EXPECT_LT(closed, 0.8);
+    EXPECT_GT(closed, -0.75);
+}
+
 // Each shear displaces an event by the strain times its y coordinate. The shear of the domain wraps
 // around at a whole width; this wrap must not displace events.
 TEST(History, CarriesEventsAlongWithAShear) {

@@ -2,10 +2,12 @@
 
 #include "texgen/cache/state_codec.h"
 
+#include "core/foam/honeycomb.h"
 #include "texgen/cache/byte_stream.h"
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -24,6 +26,22 @@ TEST(StateCodec, ATruncatedStateIsBadContent) {
         EXPECT_THROW(unpack_numbers(std::span(packed).first(size)), BadContent) << size;
     }
     EXPECT_THROW(unpack_state({}, {}), BadContent);
+}
+
+TEST(StateCodec, AveragesRoundTrip) {
+    SimulatedFrame state;
+    const Foam foam = honeycomb(4, 4);
+    state.frame = std::make_shared<const Frame>(snapshot(foam, 3));
+    FoamRecord record;
+    record.births.assign(16, 0.0);
+    record.changes.assign(16, 0.0);
+    record.averages.bubbles.assign(16, {0.5, 1.25, 6.0});
+    record.averages.bubbles[5] = {-0.5, 2.25, 5.5};
+    record.averages.mean_area = 1.5;
+    state.record = std::make_shared<const FoamRecord>(record);
+    const SimulatedFrame read = unpack_state(pack_state(state, {}), {});
+    EXPECT_EQ(read.record->averages.bubbles, record.averages.bubbles);
+    EXPECT_EQ(read.record->averages.mean_area, 1.5);
 }
 
 }  // namespace

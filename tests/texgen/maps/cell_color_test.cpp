@@ -23,7 +23,7 @@ TEST(CellColor, AreasAndSidesOfAHoneycombAreInTheMiddleOfTheScale) {
     for (const ColorBy by : {ColorBy::Area, ColorBy::Sides}) {
         AlbedoOptions options;
         options.color_by = by;
-        for (const double position : scale_positions(hexagons(), options)) {
+        for (const double position : scale_positions(hexagons(), {}, options)) {
             EXPECT_NEAR(position, 0.5, 1e-12);
         }
     }
@@ -32,8 +32,8 @@ TEST(CellColor, AreasAndSidesOfAHoneycombAreInTheMiddleOfTheScale) {
 TEST(CellColor, ChanceIsOfABubbleAndDoesNotChangeWithTheFoam) {
     AlbedoOptions options;
     options.color_by = ColorBy::Random;
-    const PerBubble<double> before = scale_positions(test::torus_subject().frame, options);
-    const PerBubble<double> after = scale_positions(test::torus_subject().next, options);
+    const PerBubble<double> before = scale_positions(test::torus_subject().frame, {}, options);
+    const PerBubble<double> after = scale_positions(test::torus_subject().next, {}, options);
     EXPECT_EQ(before, after);
     EXPECT_GE(*std::ranges::min_element(before), 0.0);
     EXPECT_LT(*std::ranges::max_element(before), 1.0);
@@ -45,7 +45,7 @@ TEST(CellColor, AnEmptyRangeOfPressuresIsRejected) {
     options.pressure_low = 0.75;
     options.pressure_high = 0.5;
     try {
-        scale_positions(hexagons(), options);
+        scale_positions(hexagons(), {}, options);
         FAIL();
     } catch (const std::invalid_argument& error) {
         EXPECT_EQ(std::string(error.what()),
@@ -58,11 +58,11 @@ TEST(CellColor, ColorsOfYourOwnAreBlendedInSrgbOrPicked) {
     AlbedoOptions options;
     options.color_by = ColorBy::Area;
     options.colors = {"#000000", "#ff8000", "#ffffff"};
-    EXPECT_EQ(to_srgb8(cell_colors(hexagons(), options).front()), (Srgb8{255, 128, 0}));
+    EXPECT_EQ(to_srgb8(cell_colors(hexagons(), {}, options).front()), (Srgb8{255, 128, 0}));
     options.colors = {"#000000", "#808080"};
-    EXPECT_EQ(to_srgb8(cell_colors(hexagons(), options).front()), (Srgb8{64, 64, 64}));
+    EXPECT_EQ(to_srgb8(cell_colors(hexagons(), {}, options).front()), (Srgb8{64, 64, 64}));
     options.color_mix = ColorMix::Pick;
-    EXPECT_EQ(to_srgb8(cell_colors(hexagons(), options).front()), (Srgb8{128, 128, 128}));
+    EXPECT_EQ(to_srgb8(cell_colors(hexagons(), {}, options).front()), (Srgb8{128, 128, 128}));
 }
 
 TEST(CellColor, VariationIsOfLightAndStaysWithinItsPart) {
@@ -71,7 +71,7 @@ TEST(CellColor, VariationIsOfLightAndStaysWithinItsPart) {
     options.variation = 0.25;
     const double gray = to_linear(parse_color("#808080")).r;
     std::vector<double> light;
-    for (const LinearRgb& color : cell_colors(test::torus_subject().frame, options)) {
+    for (const LinearRgb& color : cell_colors(test::torus_subject().frame, {}, options)) {
         EXPECT_EQ(color.r, color.b);
         light.push_back(color.r / gray);
     }

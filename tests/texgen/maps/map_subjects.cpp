@@ -19,7 +19,8 @@ constexpr std::size_t kMaxIdentities = 1000;
 MapSubject subject_of(Foam foam) {
     MapSubject subject;
     subject.frame = snapshot(foam, 1);
-    subject.record.first_pressures = pressures_of(subject.frame, PressureUnit::Current);
+    subject.record.first_pressures =
+        pressures_of(present_values(subject.frame), PressureUnit::Current);
     std::sort(subject.record.first_pressures.begin(), subject.record.first_pressures.end());
     for (std::size_t k = 0; k < kMaxIdentities; ++k) {
         subject.record.births.push_back(-2.0 * static_cast<double>(k % 25));

@@ -14,7 +14,8 @@ TEST(FramesOptions, LimitsHoldOnBothSides) {
                         {{"count", "0", "1", "100000", "100001"},
                          {"time_step", "-1", "0", "1e6", "1000001"},
                          {"step_growth", "0.09", "0.1", "10", "10.1"},
-                         {"warm_up", "-1", "0", "1e6", "1000001"}});
+                         {"warm_up", "-1", "0", "1e6", "1000001"},
+                         {"smoothing", "-1", "0", "1000", "1001"}});
     test::expect_words(frames_keys(), "first", {"equilibrium", "diagram"});
 }
 

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "core/foam/frame.h"
+#include "texgen/maps/foam_record.h"
+#include "texgen/maps/per_bubble.h"
+
+namespace foam::texgen {
+
+/// The values of all bubbles of a frame, and the mean area of the bubbles.
+struct FoamValues {
+    PerBubble<BubbleValues> bubbles;
+    double mean_area = 1.0;  // square foam units; 1 if there are no bubbles
+};
+
+/// Returns the values that the bubbles of a frame have.
+FoamValues present_values(const Frame& frame);
+
+/// Returns the values that maps show: the averages over recent frames if the record has averages,
+/// otherwise the present values. Precondition: `record` is the record of the frame.
+FoamValues shown_values(const Frame& frame, const FoamRecord& record);
+
+/// Returns the present values in the form in which RecentAverages averages them.
+FoamValues values_to_average(const Frame& frame);
+
+}  // namespace foam::texgen
