@@ -6,6 +6,7 @@
 #include "texgen/maps/albedo.h"
 #include "texgen/maps/albedo_options.h"
 #include "texgen/maps/area.h"
+#include "texgen/maps/caustics.h"
 #include "texgen/maps/contour.h"
 #include "texgen/maps/curvature.h"
 #include "texgen/maps/distance.h"
@@ -47,7 +48,7 @@ struct MapOptions {
     EventMapOptions event_map;
     MotionOptions motion;
     DistanceOptions distance;
-    ReliefOptions relief;  // used by lit, height, normal, occlusion and curvature
+    ReliefOptions relief;  // used by lit, height, normal, occlusion, curvature and caustics
     HeightOptions height;
     NormalOptions normal;
     OcclusionOptions occlusion;
@@ -55,6 +56,7 @@ struct MapOptions {
     ThinFilmOptions thin_film;
     MazeOptions maze;  // used by maze and maze_solution, by lit, and by the relief
     ContourOptions contour;
+    CausticsOptions caustics;
 };
 
 /// Returns the keys of all maps, such as "height.full", in the order in which presets list them.
@@ -80,7 +82,8 @@ Keys<M> map_keys() {
                    nested_keys("curvature", &M::curvature, curvature_keys()),
                    nested_keys("thin_film", &M::thin_film, thin_film_keys()),
                    nested_keys("maze", &M::maze, maze_keys()),
-                   nested_keys("contour", &M::contour, contour_keys())});
+                   nested_keys("contour", &M::contour, contour_keys()),
+                   nested_keys("caustics", &M::caustics, caustics_keys())});
 }
 
 /// Returns a map that is drawn by draw(layers, options.*members...). `note` becomes Map::note.
@@ -137,7 +140,8 @@ inline constexpr std::array kMaps = [] {
         map_of<draw_event, &M::event_map>(kEventMap),
         map_of<draw_maze, &M::maze>(kMazeMap),
         map_of<draw_maze_solution, &M::maze>(kMazeSolutionMap),
-        map_of<draw_contour, &M::contour, &M::pressure>(kContourMap)};
+        map_of<draw_contour, &M::contour, &M::pressure>(kContourMap),
+        relief_map_of<draw_caustics, &M::caustics>(kCausticsMap)};
 }();
 
 /// Returns every map.

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/keys/key.h"
+#include "texgen/maps/map.h"
+#include "texgen/maps/relief.h"
+
+#include <string>
+#include <vector>
+
+namespace foam::texgen {
+
+/// The traits declare no smooth distance, because draw_caustics computes a distance field of its
+/// own, on a finer grid.
+inline constexpr MapTraits kCausticsMap = {
+    .name = "caustics",
+    .meaning = "light on the floor of a pool whose water surface is the relief",
+    .unit = "light",
+    .channels = "R G B",
+    .png_filter = PngFilter::Up,
+    .shows_relief = true};
+
+/// The water, and the colors in which the map shows the light on the floor.
+struct CausticsOptions {
+    double depth = 1.0;     // of the water, in bubble diameters (ReliefOptions::mean_bubble)
+    double exposure = 0.7;  // the brightness is 1 - exp(-exposure * light)
+    // sRGB, from a brightness of 0 to 1. The light on a floor under flat water is 1.
+    std::vector<std::string> colors = {"#04465c", "#0d7d96", "#59c9d2", "#d9fbf4", "#ffffff"};
+    // Rays per pixel in each direction. Fewer are used if a side of the image of rays would exceed
+    // kLargestSide.
+    int samples = 3;
+};
+
+Keys<CausticsOptions> caustics_keys();
+
+/// Draws the light of a sun straight above on the floor of a pool. The relief is the surface of the
+/// water, which refracts the light by Snell's law for small angles: a ray moves by
+/// depth * (1 - 1/1.33) * slope, uphill. Where rays meet, the floor is bright. Light that leaves
+/// one side of a torus enters at the opposite side; rays that leave the image of a patch are lost.
+/// The surroundings of a patch are transparent. Throws std::invalid_argument if a color is invalid.
+ColorPixels draw_caustics(FrameLayers& layers,
+                          const ReliefSource& source,
+                          const CausticsOptions& options);
+
+}  // namespace foam::texgen
