@@ -7,21 +7,16 @@
 #include "texgen/maps/albedo.h"
 #include "texgen/maps/film_coverage.h"
 #include "texgen/maps/finer_grid.h"
+#include "texgen/maps/reflections.h"
 #include "texgen/maps/relief.h"
-#include "texgen/maps/smooth_step.h"
-
-#include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numbers>
 #include <span>
 #include <utility>
-#include <vector>
 
 namespace foam::texgen {
 
@@ -38,10 +33,7 @@ namespace {
 // fraction of the color of films, and of the shade beside them, is not shaded. The picture is drawn
 // on a finer grid, whose pixels are called samples, and squares of samples are averaged.
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr int kRimPower = 3;  // exponent of the rim light
-
-using Direction = Eigen::Vector3d;  // right, up, towards the viewer
 
 // Returns the options for the finer grid: if the film width is in pixels, it is multiplied by
 // `samples`.
@@ -52,96 +44,6 @@ AlbedoOptions finer(AlbedoOptions options, int samples) {
     return options;
 }
 
-// Returns the direction with the given azimuth and elevation in degrees (LitOptions).
-Direction direction_of(double azimuth, double elevation) {
-    return {std::cos(elevation * kDegree) * std::cos(azimuth * kDegree),
-            std::cos(elevation * kDegree) * std::sin(azimuth * kDegree),
-            std::sin(elevation * kDegree)};
-}
-
-// Returns 1 up to 1 - softness, 0 from 1 + softness on, and a smooth transition between them.
-double soft_edge(double x, double softness) {
-    return smooth_step(std::clamp((1.0 + softness - x) / (2.0 * softness), 0.0, 1.0));
-}
-
-// A square window in the surroundings of the surface.
-class Window {
-  public:
-    Window(double azimuth, double elevation, double degrees, double softness)
-        : middle_(direction_of(azimuth, elevation)),
-          across_(direction_of(azimuth + 90.0, 0.0)),
-          upward_(middle_.cross(across_)),
-          half_size_(std::tan(0.5 * degrees * kDegree)),
-          softness_(std::max(softness, kSharpest)) {}
-
-    // Returns the brightness in a direction, from 0 to 1. The direction is projected from the
-    // surface to the plane of the window.
-    double at(const Direction& direction) const {
-        const double distance = direction.dot(middle_);
-        if (!(distance > 0.0)) {
-            return 0.0;
-        }
-        const double scale = 1.0 / (distance * half_size_);
-        return soft_edge(std::abs(direction.dot(across_)) * scale, softness_) *
-               soft_edge(std::abs(direction.dot(upward_)) * scale, softness_);
-    }
-
-  private:
-    static constexpr double kSharpest = 0.01;  // softness of an edge that looks sharp
-
-    Direction middle_;
-    Direction across_;
-    Direction upward_;
-    double half_size_;  // of the window at distance 1
-    double softness_;
-};
-
-// What a mirror reflects: windows, and the sky.
-class Surroundings {
-  public:
-    explicit Surroundings(const LitOptions& options) : options_(options) {
-        for (int k = 0; k < options.windows; ++k) {
-            windows_.emplace_back(options.azimuth + 180.0 * k,
-                                  options.elevation,
-                                  options.window_size,
-                                  options.window_softness);
-        }
-        flat_ = brightness(Direction::UnitZ());
-    }
-
-    bool are_dark() const { return windows_.empty() && options_.horizon == 0.0; }
-
-    // Returns the brightness that a mirror with the given normal shows to a viewer straight above
-    // it, minus the brightness that a horizontal mirror shows, but at least 0.
-    double reflected(const Direction& normal) const {
-        const Direction mirrored = 2.0 * normal.z() * normal - Direction::UnitZ();
-        return std::max(brightness(mirrored) - flat_, 0.0);
-    }
-
-  private:
-    static constexpr double kSecondWindow = 0.4;  // brightness relative to the first window
-    // Half the width of the transition from the sky to the ground, which is black, as the sine of
-    // an elevation.
-    static constexpr double kHaze = 0.12;
-    static constexpr int kSkyPower = 4;  // how fast the sky darkens above the horizon
-
-    double brightness(const Direction& direction) const {
-        double sum = 0.0;
-        double window_brightness = options_.window_brightness;
-        for (const Window& window : windows_) {
-            sum += window_brightness * window.at(direction);
-            window_brightness *= kSecondWindow;
-        }
-        const double above = std::clamp(direction.z(), 0.0, 1.0);
-        const double sky = smooth_step(std::clamp(0.5 + 0.5 * direction.z() / kHaze, 0.0, 1.0));
-        return sum + options_.horizon * sky * std::pow(1.0 - above, kSkyPower);
-    }
-
-    const LitOptions& options_;
-    std::vector<Window> windows_;
-    double flat_ = 0.0;  // brightness straight above
-};
-
 // Computes the shaded colors of points of a relief.
 class Lighting {
   public:
@@ -150,7 +52,7 @@ class Lighting {
           light_(direction_of(options.azimuth, options.elevation)),
           halfway_((light_ + Direction::UnitZ()).normalized()),
           flat_highlight_(highlight(Direction::UnitZ())),
-          surroundings_(options) {}
+          reflections_(options) {}
 
     // Returns the shaded color of a point. `slope` is the gradient of the height at the point.
     // `sky` is the fraction of the sky that is visible from the point. `glowing` is the fraction of
@@ -161,8 +63,8 @@ class Lighting {
         const double diffuse = std::lerp(direct, sky, options_.ambient);
         double shine = options_.gloss * std::max(highlight(normal) - flat_highlight_, 0.0) +
                        options_.rim * std::pow(1.0 - normal.z(), kRimPower);
-        if (!surroundings_.are_dark()) {
-            shine += surroundings_.reflected(normal);
+        if (!reflections_.are_none()) {
+            shine += reflections_.brightness(normal);
         }
         const double factor = std::lerp(diffuse, 1.0, glowing);
         const double added = (1.0 - glowing) * shine;
@@ -179,7 +81,7 @@ class Lighting {
     Direction light_;
     Direction halfway_;
     double flat_highlight_;  // the highlight of flat ground
-    Surroundings surroundings_;
+    Reflections reflections_;
 };
 
 // Returns the fraction of every pixel's color that is emitted light.

@@ -4,6 +4,7 @@
 
 #include "core/foam/measure.h"
 #include "texgen/maps/cell_fill.h"
+#include "texgen/maps/degree.h"
 
 #include <cmath>
 #include <numbers>
@@ -11,8 +12,6 @@
 namespace foam::texgen {
 
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 // Returns for each bubble the radius, in pixels, of a circle with its area. The table is indexed by
 // the ids of the distance field.

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/maps/reflections.h"
+
+#include "texgen/maps/degree.h"
+#include "texgen/maps/smooth_step.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr double kSharpest = 0.01;     // softness of an edge that looks sharp
+constexpr double kSecondWindow = 0.4;  // brightness of a window relative to the one before it
+// Half the width of the transition from the sky to the ground, as the sine of an elevation.
+constexpr double kHaze = 0.12;
+constexpr int kSkyPower = 4;  // how fast the sky darkens above the horizon
+
+// Returns 1 up to 1 - softness, 0 from 1 + softness on, and a smooth transition between them.
+double soft_edge(double x, double softness) {
+    return smooth_step(std::clamp((1.0 + softness - x) / (2.0 * softness), 0.0, 1.0));
+}
+
+}  // namespace
+
+Direction direction_of(double azimuth, double elevation) {
+    return {std::cos(elevation * kDegree) * std::cos(azimuth * kDegree),
+            std::cos(elevation * kDegree) * std::sin(azimuth * kDegree),
+            std::sin(elevation * kDegree)};
+}
+
+Window::Window(double azimuth, double elevation, double degrees, double softness)
+    : middle_(direction_of(azimuth, elevation)),
+      across_(direction_of(azimuth + 90.0, 0.0)),
+      upward_(middle_.cross(across_)),
+      half_size_(std::tan(0.5 * degrees * kDegree)),
+      softness_(std::max(softness, kSharpest)) {}
+
+// The direction is projected from the surface to the plane of the window.
+double Window::at(const Direction& direction) const {
+    const double distance = direction.dot(middle_);
+    if (!(distance > 0.0)) {
+        return 0.0;
+    }
+    const double scale = 1.0 / (distance * half_size_);
+    return soft_edge(std::abs(direction.dot(across_)) * scale, softness_) *
+           soft_edge(std::abs(direction.dot(upward_)) * scale, softness_);
+}
+
+Reflections::Reflections(const LitOptions& options) : options_(options) {
+    for (int k = 0; k < options.windows; ++k) {
+        windows_.emplace_back(options.azimuth + 180.0 * k,
+                              options.elevation,
+                              options.window_size,
+                              options.window_softness);
+    }
+    flat_ = around(Direction::UnitZ());
+}
+
+double Reflections::brightness(const Direction& normal) const {
+    const Direction mirrored = 2.0 * normal.z() * normal - Direction::UnitZ();
+    return std::max(around(mirrored) - flat_, 0.0);
+}
+
+// Returns the brightness of the surroundings in a direction.
+double Reflections::around(const Direction& direction) const {
+    double sum = 0.0;
+    double window_brightness = options_.window_brightness;
+    for (const Window& window : windows_) {
+        sum += window_brightness * window.at(direction);
+        window_brightness *= kSecondWindow;
+    }
+    const double above = std::clamp(direction.z(), 0.0, 1.0);
+    const double sky = smooth_step(std::clamp(0.5 + 0.5 * direction.z() / kHaze, 0.0, 1.0));
+    return sum + options_.horizon * sky * std::pow(1.0 - above, kSkyPower);
+}
+
+}  // namespace foam::texgen
