@@ -76,6 +76,9 @@ class FrameWriter {
         return all;
     }
 
+    /// Returns the numbers of all files that were written. Must not be called during `write`.
+    const std::vector<WrittenNumbers>& numbers() const { return numbers_; }
+
     void write(const SimulatedFrame& shown) {
         const Clock::time_point begin = Clock::now();
         const RasterGrid grid{preset_.image.width, preset_.image.height, 0, 0, shown.view};
@@ -99,7 +102,23 @@ class FrameWriter {
         if (callbacks_.on_baked) {
             callbacks_.on_baked(baked);
         }
+        for (const WrittenFile& file : baked.files) {
+            if (file.numbers) {
+                add_numbers(file);
+            }
+        }
         meter_.add(baked.shown);
+    }
+
+    // Precondition: the file has numbers, and therefore one map, which has a range.
+    void add_numbers(const WrittenFile& file) {
+        const auto& [map, samples] = file.maps.front();
+        const auto found = std::ranges::find(numbers_, map, &WrittenNumbers::map);
+        if (found == numbers_.end()) {
+            numbers_.push_back({map, *samples.range, *file.numbers});
+        } else {
+            found->extent = joined(found->extent, *file.numbers);
+        }
     }
 
     const Preset& preset_;
@@ -107,6 +126,7 @@ class FrameWriter {
     std::optional<FadeOrder> fade_order_;
     const BakeCallbacks& callbacks_;
     std::mutex mutex_;
+    std::vector<WrittenNumbers> numbers_;
     ProgressMeter meter_;
 };
 
@@ -140,7 +160,7 @@ BakeSummary bake(const Preset& preset, const BakeOptions& options, const BakeCal
     const RunOutcome outcome =
         source_of(preset, options)(options.frames, writer.next_frames(), draw);
     workers.finish();
-    return {outcome, writer.paths(options.frames, done)};
+    return {outcome, writer.paths(options.frames, done), writer.numbers()};
 }
 
 }  // namespace foam::texgen

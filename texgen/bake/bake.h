@@ -7,6 +7,7 @@
 #include "texgen/bake/written_file.h"
 #include "texgen/preset/preset.h"
 
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <set>
@@ -22,11 +23,20 @@ struct BakeOptions {
     std::set<int> existing_frames = {};  // subset of `frames`, whose existing files are kept
 };
 
+/// The numbers of all files of a map that were written.
+struct WrittenNumbers {
+    const Map* map = nullptr;
+    std::array<double, 2> range{};  // the numbers that the smallest and the largest code represent
+    NumberExtent extent;
+};
+
 /// The result of a bake.
 struct BakeSummary {
     RunOutcome outcome;  // if the run failed, the frames before the failure were still written
     // The files that were written or kept, in the order of BakeOptions::frames.
     std::vector<std::filesystem::path> files;
+    // The numbers that were written, for each map with a Map::full_key, in any order.
+    std::vector<WrittenNumbers> numbers;
     int kept = 0;  // number of frames whose existing files were kept; set by bake_recorded
 };
 

@@ -103,7 +103,8 @@ bool FrameFiles::needs_next() const {
 
 WrittenFile FrameFiles::write_maps(std::span<const Map* const> maps, ShownLayers& shown) const {
     const int frame = shown.layers.frame().number;
-    WrittenFile written{.path = path(*maps.front(), frame), .maps = {}, .bytes = 0, .pixels = {}};
+    WrittenFile written{
+        .path = path(*maps.front(), frame), .maps = {}, .bytes = 0, .pixels = {}, .numbers = {}};
     const Picture picture = picture_of(maps, shown, written);
     const Bytes stream =
         pattern_.format().encode(picture, encoding_of(preset_.output, *maps.front()));
@@ -129,6 +130,9 @@ Picture FrameFiles::picture_of(std::span<const Map* const> maps,
         picture.metadata.color =
             picture.metadata.color || std::holds_alternative<ColorPixels>(image);
         if (format.samples == FormatSamples::Codes) {
+            if (!map->full_key.empty()) {
+                written.numbers = extent_of(std::get<NumberPixels>(image));
+            }
             picture.groups.push_back(coded(image, code_bits(*map, format)));
         } else {
             const ChannelNames names{maps.size() > 1 ? map->name : "", map->channels};

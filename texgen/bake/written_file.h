@@ -5,6 +5,7 @@
 #include "texgen/image/format.h"
 #include "texgen/maps/all_maps.h"
 #include "texgen/maps/map_image.h"
+#include "texgen/maps/number_extent.h"
 
 #include <array>
 #include <cstdint>
@@ -48,6 +49,8 @@ struct WrittenFile {
     std::vector<std::pair<const Map*, MapSamples>> maps;  // one entry, or one entry per layer
     std::uint64_t bytes = 0;                              // size of the file in bytes
     std::string pixels;                                   // pixel_hash of the picture
+    // The numbers of a file of codes; nullopt if its map has no Map::full_key.
+    std::optional<NumberExtent> numbers{};
 };
 
 }  // namespace foam::texgen

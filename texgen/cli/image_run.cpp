@@ -17,6 +17,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
+#include <cstdio>
 #include <filesystem>
 #include <utility>
 
@@ -39,6 +40,24 @@ void print_images(const Preset& preset,
         }
         if (pattern.stores_all_maps_in_one_file()) {
             return;
+        }
+    }
+}
+
+/// Prints a note for each map of which samples were clipped.
+void note_clipped(const BakeSummary& summary) {
+    for (const WrittenNumbers& numbers : summary.numbers) {
+        if (numbers.extent.clipped > 0.0) {
+            fmt::print(stderr,
+                       "foamtex: {}: up to {:.3g} % of the samples of a file are outside of {:g} "
+                       "to {:g} and were clipped; numbers go from {:.3g} to {:.3g}: raise {}\n",
+                       numbers.map->name,
+                       100.0 * numbers.extent.clipped,
+                       numbers.range[0],
+                       numbers.range[1],
+                       numbers.extent.smallest,
+                       numbers.extent.largest,
+                       numbers.map->full_key);
         }
     }
 }
@@ -124,6 +143,9 @@ ExitCode run_images(const Preset& preset,
     StatisticsFiles statistics;
     if (arguments.stats) {
         statistics = write_statistics(recorder.run(), statistics_folder(preset, pattern));
+    }
+    if (verbosity != Verbosity::Quiet) {
+        note_clipped(summary);
     }
     if (arguments.json) {
         print_report(preset, options, summary, statistics.paths);

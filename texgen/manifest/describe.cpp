@@ -98,7 +98,8 @@ ManifestFile file_of(const WrittenFile& written, int frame, const std::filesyste
                       .maps = {},
                       .frame = frame,
                       .bytes = written.bytes,
-                      .pixels = written.pixels};
+                      .pixels = written.pixels,
+                      .numbers = written.numbers};
     for (const auto& [map, samples] : written.maps) {
         file.maps.emplace_back(map->name);
     }

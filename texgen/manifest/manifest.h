@@ -37,6 +37,8 @@ struct ManifestFile {
     int frame = 0;
     std::uint64_t bytes = 0;  // size of the file
     std::string pixels;       // pixel_hash of the file
+    // The numbers of a file of codes; nullopt for other files and in manifests of older versions.
+    std::optional<NumberExtent> numbers{};
 
     friend bool operator==(const ManifestFile&, const ManifestFile&) = default;
 };

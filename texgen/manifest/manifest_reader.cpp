@@ -36,6 +36,14 @@ double number_in(const std::optional<JsonValue>& value) {
     return value ? value->number() : std::numeric_limits<double>::quiet_NaN();
 }
 
+std::array<double, 2> range_in(const JsonValue& value) {
+    const std::vector<JsonValue> ends = value.items();
+    if (ends.size() != 2) {
+        value.reject("[low, high]");
+    }
+    return {ends[0].number(), ends[1].number()};
+}
+
 std::optional<MapSamples> samples_in(const JsonValue& value) {
     if (!value.find("kind")) {
         return std::nullopt;
@@ -47,11 +55,7 @@ std::optional<MapSamples> samples_in(const JsonValue& value) {
                        .alpha = value["alpha"].word(kAlphas),
                        .range = {}};
     if (const auto range = value.find("range")) {
-        const std::vector<JsonValue> ends = range->items();
-        if (ends.size() != 2) {
-            range->reject("[low, high]");
-        }
-        samples.range = {ends[0].number(), ends[1].number()};
+        samples.range = range_in(*range);
     }
     return samples;
 }
@@ -66,13 +70,23 @@ ManifestMap map_in(const JsonValue& value) {
             .samples = samples_in(value)};
 }
 
+std::optional<NumberExtent> numbers_in(const JsonValue& file) {
+    const auto numbers = file.find("numbers");
+    if (!numbers) {
+        return std::nullopt;
+    }
+    const auto [smallest, largest] = range_in(*numbers);
+    return NumberExtent{smallest, largest, file["clipped"].number()};
+}
+
 ManifestFile file_in(const JsonValue& value) {
     ManifestFile file{.path = value["path"].text(),
                       .maps = {},
                       .frame = value["frame"].count(),
                       .bytes = static_cast<std::uint64_t>(
                           value["bytes"].integer(0, std::numeric_limits<std::int64_t>::max())),
-                      .pixels = value["pixels"].text()};
+                      .pixels = value["pixels"].text(),
+                      .numbers = numbers_in(value)};
     for (const JsonValue& map : value["maps"].items()) {
         file.maps.push_back(map.text());
     }

@@ -30,11 +30,16 @@ Json to_value(const ManifestMap& map) {
 }
 
 Json to_value(const ManifestFile& file) {
-    return {{"path", file.path},
-            {"maps", file.maps},
-            {"frame", file.frame},
-            {"bytes", file.bytes},
-            {"pixels", file.pixels}};
+    Json value{{"path", file.path},
+               {"maps", file.maps},
+               {"frame", file.frame},
+               {"bytes", file.bytes},
+               {"pixels", file.pixels}};
+    if (file.numbers) {
+        value["numbers"] = {file.numbers->smallest, file.numbers->largest};
+        value["clipped"] = file.numbers->clipped;
+    }
+    return value;
 }
 
 Json to_value(const FrameStatistics& frame) {

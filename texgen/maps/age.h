@@ -12,7 +12,8 @@ inline constexpr MapTraits kAgeMap = {
     .meaning = "time since a bubble was created, or since its neighbors changed",
     .unit = "foam time; PNG: 0 to age.full",
     .channels = "Y",
-    .png_bits = 16};
+    .png_bits = 16,
+    .full_key = "age.full"};
 
 /// The moment at which a bubble's age begins.
 enum class AgeSince {

@@ -12,7 +12,8 @@ inline constexpr MapTraits kAreaMap = {.name = "area",
                                        .meaning = "area of bubbles",
                                        .unit = "mean areas; PNG: 0 to area.full",
                                        .channels = "Y",
-                                       .png_bits = 16};
+                                       .png_bits = 16,
+                                       .full_key = "area.full"};
 
 struct AreaOptions {
     MeanBubble unit = MeanBubble::Current;

@@ -102,7 +102,7 @@ Floor light_floor(FrameLayers& layers, const ReliefSource& source, double depth,
                 (reach * relief.slope(index)).cwiseMin(farthest).cwiseMax(-farthest);
             // The ray's middle is at (x + 1/2) / samples; the square begins half a pixel before it.
             const auto start = [samples](int at) {
-                return (2 * at + 1 - samples) * (kUnit / (2 * samples));
+                return std::int64_t{2 * at + 1 - samples} * (kUnit / (2 * samples));
             };
             floor.add(start(x) + std::llround(motion.x()), start(y) + std::llround(motion.y()));
         }

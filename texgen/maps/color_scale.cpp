@@ -10,6 +10,7 @@ namespace foam::texgen {
 
 std::vector<LinearRgb> parse_colors(const std::vector<std::string>& colors) {
     std::vector<LinearRgb> parsed;
+    parsed.reserve(colors.size());
     for (const std::string& color : colors) {
         parsed.push_back(to_linear(parse_color(color)));
     }

@@ -16,7 +16,8 @@ inline constexpr MapTraits kCurvatureMap = {
     .png_bits = 16,
     .png_filter = PngFilter::Up,
     .smooth_distance = SmoothDistance::Used,
-    .shows_relief = true};
+    .shows_relief = true,
+    .full_key = "curvature.full"};
 
 struct CurvatureOptions {
     double radius = 0.08;  // radius of the neighborhood, in diameters of the relief's mean bubble

@@ -16,7 +16,8 @@ inline constexpr MapTraits kDistanceMap = {
         "signed",
     .channels = "Y",
     .png_bits = 16,
-    .png_filter = PngFilter::Up};
+    .png_filter = PngFilter::Up,
+    .full_key = "distance.full"};
 
 /// The line of a film from which distances are measured, and their sign.
 enum class DistanceKind {

@@ -13,7 +13,8 @@ inline constexpr MapTraits kGrowthMap = {
     .unit = "area per foam time; PNG: 0.5 stands for 0, 1 for growth.full",
     .channels = "Y",
     .png_bits = 16,
-    .needs_next = true};
+    .needs_next = true,
+    .full_key = "growth.full"};
 
 struct GrowthOptions {
     double full = 0.05;  // growth rate stored as the largest code of a PNG; code 0 stands for -full

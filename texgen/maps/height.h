@@ -16,7 +16,8 @@ inline constexpr MapTraits kHeightMap = {
     .png_bits = 16,
     .png_filter = PngFilter::Up,
     .smooth_distance = SmoothDistance::Used,
-    .shows_relief = true};
+    .shows_relief = true,
+    .full_key = "height.full"};
 
 struct HeightOptions {
     double full = 0.5;  // height stored as the largest code of a PNG, in bubble diameters

@@ -174,40 +174,10 @@ class Means {
     int samples_;
 };
 
-}  // namespace
-
-Keys<LitOptions> lit_keys() {
+// Returns the keys of the windows and of the horizon (reflections.h).
+Keys<LitOptions> reflection_keys() {
     using Options = LitOptions;
-    constexpr Choices<LitColors, 3> kColors = {{{{"albedo", LitColors::Albedo},
-                                                 {"thin_film", LitColors::ThinFilm},
-                                                 {"maze", LitColors::Maze}}}};
     return {
-        key("colors", kColors, "the map that is lit", &Options::colors),
-        key("azimuth",
-            Reals{-360.0, 360.0},
-            "direction of the light: degrees counterclockwise from the right",
-            &Options::azimuth)
-            .in("degrees"),
-        key("elevation",
-            Reals{1.0, 90.0},
-            "angle of the light above the ground, degrees; does not change the color of flat "
-            "ground",
-            &Options::elevation)
-            .in("degrees"),
-        key("ambient",
-            kFractions,
-            "fraction of the diffuse light that comes from the sky",
-            &Options::ambient)
-            .in("fraction of the diffuse light"),
-        key("gloss", Reals{0.0, 1000.0}, "brightness of highlights", &Options::gloss),
-        key("shininess",
-            Reals{1.0, 10000.0},
-            "exponent of highlights; larger values make them smaller",
-            &Options::shininess),
-        key("rim",
-            Reals{0.0, 1000.0},
-            "brightness added to steep slopes, such as the rims of bubbles",
-            &Options::rim),
         key("windows",
             Integers{0, 2},
             "number of windows that every bubble reflects: the first in the direction of the "
@@ -232,15 +202,53 @@ Keys<LitOptions> lit_keys() {
             Reals{0.0, 1000.0},
             "brightness of the reflection of the sky at the horizon, a ring in every dome that is "
             "steep enough",
-            &Options::horizon),
-        key("glow",
-            kFractions,
-            "fraction of the color of films, of the shade beside them, and of the walls of a maze, "
-            "that is emitted light",
-            &Options::glow)
-            .in("fraction of the color"),
-        key("samples", Integers{1, 8}, "samples per pixel in each direction", &Options::samples)
-            .in("samples per pixel, in each direction")};
+            &Options::horizon)};
+}
+
+}  // namespace
+
+Keys<LitOptions> lit_keys() {
+    using Options = LitOptions;
+    constexpr Choices<LitColors, 3> kColors = {{{{"albedo", LitColors::Albedo},
+                                                 {"thin_film", LitColors::ThinFilm},
+                                                 {"maze", LitColors::Maze}}}};
+    return joined<LitOptions>(
+        {{key("colors", kColors, "the map that is lit", &Options::colors),
+          key("azimuth",
+              Reals{-360.0, 360.0},
+              "direction of the light: degrees counterclockwise from the right",
+              &Options::azimuth)
+              .in("degrees"),
+          key("elevation",
+              Reals{1.0, 90.0},
+              "angle of the light above the ground, degrees; does not change the color of flat "
+              "ground",
+              &Options::elevation)
+              .in("degrees"),
+          key("ambient",
+              kFractions,
+              "fraction of the diffuse light that comes from the sky",
+              &Options::ambient)
+              .in("fraction of the diffuse light"),
+          key("gloss", Reals{0.0, 1000.0}, "brightness of highlights", &Options::gloss),
+          key("shininess",
+              Reals{1.0, 10000.0},
+              "exponent of highlights; larger values make them smaller",
+              &Options::shininess),
+          key("rim",
+              Reals{0.0, 1000.0},
+              "brightness added to steep slopes, such as the rims of bubbles",
+              &Options::rim),
+          key("glow",
+              kFractions,
+              "fraction of the color of films, of the shade beside them, and of the walls of a "
+              "maze, "
+              "that is emitted light",
+              &Options::glow)
+              .in("fraction of the color"),
+          key("samples", Integers{1, 8}, "samples per pixel in each direction", &Options::samples)
+              .in("samples per pixel, in each direction")},
+         reflection_keys()});
 }
 
 ColorPixels draw_lit(FrameLayers& layers, const LitOptions& options, const LitSurface& surface) {

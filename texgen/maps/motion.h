@@ -17,7 +17,8 @@ inline constexpr MapTraits kMotionMap = {
     .channels = "X Y",
     .png_bits = 16,
     .png_filter = PngFilter::Up,
-    .needs_next = true};
+    .needs_next = true,
+    .full_key = "motion.multiplier"};
 
 /// The unit of both channels of a motion map. A PNG is the same for both units.
 enum class MotionUnit {

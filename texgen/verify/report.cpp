@@ -62,6 +62,23 @@ std::string loop_line(const VerifiedSet& found) {
                        closing);
 }
 
+// Returns a line for each map with clipped samples.
+std::string clipped_lines(const VerifiedSet& found) {
+    std::string lines;
+    for (const VerifiedMap& map : found.maps) {
+        if (map.numbers && map.numbers->clipped > 0.0) {
+            lines += fmt::format(
+                "  clipped  {}: up to {:.3g} % of the samples of a file; numbers go from {:.3g} to "
+                "{:.3g}\n",
+                map.name,
+                100.0 * map.numbers->clipped,
+                map.numbers->smallest,
+                map.numbers->largest);
+        }
+    }
+    return lines;
+}
+
 std::string text_of(const VerifiedSet& found) {
     const BakedSet& set = found.set;
     std::string text = fmt::format("{}: seed {}, {} x {}, foamtex {}\n",
@@ -75,6 +92,7 @@ std::string text_of(const VerifiedSet& found) {
                         set.files.size());
     text += "  tile     " + tile_line(found) + "\n";
     text += "  loop     " + loop_line(found) + "\n";
+    text += clipped_lines(found);
     for (const std::string& problem : found.problems) {
         text += "  FAILED   " + problem + "\n";
     }
@@ -95,7 +113,8 @@ Json value_of(const VerifiedMap& map) {
             {"holds", map.holds()},
             {"tile", value_of(map.tile)},
             {"tile_frame", map.tile ? Json(map.tile_frame) : Json(nullptr)},
-            {"loop", value_of(map.loop)}};
+            {"loop", value_of(map.loop)},
+            {"clipped", map.numbers ? Json(map.numbers->clipped) : Json(nullptr)}};
 }
 
 Json value_of(const VerifiedSet& found) {

@@ -182,6 +182,17 @@ void note_seams(const VerifiedMap& map, std::vector<std::string>& problems) {
     }
 }
 
+// Returns the numbers in all files of a map.
+std::optional<NumberExtent> numbers_of(const BakedSet& set, const std::string& map) {
+    std::optional<NumberExtent> numbers;
+    for (const ManifestFile& file : set.files) {
+        if (file.numbers && file.maps.front() == map) {
+            numbers = numbers ? joined(*numbers, *file.numbers) : file.numbers;
+        }
+    }
+    return numbers;
+}
+
 // Returns true if the tiling of a frame is to be checked.
 bool frame_tiles(const BakedSet& set, int frame) {
     const FrameStatistics* const found = set.find_frame(frame);
@@ -208,6 +219,7 @@ VerifiedSet verify_set(const BakedSet& set, const std::filesystem::path& folder)
         const auto check = checks.find(map.name);
         if (check != checks.end()) {
             found.maps.push_back(check->second.finish());
+            found.maps.back().numbers = numbers_of(set, map.name);
             note_seams(found.maps.back(), found.problems);
         }
     }

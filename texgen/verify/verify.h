@@ -30,6 +30,9 @@ struct VerifiedMap {
     std::optional<Seam> tile;
     int tile_frame = 0;  // the frame with the largest step across this seam; 0 without `tile`
     std::optional<Seam> loop;
+    // The numbers in the files of the map, and the largest fraction of a file that is clipped, as
+    // the manifest records them; nullopt if it does not. Clipped samples are no problem.
+    std::optional<NumberExtent> numbers{};
 
     /// Returns true if the ratio of `tile` is at most kLargestTileRatio and the ratio of `loop` is
     /// at most kLargestLoopRatio. A seam that was not checked does not count.

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/maps/map_image.h"
+
+namespace foam::texgen {
+
+/// The numbers of an image, and how many of them a file of codes cannot store.
+struct NumberExtent {
+    double smallest = 0.0;  // of the finite numbers, in the unit of the map; 0 if there is none
+    double largest = 0.0;   // likewise
+    // The fraction of the samples that are clipped: finite numbers that are outside of the range
+    // from NumberPixels::low to NumberPixels::high by more than half a step of a 16-bit code.
+    double clipped = 0.0;
+
+    friend bool operator==(const NumberExtent&, const NumberExtent&) = default;
+};
+
+/// Returns the extent of the numbers of an image.
+NumberExtent extent_of(const NumberPixels& numbers);
+
+/// Returns the extent of two images together: the smallest and the largest number of both, and the
+/// larger of the two clipped fractions.
+NumberExtent joined(const NumberExtent& one, const NumberExtent& other);
+
+}  // namespace foam::texgen
