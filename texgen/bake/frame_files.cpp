@@ -103,8 +103,8 @@ bool FrameFiles::needs_next() const {
 
 WrittenFile FrameFiles::write_maps(std::span<const Map* const> maps, ShownLayers& shown) const {
     const int frame = shown.layers.frame().number;
-    WrittenFile written{
-        .path = path(*maps.front(), frame), .maps = {}, .bytes = 0, .pixels = {}, .numbers = {}};
+    WrittenFile written{};
+    written.path = path(*maps.front(), frame);
     const Picture picture = picture_of(maps, shown, written);
     const Bytes stream =
         pattern_.format().encode(picture, encoding_of(preset_.output, *maps.front()));
@@ -132,6 +132,10 @@ Picture FrameFiles::picture_of(std::span<const Map* const> maps,
         if (format.samples == FormatSamples::Codes) {
             if (!map->full_key.empty()) {
                 written.numbers = extent_of(std::get<NumberPixels>(image));
+            }
+            if (map->name == kHeightMap.name) {
+                written.displacement =
+                    preset_.maps.height.full.value * height_unit(shown.layers, preset_.maps.relief);
             }
             picture.groups.push_back(coded(image, code_bits(*map, format)));
         } else {

@@ -51,6 +51,8 @@ struct WrittenFile {
     std::string pixels;                                   // pixel_hash of the picture
     // The numbers of a file of codes; nullopt if its map has no Map::full_key.
     std::optional<NumberExtent> numbers{};
+    // For the map height: the height of the largest code as a fraction of the width of the image.
+    std::optional<double> displacement{};
 };
 
 }  // namespace foam::texgen

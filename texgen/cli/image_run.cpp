@@ -3,6 +3,7 @@
 #include "texgen/cli/image_run.h"
 
 #include "texgen/bake/file_pattern.h"
+#include "texgen/bake/fitted_ranges.h"
 #include "texgen/bake/frame_range.h"
 #include "texgen/cli/interruption.h"
 #include "texgen/cli/json_report.h"
@@ -121,10 +122,22 @@ std::vector<Assignment> assignments_of(const ImageArguments& arguments) {
     return assignments;
 }
 
-ExitCode run_images(const Preset& preset,
+ExitCode run_images(const Preset& given,
                     const BakeOptions& options,
                     const ImageArguments& arguments,
                     Verbosity verbosity) {
+    Preset preset = given;
+    if (has_automatic_ranges(preset)) {
+        check_bake(preset, options);
+        handle_stop_signals();
+        const FrameSource source =
+            options.source ? options.source : simulation_of(preset, options.threads);
+        const RunOutcome outcome =
+            fit_automatic_ranges(preset, source, options.threads, throw_if_interrupted);
+        if (outcome.status != RunStatus::Complete) {
+            return report_failure(outcome);
+        }
+    }
     const FilePattern pattern(preset.output.pattern);
     Recorder recorder(preset);
     const BakeSummary summary = [&] {

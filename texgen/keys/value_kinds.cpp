@@ -117,6 +117,31 @@ bool Reals::read(const Value& value, double& member) const {
     return allowed;
 }
 
+std::string RealsOrAuto::allowed() const {
+    return "\"auto\" or " + Reals{low, high}.allowed();
+}
+
+std::string RealsOrAuto::schema() const {
+    return any_of_schema(R"({"const": "auto"})", Reals{low, high}.schema());
+}
+
+bool RealsOrAuto::read(const Value& value, AutoReal& member) const {
+    const auto* text = get<std::string>(value);
+    if (text != nullptr && *text == "auto") {
+        member.is_automatic = true;
+        return true;
+    }
+    if (!Reals{low, high}.read(value, member.value)) {
+        return false;
+    }
+    member.is_automatic = false;
+    return true;
+}
+
+Value RealsOrAuto::write(const AutoReal& member) const {
+    return member.is_automatic ? Value{std::string("auto")} : Value{member.value};
+}
+
 std::string Text::allowed() const {
     return or_empty ? "a string" : "a non-empty string";
 }

@@ -68,6 +68,26 @@ struct Reals {
 
 inline constexpr Reals kFractions{0.0, 1.0};
 
+/// A number that a user gives, or that the program finds by itself if the user gives "auto". Until
+/// the program has found it, `value` is a typical number.
+struct AutoReal {
+    double value = 0.0;
+    bool is_automatic = false;
+
+    friend bool operator==(const AutoReal&, const AutoReal&) = default;
+};
+
+/// The word "auto", or finite numbers from low to high.
+struct RealsOrAuto {
+    double low = 0.0;
+    double high = 0.0;
+
+    std::string allowed() const;
+    std::string schema() const;
+    bool read(const Value& value, AutoReal& member) const;
+    Value write(const AutoReal& member) const;
+};
+
 /// Strings. The empty string is allowed only if `or_empty` is true.
 struct Text {
     bool or_empty = false;

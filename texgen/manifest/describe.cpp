@@ -51,7 +51,7 @@ ManifestConventions conventions_of(const MapOptions& maps) {
         .normal_y = maps.normal.y == NormalY::Up ? "up" : "down",
         .motion_unit = maps.motion.unit == MotionUnit::Image ? "image widths" : "pixels",
         .motion_y = maps.motion.y == MotionY::Up ? "up" : "down",
-        .motion_multiplier = maps.motion.multiplier,
+        .motion_multiplier = maps.motion.multiplier.value,
     };
 }
 
@@ -99,7 +99,8 @@ ManifestFile file_of(const WrittenFile& written, int frame, const std::filesyste
                       .frame = frame,
                       .bytes = written.bytes,
                       .pixels = written.pixels,
-                      .numbers = written.numbers};
+                      .numbers = written.numbers,
+                      .displacement = written.displacement};
     for (const auto& [map, samples] : written.maps) {
         file.maps.emplace_back(map->name);
     }

@@ -39,6 +39,9 @@ struct ManifestFile {
     std::string pixels;       // pixel_hash of the file
     // The numbers of a file of codes; nullopt for other files and in manifests of older versions.
     std::optional<NumberExtent> numbers{};
+    // The height of the largest code, as a fraction of the width of the image; only for codes of
+    // the map height.
+    std::optional<double> displacement{};
 
     friend bool operator==(const ManifestFile&, const ManifestFile&) = default;
 };

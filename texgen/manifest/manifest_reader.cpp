@@ -86,7 +86,11 @@ ManifestFile file_in(const JsonValue& value) {
                       .bytes = static_cast<std::uint64_t>(
                           value["bytes"].integer(0, std::numeric_limits<std::int64_t>::max())),
                       .pixels = value["pixels"].text(),
-                      .numbers = numbers_in(value)};
+                      .numbers = numbers_in(value),
+                      .displacement = {}};
+    if (const auto displacement = value.find("displacement")) {
+        file.displacement = displacement->number();
+    }
     for (const JsonValue& map : value["maps"].items()) {
         file.maps.push_back(map.text());
     }

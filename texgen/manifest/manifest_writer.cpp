@@ -39,6 +39,9 @@ Json to_value(const ManifestFile& file) {
         value["numbers"] = {file.numbers->smallest, file.numbers->largest};
         value["clipped"] = file.numbers->clipped;
     }
+    if (file.displacement) {
+        value["displacement"] = *file.displacement;
+    }
     return value;
 }
 

@@ -2,7 +2,6 @@
 
 #include "texgen/maps/age.h"
 
-#include "texgen/keys/value_kinds.h"
 #include "texgen/maps/cell_fill.h"
 
 #include <algorithm>
@@ -18,8 +17,9 @@ Keys<AgeOptions> age_keys() {
                 "change of its neighbors",
                 &AgeOptions::since),
             key("full",
-                Reals{1e-6, 1e9},
-                "age that a PNG stores as its largest code, in foam time",
+                RealsOrAuto{1e-6, 1e9},
+                "age that a PNG stores as its largest code, in foam time; \"auto\" fits the whole "
+                "animation",
                 &AgeOptions::full)
                 .in("foam time")};
 }
@@ -36,7 +36,7 @@ NumberPixels draw_age(FrameLayers& layers, const AgeOptions& options) {
         frame,
         [&](BubbleId bubble) { return age_of(frame.bubbles[bubble].identity); },
         [&](const LoneBubble& bubble) { return age_of(bubble.identity); });
-    return {fill_numbers(layers, ages), 0.0, options.full};
+    return {fill_numbers(layers, ages), 0.0, options.full.value};
 }
 
 }  // namespace foam::texgen

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "texgen/keys/key.h"
+#include "texgen/keys/value_kinds.h"
 #include "texgen/maps/map.h"
 
 namespace foam::texgen {
@@ -23,7 +24,7 @@ enum class AgeSince {
 
 struct AgeOptions {
     AgeSince since = AgeSince::Birth;
-    double full = 50.0;  // age that a PNG stores as its largest code, in foam time
+    AutoReal full{50.0, true};  // age that a PNG stores as its largest code, in foam time
 };
 
 Keys<AgeOptions> age_keys();

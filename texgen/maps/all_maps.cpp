@@ -21,6 +21,21 @@ bool uses_smooth_distance(const Map& map, const MapOptions& options) {
             film_distance_needs(options.albedo).smooth);
 }
 
+// Returns the range of a map, or nullptr if the map has none. `Options` may be const.
+template <class Options>
+auto find_full(const Map& map, Options& options) -> decltype(&options.height.full) {
+    const std::array ranges = {std::pair(kHeightMap.full_key, &options.height.full),
+                               std::pair(kCurvatureMap.full_key, &options.curvature.full),
+                               std::pair(kDistanceMap.full_key, &options.distance.full),
+                               std::pair(kAreaMap.full_key, &options.area.full),
+                               std::pair(kGrowthMap.full_key, &options.growth.full),
+                               std::pair(kAgeMap.full_key, &options.age.full),
+                               std::pair(kMotionMap.full_key, &options.motion.multiplier)};
+    const auto found =
+        std::ranges::find(ranges, map.full_key, [](const auto& range) { return range.first; });
+    return found == ranges.end() ? nullptr : found->second;
+}
+
 }  // namespace
 
 std::span<const Map> all_maps() {
@@ -55,6 +70,14 @@ DistanceNeeds distance_needs(std::span<const std::string> names, const MapOption
     return {.smooth = std::any_of(names.begin(), names.end(), [&](const std::string& name) {
                 return uses_smooth_distance(find_map(name), options);
             })};
+}
+
+AutoReal* full_of(const Map& map, MapOptions& options) {
+    return find_full(map, options);
+}
+
+const AutoReal* full_of(const Map& map, const MapOptions& options) {
+    return find_full(map, options);
 }
 
 bool shows_maze(std::span<const std::string> names, const MapOptions& options) {

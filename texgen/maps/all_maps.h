@@ -107,6 +107,16 @@ constexpr Map relief_map_of(const MapTraits& traits,
             note};
 }
 
+/// Returns a map of normals with a fixed direction of y.
+template <NormalY y>
+constexpr Map normal_map_of(const MapTraits& traits) {
+    return {traits,
+            [](FrameLayers& layers, const MapOptions& options) -> MapImage {
+                return draw_normal(layers, {options.relief, options.maze}, {y});
+            },
+            [](const MapOptions&) { return note_on_normals({y}); }};
+}
+
 /// All maps, in the order in which the program lists them.
 inline constexpr std::array kMaps = [] {
     using M = MapOptions;
@@ -125,6 +135,8 @@ inline constexpr std::array kMaps = [] {
         relief_map_of<draw_height, &M::height>(kHeightMap),
         relief_map_of<draw_normal, &M::normal>(
             kNormalMap, [](const M& options) { return note_on_normals(options.normal); }),
+        normal_map_of<NormalY::Up>(kNormalGlMap),
+        normal_map_of<NormalY::Down>(kNormalDxMap),
         relief_map_of<draw_occlusion, &M::occlusion>(kOcclusionMap),
         relief_map_of<draw_curvature, &M::curvature>(kCurvatureMap),
         map_of<draw_roughness, &M::roughness, &M::albedo>(kRoughnessMap),
@@ -157,6 +169,10 @@ const Map& find_map(std::string_view name);
 /// Returns which images of the distance field are needed by at least one of the maps with the given
 /// names. Throws as find_map does.
 DistanceNeeds distance_needs(std::span<const std::string> names, const MapOptions& options);
+
+/// Return the range of a map (Map::full_key), or nullptr if the map has no such key.
+AutoReal* full_of(const Map& map, MapOptions& options);
+const AutoReal* full_of(const Map& map, const MapOptions& options);
 
 /// Returns true if at least one of the maps with the given names shows a maze (MapOptions::maze).
 bool shows_maze(std::span<const std::string> names, const MapOptions& options);

@@ -2,7 +2,6 @@
 
 #include "texgen/maps/area.h"
 
-#include "texgen/keys/value_kinds.h"
 #include "texgen/maps/cell_fill.h"
 
 namespace foam::texgen {
@@ -13,8 +12,9 @@ Keys<AreaOptions> area_keys() {
                 "unit of areas: mean area of the seeded foam or of this frame",
                 &AreaOptions::unit),
             key("full",
-                Reals{1e-3, 1e6},
-                "area that a PNG stores as its largest code, in the unit area.unit",
+                RealsOrAuto{1e-3, 1e6},
+                "area that a PNG stores as its largest code, in the unit area.unit; \"auto\" fits "
+                "the whole animation",
                 &AreaOptions::full)
                 .in("mean bubble areas, selected by area.unit")};
 }
@@ -26,7 +26,7 @@ NumberPixels draw_area(FrameLayers& layers, const AreaOptions& options) {
         frame,
         [&](BubbleId bubble) { return frame.bubbles[bubble].area / unit; },
         [&](const LoneBubble& bubble) { return bubble.target_area / unit; });
-    return {fill_numbers(layers, areas), 0.0, options.full};
+    return {fill_numbers(layers, areas), 0.0, options.full.value};
 }
 
 }  // namespace foam::texgen

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "texgen/keys/key.h"
+#include "texgen/keys/value_kinds.h"
 #include "texgen/maps/map.h"
 #include "texgen/maps/mean_bubble.h"
 
@@ -17,7 +18,7 @@ inline constexpr MapTraits kAreaMap = {.name = "area",
 
 struct AreaOptions {
     MeanBubble unit = MeanBubble::Current;
-    double full = 4.0;  // area that a PNG stores as its largest code, in mean areas (`unit`)
+    AutoReal full{4.0, true};  // area that a PNG stores as its largest code, in mean areas (`unit`)
 };
 
 Keys<AreaOptions> area_keys();

@@ -2,7 +2,6 @@
 
 #include "texgen/maps/curvature.h"
 
-#include "texgen/keys/value_kinds.h"
 #include "texgen/maps/relief.h"
 
 #include <cstddef>
@@ -30,8 +29,9 @@ Keys<CurvatureOptions> curvature_keys() {
                 &CurvatureOptions::radius)
                 .in(kReliefDiameters),
             key("full",
-                Reals{1e-6, 1e6},
-                "curvature that a PNG stores as its largest code; the negative of it is code 0",
+                RealsOrAuto{1e-6, 1e6},
+                "curvature that a PNG stores as its largest code; the negative of it is code 0; "
+                "\"auto\" fits the whole animation",
                 &CurvatureOptions::full)
                 .in("per mean bubble diameter, selected by relief.mean_bubble")};
 }
@@ -52,7 +52,7 @@ NumberPixels draw_curvature(FrameLayers& layers,
                 static_cast<float>(relief.strength() * curvature * relief.diameter());
         }
     }
-    return {std::move(image), -options.full, options.full};
+    return {std::move(image), -options.full.value, options.full.value};
 }
 
 }  // namespace foam::texgen

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "texgen/keys/key.h"
+#include "texgen/keys/value_kinds.h"
 #include "texgen/maps/map.h"
 #include "texgen/maps/relief.h"
 
@@ -21,7 +22,8 @@ inline constexpr MapTraits kCurvatureMap = {
 
 struct CurvatureOptions {
     double radius = 0.08;  // radius of the neighborhood, in diameters of the relief's mean bubble
-    double full = 10.0;    // curvature stored as the largest code of a PNG; code 0 stands for -full
+    AutoReal full{10.0,
+                  true};  // curvature stored as the largest code of a PNG; code 0 stands for -full
 };
 
 Keys<CurvatureOptions> curvature_keys();

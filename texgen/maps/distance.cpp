@@ -2,7 +2,6 @@
 
 #include "texgen/maps/distance.h"
 
-#include "texgen/keys/value_kinds.h"
 #include "texgen/maps/frame_layers.h"
 
 #include <cmath>
@@ -23,8 +22,9 @@ Keys<DistanceOptions> distance_keys() {
                 &DistanceOptions::kind),
             key("unit", kUnits, "foam units or pixels", &DistanceOptions::unit),
             key("full",
-                Reals{1e-6, 1e6},
-                "distance that a PNG stores as its largest code, in the unit distance.unit",
+                RealsOrAuto{1e-6, 1e6},
+                "distance that a PNG stores as its largest code, in the unit distance.unit; "
+                "\"auto\" fits the whole animation",
                 &DistanceOptions::full)
                 .in("foam units or pixels, selected by distance.unit")};
 }
@@ -39,7 +39,7 @@ NumberPixels draw_distance(FrameLayers& layers,
     const double unit =
         options.unit == DistanceUnit::Foam ? pixels_per_unit(layers.grid(), domain) : 1.0;
     const double outwards = is_signed ? -1.0 : 0.0;
-    const double low = is_signed ? -options.full : 0.0;
+    const double low = is_signed ? -options.full.value : 0.0;
     Image<float> image(layers.grid().width, layers.grid().height, 1);
     for (std::size_t k = 0; k < image.samples().size(); ++k) {
         const double distance = static_cast<double>(field.distance.samples()[k]);
@@ -50,7 +50,7 @@ NumberPixels draw_distance(FrameLayers& layers,
             std::isfinite(distance) ? ((around ? outwards * distance : distance) - edge) / unit
                                     : low);
     }
-    return {std::move(image), low, options.full};
+    return {std::move(image), low, options.full.value};
 }
 
 }  // namespace foam::texgen

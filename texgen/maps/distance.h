@@ -3,6 +3,7 @@
 #pragma once
 
 #include "texgen/keys/key.h"
+#include "texgen/keys/value_kinds.h"
 #include "texgen/maps/albedo_options.h"
 #include "texgen/maps/map.h"
 
@@ -32,7 +33,7 @@ struct DistanceOptions {
     DistanceUnit unit = DistanceUnit::Foam;
     // The distance that a PNG stores as its largest code, in the unit `unit`. Code 0 stands for 0,
     // or for -full if distances are signed.
-    double full = 1.0;
+    AutoReal full{1.0, true};
 };
 
 Keys<DistanceOptions> distance_keys();

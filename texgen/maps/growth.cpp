@@ -2,7 +2,6 @@
 
 #include "texgen/maps/growth.h"
 
-#include "texgen/keys/value_kinds.h"
 #include "texgen/maps/cell_fill.h"
 
 #include <cmath>
@@ -28,9 +27,9 @@ std::unordered_map<BubbleIdentity, double> areas_of(const Frame& frame) {
 
 Keys<GrowthOptions> growth_keys() {
     return {key("full",
-                Reals{1e-9, 1e6},
+                RealsOrAuto{1e-9, 1e6},
                 "growth that a PNG stores as its largest code, in area per foam time; the negative "
-                "of it is code 0",
+                "of it is code 0; \"auto\" fits the whole animation",
                 &GrowthOptions::full)
                 .in("square foam units per foam time")};
 }
@@ -50,7 +49,7 @@ NumberPixels draw_growth(FrameLayers& layers, const GrowthOptions& options) {
             return rate_of(frame.bubbles[bubble].identity, frame.bubbles[bubble].area);
         },
         [&](const LoneBubble& bubble) { return rate_of(bubble.identity, bubble.target_area); });
-    return {fill_numbers(layers, rates), -options.full, options.full};
+    return {fill_numbers(layers, rates), -options.full.value, options.full.value};
 }
 
 }  // namespace foam::texgen

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "texgen/keys/key.h"
+#include "texgen/keys/value_kinds.h"
 #include "texgen/maps/map.h"
 
 namespace foam::texgen {
@@ -17,7 +18,8 @@ inline constexpr MapTraits kGrowthMap = {
     .full_key = "growth.full"};
 
 struct GrowthOptions {
-    double full = 0.05;  // growth rate stored as the largest code of a PNG; code 0 stands for -full
+    AutoReal full{
+        0.05, true};  // growth rate stored as the largest code of a PNG; code 0 stands for -full
 };
 
 Keys<GrowthOptions> growth_keys();

@@ -2,7 +2,6 @@
 
 #include "texgen/maps/height.h"
 
-#include "texgen/keys/value_kinds.h"
 #include "texgen/maps/relief.h"
 
 #include <utility>
@@ -11,8 +10,9 @@ namespace foam::texgen {
 
 Keys<HeightOptions> height_keys() {
     return {key("full",
-                Reals{1e-6, 1e6},
-                "height that a PNG stores as its largest code, in bubble diameters",
+                RealsOrAuto{1e-6, 1e6},
+                "height that a PNG stores as its largest code, in bubble diameters; \"auto\" fits "
+                "the whole animation",
                 &HeightOptions::full)
                 .in(kReliefDiameters)};
 }
@@ -25,7 +25,13 @@ NumberPixels draw_height(FrameLayers& layers,
     for (std::size_t k = 0; k < image.samples().size(); ++k) {
         image.samples()[k] = static_cast<float>(relief.height(k) / relief.diameter());
     }
-    return {std::move(image), 0.0, options.full};
+    return {std::move(image), 0.0, options.full.value};
+}
+
+double height_unit(const FrameLayers& layers, const ReliefOptions& options) {
+    const Frame& frame = layers.frame();
+    return diameter_of(options.mean_bubble, frame) * pixels_per_unit(layers.grid(), frame.domain) /
+           layers.grid().width;
 }
 
 }  // namespace foam::texgen

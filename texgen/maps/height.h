@@ -3,6 +3,7 @@
 #pragma once
 
 #include "texgen/keys/key.h"
+#include "texgen/keys/value_kinds.h"
 #include "texgen/maps/map.h"
 #include "texgen/maps/relief.h"
 
@@ -20,7 +21,7 @@ inline constexpr MapTraits kHeightMap = {
     .full_key = "height.full"};
 
 struct HeightOptions {
-    double full = 0.5;  // height stored as the largest code of a PNG, in bubble diameters
+    AutoReal full{0.5, true};  // height stored as the largest code of a PNG, in bubble diameters
 };
 
 Keys<HeightOptions> height_keys();
@@ -30,5 +31,9 @@ Keys<HeightOptions> height_keys();
 NumberPixels draw_height(FrameLayers& layers,
                          const ReliefSource& source,
                          const HeightOptions& options);
+
+/// Returns the unit of heights, a bubble diameter, as a fraction of the width of the image. A
+/// program that displaces a surface needs this number.
+double height_unit(const FrameLayers& layers, const ReliefOptions& options);
 
 }  // namespace foam::texgen

@@ -3,7 +3,6 @@
 #include "texgen/maps/motion.h"
 
 #include "core/foam/measure.h"
-#include "texgen/keys/value_kinds.h"
 #include "texgen/maps/boundary_motion.h"
 #include "texgen/maps/frame_layers.h"
 #include "texgen/maps/grid_positions.h"
@@ -195,9 +194,9 @@ Keys<MotionOptions> motion_keys() {
                 &MotionOptions::unit),
             key("y", kDirections, "direction of positive y", &MotionOptions::y),
             key("multiplier",
-                Reals{1e-6, 10.0},
+                RealsOrAuto{1e-6, 10.0},
                 "motion that a PNG stores as its largest code, as a fraction of the image width; "
-                "the negative of it is code 0",
+                "the negative of it is code 0; \"auto\" fits the whole animation",
                 &MotionOptions::multiplier)
                 .in("fraction of the image width")};
 }
@@ -205,14 +204,14 @@ Keys<MotionOptions> motion_keys() {
 NumberPixels draw_motion(FrameLayers& layers, const MotionOptions& options) {
     const double width = options.unit == MotionUnit::Image ? 1.0 : layers.grid().width;
     return {MotionPainter(layers, options).paint(),
-            -options.multiplier * width,
-            options.multiplier * width};
+            -options.multiplier.value * width,
+            options.multiplier.value * width};
 }
 
 std::string note_on_motion(const MotionOptions& options) {
     return fmt::format("y {}; the largest code of a PNG is {} of the image width",
                        options.y == MotionY::Up ? "up" : "down",
-                       options.multiplier);
+                       options.multiplier.value);
 }
 
 }  // namespace foam::texgen

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "texgen/keys/key.h"
+#include "texgen/keys/value_kinds.h"
 #include "texgen/maps/map.h"
 
 #include <string>
@@ -35,7 +36,7 @@ struct MotionOptions {
     // The motion that a PNG stores as its largest code, as a fraction of the image width. Code 0
     // stands for the opposite motion. A program that plays the PNGs needs this number to convert
     // codes to motion.
-    double multiplier = 0.005;
+    AutoReal multiplier{0.005, true};
 };
 
 Keys<MotionOptions> motion_keys();

@@ -20,6 +20,24 @@ inline constexpr MapTraits kNormalMap = {
     .mixing = Mixing::Slopes,
     .shows_relief = true};
 
+/// The map normal with a fixed direction, so that one bake can have both.
+inline constexpr MapTraits kNormalGlMap = {.name = "normal_gl",
+                                           .meaning = "normals of the relief, y up (OpenGL)",
+                                           .unit = kNormalMap.unit,
+                                           .channels = kNormalMap.channels,
+                                           .png_filter = kNormalMap.png_filter,
+                                           .smooth_distance = kNormalMap.smooth_distance,
+                                           .mixing = kNormalMap.mixing,
+                                           .shows_relief = true};
+inline constexpr MapTraits kNormalDxMap = {.name = "normal_dx",
+                                           .meaning = "normals of the relief, y down (DirectX)",
+                                           .unit = kNormalMap.unit,
+                                           .channels = kNormalMap.channels,
+                                           .png_filter = kNormalMap.png_filter,
+                                           .smooth_distance = kNormalMap.smooth_distance,
+                                           .mixing = kNormalMap.mixing,
+                                           .shows_relief = true};
+
 /// The direction in which the second channel (green in a PNG) is positive.
 enum class NormalY {
     Up,    // convention of OpenGL, used by Blender, Godot and Unity

@@ -4,14 +4,18 @@
 
 #include "texgen/bake/frame_range.h"
 #include "texgen/json/json_writer.h"
+#include "texgen/maps/height.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <optional>
 
 namespace foam::texgen {
 
 namespace {
+
+constexpr double kSameDisplacement = 1e-9;  // largest relative difference that does not count
 
 // Returns true if the frames form a closed loop: if they have a common step, and the number of
 // frames times the absolute value of this step is the period of the loop. The step of a single
@@ -60,7 +64,22 @@ Json layout_value(const SheetLayout& layout, bool tiles) {
             {"uv", uv_value(layout)}};
 }
 
-Json image_value(const SheetImage& image) {
+// Returns the displacement of the largest code in all frames of a map; null if it differs between
+// frames, or if the map has none.
+Json displacement_value(const BakedSet& set, std::span<const int> frames, const std::string& map) {
+    std::optional<double> common;
+    for (const int frame : frames) {
+        const ManifestFile* const file = set.find_file(map, frame);
+        if (file == nullptr || !file->displacement ||
+            (common && std::abs(*file->displacement - *common) > kSameDisplacement * *common)) {
+            return nullptr;
+        }
+        common = file->displacement;
+    }
+    return number_or_null(common);
+}
+
+Json image_value(const SheetImage& image, const BakedSet& set, std::span<const int> frames) {
     const ManifestMap& map = image.sequence.map;
     Json value{
         {"file", image.file}, {"map", map.name}, {"meaning", map.meaning}, {"unit", map.unit}};
@@ -74,6 +93,9 @@ Json image_value(const SheetImage& image) {
     value["alpha"] = map.samples->alpha;
     if (map.samples->range) {
         value["range"] = *map.samples->range;
+    }
+    if (map.name == kHeightMap.name) {
+        value["displacement"] = displacement_value(set, frames, map.name);
     }
     return value;
 }
@@ -103,7 +125,7 @@ std::string flipbook_json(const BakedSet& set,
               {"layout", layout_value(layout, all_tile(images))},
               {"images", Json::array()}};
     for (const SheetImage& image : images) {
-        json["images"].push_back(image_value(image));
+        json["images"].push_back(image_value(image, set, frames));
     }
     return indented(json);
 }

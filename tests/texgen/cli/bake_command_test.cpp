@@ -68,6 +68,22 @@ TEST(BakeCommand, NotesFramesThatDoNotLoop) {
     EXPECT_EQ(run_program("bake sea_foam --set loop.kind=none --frames 1-3" + small).err, "");
 }
 
+// With "auto" no sample is clipped, whichever frames are baked. A fixed range may clip.
+TEST(BakeCommand, NotesClippedSamples) {
+    const std::string small =
+        "bake sea_foam --maps height --set foam.bubbles=16 --set frames.count=4 --frames 2 "
+        "--size 64 --out a.####.png -q ";
+    EXPECT_EQ(run_program(small).err, "");
+    const std::string loud =
+        "bake sea_foam --maps height --set foam.bubbles=16 --set loop.kind=none "
+        "--frames 1 --size 64 --out a.####.png --set height.full=";
+    EXPECT_EQ(run_program(loud + "auto").err, "");
+    const Outcome clipped = run_program(loud + "0.001");
+    EXPECT_EQ(clipped.code, 0);
+    EXPECT_TRUE(clipped.err.starts_with("foamtex: height: up to ")) << clipped.err;
+    EXPECT_TRUE(clipped.err.ends_with(": raise height.full\n")) << clipped.err;
+}
+
 TEST(BakeCommand, NotesEventsThatNeverHappen) {
     const std::string toml =
         "[[event]]\nkind = 'collapse'\nframe = 2\nbubble = 3\n"

@@ -67,11 +67,33 @@ TEST(RecordedBake, DescribesSamples) {
     const auto samples = [&](const char* map) { return *set.find_map(map)->samples; };
     EXPECT_EQ(samples("albedo"), (MapSamples{"color", "R G B", "uint8", "sRGB", "none", {}}));
     EXPECT_EQ(samples("height").type, "uint16");
-    EXPECT_EQ(samples("height").range, (std::array{0.0, preset.maps.height.full}));
+    EXPECT_EQ(samples("height").range, (std::array{0.0, preset.maps.height.full.value}));
     EXPECT_EQ(samples("motion").channels, "X Y 0");
     EXPECT_EQ(samples("id"), (MapSamples{"id", "Y", "uint16", "data", "none", {}}));
     EXPECT_EQ(set.conventions.normal_y, "down");
-    EXPECT_EQ(set.conventions.motion_multiplier, preset.maps.motion.multiplier);
+    EXPECT_EQ(set.conventions.motion_multiplier, preset.maps.motion.multiplier.value);
+}
+
+// A height range that is too small clips; an albedo has no range.
+TEST(RecordedBake, RecordsClippedNumbers) {
+    const TemporaryFolder folder;
+    Preset preset = small_preset(folder.path() / kPattern);
+    preset.image.maps = {"albedo", "height"};
+    preset.maps.height.full = {0.01};
+    const BakeSummary summary = bake_recorded(preset, {.frames = {1, 2}, .threads = 2}, {});
+    ASSERT_EQ(summary.numbers.size(), 1U);
+    const BakedSet set = only_set(folder.path());
+    EXPECT_EQ(set.find_file("albedo", 1)->numbers, std::nullopt);
+    EXPECT_EQ(set.find_file("albedo", 1)->displacement, std::nullopt);
+    for (const int frame : {1, 2}) {
+        const ManifestFile& file = *set.find_file("height", frame);
+        ASSERT_TRUE(file.numbers);
+        EXPECT_GT(file.numbers->clipped, 0.5);
+        EXPECT_GT(file.numbers->largest, 0.1);
+        EXPECT_GT(file.displacement.value_or(0.0), 0.0);
+    }
+    EXPECT_EQ(summary.numbers.front().extent,
+              joined(*set.find_file("height", 1)->numbers, *set.find_file("height", 2)->numbers));
 }
 
 TEST(RecordedBake, RecordsTheLayersOfAnExr) {

@@ -53,6 +53,8 @@ inline BakedSet small_set(const std::string& preset,
 inline Manifest small_manifest() {
     Manifest manifest{{small_set("a", {1, 2, 3, 5}, {1, 3}), small_set("b", {7}, {7})}};
     manifest.sets[0].failure = "the disk is full";
+    manifest.sets[0].files.front().numbers = NumberExtent{-0.25, 0.5, 0.125};
+    manifest.sets[0].files.front().displacement = 0.0625;
     manifest.sets[1].loop.closing_error.reset();
     manifest.sets[1].maps.front().note.clear();
     manifest.sets[1].maps.front().samples->range.reset();

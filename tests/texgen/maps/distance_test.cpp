@@ -50,7 +50,7 @@ TEST(Distance, OfAnEmptyPatchIsFinite) {
     const auto plain = draw_distance(layers, {}, AlbedoOptions{});
     EXPECT_EQ(plain.pixels.pixel(3, 4)[0], 0.0F);
     const auto signed_distance =
-        draw_distance(layers, {.kind = DistanceKind::Signed, .full = 2.5}, AlbedoOptions{});
+        draw_distance(layers, {.kind = DistanceKind::Signed, .full = {2.5}}, AlbedoOptions{});
     EXPECT_EQ(signed_distance.pixels.pixel(3, 4)[0], -2.5F);
 }
 

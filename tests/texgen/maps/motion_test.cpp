@@ -67,11 +67,11 @@ TEST(Motion, UnitsAndDirectionsAreTheOnesAskedFor) {
         FrameLayers layers(test::torus_subject().input(), test::torus_grid(kSize), 1);
         return draw_motion(layers, options);
     };
-    const NumberPixels pixels = draw_as({.unit = MotionUnit::Pixels, .multiplier = 0.02});
+    const NumberPixels pixels = draw_as({.unit = MotionUnit::Pixels, .multiplier = {0.02}});
     const NumberPixels parts = draw_as({.unit = MotionUnit::Image, .y = MotionY::Down});
     EXPECT_NEAR(pixels.high, 0.02 * kSize, 1e-12);
     EXPECT_EQ(pixels.low, -pixels.high);
-    EXPECT_EQ(parts.high, MotionOptions{}.multiplier);
+    EXPECT_EQ(parts.high, MotionOptions{}.multiplier.value);
     for (int x = 0; x < kSize; ++x) {
         const auto a = pixels.pixels.pixel(x, 11);
         const auto b = parts.pixels.pixel(x, 11);

@@ -6,11 +6,13 @@
 #include "tests/texgen/maps/lone_circle.h"
 #include "tests/texgen/maps/map_subjects.h"
 #include "tests/texgen/maps/spherical_cap.h"
+#include "texgen/maps/all_maps.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstddef>
+#include <variant>
 
 namespace foam::texgen {
 namespace {
@@ -45,6 +47,20 @@ TEST(Normal, DirectXNormalsPointDown) {
         const float sign = k % 3 == 1 ? -1.0F : 1.0F;
         ASSERT_EQ(up.pixels.samples()[k], sign * down.pixels.samples()[k]);
     }
+}
+
+TEST(Normal, BothDirectionsAreMapsOfTheirOwn) {
+    const MapOptions options;
+    const auto pixels = [&](const char* map, const MapOptions& chosen) {
+        return std::get<NumberPixels>(
+                   test::draw(map, test::torus_subject(), test::torus_grid(64), 1, chosen))
+            .pixels;
+    };
+    MapOptions down;
+    down.normal.y = NormalY::Down;
+    EXPECT_EQ(pixels("normal_gl", down), pixels("normal", options));
+    EXPECT_EQ(pixels("normal_dx", options), pixels("normal", down));
+    EXPECT_EQ(find_map("normal_dx").note(options), "y down (DirectX)");
 }
 
 TEST(Normal, ChoicesHaveTheirWords) {

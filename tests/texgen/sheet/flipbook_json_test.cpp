@@ -51,7 +51,10 @@ TEST(FlipbookJson, DescribesItselfInJson) {
     EXPECT_EQ(json["images"][0]["file"], "small_sheet_normal.png");
     EXPECT_EQ(json["images"][0]["color_space"], "data");
     EXPECT_EQ(json["images"][1]["type"], "uint16");
-    EXPECT_EQ(json["images"][1]["range"], nlohmann::json({0.0, preset.maps.height.full}));
+    EXPECT_EQ(json["images"][1]["range"], nlohmann::json({0.0, preset.maps.height.full.value}));
+    EXPECT_EQ(json["images"][1]["displacement"], set.files.back().displacement.value_or(0.0));
+    EXPECT_GT(json["images"][1]["displacement"], 0.0);
+    EXPECT_FALSE(json["images"][0].contains("displacement"));
 }
 
 // Every second frame of a loop is a loop, too. The first three frames of the loop are not.

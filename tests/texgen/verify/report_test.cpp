@@ -33,5 +33,17 @@ TEST(VerifyReport, ReportsForPersonsAndPrograms) {
     EXPECT_TRUE(report["sets"][0]["maps"][2]["loop"].is_null());  // a frame is missing
 }
 
+TEST(VerifyReport, TellsOfClippedSamples) {
+    const TemporaryFolder folder;
+    Preset preset = breathing_loop(folder.path());
+    preset.image.maps = {"height"};
+    preset.maps.height.full = {0.01};
+    bake_small(preset, frames_to(2));
+    const Verification found = verify(folder.path());
+    EXPECT_NE(to_text(found).find("  clipped  height: up to "), std::string::npos);
+    const auto report = nlohmann::json::parse(to_json(found));
+    EXPECT_GT(report["sets"][0]["maps"][0]["clipped"], 0.5);
+}
+
 }  // namespace
 }  // namespace foam::texgen

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/bake/fitted_ranges.h"
+
+#include "texgen/maps/all_maps.h"
+#include "texgen/maps/number_extent.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <variant>
+
+namespace foam::texgen {
+namespace {
+
+Preset small_preset(const std::string& map) {
+    Preset preset;
+    preset.seeding.bubbles = 40;
+    preset.frames.count = 5;
+    preset.frames.time_step = 2.0;
+    preset.image.width = preset.image.height = 600;
+    preset.image.maps = {map};
+    return preset;
+}
+
+void fit(Preset& preset) {
+    const RunOutcome outcome = fit_automatic_ranges(preset, simulation_of(preset, 1), 1, [] {});
+    ASSERT_EQ(outcome.status, RunStatus::Complete);
+}
+
+// Returns the numbers in the full images of all frames of a preset with one map.
+NumberExtent extent_of_all_frames(const Preset& preset) {
+    const Map& map = find_map(preset.image.maps.front());
+    NumberExtent extent;
+    simulate_frames(
+        preset, 1, {1, 2, 3, 4, 5}, NextFrames::Included, [&](const SimulatedFrame& shown) {
+            FrameLayers layers({*shown.frame,
+                                *shown.record,
+                                shown.next.get(),
+                                distance_needs(preset.image.maps, preset.maps)},
+                               {preset.image.width, preset.image.height, 0, 0, shown.view},
+                               1);
+            extent =
+                joined(extent, extent_of(std::get<NumberPixels>(map.draw(layers, preset.maps))));
+        });
+    return extent;
+}
+
+TEST(FittedRanges, RoundsUpToPreferredNumbers) {
+    EXPECT_EQ(rounded_up(1.0), 1.0);
+    EXPECT_EQ(rounded_up(1.01), 1.25);
+    EXPECT_EQ(rounded_up(0.0301), 0.0315);
+    EXPECT_EQ(rounded_up(9.0), 10.0);
+    EXPECT_EQ(rounded_up(640.0), 800.0);
+    for (double number = 1e-7; number < 1e7; number *= 1.07) {
+        const double rounded = rounded_up(number);
+        EXPECT_GE(rounded, number);
+        EXPECT_LE(rounded, 1.281 * number);
+    }
+}
+
+TEST(FittedRanges, EveryMapFitsItsNumbersWithAtMost30PercentToSpare) {
+    for (const char* map : {"height", "distance", "area", "growth", "age", "motion", "curvature"}) {
+        Preset preset = small_preset(map);
+        ASSERT_TRUE(has_automatic_ranges(preset)) << map;
+        fit(preset);
+        const AutoReal full = *full_of(find_map(map), preset.maps);
+        const NumberExtent extent = extent_of_all_frames(preset);
+        const double largest = std::max(-extent.smallest, extent.largest);
+        EXPECT_TRUE(full.is_automatic) << map;
+        EXPECT_EQ(extent.clipped, 0.0) << map;
+        EXPECT_LE(full.value, 1.3 * largest) << map;
+    }
+}
+
+TEST(FittedRanges, DistancesInPixelsFitTheFullImage) {
+    Preset preset = small_preset("distance");
+    preset.maps.distance.unit = DistanceUnit::Pixels;
+    preset.image.width = preset.image.height = 1200;
+    fit(preset);
+    const NumberExtent extent = extent_of_all_frames(preset);
+    EXPECT_EQ(extent.clipped, 0.0);
+    EXPECT_LE(preset.maps.distance.full.value, 1.3 * extent.largest);
+}
+
+TEST(FittedRanges, APatchFitsToo) {
+    Preset preset = small_preset("height");
+    preset.shape.kind = FoamKind::Patch;
+    fit(preset);
+    EXPECT_EQ(extent_of_all_frames(preset).clipped, 0.0);
+}
+
+TEST(FittedRanges, AFixedRangeIsKept) {
+    Preset preset = small_preset("height");
+    preset.maps.height.full = {0.75};
+    EXPECT_FALSE(has_automatic_ranges(preset));
+    preset.image.maps = {"height", "area"};
+    fit(preset);
+    EXPECT_EQ(preset.maps.height.full, AutoReal{0.75});
+}
+
+TEST(FittedRanges, TheCheckpointCanStopTheRun) {
+    Preset preset = small_preset("area");
+    EXPECT_THROW(
+        fit_automatic_ranges(
+            preset, simulation_of(preset, 1), 1, [] { throw std::runtime_error("stopped"); }),
+        std::runtime_error);
+}
+
+}  // namespace
+}  // namespace foam::texgen

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/bake/fitted_ranges.h"
+
+#include "core/parallel/parallel_for.h"
+#include "texgen/maps/all_maps.h"
+#include "texgen/maps/number_extent.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr int kMeasuredSide = 512;  // longer side of the images that are measured, pixels
+constexpr double kMargin = 1.01;    // for peaks between the pixels of the smaller images
+
+// A map with an automatic range, and the numbers that were found in it.
+struct MeasuredMap {
+    const Map* map = nullptr;
+    double largest = 0.0;  // magnitude, as a multiple of the present range
+};
+
+std::vector<MeasuredMap> maps_to_measure(const Preset& preset) {
+    std::vector<MeasuredMap> measured;
+    for (const std::string& name : preset.image.maps) {
+        const Map& map = find_map(name);
+        const AutoReal* const full = full_of(map, preset.maps);
+        if (full != nullptr && full->is_automatic) {
+            measured.push_back({&map});
+        }
+    }
+    return measured;
+}
+
+// Draws the maps of frames at a reduced size.
+class RangeMeter {
+  public:
+    RangeMeter(const Preset& preset, int threads)
+        : maps_(maps_to_measure(preset)),
+          options_(preset.maps),
+          threads_(thread_count(threads)),
+          width_(preset.image.width),
+          height_(preset.image.height) {
+        const int longer = std::max(width_, height_);
+        reduction_ = std::max(1.0, static_cast<double>(longer) / kMeasuredSide);
+        if (options_.albedo.film_unit == WidthUnit::Pixels) {
+            options_.albedo.film_width /= reduction_;
+        }
+    }
+
+    bool needs_next() const {
+        return std::ranges::any_of(maps_,
+                                   [](const MeasuredMap& one) { return one.map->needs_next; });
+    }
+
+    void measure(const SimulatedFrame& shown) {
+        measure_state(shown, shown.view);
+        if (shown.fading_in.frame) {
+            measure_state(shown.fading_in, shown.view);
+        }
+    }
+
+    const std::vector<MeasuredMap>& maps() const { return maps_; }
+
+  private:
+    void measure_state(const DrawnState& state, std::optional<View> view) {
+        if (view) {
+            view->pixels_per_unit /= reduction_;
+        }
+        const auto reduced = [&](int side) {
+            return std::max(1, static_cast<int>(std::lround(side / reduction_)));
+        };
+        const RasterGrid grid{reduced(width_), reduced(height_), 0, 0, view};
+        std::vector<std::string> names;
+        for (const MeasuredMap& one : maps_) {
+            names.emplace_back(one.map->name);
+        }
+        FrameLayers layers(
+            {*state.frame, *state.record, state.next.get(), distance_needs(names, options_)},
+            grid,
+            threads_);
+        for (MeasuredMap& one : maps_) {
+            const MapImage image = one.map->draw(layers, options_);
+            const NumberPixels& numbers = std::get<NumberPixels>(image);
+            const NumberExtent extent = extent_of(numbers);
+            const double largest = std::max(std::abs(extent.smallest), std::abs(extent.largest));
+            one.largest = std::max(one.largest, scale_of(*one.map) * largest / numbers.high);
+        }
+    }
+
+    // Returns the factor from numbers of the smaller image to numbers of the full image.
+    double scale_of(const Map& map) const {
+        const bool in_pixels =
+            map.name == kDistanceMap.name && options_.distance.unit == DistanceUnit::Pixels;
+        return in_pixels ? reduction_ : 1.0;
+    }
+
+    std::vector<MeasuredMap> maps_;
+    MapOptions options_;
+    int threads_;
+    int width_;
+    int height_;
+    double reduction_ = 1.0;  // of the lengths of the image
+};
+
+}  // namespace
+
+bool has_automatic_ranges(const Preset& preset) {
+    return !maps_to_measure(preset).empty();
+}
+
+RunOutcome fit_automatic_ranges(Preset& preset,
+                                const FrameSource& source,
+                                int threads,
+                                const std::function<void()>& checkpoint) {
+    RangeMeter meter(preset, threads);
+    std::vector<int> frames(static_cast<std::size_t>(preset.frames.count));
+    std::iota(frames.begin(), frames.end(), 1);
+    const NextFrames next = meter.needs_next() ? NextFrames::Included : NextFrames::Omitted;
+    const RunOutcome outcome = source(frames, next, [&](const SimulatedFrame& shown) {
+        checkpoint();
+        meter.measure(shown);
+    });
+    if (outcome.status == RunStatus::Complete) {
+        for (const MeasuredMap& one : meter.maps()) {
+            AutoReal& full = *full_of(*one.map, preset.maps);
+            if (one.largest > 0.0) {
+                full.value = rounded_up(kMargin * one.largest * full.value);
+            }
+        }
+    }
+    return outcome;
+}
+
+double rounded_up(double number) {
+    constexpr std::array kPreferred = {1.0, 1.25, 1.6, 2.0, 2.5, 3.15, 4.0, 5.0, 6.3, 8.0, 10.0};
+    const int exponent = static_cast<int>(std::floor(std::log10(number)));
+    for (int power = exponent - 1; power <= exponent + 1; ++power) {
+        const double unit = power < 0 ? 1.0 / std::pow(10.0, -power) : std::pow(10.0, power);
+        for (const double preferred : kPreferred) {
+            const double rounded =
+                power < 0 ? preferred / std::pow(10.0, -power) : preferred * unit;
+            if (rounded >= number) {
+                return rounded;
+            }
+        }
+    }
+    return number;
+}
+
+}  // namespace foam::texgen
