@@ -56,19 +56,44 @@ Outline outline_of(const Polygon& polygon) {
     return outline;
 }
 
+std::string reason_of(bg::validity_failure_type failure) {
+    switch (failure) {
+        case bg::failure_few_points:
+            return "a ring has fewer than three corners";
+        case bg::failure_wrong_topological_dimension:
+        case bg::failure_spikes:
+            return "the polygon has no area, or a part of it has none";
+        case bg::failure_self_intersections:
+        case bg::failure_wrong_orientation:  // bg::correct leaves it only if the polygon crosses
+                                             // itself
+            return "the polygon crosses or touches itself";
+        case bg::failure_interior_rings_outside:
+            return "a hole is outside of the polygon";
+        case bg::failure_nested_interior_rings:
+            return "a hole is inside of another hole";
+        case bg::failure_disconnected_interior:
+            return "holes divide the polygon into several parts";
+        case bg::failure_invalid_coordinate:
+            return "a coordinate is not a finite number";
+        default:
+            return bg::validity_failure_type_message(failure);
+    }
+}
+
 }  // namespace
 
 Outline outline_from_wkt(const std::string& text) {
     Polygon polygon;
     try {
         bg::read_wkt(text, polygon);
-    } catch (const bg::read_wkt_exception& error) {
-        throw std::invalid_argument(error.what());
+    } catch (const bg::read_wkt_exception&) {
+        throw std::invalid_argument(
+            "this is not written as a WKT polygon; check its brackets, commas and numbers");
     }
     bg::correct(polygon);
-    std::string reason;
-    if (!bg::is_valid(polygon, reason)) {
-        throw std::invalid_argument(reason);
+    bg::validity_failure_type failure = bg::no_failure;
+    if (!bg::is_valid(polygon, failure)) {
+        throw std::invalid_argument(reason_of(failure));
     }
     return outline_of(polygon);
 }

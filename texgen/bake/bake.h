@@ -17,9 +17,12 @@ namespace foam::texgen {
 
 /// The frames to bake and how to compute them. No option changes a pixel.
 struct BakeOptions {
-    std::vector<int> frames;             // numbers from 1, in any order, each once
-    int threads = 0;                     // 0: one per hardware thread
-    FrameSource source = {};             // source of the frames; if empty, the preset is simulated
+    std::vector<int> frames;  // numbers from 1, in any order, each once
+    int threads = 0;          // 0: one per hardware thread
+    FrameSource source = {};  // source of the frames; if empty, the preset is simulated
+    // The frames to which automatic ranges of maps are fitted before the bake; if empty, the frames
+    // from 1 to frames.count. `bake` itself does not use them.
+    std::vector<int> sequence = {};
     std::set<int> existing_frames = {};  // subset of `frames`, whose existing files are kept
 };
 

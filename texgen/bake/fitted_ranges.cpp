@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <variant>
@@ -119,11 +118,10 @@ bool has_automatic_ranges(const Preset& preset) {
 
 RunOutcome fit_automatic_ranges(Preset& preset,
                                 const FrameSource& source,
+                                const std::vector<int>& frames,
                                 int threads,
                                 const std::function<void()>& checkpoint) {
     RangeMeter meter(preset, threads);
-    std::vector<int> frames(static_cast<std::size_t>(preset.frames.count));
-    std::iota(frames.begin(), frames.end(), 1);
     const NextFrames next = meter.needs_next() ? NextFrames::Included : NextFrames::Omitted;
     const RunOutcome outcome = source(frames, next, [&](const SimulatedFrame& shown) {
         checkpoint();

@@ -4,11 +4,13 @@
 
 #include "texgen/bake/file_pattern.h"
 #include "texgen/bake/fitted_ranges.h"
+#include "texgen/bake/frame_files.h"
 #include "texgen/bake/frame_range.h"
 #include "texgen/cli/interruption.h"
 #include "texgen/cli/json_report.h"
 #include "texgen/cli/options.h"
 #include "texgen/cli/report.h"
+#include "texgen/image/file_io.h"
 #include "texgen/image/format.h"
 #include "texgen/manifest/manifest_file.h"
 #include "texgen/manifest/recorded_bake.h"
@@ -20,7 +22,9 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <numeric>
 #include <utility>
+#include <vector>
 
 namespace foam::texgen {
 
@@ -42,6 +46,26 @@ void print_images(const Preset& preset,
         if (pattern.stores_all_maps_in_one_file()) {
             return;
         }
+    }
+}
+
+/// Fits the automatic ranges of a preset. Throws InputError if a state is missing in a cache.
+RunOutcome fit_ranges(Preset& preset, const BakeOptions& options) {
+    std::vector<int> frames = options.sequence;
+    if (frames.empty()) {
+        frames.resize(static_cast<std::size_t>(preset.frames.count));
+        std::iota(frames.begin(), frames.end(), 1);
+    }
+    handle_stop_signals();
+    const FrameSource source =
+        options.source ? options.source : simulation_of(preset, options.threads);
+    try {
+        return fit_automatic_ranges(preset, source, frames, options.threads, throw_if_interrupted);
+    } catch (const InputError& error) {
+        throw InputError(
+            fmt::format("{}; ranges that are \"auto\", such as height.full, need all "
+                        "frames of the cache: wait for the simulation, or set a number",
+                        error.what()));
     }
 }
 
@@ -122,18 +146,16 @@ std::vector<Assignment> assignments_of(const ImageArguments& arguments) {
     return assignments;
 }
 
-ExitCode run_images(const Preset& given,
+ExitCode run_images(Preset preset,
                     const BakeOptions& options,
                     const ImageArguments& arguments,
                     Verbosity verbosity) {
-    Preset preset = given;
+    check_bake(preset, options);
+    for (const std::filesystem::path& path : FrameFiles(preset).paths(options.frames.front())) {
+        check_writable(path.parent_path());
+    }
     if (has_automatic_ranges(preset)) {
-        check_bake(preset, options);
-        handle_stop_signals();
-        const FrameSource source =
-            options.source ? options.source : simulation_of(preset, options.threads);
-        const RunOutcome outcome =
-            fit_automatic_ranges(preset, source, options.threads, throw_if_interrupted);
+        const RunOutcome outcome = fit_ranges(preset, options);
         if (outcome.status != RunStatus::Complete) {
             return report_failure(outcome);
         }

@@ -37,7 +37,8 @@ ExitCode run_render(const RenderArguments& arguments) {
     const BakeOptions options{
         .frames = arguments.run.frames ? frames_of(arguments.run, preset) : info.frames,
         .threads = arguments.run.threads,
-        .source = cache.frames_of(preset)};
+        .source = cache.frames_of(preset),
+        .sequence = info.frames};
     return run_images(preset, options, arguments.images, verbosity_of(arguments.run));
 }
 

@@ -2,16 +2,19 @@
 
 #include "texgen/bake/frame_range.h"
 #include "texgen/cache/cache.h"
+#include "texgen/cache/simulation_keys.h"
 #include "texgen/cli/command.h"
 #include "texgen/cli/json_report.h"
 #include "texgen/cli/options.h"
 #include "texgen/cli/report.h"
 #include "texgen/cli/run_arguments.h"
+#include "texgen/image/file_io.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <memory>
+#include <stdexcept>
 #include <string>
 
 namespace foam::texgen {
@@ -29,12 +32,34 @@ struct SimulateArguments {
     RunArguments run;
     std::string cache;
     bool json = false;
+    bool force = false;
 };
+
+/// Throws std::invalid_argument if a folder contains the cache of another simulation.
+void check_same_foam(const std::string& folder, const Preset& preset) {
+    if (!is_cache(folder)) {
+        return;
+    }
+    const CacheInfo info = read_info(folder);
+    if (info.simulation != simulation_hash(preset)) {
+        throw std::invalid_argument(
+            fmt::format("the cache '{}' has another foam: preset {}, seed {}, frames {}; --force "
+                        "replaces it",
+                        folder,
+                        info.preset.name,
+                        info.preset.seeding.seed,
+                        format_frame_range(info.frames)));
+    }
+}
 
 ExitCode run_simulate(const SimulateArguments& arguments) {
     const Preset preset = preset_of(arguments.run);
     const BakeOptions options{.frames = frames_of(arguments.run, preset),
                               .threads = arguments.run.threads};
+    if (!arguments.force) {
+        check_same_foam(arguments.cache, preset);
+    }
+    check_writable(arguments.cache);
     const Verbosity verbosity = verbosity_of(arguments.run);
     const RunOutcome outcome =
         simulate_into_cache(preset, options, arguments.cache, progress_reporter(verbosity));
@@ -64,6 +89,8 @@ void add_simulate_command(CLI::App& app, Action& action) {
     command->add_option("--cache", arguments->cache, "Folder for the states")
         ->required()
         ->option_text("DIR");
+    command->add_flag("--force", arguments->force, "Replace the cache of another foam")
+        ->option_text(" ");
     add_json_option(*command, arguments->json);
     add_run_options(*command, arguments->run);
     command->footer(kSimulateExamples);

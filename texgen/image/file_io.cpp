@@ -116,6 +116,23 @@ void write_file(const std::filesystem::path& path, std::span<const std::byte> co
     file.publish();
 }
 
+// Checks the folder itself or, if it does not exist, the nearest folder above it that does.
+void check_writable(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::path existing = folder.empty() ? std::filesystem::current_path(error)
+                                                    : std::filesystem::absolute(folder, error);
+    while (!std::filesystem::exists(existing, error) && existing.has_relative_path()) {
+        existing = existing.parent_path();
+    }
+    const bool is_folder = std::filesystem::is_directory(existing, error);
+    if (!is_folder || ::access(existing.c_str(), W_OK | X_OK) != 0) {
+        const int reason = is_folder ? errno : ENOTDIR;
+        throw OutputError(fmt::format("cannot write into '{}': {}",
+                                      existing.string(),
+                                      std::generic_category().message(reason)));
+    }
+}
+
 void make_folders(const std::filesystem::path& folder) {
     std::error_code error;
     if (!folder.empty() && !std::filesystem::create_directories(folder, error) && error) {

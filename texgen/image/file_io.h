@@ -33,6 +33,11 @@ Bytes read_file(const std::filesystem::path& path);
 /// folder exists. If writing fails, removes the temporary file and throws OutputError.
 void write_file(const std::filesystem::path& path, std::span<const std::byte> content);
 
+/// Throws OutputError if files cannot be written into a folder, or if the folder does not exist and
+/// cannot be created. Creates nothing, so that a long computation can check its output first. An
+/// empty path means the working directory.
+void check_writable(const std::filesystem::path& folder);
+
 /// Creates a folder and its parent folders if they do not exist. Does nothing for an empty path,
 /// which means the working directory. Throws OutputError if a folder cannot be created.
 void make_folders(const std::filesystem::path& folder);

@@ -32,6 +32,9 @@ struct KeyInfo {
     /// The words that are allowed as a value, or as items of a list. Other texts may be allowed,
     /// too. The list is empty if the values are not words.
     std::vector<std::string_view> words{};
+    /// Returns why a value is not allowed, beyond `allowed`; empty if there is no more to say. May
+    /// be null.
+    std::function<std::string(const Value&)> fault{};
     std::string_view meaning;              // the meaning in one sentence
     std::string_view unit{};               // the unit, such as "pixels"; empty if there is none
     std::optional<Value> default_value{};  // nullopt if the key is unset by default
@@ -115,6 +118,9 @@ Key<Owner> make_key(std::string_view name,
     key.allowed = kind.allowed();
     key.schema = kind.schema();
     key.words = words_of(kind);
+    if constexpr (requires(const Value& value) { kind.fault(value); }) {
+        key.fault = [=](const Value& value) { return kind.fault(value); };
+    }
     key.meaning = meaning;
     key.read = [=](const Value& value, Owner& owner) {
         return kind.read(value, std::invoke(member, owner));

@@ -101,8 +101,8 @@ Floor light_floor(FrameLayers& layers, const ReliefSource& source, double depth,
             const Vec2 motion =
                 (reach * relief.slope(index)).cwiseMin(farthest).cwiseMax(-farthest);
             // The ray's middle is at (x + 1/2) / samples; the square begins half a pixel before it.
-            const auto start = [samples](int at) {
-                return std::int64_t{2 * at + 1 - samples} * (kUnit / (2 * samples));
+            const auto start = [samples](std::int64_t at) {
+                return (2 * at + 1 - samples) * (kUnit / (std::int64_t{2} * samples));
             };
             floor.add(start(x) + std::llround(motion.x()), start(y) + std::llround(motion.y()));
         }

@@ -8,7 +8,9 @@
 #include <cmath>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <string_view>
+#include <variant>
 
 namespace foam::texgen {
 
@@ -28,12 +30,13 @@ foam::Outline unstretched_outline(const std::string& text) {
     return outline_from_wkt(text);
 }
 
-bool is_outline(const std::string& text) {
+// Returns why a text describes no outline; empty if it describes one.
+std::string fault_of(const std::string& text) {
     try {
         outline_of({.outline = text});
-        return true;
-    } catch (const std::invalid_argument&) {
-        return false;
+        return {};
+    } catch (const std::invalid_argument& error) {
+        return error.what();
     }
 }
 
@@ -49,11 +52,15 @@ struct Outlines {
     std::span<const std::string_view> words() const { return kNamedOutlines; }
     bool read(const Value& value, std::string& member) const {
         std::string text;
-        const bool allowed = Text{}.read(value, text) && is_outline(text);
+        const bool allowed = Text{}.read(value, text) && fault_of(text).empty();
         member = allowed ? text : member;
         return allowed;
     }
     Value write(const std::string& member) const { return {member}; }
+    std::string fault(const Value& value) const {
+        const auto* text = std::get_if<std::string>(&value.data);
+        return text != nullptr ? fault_of(*text) : std::string();
+    }
 };
 
 void stretch(std::vector<Vec2>& corners, double factor) {

@@ -65,7 +65,9 @@ void assign_one(Preset& preset, const Assignment& assignment) {
         return;
     }
     if (key == nullptr) {
-        reject_unknown(assignment, suggestion(assignment.key));
+        reject_unknown(
+            assignment,
+            table ? nearest(assignment.key, preset_tables()) : suggestion(assignment.key));
     }
     if (!key->read(assignment.value, preset)) {
         reject_value(assignment, *key);

@@ -65,7 +65,16 @@ void reject_last(std::span<const Assignment> assignments,
 }
 
 void reject_value(const Assignment& assignment, const KeyInfo& key) {
-    reject(assignment, "must be " + key.allowed + suggested_word(assignment.value, key));
+    const std::string fault = key.fault ? key.fault(assignment.value) : "";
+    const std::string suggestion = suggested_word(assignment.value, key);
+    // A misspelled word is no bad polygon.
+    const bool shows_fault = !fault.empty() && suggestion.empty();
+    reject(assignment,
+           fmt::format("must be {}{}{}{}",
+                       key.allowed,
+                       suggestion,
+                       shows_fault ? "; " : "",
+                       shows_fault ? fault : ""));
 }
 
 void reject_unknown(const Assignment& assignment, std::string_view meant) {

@@ -22,10 +22,27 @@ TEST(Outline, IsReadFromWkt) {
     EXPECT_FALSE(is_inside(frame, {-0.5, 0.5}));
 }
 
-TEST(Outline, RejectsInvalidPolygons) {
-    EXPECT_THROW(outline_from_wkt("CIRCLE(1)"), std::invalid_argument);
-    EXPECT_THROW(outline_from_wkt("POLYGON((0 0, 1 1, 1 0, 0 1))"), std::invalid_argument);
-    EXPECT_THROW(outline_from_wkt(""), std::invalid_argument);
+// Returns why a text is no outline.
+std::string fault_of(const char* text) {
+    try {
+        outline_from_wkt(text);
+        return "none";
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+}
+
+TEST(Outline, SaysWhatIsWrongWithAPolygon) {
+    for (const char* text :
+         {"CIRCLE(1)", "", "POLYGON((0 0, 1 0, 1 1)", "POLYGON((0 0, x 0, 1 1))"}) {
+        EXPECT_EQ(fault_of(text),
+                  "this is not written as a WKT polygon; check its brackets, commas and numbers");
+    }
+    EXPECT_EQ(fault_of("POLYGON((0 0, 1 1, 1 0, 0 1))"), "the polygon crosses or touches itself");
+    EXPECT_EQ(fault_of("POLYGON((0 0, 1 0))"), "a ring has fewer than three corners");
+    EXPECT_EQ(fault_of("POLYGON((0 0, 4 0, 4 4, 0 4), (5 5, 6 5, 6 6))"),
+              "a hole is outside of the polygon");
+    EXPECT_EQ(fault_of("POLYGON((0 0, 1 0, 1 1))"), "none");
 }
 
 TEST(Outline, MakesDiscsAndRectangles) {

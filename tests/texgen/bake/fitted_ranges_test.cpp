@@ -26,7 +26,8 @@ Preset small_preset(const std::string& map) {
 }
 
 void fit(Preset& preset) {
-    const RunOutcome outcome = fit_automatic_ranges(preset, simulation_of(preset, 1), 1, [] {});
+    const RunOutcome outcome =
+        fit_automatic_ranges(preset, simulation_of(preset, 1), {1, 2, 3, 4, 5}, 1, [] {});
     ASSERT_EQ(outcome.status, RunStatus::Complete);
 }
 
@@ -105,7 +106,7 @@ TEST(FittedRanges, TheCheckpointCanStopTheRun) {
     Preset preset = small_preset("area");
     EXPECT_THROW(
         fit_automatic_ranges(
-            preset, simulation_of(preset, 1), 1, [] { throw std::runtime_error("stopped"); }),
+            preset, simulation_of(preset, 1), {1}, 1, [] { throw std::runtime_error("stopped"); }),
         std::runtime_error);
 }
 

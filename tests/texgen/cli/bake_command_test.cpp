@@ -41,7 +41,13 @@ TEST(BakeCommand, BakesAndMeasuresAPatch) {
     expect_rejected("bake soap_raft --set foam.outline=egg",
                     "--set foam.outline=egg: key 'foam.outline' = \"egg\": must be \"disc\", "
                     "\"rectangle\", or a WKT polygon without self-intersections, such as "
-                    "\"POLYGON((0 0, 6 0, 6 4), (3 1, 5 1, 5 2))\"");
+                    "\"POLYGON((0 0, 6 0, 6 4), (3 1, 5 1, 5 2))\"; this is not written as a WKT "
+                    "polygon; check its brackets, commas and numbers");
+    expect_rejected("bake soap_raft --set 'foam.outline=POLYGON((0 0, 1 1, 1 0, 0 1))'",
+                    "--set foam.outline=POLYGON((0 0, 1 1, 1 0, 0 1)): key 'foam.outline' = "
+                    "\"POLYGON((0 0, 1 1, 1 0, 0 1))\": must be \"disc\", \"rectangle\", or a WKT "
+                    "polygon without self-intersections, such as \"POLYGON((0 0, 6 0, 6 4), (3 1, "
+                    "5 1, 5 2))\"; the polygon crosses or touches itself");
 }
 
 TEST(BakeCommand, QuietPrintsNothingAndVerboseALinePerFrame) {

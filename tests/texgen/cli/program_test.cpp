@@ -67,8 +67,8 @@ TEST(Program, AnOutputThatCannotBeWrittenIsCode5) {
     const Outcome outcome = run_program(
         "bake sea_foam --set foam.bubbles=16 --frames 1 --size 8 --out /proc/self/none.png");
     EXPECT_EQ(outcome.code, static_cast<int>(ExitCode::OutputFailed));
-    EXPECT_EQ(outcome.err,
-              "foamtex: cannot write '/proc/self/manifest.json.lock': No such file or directory\n");
+    EXPECT_TRUE(outcome.err.starts_with("foamtex: cannot write into '/proc/self': "))
+        << outcome.err;
     // The # hides the redirections that run_program appends to the command.
     EXPECT_EQ(run_program("presets list >/dev/full 2>/dev/null #").code,
               static_cast<int>(ExitCode::OutputFailed));

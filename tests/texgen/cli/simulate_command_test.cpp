@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "tests/texgen/cli/run_program.h"
+#include "tests/texgen/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -20,6 +21,26 @@ TEST(SimulateCommand, FillsACache) {
         EXPECT_EQ(std::ranges::count(outcome.written, name), 1) << name;
     }
     EXPECT_EQ(run_program(std::string(kSmall) + "--cache foam -q").out, "");
+}
+
+TEST(SimulateCommand, ReplacesTheCacheOfAnotherFoamOnlyIfForced) {
+    const TemporaryFolder folder;
+    const std::string cache = "--cache '" + (folder.path() / "foam").string() + "' -q ";
+    EXPECT_EQ(run_program(kSmall + cache).code, 0);
+    EXPECT_EQ(run_program(kSmall + cache).code, 0);  // the same foam again
+    EXPECT_EQ(run_program(kSmall + cache + "--set albedo.film_width=2").code, 0);
+    const Outcome other = run_program(kSmall + cache + "--seed 5");
+    EXPECT_EQ(other.code, 2);
+    EXPECT_NE(other.err.find("has another foam: preset sea_foam, seed 1, frames 1-2; --force"),
+              std::string::npos)
+        << other.err;
+    EXPECT_EQ(run_program(kSmall + cache + "--seed 5 --force").code, 0);
+}
+
+TEST(SimulateCommand, FindsAnOutputThatCannotBeWrittenBeforeItSimulates) {
+    const Outcome outcome = run_program(std::string(kSmall) + "--cache /dev/null/foam");
+    EXPECT_EQ(outcome.code, 5);
+    EXPECT_EQ(outcome.err, "foamtex: cannot write into '/dev/null': Not a directory\n");
 }
 
 TEST(SimulateCommand, NeedsAFolder) {
