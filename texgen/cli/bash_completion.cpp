@@ -39,7 +39,19 @@ _{0}_list() {{
     compopt -o nospace 2>/dev/null
 }}
 
+# The values of a key: _{0}_values KEY PREFIX WORD.
+_{0}_values() {{
+    local words=
+    case $1 in
+{4}    esac
+    mapfile -t COMPREPLY < <(compgen -P "$2" -W "$words" -- "$3")
+}}
+
 _{0}_key() {{
+    if [[ $current == *=* ]]; then
+        _{0}_values "${{current%%=*}}" "${{current%%=*}}=" "${{current#*=}}"
+        return
+    fi
     mapfile -t COMPREPLY < <(compgen -S = -W "$1" -- "$current")
     compopt -o nospace 2>/dev/null
 }}
@@ -52,6 +64,15 @@ _{0}_path() {{
 _{0}() {{
     local current=${{COMP_WORDS[COMP_CWORD]}} before=${{COMP_WORDS[COMP_CWORD - 1]}} path={0} word
     COMPREPLY=()
+    # Bash usually splits KEY=VALUE into three words.
+    if ((COMP_CWORD > 2)) && [[ $before == '=' && ${{COMP_WORDS[COMP_CWORD - 3]}} == --set ]]; then
+        _{0}_values "${{COMP_WORDS[COMP_CWORD - 2]}}" '' "$current"
+        return
+    fi
+    if ((COMP_CWORD > 2)) && [[ $current == '=' && ${{COMP_WORDS[COMP_CWORD - 2]}} == --set ]]; then
+        _{0}_values "$before" '' ''
+        return
+    fi
     for word in "${{COMP_WORDS[@]:1:COMP_CWORD-1}}"; do
         case "$path $word" in
             {1}) path="$path $word" ;;
@@ -70,11 +91,15 @@ class BashScript {
   public:
     BashScript(const CommandGrammar& program, const CompletionWords& words)
         : program_(program.name), words_(words) {
+        for (const auto& [key, values] : words.values_of_keys) {
+            keys_ += fmt::format("        {}) words='{}' ;;\n", key, joined(values));
+        }
         add(program, program.name);
     }
 
     std::string text() const {
-        return fmt::format(kBashHead, program_, fmt::join(paths_, " | "), values_, words_of_paths_);
+        return fmt::format(
+            kBashHead, program_, fmt::join(paths_, " | "), values_, words_of_paths_, keys_);
     }
 
   private:
@@ -150,6 +175,7 @@ class BashScript {
     std::vector<std::string> paths_;  // the command paths of all subcommands, quoted
     std::string values_;              // entries of the first `case`, for values of options
     std::string words_of_paths_;      // entries of the second `case`, for words of commands
+    std::string keys_;                // entries of the `case` of keys with words as values
 };
 
 }  // namespace

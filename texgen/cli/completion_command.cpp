@@ -29,6 +29,9 @@ CompletionWords completion_words() {
     words.maps.assign(map_names().begin(), map_names().end());
     for (const auto& key : preset_keys()) {
         words.keys.emplace_back(key.path);
+        if (!key.words.empty()) {
+            words.values_of_keys[key.path].assign(key.words.begin(), key.words.end());
+        }
     }
     return words;
 }

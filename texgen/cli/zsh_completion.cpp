@@ -28,12 +28,13 @@ std::string zsh_escaped(std::string_view text) {
     return result;
 }
 
-std::string zsh_action(const Values& values, bool or_files) {
+// `key_function` is the name of the function that completes keys and their values.
+std::string zsh_action(const Values& values, bool or_files, const std::string& key_function) {
     switch (values.kind) {
         case ValueKind::List:
             return "_sequence compadd - " + joined(values.words);
         case ValueKind::Key:
-            return "compadd -S = - " + joined(values.words);
+            return key_function;
         case ValueKind::Words:
             return or_files ? fmt::format("{{compadd - {}; _files}}", joined(values.words))
                             : fmt::format("({})", joined(values.words));
@@ -47,12 +48,14 @@ std::string zsh_action(const Values& values, bool or_files) {
 // names, and calls the function of a subcommand for the words that follow its name.
 class ZshScript {
   public:
-    ZshScript(const CommandGrammar& program, const CompletionWords& words) : words_(words) {
+    ZshScript(const CommandGrammar& program, const CompletionWords& words)
+        : words_(words), key_function_("_" + program.name + "_keys") {
         text_ = fmt::format(
             "#compdef {0}\n# Completion of {0} for zsh. Made by '{0} completion zsh'; save it as "
             "_{0} in "
             "a folder of $fpath.\n",
             program.name);
+        add_key_function();
         add(program, "_" + program.name);
         text_ += fmt::format("\n_{} \"$@\"\n", program.name);
     }
@@ -77,12 +80,28 @@ class ZshScript {
         text_ += "}\n";
     }
 
+    // Writes the function that completes a key and, after '=', its value.
+    void add_key_function() {
+        std::string cases;
+        for (const auto& [key, values] : words_.values_of_keys) {
+            cases += fmt::format("            {}) compadd - {} ;;\n", key, joined(values));
+        }
+        text_ += fmt::format(
+            "\n{}() {{\n    if compset -P '*='; then\n        case ${{IPREFIX%=}} in\n{}        "
+            "esac\n"
+            "    else\n        compadd -S = - {}\n    fi\n}}\n",
+            key_function_,
+            cases,
+            joined(words_.keys));
+    }
+
     std::string option_spec(const ArgumentGrammar& option) const {
-        const std::string value = option.value.empty()
-                                      ? ""
-                                      : fmt::format(":{}:{}",
-                                                    zsh_escaped(option.value),
-                                                    zsh_action(values_of(option, words_), false));
+        const std::string value =
+            option.value.empty()
+                ? ""
+                : fmt::format(":{}:{}",
+                              zsh_escaped(option.value),
+                              zsh_action(values_of(option, words_), false, key_function_));
         const std::string tail = fmt::format("[{}]{}", zsh_escaped(option.meaning), value);
         const std::string repeated = option.names.back() == "--set" ? "*" : "";
         return option.names.size() > 1
@@ -95,9 +114,10 @@ class ZshScript {
 
     std::string positional_spec(const ArgumentGrammar& positional) const {
         const std::string& name = positional.names.front();
-        return fmt::format(" \\\n        ':{}:{}'",
-                           zsh_escaped(name),
-                           zsh_action(values_of(positional, words_), name != "NAME"));
+        return fmt::format(
+            " \\\n        ':{}:{}'",
+            zsh_escaped(name),
+            zsh_action(values_of(positional, words_), name != "NAME", key_function_));
     }
 
     static std::string dispatch(const CommandGrammar& command,
@@ -122,6 +142,7 @@ class ZshScript {
     }
 
     const CompletionWords& words_;
+    std::string key_function_;
     std::string text_;
 };
 

@@ -37,6 +37,14 @@ TEST(BashCompletion, OffersCommandsOptionsAndValues) {
     EXPECT_EQ(offered("foamtex bake --set foam.bub"), "foam.bubbles=\n");
 }
 
+// Bash splits KEY=VALUE into three words, unless '=' is not in COMP_WORDBREAKS.
+TEST(BashCompletion, OffersTheValuesOfAKey) {
+    EXPECT_EQ(offered("foamtex bake --set albedo.colormap = ma"), "magma\n");
+    EXPECT_EQ(offered("foamtex bake --set relief.profile ="), "dome ridge wet\n");
+    EXPECT_EQ(offered("foamtex bake --set albedo.colormap=ma"), "albedo.colormap=magma\n");
+    EXPECT_EQ(offered("foamtex bake --set foam.seed = ''"), "\n");
+}
+
 TEST(BashCompletion, OffersTheNextOfAList) {
     EXPECT_EQ(offered("foamtex bake sea_foam --maps albedo,curv"), "albedo,curvature\n");
 }

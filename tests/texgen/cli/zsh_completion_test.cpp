@@ -21,5 +21,12 @@ TEST(ZshCompletion, OffersEveryCommand) {
     }
 }
 
+TEST(ZshCompletion, OffersTheValuesOfKeys) {
+    const std::string script = run_program("completion zsh").out;
+    EXPECT_NE(script.find("            relief.profile) compadd - dome ridge wet ;;\n"),
+              std::string::npos);
+    EXPECT_NE(script.find(":KEY=VALUE:_foamtex_keys'"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace foam::texgen
