@@ -52,7 +52,7 @@ class Lighting {
           light_(direction_of(options.azimuth, options.elevation)),
           halfway_((light_ + Direction::UnitZ()).normalized()),
           flat_highlight_(highlight(Direction::UnitZ())),
-          reflections_(options) {}
+          reflections_(options.reflections, options.azimuth, options.elevation) {}
 
     // Returns the shaded color of a point. `slope` is the gradient of the height at the point.
     // `sky` is the fraction of the sky that is visible from the point. `glowing` is the fraction of
@@ -174,37 +174,6 @@ class Means {
     int samples_;
 };
 
-// Returns the keys of the windows and of the horizon (reflections.h).
-Keys<LitOptions> reflection_keys() {
-    using Options = LitOptions;
-    return {
-        key("windows",
-            Integers{0, 2},
-            "number of windows that every bubble reflects: the first in the direction of the "
-            "light, the second, fainter one opposite to it",
-            &Options::windows)
-            .in("windows"),
-        key("window_size",
-            Reals{1.0, 120.0},
-            "width and height of a window, degrees",
-            &Options::window_size)
-            .in("degrees"),
-        key("window_softness",
-            kFractions,
-            "width of the soft border of a window, as a fraction of half its size",
-            &Options::window_softness)
-            .in("fraction of half the size"),
-        key("window_brightness",
-            Reals{0.0, 1000.0},
-            "brightness of the reflection of the first window",
-            &Options::window_brightness),
-        key("horizon",
-            Reals{0.0, 1000.0},
-            "brightness of the reflection of the sky at the horizon, a ring in every dome that is "
-            "steep enough",
-            &Options::horizon)};
-}
-
 }  // namespace
 
 Keys<LitOptions> lit_keys() {
@@ -248,7 +217,7 @@ Keys<LitOptions> lit_keys() {
               .in("fraction of the color"),
           key("samples", Integers{1, 8}, "samples per pixel in each direction", &Options::samples)
               .in("samples per pixel, in each direction")},
-         reflection_keys()});
+         nested_keys("", &Options::reflections, reflection_keys())});
 }
 
 ColorPixels draw_lit(FrameLayers& layers, const LitOptions& options, const LitSurface& surface) {

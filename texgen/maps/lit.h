@@ -6,6 +6,7 @@
 #include "texgen/maps/albedo_options.h"
 #include "texgen/maps/map.h"
 #include "texgen/maps/occlusion.h"
+#include "texgen/maps/reflections.h"
 #include "texgen/maps/relief.h"
 #include "texgen/maps/thin_film.h"
 
@@ -33,14 +34,7 @@ struct LitOptions {
     double gloss = 0.25;      // brightness of highlights
     double shininess = 40.0;  // exponent of highlights; larger values make them smaller
     double rim = 0.0;         // brightness added to steep slopes, such as the rims of bubbles
-    // The surroundings that the surface reflects like a mirror: up to two windows and a sky that is
-    // brightest at the horizon. The first window is in the direction of the light; the second one
-    // is opposite to it and fainter, as the reflection from the back of a bubble is.
-    int windows = 0;
-    double window_size = 30.0;       // width and height of a window, degrees
-    double window_softness = 0.4;    // width of its soft border, as a fraction of half its size
-    double window_brightness = 1.0;  // brightness of the first window
-    double horizon = 0.0;            // brightness of the sky at the horizon
+    ReflectionOptions reflections{};
     // The fraction of the color that is emitted light. It applies to films and to the shade beside
     // them (AlbedoOptions::shade): at each pixel it is multiplied by the coverage of the film or by
     // the weight of the shade, whichever is larger.

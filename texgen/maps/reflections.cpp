@@ -2,6 +2,7 @@
 
 #include "texgen/maps/reflections.h"
 
+#include "texgen/keys/value_kinds.h"
 #include "texgen/maps/degree.h"
 #include "texgen/maps/smooth_step.h"
 
@@ -27,6 +28,36 @@ double soft_edge(double x, double softness) {
 
 }  // namespace
 
+Keys<ReflectionOptions> reflection_keys() {
+    using Options = ReflectionOptions;
+    return {
+        key("windows",
+            Integers{0, 2},
+            "number of windows that every bubble reflects: the first in the direction of the "
+            "light, the second, fainter one opposite to it",
+            &Options::windows)
+            .in("windows"),
+        key("window_size",
+            Reals{1.0, 120.0},
+            "width and height of a window, degrees",
+            &Options::window_size)
+            .in("degrees"),
+        key("window_softness",
+            kFractions,
+            "width of the soft border of a window, as a fraction of half its size",
+            &Options::window_softness)
+            .in("fraction of half the size"),
+        key("window_brightness",
+            Reals{0.0, 1000.0},
+            "brightness of the reflection of the first window",
+            &Options::window_brightness),
+        key("horizon",
+            Reals{0.0, 1000.0},
+            "brightness of the reflection of the sky at the horizon, a ring in every dome that is "
+            "steep enough",
+            &Options::horizon)};
+}
+
 Direction direction_of(double azimuth, double elevation) {
     return {std::cos(elevation * kDegree) * std::cos(azimuth * kDegree),
             std::cos(elevation * kDegree) * std::sin(azimuth * kDegree),
@@ -51,12 +82,11 @@ double Window::at(const Direction& direction) const {
            soft_edge(std::abs(direction.dot(upward_)) * scale, softness_);
 }
 
-Reflections::Reflections(const LitOptions& options) : options_(options) {
+Reflections::Reflections(const ReflectionOptions& options, double azimuth, double elevation)
+    : options_(options) {
     for (int k = 0; k < options.windows; ++k) {
-        windows_.emplace_back(options.azimuth + 180.0 * k,
-                              options.elevation,
-                              options.window_size,
-                              options.window_softness);
+        windows_.emplace_back(
+            azimuth + 180.0 * k, elevation, options.window_size, options.window_softness);
     }
     flat_ = around(Direction::UnitZ());
 }

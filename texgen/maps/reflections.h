@@ -2,7 +2,7 @@
 
 #pragma once
 
-#include "texgen/maps/lit.h"
+#include "texgen/keys/key.h"
 
 #include <Eigen/Core>
 
@@ -10,16 +10,29 @@
 
 namespace foam::texgen {
 
+/// What the surface of the map lit reflects like a mirror: up to two windows, and a sky that is
+/// brightest at the horizon. The first window is in the direction of the light. The second one is
+/// opposite to it and fainter, as the reflection from the back of a bubble is.
+struct ReflectionOptions {
+    int windows = 0;
+    double window_size = 30.0;       // width and height of a window, degrees
+    double window_softness = 0.4;    // width of its soft border, as a fraction of half its size
+    double window_brightness = 1.0;  // brightness of the first window
+    double horizon = 0.0;            // brightness of the sky at the horizon
+};
+
+Keys<ReflectionOptions> reflection_keys();
+
 /// A direction of length 1: right, up, towards the viewer.
 using Direction = Eigen::Vector3d;
 
-/// Returns the direction with the given azimuth and elevation in degrees (LitOptions).
+/// Returns the direction with the given azimuth and elevation in degrees (maps/lit.h).
 Direction direction_of(double azimuth, double elevation);
 
 /// A square window around the surface.
 class Window {
   public:
-    /// `degrees` is the width of the window, `softness` is LitOptions::window_softness.
+    /// `degrees` is the width of the window, `softness` is ReflectionOptions::window_softness.
     Window(double azimuth, double elevation, double degrees, double softness);
 
     /// Returns the brightness in a direction, from 0 to 1.
@@ -33,11 +46,12 @@ class Window {
     double softness_;
 };
 
-/// What the surface of the map lit reflects like a mirror: windows, and a sky that is brightest at
-/// the horizon (LitOptions). The ground below the horizon is black. Borrows the options.
+/// The surroundings that a mirror reflects (ReflectionOptions). The ground below the horizon is
+/// black. Borrows the options.
 class Reflections {
   public:
-    explicit Reflections(const LitOptions& options);
+    /// `azimuth` and `elevation` are those of the light, in degrees.
+    Reflections(const ReflectionOptions& options, double azimuth, double elevation);
 
     /// Returns true if nothing is reflected.
     bool are_none() const { return windows_.empty() && options_.horizon == 0.0; }
@@ -49,7 +63,7 @@ class Reflections {
   private:
     double around(const Direction& direction) const;
 
-    const LitOptions& options_;
+    const ReflectionOptions& options_;
     std::vector<Window> windows_;
     double flat_ = 0.0;  // brightness straight above
 };

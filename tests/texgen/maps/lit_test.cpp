@@ -35,8 +35,8 @@ TEST(Lit, FlatGroundKeepsItsColors) {
     options.lit.samples = 1;
     options.lit.gloss = 2.0;
     options.lit.rim = 1.0;
-    options.lit.windows = 2;
-    options.lit.horizon = 1.0;
+    options.lit.reflections.windows = 2;
+    options.lit.reflections.horizon = 1.0;
     const auto albedo = std::get<ColorPixels>(
         draw("albedo", test::torus_subject(), test::torus_grid(kSize), 1, options));
     EXPECT_EQ(lit_pixels(test::torus_subject(), options), albedo.pixels);
@@ -103,8 +103,8 @@ TEST(Lit, ReflectsAWindowHalfwayToTheLight) {
     options.lit.gloss = 0.0;
     options.lit.azimuth = 0.0;
     options.lit.elevation = 50.0;
-    options.lit.windows = 2;
-    options.lit.window_size = 20.0;
+    options.lit.reflections.windows = 2;
+    options.lit.reflections.window_size = 20.0;
     const Image<std::uint16_t> image =
         draw_lit(
             layers,
@@ -132,7 +132,7 @@ TEST(Lit, ReflectsTheHorizonAsARing) {
     options.albedo.film_width = 0.0;
     options.relief.angle = 75.0;
     options.lit.gloss = 0.0;
-    options.lit.horizon = 1.0;
+    options.lit.reflections.horizon = 1.0;
     const Image<std::uint16_t> image =
         draw_lit(
             layers,
