@@ -33,7 +33,9 @@ constexpr double kRaftAreaFraction = 0.5;
 // One of the two outer films that result when a film tears. It joins the two outer films of one
 // bubble beside the torn film.
 struct JoinedFilm {
-    HalfEdgeId kept;     // half-edge of the bubble that ends at the torn film; is kept
+    // The half-edge of the bubble that ends at the torn film. It becomes the joined film, unless it
+    // is the only other film of the bubble.
+    HalfEdgeId kept;
     Vec2 at_tail;        // unit tangent at the tail of the joined film
     Vec2 at_head;        // unit tangent at the head of the joined film
     LoneBubble as_lone;  // replaces the bubble if it has no other film

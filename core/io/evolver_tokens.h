@@ -23,9 +23,11 @@ struct Token {
     double number = 0.0;          // value of a Number
     bool is_integer = false;      // true for a Number in hexadecimal, or without point and exponent
     int line = 1;                 // line of the file; the first is 1
-    bool starts_line = false;     // true for the first token of a line
+    bool starts_line = false;     // true for the first token of a line; line ends within a comment
+                                  // or a quoted text do not count
     bool follows_space = false;   // true if white space or a comment is before the token
-    bool precedes_space = false;  // true if white space or the end of the file is after the token
+    bool precedes_space = false;  // true if white space is after the token or, except for a
+                                  // Text, the end of the file
 
     bool is_symbol(char symbol) const {
         return kind == TokenKind::Symbol && text.front() == symbol;

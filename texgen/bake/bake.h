@@ -15,13 +15,13 @@
 
 namespace foam::texgen {
 
-/// The frames to bake and how to compute them. No option changes a pixel.
+/// The frames to bake and how to compute them. No option except `sequence` changes a pixel.
 struct BakeOptions {
     std::vector<int> frames;  // numbers from 1, in any order, each once
     int threads = 0;          // 0: one per hardware thread
     FrameSource source = {};  // source of the frames; if empty, the preset is simulated
-    // The frames to which automatic ranges of maps are fitted before the bake; if empty, the frames
-    // from 1 to frames.count. `bake` itself does not use them.
+    // The frames to which bake_recorded fits automatic ranges of maps; if empty, the frames from 1
+    // to frames.count.
     std::vector<int> sequence = {};
     std::set<int> existing_frames = {};  // subset of `frames`, whose existing files are kept
 };
@@ -58,6 +58,8 @@ struct BakeCallbacks {
     ProgressCallback on_progress = {};
     FrameVisitor on_frame = {};
     std::function<void(const BakedFrame&)> on_baked = {};
+    // Called before each frame that bake_recorded measures to fit automatic ranges. May throw.
+    std::function<void()> on_measured = {};
 };
 
 /// Checks the arguments of a bake. Throws std::invalid_argument if there are no frames, if a frame

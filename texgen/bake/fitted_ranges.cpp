@@ -3,12 +3,15 @@
 #include "texgen/bake/fitted_ranges.h"
 
 #include "core/parallel/parallel_for.h"
+#include "texgen/bake/file_pattern.h"
+#include "texgen/image/format.h"
 #include "texgen/maps/all_maps.h"
 #include "texgen/maps/number_extent.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <variant>
@@ -48,8 +51,16 @@ class RangeMeter {
           threads_(thread_count(threads)),
           width_(preset.image.width),
           height_(preset.image.height) {
-        const int longer = std::max(width_, height_);
-        reduction_ = std::max(1.0, static_cast<double>(longer) / kMeasuredSide);
+        // The reduced image must have exactly the same aspect ratio.
+        const int divisor = std::gcd(width_, height_);
+        const int parts =
+            std::clamp(kMeasuredSide * divisor / std::max(width_, height_), 1, divisor);
+        width_ = width_ / divisor * parts;
+        height_ = height_ / divisor * parts;
+        reduction_ = static_cast<double>(divisor) / parts;
+        for (const MeasuredMap& one : maps_) {
+            names_.emplace_back(one.map->name);
+        }
         if (options_.albedo.film_unit == WidthUnit::Pixels) {
             options_.albedo.film_width /= reduction_;
         }
@@ -71,19 +82,15 @@ class RangeMeter {
 
   private:
     void measure_state(const DrawnState& state, std::optional<View> view) {
+        if (state.frame->bubbles.size() == 0 && state.frame->lone_bubbles.empty()) {
+            return;  // no number belongs to the foam
+        }
         if (view) {
             view->pixels_per_unit /= reduction_;
         }
-        const auto reduced = [&](int side) {
-            return std::max(1, static_cast<int>(std::lround(side / reduction_)));
-        };
-        const RasterGrid grid{reduced(width_), reduced(height_), 0, 0, view};
-        std::vector<std::string> names;
-        for (const MeasuredMap& one : maps_) {
-            names.emplace_back(one.map->name);
-        }
+        const RasterGrid grid{width_, height_, 0, 0, view};
         FrameLayers layers(
-            {*state.frame, *state.record, state.next.get(), distance_needs(names, options_)},
+            {*state.frame, *state.record, state.next.get(), distance_needs(names_, options_)},
             grid,
             threads_);
         for (MeasuredMap& one : maps_) {
@@ -105,7 +112,8 @@ class RangeMeter {
     std::vector<MeasuredMap> maps_;
     MapOptions options_;
     int threads_;
-    int width_;
+    std::vector<std::string> names_;
+    int width_;  // of the reduced image, pixels
     int height_;
     double reduction_ = 1.0;  // of the lengths of the image
 };
@@ -113,7 +121,8 @@ class RangeMeter {
 }  // namespace
 
 bool has_automatic_ranges(const Preset& preset) {
-    return !maps_to_measure(preset).empty();
+    const ImageFormat& format = FilePattern(preset.output.pattern).format();
+    return format.samples == FormatSamples::Codes && !maps_to_measure(preset).empty();
 }
 
 RunOutcome fit_automatic_ranges(Preset& preset,
@@ -127,6 +136,7 @@ RunOutcome fit_automatic_ranges(Preset& preset,
         checkpoint();
         meter.measure(shown);
     });
+    checkpoint();
     if (outcome.status == RunStatus::Complete) {
         for (const MeasuredMap& one : meter.maps()) {
             AutoReal& full = *full_of(*one.map, preset.maps);

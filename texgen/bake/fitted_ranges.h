@@ -10,18 +10,20 @@
 
 namespace foam::texgen {
 
-/// Returns true if a map of the preset has an automatic range (AutoReal).
+/// Returns true if a map of the preset has an automatic range (AutoReal), and the files store
+/// codes, which need a range.
 bool has_automatic_ranges(const Preset& preset);
 
 /// Fits the automatic ranges of all maps of a preset to the numbers that occur in the given frames,
 /// usually all frames of the animation, so that the ranges do not depend on the frames that are
 /// baked. The maps are
-/// drawn at a reduced size (up to 512 pixels); 1 % is added, and the result is rounded up to a
+/// drawn at a reduced size (512 pixels or less, if width and
+/// height have a common divisor); 1 % is added, and the result is rounded up to a
 /// preferred number of the series R10 of ISO 3 (1, 1.25, 1.6, 2, 2.5, 3.15, 4, 5, 6.3, 8, 10). A
 /// range thus has at most 30 % to spare. A map whose numbers are all 0 keeps its range.
 ///
-/// `source` gives the frames. `checkpoint` is called before each frame; it may throw to stop. If
-/// the source fails, its outcome is returned, and the preset is unchanged.
+/// `source` gives the frames. `checkpoint` is called before each frame and at the end; it may throw
+/// to stop. If the source fails, its outcome is returned, and the preset is unchanged.
 RunOutcome fit_automatic_ranges(Preset& preset,
                                 const FrameSource& source,
                                 const std::vector<int>& frames,

@@ -146,9 +146,9 @@ Picture FrameFiles::picture_of(std::span<const Map* const> maps,
     return picture;
 }
 
-// Returns the metadata of a file. A file of codes contains the name, unit and note of its map. In a
-// file of numbers the samples are already in this unit, so the file contains only the notes of its
-// maps.
+// Returns the metadata of a file. A file of codes contains the name, unit, range and note of its
+// map. In a file of numbers the samples are already in this unit, so the file contains only the
+// notes of its maps.
 ImageMetadata FrameFiles::metadata_of(std::span<const Map* const> maps) const {
     ImageMetadata metadata = metadata_;
     if (metadata.text.empty()) {
@@ -159,6 +159,10 @@ ImageMetadata FrameFiles::metadata_of(std::span<const Map* const> maps) const {
         if (codes) {
             metadata.text.emplace_back("Map", map->name);
             metadata.text.emplace_back("Unit", map->unit);
+            if (const AutoReal* const full = full_of(*map, preset_.maps)) {
+                metadata.text.emplace_back("Range",
+                                           fmt::format("{} = {}", map->full_key, full->value));
+            }
         }
         if (map->note != nullptr) {
             metadata.text.emplace_back(codes ? "Note" : fmt::format("Note {}", map->name),

@@ -18,7 +18,7 @@ namespace foam::texgen {
 namespace {
 
 constexpr const char* kFormat = "foamtex-cache";
-constexpr int kVersion = 2;
+constexpr int kVersion = 1;
 
 Preset preset_in(const JsonValue& root, const std::filesystem::path& file) {
     try {

@@ -13,7 +13,7 @@
 namespace foam::texgen {
 
 /// The version of the format of packed files. Files of another version are rejected.
-inline constexpr std::uint32_t kPackedVersion = 1;
+inline constexpr std::uint32_t kPackedVersion = 2;
 
 /// The label of a packed file. A file is rejected unless both members have the expected values.
 struct PackedLabel {

@@ -3,7 +3,6 @@
 #include "texgen/cli/image_run.h"
 
 #include "texgen/bake/file_pattern.h"
-#include "texgen/bake/fitted_ranges.h"
 #include "texgen/bake/frame_files.h"
 #include "texgen/bake/frame_range.h"
 #include "texgen/cli/interruption.h"
@@ -22,7 +21,6 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -49,39 +47,20 @@ void print_images(const Preset& preset,
     }
 }
 
-/// Fits the automatic ranges of a preset. Throws InputError if a state is missing in a cache.
-RunOutcome fit_ranges(Preset& preset, const BakeOptions& options) {
-    std::vector<int> frames = options.sequence;
-    if (frames.empty()) {
-        frames.resize(static_cast<std::size_t>(preset.frames.count));
-        std::iota(frames.begin(), frames.end(), 1);
-    }
-    handle_stop_signals();
-    const FrameSource source =
-        options.source ? options.source : simulation_of(preset, options.threads);
-    try {
-        return fit_automatic_ranges(preset, source, frames, options.threads, throw_if_interrupted);
-    } catch (const InputError& error) {
-        throw InputError(
-            fmt::format("{}; ranges that are \"auto\", such as height.full, need all "
-                        "frames of the cache: wait for the simulation, or set a number",
-                        error.what()));
-    }
-}
-
 /// Prints a note for each map of which samples were clipped.
-void note_clipped(const BakeSummary& summary) {
+void note_clipped(const BakeSummary& summary, const Preset& preset) {
     for (const WrittenNumbers& numbers : summary.numbers) {
         if (numbers.extent.clipped > 0.0) {
             fmt::print(stderr,
                        "foamtex: {}: up to {:.3g} % of the samples of a file are outside of {:g} "
-                       "to {:g} and were clipped; numbers go from {:.3g} to {:.3g}: raise {}\n",
+                       "to {:g} and were clipped; numbers go from {:.3g} to {:.3g}: {} {}\n",
                        numbers.map->name,
                        100.0 * numbers.extent.clipped,
                        numbers.range[0],
                        numbers.range[1],
                        numbers.extent.smallest,
                        numbers.extent.largest,
+                       full_of(*numbers.map, preset.maps)->is_automatic ? "set" : "raise",
                        numbers.map->full_key);
         }
     }
@@ -146,7 +125,7 @@ std::vector<Assignment> assignments_of(const ImageArguments& arguments) {
     return assignments;
 }
 
-ExitCode run_images(Preset preset,
+ExitCode run_images(const Preset& preset,
                     const BakeOptions& options,
                     const ImageArguments& arguments,
                     Verbosity verbosity) {
@@ -154,22 +133,17 @@ ExitCode run_images(Preset preset,
     for (const std::filesystem::path& path : FrameFiles(preset).paths(options.frames.front())) {
         check_writable(path.parent_path());
     }
-    if (has_automatic_ranges(preset)) {
-        const RunOutcome outcome = fit_ranges(preset, options);
-        if (outcome.status != RunStatus::Complete) {
-            return report_failure(outcome);
-        }
-    }
+    check_writable(manifest_folder(preset));
     const FilePattern pattern(preset.output.pattern);
     Recorder recorder(preset);
     const BakeSummary summary = [&] {
         try {
-            return bake_recorded(
-                preset,
-                options,
-                {.on_progress = progress_reporter(verbosity),
-                 .on_frame = arguments.stats ? recorder.visitor() : FrameVisitor()},
-                arguments.resume ? Resume::Yes : Resume::No);
+            return bake_recorded(preset,
+                                 options,
+                                 {.on_progress = progress_reporter(verbosity),
+                                  .on_frame = arguments.stats ? recorder.visitor() : FrameVisitor(),
+                                  .on_measured = throw_if_interrupted},
+                                 arguments.resume ? Resume::Yes : Resume::No);
         } catch (const Interrupted&) {
             fmt::print(stderr, "foamtex: the same command with --resume goes on\n");
             throw;
@@ -180,7 +154,7 @@ ExitCode run_images(Preset preset,
         statistics = write_statistics(recorder.run(), statistics_folder(preset, pattern));
     }
     if (verbosity != Verbosity::Quiet) {
-        note_clipped(summary);
+        note_clipped(summary, preset);
     }
     if (arguments.json) {
         print_report(preset, options, summary, statistics.paths);

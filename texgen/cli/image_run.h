@@ -34,9 +34,7 @@ std::vector<Assignment> assignments_of(const ImageArguments& arguments);
 /// Draws the frames of a preset, writes the image files and their manifest, and writes statistics
 /// if requested. With --json, prints a JSON object. Otherwise prints the names of the files, unless
 /// the run failed or `verbosity` is Quiet. Returns the exit code.
-///
-/// Automatic ranges of maps are fitted first, to the frames BakeOptions::sequence.
-ExitCode run_images(Preset preset,
+ExitCode run_images(const Preset& preset,
                     const BakeOptions& options,
                     const ImageArguments& arguments,
                     Verbosity verbosity);

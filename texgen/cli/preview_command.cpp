@@ -2,6 +2,7 @@
 
 #include "texgen/bake/frame_range.h"
 #include "texgen/cli/command.h"
+#include "texgen/cli/interruption.h"
 #include "texgen/cli/json_report.h"
 #include "texgen/cli/options.h"
 #include "texgen/cli/report.h"
@@ -122,7 +123,8 @@ ExitCode preview_preset(const PreviewArguments& arguments) {
     const BakeSummary summary =
         bake_recorded(preset,
                       {.frames = options.frames, .threads = arguments.run.threads},
-                      {.on_progress = progress_reporter(verbosity_of(arguments.run))});
+                      {.on_progress = progress_reporter(verbosity_of(arguments.run)),
+                       .on_measured = throw_if_interrupted});
     const bool complete = summary.outcome.status == RunStatus::Complete;
     Shown shown{preset.name, options.frames};
     if (complete) {

@@ -13,6 +13,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
+#include <exception>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -41,15 +42,22 @@ void check_same_foam(const std::string& folder, const Preset& preset) {
         return;
     }
     const CacheInfo info = read_info(folder);
-    if (info.simulation != simulation_hash(preset)) {
-        throw std::invalid_argument(
-            fmt::format("the cache '{}' has another foam: preset {}, seed {}, frames {}; --force "
-                        "replaces it",
-                        folder,
-                        info.preset.name,
-                        info.preset.seeding.seed,
-                        format_frame_range(info.frames)));
+    if (info.simulation == simulation_hash(preset)) {
+        return;
     }
+    std::string difference = fmt::format("it was simulated by foamtex {}", info.version);
+    if (info.version == FOAMTEX_VERSION) {
+        try {
+            check_same_simulation(info.preset, preset);
+        } catch (const std::exception& error) {
+            difference = error.what();
+        }
+    }
+    throw std::invalid_argument(
+        fmt::format("the cache '{}' has another foam of the preset {}: {}; --force replaces it",
+                    folder,
+                    info.preset.name,
+                    difference));
 }
 
 ExitCode run_simulate(const SimulateArguments& arguments) {

@@ -23,10 +23,10 @@ const char* description_of(LoopKind kind) {
         case LoopKind::Shear:
             return "a seamless loop: the foam is sheared to and fro";
         case LoopKind::Drift:
-            return "a seamless loop: the foam moves by whole images";
+            return "a seamless loop: the foam moves by a whole number of image widths and heights";
         case LoopKind::Flow:
-            return "bubbles vanish and as many new ones appear; the last frames fade into the "
-                   "first";
+            return "bubbles vanish and as many new ones appear; frames at the end fade into the "
+                   "states that lead to the first frame";
         case LoopKind::PingPong:
             return "the states of the foam forwards, then backwards; the first and the last state "
                    "are shown "

@@ -33,6 +33,7 @@ void merge_maps(BakedSet& into, const std::vector<ManifestMap>& more) {
             continue;
         }
         merge_numbers(old->frames, map.frames);
+        old->note = map.note;
         old->samples = map.samples ? map.samples : old->samples;
     }
 }
@@ -50,6 +51,10 @@ void merge_into(BakedSet& into, const BakedSet& more) {
     const std::optional<double> closing_error = into.loop.closing_error;
     into.loop = more.loop;
     into.loop.closing_error = more.loop.closing_error ? more.loop.closing_error : closing_error;
+    // The multiplier is known only to bakes of motion, to which its range was fitted.
+    if (more.find_map(kMotionMap.name) != nullptr) {
+        into.conventions = more.conventions;
+    }
     merge_maps(into, more.maps);
     for (const FrameStatistics& frame : more.frame_statistics) {
         std::erase_if(into.frame_statistics,

@@ -3,7 +3,9 @@
 #include "texgen/manifest/recorded_bake.h"
 
 #include "texgen/bake/file_pattern.h"
+#include "texgen/bake/fitted_ranges.h"
 #include "texgen/bake/frame_files.h"
+#include "texgen/image/file_io.h"
 #include "texgen/manifest/describe.h"
 #include "texgen/manifest/existing_frames.h"
 #include "texgen/manifest/manifest_file.h"
@@ -12,7 +14,9 @@
 
 #include <chrono>
 #include <cmath>
+#include <cstddef>
 #include <exception>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -167,6 +171,42 @@ BakeSummary bake_and_record(const Preset& preset,
     return bake(preset, options, recording);
 }
 
+std::vector<int> all_frames(const Preset& preset) {
+    std::vector<int> frames(static_cast<std::size_t>(preset.frames.count));
+    std::iota(frames.begin(), frames.end(), 1);
+    return frames;
+}
+
+// Fits the automatic ranges of a preset to the frames of a sequence.
+RunOutcome fit_ranges(Preset& preset,
+                      const BakeOptions& options,
+                      const std::vector<int>& sequence,
+                      const BakeCallbacks& callbacks) {
+    if (!has_automatic_ranges(preset)) {
+        return {};
+    }
+    const FrameSource source =
+        options.source ? options.source : simulation_of(preset, options.threads);
+    const auto checkpoint = callbacks.on_measured ? callbacks.on_measured : [] {};
+    try {
+        return fit_automatic_ranges(preset, source, sequence, options.threads, checkpoint);
+    } catch (const InputError& error) {
+        throw InputError(
+            fmt::format("{}; ranges that are \"auto\", such as height.full, need all "
+                        "frames of the cache: wait for the simulation, or set a number",
+                        error.what()));
+    }
+}
+
+// Makes the automatic ranges of the maps of a preset numbers.
+void make_ranges_fixed(Preset& preset) {
+    for (const std::string& name : preset.image.maps) {
+        if (AutoReal* const full = full_of(find_map(name), preset.maps)) {
+            full->is_automatic = false;
+        }
+    }
+}
+
 /// Returns the summary of a bake whose files all exist already. The closing error of the loop is
 /// read from the manifest.
 BakeSummary summary_of_existing(const Preset& preset,
@@ -186,11 +226,19 @@ BakeSummary summary_of_existing(const Preset& preset,
 
 }  // namespace
 
-BakeSummary bake_recorded(const Preset& preset,
+BakeSummary bake_recorded(const Preset& given,
                           const BakeOptions& options,
                           const BakeCallbacks& callbacks,
                           Resume resume) {
-    check_bake(preset, options);
+    check_bake(given, options);
+    Preset preset = given;
+    const std::vector<int> animation = all_frames(preset);
+    const std::vector<int>& sequence = options.sequence.empty() ? animation : options.sequence;
+    RunOutcome fitted;
+    if (sequence != animation) {
+        fitted = fit_ranges(preset, options, sequence, callbacks);
+        make_ranges_fixed(preset);
+    }
     const std::filesystem::path folder = manifest_folder(preset);
     const Manifest manifest = manifest_in(folder);
     BakeOptions effective = options;
@@ -199,10 +247,19 @@ BakeSummary bake_recorded(const Preset& preset,
     }
     const bool all_exist =
         effective.existing_frames.size() == options.frames.size() && !callbacks.on_frame;
+    if (!all_exist && sequence == animation) {
+        fitted = fit_ranges(preset, options, sequence, callbacks);
+    }
     ManifestWriter writer(preset, effective);
     try {
-        BakeSummary summary = all_exist ? summary_of_existing(preset, options.frames, manifest)
-                                        : bake_and_record(preset, effective, callbacks, writer);
+        BakeSummary summary;
+        if (fitted.status != RunStatus::Complete) {
+            summary.outcome = fitted;
+        } else if (all_exist) {
+            summary = summary_of_existing(preset, options.frames, manifest);
+        } else {
+            summary = bake_and_record(preset, effective, callbacks, writer);
+        }
         summary.kept = static_cast<int>(effective.existing_frames.size());
         writer.close(failure_of(summary.outcome));
         return summary;

@@ -22,8 +22,15 @@ enum class Resume { No, Yes };
 /// or kept. With Resume::Yes, the files of the frames that existing_frames_of returns are kept. The
 /// frames of these files are simulated nevertheless, unless all requested frames exist and
 /// `callbacks.on_frame` is empty. Returns the summary of the bake, including the files that were
-/// kept. Throws the exceptions of bake and update_manifest.
-BakeSummary bake_recorded(const Preset& preset,
+/// kept.
+///
+/// Before the bake, automatic ranges of maps are fitted to BakeOptions::sequence, unless all files
+/// exist. If this sequence is not the whole animation, as in a cache of some of its frames, the
+/// ranges are recorded as numbers, so that the images belong to a set of their own.
+///
+/// Throws the exceptions of bake and update_manifest, and InputError if a frame of the sequence is
+/// missing in a cache.
+BakeSummary bake_recorded(const Preset& given,
                           const BakeOptions& options,
                           const BakeCallbacks& callbacks,
                           Resume resume = Resume::No);

@@ -141,7 +141,8 @@ class MotionPainter {
     }
 
     // Returns the position of a bubble's first junction in the image, in pixels. On a torus it is
-    // rounded to subpixels, so that shifts of the grid are exact.
+    // a whole number of subpixels, so that the position of a pixel relative to it has the same bits
+    // on a shifted grid.
     Vec2 first_junction(const Region& region, SubpixelPoint translation) const {
         if (layers_.is_patch()) {
             const Network& network = layers_.frame().network;

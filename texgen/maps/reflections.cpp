@@ -44,9 +44,9 @@ Keys<ReflectionOptions> reflection_keys() {
             .in("degrees"),
         key("window_softness",
             kFractions,
-            "width of the soft border of a window, as a fraction of half its size",
+            "width of the soft border of a window, as a fraction of its size",
             &Options::window_softness)
-            .in("fraction of half the size"),
+            .in("fraction of the size"),
         key("window_brightness",
             Reals{0.0, 1000.0},
             "brightness of the reflection of the first window",

@@ -16,7 +16,7 @@ namespace foam::texgen {
 struct ReflectionOptions {
     int windows = 0;
     double window_size = 30.0;       // width and height of a window, degrees
-    double window_softness = 0.4;    // width of its soft border, as a fraction of half its size
+    double window_softness = 0.4;    // width of its soft border, as a fraction of its size
     double window_brightness = 1.0;  // brightness of the first window
     double horizon = 0.0;            // brightness of the sky at the horizon
 };

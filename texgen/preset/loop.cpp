@@ -27,7 +27,8 @@ Keys<LoopOptions> loop_keys() {
     return {key("kind",
                 kKinds,
                 "how the animation loops after frames.count frames: bubbles grow and shrink "
-                "(breathe), the foam is sheared to and fro (shear), moves by whole images (drift), "
+                "(breathe), the foam is sheared to and fro (shear), moves by a whole number of "
+                "image widths and heights (drift), "
                 "renews its bubbles and fades into the beginning (flow), or the frames are shown "
                 "backwards (pingpong)",
                 &Options::kind),

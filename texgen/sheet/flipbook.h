@@ -11,9 +11,9 @@
 
 namespace foam::texgen {
 
-/// The content and the layout of a flipbook. A flipbook consists of one sheet per map, an image
-/// that contains frames of the map, and of a JSON file that describes the sheets. No option changes
-/// the value of a sample.
+/// The content and the layout of a flipbook. A flipbook consists of sheets and of a JSON file
+/// that describes them. There is one sheet per map: an image that contains frames of the map. No
+/// option changes the value of a sample.
 struct FlipbookOptions {
     std::vector<std::string> maps = {};  // empty for all maps of the set
     std::vector<int> frames = {};        // numbers, in order; empty for all frames of the set

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <variant>
 
 namespace foam::texgen {
@@ -66,6 +67,7 @@ TEST(FittedRanges, EveryMapFitsItsNumbersWithAtMost30PercentToSpare) {
     for (const char* map : {"height", "distance", "area", "growth", "age", "motion", "curvature"}) {
         Preset preset = small_preset(map);
         ASSERT_TRUE(has_automatic_ranges(preset)) << map;
+        full_of(find_map(map), preset.maps)->value = 50.0;  // far too large or too small
         fit(preset);
         const AutoReal full = *full_of(find_map(map), preset.maps);
         const NumberExtent extent = extent_of_all_frames(preset);
@@ -89,8 +91,28 @@ TEST(FittedRanges, DistancesInPixelsFitTheFullImage) {
 TEST(FittedRanges, APatchFitsToo) {
     Preset preset = small_preset("height");
     preset.shape.kind = FoamKind::Patch;
+    preset.maps.height.full.value = 50.0;
     fit(preset);
-    EXPECT_EQ(extent_of_all_frames(preset).clipped, 0.0);
+    const NumberExtent extent = extent_of_all_frames(preset);
+    EXPECT_EQ(extent.clipped, 0.0);
+    EXPECT_LE(preset.maps.height.full.value, 1.3 * extent.largest);
+}
+
+// Their common divisors are 200 and 2. The reduced images must have exactly the same aspect ratio.
+TEST(FittedRanges, ImagesOfAnyAspectRatioAreMeasured) {
+    for (const auto& [width, height] : {std::pair(1000, 600), std::pair(1366, 768)}) {
+        Preset preset = small_preset("height");
+        preset.image.width = width;
+        preset.image.height = height;
+        fit(preset);
+        EXPECT_EQ(extent_of_all_frames(preset).clipped, 0.0) << width;
+    }
+}
+
+TEST(FittedRanges, FilesOfNumbersNeedNoRange) {
+    Preset preset = small_preset("height");
+    preset.output.pattern = "out/{map}.####.exr";
+    EXPECT_FALSE(has_automatic_ranges(preset));
 }
 
 TEST(FittedRanges, AFixedRangeIsKept) {

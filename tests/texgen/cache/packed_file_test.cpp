@@ -35,7 +35,7 @@ TEST(PackedFile, AStateThatIsMissingDamagedOrForeignIsRejected) {
     EXPECT_EQ(error_with(good.size() - 1),
               prefix + "the file is damaged: its checksum does not match");
     EXPECT_EQ(error_with(0), prefix + "not a foamtex file of kind 'state'");
-    EXPECT_EQ(error_with(16), prefix + "file version 0 is not supported; must be 1");
+    EXPECT_EQ(error_with(16), prefix + "file version 3 is not supported; must be 2");
     EXPECT_EQ(error_with(30), prefix + "the file belongs to a different simulation than its cache");
     write_file(path, std::span(good).first(20));
     EXPECT_EQ(error_of(folder.path(), 2), prefix + "not a foamtex file of kind 'state'");

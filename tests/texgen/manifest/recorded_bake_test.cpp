@@ -61,6 +61,8 @@ TEST(RecordedBake, DescribesSamples) {
     const TemporaryFolder folder;
     Preset preset = small_preset(folder.path() / kPattern);
     preset.image.maps = {"albedo", "height", "motion", "id", "sides"};
+    preset.maps.height.full = {0.75};
+    preset.maps.motion.multiplier = {0.03};
     preset.maps.normal.y = NormalY::Down;
     bake_recorded(preset, {.frames = {1}, .threads = 1}, {});
     const BakedSet set = only_set(folder.path());
@@ -72,6 +74,38 @@ TEST(RecordedBake, DescribesSamples) {
     EXPECT_EQ(samples("id"), (MapSamples{"id", "Y", "uint16", "data", "none", {}}));
     EXPECT_EQ(set.conventions.normal_y, "down");
     EXPECT_EQ(set.conventions.motion_multiplier, preset.maps.motion.multiplier.value);
+}
+
+// The range does not depend on the frames that are baked. A later bake of a map with a range of its
+// own completes the conventions. The frames that exist are kept.
+TEST(RecordedBake, AutomaticRangesFitTheWholeAnimation) {
+    const TemporaryFolder folder;
+    Preset preset = small_preset(folder.path() / kPattern);
+    preset.image.maps = {"height", "albedo"};
+    bake_recorded(preset, {.frames = {1}, .threads = 1}, {});
+    const auto range = *only_set(folder.path()).find_map("height")->samples->range;
+    EXPECT_NE(range[1], preset.maps.height.full.value);
+    const BakeSummary resumed =
+        bake_recorded(preset, {.frames = {1, 2}, .threads = 1}, {}, Resume::Yes);
+    EXPECT_EQ(resumed.kept, 1);
+    EXPECT_EQ(*only_set(folder.path()).find_map("height")->samples->range, range);
+    preset.image.maps = {"motion"};
+    bake_recorded(preset, {.frames = {1}, .threads = 1}, {});
+    const BakedSet set = only_set(folder.path());
+    EXPECT_EQ(set.conventions.motion_multiplier, set.find_map("motion")->samples->range->at(1));
+}
+
+// If a part of the animation is all that a source has, its ranges are recorded as numbers.
+TEST(RecordedBake, RangesOfAPartOfTheAnimationMakeAnotherSet) {
+    const TemporaryFolder folder;
+    Preset preset = small_preset(folder.path() / kPattern);
+    preset.image.maps = {"height"};
+    bake_recorded(preset, {.frames = {1}, .threads = 1}, {});
+    bake_recorded(preset, {.frames = {2}, .threads = 1, .sequence = {1, 2}}, {});
+    const Manifest manifest = read_manifest(folder.path());
+    ASSERT_EQ(manifest.sets.size(), 2U);
+    EXPECT_NE(manifest.sets[0].toml.find("full = \"auto\""), std::string::npos);
+    EXPECT_EQ(manifest.sets[1].toml.find("[height]\nfull = \"auto\""), std::string::npos);
 }
 
 // A height range that is too small clips; an albedo has no range.

@@ -77,8 +77,7 @@ TEST(ThinFilm, GravityMakesTheTopThinAndTheBottomThick) {
     }
 }
 
-// Two bubbles of one size have different swirls, and a bubble has the same swirls everywhere on the
-// torus.
+// Two bubbles of one size have different swirls.
 TEST(ThinFilm, SwirlsBelongToTheirBubble) {
     const auto pixels_of = [](BubbleIdentity identity, double swirl) {
         const Frame frame =

@@ -30,6 +30,7 @@ TEST(FlipbookJson, DescribesItselfInJson) {
     const TemporaryFolder folder;
     Preset preset = small_loop(folder.path());
     preset.maps.normal.y = NormalY::Down;
+    preset.maps.height.full = {0.75};
     const BakedSet set = baked(preset, {"albedo", "normal", "height"});
     write_flipbook(
         set, folder.path(), {.maps = {"normal", "height"}, .gutter = 4}, folder.path() / "sheets");

@@ -11,14 +11,14 @@
 
 namespace foam::texgen {
 
-/// InsetTracer drops pieces of offsets that are shorter than this length, in pixels. The length is
-/// measured as the difference of the parameters (OffsetArc) of the two ends. FullInsets proves
-/// nothing for a loop with such a piece. Short pieces are dropped because InsetTracer tests, with a
-/// tolerance, whether the middle of a piece has the required distance from all sides. A piece ends
-/// where it crosses the offset of another side. Close to this crossing, the distance from the other
-/// side is within the tolerance of the required distance, on both sides of the crossing, so that
-/// the test could not tell a piece to keep from a piece to drop. The middle of a longer piece is
-/// far enough from the crossing, unless the two offsets are nearly parallel.
+/// The offsets of the sides of a loop (FullInsets, below) cut each other into pieces. InsetTracer
+/// (inset.h) drops a piece if the parameters (OffsetArc) of its ends differ by less than this, in
+/// pixels; FullInsets proves nothing for a loop with such a piece. The reason is that InsetTracer
+/// keeps a piece if its middle has the required distance from every side, with a tolerance of 1e-7
+/// pixels. A piece ends where it crosses the offset of another side. Just before and just behind
+/// this crossing, the distance from that side equals the required distance within the tolerance, so
+/// that a short piece to drop would pass the test, too. The middle of a longer piece is far enough
+/// from the crossing, unless the two offsets are nearly parallel.
 inline constexpr double kShortestPiece = 1e-6;
 
 /// Finds the insets of loops. The inset of a loop consists of all points of its region whose
@@ -31,7 +31,8 @@ inline constexpr double kShortestPiece = 1e-6;
 /// Bounds on the distances of all pieces from all sides prove that every side is visible.
 ///
 /// The sides of many loops are stored as a structure of arrays, so that each formula is computed
-/// for several sides at once. The capacity is about 500 sides. shows_every_side is false for a loop
+/// for several sides at once. The capacity is about 500 sides, where each
+/// loop counts as one side more than it has. shows_every_side is false for a loop
 /// that does not fit, or that has fewer than kFewestSides sides. Buffers are reused between calls.
 class FullInsets {
   public:
