@@ -35,9 +35,9 @@ void wrap(Foam& foam, const Unknowns& unknowns);
 /// Returns the largest fraction, up to 1, of a change of a film's chord that may be made. This part
 /// of the change must stay within two limits. Along the chord, it may shorten the chord by at most
 /// `largest` times the chord length; lengthening is not limited. Across the chord, it may move the
-/// two ends relative to each other by at most `largest` times the chord length. In the limit across
-/// the chord, the chord length includes the lengthening by the whole change, if any. Returns 1 for
-/// a chord of no length.
+/// two ends relative to each other by at most `largest` times a reference length: the chord length
+/// or, if the whole change lengthens the chord, the chord length plus the component of the whole
+/// change along the chord. Returns 1 for a chord of no length.
 double allowed_fraction(const Vec2& chord, const Vec2& change, double largest);
 
 /// Limits the relative motion of the two ends of each film to its allowed fraction
@@ -48,18 +48,20 @@ double allowed_fraction(const Vec2& chord, const Vec2& change, double largest);
 /// if the angle decreases). Returns true if the step was changed.
 bool limit_moves(const Foam& foam, const Unknowns& unknowns, double largest, Eigen::VectorXd& step);
 
-/// Returns the films that need a T1 before the step is made, in increasing order. These are films
-/// that have collapsed (collapsed_length), and films below their T1 distance that the step would
-/// shorten by more than half, that can flip or tear, and that would stay open afterwards.
+/// Returns the films that need a T1 before the step is made, in increasing order. These are all
+/// films that have collapsed (collapsed_length), and every other film that meets three conditions:
+/// it is below its T1 distance and the step would shorten it by more than half; it can flip or
+/// tear; and, judged by the forces before the step, it would stay open after the flip or tear.
 std::vector<FilmId> collapsing_films(const Foam& foam,
                                      const Unknowns& unknowns,
                                      const Eigen::VectorXd& step,
                                      const TopologyThresholds& thresholds);
 
 /// Returns the films that need a T1 before a step near equilibrium is made, in increasing order.
-/// These are films that have collapsed, and films below their T1 distance that would still be below
-/// this distance after the step, that can flip or tear, and that would stay open afterwards. The
-/// length after the step decides because such a step predicts the length in equilibrium well.
+/// These are all films that have collapsed, and every other film that meets three conditions: it is
+/// below its T1 distance now, and would still be below it after the step; it can flip or tear; and,
+/// judged by the forces before the step, it would stay open after the flip or tear. The length
+/// after the step decides because such a step predicts the length in equilibrium well.
 std::vector<FilmId> closing_films(const Foam& foam,
                                   const Unknowns& unknowns,
                                   const Eigen::VectorXd& step,

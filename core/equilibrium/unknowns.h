@@ -17,12 +17,11 @@ namespace foam {
 struct Unknowns {
     std::vector<JunctionId> junctions;
     std::vector<BubbleId> bubbles;
-    std::vector<FilmId> films;        // films with a free end, by increasing id
-    std::vector<FilmId> outer_films;  // the outer films among them
-    RankTable<JunctionId>
-        junction_rank;                // index in `junctions`, negative if held; empty on a torus
-    RankTable<BubbleId> bubble_rank;  // index in `bubbles`, negative if held
-    RankTable<FilmId> outer_rank;     // index in `outer_films`, negative if held
+    std::vector<FilmId> films;            // films with a free end, by increasing id
+    std::vector<FilmId> outer_films;      // the outer films among them
+    RankTable<JunctionId> junction_rank;  // index in `junctions`, negative if held
+    RankTable<BubbleId> bubble_rank;      // index in `bubbles`, negative if held
+    RankTable<FilmId> outer_rank;  // index in `outer_films`, negative if held; empty on a torus
 
     int size() const { return first_angle_row() + static_cast<int>(outer_films.size()); }
     int first_pressure_row() const { return static_cast<int>(2 * junctions.size()); }

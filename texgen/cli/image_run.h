@@ -32,8 +32,10 @@ void add_image_options(CLI::App& command, ImageArguments& arguments);
 std::vector<Assignment> assignments_of(const ImageArguments& arguments);
 
 /// Draws the frames of a preset, writes the image files and their manifest, and writes statistics
-/// if requested. With --json, prints a JSON object. Otherwise prints the names of the files, unless
-/// the run failed or `verbosity` is Quiet. Returns the exit code.
+/// if requested. With --json, prints a JSON object. Otherwise prints the name of the image file of
+/// each map or, for several frames, its file name pattern and the frame range, and the names of the
+/// statistics files; prints nothing if the run failed or `verbosity` is Quiet. Returns the exit
+/// code. Throws the exceptions of bake_recorded, and OutputError if a folder cannot be written.
 ExitCode run_images(const Preset& preset,
                     const BakeOptions& options,
                     const ImageArguments& arguments,

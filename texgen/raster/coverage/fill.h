@@ -33,8 +33,9 @@ using Encoding = std::array<Sample, 65536>;
 /// texgen/raster/README.md lists. If films have a width of 0, the bubbles meet without gap or
 /// overlap, so that the value of films is not visible.
 ///
-/// The result has the same bits for any number of threads. A shift of the grid shifts the image
-/// cyclically, bit by bit (for the exception, see RasterGrid). Throws std::invalid_argument if the
+/// The result has the same bits for any number of threads. If the grid is shifted, the
+/// image is shifted cyclically, and no bit of a sample changes (exception: a sheared torus, see
+/// RasterGrid). Throws std::invalid_argument if the
 /// image and the grid differ in size, if the image and the values differ in the number of channels,
 /// if this number is not from 1 to kMaxChannels, or if a bubble beside an arc, or the ghost bubble,
 /// has no value.

@@ -127,7 +127,7 @@ void InsetTracer::collect_pieces(std::size_t index) {
     const OffsetArc& arc = offsets_[index].arc;
     collect_cuts(offsets_[index]);
     collect_nearby(offsets_[index]);
-    bool continues = false;  // true if the preceding piece was kept
+    bool continues = false;  // true if the last tested piece was kept
     for (std::size_t k = 0; k + 1 < cuts_.size(); ++k) {
         const double from = cuts_[k];
         const double to = cuts_[k + 1];
