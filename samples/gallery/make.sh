@@ -18,7 +18,7 @@ scratch=$(mktemp -d)
 trap 'rm -rf -- "$scratch"' EXIT
 
 # The most typical frame of a preset, if it is not frame 1.
-declare -A frames=([coarsening]=9 [collapse]=24 [honeycomb]=40 [relax]=2 [shear]=49 [soap_raft]=30)
+declare -A frames=([coarsening]=30 [collapse]=24 [honeycomb]=40 [relax]=2 [shear]=49 [soap_raft]=30)
 
 # thumbnail PRESET: bakes the first map of a preset at twice the size of the thumbnail, replaces transparency by white,
 # and reduces the picture by half.
