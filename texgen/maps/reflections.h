@@ -10,9 +10,10 @@
 
 namespace foam::texgen {
 
-/// What the surface of the map lit reflects like a mirror: up to two windows, and a sky that is
-/// brightest at the horizon. The first window is in the direction of the light. The second one is
-/// opposite to it and fainter, as the reflection from the back of a bubble is.
+/// The options of the reflections in the map lit. The surface reflects up to two windows like a
+/// mirror, and a sky that is brightest at the horizon. The first window is in the direction of the
+/// light. The second one is opposite to it and fainter, as the reflection from the back of a bubble
+/// is.
 struct ReflectionOptions {
     int windows = 0;
     double window_size = 30.0;       // width and height of a window, degrees

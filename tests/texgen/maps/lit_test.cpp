@@ -87,31 +87,38 @@ TEST(Lit, LightComesFromItsAzimuth) {
     EXPECT_NEAR(right_over_left(90.0), 1.0, 0.05);
 }
 
+constexpr double kDomeRadius = 40.0;  // pixels
+
+// Returns the picture of a lone black bubble in the middle of the image, without highlights.
+Image<std::uint16_t> lit_dome(MapOptions options) {
+    const Frame frame = snapshot(foam::test::circles({{7, {0.0, 0.0}, std::numbers::pi}}), 1);
+    const FoamRecord record;
+    FrameLayers layers =
+        layers_of(frame, record, {kSize, kSize, 0, 0, View{Vec2::Zero(), kDomeRadius}});
+    options.albedo.colors = {"#000000"};
+    options.albedo.film_width = 0.0;
+    options.lit.gloss = 0.0;
+    return draw_lit(layers,
+                    options.lit,
+                    {options.albedo,
+                     options.thin_film,
+                     {options.relief, options.maze},
+                     options.occlusion})
+        .pixels;
+}
+
 // A spherical dome of 60 degrees reflects the window where its normal points halfway between the
 // viewer and the window. On a sphere of radius r, whose section is R = r sin 60°, a slope of the
 // angle a is at the distance r sin a from the middle.
 TEST(Lit, ReflectsAWindowHalfwayToTheLight) {
-    constexpr double kRadius = 40.0;
-    const Frame frame = snapshot(foam::test::circles({{7, {0.0, 0.0}, std::numbers::pi}}), 1);
-    const FoamRecord record;
-    FrameLayers layers =
-        layers_of(frame, record, {kSize, kSize, 0, 0, View{Vec2::Zero(), kRadius}});
     MapOptions options;
-    options.albedo.colors = {"#000000"};
-    options.albedo.film_width = 0.0;
     options.relief.angle = 60.0;
-    options.lit.gloss = 0.0;
     options.lit.azimuth = 0.0;
     options.lit.elevation = 50.0;
     options.lit.reflections.windows = 2;
     options.lit.reflections.window_size = 20.0;
-    const Image<std::uint16_t> image =
-        draw_lit(
-            layers,
-            options.lit,
-            {options.albedo, options.thin_film, {options.relief, options.maze}, options.occlusion})
-            .pixels;
-    const double sphere = kRadius / std::sin(std::numbers::pi / 3.0);
+    const Image<std::uint16_t> image = lit_dome(options);
+    const double sphere = kDomeRadius / std::sin(std::numbers::pi / 3.0);
     const int at = static_cast<int>(sphere * std::sin(20.0 * std::numbers::pi / 180.0));
     const auto light = [&](int x) { return image.pixel(kSize / 2 + x, kSize / 2)[1] / kWhite; };
     EXPECT_GT(light(at), 0.95);
@@ -122,24 +129,11 @@ TEST(Lit, ReflectsAWindowHalfwayToTheLight) {
 
 // The horizon is reflected where the slope is 45 degrees: light above, none below.
 TEST(Lit, ReflectsTheHorizonAsARing) {
-    constexpr double kRadius = 40.0;
-    const Frame frame = snapshot(foam::test::circles({{7, {0.0, 0.0}, std::numbers::pi}}), 1);
-    const FoamRecord record;
-    FrameLayers layers =
-        layers_of(frame, record, {kSize, kSize, 0, 0, View{Vec2::Zero(), kRadius}});
     MapOptions options;
-    options.albedo.colors = {"#000000"};
-    options.albedo.film_width = 0.0;
     options.relief.angle = 75.0;
-    options.lit.gloss = 0.0;
     options.lit.reflections.horizon = 1.0;
-    const Image<std::uint16_t> image =
-        draw_lit(
-            layers,
-            options.lit,
-            {options.albedo, options.thin_film, {options.relief, options.maze}, options.occlusion})
-            .pixels;
-    const double sphere = kRadius / std::sin(75.0 * std::numbers::pi / 180.0);
+    const Image<std::uint16_t> image = lit_dome(options);
+    const double sphere = kDomeRadius / std::sin(75.0 * std::numbers::pi / 180.0);
     const auto light = [&](double degrees, double x, double y) {
         const double r = sphere * std::sin(degrees * std::numbers::pi / 180.0);
         return image.pixel(kSize / 2 + static_cast<int>(r * x),
