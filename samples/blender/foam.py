@@ -33,24 +33,13 @@ class Baked:
         self.folder = folder
         self.set = read_json(folder / "manifest.json")["sets"][0]
 
-    def path(self, name, frame):
-        files = self.set["files"]
-        return next(
-            self.folder / f["path"] for f in files if f["frame"] == frame and name in f["maps"]
-        )
+    def file(self, name, frame):
+        """Returns the description of the file of a map and a frame."""
+        return next(f for f in self.set["files"] if f["frame"] == frame and name in f["maps"])
 
     def image(self, name, frame):
         found = next(m for m in self.set["maps"] if m["name"] == name)
-        return load(self.path(name, frame), found["color_space"])
-
-    def height_of_white(self, frame):
-        """Returns the height that white represents, in tile widths. The range of the map is in bubble diameters."""
-        height = next(m for m in self.set["maps"] if m["name"] == "height")
-        foam = next(f for f in self.set["foam"] if f["frame"] == frame)
-        width, image_height = self.set["size"]
-        tile = math.sqrt(foam["bubbles"] * foam["mean_area"] * width / image_height)
-        diameter = 2 * math.sqrt(foam["mean_area"] / math.pi)
-        return height["range"][1] * diameter / tile
+        return load(self.folder / self.file(name, frame)["path"], found["color_space"])
 
 
 def load(path, color_space):
@@ -106,7 +95,8 @@ def displaced(baked, frame):
     links.new(texture(nodes, baked.image("albedo", frame)).outputs[0], surface.inputs["Base Color"])
     displacement = nodes.new("ShaderNodeDisplacement")
     displacement.inputs["Midlevel"].default_value = 0.0
-    displacement.inputs["Scale"].default_value = baked.height_of_white(frame)
+    # The height of white, as a fraction of the width of a tile, which is 1.
+    displacement.inputs["Scale"].default_value = baked.file("height", frame)["displacement"]
     height = texture(nodes, baked.image("height", frame)).outputs[0]
     links.new(height, displacement.inputs["Height"])
     links.new(displacement.outputs[0], nodes["Material Output"].inputs["Displacement"])
