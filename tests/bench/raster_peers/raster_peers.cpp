@@ -17,7 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <memory>
+#include <limits>
 
 namespace foam::bench {
 
@@ -32,20 +32,8 @@ constexpr int kLargeSide = 4096;
 constexpr int kRounds = 5;
 constexpr int kWallRounds = 30;  // more rounds, because other programs disturb elapsed times
 
-// Returns a table that maps 16-bit values to 8 bits: value / 257, rounded.
-const texgen::Encoding<std::uint8_t>& high_bytes() {
-    static const auto encoding = [] {
-        auto codes = std::make_unique<texgen::Encoding<std::uint8_t>>();
-        for (std::size_t k = 0; k < codes->size(); ++k) {
-            (*codes)[k] = static_cast<std::uint8_t>((k + 128) / 257);
-        }
-        return codes;
-    }();
-    return *encoding;
-}
-
-// Our own rasterizer. It draws a frame into an RGB image of 8 bits per channel, whose memory is
-// reused between runs.
+// Our own rasterizer. It draws a frame into an RGB image of 16 bits per channel, as the maps do.
+// The memory of the image is reused between runs. The images of the other libraries have 8 bits.
 class Foamtex {
   public:
     Foamtex(const Frame& frame, const Scene& scene)
@@ -56,17 +44,17 @@ class Foamtex {
 
     void fill(double film_width, int threads) {
         const CellArcs cells = texgen::cell_arcs(frame_, grid_, film_width, threads);
-        texgen::fill_cells(cells, values_, high_bytes(), threads, image_.view());
+        texgen::fill_cells(cells, values_, threads, image_.view());
     }
     void measure(int threads) { texgen::write_distance_field(frame_, grid_, {}, threads, field_); }
-    const Image<std::uint8_t>& image() const { return image_; }
+    const Image<std::uint16_t>& image() const { return image_; }
     const DistanceField& field() const { return field_; }
 
   private:
     const Frame& frame_;
     texgen::RasterGrid grid_;
     texgen::CellValues values_;
-    Image<std::uint8_t> image_;
+    Image<std::uint16_t> image_;
     DistanceField field_;
 };
 
@@ -107,7 +95,7 @@ void compare_fills(int side, int bubbles) {
     for (const Painter& other : others) {
         contenders.push_back({other.name, [&] { other.fill(scene); }});
     }
-    print_race(name_of("fill", side, bubbles), contenders, {12.0, 0.0, 4.5});
+    print_race(name_of("16-bit fill", side, bubbles), contenders, {12.0, 0.0, 4.5});
 }
 
 void compare_strokes(int side, int bubbles, bool with_distance) {
@@ -127,7 +115,8 @@ void compare_strokes(int side, int bubbles, bool with_distance) {
             contenders.push_back({other.name, [&] { other.fill_and_films(scene); }});
         }
     }
-    const std::string work = with_distance ? "fill + films + ids + distance" : "fill + films";
+    const std::string work =
+        with_distance ? "16-bit fill + films + ids + distance" : "16-bit fill + films";
     print_race(name_of(work, side, bubbles), contenders, {with_distance ? 6.5 : 12.0});
 }
 
@@ -170,8 +159,8 @@ void compare_threads(int side, int bubbles) {
         std::function<void(int)> run;  // the argument is the number of threads
     };
     const std::vector<Work> works{
-        {"fill", [&](int threads) { ours.fill(0.0, threads); }},
-        {"fill + films", [&](int threads) { ours.fill(kFilmWidth, threads); }},
+        {"16-bit fill", [&](int threads) { ours.fill(0.0, threads); }},
+        {"16-bit fill + films", [&](int threads) { ours.fill(kFilmWidth, threads); }},
         {"ids + distance", [&](int threads) { ours.measure(threads); }}};
     std::vector<Contender> contenders;
     for (const Work& work : works) {
@@ -191,18 +180,18 @@ void compare_threads(int side, int bubbles) {
 void compare_with_writing(int side, int bubbles) {
     const Frame frame = snapshot(equilibrated_foam(bubbles), 1);
     Foamtex ours(frame, scene_of(frame, side));
-    Image<std::uint8_t> image(side, side, 3);
-    std::uint8_t level = 0;
+    Image<std::uint16_t> image(side, side, 3);
+    std::uint16_t level = 0;
     const auto write_one_value = [&] { std::ranges::fill(image.samples(), ++level); };
     // Pixels that differ cannot be filled with one value. They must at least be copied.
-    std::vector<std::uint8_t> row(image.row(0).size());
+    std::vector<std::uint16_t> row(image.row(0).size());
     const auto write_rows = [&] {
         for (int y = 0; y < side; ++y) {
             row[static_cast<std::size_t>(y)] = ++level;
             std::ranges::copy(row, image.row(y).begin());
         }
     };
-    print_race(name_of("fill", side, bubbles),
+    print_race(name_of("16-bit fill", side, bubbles),
                {{"foamtex", [&] { ours.fill(0.0, 1); }},
                 {"writing one value alone", write_one_value},
                 {"copying rows alone", write_rows}},
@@ -230,10 +219,13 @@ std::vector<double> reference(const Frame& frame,
     return means;
 }
 
-double largest_error(const Image<std::uint8_t>& image, const std::vector<double>& means) {
+// Returns the largest error of a sample, in units of 1/255 of the range of values.
+template <class Sample>
+double largest_error(const Image<Sample>& image, const std::vector<double>& means) {
+    constexpr double kUnit = std::numeric_limits<Sample>::max() / 255.0;
     double largest = 0.0;
     for (std::size_t k = 0; k < means.size(); ++k) {
-        largest = std::max(largest, std::abs(image.samples()[k] - means[k]));
+        largest = std::max(largest, std::abs(image.samples()[k] / kUnit - means[k]));
     }
     return largest;
 }
@@ -247,7 +239,8 @@ struct References {
         : lattice(reference(frame, scene, film_width, test::Samples::Lattice)),
           grid(reference(frame, scene, film_width, test::Samples::Grid)) {}
 
-    void print(const Image<std::uint8_t>& image) const {
+    template <class Sample>
+    void print(const Image<Sample>& image) const {
         fmt::print(" {:.2f} | {:.2f} |", largest_error(image, lattice), largest_error(image, grid));
     }
 };

@@ -33,15 +33,15 @@ std::size_t stride_of(int width, std::size_t sum_bytes) {
     return lines * per_line;
 }
 
-// Adds factor * value to a sum, per channel. Reads all channels before it writes any, so that the
+// Adds factor * values to sums, per channel. Reads all channels before it writes any, so that the
 // loop is vectorized.
-template <class Sum>
-void add_times(typename Sum::value_type factor, const Sum& value, Sum& to) {
-    Sum sum = to;
-    for (std::size_t c = 0; c < sum.size(); ++c) {
-        sum[c] += factor * value[c];
+template <class Sums>
+void add_times(double factor, const Sums& values, Sums& to) {
+    Sums sums = to;
+    for (std::size_t c = 0; c < sums.size(); ++c) {
+        sums[c] += factor * values[c];
     }
-    to = sum;
+    to = sums;
 }
 
 constexpr std::size_t kFlagsPerStep = 4;
@@ -71,9 +71,9 @@ constexpr std::size_t kFlagsPerStep = 4;
 }  // namespace
 
 // Pointers to the arrays of a band, and the lengths of their rows.
-template <class Sums>
-struct Coverage<Sums>::Band {
-    Sum* differences;
+template <std::size_t Channels>
+struct Coverage<Channels>::Band {
+    Sums* differences;
     std::size_t stride;
     std::uint64_t* touched;
     std::size_t words;
@@ -85,12 +85,11 @@ struct Coverage<Sums>::Band {
     void add(std::size_t row,
              std::size_t column,
              const ArcSplitter::Part& part,
-             const Sum& across) const {
+             const Sums& across) const {
         touch(&touched[row * words + column / kFlagsPerWord], column % kFlagsPerWord);
-        const auto on_left = Sums::of_area(part.twice_area_on_left);
-        Sum* to = &differences[row * stride + column];
-        add_times(Sums::of_area(part.twice_area) - on_left, across, to[0]);
-        add_times(on_left, across, to[1]);
+        Sums* to = &differences[row * stride + column];
+        add_times(part.twice_area - part.twice_area_on_left, across, to[0]);
+        add_times(part.twice_area_on_left, across, to[1]);
     }
 
     // Sets the flags of a pixel and of the pixel on its right.
@@ -102,19 +101,19 @@ struct Coverage<Sums>::Band {
     }
 };
 
-template <class Sums>
-Coverage<Sums>::Coverage(int width, int rows, RowKind kind)
+template <std::size_t Channels>
+Coverage<Channels>::Coverage(int width, int rows, RowKind kind)
     : width_(width),
       kind_(kind),
-      stride_(stride_of(width, sizeof(Sum))),
+      stride_(stride_of(width, sizeof(Sums))),
       words_(static_cast<std::size_t>(width) / kFlagsPerWord + 1),
       differences_(stride_ * static_cast<std::size_t>(rows)),
       touched_(words_ * static_cast<std::size_t>(rows)),
       splitter_(rows),
       starts_(static_cast<std::size_t>(rows)) {}
 
-template <class Sums>
-void Coverage<Sums>::add(const MonotoneArc& arc, SubpixelPoint translation, const Step& step) {
+template <std::size_t Channels>
+void Coverage<Channels>::add(const MonotoneArc& arc, SubpixelPoint translation, const Step& step) {
     if (!splitter_.is_in_rows(arc, translation)) {
         return;
     }
@@ -125,8 +124,8 @@ void Coverage<Sums>::add(const MonotoneArc& arc, SubpixelPoint translation, cons
     }
 }
 
-template <class Sums>
-void Coverage<Sums>::finish() {
+template <std::size_t Channels>
+void Coverage<Channels>::finish() {
     splitter_.split();
     for (std::size_t k = 0; k < splitter_.size(); ++k) {
         if (is_inside(k)) [[likely]] {
@@ -141,8 +140,8 @@ void Coverage<Sums>::finish() {
     splitter_.clear();
 }
 
-template <class Sums>
-void Coverage<Sums>::add_inside(Parts parts, const Step& step) {
+template <std::size_t Channels>
+void Coverage<Channels>::add_inside(Parts parts, const Step& step) {
     const Band band{differences_.data(), stride_, touched_.data(), words_};
     // `across` is captured by reference. With a copy, compilers merge the two sums of a part into
     // one wide store. The next load may overlap only half of this store and would then stall on it.
@@ -158,28 +157,26 @@ void Coverage<Sums>::add_inside(Parts parts, const Step& step) {
 
 // Accounts for the periods in ArcSides: in each row, subtracts the height of the arc times
 // Step::period_correction from the start of the row.
-template <class Sums>
-void Coverage<Sums>::add_period_correction(Parts parts, const Step& step) {
+template <std::size_t Channels>
+void Coverage<Channels>::add_period_correction(Parts parts, const Step& step) {
     for (const ArcSplitter::Part& part : parts) {
-        add_times(Sums::of_area(-part.twice_area),
-                  step.period_correction,
-                  starts_[static_cast<std::size_t>(part.row)]);
+        add_times(
+            -part.twice_area, step.period_correction, starts_[static_cast<std::size_t>(part.row)]);
     }
 }
 
 // Adds an arc that has parts to the left or to the right of the columns of the band. On a ring,
 // these parts are wrapped to the columns of the band. On a line, a part on the left changes the
 // start of its row, and a part on the right is ignored.
-template <class Sums>
-void Coverage<Sums>::add_outside(Parts parts, const Step& step) {
+template <std::size_t Channels>
+void Coverage<Channels>::add_outside(Parts parts, const Step& step) {
     const Band band{differences_.data(), stride_, touched_.data(), words_};
     for (const ArcSplitter::Part& part : parts) {
         const auto row = static_cast<std::size_t>(part.row);
         const std::int32_t periods = floor_div(part.column, width_);
         const bool is_ring = kind_ == RowKind::Ring;
         const std::int32_t times = is_ring ? -periods : periods < 0 ? 1 : 0;
-        add_times(
-            Sums::of_value(times) * Sums::of_area(part.twice_area), step.across, starts_[row]);
+        add_times(static_cast<double>(times) * part.twice_area, step.across, starts_[row]);
         if (is_ring || periods == 0) {
             band.add(
                 row, static_cast<std::size_t>(part.column - periods * width_), part, step.across);
@@ -189,29 +186,29 @@ void Coverage<Sums>::add_outside(Parts parts, const Step& step) {
 
 // A span begins at each pixel with a flag. The pixel after the last one may have a flag, too, but
 // is not part of the result.
-template <class Sums>
-void Coverage<Sums>::take_row(int row, const Sum& start, RowSums<Sum>& sums) {
+template <std::size_t Channels>
+void Coverage<Channels>::take_row(int row, const Sums& start, RowSums<Channels>& sums) {
     const auto index = static_cast<std::size_t>(row);
     const auto width = static_cast<std::size_t>(width_);
     const std::span<std::uint64_t> touched(&touched_[index * words_], words_);
     grow(sums.begins, width + 2 + kFlagsPerStep);
     grow(sums.sums, width + 2);
-    Sum sum = start;
-    add_times(1, std::exchange(starts_[index], Sum{}), sum);
+    Sums first = start;
+    add_times(1, std::exchange(starts_[index], Sums{}), first);
     // There is a span before the first flag unless the first pixel has a flag.
     const std::size_t leading_spans = (touched[0] & 1) == 0 ? 1 : 0;
     sums.begins[0] = 0;
-    sums.sums[0] = sum;
+    sums.sums[0] = first;
     sums.count = at_simd_level([touched,
                                 leading_spans,
-                                sum,
+                                first,
                                 differences = &differences_[index * stride_],
                                 begins = sums.begins.data(),
                                 to = sums.sums.data()] {
         const std::size_t count = leading_spans + find_flags(touched, &begins[leading_spans]);
-        Sum running = sum;
+        Sums running = first;
         for (std::size_t k = leading_spans; k < count; ++k) {
-            add_times(1, std::exchange(differences[begins[k]], Sum{}), running);
+            add_times(1, std::exchange(differences[begins[k]], Sums{}), running);
             to[k] = running;
         }
         return count;
@@ -223,13 +220,9 @@ void Coverage<Sums>::take_row(int row, const Sum& start, RowSums<Sum>& sums) {
     sums.begins[sums.count] = static_cast<std::uint16_t>(width);
 }
 
-template class Coverage<ExactSums<1>>;
-template class Coverage<ExactSums<2>>;
-template class Coverage<ExactSums<3>>;
-template class Coverage<ExactSums<4>>;
-template class Coverage<SmallSums<1>>;
-template class Coverage<SmallSums<2>>;
-template class Coverage<SmallSums<3>>;
-template class Coverage<SmallSums<4>>;
+template class Coverage<1>;
+template class Coverage<2>;
+template class Coverage<3>;
+template class Coverage<4>;
 
 }  // namespace foam::texgen

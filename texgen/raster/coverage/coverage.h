@@ -22,81 +22,39 @@ inline constexpr int kAreaBits = 2 * kSubpixelBits + 1;
 /// The largest possible mean of 16-bit values.
 inline constexpr std::int32_t kLargestMean = std::numeric_limits<std::uint16_t>::max();
 
-/// Sums of 16-bit values times areas, per channel. They are stored as doubles, which are exact for
-/// integers below 2^53. The number of channels is rounded up to a power of two, so that loops over
-/// channels are vectorized; unused channels are 0.
+/// The area of a pixel.
+inline constexpr double kPixelArea = 1 << kAreaBits;
+
+/// The sums of a pixel, one per channel: 16-bit values times areas. A double represents them
+/// exactly, because they are integers below 2^53. The number of channels is rounded up to a power
+/// of two, so that loops over channels are vectorized; unused channels are 0.
 template <std::size_t Channels>
-struct ExactSums {
-    using Number = double;
-    using Sum = std::array<Number, std::bit_ceil(Channels)>;
+using PixelSums = std::array<double, std::bit_ceil(Channels)>;
 
-    static constexpr double kPixel = std::int64_t{1} << kAreaBits;  // area of a pixel
-
-    /// Convert an area, or a value or an integer factor, to the type of the sums.
-    static Number of_area(std::int32_t area) { return area; }
-    static Number of_value(std::int32_t value) { return value; }
-    /// Returns the sum for a pixel whose value is `base` everywhere.
-    static Number start(std::int32_t base) { return base * kPixel; }
-
-    /// Returns the mean value of a pixel, sum / kPixel, rounded to the nearest integer. The result
-    /// is clamped to the range of values, because the mean may be outside of this range where rafts
-    /// overlap or the foam is invalid.
-    static std::int32_t mean(Number sum) {
-        constexpr double kHalf = 0.5;  // added before truncation, which rounds to the nearest
-        const auto mean = static_cast<std::int32_t>(sum * (1.0 / kPixel) + kHalf);
-        return std::min(std::max(mean, 0), kLargestMean);
-    }
-};
-
-/// Sums of 16-bit values times areas in 32-bit integers, for images of 8 bits per sample. Areas are
-/// rounded to 2^-15 pixel. Unsigned arithmetic wraps around, so that overflows of intermediate
-/// results are harmless. A sum represents the mean value minus the middle of the range of values.
-/// A sum can therefore represent means that exceed the range by up to half the size of the range on
-/// either side; mean() clamps such means.
-template <std::size_t Channels>
-struct SmallSums {
-    using Number = std::uint32_t;
-    using Sum = std::array<Number, std::bit_ceil(Channels)>;
-
-    static constexpr int kPixelBits = 15;
-    static constexpr std::int32_t kMiddle = 1 << 15;
-
-    /// Converts an area from half square subpixels to units of 2^-15 pixel, and rounds it.
-    /// ArcSplitter::Part::twice_area is a multiple of this unit, so that the result for it is
-    /// exact.
-    static Number of_area(std::int32_t area) {
-        constexpr int kDropped = kAreaBits - kPixelBits;
-        return static_cast<Number>((area + (1 << (kDropped - 1))) >> kDropped);
-    }
-    static Number of_value(std::int32_t value) { return static_cast<Number>(value); }
-    /// Returns the sum for a pixel whose value is `base` everywhere.
-    static Number start(std::int32_t base) {
-        return static_cast<Number>((base - kMiddle) * (1 << kPixelBits));
-    }
-
-    /// Returns the mean value of a pixel, rounded to the nearest integer and clamped.
-    static std::int32_t mean(Number sum) {
-        constexpr Number kHalf = 1 << (kPixelBits - 1);
-        const std::int32_t mean = (static_cast<std::int32_t>(sum + kHalf) >> kPixelBits) + kMiddle;
-        return std::min(std::max(mean, 0), kLargestMean);
-    }
-};
+/// Returns the mean value of a pixel, sum / kPixelArea, rounded to the nearest integer. The result
+/// is clamped to the range of values, because the mean may be outside of this range where rafts
+/// overlap or the foam is invalid.
+inline std::uint16_t mean_of(double sum) {
+    constexpr double kHalf = 0.5;  // added before truncation, which rounds to the nearest
+    const auto mean = static_cast<std::int32_t>(sum * (1.0 / kPixelArea) + kHalf);
+    return static_cast<std::uint16_t>(std::min(std::max(mean, 0), kLargestMean));
+}
 
 /// The topology of a row of pixels: a ring around a torus, or a line segment in the plane.
 enum class RowKind { Ring, Line };
 
 /// The sums along a row, as spans of pixels with equal sums. The arrays may have more elements than
 /// are used, because they never shrink.
-template <class Sum>
+template <std::size_t Channels>
 struct RowSums {
     std::size_t count = 0;              // number of spans
     std::vector<std::uint16_t> begins;  // the first pixel of each span, then the width of the row
-    std::vector<Sum> sums;              // the sum of each pixel of a span
+    std::vector<PixelSums<Channels>> sums;  // the sums of each pixel of a span
 };
 
 /// Computes sums of values times areas in a band of rows. Arcs are added one by one, each with the
 /// change of the values from its left to its right, per channel. The sum of a pixel is a start
-/// value plus the contributions of all arcs. Sums::mean converts the sum to the mean value of the
+/// value plus the contributions of all arcs. mean_of converts the sum to the mean value of the
 /// pixel.
 ///
 /// In each row, an arc adds its change of values times the area on its right. In the pixel of a
@@ -113,19 +71,18 @@ struct RowSums {
 /// the plane, an arc to the left of a row adds its height times its change of values to all pixels
 /// of the row, and an arc to the right of a row adds nothing.
 ///
-/// All sums are exact sums of integers, so that they do not depend on the order of the arcs. `Sums`
-/// is ExactSums or SmallSums; it determines how sums are stored.
-template <class Sums>
+/// All sums are exact sums of integers, so that they do not depend on the order of the arcs.
+template <std::size_t Channels>
 class Coverage {
   public:
-    using Sum = typename Sums::Sum;
+    using Sums = PixelSums<Channels>;
 
     /// The change of values from the left of an arc to its right.
     struct Step {
-        Sum across{};  // value on the right minus value on the left
+        Sums across{};  // value on the right minus value on the left
         // The value on the right times ArcSides::right_periods minus the value on the left times
         // ArcSides::left_periods.
-        Sum period_correction{};
+        Sums period_correction{};
         bool wraps = false;  // if false, `period_correction` is 0
     };
 
@@ -143,7 +100,7 @@ class Coverage {
 
     /// Stores in `sums` the sums of the pixels of a row: `start` plus the contributions of the
     /// arcs. Then sets the differences of the row to zero. Precondition: no arc is pending.
-    void take_row(int row, const Sum& start, RowSums<Sum>& sums);
+    void take_row(int row, const Sums& start, RowSums<Channels>& sums);
 
   private:
     using Parts = std::span<const ArcSplitter::Part>;
@@ -163,21 +120,17 @@ class Coverage {
                           // width_ + 1, because an arc in the last pixel also adds to the pixel on
                           // its right
     std::size_t words_;   // number of 64-bit words of flags per row
-    std::vector<Sum> differences_;
+    std::vector<Sums> differences_;
     std::vector<std::uint64_t>
         touched_;  // one flag per pixel, set if its difference may be nonzero
     ArcSplitter splitter_;
     std::array<Step, ArcSplitter::kMaxArcs> steps_;  // the steps of the pending arcs
-    std::vector<Sum> starts_;                        // added to the start of each row's running sum
+    std::vector<Sums> starts_;                       // added to the start of each row's running sum
 };
 
-extern template class Coverage<ExactSums<1>>;
-extern template class Coverage<ExactSums<2>>;
-extern template class Coverage<ExactSums<3>>;
-extern template class Coverage<ExactSums<4>>;
-extern template class Coverage<SmallSums<1>>;
-extern template class Coverage<SmallSums<2>>;
-extern template class Coverage<SmallSums<3>>;
-extern template class Coverage<SmallSums<4>>;
+extern template class Coverage<1>;
+extern template class Coverage<2>;
+extern template class Coverage<3>;
+extern template class Coverage<4>;
 
 }  // namespace foam::texgen

@@ -5,7 +5,6 @@
 #include "core/parallel/parallel_for.h"
 #include "texgen/raster/coverage/arc_bands.h"
 #include "texgen/raster/coverage/coverage.h"
-#include "texgen/raster/coverage/pixel_means.h"
 #include "texgen/raster/coverage/row_writer.h"
 
 #include <fmt/core.h>
@@ -14,7 +13,6 @@
 #include <optional>
 #include <span>
 #include <stdexcept>
-#include <type_traits>
 #include <vector>
 
 namespace foam::texgen {
@@ -71,8 +69,7 @@ void check_values(const CellArcs& cells, std::size_t values) {
 }
 
 // Throws std::invalid_argument if the arguments of fill_cells do not match.
-template <class Sample>
-void check(const CellArcs& cells, const CellValues& values, ImageView<Sample> image) {
+void check(const CellArcs& cells, const CellValues& values, ImageView<std::uint16_t> image) {
     if (image.width() != cells.grid.width || image.height() != cells.grid.height) {
         throw std::invalid_argument("the image must have the size of the raster grid");
     }
@@ -84,24 +81,22 @@ void check(const CellArcs& cells, const CellValues& values, ImageView<Sample> im
     check_values(cells, values.bubbles.size() / values.channels);
 }
 
-// Fills an image of `Channels` channels. ToSamples converts sums to pixels (pixel_means.h).
-template <class Sums, std::size_t Channels, class Sample, class ToSamples>
+// Fills an image of `Channels` channels. ToPixels converts sums to pixels (row_writer.h).
+template <std::size_t Channels, class ToPixels>
 class Filler {
   public:
-    using BandCoverage = Coverage<Sums>;
+    using Sums = PixelSums<Channels>;
+    using Step = typename Coverage<Channels>::Step;
 
     Filler(const CellArcs& cells,
            const CellValues& values,
-           ToSamples to_samples,
            int threads,
-           ImageView<Sample> image)
+           ImageView<std::uint16_t> image)
         : cells_(cells),
           values_(values),
-          to_samples_(to_samples),
           image_(image),
           threads_(thread_count(threads)),
-          bands_(
-              cells, rows_per_band(image.width(), sizeof(typename BandCoverage::Sum)), threads_) {}
+          bands_(cells, rows_per_band(image.width(), sizeof(Sums)), threads_) {}
 
     // Fills all bands in parallel. A worker allocates its buffers once and reuses them for all
     // bands that it fills.
@@ -121,12 +116,11 @@ class Filler {
         explicit Worker(const Filler& filler)
             : coverage(filler.image_.width(),
                        filler.bands_.row_count(0),
-                       filler.cells_.grid.view ? RowKind::Line : RowKind::Ring),
-              writer(filler.to_samples_) {}
+                       filler.cells_.grid.view ? RowKind::Line : RowKind::Ring) {}
 
-        BandCoverage coverage;
-        RowSums<typename Sums::Sum> sums;
-        RowWriter<Sums, Channels, Sample, ToSamples> writer;
+        Coverage<Channels> coverage;
+        RowSums<Channels> sums;
+        RowWriter<Channels, ToPixels> writer;
     };
 
     void fill_band(int band, Worker& worker) const {
@@ -142,13 +136,13 @@ class Filler {
             worker.coverage.add(arc, entries[k].translation - origin, step_across(arc));
         }
         worker.coverage.finish();
-        const typename Sums::Sum start = start_of_rows();
+        const Sums start = start_of_rows();
         const std::size_t row_samples = image_.row_samples();
-        const std::span<Sample> rows(
+        const std::span<std::uint16_t> rows(
             image_.row(first_row).data(),
             row_samples * static_cast<std::size_t>(bands_.row_count(band)));
         for (int row = 0; row < bands_.row_count(band); ++row) {
-            const std::span<Sample> output =
+            const std::span<std::uint16_t> output =
                 rows.subspan(row_samples * static_cast<std::size_t>(row));
             worker.writer.prefetch(output.first(row_samples));
             worker.coverage.take_row(row, start, worker.sums);
@@ -170,38 +164,38 @@ class Filler {
     }
 
     // Returns the sum of a pixel before any arc is added.
-    typename Sums::Sum start_of_rows() const {
-        typename Sums::Sum start{};
+    Sums start_of_rows() const {
+        Sums start{};
         for (std::size_t c = 0; c < Channels; ++c) {
-            start[c] = Sums::start(base()[c]);
+            start[c] = kPixelArea * base()[c];
         }
         return start;
     }
 
     // Returns the value on a side of an arc minus the value of films. The result is 0 if there is a
     // film on this side.
-    typename BandCoverage::Sum difference_from_film(std::uint32_t side) const {
-        typename BandCoverage::Sum value{};
+    Sums difference_from_film(std::uint32_t side) const {
+        Sums value{};
         if (side != kFilmSide) {
             for (std::size_t c = 0; c < Channels; ++c) {
-                value[c] = Sums::of_value(values_.bubbles[side * Channels + c] - values_.film[c]);
+                value[c] = values_.bubbles[side * Channels + c] - values_.film[c];
             }
         }
         return value;
     }
 
-    typename BandCoverage::Step step_across(const MonotoneArc& arc) const {
-        const typename BandCoverage::Sum left = difference_from_film(arc.sides.left);
-        const typename BandCoverage::Sum right = difference_from_film(arc.sides.right);
-        typename BandCoverage::Step step;
+    Step step_across(const MonotoneArc& arc) const {
+        const Sums left = difference_from_film(arc.sides.left);
+        const Sums right = difference_from_film(arc.sides.right);
+        Step step;
         for (std::size_t c = 0; c < Channels; ++c) {
             step.across[c] = right[c] - left[c];
         }
         step.wraps = arc.sides.left_periods != 0 || arc.sides.right_periods != 0;
         if (step.wraps) {
             for (std::size_t c = 0; c < Channels; ++c) {
-                step.period_correction[c] = Sums::of_value(arc.sides.right_periods) * right[c] -
-                                            Sums::of_value(arc.sides.left_periods) * left[c];
+                step.period_correction[c] =
+                    arc.sides.right_periods * right[c] - arc.sides.left_periods * left[c];
             }
         }
         return step;
@@ -209,39 +203,28 @@ class Filler {
 
     const CellArcs& cells_;
     const CellValues& values_;
-    ToSamples to_samples_;
-    ImageView<Sample> image_;
+    ImageView<std::uint16_t> image_;
     int threads_;
     ArcBands bands_;
 };
 
-// Checks the arguments, then calls fill(channels) with the number of channels as a
-// std::integral_constant.
-template <class Sample, class Fill>
-void fill_channels(const CellArcs& cells,
-                   const CellValues& values,
-                   ImageView<Sample> image,
-                   const Fill& fill) {
+// Checks the arguments and fills the image. ToPixels<channels> converts sums to pixels.
+template <template <std::size_t> class ToPixels>
+void fill(const CellArcs& cells,
+          const CellValues& values,
+          int threads,
+          ImageView<std::uint16_t> image) {
     check(cells, values, image);
     switch (values.channels) {
         case 1:
-            return fill(std::integral_constant<std::size_t, 1>{});
+            return Filler<1, ToPixels<1>>(cells, values, threads, image).fill();
         case 2:
-            return fill(std::integral_constant<std::size_t, 2>{});
+            return Filler<2, ToPixels<2>>(cells, values, threads, image).fill();
         case 3:
-            return fill(std::integral_constant<std::size_t, 3>{});
+            return Filler<3, ToPixels<3>>(cells, values, threads, image).fill();
         default:
-            return fill(std::integral_constant<std::size_t, 4>{});
+            return Filler<4, ToPixels<4>>(cells, values, threads, image).fill();
     }
-}
-
-template <class Sums, std::size_t Channels, class Sample, class ToSamples>
-void fill(const CellArcs& cells,
-          const CellValues& values,
-          const ToSamples& to_samples,
-          int threads,
-          ImageView<Sample> image) {
-    Filler<Sums, Channels, Sample, ToSamples>(cells, values, to_samples, threads, image).fill();
 }
 
 }  // namespace
@@ -250,35 +233,14 @@ void fill_cells(const CellArcs& cells,
                 const CellValues& values,
                 int threads,
                 ImageView<std::uint16_t> image) {
-    const auto as_is = [](std::uint16_t value) { return value; };
-    fill_channels(cells, values, image, [&](auto channels) {
-        using Sums = ExactSums<channels>;
-        const EncodedMeans<channels, Sums, decltype(as_is)> means(as_is);
-        fill<Sums, channels>(cells, values, means, threads, image);
-    });
+    fill<RoundedMeans>(cells, values, threads, image);
 }
 
 void fill_straight(const CellArcs& cells,
                    const CellValues& values,
                    int threads,
                    ImageView<std::uint16_t> image) {
-    fill_channels(cells, values, image, [&](auto channels) {
-        const StraightMeans<channels> means;
-        fill<ExactSums<channels>, channels>(cells, values, means, threads, image);
-    });
-}
-
-void fill_cells(const CellArcs& cells,
-                const CellValues& values,
-                const Encoding<std::uint8_t>& encoding,
-                int threads,
-                ImageView<std::uint8_t> image) {
-    const auto encode = [codes = encoding.data()](std::uint16_t value) { return codes[value]; };
-    fill_channels(cells, values, image, [&](auto channels) {
-        using Sums = SmallSums<channels>;
-        const EncodedMeans<channels, Sums, decltype(encode)> means(encode);
-        fill<Sums, channels>(cells, values, means, threads, image);
-    });
+    fill<StraightMeans>(cells, values, threads, image);
 }
 
 }  // namespace foam::texgen

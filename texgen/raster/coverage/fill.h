@@ -24,10 +24,6 @@ struct CellValues {
     std::array<std::uint16_t, kMaxChannels> film{};
 };
 
-/// A table that is indexed by a 16-bit value and holds the sample that encodes the value.
-template <class Sample>
-using Encoding = std::array<Sample, 65536>;
-
 /// Fills an image with bubbles and films. Each pixel is the mean of the values in it, weighted by
 /// area and rounded to the nearest integer. The areas are exact, apart from the small errors that
 /// texgen/raster/README.md lists. If films have a width of 0, the bubbles meet without gap or
@@ -53,14 +49,5 @@ void fill_straight(const CellArcs& cells,
                    const CellValues& values,
                    int threads,
                    ImageView<std::uint16_t> image);
-
-/// Fills an image like the fill_cells above, but stores encoding[mean] instead of each mean.
-/// Because samples have only 8 bits, areas are rounded to 2^-15 pixel. The rounded areas in a pixel
-/// still add up to exactly 1 pixel.
-void fill_cells(const CellArcs& cells,
-                const CellValues& values,
-                const Encoding<std::uint8_t>& encoding,
-                int threads,
-                ImageView<std::uint8_t> image);
 
 }  // namespace foam::texgen

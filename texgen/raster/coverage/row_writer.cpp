@@ -2,8 +2,9 @@
 
 #include "texgen/raster/coverage/row_writer.h"
 
-#include <array>
+#include <algorithm>
 #include <bit>
+#include <tuple>
 
 namespace foam::texgen {
 
@@ -16,12 +17,12 @@ std::uint64_t to_little_endian(std::uint64_t word) {
     return std::endian::native == std::endian::little ? word : __builtin_bswap64(word);
 }
 
-// The pattern of a block of equal pixels. A pixel is repeated until it fills a pattern of 8 bytes,
-// or of 6 bytes if the pixel has 3 or 6 bytes. In the second case the words of a block start at
+// The pattern of a block of equal pixels. A pixel is repeated until it fills a pattern of 8 bytes;
+// a pixel of 6 bytes is a pattern by itself. In the second case the words of a block start at
 // different bytes of the pattern; each word is composed of two shifted copies of the pattern.
 template <std::size_t PixelBytes>
 struct Repetition {
-    static constexpr std::size_t kBytes = 8 % PixelBytes == 0 ? 8 : 6;
+    static constexpr std::size_t kBytes = PixelBytes == 6 ? 6 : 8;
 
     // For each word, the number of bits by which one copy of the pattern is shifted right and the
     // other copy left.
@@ -56,7 +57,63 @@ inline void store_block(std::uint64_t pixel, std::uint8_t* to) {
     }
 }
 
+// Returns the straight color and the opacity of a pixel.
+template <std::size_t Channels>
+PixelSamples<Channels> straight(const PixelSums<Channels>& sums) {
+    PixelSamples<Channels> samples{};
+    const auto opacity = static_cast<std::int64_t>(sums[Channels - 1]);
+    if (opacity <= 0) {
+        return samples;
+    }
+    for (std::size_t c = 0; c + 1 < Channels; ++c) {
+        const auto whole = static_cast<std::int64_t>(sums[c]);
+        const std::int64_t color = (whole * kLargestMean + opacity / 2) / opacity;
+        samples[c] = static_cast<std::uint16_t>(std::clamp<std::int64_t>(color, 0, kLargestMean));
+    }
+    samples[Channels - 1] = mean_of(sums[Channels - 1]);
+    return samples;
+}
+
 }  // namespace
+
+template <std::size_t Channels>
+std::uint64_t packed(const PixelSamples<Channels>& samples) {
+    std::uint64_t pixel = 0;
+    for (std::size_t c = 0; c < Channels; ++c) {
+        const std::uint16_t sample =
+            std::endian::native == std::endian::little ? samples[c] : __builtin_bswap16(samples[c]);
+        pixel |= std::uint64_t{sample} << (8 * sizeof(sample) * c);
+    }
+    return pixel;
+}
+
+template <std::size_t Channels>
+void RoundedMeans<Channels>::operator()(std::span<const PixelSums<Channels>> sums,
+                                        std::uint64_t* pixels) {
+    constexpr std::size_t kChannels = std::tuple_size_v<PixelSums<Channels>>;
+    const std::size_t count = kChannels * sums.size();
+    grow(means_, count);
+    at_simd_level([numbers = sums.front().data(), count, to = means_.data()] {
+        std::uint16_t* __restrict means = to;
+        for (std::size_t k = 0; k < count; ++k) {
+            means[k] = mean_of(numbers[k]);
+        }
+    });
+    const std::uint16_t* means = means_.data();
+    for (std::size_t k = 0; k < sums.size(); ++k, means += kChannels) {
+        PixelSamples<Channels> samples;
+        std::copy_n(means, Channels, samples.begin());
+        pixels[k] = packed<Channels>(samples);
+    }
+}
+
+template <std::size_t Channels>
+void StraightMeans<Channels>::operator()(std::span<const PixelSums<Channels>> sums,
+                                         std::uint64_t* pixels) const {
+    for (std::size_t k = 0; k < sums.size(); ++k) {
+        pixels[k] = packed<Channels>(straight<Channels>(sums[k]));
+    }
+}
 
 // Writes spans in whole blocks. Most spans are shorter than a block; the next span overwrites the
 // excess. A loop over single pixels would have an unpredictable branch per span.
@@ -75,9 +132,19 @@ void paint_spans(std::span<const std::uint16_t> begins,
     });
 }
 
-template void paint_spans<1>(std::span<const std::uint16_t>, const std::uint64_t*, std::uint8_t*);
+template std::uint64_t packed<1>(const PixelSamples<1>&);
+template class RoundedMeans<1>;
+template class StraightMeans<1>;
+template std::uint64_t packed<2>(const PixelSamples<2>&);
+template class RoundedMeans<2>;
+template class StraightMeans<2>;
+template std::uint64_t packed<3>(const PixelSamples<3>&);
+template class RoundedMeans<3>;
+template class StraightMeans<3>;
+template std::uint64_t packed<4>(const PixelSamples<4>&);
+template class RoundedMeans<4>;
+template class StraightMeans<4>;
 template void paint_spans<2>(std::span<const std::uint16_t>, const std::uint64_t*, std::uint8_t*);
-template void paint_spans<3>(std::span<const std::uint16_t>, const std::uint64_t*, std::uint8_t*);
 template void paint_spans<4>(std::span<const std::uint16_t>, const std::uint64_t*, std::uint8_t*);
 template void paint_spans<6>(std::span<const std::uint16_t>, const std::uint64_t*, std::uint8_t*);
 template void paint_spans<8>(std::span<const std::uint16_t>, const std::uint64_t*, std::uint8_t*);

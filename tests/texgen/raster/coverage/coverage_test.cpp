@@ -14,8 +14,8 @@ namespace {
 constexpr std::int64_t kFull = std::int64_t{1} << kAreaBits;
 
 // Returns the sum of each pixel of a row.
-std::vector<std::int64_t> take(Coverage<ExactSums<1>>& coverage, int row, int width) {
-    RowSums<ExactSums<1>::Sum> sums;
+std::vector<std::int64_t> take(Coverage<1>& coverage, int row, int width) {
+    RowSums<1> sums;
     coverage.finish();
     coverage.take_row(row, {}, sums);
     EXPECT_EQ(sums.begins[0], 0);
@@ -30,13 +30,13 @@ std::vector<std::int64_t> take(Coverage<ExactSums<1>>& coverage, int row, int wi
 
 // Adds the straight edges of a closed chain that has `value` on its left.
 template <std::size_t Channels>
-void add(Coverage<ExactSums<Channels>>& coverage,
+void add(Coverage<Channels>& coverage,
          const std::vector<SubpixelPoint>& chain,
          SubpixelPoint translation,
          const std::array<double, Channels>& value) {
     SubpixelPoint from = chain.back();
     for (const SubpixelPoint to : chain) {
-        typename Coverage<ExactSums<Channels>>::Step step;
+        typename Coverage<Channels>::Step step;
         for (std::size_t c = 0; c < Channels; ++c) {
             step.across[c] = from.y < to.y ? -value[c] : value[c];
         }
@@ -55,14 +55,14 @@ std::vector<SubpixelPoint> box(std::int32_t x0, std::int32_t y0, std::int32_t x1
 
 TEST(Coverage, OfABoxAcrossPixels) {
     // The box is from x = 0.5 to 2.25 pixels, in the lower half of row 0.
-    Coverage<ExactSums<1>> coverage(4, 1);
+    Coverage<1> coverage(4, 1);
     add<1>(coverage, box(512, 0, 2304, 512), {}, {4});
     const std::vector<std::int64_t> expected{kFull, 2 * kFull, kFull / 2, 0};
     EXPECT_EQ(take(coverage, 0, 4), expected);
 }
 
 TEST(Coverage, TakingARowClearsIt) {
-    Coverage<ExactSums<1>> coverage(4, 1);
+    Coverage<1> coverage(4, 1);
     add<1>(coverage, box(512, 0, 2304, 512), {}, {4});
     take(coverage, 0, 4);
     EXPECT_EQ(take(coverage, 0, 4), std::vector<std::int64_t>(4, 0));
@@ -73,7 +73,7 @@ TEST(Coverage, WrapsAroundInX) {
     // and 1 and all of pixel 0.
     const std::vector<std::int64_t> expected{kFull, kFull / 2, 0, kFull / 2};
     for (const int periods : {-3, -1, 0, 1, 2}) {
-        Coverage<ExactSums<1>> coverage(4, 1);
+        Coverage<1> coverage(4, 1);
         add<1>(coverage, box(3584, 0, 5632, 1024), {periods * 4 * kSubpixel, 0}, {1});
         EXPECT_EQ(take(coverage, 0, 4), expected) << periods;
     }
@@ -82,7 +82,7 @@ TEST(Coverage, WrapsAroundInX) {
 // The first box is from x = -1.5 to 2.25 pixels in a line 4 pixels wide. The parts of boxes beyond
 // the ends of the line are not wrapped around.
 TEST(Coverage, OfALineEndsAtItsEnds) {
-    Coverage<ExactSums<1>> coverage(4, 1, RowKind::Line);
+    Coverage<1> coverage(4, 1, RowKind::Line);
     add<1>(coverage, box(-1536, 0, 2304, 1024), {}, {1});
     add<1>(coverage, box(3072, 0, 9000, 1024), {}, {5});
     add<1>(coverage, box(-9000, 0, -2000, 1024), {}, {7});
@@ -94,14 +94,14 @@ TEST(Coverage, OfALineEndsAtItsEnds) {
 
 TEST(Coverage, OfABoxWiderThanTheTorus) {
     // The box covers the torus 2.5 times. The last half covers pixels 0 and 1.
-    Coverage<ExactSums<1>> coverage(4, 1);
+    Coverage<1> coverage(4, 1);
     add<1>(coverage, box(0, 0, 10 * kSubpixel, kSubpixel), {}, {1});
     const std::vector<std::int64_t> expected{3 * kFull, 3 * kFull, 2 * kFull, 2 * kFull};
     EXPECT_EQ(take(coverage, 0, 4), expected);
 }
 
 TEST(Coverage, LastColumnDoesNotOverflow) {
-    Coverage<ExactSums<1>> coverage(64, 1);
+    Coverage<1> coverage(64, 1);
     add<1>(coverage, box(63 * kSubpixel + 100, 0, 64 * kSubpixel, kSubpixel), {}, {1});
     std::vector<std::int64_t> expected(64, 0);
     expected[63] = kFull - std::int64_t{2} * kSubpixel * 100;
@@ -110,7 +110,7 @@ TEST(Coverage, LastColumnDoesNotOverflow) {
 }
 
 TEST(Coverage, ClockwiseSubtracts) {
-    Coverage<ExactSums<1>> coverage(4, 1);
+    Coverage<1> coverage(4, 1);
     add<1>(coverage, box(0, 0, 4096, 1024), {}, {3});
     const std::vector<SubpixelPoint> hole{{1024, 0}, {1024, 1024}, {2048, 1024}, {2048, 0}};
     add<1>(coverage, hole, {}, {3});
@@ -122,7 +122,7 @@ TEST(Coverage, ClockwiseSubtracts) {
 // The arc at x = 1.5 is also the right end of the second bubble. In the outline of that bubble it
 // is one period further right.
 TEST(Coverage, CountsAFilmOnceForBothItsSides) {
-    Coverage<ExactSums<1>> coverage(4, 1);
+    Coverage<1> coverage(4, 1);
     const double first = 3.0;
     const double second = 10.0;
     coverage.add({{3072, 0}, {3072, 1024}, 0.0, {}}, {}, {{second - first}, {}, false});
@@ -136,7 +136,7 @@ TEST(Coverage, CountsAFilmOnceForBothItsSides) {
 // (1, 1). The second one is an edge straight down. They cover pi / 4 of pixel 1, with an error of
 // half a thousandth. With the chord instead of the arc, they would cover half of it.
 TEST(Coverage, OfAQuarterOfACircle) {
-    Coverage<ExactSums<1>> coverage(4, 1);
+    Coverage<1> coverage(4, 1);
     const double sine = std::sin(0.125 * 2.0 * std::numbers::pi);
     coverage.add({{2048, 0}, {1024, 1024}, sine, {}}, {}, {{-1.0}, {}, false});
     coverage.add({{1024, 0}, {1024, 1024}, 0.0, {}}, {}, {{1.0}, {}, false});
@@ -147,8 +147,8 @@ TEST(Coverage, OfAQuarterOfACircle) {
 }
 
 TEST(Coverage, OrderDoesNotMatter) {
-    Coverage<ExactSums<3>> there(40, 2);
-    Coverage<ExactSums<3>> back(40, 2);
+    Coverage<3> there(40, 2);
+    Coverage<3> back(40, 2);
     std::vector<std::vector<SubpixelPoint>> chains(20);
     for (int k = 0; k < 20; ++k) {
         chains[static_cast<std::size_t>(k)] = {
@@ -165,8 +165,8 @@ TEST(Coverage, OrderDoesNotMatter) {
     there.finish();
     back.finish();
     for (int row = 0; row < 2; ++row) {
-        RowSums<ExactSums<3>::Sum> a;
-        RowSums<ExactSums<3>::Sum> b;
+        RowSums<3> a;
+        RowSums<3> b;
         there.take_row(row, {}, a);
         back.take_row(row, {}, b);
         ASSERT_EQ(a.count, b.count);
@@ -177,51 +177,28 @@ TEST(Coverage, OrderDoesNotMatter) {
     }
 }
 
-constexpr std::int32_t kPixel = 1 << kAreaBits;
-
-// Returns the mean of a pixel with the value `base`, in which a part of the given area has the
-// value `other`.
-template <class Sums>
-std::int32_t mean_of(std::int32_t base, std::int32_t other, std::int32_t area) {
-    typename Sums::Sum sum{Sums::start(base)};
-    sum[0] += Sums::of_area(area) * Sums::of_value(other - base);
-    return Sums::mean(sum[0]);
+// Returns the mean of a pixel with the value `base`, in which a part of the given area, in pixels,
+// has the value `other`.
+std::uint16_t mean_with(double base, double other, double area) {
+    return mean_of(kPixelArea * (base + area * (other - base)));
 }
 
-template <class Sums>
-void expect_means() {
-    EXPECT_EQ(mean_of<Sums>(0, 65535, 0), 0);
-    EXPECT_EQ(mean_of<Sums>(0, 65535, kPixel), 65535);
-    EXPECT_EQ(mean_of<Sums>(65535, 0, kPixel), 0);
-    EXPECT_EQ(mean_of<Sums>(65535, 0, kPixel / 4), 49151);  // the mean is 49151.25
-    EXPECT_EQ(mean_of<Sums>(100, 103, kPixel / 2), 102);    // the mean is 101.5
-    EXPECT_EQ(mean_of<Sums>(40000, 20000, 3 * kPixel / 8), 32500);
-}
-
-TEST(CoverageSums, GiveTheNearestMean) {
-    expect_means<ExactSums<1>>();
-    expect_means<SmallSums<1>>();
+TEST(MeanOf, IsRoundedToNearest) {
+    EXPECT_EQ(mean_with(0, 65535, 0.0), 0);
+    EXPECT_EQ(mean_with(0, 65535, 1.0), 65535);
+    EXPECT_EQ(mean_with(65535, 0, 1.0), 0);
+    EXPECT_EQ(mean_with(65535, 0, 0.25), 49151);  // the mean is 49151.25
+    EXPECT_EQ(mean_with(100, 103, 0.5), 102);     // the mean is 101.5
+    EXPECT_EQ(mean_with(40000, 20000, 0.375), 32500);
 }
 
 // If arcs overlap, the areas in a pixel may add up to half a pixel too much or too little.
-TEST(CoverageSums, HoldMeansWithinTheirRange) {
-    for (const std::int32_t excess : {1, kPixel / 1000, kPixel / 2 - kPixel / 1000}) {
-        EXPECT_EQ(mean_of<ExactSums<1>>(65535, 0, kPixel + excess), 0);
-        EXPECT_EQ(mean_of<SmallSums<1>>(65535, 0, kPixel + excess), 0);
-        EXPECT_EQ(mean_of<SmallSums<1>>(0, 65535, kPixel + excess), 65535);
-        EXPECT_EQ(mean_of<SmallSums<1>>(0, 65535, -excess), 0);
-        EXPECT_EQ(mean_of<SmallSums<1>>(65535, 0, -excess), 65535);
-    }
-}
-
-// A height is a whole number of subpixels, so that its area is not rounded.
-TEST(CoverageSums, KeepHeightsExact) {
-    using Sums = SmallSums<1>;
-    for (std::int32_t height = 0; height <= kSubpixel; ++height) {
-        const std::int32_t whole = 2 * kSubpixel * height;
-        EXPECT_EQ(Sums::of_area(whole) << (kAreaBits - Sums::kPixelBits),
-                  static_cast<std::uint32_t>(whole));
-        EXPECT_EQ(Sums::of_area(-whole), 0 - Sums::of_area(whole));
+TEST(MeanOf, IsClampedToTheRangeOfValues) {
+    for (const double excess : {1.0 / kPixelArea, 0.001, 0.499}) {
+        EXPECT_EQ(mean_with(65535, 0, 1.0 + excess), 0);
+        EXPECT_EQ(mean_with(0, 65535, 1.0 + excess), 65535);
+        EXPECT_EQ(mean_with(0, 65535, -excess), 0);
+        EXPECT_EQ(mean_with(65535, 0, -excess), 65535);
     }
 }
 

@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <stdexcept>
 
 namespace foam::texgen {
@@ -211,29 +210,6 @@ TEST(Fill, LargeImagesAreTheSameWhereverTheyLie) {
     std::vector<std::uint16_t> moved(image.samples().size() + 1);
     fill_cells(cells, values, 1, {moved.data() + 1, kSide, kSide, 4});
     EXPECT_TRUE(std::ranges::equal(image.samples(), std::span(moved).subspan(1)));
-}
-
-// If samples have 8 bits, areas are rounded to 2^-15 pixel. A pixel has up to three arcs, each of
-// which may round the parts of two values. Means are therefore wrong by at most 6 of 65535.
-TEST(Fill, EncodesEachMean) {
-    constexpr int kRounding = 6;
-    const Frame frame = test::fitted_frame(test::bent_foam(20, 0.3, 3), 50, 50);
-    const CellArcs cells = cell_arcs(frame, {50, 50, 0, 0}, 2.0, 1);
-    const auto encoding = std::make_unique<Encoding<std::uint8_t>>();
-    for (std::size_t k = 0; k < encoding->size(); ++k) {
-        (*encoding)[k] = static_cast<std::uint8_t>(k / 256);
-    }
-    for (const std::size_t channels : {1U, 2U, 3U, 4U}) {
-        const CellValues values = random_values(frame.bubbles.size(), channels, 8);
-        const Image16 means = filled(cells, values);
-        Image<std::uint8_t> image(50, 50, static_cast<int>(channels));
-        fill_cells(cells, values, *encoding, 1, image.view());
-        for (std::size_t k = 0; k < means.samples().size(); ++k) {
-            const int mean = means.samples()[k];
-            ASSERT_GE(image.samples()[k], (mean - kRounding) / 256);
-            ASSERT_LE(image.samples()[k], (mean + kRounding) / 256);
-        }
-    }
 }
 
 TEST(Fill, RejectsMismatchedSizes) {

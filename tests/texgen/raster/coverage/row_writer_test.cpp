@@ -7,6 +7,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
 #include <random>
 #include <span>
 #include <vector>
@@ -72,9 +75,7 @@ void expect_painted() {
 }
 
 TEST(PaintSpans, WritesEverySpan) {
-    expect_painted<1>();
     expect_painted<2>();
-    expect_painted<3>();
     expect_painted<4>();
     expect_painted<6>();
     expect_painted<8>();
@@ -82,25 +83,55 @@ TEST(PaintSpans, WritesEverySpan) {
 
 // Writes the samples of two spans, once with room for a block after the row and once without.
 TEST(RowWriter, WritesOnlyItsRow) {
-    using Sums = SmallSums<1>;
-    const auto to_samples = [](std::span<const Sums::Sum> sums, std::uint64_t* pixels) {
-        for (std::size_t k = 0; k < sums.size(); ++k) {
-            pixels[k] = sums[k][0];
-        }
-    };
-    RowWriter<Sums, 1, std::uint8_t, decltype(to_samples)> writer(to_samples);
-    RowSums<Sums::Sum> sums;
+    RowWriter<1, RoundedMeans<1>> writer;
+    RowSums<1> sums;
     sums.count = 2;
     sums.begins = {0, 3, 5};
-    sums.sums = {{7}, {9}};
+    sums.sums = {{7 * kPixelArea}, {9 * kPixelArea}};
     for (const std::size_t size : {std::size_t{6}, 6 + kBlockBytes}) {
-        std::vector<std::uint8_t> bytes(size, 1);
-        writer.prefetch(std::span<const std::uint8_t>(bytes).first(5));
-        writer.write(sums, 5, bytes);
-        EXPECT_EQ(std::vector<std::uint8_t>(bytes.begin(), bytes.begin() + 5),
-                  (std::vector<std::uint8_t>{7, 7, 7, 9, 9}));
-        EXPECT_TRUE(size > 6 || bytes.back() == 1);
+        std::vector<std::uint16_t> samples(size, 1);
+        writer.prefetch(std::span<const std::uint16_t>(samples).first(5));
+        writer.write(sums, 5, samples);
+        EXPECT_EQ(std::vector<std::uint16_t>(samples.begin(), samples.begin() + 5),
+                  (std::vector<std::uint16_t>{7, 7, 7, 9, 9}));
+        EXPECT_TRUE(size > 6 || samples.back() == 1);
     }
+}
+
+TEST(PixelMeans, PackSamplesInTheOrderOfMemory) {
+    const std::uint64_t pixel = packed<3>({0x0201, 0x0403, 0x0605});
+    EXPECT_EQ(pixel,
+              std::endian::native == std::endian::little ? 0x060504030201U : 0x050603040102U);
+}
+
+// The 37 sums are several vectors and a remainder. The fourth sum of a pixel is unused.
+TEST(PixelMeans, AreRounded) {
+    at_every_simd_level([] {
+        std::vector<PixelSums<3>> sums;
+        for (int k = 0; k < 37; ++k) {
+            sums.push_back({750.25 * kPixelArea * k, 0.5 * kPixelArea, 65535 * kPixelArea, 0.0});
+        }
+        std::vector<std::uint64_t> pixels(sums.size());
+        RoundedMeans<3>()(sums, pixels.data());
+        for (std::size_t k = 0; k < sums.size(); ++k) {
+            const auto mean = static_cast<std::uint16_t>(std::lround(750.25 * double(k)));
+            EXPECT_EQ(pixels[k], packed<3>({mean, 1, 65535}));
+        }
+    });
+}
+
+// The mean color 20000 at an opacity of 32768 of 65535 is the straight color 20000 / 32768 x 65535.
+// All samples of a fully transparent pixel are 0. A color above its opacity is clamped.
+TEST(PixelMeans, DivideColorsByOpacity) {
+    const auto pixel = [](double color, double opacity) {
+        const std::array<PixelSums<2>, 1> sums{{{color * kPixelArea, opacity * kPixelArea}}};
+        std::uint64_t packed_pixel = 0;
+        StraightMeans<2>()(sums, &packed_pixel);
+        return packed_pixel;
+    };
+    EXPECT_EQ(pixel(20000, 32768), packed<2>({39999, 32768}));
+    EXPECT_EQ(pixel(5, 0), 0U);
+    EXPECT_EQ(pixel(200, 100), packed<2>({65535, 100}));
 }
 
 }  // namespace
