@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/foam/frame.h"
+#include "core/geometry/film_arc.h"
 #include "texgen/raster/coords/raster_grid.h"
 #include "texgen/raster/distance/region.h"
 
@@ -14,5 +15,14 @@ namespace foam::texgen {
 /// surroundings of the foam, then the bubbles, then the lone bubbles, each in the order of their
 /// indices. The boxes of the regions are clipped to the image.
 std::vector<Region> patch_regions(const Frame& frame, const RasterGrid& grid, int threads);
+
+/// Appends the inner points of a chain of straight edges that approximates an arc. `tail` is the
+/// start of the arc. Positions and the chord of the arc are in pixels. The ends of the arc are not
+/// appended. An arc that is nearly straight or has no length has no inner points.
+///
+/// The points are slightly beyond the arc, on its convex side, so that the chain encloses nearly
+/// the same area as the arc. In any pixel, the areas that the chain and the arc enclose differ by
+/// less than 0.0015 square pixels.
+void append_chain_points(const FilmArc& arc, const Vec2& tail, std::vector<Vec2>& points);
 
 }  // namespace foam::texgen

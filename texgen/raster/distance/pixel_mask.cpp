@@ -23,7 +23,7 @@ namespace {
 // regions compute the same crossings.
 
 constexpr int kRows = 8;  // number of rows whose crossings are computed at once
-using Lanes = ArcLanes::Lanes<double>;
+using EdgeLanes = ArcLanes::Lanes<double>;
 constexpr double kTwoTo52 = 0x1p52;  // its sum with a smaller positive double is a whole number
 constexpr double kHalfPixel = 0.5 * kSubpixel;
 
@@ -64,9 +64,9 @@ struct MaskWords {
 // [first, last).
 struct alignas(64) RisingArcs {
     // The lower end, then the members of CrossingSolver::Coefficients.
-    Lanes low_x, low_y, half_x, half_y, sine, bulge, across, up;
-    Lanes first, last;
-    Lanes non_monotone_in_y;  // not 0 if the tangent of the arc is horizontal somewhere; `first`
+    EdgeLanes low_x, low_y, half_x, half_y, sine, bulge, across, up;
+    EdgeLanes first, last;
+    EdgeLanes non_monotone_in_y;  // not 0 if the tangent of the arc is horizontal somewhere; `first`
                               // and `last` are then equal
 
     [[gnu::always_inline]] CrossingSolver<double> arc(std::size_t k) const {
