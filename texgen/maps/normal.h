@@ -7,6 +7,7 @@
 #include "texgen/maps/relief.h"
 
 #include <string>
+#include <string_view>
 
 namespace foam::texgen {
 
@@ -20,23 +21,19 @@ inline constexpr MapTraits kNormalMap = {
     .mixing = Mixing::Slopes,
     .shows_relief = true};
 
-/// The map normal with a fixed direction, so that one bake can have both.
-inline constexpr MapTraits kNormalGlMap = {.name = "normal_gl",
-                                           .meaning = "normals of the relief, y up (OpenGL)",
-                                           .unit = kNormalMap.unit,
-                                           .channels = kNormalMap.channels,
-                                           .png_filter = kNormalMap.png_filter,
-                                           .smooth_distance = kNormalMap.smooth_distance,
-                                           .mixing = kNormalMap.mixing,
-                                           .shows_relief = true};
-inline constexpr MapTraits kNormalDxMap = {.name = "normal_dx",
-                                           .meaning = "normals of the relief, y down (DirectX)",
-                                           .unit = kNormalMap.unit,
-                                           .channels = kNormalMap.channels,
-                                           .png_filter = kNormalMap.png_filter,
-                                           .smooth_distance = kNormalMap.smooth_distance,
-                                           .mixing = kNormalMap.mixing,
-                                           .shows_relief = true};
+/// Returns the traits of a map like normal whose y has a fixed direction, so that one bake can have
+/// both directions.
+constexpr MapTraits fixed_normal_traits(std::string_view name, std::string_view meaning) {
+    MapTraits traits = kNormalMap;
+    traits.name = name;
+    traits.meaning = meaning;
+    return traits;
+}
+
+inline constexpr MapTraits kNormalGlMap =
+    fixed_normal_traits("normal_gl", "normals of the relief, y up (OpenGL)");
+inline constexpr MapTraits kNormalDxMap =
+    fixed_normal_traits("normal_dx", "normals of the relief, y down (DirectX)");
 
 /// The direction in which the second channel (green in a PNG) is positive.
 enum class NormalY {
