@@ -4,6 +4,7 @@
 
 #include "core/foam/frame.h"
 #include "texgen/maps/foam_record.h"
+#include "texgen/maps/frame_layers.h"
 #include "texgen/raster/coords/raster_grid.h"
 
 #include <functional>
@@ -27,6 +28,12 @@ struct DrawnState {
     std::shared_ptr<const Frame> frame;
     std::shared_ptr<const FoamRecord> record;
     std::shared_ptr<const Frame> next;  // the frame after `frame`; null if not requested
+
+    /// Returns the input of FrameLayers, which borrows this state. `distance` lists the images of
+    /// the distance field that the maps need.
+    FrameInput input(const DistanceNeeds& distance) const {
+        return {*frame, *record, next.get(), distance};
+    }
 };
 
 /// A frame of an animation, or a state of the simulation, with all data for its images and its

@@ -82,9 +82,9 @@ class FrameWriter {
     void write(const SimulatedFrame& shown) {
         const Clock::time_point begin = Clock::now();
         const RasterGrid grid{preset_.image.width, preset_.image.height, 0, 0, shown.view};
-        ShownLayers layers{.layers = FrameLayers(input_of(shown), grid, 1)};
+        ShownLayers layers{.layers = FrameLayers(shown.input(files_.distance()), grid, 1)};
         if (shown.fading_in.frame) {
-            layers.fading_in.emplace(input_of(shown.fading_in), grid, 1);
+            layers.fading_in.emplace(shown.fading_in.input(files_.distance()), grid, 1);
             layers.weights = fade_order_->weights(shown.fade_progress);
         }
         BakedFrame baked{shown, files_.write(layers), 0.0};
@@ -93,10 +93,6 @@ class FrameWriter {
     }
 
   private:
-    FrameInput input_of(const DrawnState& state) const {
-        return {*state.frame, *state.record, state.next.get(), files_.distance()};
-    }
-
     void report(const BakedFrame& baked) {
         const std::scoped_lock lock(mutex_);
         if (callbacks_.on_baked) {

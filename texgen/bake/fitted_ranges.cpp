@@ -89,10 +89,7 @@ class RangeMeter {
             view->pixels_per_unit /= reduction_;
         }
         const RasterGrid grid{width_, height_, 0, 0, view};
-        FrameLayers layers(
-            {*state.frame, *state.record, state.next.get(), distance_needs(names_, options_)},
-            grid,
-            threads_);
+        FrameLayers layers(state.input(distance_needs(names_, options_)), grid, threads_);
         for (MeasuredMap& one : maps_) {
             const MapImage image = one.map->draw(layers, options_);
             const NumberPixels& numbers = std::get<NumberPixels>(image);
