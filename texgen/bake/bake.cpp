@@ -7,6 +7,7 @@
 #include "texgen/bake/bounded_workers.h"
 #include "texgen/bake/file_pattern.h"
 #include "texgen/bake/frame_files.h"
+#include "texgen/image/file_io.h"
 #include "texgen/maps/fade_order.h"
 
 #include <algorithm>
@@ -136,10 +137,12 @@ void check_bake(const Preset& preset, const BakeOptions& options) {
     }
     FilePattern(preset.output.pattern)
         .check_distinct(options.frames.size(), preset.image.maps.size());
+    for (const std::filesystem::path& path : FrameFiles(preset).paths(options.frames.front())) {
+        check_writable(path.parent_path());
+    }
 }
 
 BakeSummary bake(const Preset& preset, const BakeOptions& options, const BakeCallbacks& callbacks) {
-    check_bake(preset, options);
     const auto total = static_cast<int>(options.frames.size() - options.existing_frames.size());
     FrameWriter writer(preset, total, callbacks);
     BoundedWorkers workers(thread_count(options.threads) - 1);

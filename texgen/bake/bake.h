@@ -64,12 +64,12 @@ struct BakeCallbacks {
 
 /// Checks the arguments of a bake. Throws std::invalid_argument if there are no frames, if a frame
 /// number is below 1, if the file pattern is malformed, or if it would give two images the same
-/// file.
+/// file. Throws OutputError if images cannot be written into their folders.
 void check_bake(const Preset& preset, const BakeOptions& options);
 
 /// Takes the frames from their source, draws them, and writes all maps of each frame. Creates
-/// missing folders. Throws the exceptions of check_bake and of the source. Throws OutputError if a
-/// file cannot be written.
+/// missing folders. Throws the exceptions of the source. Throws OutputError if a file cannot be
+/// written. Precondition: check_bake does not throw.
 BakeSummary bake(const Preset& preset,
                  const BakeOptions& options,
                  const BakeCallbacks& callbacks = {});

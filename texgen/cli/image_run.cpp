@@ -3,13 +3,11 @@
 #include "texgen/cli/image_run.h"
 
 #include "texgen/bake/file_pattern.h"
-#include "texgen/bake/frame_files.h"
 #include "texgen/bake/frame_range.h"
 #include "texgen/cli/interruption.h"
 #include "texgen/cli/json_report.h"
 #include "texgen/cli/options.h"
 #include "texgen/cli/report.h"
-#include "texgen/image/file_io.h"
 #include "texgen/image/format.h"
 #include "texgen/manifest/manifest_file.h"
 #include "texgen/manifest/recorded_bake.h"
@@ -129,11 +127,6 @@ ExitCode run_images(const Preset& preset,
                     const BakeOptions& options,
                     const ImageArguments& arguments,
                     Verbosity verbosity) {
-    check_bake(preset, options);
-    for (const std::filesystem::path& path : FrameFiles(preset).paths(options.frames.front())) {
-        check_writable(path.parent_path());
-    }
-    check_writable(manifest_folder(preset));
     const FilePattern pattern(preset.output.pattern);
     Recorder recorder(preset);
     const BakeSummary summary = [&] {

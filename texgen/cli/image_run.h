@@ -35,7 +35,7 @@ std::vector<Assignment> assignments_of(const ImageArguments& arguments);
 /// if requested. With --json, prints a JSON object. Otherwise prints the name of the image file of
 /// each map or, for several frames, its file name pattern and the frame range, and the names of the
 /// statistics files; prints nothing if the run failed or `verbosity` is Quiet. Returns the exit
-/// code. Throws the exceptions of bake_recorded, and OutputError if a folder cannot be written.
+/// code. Throws the exceptions of bake_recorded.
 ExitCode run_images(const Preset& preset,
                     const BakeOptions& options,
                     const ImageArguments& arguments,

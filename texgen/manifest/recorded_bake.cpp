@@ -231,6 +231,8 @@ BakeSummary bake_recorded(const Preset& given,
                           const BakeCallbacks& callbacks,
                           Resume resume) {
     check_bake(given, options);
+    const std::filesystem::path folder = manifest_folder(given);
+    check_writable(folder);
     Preset preset = given;
     const std::vector<int> animation = all_frames(preset);
     const std::vector<int>& sequence = options.sequence.empty() ? animation : options.sequence;
@@ -239,7 +241,6 @@ BakeSummary bake_recorded(const Preset& given,
         fitted = fit_ranges(preset, options, sequence, callbacks);
         make_ranges_fixed(preset);
     }
-    const std::filesystem::path folder = manifest_folder(preset);
     const Manifest manifest = manifest_in(folder);
     BakeOptions effective = options;
     if (resume == Resume::Yes) {

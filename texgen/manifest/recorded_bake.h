@@ -28,8 +28,9 @@ enum class Resume { No, Yes };
 /// exist. If this sequence is not the whole animation, as in a cache of some of its frames, the
 /// ranges are recorded as numbers, so that the images belong to a set of their own.
 ///
-/// Throws the exceptions of bake and update_manifest, and InputError if a frame of the sequence is
-/// missing in a cache.
+/// Throws the exceptions of check_bake before anything is simulated, those of bake and
+/// update_manifest, OutputError if the manifest cannot be written into its folder, and InputError
+/// if a frame of the sequence is missing in a cache.
 BakeSummary bake_recorded(const Preset& given,
                           const BakeOptions& options,
                           const BakeCallbacks& callbacks,

@@ -155,8 +155,9 @@ TEST(Bake, ReportsProgressOncePerFrame) {
 TEST(Bake, RejectsInvalidFrames) {
     const TemporaryFolder folder;
     const Preset preset = small_preset(folder.path() / kPattern);
-    EXPECT_THROW(bake(preset, {.frames = {}, .threads = 1}, {}), std::invalid_argument);
-    EXPECT_THROW(bake(preset, {.frames = {0}, .threads = 1}, {}), std::invalid_argument);
+    EXPECT_THROW(check_bake(preset, {.frames = {}}), std::invalid_argument);
+    EXPECT_THROW(check_bake(preset, {.frames = {0}}), std::invalid_argument);
+    EXPECT_NO_THROW(check_bake(preset, {.frames = {1}}));
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "deep"));
 }
 
@@ -167,6 +168,7 @@ TEST(Bake, ReportsTheFolderThatCannotBeCreated) {
         bake(small_preset(folder.path() / kPattern), {.frames = {1}, .threads = 2}, {});
     };
     EXPECT_THROW(run(), OutputError);
+    EXPECT_THROW(check_bake(small_preset(folder.path() / kPattern), {.frames = {1}}), OutputError);
 }
 
 }  // namespace
