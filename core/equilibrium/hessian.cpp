@@ -263,8 +263,10 @@ const Eigen::SparseMatrix<double>& Hessian::evaluate(const Foam& foam, int threa
     parallel_for(films.size(), kGrain, threads, [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k) {
             const HalfEdgeId h = forward_side(unknowns_.films[k]);
-            films[k] = film_energy_hessian(
-                chord(foam, h), pressure_difference(foam, h), foam.film_tension);
+            if (!foam.network.is_outer(unknowns_.films[k])) {
+                films[k] = film_energy_hessian(
+                    chord(foam, h), pressure_difference(foam, h), foam.film_tension);
+            }
         }
     });
     double* values = matrix_.valuePtr();
