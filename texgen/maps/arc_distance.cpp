@@ -84,6 +84,7 @@ void add_arc(const ArcCopy& copy, PixelRange rows, ArcDistances& distances) {
     const PixelRange columns =
         range_near(copy.center.x(), copy.extent, {0, distances.distance.width()});
     const PixelRange own_rows = range_near(copy.center.y(), copy.extent, rows);
+    const bool has_gradient = !distances.gradient.samples().empty();
     for (int y = own_rows.begin; y < own_rows.end; ++y) {
         for (int x = columns.begin; x < columns.end; ++x) {
             const NearestOnArc nearest =
@@ -91,10 +92,12 @@ void add_arc(const ArcCopy& copy, PixelRange rows, ArcDistances& distances) {
             float& distance = distances.distance.pixel(x, y)[0];
             if (static_cast<float>(nearest.distance) < distance) {
                 distance = static_cast<float>(nearest.distance);
-                const Vec2 gradient = nearest.direction.stableNormalized();
-                const auto pixel = distances.gradient.pixel(x, y);
-                pixel[0] = static_cast<float>(gradient.x());
-                pixel[1] = static_cast<float>(gradient.y());
+                if (has_gradient) {
+                    const Vec2 gradient = nearest.direction.stableNormalized();
+                    const auto pixel = distances.gradient.pixel(x, y);
+                    pixel[0] = static_cast<float>(gradient.x());
+                    pixel[1] = static_cast<float>(gradient.y());
+                }
             }
         }
     }
@@ -102,12 +105,15 @@ void add_arc(const ArcCopy& copy, PixelRange rows, ArcDistances& distances) {
 
 // Makes the distances above `reach` infinite.
 void limit(ArcDistances& distances, double reach) {
+    const bool has_gradient = !distances.gradient.samples().empty();
     for (std::size_t k = 0; k < distances.distance.samples().size(); ++k) {
         float& distance = distances.distance.samples()[k];
         if (static_cast<double>(distance) > reach) {
             distance = std::numeric_limits<float>::infinity();
-            distances.gradient.samples()[2 * k] = 0.0F;
-            distances.gradient.samples()[2 * k + 1] = 0.0F;
+            if (has_gradient) {
+                distances.gradient.samples()[2 * k] = 0.0F;
+                distances.gradient.samples()[2 * k + 1] = 0.0F;
+            }
         }
     }
 }
@@ -137,36 +143,38 @@ NearestOnArc nearest_on_arc(const PixelArc& arc, const Vec2& point) {
 ArcDistances distances_to_arcs(std::span<const PlacedArc> arcs,
                                const RasterGrid& grid,
                                const Domain& domain,
-                               double reach,
+                               const ArcDistanceNeeds& needs,
                                int threads) {
-    ArcDistances distances{{grid.width, grid.height, 1}, {grid.width, grid.height, 2}};
+    ArcDistances distances{{grid.width, grid.height, 1}, {}};
+    if (needs.gradient) {
+        distances.gradient = {grid.width, grid.height, 2};
+    }
     std::fill(distances.distance.samples().begin(),
               distances.distance.samples().end(),
               std::numeric_limits<float>::infinity());
-    const std::vector<ArcCopy> copies = copies_in_image(arcs, grid, domain, reach);
+    const std::vector<ArcCopy> copies = copies_in_image(arcs, grid, domain, needs.reach);
     const auto rows = static_cast<std::size_t>(grid.height);
     parallel_for(rows, kBandRows, threads, [&](std::size_t first, std::size_t last) {
         for (const ArcCopy& copy : copies) {
             add_arc(copy, {static_cast<int>(first), static_cast<int>(last)}, distances);
         }
     });
-    limit(distances, reach);
+    limit(distances, needs.reach);
     return distances;
 }
 
-Image<float> stroke_coverage(std::span<const PlacedArc> arcs,
-                             const RasterGrid& grid,
-                             const Domain& domain,
-                             double width,
-                             int threads) {
+ArcDistanceNeeds stroke_needs(double width) {
+    return {.reach = 0.5 * std::max(width, 1.0) + 1.0};
+}
+
+Image<float> stroke_coverage(Image<float> distance, double width) {
     const double half_width = 0.5 * std::max(width, 1.0);
     const double strength = std::min(width, 1.0);
-    Image<float> image = distances_to_arcs(arcs, grid, domain, half_width + 1.0, threads).distance;
-    for (float& sample : image.samples()) {
+    for (float& sample : distance.samples()) {
         const double inside = half_width - static_cast<double>(sample);
         sample = static_cast<float>(strength * std::clamp(0.5 + inside, 0.0, 1.0));
     }
-    return image;
+    return distance;
 }
 
 }  // namespace foam::texgen

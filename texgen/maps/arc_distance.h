@@ -7,6 +7,7 @@
 #include "texgen/raster/arcs/pixel_arc.h"
 #include "texgen/raster/coords/raster_grid.h"
 
+#include <compare>
 #include <span>
 
 namespace foam::texgen {
@@ -29,32 +30,40 @@ struct NearestOnArc {
 /// arc.
 NearestOnArc nearest_on_arc(const PixelArc& arc, const Vec2& point);
 
+/// The distances to arcs that are needed.
+struct ArcDistanceNeeds {
+    double reach = 0.0;     // in pixels; distances above it are infinite
+    bool gradient = false;  // true if the gradient of the distance is needed, too
+
+    auto operator<=>(const ArcDistanceNeeds&) const = default;
+};
+
 /// Distances from the centers of pixels to the nearest of several arcs.
 struct ArcDistances {
     Image<float> distance;  // one channel, in pixels; infinite beyond the reach
-    Image<float> gradient;  // of the distance: x to the right, y up; zero beyond the reach
+    // The gradient of the distance: x to the right, y up; zero beyond the reach. Empty if it is not
+    // needed.
+    Image<float> gradient;
 };
 
-/// Returns the distances to the nearest of the arcs and of their periodic copies. Distances above
-/// `reach`, in pixels, are infinite. Visits the pixels in a square around each arc, so it is
-/// fast only for short arcs. The result does not depend on `threads`
-/// (core/parallel/parallel_for.h). Precondition: pixels_per_unit does not throw for this grid and
-/// this domain.
+/// Returns the distances to the nearest of the arcs and of their periodic copies. Visits the pixels
+/// in a square around each arc, so it is fast only for short arcs. The result does not depend on
+/// `threads` (core/parallel/parallel_for.h). Precondition: pixels_per_unit does not throw for this
+/// grid and this domain.
 ArcDistances distances_to_arcs(std::span<const PlacedArc> arcs,
                                const RasterGrid& grid,
                                const Domain& domain,
-                               double reach,
+                               const ArcDistanceNeeds& needs,
                                int threads);
 
-/// Returns the fraction of every pixel that strokes with round ends cover, in one channel. Every
-/// arc is the center line of a stroke; `width` is the full width in pixels. The fraction is
-/// approximate: at the edge of a stroke it falls linearly from 1 to 0 over the width of a pixel. A
-/// stroke narrower than a pixel is drawn one pixel wide, with its fractions multiplied by its
-/// width. The precondition is that of distances_to_arcs.
-Image<float> stroke_coverage(std::span<const PlacedArc> arcs,
-                             const RasterGrid& grid,
-                             const Domain& domain,
-                             double width,
-                             int threads);
+/// Returns the distances that stroke_coverage needs for strokes of a width in pixels.
+ArcDistanceNeeds stroke_needs(double width);
+
+/// Returns the fraction of every pixel that strokes with round ends cover, in one channel.
+/// `distance` contains the distances to the center lines of the strokes, as stroke_needs requires
+/// them; `width` is the full width in pixels. The fraction is approximate: at the edge of a stroke
+/// it falls linearly from 1 to 0 over the width of a pixel. A stroke narrower than a pixel is drawn
+/// one pixel wide, with its fractions multiplied by its width.
+Image<float> stroke_coverage(Image<float> distance, double width);
 
 }  // namespace foam::texgen

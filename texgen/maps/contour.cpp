@@ -43,9 +43,10 @@ ColorPixels draw_contour(FrameLayers& layers,
         return network.is_outer(film) ||
                level_of(network.left(side)) != level_of(network.right(side));
     });
-    return paint_layers(layers,
-                        options.ground_color,
-                        std::array{stroke_layer(layers, lines, options.width, options.line_color)});
+    return paint_layers(
+        layers,
+        options.ground_color,
+        std::array{PaintLayer{options.line_color, strokes_along(layers, lines, options.width)}});
 }
 
 }  // namespace foam::texgen

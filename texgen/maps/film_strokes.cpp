@@ -4,6 +4,7 @@
 
 #include "core/foam/measure.h"
 #include "texgen/image/bleed.h"
+#include "texgen/image/color.h"
 #include "texgen/maps/albedo_options.h"
 #include "texgen/maps/cell_fill.h"
 #include "texgen/raster/arcs/film_arcs.h"
@@ -38,21 +39,25 @@ std::vector<PlacedArc> arcs_of_films(const FrameLayers& layers,
     return chosen;
 }
 
-PaintLayer stroke_layer(const FrameLayers& layers,
-                        std::span<const PlacedArc> arcs,
-                        double width,
-                        const std::string& color) {
+Image<float> strokes_along(const FrameLayers& layers,
+                           std::span<const PlacedArc> arcs,
+                           double width) {
     const RasterGrid& grid = layers.grid();
     const Domain& domain = layers.frame().domain;
     const double pixels = diameters_in_pixels(width, grid, domain);
-    return {to_linear(parse_color(color)),
-            stroke_coverage(arcs, grid, domain, pixels, layers.threads())};
+    return stroke_coverage(
+        distances_to_arcs(arcs, grid, domain, stroke_needs(pixels), layers.threads()).distance,
+        pixels);
 }
 
 ColorPixels paint_layers(FrameLayers& layers,
                          const std::string& ground,
                          std::span<const PaintLayer> over) {
     const LinearRgb ground_color = to_linear(parse_color(ground));
+    std::vector<LinearRgb> colors;
+    for (const PaintLayer& layer : over) {
+        colors.push_back(to_linear(parse_color(layer.color)));
+    }
     const RasterGrid& grid = layers.grid();
     const Image<float> foam =
         layers.is_patch() ? fill_coverage(layers, Part::Foam, 0.0) : Image<float>();
@@ -62,11 +67,11 @@ ColorPixels paint_layers(FrameLayers& layers,
     for (std::size_t k = 0; k < pixels; ++k) {
         LinearRgb color = ground_color;
         double opacity = layers.is_patch() ? static_cast<double>(foam.samples()[k]) : 1.0;
-        for (const PaintLayer& layer : over) {
-            const auto part = static_cast<double>(layer.coverage.samples()[k]);
+        for (std::size_t layer = 0; layer < over.size(); ++layer) {
+            const auto part = static_cast<double>(over[layer].coverage.samples()[k]);
             // Where the ground is missing, the layer alone is seen.
             opacity = std::max(opacity, part);
-            color = mixed(color, layer.color, opacity > 0.0 ? part / opacity : 0.0);
+            color = mixed(color, colors[layer], opacity > 0.0 ? part / opacity : 0.0);
         }
         write_pixel(color, opacity, image.samples().subspan(channels * k, channels));
     }

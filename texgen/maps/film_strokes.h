@@ -2,7 +2,6 @@
 
 #pragma once
 
-#include "texgen/image/color.h"
 #include "texgen/maps/arc_distance.h"
 #include "texgen/maps/frame_layers.h"
 #include "texgen/maps/map_image.h"
@@ -19,18 +18,17 @@ namespace foam::texgen {
 std::vector<PlacedArc> arcs_of_films(const FrameLayers& layers,
                                      const std::function<bool(FilmId)>& is_chosen);
 
+/// Returns the fraction of every pixel that strokes with round ends along arcs cover
+/// (stroke_coverage). `width` is their full width in diameters of a mean bubble of the seeded foam.
+Image<float> strokes_along(const FrameLayers& layers,
+                           std::span<const PlacedArc> arcs,
+                           double width);
+
 /// A layer of one color.
 struct PaintLayer {
-    LinearRgb color;
+    std::string color;      // sRGB
     Image<float> coverage;  // the fraction of every pixel that the layer covers, in one channel
 };
-
-/// Returns a layer of strokes with round ends along arcs (stroke_coverage). `width` is their full
-/// width in diameters of a mean bubble of the seeded foam, and `color` is an sRGB color.
-PaintLayer stroke_layer(const FrameLayers& layers,
-                        std::span<const PlacedArc> arcs,
-                        double width,
-                        const std::string& color);
 
 /// Returns an image of layers over a ground of one sRGB color; a later layer covers the earlier
 /// ones. Around a patch pixels are transparent where no layer covers them.

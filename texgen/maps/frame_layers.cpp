@@ -2,9 +2,12 @@
 
 #include "texgen/maps/frame_layers.h"
 
+#include "texgen/maps/film_strokes.h"
 #include "texgen/raster/distance/distance.h"
 
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 namespace foam::texgen {
 
@@ -32,6 +35,25 @@ const CellArcs& FrameLayers::arcs(double film_width) {
         return known->second;
     }
     return arcs_.emplace(film_width, cell_arcs(frame(), grid_, film_width, threads_)).first->second;
+}
+
+const Maze& FrameLayers::maze(const MazeRule& rule) {
+    const auto known = mazes_.find(rule);
+    return known != mazes_.end() ? known->second
+                                 : mazes_.emplace(rule, find_maze(frame(), rule)).first->second;
+}
+
+const ArcDistances& FrameLayers::wall_distances(const MazeRule& rule,
+                                                const ArcDistanceNeeds& needs) {
+    const auto known = wall_distances_.find({rule, needs});
+    if (known != wall_distances_.end()) {
+        return known->second;
+    }
+    const Maze& with_walls = maze(rule);
+    const std::vector<PlacedArc> walls =
+        arcs_of_films(*this, [&](FilmId film) { return with_walls.is_open[film] == 0; });
+    ArcDistances distances = distances_to_arcs(walls, grid_, frame().domain, needs, threads_);
+    return wall_distances_.emplace(std::pair(rule, needs), std::move(distances)).first->second;
 }
 
 }  // namespace foam::texgen

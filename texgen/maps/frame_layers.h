@@ -3,12 +3,15 @@
 #pragma once
 
 #include "core/foam/frame.h"
+#include "texgen/maps/arc_distance.h"
 #include "texgen/maps/foam_record.h"
+#include "texgen/maps/maze_graph.h"
 #include "texgen/raster/distance/distance_field.h"
 #include "texgen/raster/outline/cell_arcs.h"
 
 #include <map>
 #include <optional>
+#include <utility>
 
 namespace foam::texgen {
 
@@ -42,6 +45,11 @@ class FrameLayers {
     /// Returns the distance field of the frame. It contains the ids, the distances and the images
     /// that FrameInput::distance lists.
     const DistanceField& distance();
+    /// Returns the maze of the frame (find_maze).
+    const Maze& maze(const MazeRule& rule);
+    /// Returns the distances to the walls of the maze and to the circles of lone bubbles
+    /// (distances_to_arcs). Throws std::invalid_argument if pixels_per_unit throws it.
+    const ArcDistances& wall_distances(const MazeRule& rule, const ArcDistanceNeeds& needs);
     /// Returns true if an id of the distance field stands for the surroundings of a patch.
     bool is_surroundings(std::uint32_t id) const {
         return is_patch() && id == frame().bubbles.size();
@@ -53,6 +61,8 @@ class FrameLayers {
     int threads_;
     std::map<double, CellArcs> arcs_;  // the key is the film width
     std::optional<DistanceField> distance_;
+    std::map<MazeRule, Maze> mazes_;
+    std::map<std::pair<MazeRule, ArcDistanceNeeds>, ArcDistances> wall_distances_;
 };
 
 }  // namespace foam::texgen

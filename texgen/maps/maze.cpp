@@ -3,6 +3,7 @@
 #include "texgen/maps/maze.h"
 
 #include "texgen/keys/value_kinds.h"
+#include "texgen/maps/albedo_options.h"
 #include "texgen/maps/film_strokes.h"
 #include "texgen/maps/maze_line.h"
 
@@ -10,20 +11,9 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 namespace foam::texgen {
-
-namespace {
-
-std::vector<PlacedArc> walls_of(const FrameLayers& layers, const Maze& maze) {
-    return arcs_of_films(layers, [&](FilmId film) { return maze.is_open[film] == 0; });
-}
-
-PaintLayer wall_layer(const FrameLayers& layers, const MazeOptions& options, const Maze& maze) {
-    return stroke_layer(layers, walls_of(layers, maze), options.wall_width, options.wall_color);
-}
-
-}  // namespace
 
 Keys<MazeOptions> maze_keys() {
     using Options = MazeOptions;
@@ -70,30 +60,30 @@ MazeRule maze_rule(const MazeOptions& options) {
     return {options.chance, options.seed, options.loops, (1.0 + kSmallestGap) * width};
 }
 
-std::vector<PlacedArc> maze_walls(const FrameLayers& layers, const MazeOptions& options) {
-    return walls_of(layers, find_maze(layers.frame(), maze_rule(options)));
-}
-
-Image<float> maze_wall_coverage(const FrameLayers& layers, const MazeOptions& options) {
-    const Maze maze = find_maze(layers.frame(), maze_rule(options));
-    return wall_layer(layers, options, maze).coverage;
+Image<float> maze_wall_coverage(FrameLayers& layers, const MazeOptions& options) {
+    const double width =
+        diameters_in_pixels(options.wall_width, layers.grid(), layers.frame().domain);
+    return stroke_coverage(layers.wall_distances(maze_rule(options), stroke_needs(width)).distance,
+                           width);
 }
 
 ColorPixels draw_maze(FrameLayers& layers, const MazeOptions& options) {
-    const Maze maze = find_maze(layers.frame(), maze_rule(options));
     return paint_layers(
-        layers, options.passage_color, std::array{wall_layer(layers, options, maze)});
+        layers,
+        options.passage_color,
+        std::array{PaintLayer{options.wall_color, maze_wall_coverage(layers, options)}});
 }
 
 ColorPixels draw_maze_solution(FrameLayers& layers, const MazeOptions& options) {
-    const Maze maze = find_maze(layers.frame(), maze_rule(options));
+    const Maze& maze = layers.maze(maze_rule(options));
     const double scale = pixels_per_unit(layers.grid(), layers.frame().domain);
     const std::vector<PlacedArc> line = solution_line(layers.frame(), maze.solution, scale);
     return paint_layers(
         layers,
         options.passage_color,
-        std::array{wall_layer(layers, options, maze),
-                   stroke_layer(layers, line, options.solution_width, options.solution_color)});
+        std::array{PaintLayer{options.wall_color, maze_wall_coverage(layers, options)},
+                   PaintLayer{options.solution_color,
+                              strokes_along(layers, line, options.solution_width)}});
 }
 
 }  // namespace foam::texgen

@@ -3,13 +3,11 @@
 #pragma once
 
 #include "texgen/keys/key.h"
-#include "texgen/maps/arc_distance.h"
 #include "texgen/maps/map.h"
 #include "texgen/maps/maze_graph.h"
 
 #include <cstdint>
 #include <string>
-#include <vector>
 
 namespace foam::texgen {
 
@@ -44,12 +42,8 @@ Keys<MazeOptions> maze_keys();
 /// would nearly fill count as narrow.
 MazeRule maze_rule(const MazeOptions& options);
 
-/// Returns the arcs of the walls of the maze, and the circles of lone bubbles. Throws
-/// std::invalid_argument if pixels_per_unit throws it.
-std::vector<PlacedArc> maze_walls(const FrameLayers& layers, const MazeOptions& options);
-
 /// Returns the fraction of every pixel that walls cover, in one channel.
-Image<float> maze_wall_coverage(const FrameLayers& layers, const MazeOptions& options);
+Image<float> maze_wall_coverage(FrameLayers& layers, const MazeOptions& options);
 
 /// Draws a maze (find_maze): passages, and walls with round ends along the films that are not
 /// open. The surroundings of a patch are transparent.

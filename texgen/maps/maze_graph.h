@@ -4,6 +4,7 @@
 
 #include "core/foam/frame.h"
 
+#include <compare>
 #include <cstdint>
 #include <vector>
 
@@ -18,6 +19,8 @@ struct MazeRule {
     double narrow = 0.0;  // a length in foam units. A film is narrow if it is shorter, or if a
                           // bubble beside it has a smaller area than a circle of this diameter.
                           // Narrow films are opened only after all other films.
+
+    auto operator<=>(const MazeRule&) const = default;
 };
 
 /// A maze whose rooms are the bubbles of a foam and whose walls are its films, some of which are

@@ -36,13 +36,10 @@ Relief::Relief(FrameLayers& layers, const ReliefSource& source, double reach)
                 pixels_per_unit(layers.grid(), layers.frame().domain)),
       width_(source.relief.width * diameter_) {
     if (source.relief.films == ReliefFilms::Walls) {
-        walls_ = distances_to_arcs(maze_walls(layers, source.maze),
-                                   layers.grid(),
-                                   layers.frame().domain,
-                                   reach * width_,
-                                   layers.threads());
-        smooth_ = &walls_.distance;
-        gradient_ = &walls_.gradient;
+        const ArcDistances& walls = layers.wall_distances(
+            maze_rule(source.maze), {.reach = reach * width_, .gradient = true});
+        smooth_ = &walls.distance;
+        gradient_ = &walls.gradient;
         return;
     }
     const DistanceField& field = layers.distance();

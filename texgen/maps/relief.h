@@ -3,7 +3,6 @@
 #pragma once
 
 #include "core/geometry/vec2.h"
-#include "texgen/maps/arc_distance.h"
 #include "texgen/maps/frame_layers.h"
 #include "texgen/maps/maze.h"
 #include "texgen/maps/relief_options.h"
@@ -65,8 +64,7 @@ class Relief {
     ReliefSection section_;
     double strength_;
     double diameter_;
-    double width_;        // the unit of the section in pixels, except for domes
-    ArcDistances walls_;  // empty unless walls shape the relief
+    double width_;  // the unit of the section in pixels, except for domes
     const Image<float>* smooth_ = nullptr;
     const Image<float>* gradient_ = nullptr;     // of `smooth_`
     const Image<std::uint32_t>* ids_ = nullptr;  // of the distance field; only for domes

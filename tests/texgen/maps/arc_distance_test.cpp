@@ -82,7 +82,7 @@ TEST(ArcDistance, DirectionIsThatOfTheGradient) {
 TEST(ArcDistance, ContinuesAcrossTheBordersOfATorus) {
     const Domain domain{1.0, 1.0};
     const std::vector<PlacedArc> arcs = {{{0.0, 0.0}, {{2.0, 0.0}, 1.0, 0.0}}};
-    const Image<float> image = distances_to_arcs(arcs, {32, 32}, domain, 4.0, 1).distance;
+    const Image<float> image = distances_to_arcs(arcs, {32, 32}, domain, {4.0}, 1).distance;
     EXPECT_FLOAT_EQ(image.pixel(1, 0)[0], 0.5F);
     EXPECT_FLOAT_EQ(image.pixel(1, 31)[0], 0.5F);
     EXPECT_FLOAT_EQ(image.pixel(31, 0)[0], std::sqrt(0.5F));
@@ -94,10 +94,20 @@ TEST(ArcDistance, DoesNotDependOnTheNumberOfThreads) {
     const Domain domain{1.0, 1.0};
     const std::vector<PlacedArc> arcs = {{{0.1, 0.2}, {{70.0, 20.0}, 0.8, 0.6}},
                                          {{0.9, 0.6}, {{40.0, 90.0}, 0.6, -0.8}}};
-    const ArcDistances one = distances_to_arcs(arcs, {160, 120}, domain, 30.0, 1);
-    const ArcDistances four = distances_to_arcs(arcs, {160, 120}, domain, 30.0, 4);
+    const ArcDistances one = distances_to_arcs(arcs, {160, 120}, domain, {30.0, true}, 1);
+    const ArcDistances four = distances_to_arcs(arcs, {160, 120}, domain, {30.0, true}, 4);
     EXPECT_EQ(one.distance, four.distance);
     EXPECT_EQ(one.gradient, four.gradient);
+}
+
+TEST(ArcDistance, TheGradientIsOptional) {
+    const Domain domain{1.0, 1.0};
+    const std::vector<PlacedArc> arcs = {{{0.1, 0.2}, {{70.0, 20.0}, 0.8, 0.6}}};
+    const ArcDistances with = distances_to_arcs(arcs, {160, 120}, domain, {30.0, true}, 1);
+    const ArcDistances without = distances_to_arcs(arcs, {160, 120}, domain, {30.0, false}, 1);
+    EXPECT_EQ(with.distance, without.distance);
+    EXPECT_EQ(with.gradient.width(), 160);
+    EXPECT_TRUE(without.gradient.samples().empty());
 }
 
 // The sum of the coverage is the area of a stroke with round ends.
@@ -105,8 +115,9 @@ TEST(ArcDistance, StrokesHaveTheirArea) {
     const Domain domain{1.0, 1.0};
     for (const double width : {0.25, 1.0, 3.0, 9.5}) {
         const PixelArc line{{30.0, 17.0}, 1.0, 0.0};
-        const Image<float> image =
-            stroke_coverage(std::vector<PlacedArc>{{{0.8, 0.7}, line}}, {96, 96}, domain, width, 1);
+        const std::vector<PlacedArc> arcs = {{{0.8, 0.7}, line}};
+        const Image<float> image = stroke_coverage(
+            distances_to_arcs(arcs, {96, 96}, domain, stroke_needs(width), 1).distance, width);
         double sum = 0.0;
         for (const float sample : image.samples()) {
             sum += static_cast<double>(sample);

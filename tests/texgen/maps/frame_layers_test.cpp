@@ -26,6 +26,11 @@ TEST(FrameLayers, SharedLayersAreMadeOnce) {
     EXPECT_EQ(&layers.distance(), &layers.distance());
     EXPECT_EQ(&layers.arcs(2.0), &layers.arcs(2.0));
     EXPECT_NE(&layers.arcs(2.0), &layers.arcs(3.0));
+    EXPECT_EQ(&layers.maze({}), &layers.maze({}));
+    EXPECT_NE(&layers.maze({}), &layers.maze({.seed = 2}));
+    EXPECT_EQ(&layers.wall_distances({}, {2.0}), &layers.wall_distances({}, {2.0}));
+    EXPECT_NE(&layers.wall_distances({}, {2.0}), &layers.wall_distances({}, {2.0, true}));
+    EXPECT_NE(&layers.wall_distances({}, {2.0}), &layers.wall_distances({.seed = 2}, {2.0}));
 }
 
 // The id after the ids of the bubbles stands for the surroundings of a patch.
