@@ -3,12 +3,17 @@
 #include "core/dynamics/cycle.h"
 
 #include "core/dynamics/restore_rafts.h"
+#include "core/foam/corners.h"
+#include "core/foam/locate.h"
 #include "core/foam/random.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <numbers>
+#include <optional>
+#include <set>
 
 // At each position of the cycle, a bubble has the target area A (1 + area_amplitude sin 2 pi (t +
 // phase)). A is the target area of the bubble when the Cycle was constructed, and the phase of each
@@ -17,39 +22,28 @@
 // drives the foam from its present state to these target areas and this shear (state_change.h).
 // Drift is removed after each step, because equilibrium does not determine the position of the
 // foam.
+//
+// Boiling bubbles have the target areas of boiling.h instead. A foam that is driven periodically
+// and without friction either finds a periodic state or keeps changing; for sheared suspensions and
+// foams, the amplitude of the drive decides which (L. Corte, P. M. Chaikin, J. P. Gollub and D. J.
+// Pine, "Random organization in periodically driven systems", Nature Physics 4, 2008). `calm`
+// lowers the amplitudes where the foam keeps changing, until it is periodic everywhere.
 
 namespace foam {
 
 namespace {
 
-// Returns the positions of the junctions of a bubble, unwrapped from the first junction.
-std::vector<Vec2> corners(const Foam& foam, BubbleId bubble) {
-    std::vector<Vec2> all;
-    Vec2 at = foam.positions[foam.network.tail(foam.network.first(bubble))];
-    for (const HalfEdgeId h : foam.network.around(bubble)) {
-        all.push_back(at);
-        at += chord(foam, h);
-    }
-    return all;
-}
+// Factor of the peak areas and amplitudes of restless bubbles after each cycle (Cycle::calm).
+constexpr double kCalming = 0.8;
 
-Vec2 mean(const std::vector<Vec2>& points) {
-    Vec2 sum = Vec2::Zero();
-    for (const Vec2& point : points) {
-        sum += point;
-    }
-    return sum / static_cast<double>(points.size());
-}
-
-// Returns the center of each bubble. On a torus it is the mean of the junctions of the bubble, and
-// may belong to any lattice copy of the bubble.
+// Returns the center of each bubble. On a torus it is the mean of its junctions (mean_corner).
 std::map<BubbleIdentity, Vec2> centers(const Foam& foam) {
     if (foam.domain.is_plane()) {
         return bubble_centers(foam);
     }
     std::map<BubbleIdentity, Vec2> all;
     for (const BubbleId bubble : foam.network.bubbles()) {
-        all[foam.identities[bubble]] = mean(corners(foam, bubble));
+        all[foam.identities[bubble]] = mean_corner(foam, bubble);
     }
     return all;
 }
@@ -68,6 +62,11 @@ double farthest(const Domain& domain, const std::vector<Vec2>& from, const std::
     return largest;
 }
 
+// Returns the target area of a boiling bubble at its birth.
+double first_area(const TopologyThresholds& thresholds) {
+    return 2.0 * thresholds.t2_area;
+}
+
 double mean_diameter(const Foam& foam) {
     double area = 0.0;
     for (const BubbleId bubble : foam.network.bubbles()) {
@@ -80,27 +79,65 @@ double mean_diameter(const Foam& foam) {
 }  // namespace
 
 Cycle::Cycle(const Foam& foam, const CycleOptions& options)
-    : options_(options), shear_(foam.domain.shear), centers_(centers(foam)) {
+    : options_(options), shear_(foam.domain.shear), centers_(centers(foam)), unrest_(foam) {
     Random random(options.seed);
+    if (options.boiling > 0.0) {
+        boiling_ = choose_boiling_bubbles(foam, options.boiling, options.steps, random);
+    }
+    std::set<BubbleIdentity> boils;
+    for (const BoilingBubble& bubble : boiling_) {
+        boils.insert(bubble.identity);
+        centers_.erase(bubble.identity);
+    }
+    const auto oscillate = [&](BubbleIdentity identity, double area) {
+        if (!boils.contains(identity)) {
+            oscillations_.push_back({identity, area, options.area_amplitude, random.uniform()});
+        }
+    };
     for (const BubbleId bubble : foam.network.bubbles()) {
-        oscillations_.push_back(
-            {foam.identities[bubble], foam.target_areas[bubble], random.uniform()});
+        oscillate(foam.identities[bubble], foam.target_areas[bubble]);
     }
     for (const LoneBubble& bubble : foam.lone_bubbles) {
-        oscillations_.push_back({bubble.identity, bubble.target_area, random.uniform()});
+        oscillate(bubble.identity, bubble.target_area);
     }
 }
 
-StepSummary Cycle::step_to(int position,
-                           Foam& foam,
-                           double time,
-                           const StepOptions& options) const {
+StepSummary Cycle::step_to(int position, Foam& foam, double time, const StepOptions& options) {
+    const TopologyThresholds& thresholds = options.equilibrium.thresholds;
     StepOptions without_diffusion = options;
     without_diffusion.coarsening.kappa = 0.0;
+    const std::size_t first_event = foam.events.size();
+    give_births(position, foam, first_area(thresholds));
     const StepSummary summary =
-        step(foam, time, change_to(position, foam.domain), without_diffusion);
-    restore_positions(foam);
+        step(foam, time, change_to(position, foam.domain, thresholds), without_diffusion);
+    record_ends(foam, first_event, restore_positions(foam));
     return summary;
+}
+
+bool Cycle::repeats() const {
+    return std::none_of(
+        boiling_.begin(), boiling_.end(), [](const BoilingBubble& bubble) { return bubble.moved; });
+}
+
+void Cycle::calm(const Foam& foam) {
+    if (boiling_.empty()) {
+        return;
+    }
+    const std::vector<BubbleIdentity> restless = unrest_.restless_bubbles(foam);
+    const std::map<BubbleIdentity, Vec2> present = centers(foam);
+    std::set<BoilingBubble*> near_unrest;
+    for (const BubbleIdentity bubble : restless) {
+        near_unrest.insert(nearest_reducible(foam.domain, present, present.at(bubble)));
+    }
+    near_unrest.erase(nullptr);
+    for (BoilingBubble* bubble : near_unrest) {
+        bubble->peak_area *= kCalming;
+    }
+    for (Oscillation& oscillation : oscillations_) {
+        if (std::binary_search(restless.begin(), restless.end(), oscillation.bubble)) {
+            oscillation.amplitude *= kCalming;
+        }
+    }
 }
 
 // Returns the sine of an oscillation with the given phase, in turns.
@@ -122,14 +159,32 @@ double Cycle::strain_to(int position, const Domain& domain) const {
     return strain - whole_width * std::round((strain - (target - before)) / whole_width);
 }
 
+// Adds the boiling bubbles that are present at the given position but not in the foam. A bubble for
+// which there is too little gas is born at a later position.
+void Cycle::give_births(int position, Foam& foam, double first_area) const {
+    for (const BoilingBubble& bubble : boiling_) {
+        const auto area = area_at(bubble, position, options_.steps, first_area);
+        if (area && !find_bubble(foam, bubble.identity)) {
+            give_birth(foam, bubble, std::min(*area, first_area));
+        }
+    }
+}
+
 // Returns the change that leads a foam with the given domain to the given position. The position is
 // taken modulo the length of a cycle, so that every cycle has the same targets to the last bit.
-StateChange Cycle::change_to(int position, const Domain& domain) const {
+StateChange Cycle::change_to(int position,
+                             const Domain& domain,
+                             const TopologyThresholds& thresholds) const {
     StateChange change;
     for (const Oscillation& bubble : oscillations_) {
         const double area =
-            bubble.target_area * (1.0 + options_.area_amplitude * sine_at(position, bubble.phase));
+            bubble.target_area * (1.0 + bubble.amplitude * sine_at(position, bubble.phase));
         change.driven.push_back({bubble.bubble, area, false});
+    }
+    for (const BoilingBubble& bubble : boiling_) {
+        const auto area = area_at(bubble, position, options_.steps, first_area(thresholds));
+        change.driven.push_back(area ? DrivenBubble{bubble.identity, *area, false}
+                                     : forced_collapse(bubble.identity, thresholds));
     }
     if (options_.strain != 0.0) {
         change.strain = strain_to(position, domain);
@@ -138,11 +193,12 @@ StateChange Cycle::change_to(int position, const Domain& domain) const {
 }
 
 // Moves the foam back to where it was at the start: on a torus as a whole, by the mean displacement
-// of its bubbles; in a patch each raft by itself.
-void Cycle::restore_positions(Foam& foam) const {
+// of the bubbles that do not boil; in a patch each raft by itself. Returns the translation of a
+// torus.
+Vec2 Cycle::restore_positions(Foam& foam) const {
     if (foam.domain.is_plane()) {
         restore_rafts(foam, centers_);
-        return;
+        return Vec2::Zero();
     }
     Vec2 sum = Vec2::Zero();
     std::size_t count = 0;
@@ -152,16 +208,55 @@ void Cycle::restore_positions(Foam& foam) const {
             ++count;
         }
     }
-    if (count > 0) {
-        translate(foam, -sum / static_cast<double>(count));
+    if (count == 0) {
+        return Vec2::Zero();
     }
+    const Vec2 translation = -sum / static_cast<double>(count);
+    translate(foam, translation);
+    return translation;
+}
+
+// Records where boiling bubbles have vanished, from the events of the foam since `first_event`.
+void Cycle::record_ends(const Foam& foam, std::size_t first_event, const Vec2& translation) {
+    for (std::size_t k = first_event; k < foam.events.size(); ++k) {
+        const TopologyEvent& event = foam.events[k];
+        if (event.kind != TopologyEventKind::T2) {
+            continue;
+        }
+        const auto bubble =
+            std::find_if(boiling_.begin(), boiling_.end(), [&](const BoilingBubble& boiling) {
+                return boiling.identity == event.bubbles.front();
+            });
+        if (bubble != boiling_.end()) {
+            record_end(*bubble, event, translation);
+        }
+    }
+}
+
+// Returns the boiling bubble nearest to a point among those whose peak area can still be reduced,
+// or nullptr if there is none. A bubble that is absent is where it vanished.
+BoilingBubble* Cycle::nearest_reducible(const Domain& domain,
+                                        const std::map<BubbleIdentity, Vec2>& centers,
+                                        const Vec2& point) {
+    BoilingBubble* nearest = nullptr;
+    double smallest = std::numeric_limits<double>::infinity();
+    for (BoilingBubble& bubble : boiling_) {
+        const auto present = centers.find(bubble.identity);
+        const Vec2& place = present != centers.end() ? present->second : bubble.place;
+        const double distance = domain.nearest_copy(place - point).norm();
+        if (bubble.peak_area * kCalming > bubble.floor && distance < smallest) {
+            smallest = distance;
+            nearest = &bubble;
+        }
+    }
+    return nearest;
 }
 
 double closing_error(const Foam& one, const Foam& other) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     std::map<BubbleIdentity, std::vector<Vec2>> bubbles;
     for (const BubbleId bubble : other.network.bubbles()) {
-        bubbles[other.identities[bubble]] = corners(other, bubble);
+        bubbles[other.identities[bubble]] = corners_of(other, bubble);
     }
     if (bubbles.size() != one.network.bubble_count()) {
         return kInfinity;
@@ -169,7 +264,7 @@ double closing_error(const Foam& one, const Foam& other) {
     double largest = 0.0;
     for (const BubbleId bubble : one.network.bubbles()) {
         const auto found = bubbles.find(one.identities[bubble]);
-        const std::vector<Vec2> current = corners(one, bubble);
+        const std::vector<Vec2> current = corners_of(one, bubble);
         if (found == bubbles.end() || found->second.size() != current.size()) {
             return kInfinity;
         }

@@ -2,8 +2,11 @@
 
 #pragma once
 
+#include "core/dynamics/boiling.h"
 #include "core/dynamics/step.h"
+#include "core/dynamics/unrest.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <vector>
@@ -12,45 +15,67 @@ namespace foam {
 
 /// A periodic change of a foam (E9).
 struct CycleOptions {
-    int steps = 48;               // number of steps of one cycle
+    int steps = 48;               // number of steps of one cycle; at least 10 if bubbles boil
     double area_amplitude = 0.0;  // relative amplitude of target areas, with random phases
     double strain = 0.0;          // amplitude of the shear strain of a torus
-    std::uint64_t seed = 1;       // seed of the random phases
+    double boiling = 0.0;         // fraction of the bubbles that vanish and are born again
+    std::uint64_t seed = 1;       // seed of the random phases and of the choice of bubbles
 };
 
 /// A periodic sequence of foams, for looping animations. The equilibrium of a foam follows from its
 /// topology, its target areas and its domain. If the target areas and the domain change
 /// periodically, the foam returns to the same state after each cycle, once the T1s and T2s of the
-/// first cycles have happened. No gas diffuses. After each step, a torus as a whole, or each raft
-/// of a patch, is moved back to its position at the start.
+/// first cycles have happened. Where it does not, `calm` weakens the change. No gas diffuses. After
+/// each step, a torus as a whole, or each raft of a patch, is moved back to its position at the
+/// start.
 class Cycle {
   public:
     /// Stores the present target areas of the foam, around which they will oscillate, and its
-    /// present position, to which each step moves the foam back.
+    /// present position, to which each step moves the foam back. Chooses the bubbles that boil.
     Cycle(const Foam& foam, const CycleOptions& options);
 
     /// Advances the foam from position `position` - 1 of the cycle, or from a state near it, to
     /// position `position`. Positions count the steps from the start of the first cycle, which is
     /// position 0, and may exceed CycleOptions::steps. `time` is the foam time that the step takes.
     /// If the summary is not converged, the foam is left between the two positions.
-    StepSummary step_to(int position, Foam& foam, double time, const StepOptions& options) const;
+    StepSummary step_to(int position, Foam& foam, double time, const StepOptions& options);
+
+    /// Returns true if every boiling bubble vanished between the same bubbles in its last two ends,
+    /// so that it will be born between the same bubbles again.
+    bool repeats() const;
+
+    /// Weakens the change where it keeps the foam from returning to its first state. Bubbles whose
+    /// neighbors keep changing from cycle to cycle oscillate less, and the boiling bubbles nearest
+    /// to them grow less large. Does nothing without boiling bubbles. Call it with the foam at the
+    /// end of each cycle.
+    void calm(const Foam& foam);
 
   private:
     struct Oscillation {
         BubbleIdentity bubble = 0;
         double target_area = 0.0;  // mean of the oscillation
+        double amplitude = 0.0;    // relative to the mean
         double phase = 0.0;        // in turns
     };
 
     double sine_at(int position, double phase) const;
     double strain_to(int position, const Domain& domain) const;
-    StateChange change_to(int position, const Domain& domain) const;
-    void restore_positions(Foam& foam) const;
+    void give_births(int position, Foam& foam, double first_area) const;
+    StateChange change_to(int position,
+                          const Domain& domain,
+                          const TopologyThresholds& thresholds) const;
+    Vec2 restore_positions(Foam& foam) const;
+    void record_ends(const Foam& foam, std::size_t first_event, const Vec2& translation);
+    BoilingBubble* nearest_reducible(const Domain& domain,
+                                     const std::map<BubbleIdentity, Vec2>& centers,
+                                     const Vec2& point);
 
     CycleOptions options_;
     double shear_;  // shear of the domain at the start
-    std::vector<Oscillation> oscillations_;
-    std::map<BubbleIdentity, Vec2> centers_;  // centers of the bubbles at the start
+    std::vector<BoilingBubble> boiling_;
+    std::vector<Oscillation> oscillations_;   // of all bubbles that do not boil
+    std::map<BubbleIdentity, Vec2> centers_;  // centers of these bubbles at the start
+    Unrest unrest_;
 };
 
 /// Returns the distance between two states of a foam: the largest distance from a junction of a

@@ -71,12 +71,12 @@ double mean_pressure(const Foam& foam, const std::set<BubbleId>& bubbles) {
 // The network has new junctions, new films and a new bubble. Appends their elements to the vectors
 // of the foam, such as positions and pressures. The new junctions are at the origin until the
 // caller places them.
-void complete(Foam& foam, double area, double pressure) {
+void complete(Foam& foam, double area, double pressure, BubbleIdentity identity) {
     foam.positions.resize(foam.network.junction_slots(), Vec2(0.0, 0.0));
     foam.t1_armed.resize(foam.network.film_slots(), 1);
     foam.pressures.push_back(pressure);
     foam.target_areas.push_back(area);
-    foam.identities.push_back(foam.next_identity++);
+    foam.identities.push_back(identity);
     if (foam.network.ghost() != kNone<BubbleId>) {
         foam.half_angles.resize(foam.network.film_slots(), 0.0);
     }
@@ -114,7 +114,10 @@ void fit_films_around(Foam& foam, BubbleId bubble) {
 
 }  // namespace
 
-std::optional<BubbleId> nucleate_at_junction(Foam& foam, JunctionId junction, double area) {
+std::optional<BubbleId> nucleate_at_junction(Foam& foam,
+                                             JunctionId junction,
+                                             double area,
+                                             std::optional<BubbleIdentity> identity) {
     std::set<BubbleId> around;
     std::array<Vec2, 3> corners;
     std::array<FilmArc, 3> arcs;
@@ -134,7 +137,7 @@ std::optional<BubbleId> nucleate_at_junction(Foam& foam, JunctionId junction, do
     const double pressure = mean_pressure(foam, around) + foam.film_tension / side;
     const Vec2 middle = foam.positions[junction];
     const BubbleId bubble = insert_triangle(foam.network, junction);
-    complete(foam, area, pressure);
+    complete(foam, area, pressure, identity ? *identity : foam.next_identity++);
     record_birth(foam, bubble, middle, around);
     const std::vector<HalfEdgeId> loop = foam.network.around(bubble);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -158,7 +161,7 @@ std::optional<BubbleId> nucleate_on_film(Foam& foam, FilmId film, double area) {
     const double pressure =
         mean_pressure(foam, beside) + std::numbers::sqrt3 * foam.film_tension / chord_length;
     const BubbleId bubble = insert_lens(foam.network, h);
-    complete(foam, area, pressure);
+    complete(foam, area, pressure, foam.next_identity++);
     record_birth(foam, bubble, tail + point_at(arc, 0.5), beside);
     const HalfEdgeId first = foam.network.first(bubble);
     place_junction(foam, foam.network.head(first), tail + point_at(arc, 0.5 - half));

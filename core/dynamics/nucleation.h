@@ -14,9 +14,13 @@ namespace foam {
 /// rest of the foam hardly moves. The gas of the new bubble comes from the surrounding bubbles in
 /// proportion to their target areas; at the surface of a patch, all of it comes from the ghost.
 /// Returns nothing and changes nothing if the target areas of the surrounding bubbles add up to
-/// less than twice the given area. Leaves the foam near equilibrium. Precondition: the area is
-/// positive.
-std::optional<BubbleId> nucleate_at_junction(Foam& foam, JunctionId junction, double area);
+/// less than twice the given area. Leaves the foam near equilibrium. The bubble gets a new identity
+/// unless `identity` is given. Preconditions: the area is positive; no bubble of the foam has the
+/// given identity, and it is less than Foam::next_identity.
+std::optional<BubbleId> nucleate_at_junction(Foam& foam,
+                                             JunctionId junction,
+                                             double area,
+                                             std::optional<BubbleIdentity> identity = {});
 
 /// Adds a new two-sided bubble, a lens, in the middle of a film (E10). Returns the bubble. The
 /// bubble touches only the two bubbles beside the film. The source of the gas, the failure case and

@@ -10,7 +10,7 @@
 
 namespace foam {
 
-/// A number that identifies a bubble from its birth to its end, and is never reused.
+/// A number that identifies a bubble. Only the lives of a boiling bubble have the same number.
 using BubbleIdentity = std::uint32_t;
 
 /// The kinds of topology changes.

@@ -30,9 +30,14 @@ void History::record_events(Foam& foam, int frame) {
     shear_recorded_events(foam.domain);
     record_.births.resize(foam.next_identity, time_);
     record_.changes.resize(foam.next_identity, time_);
+    newborn_.clear();
     for (const TopologyEvent& event : foam.events) {
         for (const BubbleIdentity bubble : event.bubbles) {
             record_.changes[bubble] = event.time;
+        }
+        if (event.kind == TopologyEventKind::Birth) {
+            record_.births[event.bubbles.front()] = event.time;
+            newborn_.push_back(event.bubbles.front());
         }
         record_.events.push_back({event.kind, frame, event.position});
     }
@@ -69,8 +74,8 @@ void History::record_pressures(const Foam& foam) {
     std::sort(record_.first_pressures.begin(), record_.first_pressures.end());
 }
 
-// Identities are given in increasing order, so a bubble is new if its identity is not below the
-// number of identities at the last call.
+// The averages of a bubble begin with its values in the first frame after its birth. New identities
+// are not below the number of identities at the last call; a boiling bubble has its old identity.
 void History::average_values(const Foam& foam) {
     if (smoothing_ == 0.0) {
         return;
@@ -87,7 +92,8 @@ void History::average_values(const Foam& foam) {
     const PerBubble<BubbleIdentity> identities = identities_of(frame);
     for (std::size_t k = 0; k < identities.size(); ++k) {
         BubbleValues& average = averages[identities[k]];
-        if (identities[k] >= known) {
+        const bool is_reborn = std::ranges::find(newborn_, identities[k]) != newborn_.end();
+        if (identities[k] >= known || is_reborn) {
             average = present.bubbles[k];
         }
         for_each_value(average, present.bubbles[k], approach);
@@ -99,8 +105,9 @@ void History::average_values(const Foam& foam) {
 }
 
 // A cycle of n frames changes an average from v to c + k v, where k = (1 - weight)^n and c depends
-// only on the values in the cycle. After infinitely many cycles, v = c / (1 - k).
-void History::close_averages(const RecentAverages& start, int frames) {
+// only on the values in the cycle. After infinitely many cycles, v = c / (1 - k). The averages of a
+// bubble that was born in the cycle depend only on the values since its birth, and stay.
+void History::close_averages(const FoamRecord& start, int frames) {
     if (smoothing_ == 0.0) {
         return;
     }
@@ -110,9 +117,11 @@ void History::close_averages(const RecentAverages& start, int frames) {
     };
     std::vector<BubbleValues>& averages = record_.averages.bubbles;
     for (std::size_t k = 0; k < averages.size(); ++k) {
-        for_each_value(averages[k], start.bubbles[k], close);
+        if (record_.births[k] == start.births[k]) {
+            for_each_value(averages[k], start.averages.bubbles[k], close);
+        }
     }
-    close(record_.averages.mean_area, start.mean_area);
+    close(record_.averages.mean_area, start.averages.mean_area);
 }
 
 }  // namespace foam::texgen

@@ -5,6 +5,8 @@
 #include "core/foam/foam.h"
 #include "texgen/maps/foam_record.h"
 
+#include <vector>
+
 namespace foam::texgen {
 
 /// Keeps the record of a foam up to date while the foam advances from frame to frame.
@@ -35,9 +37,9 @@ class History {
     void average_values(const Foam& foam);
 
     /// Replaces the averages by those after infinitely many cycles of a loop, which do not depend
-    /// on what happened before. `start` are the averages before the last cycle, which had the given
+    /// on what happened before. `start` is the record before the last cycle, which had the given
     /// number of frames. Precondition: the bubbles are the same at the start and at the end.
-    void close_averages(const RecentAverages& start, int frames);
+    void close_averages(const FoamRecord& start, int frames);
 
     const FoamRecord& record() const { return record_; }
 
@@ -47,6 +49,7 @@ class History {
     void shear_recorded_events(const Domain& domain);
 
     FoamRecord record_;
+    std::vector<BubbleIdentity> newborn_;  // bubbles born in the step to the present frame
     double smoothing_;
     double time_ = 0.0;  // foam time of the previous frame
     Domain domain_;      // domain of the positions of the recorded events

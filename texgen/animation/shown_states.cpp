@@ -47,6 +47,7 @@ ShownStates shown_states(int number, const LoopOptions& loop, int count) {
         case LoopKind::None:
         case LoopKind::Breathe:
         case LoopKind::Shear:
+        case LoopKind::Boil:
         case LoopKind::Drift:
             break;
     }

@@ -15,7 +15,8 @@
 // equilibrated and warmed up before frame 2). Every further frame is one step
 // (core/dynamics/step.h): gas diffuses while the changes of the timeline are imposed. Loops differ
 // from this sequence as follows:
-// - breathe, shear: a periodic change without diffusion (core/dynamics/cycle.h). Cycles run before
+// - breathe, shear, boil: a periodic change without diffusion (core/dynamics/cycle.h). Cycles run
+// before
 //   frame 1 until the closing error of one cycle is below kClosed; the frames are the steps of the
 //   next cycle.
 // - drift: no steps; each frame shows the same foam at another position (display_transform.h).
@@ -31,7 +32,8 @@ constexpr double kClosed = 1e-9;  // largest closing error of a loop, in diamete
 
 CycleOptions cycle_options_of(const LoopOptions& loop, int steps, std::uint64_t seed) {
     CycleOptions options{.steps = steps, .seed = seed};
-    (loop.kind == LoopKind::Breathe ? options.area_amplitude : options.strain) = loop.amplitude;
+    (loop.kind == LoopKind::Shear ? options.strain : options.area_amplitude) = loop.amplitude;
+    options.boiling = loop.kind == LoopKind::Boil ? loop.boiling : 0.0;
     return options;
 }
 
@@ -148,7 +150,7 @@ bool Simulation::close_loop() {
     bool found = step_cycle(0);
     for (int cycle = 0; cycle < loop_.cycles && found; ++cycle) {
         const Foam start = foam_;
-        const RecentAverages averages = history_.record().averages;
+        const FoamRecord record = history_.record();
         history_.renumber(-frames_.count);
         for (int position = 1; position <= frames_.count && found; ++position) {
             found = step_cycle(position);
@@ -156,10 +158,11 @@ bool Simulation::close_loop() {
             history_.average_values(foam_);
         }
         closing_error_ = foam::closing_error(start, foam_);
-        if (found && *closing_error_ < kClosed) {
-            history_.close_averages(averages, frames_.count);
+        if (found && *closing_error_ < kClosed && cycle_->repeats()) {
+            history_.close_averages(record, frames_.count);
             return true;
         }
+        cycle_->calm(foam_);
     }
     return false;
 }

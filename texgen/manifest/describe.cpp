@@ -22,6 +22,8 @@ const char* description_of(LoopKind kind) {
             return "a seamless loop: bubbles grow and shrink periodically";
         case LoopKind::Shear:
             return "a seamless loop: the foam is sheared to and fro";
+        case LoopKind::Boil:
+            return "a seamless loop: bubbles grow, shrink, vanish and are born again periodically";
         case LoopKind::Drift:
             return "a seamless loop: the foam moves by a whole number of image widths and heights";
         case LoopKind::Flow:

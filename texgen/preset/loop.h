@@ -13,6 +13,7 @@ enum class LoopKind {
     None,      // no loop: the foam coarsens
     Breathe,   // the area of every bubble oscillates, with a phase of its own (E9)
     Shear,     // the torus is sheared to and fro; images do not show the shear, so they tile
+    Boil,      // some bubbles shrink, vanish and are born again, each once in the loop (E9)
     Drift,     // the foam does not change, but moves as a whole
     Flow,      // bubbles vanish, as many new ones appear, and the end fades into the beginning
     PingPong,  // frames of a coarsening foam, forwards in the first half, backwards in the second
@@ -21,15 +22,19 @@ enum class LoopKind {
 /// The largest amplitude of the strain of a shear loop.
 inline constexpr double kLargestShearAmplitude = 0.4;
 
-/// A loop of frames.count frames: the last frame is followed by the first frame. In Breathe, Shear
-/// and Drift the foam itself returns to its first state, and no gas diffuses during the loop.
+/// A loop of frames.count frames: the last frame is followed by the first frame. In Breathe, Shear,
+/// Boil and Drift the foam itself returns to its first state, and no gas diffuses in the loop.
 struct LoopOptions {
     LoopKind kind = LoopKind::None;
-    double amplitude = 0.15;  // Breathe: relative amplitude of areas; Shear: amplitude of strain
+    // Breathe: relative amplitude of areas; Boil: the same, of the bubbles that do not vanish;
+    // Shear: amplitude of the strain.
+    double amplitude = 0.15;
+    double boiling = 0.15;  // Boil: fraction of the bubbles that vanish and are born again
     std::array<int, 2> drift = {0, 0};  // motion per loop, in image widths and heights; y is up
-    /// Breathe and Shear: cycles are simulated before frame 1 until the foam at the end of a cycle
-    /// agrees with the foam at the start of this cycle. This is the largest number of these cycles.
-    int cycles = 12;
+    /// Breathe, Shear and Boil: cycles are simulated before frame 1 until the foam at the end of a
+    /// cycle agrees with the foam at the start of this cycle. This is the largest number of these
+    /// cycles.
+    int cycles = 100;
     /// Flow: the fraction of the frames, at the end of the loop, that fade into the states of the
     /// foam one loop earlier. These states are simulated before frame 1.
     double fade = 1.0;
@@ -43,7 +48,9 @@ struct LoopOptions {
     /// Returns true if some frames show a mixture of two states of the foam.
     bool is_cross_faded() const { return kind == LoopKind::Flow; }
     /// Returns true if the foam is simulated under a periodic change.
-    bool is_cycle() const { return kind == LoopKind::Breathe || kind == LoopKind::Shear; }
+    bool is_cycle() const {
+        return kind == LoopKind::Breathe || kind == LoopKind::Shear || kind == LoopKind::Boil;
+    }
 };
 
 Keys<LoopOptions> loop_keys();

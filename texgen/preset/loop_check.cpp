@@ -13,6 +13,8 @@ namespace foam::texgen {
 
 namespace {
 
+constexpr int kMinBoilFrames = 10;
+
 void check_torus(const Preset& preset, std::span<const Assignment> assignments) {
     const LoopOptions& loop = preset.loop;
     if (preset.shape.kind == FoamKind::Torus) {
@@ -40,10 +42,11 @@ void check_drift(const Preset& preset, std::span<const Assignment> assignments) 
                     "the loop \"drift\" needs loop.drift, such as [0, 1] for one image up");
     }
     if (drifts && !loop.returns_to_start() && !loop.is_cross_faded()) {
-        reject_last(assignments,
-                    {"loop.drift", "loop.kind"},
-                    "loop.drift is only allowed with loop.kind = \"drift\", \"breathe\", \"shear\" "
-                    "or \"flow\"");
+        reject_last(
+            assignments,
+            {"loop.drift", "loop.kind"},
+            "loop.drift is only allowed with loop.kind = \"drift\", \"breathe\", \"shear\", "
+            "\"boil\" or \"flow\"");
     }
 }
 
@@ -87,6 +90,17 @@ void check_flow(const Preset& preset, std::span<const Assignment> assignments) {
     }
 }
 
+void check_boil(const Preset& preset, std::span<const Assignment> assignments) {
+    if (preset.loop.kind == LoopKind::Boil && preset.frames.count < kMinBoilFrames) {
+        reject_last(
+            assignments,
+            {"frames.count", "loop.kind"},
+            fmt::format("the loop \"boil\" needs frames.count of at least {}, because bubbles are "
+                        "absent for a tenth of the loop",
+                        kMinBoilFrames));
+    }
+}
+
 }  // namespace
 
 void check_loop(const Preset& preset, std::span<const Assignment> assignments) {
@@ -97,6 +111,7 @@ void check_loop(const Preset& preset, std::span<const Assignment> assignments) {
     check_torus(preset, assignments);
     check_frames(preset, assignments);
     check_flow(preset, assignments);
+    check_boil(preset, assignments);
     if (preset.loop.kind == LoopKind::Shear && preset.loop.amplitude > kLargestShearAmplitude) {
         reject_last(assignments,
                     {"loop.amplitude", "loop.kind"},

@@ -8,9 +8,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
+#include <optional>
 
 namespace foam {
 namespace {
@@ -25,7 +28,7 @@ Foam equilibrated_patch() {
 }
 
 // Returns the foam at the start of a cycle, after the given number of cycles.
-Foam after_cycles(const Cycle& cycle, Foam foam, int cycles) {
+Foam after_cycles(Cycle cycle, Foam foam, int cycles) {
     for (int position = 0; position <= cycles * kSteps; ++position) {
         const StepSummary summary = cycle.step_to(position, foam, 0.0, {});
         EXPECT_TRUE(summary.equilibrium.converged()) << position;
@@ -35,7 +38,7 @@ Foam after_cycles(const Cycle& cycle, Foam foam, int cycles) {
 
 // Expects that one more cycle leads back to the same state after the given number of cycles.
 void expect_closes(const Foam& start, const CycleOptions& options, int cycles) {
-    const Cycle cycle(start, options);
+    Cycle cycle(start, options);
     const Foam before = after_cycles(cycle, start, cycles);
     Foam foam = before;
     double largest = 0.0;
@@ -65,7 +68,7 @@ TEST(Cycle, PatchCloses) {
 
 TEST(Cycle, ConvergesAfterOneCycle) {
     const Foam start = test::equilibrated_foam(60, 1);
-    const Cycle cycle(start, {.steps = kSteps, .area_amplitude = 0.1});
+    Cycle cycle(start, {.steps = kSteps, .area_amplitude = 0.1});
     const Foam once = after_cycles(cycle, start, 1);
     EXPECT_LT(closing_error(once, after_cycles(cycle, once, 1)), kClosed);
     EXPECT_EQ(once.target_areas.size(), start.target_areas.size());
@@ -74,13 +77,83 @@ TEST(Cycle, ConvergesAfterOneCycle) {
 
 TEST(Cycle, NoGasDiffuses) {
     const Foam start = test::equilibrated_foam(60, 1);
-    const Cycle cycle(start, {.steps = kSteps, .area_amplitude = 0.0, .strain = 0.02});
+    Cycle cycle(start, {.steps = kSteps, .area_amplitude = 0.0, .strain = 0.02});
     Foam foam = start;
     for (int position = 1; position <= kSteps; ++position) {
         cycle.step_to(position, foam, 1.0, {.coarsening = {.kappa = 1.0}});
     }
     EXPECT_LT(closing_error(start, foam), kClosed);
     EXPECT_EQ(foam.time, start.time + kSteps);
+}
+
+// Runs a boil, calming it after each cycle, until a cycle closes. Returns the number of cycles, or
+// nothing if none of 60 cycles closes.
+std::optional<int> cycles_until_closed(Cycle& cycle, Foam& foam) {
+    EXPECT_TRUE(cycle.step_to(0, foam, 0.0, {}).equilibrium.converged());
+    for (int count = 1; count <= 60; ++count) {
+        const Foam start = foam;
+        for (int position = 1; position <= kSteps; ++position) {
+            EXPECT_TRUE(cycle.step_to(position, foam, 0.0, {}).equilibrium.converged());
+        }
+        if (closing_error(start, foam) < kClosed && cycle.repeats()) {
+            return count;
+        }
+        cycle.calm(foam);
+    }
+    return std::nullopt;
+}
+
+// In each further cycle, every boiling bubble vanishes once and is born once.
+void expect_boil_closes(Foam foam, int boiling) {
+    const auto bubbles = static_cast<double>(foam.network.bubble_count());
+    Cycle cycle(foam,
+                {.steps = kSteps, .area_amplitude = 0.1, .boiling = boiling / bubbles, .seed = 3});
+    ASSERT_TRUE(cycles_until_closed(cycle, foam));
+    const Foam start = foam;
+    foam.events.clear();
+    for (int position = 1; position <= kSteps; ++position) {
+        ASSERT_TRUE(cycle.step_to(position, foam, 0.0, {}).equilibrium.converged());
+    }
+    EXPECT_LT(closing_error(start, foam), kClosed);
+    std::map<BubbleIdentity, int> births;
+    std::map<BubbleIdentity, int> ends;
+    for (const TopologyEvent& event : foam.events) {
+        if (event.kind == TopologyEventKind::Birth) {
+            ++births[event.bubbles.front()];
+        } else if (event.kind == TopologyEventKind::T2) {
+            ++ends[event.bubbles.front()];
+        }
+    }
+    EXPECT_EQ(births.size(), boiling);
+    EXPECT_EQ(births, ends);
+    EXPECT_TRUE(std::ranges::all_of(births, [](const auto& entry) { return entry.second == 1; }));
+}
+
+TEST(Cycle, ABoilOfFewBubblesClosesByItself) {
+    expect_boil_closes(test::equilibrated_foam(60, 1), 4);
+}
+
+TEST(Cycle, ABoilOfManyBubblesClosesWhenCalmed) {
+    expect_boil_closes(test::equilibrated_foam(120, 1), 20);
+}
+
+TEST(Cycle, APatchBoils) {
+    expect_boil_closes(equilibrated_patch(), 3);
+}
+
+TEST(Cycle, WithoutBoilingBubblesCalmingChangesNothing) {
+    const Foam start = test::equilibrated_foam(60, 1);
+    Cycle cycle(start, {.steps = kSteps, .area_amplitude = 0.35});
+    Cycle calmed = cycle;
+    Foam foam = start;
+    Foam other = start;
+    for (int position = 0; position <= kSteps; ++position) {
+        cycle.step_to(position, foam, 0.0, {});
+        calmed.step_to(position, other, 0.0, {});
+        calmed.calm(other);
+    }
+    EXPECT_TRUE(test::are_same(foam, other));
+    EXPECT_TRUE(cycle.repeats());
 }
 
 // A honeycomb is translated by (0.03, -0.04), so that every junction moves by 0.05. The mean
@@ -107,7 +180,7 @@ TEST(ClosingError, IsInfiniteIfBubblesDiffer) {
 // that is smaller by a whole width. A step to the present position must not shear it by that width.
 TEST(Cycle, ATallTorusIsNotShearedByAWholeWidth) {
     const Foam start = honeycomb(4, 12);
-    const Cycle cycle(start, {.steps = kSteps, .strain = 0.3});
+    Cycle cycle(start, {.steps = kSteps, .strain = 0.3});
     Foam foam = start;
     for (int position = 1; position <= kSteps / 4; ++position) {
         ASSERT_TRUE(cycle.step_to(position, foam, 0.0, {}).equilibrium.converged()) << position;

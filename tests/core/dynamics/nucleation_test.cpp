@@ -95,6 +95,18 @@ TEST(Nucleation, HasAnIdentityOfItsOwn) {
     EXPECT_EQ(foam.next_identity, 42U);
 }
 
+TEST(Nucleation, MayHaveTheIdentityOfABubbleThatHasVanished) {
+    Foam foam = equilibrated_foam(40, 1);
+    TopologyCounts counts;
+    ASSERT_TRUE(collapse(foam, BubbleId{7}, counts));
+    compact(foam);
+    foam.events.clear();
+    const BubbleId again = *nucleate_at_junction(foam, JunctionId{3}, 0.02, 7U);
+    EXPECT_EQ(foam.identities[again], 7U);
+    EXPECT_EQ(foam.events.front().bubbles.front(), 7U);
+    EXPECT_EQ(foam.next_identity, 40U);
+}
+
 TEST(Nucleation, IsRejectedIfThereIsTooLittleGas) {
     Foam foam = honeycomb(4, 4);
     const Foam before = foam;

@@ -88,6 +88,36 @@ TEST(History, AveragesFollowTheFoamWithALag) {
     EXPECT_EQ(history.record().averages.bubbles[16].sides, 3.0);
 }
 
+// A boiling bubble has the same identity in each life.
+TEST(History, ANewLifeHasItsOwnBirthAndAverages) {
+    Foam foam = honeycomb(4, 4);
+    History history(foam, 3.0);
+    foam.pressures[BubbleId{2}] = 1.0;
+    history.average_values(foam);
+    foam.events = {{TopologyEventKind::Birth, 4.5, {0.0, 0.0}, {2, 1, 3}}};
+    foam.pressures[BubbleId{2}] = 9.0;
+    history.record_events(foam, 2);
+    history.average_values(foam);
+    EXPECT_EQ(history.record().births[2], 4.5);
+    EXPECT_EQ(history.record().births[1], 0.0);
+    EXPECT_NEAR(history.record().averages.bubbles[2].pressure, 0.9, 1e-12);
+}
+
+// The averages of a bubble that was born in the cycle do not depend on those before the cycle.
+TEST(History, ClosedAveragesOfANewLifeStay) {
+    Foam foam = honeycomb(4, 4);
+    History history(foam, 3.0);
+    foam.pressures[BubbleId{2}] = 40.0;
+    history.average_values(foam);
+    const FoamRecord start = history.record();
+    foam.events = {{TopologyEventKind::Birth, 0.5, {0.0, 0.0}, {2}}};
+    foam.pressures[BubbleId{2}] = 1.0;
+    history.record_events(foam, 2);
+    history.average_values(foam);
+    history.close_averages(start, 1);
+    EXPECT_NEAR(history.record().averages.bubbles[2].pressure, 0.5, 1e-12);
+}
+
 TEST(History, WithoutSmoothingThereAreNoAverages) {
     const Foam foam = honeycomb(4, 4);
     History history(foam);
@@ -108,7 +138,7 @@ TEST(History, ClosedAveragesRepeatAfterOneCycle) {
         }
         return history.record().averages.bubbles[2].pressure;
     };
-    const RecentAverages start = history.record().averages;
+    const FoamRecord start = history.record();
     run_cycle();
     history.close_averages(start, 4);
     const double closed = history.record().averages.bubbles[2].pressure;

@@ -281,6 +281,36 @@ TEST(Simulation, APatchBreathes) {
     EXPECT_LT(largest_motion(frames.front(), frames.back()), 1e-8);
 }
 
+// Every boiling bubble vanishes and is born once in the loop, with the same identity.
+TEST(Simulation, ABoilEndsWhereItBegan) {
+    Preset preset = small_preset();
+    preset.frames.count = 12;
+    preset.frames.smoothing = 4.0;
+    preset.loop = {.kind = LoopKind::Boil, .amplitude = 0.1, .boiling = 0.1};
+    Simulation simulation(preset, 1);
+    ASSERT_TRUE(simulation.advance());
+    EXPECT_LT(*simulation.closing_error(), 1e-9);
+    const Frame first = simulation.frame();
+    const FoamRecord record = simulation.record();
+    std::set<std::size_t> counts;
+    for (int k = 0; k < preset.frames.count; ++k) {
+        ASSERT_TRUE(simulation.advance());
+        counts.insert(simulation.frame().network.bubble_count());
+    }
+    EXPECT_GT(counts.size(), 1U);
+    EXPECT_LT(*counts.rbegin(), static_cast<std::size_t>(preset.seeding.bubbles));
+    EXPECT_LT(largest_motion(first, simulation.frame()), 1e-9);
+    const FoamRecord again = simulation.record();
+    ASSERT_EQ(again.births.size(), static_cast<std::size_t>(preset.seeding.bubbles));
+    for (const BubbleIdentity bubble : identities_of(first)) {
+        EXPECT_NEAR(again.births[bubble] - record.births[bubble],
+                    preset.frames.count * preset.frames.time_step,
+                    1e-9);
+        EXPECT_NEAR(
+            again.averages.bubbles[bubble].area, record.averages.bubbles[bubble].area, 1e-9);
+    }
+}
+
 // Returns the recorded events of the last `frames` frames: kind, number of frames since the event,
 // x and y of its position.
 std::vector<std::tuple<TopologyEventKind, int, double, double>> recent(const FoamRecord& record,

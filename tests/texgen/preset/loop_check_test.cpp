@@ -21,6 +21,7 @@ TEST(LoopCheck, LoopsThatCloseAreAccepted) {
     EXPECT_EQ(failure("[loop]\nkind = 'breathe'\namplitude = 0.2\ndrift = [1, -2]\n"),
               "no failure");
     EXPECT_EQ(failure("[loop]\nkind = 'shear'\namplitude = 0.1\n"), "no failure");
+    EXPECT_EQ(failure("[frames]\ncount = 10\n[loop]\nkind = 'boil'\n"), "no failure");
     EXPECT_EQ(failure("[loop]\nkind = 'drift'\ndrift = [0, 1]\n"), "no failure");
     EXPECT_EQ(failure("[frames]\ncount = 24\n[loop]\nkind = 'pingpong'\n"), "no failure");
     EXPECT_EQ(failure("[foam]\ndomain = 'patch'\n[loop]\nkind = 'breathe'\n"), "no failure");
@@ -29,12 +30,15 @@ TEST(LoopCheck, LoopsThatCloseAreAccepted) {
 }
 
 TEST(LoopCheck, RejectsLoopsThatCannotClose) {
+    EXPECT_EQ(failure("[frames]\ncount = 9\n[loop]\nkind = 'boil'\n"),
+              "test.toml:4: key 'loop.kind' = \"boil\": the loop \"boil\" needs frames.count of at "
+              "least 10, because bubbles are absent for a tenth of the loop");
     EXPECT_EQ(failure("[loop]\nkind = 'drift'\n"),
               "test.toml:2: key 'loop.kind' = \"drift\": the loop \"drift\" needs loop.drift, such "
               "as [0, 1] for one image up");
     EXPECT_EQ(failure("[loop]\ndrift = [0, 1]\n"),
               "test.toml:2: key 'loop.drift' = [0, 1]: loop.drift is only allowed with loop.kind = "
-              "\"drift\", \"breathe\", \"shear\" or \"flow\"");
+              "\"drift\", \"breathe\", \"shear\", \"boil\" or \"flow\"");
     EXPECT_EQ(
         failure("[frames]\ncount = 25\n[loop]\nkind = 'pingpong'\n"),
         "test.toml:4: key 'loop.kind' = \"pingpong\": the loop \"pingpong\" needs an even "

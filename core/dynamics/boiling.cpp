@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "core/dynamics/boiling.h"
+
+#include "core/dynamics/nucleation.h"
+#include "core/foam/corners.h"
+#include "core/foam/locate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+
+// A bubble that shrinks to nothing and grows again at the same place needs no T1 if it is always
+// surrounded by the same bubbles: its birth is the inverse of its T2. Larger bubbles touch more
+// neighbors while they live, by T1s, some of which are not undone when the bubble shrinks.
+// Therefore boiling bubbles are chosen far from each other, and Cycle::calm reduces the peak areas
+// of those whose surroundings do not return to the same state.
+
+namespace foam {
+
+namespace {
+
+constexpr double kLifeFraction = 0.9;    // part of the cycle in which a boiling bubble is present
+constexpr double kPeakFraction = 2.5;    // peak area before calming, in initial target areas
+constexpr double kFloorFraction = 0.12;  // smallest peak area, in initial target areas
+
+// Returns the number of positions from the birth to the end of a bubble.
+int life(int steps) {
+    return static_cast<int>(std::lround(kLifeFraction * steps));
+}
+
+// Lowers each distance to the distance between the bubble's center and the given center.
+void lower_distances(const Domain& domain,
+                     const std::vector<Vec2>& centers,
+                     const Vec2& center,
+                     std::vector<double>& distances) {
+    for (std::size_t k = 0; k < centers.size(); ++k) {
+        distances[k] = std::min(distances[k], domain.nearest_copy(centers[k] - center).norm());
+    }
+}
+
+// Returns the indices of `count` centers: the first is random, and each further one has the largest
+// distance to those before it (farthest-point sampling).
+std::vector<std::size_t> spread_out(const Domain& domain,
+                                    const std::vector<Vec2>& centers,
+                                    std::size_t count,
+                                    Random& random) {
+    std::vector<double> distances(centers.size(), std::numeric_limits<double>::infinity());
+    std::vector<std::size_t> chosen{random.below(centers.size())};
+    while (chosen.size() < count) {
+        lower_distances(domain, centers, centers[chosen.back()], distances);
+        const auto farthest = std::max_element(distances.begin(), distances.end());
+        chosen.push_back(static_cast<std::size_t>(farthest - distances.begin()));
+    }
+    return chosen;
+}
+
+// Returns the numbers 0 to count - 1 in random order (Fisher and Yates).
+std::vector<std::size_t> shuffled(std::size_t count, Random& random) {
+    std::vector<std::size_t> order(count);
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::size_t other = random.below(k + 1);
+        order[k] = order[other];
+        order[other] = k;
+    }
+    return order;
+}
+
+std::set<BubbleIdentity> bubbles_at(const Foam& foam, JunctionId junction) {
+    std::set<BubbleIdentity> bubbles;
+    for (const HalfEdgeId h : foam.network.leaving(junction)) {
+        if (foam.network.left(h) != foam.network.ghost()) {
+            bubbles.insert(foam.identities[foam.network.left(h)]);
+        }
+    }
+    return bubbles;
+}
+
+// Returns the junction between the neighbors of the bubble that is nearest to its place; or nothing
+// if these bubbles meet nowhere.
+std::optional<JunctionId> junction_between_neighbors(const Foam& foam,
+                                                     const BoilingBubble& bubble) {
+    std::optional<JunctionId> nearest;
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const JunctionId junction : foam.network.junctions()) {
+        const Vec2 away = foam.positions[junction] - bubble.place;
+        const double distance = foam.domain.nearest_copy(away).norm();
+        if (distance < smallest && bubbles_at(foam, junction) == bubble.neighbors) {
+            smallest = distance;
+            nearest = junction;
+        }
+    }
+    return nearest;
+}
+
+}  // namespace
+
+std::vector<BoilingBubble> choose_boiling_bubbles(const Foam& foam,
+                                                  double fraction,
+                                                  int steps,
+                                                  Random& random) {
+    std::vector<BubbleId> bubbles;
+    std::vector<Vec2> centers;
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        bubbles.push_back(bubble);
+        centers.push_back(mean_corner(foam, bubble));
+    }
+    const double share = std::round(fraction * static_cast<double>(bubbles.size()));
+    const std::size_t count =
+        std::clamp<std::size_t>(static_cast<std::size_t>(share), 1, bubbles.size());
+    const std::vector<std::size_t> order = shuffled(count, random);
+    std::vector<BoilingBubble> boiling;
+    for (const std::size_t k : spread_out(foam.domain, centers, count, random)) {
+        const double turn = (static_cast<double>(order[boiling.size()]) + random.uniform()) /
+                            static_cast<double>(count);
+        const double area = foam.target_areas[bubbles[k]];
+        boiling.push_back({.identity = foam.identities[bubbles[k]],
+                           .birth = static_cast<int>(turn * steps),
+                           .peak_area = kPeakFraction * area,
+                           .floor = kFloorFraction * area,
+                           .place = centers[k]});
+    }
+    return boiling;
+}
+
+std::optional<double> area_at(const BoilingBubble& bubble,
+                              int position,
+                              int steps,
+                              double first_area) {
+    const int age = (position + steps - bubble.birth) % steps;
+    if (age == 0 || age >= life(steps)) {
+        return std::nullopt;
+    }
+    const double wave = std::sin(std::numbers::pi * age / life(steps));
+    return first_area + bubble.peak_area * wave * wave;
+}
+
+bool give_birth(Foam& foam, const BoilingBubble& bubble, double area) {
+    const std::optional<JunctionId> known = junction_between_neighbors(foam, bubble);
+    const JunctionId junction = known ? *known : nearest_junction(foam, bubble.place);
+    return nucleate_at_junction(foam, junction, area, bubble.identity).has_value();
+}
+
+void record_end(BoilingBubble& bubble, const TopologyEvent& event, const Vec2& translation) {
+    const std::set<BubbleIdentity> neighbors(event.bubbles.begin() + 1, event.bubbles.end());
+    bubble.moved = neighbors != bubble.neighbors;
+    bubble.neighbors = neighbors;
+    bubble.place = event.position + translation;
+}
+
+}  // namespace foam

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "core/dynamics/unrest.h"
+
+#include <algorithm>
+
+// A T1 that is not undone within a cycle disturbs its surroundings once and is over; a place where
+// neighbors change again and again is where the foam fails to find a periodic state, or finds one
+// of several cycles. With the constants below, a bubble is restless if its neighbors changed twice
+// at most four cycles apart, or change in every fifth cycle.
+
+namespace foam {
+
+namespace {
+
+constexpr int kTransientCycles = 2;      // cycles of which the changes do not count
+constexpr double kMemory = 0.8;          // fraction of the unrest that is left after a cycle
+constexpr double kRestlessUnrest = 1.4;  // from this unrest on a bubble is restless
+
+}  // namespace
+
+Unrest::Unrest(const Foam& start) : neighbors_(neighbors_of(start)) {}
+
+std::vector<BubbleIdentity> Unrest::restless_bubbles(const Foam& end) {
+    std::vector<BubbleIdentity> restless;
+    Neighbors neighbors = neighbors_of(end);
+    const bool counts = ++cycles_ > kTransientCycles;
+    for (const auto& [bubble, around] : neighbors) {
+        const auto before = neighbors_.find(bubble);
+        const bool changed = before == neighbors_.end() || before->second != around;
+        double& unrest = unrest_[bubble];
+        unrest = kMemory * unrest + (counts && changed ? 1.0 : 0.0);
+        if (changed && unrest >= kRestlessUnrest) {
+            restless.push_back(bubble);
+        }
+    }
+    neighbors_ = std::move(neighbors);
+    return restless;
+}
+
+Unrest::Neighbors Unrest::neighbors_of(const Foam& foam) {
+    Neighbors neighbors;
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        std::vector<BubbleIdentity>& around = neighbors[foam.identities[bubble]];
+        for (const HalfEdgeId h : foam.network.around(bubble)) {
+            around.push_back(foam.identities[foam.network.right(h)]);
+        }
+        std::sort(around.begin(), around.end());
+    }
+    return neighbors;
+}
+
+}  // namespace foam
