@@ -2,42 +2,42 @@
 
 #pragma once
 
-#include "texgen/animation/simulate_frames.h"
+#include "texgen/animation/progress.h"
+#include "texgen/animation/simulated_frame.h"
 
-#include <chrono>
-#include <functional>
+#include <mutex>
 
 namespace foam::texgen {
 
-/// The progress of a run after a frame has been simulated, measured or written.
-struct RunProgress {
-    int frame = 0;             // number of the frame
-    int done = 0;              // number of frames done so far, including this frame
-    int total = 0;             // number of frames in the run
-    int bubbles = 0;           // number of bubbles in this frame
-    double area_error = 0.0;   // largest |A / A_target - 1| (E2)
-    double angle_error = 0.0;  // largest deviation from 120 degrees (E2), radians
-    double seconds = 0.0;      // wall time since the run began
-};
-
-/// Receives the progress after each frame, from one thread at a time.
-using ProgressCallback = std::function<void(const RunProgress&)>;
-
-/// Counts the frames of a run and reports each to a callback. The time since the run began is
-/// measured from the construction of the meter. Not thread-safe.
+/// Counts the units of a phase and reports each of them to a callback. Thread-safe; the callback is
+/// called by one thread at a time. All functions rethrow the exceptions of the callback.
 class ProgressMeter {
   public:
-    /// Keeps a reference to the callback, which may be empty. `total` is the number of frames in
-    /// the run.
-    ProgressMeter(int total, const ProgressCallback& on_progress);
+    /// Keeps a reference to the callback, which may be empty. `total` is the number of units.
+    ProgressMeter(Phase phase, int total, const ProgressCallback& on_progress);
 
-    /// Counts a frame that is done and reports it.
+    /// Begins the phase, if it has not begun: reports that no unit is done.
+    void begin();
+
+    /// Counts a unit and reports it.
+    void add();
+
+    /// Counts a frame and reports it with the number of its bubbles and its errors.
     void add(const SimulatedFrame& shown);
 
+    /// Returns the callback for the source of the frames that this meter counts. Until this phase
+    /// begins, it passes the reports of the source on. Afterwards it repeats the last report of
+    /// this phase instead, so that a callback that throws also stops the run between two frames.
+    /// The meter must outlive the returned callback.
+    ProgressCallback for_source();
+
   private:
+    void report();  // precondition: the mutex is locked
+
     const ProgressCallback& on_progress_;
+    std::mutex mutex_;
+    bool begun_ = false;
     RunProgress progress_;
-    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace foam::texgen

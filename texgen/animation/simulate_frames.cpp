@@ -44,21 +44,31 @@ RunOutcome failed(const Simulation& simulation, const Preset& preset) {
 }  // namespace
 
 FrameSource simulation_of(const Preset& preset, int threads) {
-    return
-        [preset, threads](
-            const std::vector<int>& numbers, NextFrames next_frames, const FrameVisitor& on_frame) {
-            return simulate_frames(preset, threads, numbers, next_frames, on_frame);
-        };
+    return [preset, threads](const std::vector<int>& numbers,
+                             NextFrames next_frames,
+                             const FrameVisitor& on_frame,
+                             const ProgressCallback& on_progress) {
+        return simulate_frames(preset, threads, numbers, next_frames, on_frame, on_progress);
+    };
 }
 
 RunOutcome simulate_states(const Preset& preset,
                            int threads,
                            const std::vector<int>& states,
-                           const FrameVisitor& on_state) {
-    Simulation simulation(preset, threads);
+                           const FrameVisitor& on_state,
+                           const ProgressCallback& on_progress) {
+    const ProgressCallback report = on_progress ? on_progress : [](const RunProgress&) {};
+    report({.phase = Phase::Seeding});
+    Simulation simulation(preset, threads, report);
     for (const int number : states) {
         FrameEffort effort;
         while (simulation.number() < number) {
+            if (simulation.number() > 0) {
+                report({.phase = Phase::States,
+                        .done = simulation.number(),
+                        .total = states.back(),
+                        .bubbles = simulation.bubble_count()});
+            }
             if (!advance(simulation, effort)) {
                 return failed(simulation, preset);
             }
@@ -72,11 +82,11 @@ RunOutcome simulate_frames(const Preset& preset,
                            int threads,
                            const std::vector<int>& numbers,
                            NextFrames next_frames,
-                           const FrameVisitor& on_frame) {
+                           const FrameVisitor& on_frame,
+                           const ProgressCallback& on_progress) {
     FrameAssembly assembly(preset, numbers, next_frames, on_frame);
-    return simulate_states(preset, threads, assembly.states(), [&](const SimulatedFrame& state) {
-        assembly.add(state);
-    });
+    const auto add = [&](const SimulatedFrame& state) { assembly.add(state); };
+    return simulate_states(preset, threads, assembly.states(), add, on_progress);
 }
 
 }  // namespace foam::texgen

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "texgen/animation/frame_assembly.h"
+#include "texgen/animation/progress.h"
 #include "texgen/animation/simulated_frame.h"
 #include "texgen/animation/simulation.h"
 
@@ -27,9 +28,13 @@ struct RunOutcome {
 };
 
 /// A source of frames: calls the visitor for each of the frames with the given numbers, in the
-/// order of FrameAssembly, and returns how the run ended.
-using FrameSource = std::function<RunOutcome(
-    const std::vector<int>& numbers, NextFrames next_frames, const FrameVisitor&)>;
+/// order of FrameAssembly, and returns how the run ended. The progress callback receives the phases
+/// from Seeding to States. States is reported before each state but the first, also after the first
+/// frame.
+using FrameSource = std::function<RunOutcome(const std::vector<int>& numbers,
+                                             NextFrames next_frames,
+                                             const FrameVisitor&,
+                                             const ProgressCallback&)>;
 
 /// Returns a source that simulates a preset. Every call starts again from the seed. `threads` is
 /// the number of threads of the simulation; 0 uses all hardware threads.
@@ -37,19 +42,22 @@ FrameSource simulation_of(const Preset& preset, int threads);
 
 /// Simulates a preset from its seed to the last of the given states and calls `on_state` for each
 /// of them. The FrameEffort of a state covers the steps since the previous given state, or since
-/// the seed. Precondition: `states` is in increasing order.
+/// the seed. `on_progress` is called as by a FrameSource. Precondition: `states` is in increasing
+/// order.
 RunOutcome simulate_states(const Preset& preset,
                            int threads,
                            const std::vector<int>& states,
-                           const FrameVisitor& on_state);
+                           const FrameVisitor& on_state,
+                           const ProgressCallback& on_progress = {});
 
 /// Simulates a preset from its seed until all states that the frames with the given numbers need
 /// are computed. Calls `on_frame` for each frame as soon as the states that it needs exist
-/// (FrameAssembly).
+/// (FrameAssembly). `on_progress` is called as by a FrameSource.
 RunOutcome simulate_frames(const Preset& preset,
                            int threads,
                            const std::vector<int>& numbers,
                            NextFrames next_frames,
-                           const FrameVisitor& on_frame);
+                           const FrameVisitor& on_frame,
+                           const ProgressCallback& on_progress = {});
 
 }  // namespace foam::texgen

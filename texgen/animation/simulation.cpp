@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 // Before frame 1 the foam is seeded, equilibrated and warmed up (with FirstFrame::Diagram,
@@ -55,7 +56,7 @@ StepOptions step_options_of(const Preset& preset, int threads) {
 
 }  // namespace
 
-Simulation::Simulation(const Preset& preset, int threads)
+Simulation::Simulation(const Preset& preset, int threads, ProgressCallback on_progress)
     : frames_(preset.frames),
       loop_(preset.loop),
       image_(preset.image),
@@ -65,7 +66,8 @@ Simulation::Simulation(const Preset& preset, int threads)
       foam_(seeded_foam(preset)),
       timeline_(preset),
       history_(foam_, preset.frames.smoothing),
-      seed_(preset.seeding.seed) {}
+      seed_(preset.seeding.seed),
+      on_progress_(std::move(on_progress)) {}
 
 bool Simulation::advance() {
     ++number_;
@@ -119,6 +121,10 @@ Frame Simulation::frame() const {
     return snapshot(transformed_for_display(foam_, loop_, loop_progress()), number_);
 }
 
+int Simulation::bubble_count() const {
+    return static_cast<int>(foam_.network.bubble_count() + foam_.lone_bubbles.size());
+}
+
 FoamRecord Simulation::record() const {
     FoamRecord record = history_.record();
     for (RecordedEvent& event : record.events) {
@@ -152,13 +158,25 @@ bool Simulation::close_loop() {
         const Foam start = foam_;
         const FoamRecord record = history_.record();
         history_.renumber(-frames_.count);
+        RunProgress progress{.phase = Phase::LoopClosing,
+                             .total = frames_.count,
+                             .measure = closing_error_,
+                             .cycle = cycle + 1};
         for (int position = 1; position <= frames_.count && found; ++position) {
+            progress.done = position - 1;
+            report(progress);
             found = step_cycle(position);
             history_.record_events(foam_, 1 + position - frames_.count);
             history_.average_values(foam_);
         }
         closing_error_ = foam::closing_error(start, foam_);
-        if (found && *closing_error_ < kClosed && cycle_->repeats()) {
+        if (!found) {
+            return false;
+        }
+        progress.done = frames_.count;
+        progress.measure = closing_error_;
+        report(progress);
+        if (*closing_error_ < kClosed && cycle_->repeats()) {
             history_.close_averages(record, frames_.count);
             return true;
         }
@@ -189,6 +207,7 @@ void Simulation::measure_diagram() {
 }
 
 bool Simulation::equilibrate_and_warm_up() {
+    report({.phase = Phase::Equilibrium});
     equilibrium_ = equilibrate_with(options_.solver, foam_, options_.equilibrium);
     if (!equilibrium_.converged() || !warm_up()) {
         return false;
@@ -202,10 +221,14 @@ bool Simulation::equilibrate_and_warm_up() {
 // state 1. Without a flow, the warm-up is one step.
 bool Simulation::warm_up() {
     if (loop_.kind != LoopKind::Flow) {
+        if (frames_.warm_up > 0.0) {
+            report({.phase = Phase::WarmUp, .total = 1});
+        }
         return step_by(frames_.warm_up, {});
     }
     const int steps = static_cast<int>(std::ceil(frames_.warm_up / frames_.time_step));
     for (int frame = 2 - steps; frame <= 1; ++frame) {
+        report({.phase = Phase::WarmUp, .done = frame - 2 + steps, .total = steps});
         if (!step_by(frames_.warm_up / steps, timeline_.changes_to(frame, foam_))) {
             return false;
         }
@@ -221,6 +244,13 @@ bool Simulation::step_by(double time, const StateChange& change) {
     equilibrium_ = step(foam_, time, change, options_).equilibrium;
     add_effort(before);
     return equilibrium_.converged();
+}
+
+void Simulation::report(RunProgress progress) const {
+    if (on_progress_) {
+        progress.bubbles = bubble_count();
+        on_progress_(progress);
+    }
 }
 
 }  // namespace foam::texgen

@@ -7,6 +7,7 @@
 #include "core/foam/frame.h"
 #include "texgen/animation/camera.h"
 #include "texgen/animation/history.h"
+#include "texgen/animation/progress.h"
 #include "texgen/animation/timeline.h"
 #include "texgen/preset/preset.h"
 
@@ -19,8 +20,9 @@ namespace foam::texgen {
 class Simulation {
   public:
     /// Seeds the foam. `threads` is the number of threads, 0 for all hardware threads; the results
-    /// have the same bits for any number of threads. Throws the exceptions of seeded_foam.
-    explicit Simulation(const Preset& preset, int threads = 0);
+    /// have the same bits for any number of threads. `on_progress` receives the phases before frame
+    /// 1: Equilibrium, WarmUp and LoopClosing. Throws the exceptions of seeded_foam.
+    explicit Simulation(const Preset& preset, int threads = 0, ProgressCallback on_progress = {});
 
     /// Advances to the next frame. Before frame 1, the foam is equilibrated and warmed up; if frame
     /// 1 shows the raw diagram (FirstFrame::Diagram), this happens before frame 2. Before frame 1
@@ -28,7 +30,7 @@ class Simulation {
     /// time step with the events of the preset. In a breathe or shear loop it takes one step of the
     /// cycle instead, and in a drift loop no step. In a flow, new bubbles replace bubbles that have
     /// vanished, also in the warm-up. Returns false if no equilibrium is found or the loop does not
-    /// close; the foam must not be used after that.
+    /// close; the foam must not be used after that. Rethrows the exceptions of the callback.
     bool advance();
 
     /// Returns the frame that was reached, as images show it (display_transform.h).
@@ -44,6 +46,9 @@ class Simulation {
 
     /// Returns the record that maps need to draw the frame that was reached.
     FoamRecord record() const;
+
+    /// Returns the number of bubbles of the foam.
+    int bubble_count() const;
 
     /// Returns the number of the frame that was reached; 0 before the first call of advance().
     int number() const { return number_; }
@@ -62,6 +67,7 @@ class Simulation {
     double loop_progress() const;  // fraction of the loop that precedes the present frame
     void add_effort(const EquilibriumSummary& before);
     bool step_by(double time, const StateChange& change);  // adds its effort to equilibrium_
+    void report(RunProgress progress) const;               // adds the number of bubbles
 
     FramesOptions frames_;
     LoopOptions loop_;
@@ -73,6 +79,7 @@ class Simulation {
     Timeline timeline_;
     History history_;
     std::uint64_t seed_;
+    ProgressCallback on_progress_;
     std::optional<Cycle> cycle_;
     std::optional<double> closing_error_;
     std::optional<View> view_;

@@ -3,6 +3,7 @@
 #include "texgen/bake/bake.h"
 
 #include "core/parallel/parallel_for.h"
+#include "texgen/animation/progress_meter.h"
 #include "texgen/animation/simulate_frames.h"
 #include "texgen/bake/bounded_workers.h"
 #include "texgen/bake/file_pattern.h"
@@ -52,7 +53,7 @@ class FrameWriter {
         : preset_(preset),
           files_(preset),
           callbacks_(callbacks),
-          meter_(total, callbacks.on_progress) {
+          meter_(Phase::Frames, total, callbacks.on_progress) {
         if (preset.loop.is_cross_faded()) {
             fade_order_.emplace(fade_order_options(preset));
         }
@@ -79,6 +80,9 @@ class FrameWriter {
 
     /// Returns the numbers of all files that were written. Must not be called during `write`.
     const std::vector<WrittenNumbers>& numbers() const { return numbers_; }
+
+    /// Counts the frames; begins with the first frame that is drawn.
+    ProgressMeter& meter() { return meter_; }
 
     void write(const SimulatedFrame& shown) {
         const Clock::time_point begin = Clock::now();
@@ -153,11 +157,12 @@ BakeSummary bake(const Preset& preset, const BakeOptions& options, const BakeCal
             callbacks.on_frame(shown);
         }
         if (!options.existing_frames.contains(shown.frame->number)) {
+            writer.meter().begin();
             workers.submit([shown, &writer] { writer.write(shown); });
         }
     };
-    const RunOutcome outcome =
-        source_of(preset, options)(options.frames, writer.next_frames(), draw);
+    const RunOutcome outcome = source_of(preset, options)(
+        options.frames, writer.next_frames(), draw, writer.meter().for_source());
     workers.finish();
     return {outcome, writer.paths(options.frames, done), writer.numbers()};
 }

@@ -2,7 +2,7 @@
 
 #pragma once
 
-#include "texgen/animation/progress_meter.h"
+#include "texgen/animation/progress.h"
 #include "texgen/animation/simulate_frames.h"
 #include "texgen/bake/written_file.h"
 #include "texgen/preset/preset.h"
@@ -51,15 +51,14 @@ struct BakedFrame {
 };
 
 /// Callbacks of a running bake; each may be empty. `on_frame` is called for each frame before it is
-/// drawn or kept, in the order of simulate_frames. `on_baked` and `on_progress` are called after a
-/// frame has been written, in any order of frames, and never at the same time. They may be called
-/// while `on_frame` runs, from another thread.
+/// drawn or kept, in the order of simulate_frames. `on_baked` is called after a frame has been
+/// written, in any order of frames, by one thread at a time. `on_progress` receives all phases up
+/// to Frames, which counts written frames. Both may be called while `on_frame` runs, from another
+/// thread.
 struct BakeCallbacks {
     ProgressCallback on_progress = {};
     FrameVisitor on_frame = {};
     std::function<void(const BakedFrame&)> on_baked = {};
-    // Called before each frame that bake_recorded measures to fit automatic ranges. May throw.
-    std::function<void()> on_measured = {};
 };
 
 /// Checks the arguments of a bake. Throws std::invalid_argument if there are no frames, if a frame

@@ -3,6 +3,7 @@
 #include "texgen/bake/fitted_ranges.h"
 
 #include "core/parallel/parallel_for.h"
+#include "texgen/animation/progress_meter.h"
 #include "texgen/bake/file_pattern.h"
 #include "texgen/image/format.h"
 #include "texgen/maps/all_maps.h"
@@ -126,16 +127,18 @@ RunOutcome fit_automatic_ranges(Preset& preset,
                                 const FrameSource& source,
                                 const std::vector<int>& frames,
                                 int threads,
-                                const std::function<void()>& checkpoint) {
-    RangeMeter meter(preset, threads);
-    const NextFrames next = meter.needs_next() ? NextFrames::Included : NextFrames::Omitted;
-    const RunOutcome outcome = source(frames, next, [&](const SimulatedFrame& shown) {
-        checkpoint();
-        meter.measure(shown);
-    });
-    checkpoint();
+                                const ProgressCallback& on_progress) {
+    RangeMeter ranges(preset, threads);
+    ProgressMeter progress(Phase::Ranges, static_cast<int>(frames.size()), on_progress);
+    const NextFrames next = ranges.needs_next() ? NextFrames::Included : NextFrames::Omitted;
+    const auto measure = [&](const SimulatedFrame& shown) {
+        progress.begin();
+        ranges.measure(shown);
+        progress.add(shown);
+    };
+    const RunOutcome outcome = source(frames, next, measure, progress.for_source());
     if (outcome.status == RunStatus::Complete) {
-        for (const MeasuredMap& one : meter.maps()) {
+        for (const MeasuredMap& one : ranges.maps()) {
             AutoReal& full = *full_of(*one.map, preset.maps);
             if (one.largest > 0.0) {
                 full.value = rounded_up(kMargin * one.largest * full.value);

@@ -5,7 +5,6 @@
 #include "texgen/animation/simulate_frames.h"
 #include "texgen/preset/preset.h"
 
-#include <functional>
 #include <vector>
 
 namespace foam::texgen {
@@ -22,13 +21,13 @@ bool has_automatic_ranges(const Preset& preset);
 /// preferred number of the series R10 of ISO 3 (1, 1.25, 1.6, 2, 2.5, 3.15, 4, 5, 6.3, 8, 10). A
 /// range thus has at most 30 % to spare. A map whose numbers are all 0 keeps its range.
 ///
-/// `source` gives the frames. `checkpoint` is called before each frame and at the end; it may throw
-/// to stop. If the source fails, its outcome is returned, and the preset is unchanged.
+/// `source` gives the frames. `on_progress` receives the phases of the source, and then the phase
+/// Ranges. If the source fails, its outcome is returned, and the preset is unchanged.
 RunOutcome fit_automatic_ranges(Preset& preset,
                                 const FrameSource& source,
                                 const std::vector<int>& frames,
                                 int threads,
-                                const std::function<void()>& checkpoint);
+                                const ProgressCallback& on_progress = {});
 
 /// Returns the smallest preferred number that is not below a positive number.
 double rounded_up(double number);

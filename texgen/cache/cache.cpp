@@ -40,22 +40,29 @@ SimulatedFrame Cache::state(int number) const {
 }
 
 FrameSource Cache::frames_of(const Preset& preset) const {
-    return
-        [this, preset](
-            const std::vector<int>& numbers, NextFrames next_frames, const FrameVisitor& on_frame) {
-            std::optional<View> view;
-            FrameAssembly assembly(preset, numbers, next_frames, on_frame);
-            for (const int number : assembly.states()) {
-                SimulatedFrame read = state(number);
-                if (preset.shape.kind == FoamKind::Patch && number == 1) {
-                    view = camera_view(*read.frame, preset.image, preset.camera);
-                }
-                read.view = view;
-                read.closing_error = info_.closing_error;
-                assembly.add(read);
+    return [this, preset](const std::vector<int>& numbers,
+                          NextFrames next_frames,
+                          const FrameVisitor& on_frame,
+                          const ProgressCallback& on_progress) {
+        std::optional<View> view;
+        FrameAssembly assembly(preset, numbers, next_frames, on_frame);
+        RunProgress progress{.phase = Phase::States,
+                             .total = static_cast<int>(assembly.states().size())};
+        for (const int number : assembly.states()) {
+            if (on_progress && progress.done > 0) {
+                on_progress(progress);
             }
-            return RunOutcome{RunStatus::Complete, 0, info_.closing_error};
-        };
+            SimulatedFrame read = state(number);
+            if (preset.shape.kind == FoamKind::Patch && number == 1) {
+                view = camera_view(*read.frame, preset.image, preset.camera);
+            }
+            read.view = view;
+            read.closing_error = info_.closing_error;
+            assembly.add(read);
+            ++progress.done;
+        }
+        return RunOutcome{RunStatus::Complete, 0, info_.closing_error};
+    };
 }
 
 }  // namespace foam::texgen

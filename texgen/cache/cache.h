@@ -6,6 +6,7 @@
 #include "texgen/cache/cache_files.h"
 #include "texgen/preset/preset.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <vector>
 
@@ -37,6 +38,12 @@ class Cache {
     CacheInfo info_;
     std::vector<double> first_pressures_;
 };
+
+/// Returns the estimated size, in bytes, of the states that simulate_into_cache writes for the
+/// given frames. States that exist in the folder are not counted.
+std::uint64_t estimated_cache_size(const Preset& preset,
+                                   const std::vector<int>& frames,
+                                   const std::filesystem::path& folder);
 
 /// Simulates a preset and writes into a cache the states that the frames need. Also writes the
 /// state after each frame, because some maps, such as `motion`, need it. Uses only `frames` and

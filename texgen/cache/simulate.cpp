@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "texgen/animation/frame_assembly.h"
+#include "texgen/animation/progress_meter.h"
 #include "texgen/cache/cache.h"
 #include "texgen/cache/cache_files.h"
 #include "texgen/cache/packed_file.h"
@@ -8,7 +9,9 @@
 #include "texgen/cache/state_codec.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 namespace foam::texgen {
@@ -60,6 +63,22 @@ void check(const BakeOptions& options) {
 
 }  // namespace
 
+std::uint64_t estimated_cache_size(const Preset& preset,
+                                   const std::vector<int>& frames,
+                                   const std::filesystem::path& folder) {
+    // The states of sea_foam with 400 bubbles have 63 bytes per bubble, those of potion with 130
+    // and of coarsening with 3,000 bubbles have 79.
+    constexpr std::uint64_t kBytesPerBubble = 80;
+    const std::vector<int> states =
+        FrameAssembly(preset, frames, NextFrames::Included, {}).states();
+    const auto missing = std::ranges::count_if(states, [&](int number) {
+        std::error_code ignored;
+        return !std::filesystem::exists(state_path(folder, number), ignored);
+    });
+    return static_cast<std::uint64_t>(missing) * kBytesPerBubble *
+           static_cast<std::uint64_t>(preset.seeding.bubbles);
+}
+
 RunOutcome simulate_into_cache(const Preset& preset,
                                const BakeOptions& options,
                                const std::filesystem::path& folder,
@@ -73,11 +92,12 @@ RunOutcome simulate_into_cache(const Preset& preset,
                        folder);
     const std::vector<int> states =
         FrameAssembly(preset, options.frames, NextFrames::Included, {}).states();
-    ProgressMeter meter(static_cast<int>(states.size()), on_progress);
-    return simulate_states(preset, options.threads, states, [&](const SimulatedFrame& state) {
+    ProgressMeter meter(Phase::Frames, static_cast<int>(states.size()), on_progress);
+    const auto write = [&](const SimulatedFrame& state) {
         writer.write(state);
         meter.add(state);
-    });
+    };
+    return simulate_states(preset, options.threads, states, write, meter.for_source());
 }
 
 }  // namespace foam::texgen

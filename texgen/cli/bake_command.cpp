@@ -18,7 +18,11 @@ constexpr const char* kBakeExamples = R"(Examples:
   foamtex bake sea_foam --size 2048 --seed 7 --out 'foam/{map}.####.png'
   foamtex bake my.toml --frames 1-120x2 --set albedo.colormap=magma
   foamtex bake sea_foam --maps albedo,film --out 'out/layers.####.exr'
+  foamtex bake coarsening --progress json 2> progress.jsonl
 A preset with a loop closes after frames.count frames; --set frames.count=N makes the loop shorter.
+Members of --progress json, null if unknown: phase; done, total: units of the phase (steps, frames);
+seconds: since the start; seconds_left: until the phase ends; frame: the last one done; bubbles;
+cycle, measure: of a loop that is being closed, and its closing error in mean bubble diameters.
 Keys for --set: foamtex presets keys)";
 
 struct BakeArguments {
@@ -30,8 +34,8 @@ ExitCode run_bake(const BakeArguments& arguments) {
     const Preset preset = preset_of(arguments.run, assignments_of(arguments.images));
     const BakeOptions options{.frames = frames_of(arguments.run, preset),
                               .threads = arguments.run.threads};
-    const ExitCode code =
-        run_images(preset, options, arguments.images, verbosity_of(arguments.run));
+    const ExitCode code = run_images(
+        preset, options, arguments.images, progress_options(arguments.run, options.frames.size()));
     if (code == ExitCode::Success && !arguments.run.quiet && !arguments.images.json) {
         note_open_loop(preset, options.frames);
         note_late_events(preset, options.frames);

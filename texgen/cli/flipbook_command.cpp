@@ -4,14 +4,15 @@
 #include "texgen/cli/command.h"
 #include "texgen/cli/json_report.h"
 #include "texgen/cli/options.h"
+#include "texgen/cli/progress.h"
 #include "texgen/cli/report.h"
+#include "texgen/cli/standard_error.h"
 #include "texgen/manifest/manifest_file.h"
 #include "texgen/sheet/flipbook.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -43,16 +44,17 @@ struct FlipbookArguments {
     FlipbookOptions options;
     bool quiet = false;
     bool json = false;
+    std::string progress;
 };
 
 void warn_of_size(const SheetLayout& layout) {
     if (layout.width() > kLargestTexture || layout.height() > kLargestTexture) {
-        fmt::print(stderr,
-                   "foamtex: warning: the sheet is {} x {} pixels; graphics hardware supports at "
-                   "most {} per side\n",
-                   layout.width(),
-                   layout.height(),
-                   kLargestTexture);
+        print_stderr(
+            "foamtex: warning: the sheet is {} x {} pixels; graphics hardware supports at "
+            "most {} per side\n",
+            layout.width(),
+            layout.height(),
+            kLargestTexture);
     }
 }
 
@@ -78,7 +80,11 @@ ExitCode run_flipbook(const FlipbookArguments& arguments) {
         options.maps = CLI::detail::split(*arguments.maps, ',');
     }
     options.frames = arguments.frames ? parse_frame_range(*arguments.frames) : set.frames();
-    const Flipbook flipbook = write_flipbook(set, folder, options, arguments.out.value_or(folder));
+    const Flipbook flipbook = [&] {
+        ProgressReporter reporter(progress_options(arguments.quiet, arguments.progress));
+        return write_flipbook(
+            set, folder, options, arguments.out.value_or(folder), reporter.callback());
+    }();
     warn_of_size(flipbook.layout);
     if (arguments.json) {
         print_report(set, options.frames, flipbook);
@@ -116,7 +122,9 @@ void add_layout(CLI::App& command, FlipbookArguments& arguments) {
         ->excludes(gutter)
         ->option_text(" ");
     add_out_folder_option(command, arguments.out, "Folder for the sheets (default: DIR)");
-    add_quiet_option(command, arguments.quiet, "Print only errors (and --json)");
+    CLI::Option* const quiet =
+        add_quiet_option(command, arguments.quiet, "Print only errors (and --json)");
+    add_progress_option(command, arguments.progress)->excludes(quiet);
     add_json_option(command, arguments.json);
 }
 

@@ -2,12 +2,14 @@
 
 #include "texgen/cli/image_run.h"
 
+#include "texgen/bake/estimated_size.h"
 #include "texgen/bake/file_pattern.h"
 #include "texgen/bake/frame_range.h"
 #include "texgen/cli/interruption.h"
 #include "texgen/cli/json_report.h"
 #include "texgen/cli/options.h"
 #include "texgen/cli/report.h"
+#include "texgen/cli/standard_error.h"
 #include "texgen/image/format.h"
 #include "texgen/manifest/manifest_file.h"
 #include "texgen/manifest/recorded_bake.h"
@@ -17,7 +19,6 @@
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
-#include <cstdio>
 #include <filesystem>
 #include <utility>
 #include <vector>
@@ -49,17 +50,17 @@ void print_images(const Preset& preset,
 void note_clipped(const BakeSummary& summary, const Preset& preset) {
     for (const WrittenNumbers& numbers : summary.numbers) {
         if (numbers.extent.clipped > 0.0) {
-            fmt::print(stderr,
-                       "foamtex: {}: up to {:.3g} % of the samples of a file are outside of {:g} "
-                       "to {:g} and were clipped; numbers go from {:.3g} to {:.3g}: {} {}\n",
-                       numbers.map->name,
-                       100.0 * numbers.extent.clipped,
-                       numbers.range[0],
-                       numbers.range[1],
-                       numbers.extent.smallest,
-                       numbers.extent.largest,
-                       full_of(*numbers.map, preset.maps)->is_automatic ? "set" : "raise",
-                       numbers.map->full_key);
+            print_stderr(
+                "foamtex: {}: up to {:.3g} % of the samples of a file are outside of {:g} "
+                "to {:g} and were clipped; numbers go from {:.3g} to {:.3g}: {} {}\n",
+                numbers.map->name,
+                100.0 * numbers.extent.clipped,
+                numbers.range[0],
+                numbers.range[1],
+                numbers.extent.smallest,
+                numbers.extent.largest,
+                full_of(*numbers.map, preset.maps)->is_automatic ? "set" : "raise",
+                numbers.map->full_key);
         }
     }
 }
@@ -126,19 +127,24 @@ std::vector<Assignment> assignments_of(const ImageArguments& arguments) {
 ExitCode run_images(const Preset& preset,
                     const BakeOptions& options,
                     const ImageArguments& arguments,
-                    Verbosity verbosity) {
+                     const ProgressOptions& progress) {
+    const Verbosity verbosity = progress.verbosity;
+    if (verbosity != Verbosity::Quiet) {
+        warn_of_full_disk(estimated_size(preset, options.frames), manifest_folder(preset));
+    }
     const FilePattern pattern(preset.output.pattern);
     Recorder recorder(preset);
     const BakeSummary summary = [&] {
         try {
-            return bake_recorded(preset,
-                                 options,
-                                 {.on_progress = progress_reporter(verbosity),
-                                  .on_frame = arguments.stats ? recorder.visitor() : FrameVisitor(),
-                                  .on_measured = throw_if_interrupted},
-                                 arguments.resume ? Resume::Yes : Resume::No);
+            ProgressReporter reporter(progress);
+            return bake_recorded(
+                preset,
+                options,
+                {.on_progress = reporter.callback(),
+                 .on_frame = arguments.stats ? recorder.visitor() : FrameVisitor()},
+                arguments.resume ? Resume::Yes : Resume::No);
         } catch (const Interrupted&) {
-            fmt::print(stderr, "foamtex: the same command with --resume goes on\n");
+            print_stderr("foamtex: the same command with --resume goes on\n");
             throw;
         }
     }();

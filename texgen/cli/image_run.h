@@ -34,11 +34,11 @@ std::vector<Assignment> assignments_of(const ImageArguments& arguments);
 /// Draws the frames of a preset, writes the image files and their manifest, and writes statistics
 /// if requested. With --json, prints a JSON object. Otherwise prints the name of the image file of
 /// each map or, for several frames, its file name pattern and the frame range, and the names of the
-/// statistics files; prints nothing if the run failed or `verbosity` is Quiet. Returns the exit
+/// statistics files; prints nothing if the run failed or the verbosity is Quiet. Returns the exit
 /// code. Throws the exceptions of bake_recorded.
 ExitCode run_images(const Preset& preset,
                     const BakeOptions& options,
                     const ImageArguments& arguments,
-                    Verbosity verbosity);
+                    const ProgressOptions& progress);
 
 }  // namespace foam::texgen

@@ -19,9 +19,15 @@ static_assert(std::atomic<int>::is_always_lock_free, "signal handlers may use it
 // Calls only functions that a signal handler may call.
 void take_signal(int signal) {
     constexpr std::string_view kNote =
-        "\nfoamtex: stopping after the current frame; a second signal stops at once\n";
+        "\nfoamtex: stopping after the current step; a second signal stops at once\n";
     stop_signal = signal;
+    // If stderr is a pipe without a reader, the run still has to end in an orderly way.
+    struct sigaction ignore {};
+    struct sigaction before {};
+    ignore.sa_handler = SIG_IGN;
+    sigaction(SIGPIPE, &ignore, &before);
     [[maybe_unused]] const auto written = write(STDERR_FILENO, kNote.data(), kNote.size());
+    sigaction(SIGPIPE, &before, nullptr);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ class Interrupted : public std::runtime_error {
 };
 
 /// From now on, the first SIGINT or SIGTERM makes throw_if_interrupted throw instead of ending the
-/// process, and prints on stderr that the run will stop after its current frame. A second signal of
+/// process, and prints on stderr that the run will stop after its current step. A second signal of
 /// the same kind ends the process immediately.
 void handle_stop_signals();
 

@@ -9,6 +9,7 @@ namespace foam::texgen {
 namespace {
 
 constexpr int kMaxThreads = 1024;
+constexpr const char* kJsonProgress = "json";
 constexpr const char* kRangeExamples =
     ": 5, 1-10, 1-10x2 (every second), 1-10y3 (all but every third) or 1-3,7";
 
@@ -20,6 +21,18 @@ void add_json_option(CLI::App& command, bool& json) {
 
 CLI::Option* add_quiet_option(CLI::App& command, bool& quiet, const char* meaning) {
     return command.add_flag("-q,--quiet", quiet, meaning)->option_text(" ");
+}
+
+CLI::Option* add_progress_option(CLI::App& command, std::string& progress) {
+    return command
+        .add_option("--progress", progress, "Progress on stderr: auto, or one JSON line per second")
+        ->check(CLI::IsMember({"auto", kJsonProgress}))
+        ->option_text("auto|json");
+}
+
+ProgressOptions progress_options(bool quiet, const std::string& progress) {
+    return {.verbosity = quiet ? Verbosity::Quiet : Verbosity::Normal,
+            .json = progress == kJsonProgress};
 }
 
 void add_threads_option(CLI::App& command, int& threads) {

@@ -5,6 +5,8 @@
 // Options that several commands share. Each function adds one option to a command. The variable
 // that receives the value must exist until the command line has been parsed.
 
+#include "texgen/cli/progress.h"
+
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -23,6 +25,13 @@ void add_json_option(CLI::App& command, bool& json);
 CLI::Option* add_quiet_option(CLI::App& command,
                               bool& quiet,
                               const char* meaning = "Print only errors");
+
+/// Adds --progress, the form of the progress on stderr: "auto" or "json".
+CLI::Option* add_progress_option(CLI::App& command, std::string& progress);
+
+/// Returns the options with which a command without -v reports its progress. `progress` is the
+/// value of --progress.
+ProgressOptions progress_options(bool quiet, const std::string& progress);
 
 /// Adds --threads, the number of threads. 0, the default, uses all hardware threads.
 void add_threads_option(CLI::App& command, int& threads);

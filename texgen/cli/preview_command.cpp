@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
+#include "texgen/bake/estimated_size.h"
 #include "texgen/bake/frame_range.h"
 #include "texgen/cli/command.h"
-#include "texgen/cli/interruption.h"
 #include "texgen/cli/json_report.h"
 #include "texgen/cli/options.h"
 #include "texgen/cli/report.h"
@@ -96,7 +96,11 @@ ExitCode preview_folder(const PreviewArguments& arguments) {
     const BakedSet& set = choose_set(manifest, arguments.shown_preset, folder);
     options.frames = arguments.run.frames ? parse_frame_range(*arguments.run.frames) : set.frames();
     Shown shown{set.preset, options.frames};
-    shown.files = write_previews(set, folder, options, arguments.out.value_or(folder));
+    {
+        ProgressReporter reporter(progress_options(arguments.run, 0));
+        shown.files = write_previews(
+            set, folder, options, arguments.out.value_or(folder), reporter.callback());
+    }
     print(arguments, shown, json_report());
     return ExitCode::Success;
 }
@@ -120,20 +124,28 @@ ExitCode preview_preset(const PreviewArguments& arguments) {
     const Preset preset = preset_to_bake(arguments, scratch.path());
     PreviewOptions options = options_of(arguments);
     options.frames = frames_of(arguments.run, preset);
-    const BakeSummary summary =
-        bake_recorded(preset,
-                      {.frames = options.frames, .threads = arguments.run.threads},
-                      {.on_progress = progress_reporter(verbosity_of(arguments.run)),
-                       .on_measured = throw_if_interrupted});
-    const bool complete = summary.outcome.status == RunStatus::Complete;
-    Shown shown{preset.name, options.frames};
-    if (complete) {
-        const Manifest manifest = read_manifest(scratch.path());
-        shown.files = write_previews(
-            manifest.sets.front(), scratch.path(), options, arguments.out.value_or("out"));
+    if (!arguments.run.quiet) {
+        warn_of_full_disk(estimated_size(preset, options.frames), scratch.path());
     }
-    print(arguments, shown, json_report(summary.outcome));
-    return complete ? ExitCode::Success : report_failure(summary.outcome);
+    Shown shown{preset.name, options.frames};
+    const RunOutcome outcome = [&] {
+        ProgressReporter reporter(progress_options(arguments.run, options.frames.size()));
+        const BakeSummary summary =
+            bake_recorded(preset,
+                          {.frames = options.frames, .threads = arguments.run.threads},
+                          {.on_progress = reporter.callback()});
+        if (summary.outcome.status == RunStatus::Complete) {
+            const Manifest manifest = read_manifest(scratch.path());
+            shown.files = write_previews(manifest.sets.front(),
+                                         scratch.path(),
+                                         options,
+                                         arguments.out.value_or("out"),
+                                         reporter.callback());
+        }
+        return summary.outcome;
+    }();
+    print(arguments, shown, json_report(outcome));
+    return outcome.status == RunStatus::Complete ? ExitCode::Success : report_failure(outcome);
 }
 
 ExitCode run_preview(const PreviewArguments& arguments) {

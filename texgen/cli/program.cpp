@@ -6,6 +6,7 @@
 #include "core/parallel/simd_level.h"
 #include "texgen/cli/command.h"
 #include "texgen/cli/interruption.h"
+#include "texgen/cli/standard_error.h"
 #include "texgen/image/file_io.h"
 #include "texgen/keys/nearest.h"
 #include "texgen/preset/assignment.h"
@@ -43,7 +44,7 @@ Exit codes: 0 success, 1 unexpected internal failure, 2 bad command line or pres
 ExitCode report(std::string message, ExitCode code) {
     std::replace_if(
         message.begin(), message.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
-    fmt::print(stderr, "foamtex: {}\n", message);
+    print_stderr("foamtex: {}\n", message);
     return code;
 }
 
@@ -114,6 +115,7 @@ ExitCode parse_and_run(int argc, char** argv) {
 }  // namespace
 
 ExitCode run_program(int argc, char** argv) {
+    open_missing_streams();
     try {
         return flushed(parse_and_run(argc, argv));
     } catch (const Interrupted& error) {

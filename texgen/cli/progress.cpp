@@ -3,82 +3,147 @@
 #include "texgen/cli/progress.h"
 
 #include "texgen/cli/interruption.h"
+#include "texgen/cli/progress_text.h"
+#include "texgen/cli/standard_error.h"
 
 #include <fmt/core.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
 #include <cstdlib>
+#include <string>
 
 namespace foam::texgen {
 
 namespace {
 
-constexpr int kBarWidth = 24;  // characters between the brackets
-
-/// Returns the estimated time left in minutes and seconds, such as "0:14 left". The remaining
-/// frames are assumed to take as long as the frames so far. Precondition: at least one frame is
-/// done.
-std::string time_left(const RunProgress& progress) {
-    const double ratio = static_cast<double>(progress.total - progress.done) / progress.done;
-    const auto seconds = static_cast<long>(std::ceil(progress.seconds * ratio));
-    return fmt::format("{}:{:02} left", seconds / 60, seconds % 60);
-}
+constexpr double kBarInterval = 0.1;   // seconds between two drawings of the bar
+constexpr double kLineInterval = 1.0;  // seconds between two lines
+// A run is long from here on. Its user is told once the speed of a phase was measured for
+// kMeasured.
+constexpr double kLongRun = 60.0;  // seconds
+constexpr double kMeasured = 2.0;  // seconds
 
 bool wants_color() {
     const char* no_color = std::getenv("NO_COLOR");
     return no_color == nullptr || *no_color == '\0';
 }
 
-/// Draws the bar over the previous one. The last bar ends with a newline, so that it stays visible.
-void draw_bar(const RunProgress& progress, bool color) {
-    const std::string bar = progress_bar(progress);
-    const char* end = progress.done == progress.total ? "\n" : "";
-    fmt::print(
-        stderr, "\r\033[K{}{}{}{}", color ? "\033[36m" : "", bar, color ? "\033[0m" : "", end);
-    std::fflush(stderr);
+/// Returns the number of columns of the terminal, or 80 if it is unknown.
+std::size_t terminal_columns() {
+    constexpr std::size_t kUsual = 80;
+    winsize size{};
+    return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : kUsual;
 }
 
 }  // namespace
 
-std::string progress_bar(const RunProgress& progress) {
-    const int filled = progress.total > 0 ? kBarWidth * progress.done / progress.total : 0;
-    const auto hashes = static_cast<std::size_t>(std::clamp(filled, 0, kBarWidth));
-    const std::string bar = std::string(hashes, '#') + std::string(kBarWidth - hashes, '-');
-    const std::string left = progress.done > 0 ? "  " + time_left(progress) : "";
-    return fmt::format("[{}] {:>{}}/{}  {} bubbles{}",
-                       bar,
-                       progress.done,
-                       std::to_string(progress.total).size(),
-                       progress.total,
-                       progress.bubbles,
-                       left);
-}
-
-std::string progress_line(const RunProgress& progress) {
-    return fmt::format("frame {}: {} bubbles, area error {:.1e}, angle error {:.1e}, {:.2f} s",
-                       progress.frame,
-                       progress.bubbles,
-                       progress.area_error,
-                       progress.angle_error,
-                       progress.seconds);
-}
-
-ProgressCallback progress_reporter(Verbosity verbosity) {
-    const bool has_bar = verbosity == Verbosity::Normal && isatty(STDERR_FILENO) != 0;
+ProgressReporter::ProgressReporter(const ProgressOptions& options)
+    : options_(options), style_(style_of(options)), has_color_(wants_color()) {
     handle_stop_signals();
-    return [=, color = wants_color()](const RunProgress& progress) {
-        if (verbosity == Verbosity::Verbose) {
-            fmt::print(stderr, "{}\n", progress_line(progress));
-        } else if (has_bar) {
-            draw_bar(progress, color);
-        }
-        if (progress.done < progress.total) {
-            throw_if_interrupted();
-        }
-    };
+}
+
+ProgressReporter::~ProgressReporter() {
+    if (is_pending_ && style_ != Style::Lines) {
+        print();
+    }
+    if (style_ == Style::Bar && has_printed_) {
+        write_stderr_without_waiting("\n");
+    }
+}
+
+ProgressReporter::Style ProgressReporter::style_of(const ProgressOptions& options) {
+    if (options.verbosity == Verbosity::Quiet) {
+        return Style::Nothing;
+    }
+    if (options.json) {
+        return Style::Json;
+    }
+    if (options.verbosity == Verbosity::Verbose) {
+        return Style::Lines;
+    }
+    return isatty(STDERR_FILENO) != 0 ? Style::Bar : Style::Nothing;
+}
+
+ProgressCallback ProgressReporter::callback() {
+    return [this](const RunProgress& progress) { take(progress); };
+}
+
+void ProgressReporter::take(const RunProgress& progress) {
+    now_ = PhaseClock::Clock::now();
+    const PhaseClock::News news = clock_.add(progress, now_);
+    latest_ = progress;
+    is_pending_ = is_pending_ || news != PhaseClock::News::Nothing;
+    note_long_run();
+    if (is_due(news)) {
+        print();
+    }
+    if (!progress.finished()) {
+        throw_if_interrupted();
+    }
+}
+
+bool ProgressReporter::is_due(PhaseClock::News news) const {
+    const double passed = seconds_since(last_print_);
+    switch (style_) {
+        case Style::Bar:
+            return !has_printed_ || passed >= kBarInterval;
+        case Style::Json:
+            return !has_printed_ || passed >= kLineInterval;
+        case Style::Lines:
+            if (latest_.phase == Phase::Frames) {
+                return news != PhaseClock::News::Nothing && latest_.done > 0;
+            }
+            return news == PhaseClock::News::NewPhase ||
+                   (news == PhaseClock::News::Units &&
+                    (latest_.finished() || passed >= kLineInterval));
+        case Style::Nothing:
+            break;
+    }
+    return false;
+}
+
+void ProgressReporter::print() {
+    const double seconds = seconds_since(begin_);
+    if (style_ == Style::Bar) {
+        const std::string bar = progress_bar(latest_, clock_.seconds_left());
+        write_stderr_without_waiting(fmt::format("\r\033[K{}{}{}",
+                                                 has_color_ ? "\033[36m" : "",
+                                                 bar.substr(0, terminal_columns() - 1),
+                                                 has_color_ ? "\033[0m" : ""));
+    } else if (style_ == Style::Lines) {
+        write_stderr_without_waiting(progress_line(latest_, seconds) + "\n");
+    } else if (style_ == Style::Json) {
+        write_stderr_without_waiting(progress_json(latest_, seconds, clock_.seconds_left()) + "\n");
+    }
+    last_print_ = now_;
+    has_printed_ = true;
+    is_pending_ = false;
+}
+
+// The steps that prepare frame 1 take about as long as the steps of the frames. Their speed
+// therefore bounds the duration of the run from below: drawing, and further cycles of a loop, come
+// on top.
+void ProgressReporter::note_long_run() {
+    const std::optional<double> per_unit = clock_.seconds_per_unit();
+    const bool is_told = options_.verbosity == Verbosity::Normal && !options_.json;
+    if (has_noted_ || !is_told || !per_unit || clock_.seconds_in_phase() < kMeasured) {
+        return;
+    }
+    const bool frames_follow = latest_.phase < Phase::Frames;
+    const int units = latest_.total - latest_.done + (frames_follow ? options_.frames : 0);
+    const double seconds = units * *per_unit;
+    if (seconds >= kLongRun) {
+        has_noted_ = true;
+        write_stderr_without_waiting(fmt::format("{}foamtex: note: this takes {} {} more\n",
+                                                 style_ == Style::Bar ? "\r\033[K" : "",
+                                                 frames_follow ? "at least" : "about",
+                                                 long_duration(seconds)));
+    }
+}
+
+double ProgressReporter::seconds_since(PhaseClock::Clock::time_point begin) const {
+    return std::chrono::duration<double>(now_ - begin).count();
 }
 
 }  // namespace foam::texgen

@@ -2,9 +2,8 @@
 
 #pragma once
 
-#include "texgen/bake/bake.h"
-
-#include <string>
+#include "texgen/animation/progress.h"
+#include "texgen/cli/phase_clock.h"
 
 namespace foam::texgen {
 
@@ -12,21 +11,66 @@ namespace foam::texgen {
 enum class Verbosity {
     Quiet,
     Normal,   // a progress bar if stderr is a terminal
-    Verbose,  // a line per frame
+    Verbose,  // a line per frame, and lines for the other phases
 };
 
-/// Returns the text of the progress bar, without a newline. Example:
-/// "[######------------------] 12/48  583 bubbles  0:14 left".
-std::string progress_bar(const RunProgress& progress);
+/// The options of a ProgressReporter.
+struct ProgressOptions {
+    Verbosity verbosity = Verbosity::Normal;
+    bool json = false;  // a line of JSON per second, in place of a bar or lines
+    int frames = 0;     // number of frames that follow the phases before Frames
+};
 
-/// Returns the line that reports a frame. It ends with the wall time since the run began. Example:
-/// "frame 12: 583 bubbles, area error 1.2e-14, angle error 3.1e-15, 4.21 s".
-std::string progress_line(const RunProgress& progress);
+/// Reports the progress of one run on stderr, in one of four styles:
+///
+/// - a bar, if stderr is a terminal. It is in color only if the environment variable NO_COLOR is
+///   unset or empty.
+/// - lines: one per frame; for every other phase its first report, each cycle of a loop, the end,
+///   and otherwise at most one line per second.
+/// - JSON lines (progress_json): the first and the last report of the run, and otherwise at most
+/// one
+///   line per second.
+/// - nothing.
+///
+/// With Verbosity::Normal and without JSON, one line tells the user if the run takes a minute or
+/// more, as soon as its first units allow an estimate.
+class ProgressReporter {
+  public:
+    /// Begins the run. Calls handle_stop_signals.
+    explicit ProgressReporter(const ProgressOptions& options);
 
-/// Returns a callback that reports progress on stderr. The bar is drawn only if stderr is a
-/// terminal. It is in color only if the environment variable NO_COLOR is unset or empty. Calls
-/// handle_stop_signals; after SIGINT or SIGTERM the callback throws Interrupted, unless all frames
-/// are done.
-ProgressCallback progress_reporter(Verbosity verbosity);
+    /// Ends the run: prints the last report, if it is not yet printed, and ends the line of the
+    /// bar.
+    ~ProgressReporter();
+
+    ProgressReporter(const ProgressReporter&) = delete;
+    ProgressReporter& operator=(const ProgressReporter&) = delete;
+
+    /// Returns the callback that reports. After SIGINT or SIGTERM it throws Interrupted, unless the
+    /// phase is finished. The reporter must outlive the callback.
+    ProgressCallback callback();
+
+  private:
+    enum class Style { Nothing, Bar, Lines, Json };
+
+    static Style style_of(const ProgressOptions& options);
+    void take(const RunProgress& progress);
+    bool is_due(PhaseClock::News news) const;
+    void print();
+    void note_long_run();
+    double seconds_since(PhaseClock::Clock::time_point begin) const;
+
+    ProgressOptions options_;
+    Style style_;
+    bool has_color_;
+    PhaseClock clock_;
+    PhaseClock::Clock::time_point begin_ = PhaseClock::Clock::now();
+    PhaseClock::Clock::time_point now_ = begin_;  // of the latest report
+    PhaseClock::Clock::time_point last_print_ = begin_;
+    RunProgress latest_;
+    bool has_printed_ = false;
+    bool is_pending_ = false;  // true if the latest report has news and is not printed
+    bool has_noted_ = false;
+};
 
 }  // namespace foam::texgen

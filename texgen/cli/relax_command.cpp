@@ -5,12 +5,12 @@
 #include "texgen/cli/foam_file.h"
 #include "texgen/cli/json_report.h"
 #include "texgen/cli/options.h"
+#include "texgen/cli/standard_error.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <chrono>
-#include <cstdio>
 #include <memory>
 #include <string>
 
@@ -83,7 +83,7 @@ void print_line(const RelaxReport& report, const std::string& out) {
 
 void print_notes(const LoadedFoam& loaded, const std::string& in) {
     for (const std::string& note : loaded.notes) {
-        fmt::print(stderr, "foamtex: {}: note: {}\n", in, note);
+        print_stderr("foamtex: {}: note: {}\n", in, note);
     }
 }
 
@@ -99,7 +99,7 @@ ExitCode run_relax(const RelaxArguments& arguments) {
     if (converged) {
         save_foam(arguments.out, loaded.foam);
     } else {
-        fmt::print(stderr, "foamtex: {}: the foam did not reach equilibrium\n", arguments.in);
+        print_stderr("foamtex: {}: the foam did not reach equilibrium\n", arguments.in);
     }
     if (arguments.json) {
         print_report(report);

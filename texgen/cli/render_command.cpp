@@ -39,7 +39,8 @@ ExitCode run_render(const RenderArguments& arguments) {
         .threads = arguments.run.threads,
         .source = cache.frames_of(preset),
         .sequence = info.frames};
-    return run_images(preset, options, arguments.images, verbosity_of(arguments.run));
+    return run_images(
+        preset, options, arguments.images, progress_options(arguments.run, options.frames.size()));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "texgen/cli/report.h"
 
 #include "texgen/bake/frame_range.h"
+#include "texgen/cli/standard_error.h"
 #include "texgen/preset/event_frames.h"
 
 #include <fmt/format.h>
@@ -10,12 +11,25 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace foam::texgen {
+
+namespace {
+
+/// Returns a number of bytes for users, such as "1.5 GB".
+std::string amount_of_bytes(std::uint64_t bytes) {
+    constexpr double kMega = 1e6;
+    constexpr double kGiga = 1e9;
+    const auto number = static_cast<double>(bytes);
+    return number < kGiga ? fmt::format("{:.1f} MB", number / kMega)
+                          : fmt::format("{:.1f} GB", number / kGiga);
+}
+
+}  // namespace
 
 void print_files(std::span<const std::filesystem::path> files) {
     for (const std::filesystem::path& file : files) {
@@ -28,34 +42,34 @@ void note_missing_charts(const StatisticsFiles& statistics) {
         return;
     }
     const bool missing = statistics.charts == ChartStatus::NoGnuplot;
-    fmt::print(stderr,
-               "foamtex: note: charts are missing, because gnuplot {}; to draw them, run in '{}': "
-               "gnuplot {}\n",
-               missing ? "is not installed" : "failed",
-               statistics.paths.front().parent_path().string(),
-               kChartsScriptName);
+    print_stderr(
+        "foamtex: note: charts are missing, because gnuplot {}; to draw them, run in '{}': "
+        "gnuplot {}\n",
+        missing ? "is not installed" : "failed",
+        statistics.paths.front().parent_path().string(),
+        kChartsScriptName);
 }
 
 void note_other_version(const CacheInfo& cache, const std::filesystem::path& folder) {
     if (cache.version != FOAMTEX_VERSION) {
-        fmt::print(stderr,
-                   "foamtex: note: the cache '{}' was simulated by foamtex {}; this is foamtex {}, "
-                   "which may simulate the same preset differently\n",
-                   folder.string(),
-                   cache.version,
-                   FOAMTEX_VERSION);
+        print_stderr(
+            "foamtex: note: the cache '{}' was simulated by foamtex {}; this is foamtex {}, "
+            "which may simulate the same preset differently\n",
+            folder.string(),
+            cache.version,
+            FOAMTEX_VERSION);
     }
 }
 
 void note_open_loop(const Preset& preset, std::span<const int> frames) {
     const int count = preset.frames.count;
     if (preset.loop.kind != LoopKind::None && !closes_loop(frames, count)) {
-        fmt::print(stderr,
-                   "foamtex: note: the frames {} alone do not loop; the loop of '{}' has the "
-                   "frames 1-{}, and --set frames.count=N changes its length\n",
-                   format_frame_range(frames),
-                   preset.name,
-                   count);
+        print_stderr(
+            "foamtex: note: the frames {} alone do not loop; the loop of '{}' has the "
+            "frames 1-{}, and --set frames.count=N changes its length\n",
+            format_frame_range(frames),
+            preset.name,
+            count);
     }
 }
 
@@ -69,11 +83,27 @@ void note_late_events(const Preset& preset, std::span<const int> frames) {
         }
     }
     if (!late.empty()) {
-        fmt::print(stderr,
-                   "foamtex: note: events of '{}' begin after the last frame, {}: {}\n",
-                   preset.name,
-                   last,
-                   fmt::join(late, ", "));
+        print_stderr("foamtex: note: events of '{}' begin after the last frame, {}: {}\n",
+                     preset.name,
+                     last,
+                     fmt::join(late, ", "));
+    }
+}
+
+void warn_of_full_disk(std::uint64_t size, const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::path existing =
+        std::filesystem::absolute(folder.empty() ? "." : folder, error);
+    while (!std::filesystem::exists(existing, error) && existing.has_relative_path()) {
+        existing = existing.parent_path();
+    }
+    const std::filesystem::space_info space = std::filesystem::space(existing, error);
+    if (!error && size > space.available) {
+        print_stderr(
+            "foamtex: warning: the files need about {}, but the disk of '{}' has only {} left\n",
+            amount_of_bytes(size),
+            folder.empty() ? "." : folder.string(),
+            amount_of_bytes(space.available));
     }
 }
 
@@ -84,14 +114,13 @@ ExitCode report_failure(const RunOutcome& outcome) {
             std::isfinite(error)
                 ? fmt::format("are {:.2g} mean diameters away from those at its start", error)
                 : "have different neighbors than at its start";
-        fmt::print(stderr,
-                   "foamtex: the loop does not close: bubbles at the end of its last cycle {}; "
-                   "use a smaller loop.amplitude or more loop.cycles\n",
-                   apart);
+        print_stderr(
+            "foamtex: the loop does not close: bubbles at the end of its last cycle {}; "
+            "use a smaller loop.amplitude or more loop.cycles\n",
+            apart);
     } else {
-        fmt::print(stderr,
-                   "foamtex: frame {}: the foam did not reach equilibrium\n",
-                   outcome.failed_frame);
+        print_stderr("foamtex: frame {}: the foam did not reach equilibrium\n",
+                     outcome.failed_frame);
     }
     return ExitCode::NoEquilibrium;
 }

@@ -8,6 +8,7 @@
 #include "texgen/preset/preset.h"
 #include "texgen/stats/files.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <span>
 
@@ -30,6 +31,10 @@ void note_open_loop(const Preset& preset, std::span<const int> frames);
 /// Prints a note on stderr if events of the preset begin after its last frame and after the last of
 /// the given frames, so that they never happen. Precondition: there is a frame.
 void note_late_events(const Preset& preset, std::span<const int> frames);
+
+/// Prints a warning on stderr if files of the given size, in bytes, do not fit on the disk of a
+/// folder. The folder may be missing; then its nearest existing parent counts.
+void warn_of_full_disk(std::uint64_t size, const std::filesystem::path& folder);
 
 /// Prints on stderr why a run failed, and returns the exit code for this failure. Precondition: the
 /// run failed.

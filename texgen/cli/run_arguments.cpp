@@ -78,9 +78,11 @@ void add_frame_options(CLI::App& command, RunArguments& arguments) {
 void add_run_options(CLI::App& command, RunArguments& arguments) {
     add_threads_option(command, arguments.threads);
     CLI::Option* const quiet = add_quiet_option(command, arguments.quiet);
-    command.add_flag("-v,--verbose", arguments.verbose, "Print one line per frame")
-        ->excludes(quiet)
-        ->option_text(" ");
+    CLI::Option* const verbose =
+        command.add_flag("-v,--verbose", arguments.verbose, "Print one line per frame")
+            ->excludes(quiet)
+            ->option_text(" ");
+    add_progress_option(command, arguments.progress)->excludes(quiet)->excludes(verbose);
 }
 
 Assignment maps_assignment(const std::string& maps) {
@@ -112,6 +114,13 @@ Verbosity verbosity_of(const RunArguments& arguments) {
         return Verbosity::Quiet;
     }
     return arguments.verbose ? Verbosity::Verbose : Verbosity::Normal;
+}
+
+ProgressOptions progress_options(const RunArguments& arguments, std::size_t frames) {
+    ProgressOptions options = progress_options(arguments.quiet, arguments.progress);
+    options.verbosity = verbosity_of(arguments);
+    options.frames = static_cast<int>(frames);
+    return options;
 }
 
 }  // namespace foam::texgen

@@ -6,6 +6,7 @@
 #include "texgen/preset/assignment.h"
 #include "texgen/preset/preset.h"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,6 +28,7 @@ struct RunArguments {
     int threads = 0;
     bool quiet = false;
     bool verbose = false;
+    std::string progress;  // --progress
 };
 
 /// Adds PRESET, --set, --frames, --size and --seed. The arguments must outlive the parsing.
@@ -35,7 +37,7 @@ void add_preset_options(CLI::App& command, RunArguments& arguments);
 /// Adds --set, --frames and --size. The arguments must outlive the parsing.
 void add_frame_options(CLI::App& command, RunArguments& arguments);
 
-/// Adds --threads, -q and -v. The arguments must outlive the parsing.
+/// Adds --threads, -q, -v and --progress. The arguments must outlive the parsing.
 void add_run_options(CLI::App& command, RunArguments& arguments);
 
 /// Returns the assignment that the option `--maps A,B` makes, as an argument of preset_of. `maps`
@@ -59,5 +61,8 @@ Preset changed(Preset preset,
 std::vector<int> frames_of(const RunArguments& arguments, const Preset& preset);
 
 Verbosity verbosity_of(const RunArguments& arguments);
+
+/// Returns the options with which the progress of a run of the given number of frames is reported.
+ProgressOptions progress_options(const RunArguments& arguments, std::size_t frames);
 
 }  // namespace foam::texgen

@@ -69,8 +69,14 @@ ExitCode run_simulate(const SimulateArguments& arguments) {
     }
     check_writable(arguments.cache);
     const Verbosity verbosity = verbosity_of(arguments.run);
-    const RunOutcome outcome =
-        simulate_into_cache(preset, options, arguments.cache, progress_reporter(verbosity));
+    if (verbosity != Verbosity::Quiet) {
+        warn_of_full_disk(estimated_cache_size(preset, options.frames, arguments.cache),
+                          arguments.cache);
+    }
+    const RunOutcome outcome = [&] {
+        ProgressReporter reporter(progress_options(arguments.run, options.frames.size()));
+        return simulate_into_cache(preset, options, arguments.cache, reporter.callback());
+    }();
     if (arguments.json) {
         Json report = json_report(outcome);
         report["preset"] = preset.name;

@@ -61,7 +61,10 @@ ExitCode run_stats(const StatsArguments& arguments) {
         options.frames = arguments.run.frames ? options.frames : cache->info().frames;
     }
     const Verbosity verbosity = verbosity_of(arguments.run);
-    const MeasureSummary summary = measure_run(preset, options, progress_reporter(verbosity));
+    const MeasureSummary summary = [&] {
+        ProgressReporter reporter(progress_options(arguments.run, options.frames.size()));
+        return measure_run(preset, options, reporter.callback());
+    }();
     const StatisticsFiles statistics = write_statistics(summary.run, folder_of(arguments, preset));
     if (arguments.json) {
         Json report = json_report(summary.outcome);

@@ -2,6 +2,7 @@
 
 #include "texgen/cli/command.h"
 #include "texgen/cli/options.h"
+#include "texgen/cli/progress.h"
 #include "texgen/verify/verify.h"
 
 #include <CLI/CLI.hpp>
@@ -25,10 +26,14 @@ struct VerifyArguments {
     std::string path;
     bool json = false;
     bool quiet = false;
+    std::string progress;
 };
 
 ExitCode run_verify(const VerifyArguments& arguments) {
-    const Verification found = verify(arguments.path);
+    const Verification found = [&] {
+        ProgressReporter reporter(progress_options(arguments.quiet, arguments.progress));
+        return verify(arguments.path, reporter.callback());
+    }();
     if (arguments.json) {
         fmt::print("{}", to_json(found));
     } else if (!arguments.quiet) {
@@ -47,8 +52,9 @@ void add_verify_command(CLI::App& app, Action& action) {
         ->required()
         ->option_text(" ");
     add_json_option(*command, arguments->json);
-    add_quiet_option(
+    CLI::Option* const quiet = add_quiet_option(
         *command, arguments->quiet, "Print only errors, and --json; the exit code is the result");
+    add_progress_option(*command, arguments->progress)->excludes(quiet);
     command->footer(kVerifyExamples);
     command->callback(
         [&action, arguments] { action = [arguments] { return run_verify(*arguments); }; });

@@ -187,9 +187,9 @@ RunOutcome fit_ranges(Preset& preset,
     }
     const FrameSource source =
         options.source ? options.source : simulation_of(preset, options.threads);
-    const auto checkpoint = callbacks.on_measured ? callbacks.on_measured : [] {};
     try {
-        return fit_automatic_ranges(preset, source, sequence, options.threads, checkpoint);
+        return fit_automatic_ranges(
+            preset, source, sequence, options.threads, callbacks.on_progress);
     } catch (const InputError& error) {
         throw InputError(
             fmt::format("{}; ranges that are \"auto\", such as height.full, need all "

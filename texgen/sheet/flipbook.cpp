@@ -2,6 +2,7 @@
 
 #include "texgen/sheet/flipbook.h"
 
+#include "texgen/animation/progress_meter.h"
 #include "texgen/image/file_io.h"
 #include "texgen/sheet/flipbook_json.h"
 #include "texgen/sheet/map_sequence.h"
@@ -52,7 +53,8 @@ void write_text(const std::filesystem::path& path, const std::string& text) {
 Flipbook write_flipbook(const BakedSet& set,
                         const std::filesystem::path& folder,
                         const FlipbookOptions& options,
-                        const std::filesystem::path& to) {
+                        const std::filesystem::path& to,
+                        const ProgressCallback& on_progress) {
     const std::vector<int> frames = options.frames.empty() ? set.frames() : options.frames;
     Flipbook flipbook{{}, layout_of(set, options, frames.size())};
     const std::string stem = set.preset + (options.strip ? "_strip" : "_sheet");
@@ -60,11 +62,14 @@ Flipbook write_flipbook(const BakedSet& set,
     for (const std::string& map : maps_of(set, options)) {
         sequences.push_back(map_sequence(set, folder, map, frames));
     }
+    ProgressMeter progress(
+        Phase::Sheets, static_cast<int>(sequences.size() * frames.size()), on_progress);
+    progress.begin();
     std::vector<SheetImage> images;
     for (const MapSequence& sequence : sequences) {
         const std::string name = fmt::format(
             "{}_{}{}", stem, sequence.map.name, sequence.files.front().path.extension().string());
-        write_sheet(sequence, flipbook.layout, to / name);
+        write_sheet(sequence, flipbook.layout, to / name, progress);
         flipbook.files.push_back(to / name);
         images.push_back({name, sequence});
     }

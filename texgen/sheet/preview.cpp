@@ -3,6 +3,7 @@
 #include "texgen/sheet/preview.h"
 
 #include "core/parallel/parallel_for.h"
+#include "texgen/animation/progress_meter.h"
 #include "texgen/image/apng.h"
 #include "texgen/image/file_io.h"
 #include "texgen/image/png.h"
@@ -41,11 +42,16 @@ Codes codes_within(const DisplayFrame& frame, int size) {
     return codes_of(reduced(frame, scaled(width), scaled(height)));
 }
 
-// Returns the 8-bit codes of all frames of a sequence, each reduced as by codes_within.
-std::vector<Codes> frames_within(const MapSequence& sequence, int size, int threads) {
+// Returns the 8-bit codes of all frames of a sequence, each reduced as by codes_within and counted
+// by `progress`.
+std::vector<Codes> frames_within(const MapSequence& sequence,
+                                 int size,
+                                 int threads,
+                                 ProgressMeter& progress) {
     std::vector<Codes> frames(sequence.files.size());
     parallel_for(frames.size(), 1, threads, [&](std::size_t k, std::size_t) {
         frames[k] = codes_within(read_display_frame(sequence.files[k], sequence.map), size);
+        progress.add();
     });
     return frames;
 }
@@ -77,11 +83,15 @@ std::vector<MapFile> spread(const std::vector<MapFile>& files, std::size_t max_c
     return chosen;
 }
 
-// Returns the frames as an animated PNG.
-Bytes animation(const std::vector<Codes>& frames, FrameRate rate, int threads) {
+// Returns the frames as an animated PNG. `progress` counts each encoded frame.
+Bytes animation(const std::vector<Codes>& frames,
+                FrameRate rate,
+                int threads,
+                ProgressMeter& progress) {
     std::vector<Bytes> streams(frames.size());
     parallel_for(frames.size(), 1, threads, [&](std::size_t k, std::size_t) {
         streams[k] = encoded(frames[k]);
+        progress.add();
     });
     ApngMuxer muxer(static_cast<int>(frames.size()), rate);
     for (const Bytes& stream : streams) {
@@ -139,9 +149,26 @@ class Previews {
         return kinds;
     }
 
-    std::filesystem::path write(PreviewKind kind, const std::filesystem::path& to) {
+    /// Returns the number of units that `write` counts for all kinds: frames that are reduced for
+    /// the contact sheet, frames that are reduced and frames that are encoded for the animation,
+    /// and files.
+    int units() const {
+        const std::vector<PreviewKind> all = kinds();
+        const std::size_t frames = sequence_.files.size();
+        const auto is_animation = [](PreviewKind kind) { return kind >= PreviewKind::Loop; };
+        std::size_t units = all.size();
+        units += std::min(frames, kMaxThumbnails) *
+                 static_cast<std::size_t>(std::ranges::count(all, PreviewKind::Contact));
+        units += std::ranges::any_of(all, is_animation) ? 2 * frames : 0;
+        return static_cast<int>(units);
+    }
+
+    std::filesystem::path write(PreviewKind kind,
+                                const std::filesystem::path& to,
+                                ProgressMeter& progress) {
         std::filesystem::path path = to / name(kind);
-        write_file(path, make(kind));
+        write_file(path, make(kind, progress));
+        progress.add();
         return path;
     }
 
@@ -155,25 +182,25 @@ class Previews {
 
     FrameRate rate() const { return playing_rate(set_, options_.frames); }
 
-    Bytes make(PreviewKind kind) {
+    Bytes make(PreviewKind kind, ProgressMeter& progress) {
         switch (kind) {
             case PreviewKind::Contact:
-                return contact();
+                return contact(progress);
             case PreviewKind::Tiling:
                 return tiling();
             case PreviewKind::Loop:
-                return loop();
+                return loop(progress);
             case PreviewKind::Mp4:
-                return encode_video(loop(), rate(), VideoFormat::Mp4);
+                return encode_video(loop(progress), rate(), VideoFormat::Mp4);
             case PreviewKind::Gif:
-                return encode_video(loop(), rate(), VideoFormat::Gif);
+                return encode_video(loop(progress), rate(), VideoFormat::Gif);
         }
         return {};
     }
 
-    Bytes contact() const {
+    Bytes contact(ProgressMeter& progress) const {
         const MapSequence shown{sequence_.map, spread(sequence_.files, kMaxThumbnails)};
-        std::vector<Codes> codes = frames_within(shown, kThumbnailSize, options_.threads);
+        std::vector<Codes> codes = frames_within(shown, kThumbnailSize, options_.threads, progress);
         std::vector<Thumbnail> thumbnails;
         for (std::size_t k = 0; k < codes.size(); ++k) {
             thumbnails.push_back({std::move(codes[k]), shown.files[k].frame});
@@ -186,11 +213,12 @@ class Previews {
         return encoded(tiled(codes_within(read_display_frame(file, sequence_.map), kTileSize)));
     }
 
-    const Bytes& loop() {
+    const Bytes& loop(ProgressMeter& progress) {
         if (loop_.empty()) {
-            loop_ = animation(frames_within(sequence_, options_.size, options_.threads),
+            loop_ = animation(frames_within(sequence_, options_.size, options_.threads, progress),
                               rate(),
-                              options_.threads);
+                              options_.threads,
+                              progress);
         }
         return loop_;
     }
@@ -206,7 +234,8 @@ class Previews {
 std::vector<std::filesystem::path> write_previews(const BakedSet& set,
                                                   const std::filesystem::path& folder,
                                                   const PreviewOptions& options,
-                                                  const std::filesystem::path& to) {
+                                                  const std::filesystem::path& to,
+                                                  const ProgressCallback& on_progress) {
     PreviewOptions full = options;
     if (full.frames.empty()) {
         full.frames = set.frames();
@@ -221,11 +250,17 @@ std::vector<std::filesystem::path> write_previews(const BakedSet& set,
         previews.emplace_back(set, folder, full, map);
     }
     make_folders(to);
+    int units = 0;
+    for (const Previews& checked : previews) {
+        units += checked.units();
+    }
+    ProgressMeter progress(Phase::Previews, units, on_progress);
+    progress.begin();
     std::vector<std::filesystem::path> written;
     for (Previews& checked : previews) {
         Previews of_map = std::move(checked);  // frees its animation before the next map
         for (const PreviewKind kind : of_map.kinds()) {
-            written.push_back(of_map.write(kind, to));
+            written.push_back(of_map.write(kind, to, progress));
         }
     }
     return written;

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include "texgen/animation/progress.h"
 #include "texgen/manifest/manifest.h"
 
 #include <array>
@@ -40,13 +41,14 @@ struct PreviewOptions {
 /// {preset}_{map}_contact.png, {preset}_{map}_tiling.png, {preset}_{map}_loop.png,
 /// {preset}_{map}.mp4 and {preset}_{map}.gif. Frames are composited over gray, and large frames are
 /// reduced in size (display_frame.h). `folder` is the folder of the manifest. `to` is created if
-/// needed. Throws std::invalid_argument if no map was baked, for a map of integers that must not be
-/// mixed (ids or sides), and for the tiling of a frame that does not tile. Throws OutputError if a
-/// file cannot be written. Also throws the exceptions of map_sequence, read_display_frame,
-/// ApngMuxer and encode_video.
+/// needed. `on_progress` receives the phase Previews. Throws std::invalid_argument if no map was
+/// baked, for a map of integers that must not be mixed (ids or sides), and for the tiling of a
+/// frame that does not tile. Throws OutputError if a file cannot be written. Also throws the
+/// exceptions of map_sequence, read_display_frame, ApngMuxer and encode_video.
 std::vector<std::filesystem::path> write_previews(const BakedSet& set,
                                                   const std::filesystem::path& folder,
                                                   const PreviewOptions& options,
-                                                  const std::filesystem::path& to);
+                                                  const std::filesystem::path& to,
+                                                  const ProgressCallback& on_progress = {});
 
 }  // namespace foam::texgen

@@ -106,9 +106,12 @@ void place_group(ChannelGroup& sheet,
         group.samples);
 }
 
-Picture sheet_of(const MapSequence& sequence, const SheetLayout& layout) {
+Picture sheet_of(const MapSequence& sequence, const SheetLayout& layout, ProgressMeter& progress) {
     Picture sheet;
     for (int k = 0; k < layout.frames; ++k) {
+        if (k > 0) {
+            progress.add();
+        }
         const MapFile& file = sequence.files[static_cast<std::size_t>(k)];
         const Picture frame = read_map_frame(file, sequence.map.name);
         if (k == 0) {
@@ -146,10 +149,12 @@ Bytes encoded(const Picture& sheet, std::string_view map, const std::filesystem:
 
 void write_sheet(const MapSequence& sequence,
                  const SheetLayout& layout,
-                 const std::filesystem::path& path) {
+                 const std::filesystem::path& path,
+                 ProgressMeter& progress) {
     check_layout(layout);
     make_folders(path.parent_path());
-    write_file(path, encoded(sheet_of(sequence, layout), sequence.map.name, path));
+    write_file(path, encoded(sheet_of(sequence, layout, progress), sequence.map.name, path));
+    progress.add();
 }
 
 }  // namespace foam::texgen

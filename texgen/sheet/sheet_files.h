@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include "texgen/animation/progress_meter.h"
 #include "texgen/sheet/layout.h"
 #include "texgen/sheet/map_sequence.h"
 
@@ -16,7 +17,8 @@ namespace foam::texgen {
 /// contains the periodic continuation of the frame; otherwise, the gutter repeats the pixels at the
 /// edge of the frame. The sheet contains only this map, and its channel names have no layer. While
 /// the sheet is composed, the whole sheet and one frame are in memory; while it is written, the
-/// whole sheet and the encoded file. Precondition: the sequence has layout.frames files.
+/// whole sheet and the encoded file. `progress` counts each frame; it counts the last frame when
+/// the sheet is written. Precondition: the sequence has layout.frames files.
 ///
 /// Throws InputError if a file cannot be read or lacks the layer of the map, if its size differs
 /// from the frame size of the layout, or if its channels differ from the channels of the first
@@ -24,6 +26,7 @@ namespace foam::texgen {
 /// check_layout.
 void write_sheet(const MapSequence& sequence,
                  const SheetLayout& layout,
-                 const std::filesystem::path& path);
+                 const std::filesystem::path& path,
+                 ProgressMeter& progress);
 
 }  // namespace foam::texgen

@@ -2,6 +2,8 @@
 
 #include "texgen/stats/measure_run.h"
 
+#include "texgen/animation/progress_meter.h"
+
 namespace foam::texgen {
 
 MeasureSummary measure_run(const Preset& preset,
@@ -9,13 +11,14 @@ MeasureSummary measure_run(const Preset& preset,
                            const ProgressCallback& on_progress) {
     const FrameSource source =
         options.source ? options.source : simulation_of(preset, options.threads);
-    ProgressMeter meter(static_cast<int>(options.frames.size()), on_progress);
+    ProgressMeter meter(Phase::Frames, static_cast<int>(options.frames.size()), on_progress);
     Recorder recorder(preset);
     const auto measure = [&](const SimulatedFrame& shown) {
         recorder.record(shown.frame, shown.effort);
         meter.add(shown);
     };
-    const RunOutcome outcome = source(options.frames, NextFrames::Omitted, measure);
+    const RunOutcome outcome =
+        source(options.frames, NextFrames::Omitted, measure, meter.for_source());
     return {outcome, recorder.run()};
 }
 

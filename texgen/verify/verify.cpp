@@ -2,6 +2,7 @@
 
 #include "texgen/verify/verify.h"
 
+#include "texgen/animation/progress_meter.h"
 #include "texgen/bake/frame_range.h"
 #include "texgen/image/file_io.h"
 #include "texgen/image/format.h"
@@ -199,21 +200,22 @@ bool frame_tiles(const BakedSet& set, int frame) {
     return found != nullptr && found->tiles && std::min(set.width, set.height) >= kSmallestTile;
 }
 
-VerifiedSet verify_set(const BakedSet& set, const std::filesystem::path& folder) {
+VerifiedSet verify_set(const BakedSet& set,
+                       const std::filesystem::path& folder,
+                       ProgressMeter& progress) {
     VerifiedSet found{set, 0, {}, {}};
     note_missing(set, found.problems);
     std::map<std::string, MapCheck> checks;
     for (const ManifestFile& file : set.files) {
-        const File read = read_baked(file, folder, found.problems);
-        if (!read) {
-            continue;
+        if (const File read = read_baked(file, folder, found.problems)) {
+            ++found.files_same;
+            for (const std::string& map : file.maps) {
+                auto& check =
+                    checks.try_emplace(map, *set.find_map(map), set.loop.period).first->second;
+                check.add(read, file.frame, frame_tiles(set, file.frame));
+            }
         }
-        ++found.files_same;
-        for (const std::string& map : file.maps) {
-            auto& check =
-                checks.try_emplace(map, *set.find_map(map), set.loop.period).first->second;
-            check.add(read, file.frame, frame_tiles(set, file.frame));
-        }
+        progress.add();
     }
     for (const ManifestMap& map : set.maps) {
         const auto check = checks.find(map.name);
@@ -237,11 +239,17 @@ bool Verification::holds() const {
     return !sets.empty() && std::ranges::all_of(sets, &VerifiedSet::holds);
 }
 
-Verification verify(const std::filesystem::path& path) {
+Verification verify(const std::filesystem::path& path, const ProgressCallback& on_progress) {
     const Manifest manifest = read_manifest(path);
+    std::size_t files = 0;
+    for (const BakedSet& set : manifest.sets) {
+        files += set.files.size();
+    }
+    ProgressMeter progress(Phase::Files, static_cast<int>(files), on_progress);
+    progress.begin();
     Verification found{std::filesystem::is_directory(path) ? path : path.parent_path(), {}};
     for (const BakedSet& set : manifest.sets) {
-        found.sets.push_back(verify_set(set, found.folder));
+        found.sets.push_back(verify_set(set, found.folder, progress));
     }
     return found;
 }

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include "texgen/animation/progress.h"
 #include "texgen/manifest/manifest.h"
 #include "texgen/verify/steps.h"
 
@@ -66,8 +67,8 @@ struct Verification {
 /// loops must not exceed their limits. A loop is checked only if its period is at least 2 frames
 /// and all frames from 1 to its period exist; later frames are ignored. `path` is the folder or the
 /// manifest in it. Throws InputError if the manifest cannot be read; all other problems are part of
-/// the result.
-Verification verify(const std::filesystem::path& path);
+/// the result. `on_progress` receives the phase Files.
+Verification verify(const std::filesystem::path& path, const ProgressCallback& on_progress = {});
 
 /// Returns the result as text for users, with a few lines per set.
 std::string to_text(const Verification& found);

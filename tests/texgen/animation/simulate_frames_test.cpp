@@ -166,5 +166,29 @@ TEST(SimulateFrames, ReportsTheClosingErrorOfALoop) {
     EXPECT_GT(outcome.closing_error.value_or(0.0), 1e-9);
 }
 
+// The states 2 and 3 are not frames of the run, nor are the states 5 and 6.
+TEST(SimulateFrames, ReportsStatesBetweenFrames) {
+    std::vector<std::pair<Phase, int>> reports;
+    simulate_frames(
+        small_preset(),
+        1,
+        {4, 7},
+        NextFrames::Omitted,
+        [](const SimulatedFrame&) {},
+        [&](const RunProgress& progress) {
+            reports.emplace_back(progress.phase, progress.done);
+            EXPECT_EQ(progress.total, progress.phase == Phase::States ? 7 : 0);
+        });
+    EXPECT_EQ(reports,
+              (std::vector<std::pair<Phase, int>>{{Phase::Seeding, 0},
+                                                  {Phase::Equilibrium, 0},
+                                                  {Phase::States, 1},
+                                                  {Phase::States, 2},
+                                                  {Phase::States, 3},
+                                                  {Phase::States, 4},
+                                                  {Phase::States, 5},
+                                                  {Phase::States, 6}}));
+}
+
 }  // namespace
 }  // namespace foam::texgen

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <map>
+#include <optional>
+#include <stdexcept>
 #include <tuple>
 #include <vector>
 
@@ -348,6 +350,61 @@ TEST(Simulation, EventsOfALoopGoAround) {
         EXPECT_NEAR(std::get<2>(again[k]), std::get<2>(first[k]), 1e-4);
         EXPECT_NEAR(std::get<3>(again[k]), std::get<3>(first[k]), 1e-4);
     }
+}
+
+// Returns the progress that a simulation reports until it has reached frame 1.
+std::vector<RunProgress> reports_before_first_frame(const Preset& preset) {
+    std::vector<RunProgress> reports;
+    Simulation simulation(
+        preset, 1, [&](const RunProgress& progress) { reports.push_back(progress); });
+    EXPECT_TRUE(simulation.advance());
+    return reports;
+}
+
+TEST(Simulation, ReportsTheStepsOfTheWarmUp) {
+    Preset preset = small_preset();
+    preset.loop = {.kind = LoopKind::Flow, .growth = 6};
+    preset.frames.count = 12;
+    preset.frames.time_step = 2.0;
+    preset.frames.warm_up = 9.0;  // five steps
+    const std::vector<RunProgress> reports = reports_before_first_frame(preset);
+    ASSERT_EQ(reports.size(), 1U + 5U);
+    EXPECT_EQ(reports[0].phase, Phase::Equilibrium);
+    for (int done = 0; done < 5; ++done) {
+        const RunProgress& report = reports.at(static_cast<std::size_t>(1 + done));
+        EXPECT_EQ(report.phase, Phase::WarmUp);
+        EXPECT_EQ(report.done, done);
+        EXPECT_EQ(report.total, 5);
+        EXPECT_GT(report.bubbles, 50);
+    }
+}
+
+TEST(Simulation, ReportsTheCyclesThatCloseALoop) {
+    Preset preset = small_preset();
+    preset.frames.count = 12;
+    preset.loop = {.kind = LoopKind::Breathe, .amplitude = 0.06};
+    const std::vector<RunProgress> reports = reports_before_first_frame(preset);
+    ASSERT_GT(reports.size(), 13U);
+    EXPECT_EQ(reports[0].phase, Phase::Equilibrium);
+    EXPECT_EQ(reports[1].phase, Phase::LoopClosing);
+    EXPECT_EQ(reports[1].measure, std::nullopt);
+    const std::size_t cycles = (reports.size() - 1) / 13;
+    EXPECT_EQ(reports.size(), 1 + 13 * cycles);  // before the first and after each of 12 steps
+    EXPECT_EQ(reports.back().cycle, static_cast<int>(cycles));
+    EXPECT_TRUE(reports.back().finished());
+    EXPECT_LT(reports.back().measure.value_or(1.0), 1e-9);
+}
+
+TEST(Simulation, TheCallbackCanStopALoopThatIsBeingClosed) {
+    Preset preset = small_preset();
+    preset.frames.count = 12;
+    preset.loop = {.kind = LoopKind::Breathe, .amplitude = 0.06};
+    Simulation simulation(preset, 1, [](const RunProgress& progress) {
+        if (progress.phase == Phase::LoopClosing && progress.done == 3) {
+            throw std::runtime_error("stop");
+        }
+    });
+    EXPECT_THROW(simulation.advance(), std::runtime_error);
 }
 
 }  // namespace

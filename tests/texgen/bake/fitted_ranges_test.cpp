@@ -12,6 +12,7 @@
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 namespace foam::texgen {
 namespace {
@@ -28,7 +29,7 @@ Preset small_preset(const std::string& map) {
 
 void fit(Preset& preset) {
     const RunOutcome outcome =
-        fit_automatic_ranges(preset, simulation_of(preset, 1), {1, 2, 3, 4, 5}, 1, [] {});
+        fit_automatic_ranges(preset, simulation_of(preset, 1), {1, 2, 3, 4, 5}, 1);
     ASSERT_EQ(outcome.status, RunStatus::Complete);
 }
 
@@ -124,12 +125,32 @@ TEST(FittedRanges, AFixedRangeIsKept) {
     EXPECT_EQ(preset.maps.height.full, AutoReal{0.75});
 }
 
-TEST(FittedRanges, TheCheckpointCanStopTheRun) {
+TEST(FittedRanges, ReportsThePhasesOfTheSimulationAndItsOwn) {
     Preset preset = small_preset("area");
-    EXPECT_THROW(
-        fit_automatic_ranges(
-            preset, simulation_of(preset, 1), {1}, 1, [] { throw std::runtime_error("stopped"); }),
-        std::runtime_error);
+    std::vector<std::pair<Phase, int>> reports;
+    fit_automatic_ranges(preset, simulation_of(preset, 1), {1, 2}, 1, [&](const RunProgress& p) {
+        if (reports.empty() || reports.back() != std::pair(p.phase, p.done)) {
+            reports.emplace_back(p.phase, p.done);
+        }
+    });
+    EXPECT_EQ(reports,
+              (std::vector<std::pair<Phase, int>>{{Phase::Seeding, 0},
+                                                  {Phase::Equilibrium, 0},
+                                                  {Phase::Ranges, 0},
+                                                  {Phase::Ranges, 1},
+                                                  {Phase::Ranges, 2}}));
+}
+
+TEST(FittedRanges, TheCallbackCanStopTheRun) {
+    Preset preset = small_preset("area");
+    const auto stop = [](const RunProgress& progress) {
+        if (progress.phase == Phase::Ranges && progress.done == 1) {
+            throw std::runtime_error("stopped");
+        }
+    };
+    EXPECT_THROW(fit_automatic_ranges(preset, simulation_of(preset, 1), {1, 2, 3}, 1, stop),
+                 std::runtime_error);
+    EXPECT_TRUE(preset.maps.area.full.is_automatic);
 }
 
 }  // namespace

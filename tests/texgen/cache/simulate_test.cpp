@@ -31,5 +31,21 @@ TEST(SimulateIntoCache, ARejectedSimulationWritesNothing) {
     EXPECT_FALSE(std::filesystem::exists(deep));
 }
 
+TEST(SimulateIntoCache, TheEstimatedSizeIsRightWithinAFactorOfTwo) {
+    const TemporaryFolder folder;
+    Preset preset = all_maps_of_a_foam();
+    preset.seeding.bubbles = 200;
+    const auto estimated =
+        static_cast<double>(estimated_cache_size(preset, {1, 2, 3}, folder.path()));
+    simulate_into_cache(preset, {.frames = {1, 2, 3}, .threads = 1}, folder.path(), {});
+    double written = 0.0;
+    for (const std::string& name : folder.files()) {
+        written += static_cast<double>(std::filesystem::file_size(folder.path() / name));
+    }
+    EXPECT_GT(estimated, 0.5 * written);
+    EXPECT_LT(estimated, 2.0 * written);
+    EXPECT_EQ(estimated_cache_size(preset, {1, 2, 3}, folder.path()), 0U);  // all states exist
+}
+
 }  // namespace
 }  // namespace foam::texgen

@@ -11,6 +11,7 @@
 
 #include <csignal>
 #include <string>
+#include <vector>
 
 namespace foam::texgen {
 namespace {
@@ -35,7 +36,7 @@ TEST(Interruption, ABakeRecordsItsFramesAndSaysHowToGoOn) {
     const Outcome outcome = stopped_by("INT", folder);
     EXPECT_EQ(outcome.code, 130);
     EXPECT_EQ(outcome.err,
-              "\nfoamtex: stopping after the current frame; a second signal stops at once\n"
+              "\nfoamtex: stopping after the current step; a second signal stops at once\n"
               "foamtex: the same command with --resume goes on\n"
               "foamtex: interrupted\n");
     const BakedSet set = choose_set(read_manifest(folder.path()), "", folder.path());
@@ -53,6 +54,28 @@ TEST(Interruption, SigtermHasItsOwnExitCode) {
     const Outcome outcome = stopped_by("TERM", folder);
     EXPECT_EQ(outcome.code, 143);
     EXPECT_TRUE(outcome.err.ends_with("foamtex: terminated\n")) << outcome.err;
+}
+
+// Sends SIGINT to a bake as soon as its verbose output contains a text.
+Outcome stopped_in_phase(const std::string& arguments, const std::string& text) {
+    return run_program("--version > /dev/null; { '" + foam::test::executable().string() +
+                       "' bake sea_foam -v --set foam.bubbles=100 --set frames.count=20000 "
+                       "--size 8 --out a.######.png " +
+                       arguments + " 2>err & until grep -q '" + text +
+                       "' err || ! kill -0 $!; do sleep 0.02; done; kill -INT $!; wait $!; }");
+}
+
+TEST(Interruption, ALoopThatIsBeingClosedStops) {
+    const Outcome outcome = stopped_in_phase("", "closing the loop: cycle 1");
+    EXPECT_EQ(outcome.code, 130);
+    EXPECT_EQ(outcome.written, (std::vector<std::string>{"err"}));
+}
+
+TEST(Interruption, RangesThatAreBeingFittedStop) {
+    const Outcome outcome =
+        stopped_in_phase("--maps height --set loop.kind=none", "ranges: frame 0 of 20000");
+    EXPECT_EQ(outcome.code, 130);
+    EXPECT_EQ(outcome.written, (std::vector<std::string>{"err"}));
 }
 
 TEST(Interruption, WithoutASignalNothingIsThrown) {

@@ -35,5 +35,18 @@ TEST(Options, ReadTheirValues) {
     EXPECT_THROW(app.parse("--threads 1025"), CLI::ParseError);
 }
 
+TEST(Options, ProgressIsAutomaticOrJson) {
+    CLI::App app;
+    std::string progress;
+    add_progress_option(app, progress);
+    EXPECT_FALSE(progress_options(false, progress).json);
+    app.parse("--progress json");
+    EXPECT_TRUE(progress_options(false, progress).json);
+    EXPECT_EQ(progress_options(true, progress).verbosity, Verbosity::Quiet);
+    app.parse("--progress auto");
+    EXPECT_FALSE(progress_options(false, progress).json);
+    EXPECT_THROW(app.parse("--progress xml"), CLI::ParseError);
+}
+
 }  // namespace
 }  // namespace foam::texgen

@@ -34,5 +34,18 @@ TEST(Flipbook, RejectsMissingMapsAndFrames) {
     EXPECT_EQ(folder.files().size(), 5U);  // only the files of the bake
 }
 
+// Three maps of four frames are twelve units.
+TEST(Flipbook, CountsEachFrameOfEachMap) {
+    const TemporaryFolder folder;
+    const BakedSet set = baked(small_loop(folder.path()), {"albedo", "height", "id"});
+    std::vector<int> done;
+    write_flipbook(set, folder.path(), {}, folder.path(), [&](const RunProgress& progress) {
+        EXPECT_EQ(progress.phase, Phase::Sheets);
+        EXPECT_EQ(progress.total, 12);
+        done.push_back(progress.done);
+    });
+    EXPECT_EQ(done, (std::vector<int>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}));
+}
+
 }  // namespace
 }  // namespace foam::texgen

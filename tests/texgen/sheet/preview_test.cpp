@@ -145,5 +145,28 @@ TEST(Preview, RejectsMapsThatCannotBeShown) {
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "shown"));  // nothing was written
 }
 
+TEST(Preview, CountsAsManyPicturesAsItAnnounces) {
+    const TemporaryFolder folder;
+    const BakedSet set = baked(small_loop(folder.path()), {"albedo", "height"});
+    std::vector<int> done;
+    int total = 0;
+    write_previews(set,
+                   folder.path(),
+                   {.maps = {"albedo", "height"}, .threads = 2},
+                   folder.path() / "shown",
+                   [&](const RunProgress& progress) {
+                       EXPECT_EQ(progress.phase, Phase::Previews);
+                       done.push_back(progress.done);
+                       total = progress.total;
+                   });
+    // For each map: three files, four thumbnails, and four frames of an animation that are reduced
+    // and then encoded.
+    EXPECT_EQ(total, 2 * (3 + 4 + 2 * 4));
+    ASSERT_EQ(done.size(), static_cast<std::size_t>(total) + 1U);
+    for (int k = 0; k <= total; ++k) {
+        EXPECT_EQ(done.at(static_cast<std::size_t>(k)), k);
+    }
+}
+
 }  // namespace
 }  // namespace foam::texgen

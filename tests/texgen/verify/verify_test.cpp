@@ -229,5 +229,18 @@ TEST(Verify, RejectsAFolderWithoutImages) {
     EXPECT_FALSE(verify(folder.path()).holds());
 }
 
+TEST(Verify, CountsEveryFileEvenIfItIsBad) {
+    const TemporaryFolder folder;
+    bake_small(breathing_loop(folder.path()), frames_to(2));
+    std::filesystem::remove(folder.path() / "id.0002.png");
+    std::vector<int> done;
+    verify(folder.path(), [&](const RunProgress& progress) {
+        EXPECT_EQ(progress.phase, Phase::Files);
+        EXPECT_EQ(progress.total, 6);
+        done.push_back(progress.done);
+    });
+    EXPECT_EQ(done, (std::vector<int>{0, 1, 2, 3, 4, 5, 6}));
+}
+
 }  // namespace
 }  // namespace foam::texgen

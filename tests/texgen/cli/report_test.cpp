@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/cli/report.h"
+
+#include "tests/texgen/cli/run_program.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace foam::texgen {
+namespace {
+
+std::string warning(std::uint64_t size, const std::filesystem::path& folder) {
+    testing::internal::CaptureStderr();
+    warn_of_full_disk(size, folder);
+    return testing::internal::GetCapturedStderr();
+}
+
+TEST(Report, WarnsOfADiskThatIsTooSmall) {
+    EXPECT_EQ(warning(0, "/"), "");
+    EXPECT_EQ(warning(1, ""), "");
+    constexpr std::uint64_t kHuge = 12'345'678'900'000'000;
+    for (const char* const folder : {"", ".", "missing/folders/of/a/bake", "/missing"}) {
+        const std::string text = warning(kHuge, folder);
+        EXPECT_TRUE(text.starts_with("foamtex: warning: the files need about 12345678.9 GB, but "))
+            << text;
+        EXPECT_TRUE(text.ends_with("B left\n")) << text;
+    }
+}
+
+// The warning comes before the work, which fails here because the loop does not close.
+TEST(Report, ABakeWarnsBeforeItBegins) {
+    const std::string bake =
+        "bake sea_foam --set foam.bubbles=60 --set loop.amplitude=0.8 --set loop.cycles=1 "
+        "--set frames.count=6 --out 'a/{map}.#.png' ";
+    const Outcome large = run_program(bake + "--frames 1-100000 --size 16384");
+    EXPECT_EQ(large.code, 3) << large.err;
+    EXPECT_TRUE(large.err.starts_with("foamtex: warning: the files need about ")) << large.err;
+    EXPECT_NE(large.err.find(" GB, but the disk of 'a' has only "), std::string::npos);
+    const Outcome quiet = run_program(bake + "--frames 1-100000 --size 16384 -q");
+    EXPECT_EQ(quiet.err.find("warning"), std::string::npos) << quiet.err;
+    const Outcome small = run_program(bake + "--frames 1 --size 16");
+    EXPECT_EQ(small.err.find("warning"), std::string::npos) << small.err;
+}
+
+}  // namespace
+}  // namespace foam::texgen

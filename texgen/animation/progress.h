@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <functional>
+#include <optional>
+
+namespace foam::texgen {
+
+/// The phases of a long run, in the order in which they occur. Each phase counts its progress in a
+/// unit of its own. The phases before Ranges prepare the first frame; they occur once for Ranges
+/// and again for Frames.
+enum class Phase {
+    Seeding,      // places the bubbles of the first foam; counts nothing
+    Equilibrium,  // brings the first foam to equilibrium; counts nothing
+    WarmUp,       // simulates the time before frame 1; counts steps
+    LoopClosing,  // repeats the cycle of a loop until it closes; counts the steps of each cycle
+    States,       // simulates or reads states before the first frame of the run; counts states
+    Ranges,       // fits the automatic ranges of maps; counts frames
+    Frames,       // simulates, draws or measures the frames of the run; counts frames
+    Files,        // verifies files; counts files
+    Sheets,       // joins frames into sheets; counts frames, once for each map
+    Previews,     // makes previews; counts pictures that are reduced or encoded
+};
+
+/// The progress of a run in its present phase.
+struct RunProgress {
+    Phase phase = Phase::Frames;
+    int done = 0;   // number of units of the phase that are done
+    int total = 0;  // number of units of the phase; 0 if unknown
+    // LoopClosing: the closing error of the preceding cycle, or after the last step of a cycle the
+    // closing error of this cycle (Simulation::closing_error); may be infinite.
+    std::optional<double> measure = {};
+    int cycle = 0;             // LoopClosing: number of the cycle, from 1
+    int frame = 0;             // number of the frame that was done last; 0 if there is none
+    int bubbles = 0;           // number of bubbles of the foam; 0 if unknown
+    double area_error = 0.0;   // of `frame`: largest |A / A_target - 1| (E2)
+    double angle_error = 0.0;  // of `frame`: largest deviation from 120 degrees (E2), radians
+
+    /// Returns true if all units of the phase are done.
+    bool finished() const { return total > 0 && done >= total; }
+};
+
+/// Receives the progress of a run: at the beginning of each phase and after each of its units. It
+/// is called by one thread at a time, but not always by the same one. It may throw to stop the run.
+/// An empty callback is allowed wherever a callback is an argument.
+using ProgressCallback = std::function<void(const RunProgress&)>;
+
+}  // namespace foam::texgen

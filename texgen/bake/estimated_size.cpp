@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/bake/estimated_size.h"
+
+#include "texgen/bake/file_pattern.h"
+#include "texgen/bake/frame_files.h"
+#include "texgen/image/format.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <numeric>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+namespace foam::texgen {
+
+namespace {
+
+// The size of the files of a map, in bytes per pixel.
+struct MeasuredSize {
+    std::string_view map;
+    double png;
+    double exr;
+};
+
+// Means over frame 1 of the presets sea_foam, potion and lava at 1024 x 1024 pixels, with the
+// default compression and without texts:
+//   foamtex bake PRESET --set loop.kind=none --set frames.count=1 --set frames.warm_up=0
+//     --set output.texts=left-out --maps ... --out '{map}.png' (or '{map}.exr')
+// Most maps varied by less than 20 % between the presets.
+constexpr std::array<MeasuredSize, 12> kVaried{{{"albedo", 1.0, 2.3},
+                                                {"thin_film", 1.4, 3.1},
+                                                {"lit", 1.0, 2.7},
+                                                {"distance", 1.0, 3.9},
+                                                {"height", 1.6, 3.6},
+                                                {"normal", 1.0, 10.6},
+                                                {"normal_gl", 1.0, 10.6},
+                                                {"normal_dx", 1.0, 10.6},
+                                                {"occlusion", 0.32, 3.7},
+                                                {"curvature", 1.5, 3.8},
+                                                {"motion", 2.6, 7.7},
+                                                {"caustics", 1.1, 2.9}}};
+
+// All other maps have one value per bubble or per film. The largest of them, in the same
+// measurement, had 0.26 and 0.68 bytes per pixel (maze); the mean was 0.1 and 0.3.
+constexpr MeasuredSize kFlat{"", 0.15, 0.35};
+
+// A mip map has a third more pixels than its image.
+constexpr double kMipLevels = 4.0 / 3.0;
+
+// Returns the size without compression. Each channel of an EXR counts as a float.
+double raw_bytes_per_pixel(const Map& map, bool stores_codes) {
+    const auto channels = static_cast<double>(std::ranges::count(map.channels, ' ') + 1);
+    return channels * (stores_codes ? map.png_bits / 8.0 : 4.0);
+}
+
+double bytes_per_pixel(const Map& map, const Preset& preset) {
+    const OutputOptions& output = preset.output;
+    const bool stores_codes = FilePattern(output.pattern).format().samples == FormatSamples::Codes;
+    const double levels =
+        !stores_codes && output.exr_layout == ExrLayout::MipLevels ? kMipLevels : 1.0;
+    const bool is_raw = stores_codes ? output.png_compression == Compression::None
+                                     : output.exr_compression == ExrCompression::None;
+    if (is_raw) {
+        return levels * raw_bytes_per_pixel(map, stores_codes);
+    }
+    const auto* const found = std::ranges::find(kVaried, map.name, &MeasuredSize::map);
+    const MeasuredSize& size = found != kVaried.end() ? *found : kFlat;
+    return levels * (stores_codes ? size.png : size.exr);
+}
+
+bool is_existing(const std::filesystem::path& path) {
+    std::error_code ignored;
+    return std::filesystem::exists(path, ignored);
+}
+
+}  // namespace
+
+std::uint64_t estimated_size(const Preset& preset, const std::vector<int>& frames) {
+    const FrameFiles files(preset);
+    const double pixels = static_cast<double>(preset.image.width) * preset.image.height;
+    std::vector<std::uint64_t> sizes;
+    for (const std::string& map : preset.image.maps) {
+        sizes.push_back(
+            static_cast<std::uint64_t>(pixels * bytes_per_pixel(find_map(map), preset)));
+    }
+    if (FilePattern(preset.output.pattern).stores_all_maps_in_one_file()) {
+        sizes = {std::accumulate(sizes.begin(), sizes.end(), std::uint64_t{0})};
+    }
+    std::uint64_t sum = 0;
+    for (const int frame : frames) {
+        const std::vector<std::filesystem::path> paths = files.paths(frame);
+        for (std::size_t k = 0; k < paths.size(); ++k) {
+            sum += is_existing(paths[k]) ? 0 : sizes[k];
+        }
+    }
+    return sum;
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/animation/progress.h"
+
+#include <chrono>
+#include <optional>
+#include <vector>
+
+namespace foam::texgen {
+
+/// Measures how fast the present phase of a run advances, and estimates when it ends. Earlier
+/// phases do not influence the estimate.
+class PhaseClock {
+  public:
+    using Clock = std::chrono::steady_clock;
+
+    /// What a report changes.
+    enum class News { Nothing, Units, NewPhase };
+
+    /// Takes a report that was made at the given time. Precondition: times do not decrease.
+    News add(const RunProgress& progress, Clock::time_point now);
+
+    /// Returns the wall time from the first report of the phase to the last one. A cycle of a loop
+    /// counts as a phase of its own.
+    double seconds_in_phase() const;
+
+    /// Returns the seconds per unit of the present phase. It is the larger of two means: over all
+    /// units since the first report, and over all units since the second one. The first mean is too
+    /// small if a unit began before the first report, as the first frame of a simulation does. The
+    /// second mean is too small if several threads finish their first units at the same time.
+    /// Returns nullopt before the third report of new units.
+    std::optional<double> seconds_per_unit() const;
+
+    /// Returns the estimated time until the phase ends, in seconds. Returns nullopt before
+    /// seconds_per_unit() is known, and for the phases that prepare the first frame: these are
+    /// short compared with the frames, or repeat for an unknown number of cycles.
+    std::optional<double> seconds_left() const;
+
+  private:
+    struct Mark {
+        Clock::time_point time;
+        int done = 0;
+    };
+
+    std::optional<RunProgress> latest_;
+    Clock::time_point now_{};
+    std::vector<Mark> marks_;  // the first two reports and the last report with new units
+};
+
+/// Returns true for the phases before Ranges, which prepare the first frame.
+bool is_preparation(Phase phase);
+
+}  // namespace foam::texgen

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/animation/progress.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace foam::texgen {
+
+/// Returns the name of a phase for programs, such as "warm_up".
+std::string_view name_of(Phase phase);
+
+/// Returns the progress of a phase in its own unit, for example "warm-up 40 of 60", "frame 3 of 48"
+/// or "closing the loop: cycle 3, step 12 of 48, 1e-04".
+std::string phase_text(const RunProgress& progress);
+
+/// Returns the text of the progress bar, without a newline. Example:
+/// "[######------------------] frame 12 of 48  583 bubbles  0:14 left". `seconds_left` is the time
+/// until the end of the phase, if it is known.
+std::string progress_bar(const RunProgress& progress, const std::optional<double>& seconds_left);
+
+/// Returns the line that reports a frame, or the progress of another phase. It ends with the wall
+/// time since the run began, in seconds. Example:
+/// "frame 12: 583 bubbles, area error 1.2e-14, angle error 3.1e-15, 4.21 s".
+std::string progress_line(const RunProgress& progress, double seconds);
+
+/// Returns the progress as a JSON object in one line, without a newline. README.md describes its
+/// members. `seconds` is the wall time since the run began.
+std::string progress_json(const RunProgress& progress,
+                          double seconds,
+                          const std::optional<double>& seconds_left);
+
+/// Returns a duration for users, rounded up: "5 minutes" or "2.5 hours".
+std::string long_duration(double seconds);
+
+}  // namespace foam::texgen

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <fmt/core.h>
+
+#include <string_view>
+#include <utility>
+
+namespace foam::texgen {
+
+// Messages and progress are written to stderr only through these functions. None of them fails: if
+// stderr is closed, full or a pipe without a reader, the text is lost and the program goes on. The
+// exit code therefore never depends on stderr.
+
+/// Opens /dev/null for each standard stream that is closed, so that no file that is opened later
+/// gets its descriptor and receives messages. Reading from such a stdin and writing to such a
+/// stdout or stderr fail, as with a closed stream. Must be called before any file is opened.
+void open_missing_streams();
+
+/// Writes a text to stderr.
+void write_stderr(std::string_view text) noexcept;
+
+/// Writes a text of less than 4096 bytes to stderr, unless it would have to wait for the reader of
+/// a pipe or for a terminal that is stopped; then the text is lost.
+void write_stderr_without_waiting(std::string_view text) noexcept;
+
+/// Formats a text and writes it to stderr.
+template <class... Arguments>
+void print_stderr(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+    write_stderr(fmt::format(format, std::forward<Arguments>(arguments)...));
+}
+
+}  // namespace foam::texgen
