@@ -3,6 +3,7 @@
 #include "texgen/maps/contour.h"
 
 #include "texgen/keys/value_kinds.h"
+#include "texgen/maps/arcs_of_films.h"
 #include "texgen/maps/film_strokes.h"
 
 #include <algorithm>
@@ -38,11 +39,12 @@ ColorPixels draw_contour(FrameLayers& layers,
         return std::clamp(std::floor(tones[index_of(bubble)] * levels), 0.0, levels - 1.0);
     };
     const Network& network = layers.frame().network;
-    const std::vector<PlacedArc> lines = arcs_of_films(layers, [&](FilmId film) {
-        const HalfEdgeId side = forward_side(film);
-        return network.is_outer(film) ||
-               level_of(network.left(side)) != level_of(network.right(side));
-    });
+    const std::vector<PlacedArc> lines =
+        arcs_of_films(layers.frame(), layers.grid(), layers.threads(), [&](FilmId film) {
+            const HalfEdgeId side = forward_side(film);
+            return network.is_outer(film) ||
+                   level_of(network.left(side)) != level_of(network.right(side));
+        });
     return paint_layers(
         layers,
         options.ground_color,

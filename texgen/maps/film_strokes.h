@@ -6,17 +6,11 @@
 #include "texgen/maps/frame_layers.h"
 #include "texgen/maps/map_image.h"
 
-#include <functional>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace foam::texgen {
-
-/// Returns the arcs of the films for which is_chosen(film) is true, and always the circles of lone
-/// bubbles, two arcs each. Throws std::invalid_argument if pixels_per_unit throws it.
-std::vector<PlacedArc> arcs_of_films(const FrameLayers& layers,
-                                     const std::function<bool(FilmId)>& is_chosen);
 
 /// Returns the fraction of every pixel that strokes with round ends along arcs cover
 /// (stroke_coverage). `width` is their full width in diameters of a mean bubble of the seeded foam.

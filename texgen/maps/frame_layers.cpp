@@ -2,7 +2,7 @@
 
 #include "texgen/maps/frame_layers.h"
 
-#include "texgen/maps/film_strokes.h"
+#include "texgen/maps/arcs_of_films.h"
 #include "texgen/raster/distance/distance.h"
 
 #include <stdexcept>
@@ -50,8 +50,8 @@ const ArcDistances& FrameLayers::wall_distances(const MazeRule& rule,
         return known->second;
     }
     const Maze& with_walls = maze(rule);
-    const std::vector<PlacedArc> walls =
-        arcs_of_films(*this, [&](FilmId film) { return with_walls.is_open[film] == 0; });
+    const std::vector<PlacedArc> walls = arcs_of_films(
+        frame(), grid_, threads_, [&](FilmId film) { return with_walls.is_open[film] == 0; });
     ArcDistances distances = distances_to_arcs(walls, grid_, frame().domain, needs, threads_);
     return wall_distances_.emplace(std::pair(rule, needs), std::move(distances)).first->second;
 }

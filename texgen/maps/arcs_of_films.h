@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "core/foam/frame.h"
+#include "texgen/maps/arc_distance.h"
+
+#include <functional>
+#include <vector>
+
+namespace foam::texgen {
+
+/// Returns the arcs of the films for which is_chosen(film) is true, and always the circles of lone
+/// bubbles, two arcs each. Computed by `threads` threads. Throws std::invalid_argument if
+/// pixels_per_unit throws it.
+std::vector<PlacedArc> arcs_of_films(const Frame& frame,
+                                     const RasterGrid& grid,
+                                     int threads,
+                                     const std::function<bool(FilmId)>& is_chosen);
+
+}  // namespace foam::texgen
