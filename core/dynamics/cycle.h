@@ -41,7 +41,9 @@ class Cycle {
     StepSummary step_to(int position, Foam& foam, double time, const StepOptions& options);
 
     /// Returns true if every boiling bubble vanished between the same bubbles in its last two ends,
-    /// so that it will be born between the same bubbles again.
+    /// so that it will be born between the same bubbles again. A boil has closed if this holds and
+    /// closing_error is small after two cycles in a row: films that have just flipped (t1_armed)
+    /// may make the next cycle differ although the foam is the same.
     bool repeats() const;
 
     /// Weakens the change where it keeps the foam from returning to its first state. Bubbles whose

@@ -22,11 +22,12 @@ namespace {
 constexpr const char* kUsage = R"(Usage: boil_table [SEEDS [BUBBLES...]]
 
 For each number of bubbles, by default 100, 300, 500, 1,000 and 2,000, makes foams with the seeds 1 to
-SEEDS (5 by default) and lets 12 % of their bubbles boil with 48 steps a cycle until a cycle closes.
+SEEDS (5 by default) and lets 12 % of their bubbles boil with 48 steps a cycle until two cycles in a row close.
 All together take about 20 minutes.
 )";
 constexpr double kClosed = 1e-9;
 constexpr int kMaxCycles = 100;
+constexpr int kCloses = 2;  // number of cycles in a row that must close, as in a bake
 constexpr int kSteps = 48;
 
 // The last cycle of a boil that has closed, and the search for it.
@@ -63,12 +64,15 @@ std::optional<ClosedBoil> close_boil(int bubbles, std::uint64_t seed) {
     }
     Cycle cycle(foam, {.steps = kSteps, .area_amplitude = 0.1, .boiling = 0.12, .seed = seed});
     cycle.step_to(0, foam, 0.0, {});
+    int closed = 0;
     for (int cycles = 1; cycles <= kMaxCycles; ++cycles) {
         const Foam start = foam;
         if (!make_cycle(cycle, foam)) {
             return std::nullopt;
         }
-        if (closing_error(start, foam) < kClosed && cycle.repeats()) {
+        const bool closes = closing_error(start, foam) < kClosed && cycle.repeats();
+        closed = closes ? closed + 1 : 0;
+        if (closed == kCloses) {
             const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
             const double births = count(foam, TopologyEventKind::Birth);
             return ClosedBoil{.cycles = cycles,
@@ -76,7 +80,9 @@ std::optional<ClosedBoil> close_boil(int bubbles, std::uint64_t seed) {
                               .births = births / bubbles,
                               .t1 = count(foam, TopologyEventKind::T1) / births};
         }
-        cycle.calm(foam);
+        if (!closes) {
+            cycle.calm(foam);
+        }
     }
     return std::nullopt;
 }

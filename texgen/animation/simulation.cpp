@@ -146,7 +146,9 @@ double Simulation::loop_progress() const {
     return static_cast<double>((number - 1) % frames_.count) / frames_.count;
 }
 
-// Runs cycles, at most loop_.cycles, until the closing error of a cycle is below kClosed. Returns
+// Runs cycles, at most loop_.cycles, until the closing error of a cycle is below kClosed. A boil
+// must close twice: which films may flip (Foam::t1_armed) is part of the state of a foam, but not
+// of the closing error, and T1s may differ for a cycle although the foam has closed. Returns
 // false if no cycle closes or if a step finds no equilibrium. The cycles before the last one are
 // transients: some of their T1s and T2s do not recur. The last step of each cycle is recorded as
 // the step to frame 1, and the other steps as steps to the frames before frame 1. The events of the
@@ -154,6 +156,8 @@ double Simulation::loop_progress() const {
 bool Simulation::close_loop() {
     cycle_.emplace(foam_, cycle_options_of(loop_, frames_.count, seed_));
     bool found = step_cycle(0);
+    const int needed = loop_.kind == LoopKind::Boil ? 2 : 1;
+    int closed = 0;
     for (int cycle = 0; cycle < loop_.cycles && found; ++cycle) {
         const Foam start = foam_;
         const FoamRecord record = history_.record();
@@ -176,11 +180,15 @@ bool Simulation::close_loop() {
         progress.done = frames_.count;
         progress.measure = closing_error_;
         report(progress);
-        if (*closing_error_ < kClosed && cycle_->repeats()) {
+        const bool closes = *closing_error_ < kClosed && cycle_->repeats();
+        closed = closes ? closed + 1 : 0;
+        if (closed == needed) {
             history_.close_averages(record, frames_.count);
             return true;
         }
-        cycle_->calm(foam_);
+        if (!closes) {
+            cycle_->calm(foam_);
+        }
     }
     return false;
 }

@@ -53,7 +53,7 @@ TEST(Unrest, ASingleChangeIsForgotten) {
         EXPECT_EQ(unrest.restless_bubbles(rest), Bubbles{});
     }
     EXPECT_EQ(unrest.restless_bubbles(flipped()), Bubbles{});
-    for (int cycle = 0; cycle < 3; ++cycle) {
+    for (int cycle = 0; cycle < 4; ++cycle) {
         EXPECT_EQ(unrest.restless_bubbles(flipped()), Bubbles{});
     }
     EXPECT_EQ(unrest.restless_bubbles(rest), Bubbles{});

@@ -107,6 +107,7 @@ TEST(History, ANewLifeHasItsOwnBirthAndAverages) {
 TEST(History, ClosedAveragesOfANewLifeStay) {
     Foam foam = honeycomb(4, 4);
     History history(foam, 3.0);
+    history.record_events(foam, 1);
     foam.pressures[BubbleId{2}] = 40.0;
     history.average_values(foam);
     const FoamRecord start = history.record();
@@ -129,6 +130,7 @@ TEST(History, WithoutSmoothingThereAreNoAverages) {
 TEST(History, ClosedAveragesRepeatAfterOneCycle) {
     Foam foam = honeycomb(4, 4);
     History history(foam, 5.0);
+    history.record_events(foam, 1);
     foam.pressures[BubbleId{2}] = 40.0;  // a transient that must be forgotten
     history.average_values(foam);
     const auto run_cycle = [&] {
