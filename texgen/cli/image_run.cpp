@@ -127,7 +127,7 @@ std::vector<Assignment> assignments_of(const ImageArguments& arguments) {
 ExitCode run_images(const Preset& preset,
                     const BakeOptions& options,
                     const ImageArguments& arguments,
-                     const ProgressOptions& progress) {
+                    const ProgressOptions& progress) {
     const Verbosity verbosity = progress.verbosity;
     if (verbosity != Verbosity::Quiet) {
         warn_of_full_disk(estimated_size(preset, options.frames), manifest_folder(preset));

@@ -98,7 +98,7 @@ void warn_of_full_disk(std::uint64_t size, const std::filesystem::path& folder) 
         existing = existing.parent_path();
     }
     const std::filesystem::space_info space = std::filesystem::space(existing, error);
-    if (!error && size > space.available) {
+    if (!error && space.capacity > 0 && size > space.available) {
         print_stderr(
             "foamtex: warning: the files need about {}, but the disk of '{}' has only {} left\n",
             amount_of_bytes(size),

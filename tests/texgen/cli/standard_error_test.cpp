@@ -12,8 +12,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
-#include <vector>
 
 namespace foam::texgen {
 namespace {
@@ -26,12 +26,12 @@ int code_with(const std::string& arguments,
     return run_program(arguments + " >/dev/null " + redirection + " #", folder).code;
 }
 
-// stderr is full, or closed.
-const std::vector<std::string> kLostStreams = {"2>/dev/full", "2>&-"};
+// Redirections with which stderr is full, or closed.
+constexpr std::array<const char*, 2> kLostStreams = {"2>/dev/full", "2>&-"};
 
 TEST(StandardError, ErrorsThatAreLostKeepTheirExitCodes) {
     const TemporaryFolder folder;
-    for (const std::string& lost : kLostStreams) {
+    for (const char* const lost : kLostStreams) {
         EXPECT_EQ(code_with("bake nope", lost, folder), 2) << lost;
         EXPECT_EQ(code_with("--frobnicate", lost, folder), 2) << lost;
         EXPECT_EQ(code_with("verify nodir", lost, folder), 4) << lost;
@@ -43,8 +43,8 @@ TEST(StandardError, ProgressThatIsLostDoesNotStopABake) {
     const std::string bake =
         "bake sea_foam --set foam.bubbles=16 --set frames.count=6 --frames 1-4 --size 16 "
         "--maps lit,height --out out/{map}.####.png ";
-    for (const std::string& lost : kLostStreams) {
-        for (const std::string style : {"", "-v", "--progress json"}) {
+    for (const char* const lost : kLostStreams) {
+        for (const char* const style : {"", "-v", "--progress json"}) {
             const TemporaryFolder folder;
             EXPECT_EQ(code_with(bake + style, lost, folder), 0) << style << lost;
             const Manifest manifest = read_manifest(folder.path() / "out");

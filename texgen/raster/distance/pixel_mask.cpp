@@ -66,8 +66,8 @@ struct alignas(64) RisingArcs {
     // The lower end, then the members of CrossingSolver::Coefficients.
     EdgeLanes low_x, low_y, half_x, half_y, sine, bulge, across, up;
     EdgeLanes first, last;
-    EdgeLanes non_monotone_in_y;  // not 0 if the tangent of the arc is horizontal somewhere; `first`
-                              // and `last` are then equal
+    EdgeLanes non_monotone_in_y;  // not 0 if the tangent of the arc is horizontal somewhere;
+                                  // `first` and `last` are then equal
 
     [[gnu::always_inline]] CrossingSolver<double> arc(std::size_t k) const {
         return CrossingSolver<double>({half_x[k], half_y[k], sine[k], bulge[k], across[k], up[k]});
