@@ -211,7 +211,7 @@ Vec2 Cycle::restore_positions(Foam& foam) const {
     if (count == 0) {
         return Vec2::Zero();
     }
-    const Vec2 translation = -sum / static_cast<double>(count);
+    Vec2 translation = -sum / static_cast<double>(count);
     translate(foam, translation);
     return translation;
 }
