@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <optional>
 
@@ -79,8 +80,18 @@ std::optional<NumberExtent> numbers_in(const JsonValue& file) {
     return NumberExtent{smallest, largest, file["clipped"].number()};
 }
 
+/// Returns the path of a file. Throws InputError unless the path stays inside the folder of the
+/// manifest, because a manifest may come from another person.
+const std::string& path_in(const JsonValue& value) {
+    const std::filesystem::path path = value.text();
+    if (path.empty() || path.has_root_path() || std::ranges::find(path, "..") != path.end()) {
+        value.reject("a path inside the folder of the manifest: relative and without '..'");
+    }
+    return value.text();
+}
+
 ManifestFile file_in(const JsonValue& value) {
-    ManifestFile file{.path = value["path"].text(),
+    ManifestFile file{.path = path_in(value["path"]),
                       .maps = {},
                       .frame = value["frame"].count(),
                       .bytes = static_cast<std::uint64_t>(

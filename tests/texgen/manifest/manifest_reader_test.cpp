@@ -48,6 +48,20 @@ TEST(ManifestReader, ErrorNamesFilePathAndAllowedValues) {
               "cannot read 'm.json': sets[0].size = [64]: must be [width, height]");
 }
 
+// A manifest of another person must not make a program read files outside of its folder.
+TEST(ManifestReader, FilesAreInsideTheFolder) {
+    const std::string path = "\"a_height.1.png\"";
+    EXPECT_EQ(error_of(path, "\"../a.png\""),
+              "cannot read 'm.json': sets[0].files[0].path = \"../a.png\": "
+              "must be a path inside the folder of the manifest: relative and without '..'");
+    for (const char* outside : {"\"/a.png\"", "\"b/../../a.png\"", "\"b/..\"", "\"\""}) {
+        EXPECT_NE(error_of(path, outside), "") << outside;
+    }
+    for (const char* inside : {"\"b/a.png\"", "\"..a.png\"", "\"./a..png\""}) {
+        EXPECT_EQ(error_of(path, inside), "") << inside;
+    }
+}
+
 TEST(ManifestReader, RejectsFilesThatAreNoManifest) {
     EXPECT_NE(error_of("\"pixels\":", "\"pixel\":").find("an object with the key 'pixels'"),
               std::string::npos);
