@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/image/picture.h"
+
+#include <vector>
+
+namespace foam::texgen {
+
+/// Returns true if the pixels of a picture can be normals: it has exactly three channels.
+bool can_hold_normals(const Picture& picture);
+
+/// Returns the angle between the normals of each pixel of two pictures, in degrees, row by row from
+/// the bottom. Codes from 0 to 1 are decoded to coordinates from -1 to 1; other samples are
+/// coordinates. Normals need not have unit length. The angle is 0 if the samples are equal, and 180
+/// if they differ and a normal is zero or not finite. Preconditions: can_hold_normals; the pictures
+/// have the same size and channels.
+std::vector<double> normal_angles(const Picture& a, const Picture& b);
+
+}  // namespace foam::texgen
