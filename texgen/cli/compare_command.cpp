@@ -1,23 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 
-#include "texgen/bake/file_pattern.h"
-#include "texgen/bake/frame_range.h"
 #include "texgen/cli/command.h"
-#include "texgen/cli/json_report.h"
 #include "texgen/cli/options.h"
-#include "texgen/image/compare.h"
+#include "texgen/image/file_io.h"
 #include "texgen/image/format.h"
-#include "texgen/image/png.h"
+#include "texgen/maps/all_maps.h"
+#include "texgen/verify/compare_images.h"
+#include "texgen/verify/comparison_report.h"
+#include "texgen/verify/limit_keys.h"
+#include "texgen/verify/tolerances.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <limits>
+#include <cstdio>
 #include <memory>
 #include <optional>
+#include <span>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -27,148 +30,169 @@ namespace {
 
 constexpr const char* kCompareExamples = R"(Examples:
   foamtex compare golden.png out/sea_foam_albedo.0001.png
-  foamtex compare 'old/a.####.exr' 'new/a.####.exr' --frames 1-48 --warn 1e-4 --fail 1e-3
-Samples of a PNG are compared as numbers from 0 to 1, samples of an EXR as stored.
-Exit codes: 0 same, 1 warning, 2 failure, 3 different size or channels, 4 unreadable)";
+  foamtex compare 'old/a.####.exr' 'new/a.####.exr' --warn 1e-4 --fail 1e-3
+  foamtex compare golden/ out/ --tolerances golden/tolerances.toml
+  foamtex compare golden/manifest.json out/manifest.json --fail 0.01 --fail-pixels 1
+  foamtex compare a.png b.png --fail-angle 0.5 --hard-fail 0.8 --fail-percent 0.001
+Samples of a PNG are compared as numbers from 0 to 1, samples of an EXR as stored. The difference
+of a pixel is the largest difference of its samples. An image that exists on one side only is a
+failure. A file of tolerances has a table of limits per map, such as [normal], and [default]; the
+keys are the names of the options: fail, fail_percent, hard_fail. Options override the file.
+Exit codes: 0 same, 1 warning, 2 failure, 3 different size or channels, 4 unreadable,
+  5 an output could not be written, 64 bad command line or tolerances, 70 internal failure)";
+
+/// A limit of the command line.
+struct GivenLimit {
+    const Key<CompareLimits>* key;
+    Value value;
+};
 
 struct CompareArguments {
     std::string a;
     std::string b;
     std::optional<std::string> frames;
-    std::optional<std::string> difference;
-    CompareLimits limits;
+    std::optional<std::string> tolerances;
+    std::vector<GivenLimit> limits;
+    CompareOptions options;
     bool quiet = false;
     bool json = false;
 };
 
-using Paths = std::pair<std::filesystem::path, std::filesystem::path>;
-
-/// Returns the pairs of images to compare: one pair, or one per frame of --frames. Throws
-/// std::invalid_argument if the range or a pattern is malformed, or if there are several frames and
-/// a pattern has no frame number.
-std::vector<Paths> pairs_of(const CompareArguments& arguments) {
-    if (!arguments.frames) {
-        return {{arguments.a, arguments.b}};
+/// Returns the placeholder of the value of a limit in the help.
+const char* placeholder_of(const KeyInfo& key) {
+    if (key.path.ends_with("percentile")) {
+        return "P=T";
     }
-    const std::vector<int> frames = parse_frame_range(*arguments.frames);
-    const FilePattern a(arguments.a);
-    const FilePattern b(arguments.b);
-    a.check_distinct(frames.size(), 1);
-    b.check_distinct(frames.size(), 1);
-    std::vector<Paths> pairs;
-    pairs.reserve(frames.size());
-    for (const int frame : frames) {
-        pairs.emplace_back(a.path({}, {}, frame), b.path({}, {}, frame));
+    if (key.path.ends_with("percent")) {
+        return "P";
     }
-    return pairs;
+    return key.path.ends_with("pixels") ? "N" : "T";
 }
 
-/// Returns the value of a verdict in JSON. Programs read these values, so they must not change.
-const char* json_value_of(Verdict verdict) {
-    switch (verdict) {
-        case Verdict::Same:
-            return "same";
-        case Verdict::Warning:
-            return "warning";
-        case Verdict::Failure:
-            return "failure";
-        default:
-            return "other size or channels";
+/// Adds the option of a limit. A value that is not allowed is an error of the command line.
+void add_limit_option(CLI::App& command,
+                      const Key<CompareLimits>& key,
+                      std::vector<GivenLimit>& limits) {
+    const auto take = [&key, &limits](const std::string& text) {
+        CompareLimits ignored;
+        limits.push_back({&key, value_of_argument(text)});
+        if (!key.read(limits.back().value, ignored)) {
+            throw CLI::ValidationError(option_name(key),
+                                       fmt::format("'{}' must be {}", text, key.allowed));
+        }
+    };
+    command
+        .add_option_function<std::string>(
+            option_name(key),
+            take,
+            fmt::format("{}: {}", is_warning_key(key) ? "Warning" : "Failure", key.meaning))
+        ->option_text(placeholder_of(key));
+}
+
+/// Returns the options of the comparison. The limits of a map are those of the tolerances, except
+/// for those of the command line. Throws std::invalid_argument for an unknown map.
+CompareOptions options_of(const CompareArguments& arguments) {
+    CompareOptions options = arguments.options;
+    if (!options.map.empty()) {
+        find_map(options.map);
+    }
+    const Tolerances tolerances =
+        arguments.tolerances ? read_tolerances(*arguments.tolerances) : Tolerances();
+    options.limits_of = [tolerances, given = arguments.limits](std::string_view map) {
+        CompareLimits limits = tolerances.limits_of(map);
+        for (const GivenLimit& limit : given) {
+            limit.key->read(limit.value, limits);
+        }
+        return limits;
+    };
+    return options;
+}
+
+/// Throws InputError if an image is unreadable.
+void check_readable(std::span<const ComparedImage> images) {
+    const auto is_unreadable = [](const ComparedImage& image) {
+        return image.verdict == Verdict::Unreadable;
+    };
+    const auto count = std::ranges::count_if(images, is_unreadable);
+    if (count > 0) {
+        throw InputError(
+            std::ranges::find_if(images, is_unreadable)->error +
+            (count > 1 ? fmt::format(" ({} of {} images are unreadable)", count, images.size())
+                       : ""));
     }
 }
 
-const char* text_of(Verdict verdict) {
-    return verdict == Verdict::DifferentLayout ? "different size or channels"
-                                               : json_value_of(verdict);
-}
-
-void print_line(const Paths& paths, const Comparison& found) {
-    fmt::print("{}: {}", paths.second.string(), text_of(found.verdict));
-    if (found.largest > 0.0) {
-        fmt::print(
-            ", largest difference {:.6g} in {} at {},{}, mean {:.3g}, {} samples above the limits",
-            found.largest,
-            found.channel,
-            found.x,
-            found.y,
-            found.mean,
-            std::max(found.warnings, found.failures));
+/// Prints a note on stderr if a limit of angles on the command line applies to none of the images.
+void note_unused_angle(std::span<const GivenLimit> limits, std::span<const ComparedImage> images) {
+    const auto angle = std::ranges::find_if(
+        limits, [](const GivenLimit& limit) { return is_angle_key(*limit.key); });
+    if (angle != limits.end() && std::ranges::none_of(images, [](const ComparedImage& image) {
+            return image.found.angle.has_value();
+        })) {
+        fmt::print(stderr,
+                   "foamtex: note: {} applies to none of the images, because none is known to be a "
+                   "normal map; --map normal tells so\n",
+                   option_name(*angle->key));
     }
-    fmt::print("\n");
-}
-
-Json to_json(const Paths& paths, const Comparison& found) {
-    return {{"a", paths.first.string()},
-            {"b", paths.second.string()},
-            {"verdict", json_value_of(found.verdict)},
-            {"largest", number_or_null(found.largest)},
-            {"mean", number_or_null(found.mean)},
-            {"channel", found.channel},
-            {"x", found.x},
-            {"y", found.y},
-            {"warnings", found.warnings},
-            {"failures", found.failures}};
-}
-
-Comparison compare_files(const Paths& paths, const CompareArguments& arguments) {
-    const Picture a = read_picture(paths.first);
-    const Picture b = read_picture(paths.second);
-    Comparison found = compare(a, b, arguments.limits);
-    if (!arguments.quiet && !arguments.json) {
-        print_line(paths, found);
-    }
-    if (arguments.difference && found.verdict != Verdict::DifferentLayout) {
-        write_png(
-            *arguments.difference, difference_picture(a, b).view(), {}, {.filter = PngFilter::Up});
-    }
-    return found;
 }
 
 /// Compares all pairs and returns the worst verdict as the exit code.
 ExitCode run_compare(const CompareArguments& arguments) {
-    Verdict worst = Verdict::Same;
-    Json images = Json::array();
-    for (const Paths& paths : pairs_of(arguments)) {
-        const Comparison found = compare_files(paths, arguments);
-        worst = std::max(worst, found.verdict);
-        images.push_back(to_json(paths, found));
+    const CompareOptions options = options_of(arguments);
+    const std::vector<ImagePair> pairs = image_pairs(arguments.a, arguments.b, arguments.frames);
+    if (options.difference && pairs.size() > 1) {
+        throw std::invalid_argument("--diff is only for a single pair of images");
+    }
+    const bool prints_lines = !arguments.quiet && !arguments.json;
+    std::vector<ComparedImage> images;
+    for (const ImagePair& pair : pairs) {
+        std::vector<ComparedImage> compared = compare_pair(pair, options);
+        for (ComparedImage& image : compared) {
+            fmt::print("{}", prints_lines ? to_line(image) + "\n" : "");
+            images.push_back(std::move(image));
+        }
+    }
+    if (prints_lines && images.size() > 1) {
+        fmt::print("{}", summary_of(images));
     }
     if (arguments.json) {
-        print_json({{"status", json_value_of(worst)}, {"images", images}});
+        fmt::print("{}", to_json(images));
     }
-    return static_cast<ExitCode>(worst);
+    note_unused_angle(arguments.limits, images);
+    check_readable(images);
+    return static_cast<ExitCode>(worst_verdict(images));
 }
 
 }  // namespace
 
 void add_compare_command(CLI::App& app, Action& action) {
-    CLI::App* command = app.add_subcommand("compare", "Compare images, or sequences of images");
+    CLI::App* command =
+        app.add_subcommand("compare", "Compare images, sequences, or folders of images");
     const auto arguments = std::make_shared<CompareArguments>();
-    const CLI::Range any_distance(0.0, std::numeric_limits<double>::max());
     command
         ->add_option("A",
                      arguments->a,
-                     "An image, " + format_suffixes() +
-                         ", or with --frames the file name pattern of a sequence")
+                     "The reference: an image (" + format_suffixes() +
+                         "), a sequence (####), a folder, or a manifest.json")
         ->required()
         ->option_text(" ");
-    command->add_option("B", arguments->b, "The image or sequence that is compared with A")
+    command->add_option("B", arguments->b, "What is compared with A; of the same kind")
         ->required()
         ->option_text(" ");
+    for (const Key<CompareLimits>& key : limit_keys()) {
+        add_limit_option(*command, key, arguments->limits);
+    }
+    command->add_option("--tolerances", arguments->tolerances, "TOML file with limits for each map")
+        ->option_text("FILE");
     command
-        ->add_option("--fail",
-                     arguments->limits.fail,
-                     "Difference above which the result is a failure (default 1e-6)")
-        ->check(any_distance)
-        ->option_text("T");
+        ->add_option("--map",
+                     arguments->options.map,
+                     "Map of the images; by default that of their manifest or texts")
+        ->option_text("MAP");
+    add_frames_option(
+        *command, arguments->frames, "Frames of both sequences; by default all existing frames");
     command
-        ->add_option("--warn",
-                     arguments->limits.warn,
-                     "Difference above which the result is a warning (default 1e-6)")
-        ->check(any_distance)
-        ->option_text("T");
-    add_frames_option(*command, arguments->frames, "Frames of both sequences");
-    command->add_option("--diff", arguments->difference, "Write the differences as a gray PNG")
+        ->add_option("--diff", arguments->options.difference, "Write the differences as a gray PNG")
         ->excludes("--frames")
         ->option_text("FILE");
     add_quiet_option(

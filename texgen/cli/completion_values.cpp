@@ -28,6 +28,9 @@ Values values_of(const ArgumentGrammar& argument, const CompletionWords& words) 
     if (name == "--maps") {
         return {ValueKind::List, words.maps};
     }
+    if (name == "--map") {
+        return {ValueKind::Words, words.maps};
+    }
     if (name == "--set") {
         return {ValueKind::Key, words.keys};
     }

@@ -5,18 +5,21 @@
 namespace foam::texgen {
 
 /// The exit codes of the program. The help of the program also lists them. `compare` differs: like
-/// OpenImageIO's idiff, it returns its Verdict (0 to 3, image/compare.h) as the exit code,
-/// unless an exception or lost output gives one of these codes.
+/// OpenImageIO's idiff, it returns its Verdict (0 to 4, image/comparison.h) as the exit code. As a
+/// verdict uses the codes 1 and 2, `compare` replaces them for failures of the program by codes of
+/// the BSD header sysexits.h (code_for_command in program.cpp).
 enum class ExitCode : int {
     Success = 0,
-    InternalFailure = 1,  // a bug, or out of memory
-    BadRequest = 2,       // wrong command line or preset, including a missing preset file
-    NoEquilibrium = 3,    // the foam did not reach equilibrium, or its loop did not close
-    BadInput = 4,         // an input file is unreadable or malformed
-    OutputFailed = 5,     // an output could not be written
-    CheckFailed = 6,      // verify: a check failed
-    Interrupted = 130,    // 128 + SIGINT
-    Terminated = 143,     // 128 + SIGTERM
+    InternalFailure = 1,          // a bug, or out of memory
+    BadRequest = 2,               // wrong command line or preset, including a missing preset file
+    NoEquilibrium = 3,            // the foam did not reach equilibrium, or its loop did not close
+    BadInput = 4,                 // an input file is unreadable or malformed
+    OutputFailed = 5,             // an output could not be written
+    CheckFailed = 6,              // verify: a check failed
+    CompareBadRequest = 64,       // compare: wrong command line or tolerances (EX_USAGE)
+    CompareInternalFailure = 70,  // compare: a bug, or out of memory (EX_SOFTWARE)
+    Interrupted = 130,            // 128 + SIGINT
+    Terminated = 143,             // 128 + SIGTERM
 };
 
 }  // namespace foam::texgen

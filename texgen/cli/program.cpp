@@ -37,7 +37,8 @@ constexpr const char* kFooter = R"(Examples:
 
 Exit codes: 0 success, 1 unexpected internal failure, 2 bad command line or preset,
   3 the foam did not reach equilibrium, or its loop does not close, 4 bad input file,
-  5 an output could not be written, 6 a check of verify failed, 130 interrupted, 143 terminated)";
+  5 an output could not be written, 6 a check of verify failed, 130 interrupted, 143 terminated.
+  The codes of compare are different: see foamtex compare --help)";
 
 /// Prints a message on stderr as one line, in which newlines are replaced by spaces. Returns the
 /// given exit code.
@@ -45,6 +46,18 @@ ExitCode report(std::string message, ExitCode code) {
     std::replace_if(
         message.begin(), message.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
     print_stderr("foamtex: {}\n", message);
+    return code;
+}
+
+/// Returns the exit code of a command for a failure of the program. `compare` uses the codes 1 and
+/// 2 for verdicts. `command` is empty if the command is not known.
+ExitCode code_for_command(ExitCode code, std::string_view command) {
+    if (command == "compare" && code == ExitCode::BadRequest) {
+        return ExitCode::CompareBadRequest;
+    }
+    if (command == "compare" && code == ExitCode::InternalFailure) {
+        return ExitCode::CompareInternalFailure;
+    }
     return code;
 }
 
@@ -94,7 +107,14 @@ ExitCode flushed(ExitCode code) {
     return arrived ? code : report("cannot write to standard output", ExitCode::OutputFailed);
 }
 
-ExitCode parse_and_run(int argc, char** argv) {
+/// Returns the name of the command that a command line selects; empty if it selects none.
+std::string command_of(const CLI::App& app) {
+    const std::vector<CLI::App*> commands = app.get_subcommands();
+    return commands.empty() ? "" : commands.front()->get_name();
+}
+
+/// Runs the program. Stores the name of the command in `command` once it is known.
+ExitCode parse_and_run(int argc, char** argv, std::string& command) {
     CLI::App app("Animated, tileable foam textures from real foam physics", "foamtex");
     Action action;
     app.set_version_flag("--version", kVersion);
@@ -106,8 +126,9 @@ ExitCode parse_and_run(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return report_parse(app, error);
+        return code_for_command(report_parse(app, error), command_of(app));
     }
+    command = command_of(app);
     simd_level();  // throws here, before any work, if FOAMTEX_SIMD has an invalid value
     return action();
 }
@@ -116,23 +137,27 @@ ExitCode parse_and_run(int argc, char** argv) {
 
 ExitCode run_program(int argc, char** argv) {
     open_missing_streams();
+    std::string command;
+    const auto fail = [&command](const std::string& message, ExitCode code) {
+        return report(message, code_for_command(code, command));
+    };
     try {
-        return flushed(parse_and_run(argc, argv));
+        return flushed(parse_and_run(argc, argv, command));
     } catch (const Interrupted& error) {
-        return report(error.what(),
-                      error.signal() == SIGINT ? ExitCode::Interrupted : ExitCode::Terminated);
+        return fail(error.what(),
+                    error.signal() == SIGINT ? ExitCode::Interrupted : ExitCode::Terminated);
     } catch (const PresetError& error) {
-        return report(error.what(), ExitCode::BadRequest);
+        return fail(error.what(), ExitCode::BadRequest);
     } catch (const std::invalid_argument& error) {
-        return report(error.what(), ExitCode::BadRequest);
+        return fail(error.what(), ExitCode::BadRequest);
     } catch (const FormatError& error) {
-        return report(error.what(), ExitCode::BadInput);
+        return fail(error.what(), ExitCode::BadInput);
     } catch (const InputError& error) {
-        return report(error.what(), ExitCode::BadInput);
+        return fail(error.what(), ExitCode::BadInput);
     } catch (const OutputError& error) {
-        return report(error.what(), ExitCode::OutputFailed);
+        return fail(error.what(), ExitCode::OutputFailed);
     } catch (const std::exception& error) {
-        return report(std::string("internal failure: ") + error.what(), ExitCode::InternalFailure);
+        return fail(std::string("internal failure: ") + error.what(), ExitCode::InternalFailure);
     }
 }
 

@@ -2,10 +2,14 @@
 
 #include "texgen/image/compare.h"
 
+#include "texgen/image/limit_check.h"
+#include "texgen/image/normal_angles.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -22,13 +26,6 @@ double absolute_difference(double a, double b) {
     }
     const double distance = std::abs(a - b);
     return std::isnan(distance) ? std::numeric_limits<double>::infinity() : distance;
-}
-
-/// Returns true if the pictures have the same width, height and channel names.
-bool have_same_layout(const Picture& a, const Picture& b) {
-    return a.width() == b.width() && a.height() == b.height() &&
-           std::ranges::equal(
-               channels_of(a), channels_of(b), {}, &PictureChannel::name, &PictureChannel::name);
 }
 
 /// Calls visit(channel name, x, y, difference) for every sample. y counts from the bottom row.
@@ -50,28 +47,30 @@ void visit_differences(const Picture& a, const Picture& b, const Visit& visit) {
     }
 }
 
-Verdict verdict_of(const Comparison& comparison) {
-    if (comparison.failures > 0) {
-        return Verdict::Failure;
-    }
-    return comparison.warnings > 0 ? Verdict::Warning : Verdict::Same;
-}
+/// The limits of the difference of a sample.
+struct SampleLimits {
+    double warn;
+    double fail;
+};
 
-}  // namespace
-
-Comparison compare(const Picture& a, const Picture& b, const CompareLimits& limits) {
-    Comparison found;
-    if (!have_same_layout(a, b)) {
-        found.verdict = Verdict::DifferentLayout;
-        return found;
-    }
+/// Stores the statistics of the differences of samples in `found`. Returns the difference of each
+/// pixel.
+Image<double> measure_samples(const Picture& a,
+                              const Picture& b,
+                              const SampleLimits& limits,
+                              Comparison& found) {
+    Image<double> pixels(a.width(), a.height(), 1);
     double sum = 0.0;
+    double sum_of_squares = 0.0;
     std::size_t count = 0;
     visit_differences(a, b, [&](std::string_view channel, int x, int y, double difference) {
         sum += difference;
+        sum_of_squares += difference * difference;
         ++count;
         found.warnings += difference > limits.warn ? 1U : 0U;
         found.failures += difference > limits.fail ? 1U : 0U;
+        double& pixel = pixels.pixel(x, y)[0];
+        pixel = std::max(pixel, difference);
         if (difference > found.largest) {
             found.largest = difference;
             found.channel = channel;
@@ -80,7 +79,45 @@ Comparison compare(const Picture& a, const Picture& b, const CompareLimits& limi
         }
     });
     found.mean = sum / static_cast<double>(count);
-    found.verdict = verdict_of(found);
+    found.rms = std::sqrt(sum_of_squares / static_cast<double>(count));
+    return pixels;
+}
+
+/// Stores the largest of the angles of all pixels in `found`.
+void note_largest_angle(std::span<const double> angles, int width, int height, Comparison& found) {
+    const auto largest = std::ranges::max_element(angles);
+    const auto index = static_cast<int>(largest - angles.begin());
+    found.angle = *largest;
+    found.angle_x = index % width;
+    found.angle_y = height - 1 - index / width;
+}
+
+}  // namespace
+
+bool have_same_layout(const Picture& a, const Picture& b) {
+    return a.width() == b.width() && a.height() == b.height() &&
+           std::ranges::equal(
+               channels_of(a), channels_of(b), {}, &PictureChannel::name, &PictureChannel::name);
+}
+
+Comparison compare(const Picture& a,
+                   const Picture& b,
+                   const CompareLimits& limits,
+                   PixelContent content) {
+    Comparison found;
+    if (!have_same_layout(a, b)) {
+        found.verdict = Verdict::DifferentLayout;
+        return found;
+    }
+    const bool has_normals = content == PixelContent::Normals && can_hold_normals(a);
+    const SampleLimits of_samples{limits.warn.sample_limit(has_normals),
+                                  limits.fail.sample_limit(has_normals)};
+    const Image<double> differences = measure_samples(a, b, of_samples, found);
+    const std::vector<double> angles = has_normals ? normal_angles(a, b) : std::vector<double>();
+    if (has_normals) {
+        note_largest_angle(angles, a.width(), a.height(), found);
+    }
+    judge({differences.samples(), angles}, limits, found);
     return found;
 }
 

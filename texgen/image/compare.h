@@ -2,47 +2,33 @@
 
 #pragma once
 
+#include "texgen/image/comparison.h"
+#include "texgen/image/difference_limits.h"
 #include "texgen/image/image.h"
 #include "texgen/image/picture.h"
 
-#include <cstddef>
 #include <cstdint>
-#include <string>
 
 namespace foam::texgen {
 
-/// The allowed differences between two samples. Codes (SampleType) are scaled so that the largest
-/// code is 1; other samples are not scaled (read_numbers). The defaults are the defaults of
-/// OpenImageIO's program idiff.
-struct CompareLimits {
-    double warn = 1e-6;  // a larger difference is a warning
-    double fail = 1e-6;  // a larger difference is a failure
-};
+/// The content of the pixels of a picture. The angle between two pixels is measured only if they
+/// are Normals.
+enum class PixelContent { Numbers, Normals };
 
-/// The result of a comparison. Same: no difference is above a limit. Warning: a difference is above
-/// `warn`, but none is above `fail`. Failure: a difference is above `fail`. DifferentLayout: the
-/// pictures differ in width, height or channel names.
-enum class Verdict { Same, Warning, Failure, DifferentLayout };
+/// Returns true if the pictures have the same width, height and channel names.
+bool have_same_layout(const Picture& a, const Picture& b);
 
-/// The differences between two pictures.
-struct Comparison {
-    Verdict verdict = Verdict::Same;
-    double largest = 0.0;      // largest |a - b|; infinite if only one of two samples is NaN
-    double mean = 0.0;         // mean of |a - b| over all samples
-    std::size_t warnings = 0;  // number of samples whose difference exceeds CompareLimits::warn
-    std::size_t failures = 0;  // number of samples whose difference exceeds CompareLimits::fail
-    std::string channel;       // channel of the largest difference; empty if all samples are equal
-    int x = 0;                 // column of the largest difference, from the left
-    int y = 0;                 // row of the largest difference, from the top
-};
-
-/// Compares two pictures sample by sample. If widths, heights or channel names differ, the verdict
-/// is DifferentLayout and all other members keep their defaults.
-Comparison compare(const Picture& a, const Picture& b, const CompareLimits& limits = {});
+/// Compares two pictures. Pixels that cannot hold normals (can_hold_normals) are compared as
+/// Numbers. If the layouts differ, the verdict is DifferentLayout and all other members keep their
+/// defaults.
+Comparison compare(const Picture& a,
+                   const Picture& b,
+                   const CompareLimits& limits = {},
+                   PixelContent content = PixelContent::Numbers);
 
 /// Returns a gray picture of the differences. A pixel shows the largest difference among its
-/// channels. The largest difference in the whole picture is white. Precondition: the verdict of
-/// `compare` is not DifferentLayout.
+/// channels. The largest difference in the whole picture is white. Precondition:
+/// have_same_layout(a, b).
 Image<std::uint16_t> difference_picture(const Picture& a, const Picture& b);
 
 }  // namespace foam::texgen

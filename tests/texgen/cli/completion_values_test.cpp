@@ -19,6 +19,8 @@ TEST(CompletionValues, FollowFromTheArgument) {
     };
     EXPECT_EQ(values("--maps", "A,B").kind, ValueKind::List);
     EXPECT_EQ(values("--maps", "A,B").words, Words{"albedo"});
+    EXPECT_EQ(values("--map", "MAP").kind, ValueKind::Words);
+    EXPECT_EQ(values("--map", "MAP").words, Words{"albedo"});
     EXPECT_EQ(values("--set", "KEY=VALUE").kind, ValueKind::Key);
     EXPECT_EQ(values("--set", "KEY=VALUE").words, Words{"foam.seed"});
     EXPECT_EQ(values("PRESET", "").words, Words{"sea_foam"});

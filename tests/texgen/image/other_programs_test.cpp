@@ -293,5 +293,37 @@ TEST(OtherPrograms, IdiffComparesAsWeDo) {
     }
 }
 
+// One of eight pixels, in two of its three channels. idiff counts pixels, not samples.
+TEST(OtherPrograms, IdiffAllowsPixelsAsWeDo) {
+    if (const std::string program = missing({"idiff"}); !program.empty()) {
+        GTEST_SKIP() << "there is no " << program;
+    }
+    const TemporaryFolder folder;
+    Image<std::uint8_t> image(4, 2, 3);
+    write_png(folder.path() / "a.png", image.view());
+    image.pixel(3, 1)[1] = 51;  // 0.2
+    image.pixel(3, 1)[2] = 51;
+    write_png(folder.path() / "b.png", image.view());
+    const std::vector<std::pair<std::string, std::string>> limits = {
+        {"-fail 0.1 -failpercent 12", "--fail 0.1 --fail-percent 12"},
+        {"-fail 0.1 -failpercent 13", "--fail 0.1 --fail-percent 13"},
+        {"-fail 0.1 -failpercent 13 -hardfail 0.3", "--fail 0.1 --fail-percent 13 --hard-fail 0.3"},
+        {"-fail 0.1 -failpercent 13 -hardfail 0.1", "--fail 0.1 --fail-percent 13 --hard-fail 0.1"},
+        {"-hardfail 0.3", "--hard-fail 0.3"},
+        {"-fail 0.1 -allowfailures 1", "--fail 0.1 --fail-pixels 1"},
+        {"-fail 0.1 -allowfailures 1 -failpercent 1",
+         "--fail 0.1 --fail-pixels 1 --fail-percent 1"},
+        {"-fail 0.1 -allowfailures 0 -failpercent 13",
+         "--fail 0.1 --fail-pixels 0 --fail-percent 13"}};
+    for (const auto& [theirs, ours] : limits) {
+        const std::string idiff = fmt::format(
+            "cd {} && idiff -warn 1 {} a.png b.png >out 2>&1", folder.path().string(), theirs);
+        const int status = std::system(idiff.c_str());
+        const Outcome outcome =
+            run_program(fmt::format("compare --warn 1 {} a.png b.png", ours), folder);
+        EXPECT_EQ(outcome.code, WEXITSTATUS(status)) << theirs;
+    }
+}
+
 }  // namespace
 }  // namespace foam::texgen

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace foam::texgen {
+
+/// The default of DifferenceLimits::sample, which is also the default of OpenImageIO's program
+/// idiff.
+inline constexpr double kDefaultSampleLimit = 1e-6;
+
+/// A limit on a percentile of the differences of all pixels: at least `percent` percent of the
+/// pixels must differ by at most `difference`.
+struct PercentileLimit {
+    double percent = 100.0;  // above 0, at most 100
+    double difference = 0.0;
+
+    friend bool operator==(const PercentileLimit&, const PercentileLimit&) = default;
+};
+
+/// The limits of the differences between two pictures. Codes (SampleType) are scaled so that the
+/// largest code is 1; other samples are not scaled (read_numbers). The difference of a pixel is the
+/// largest difference of its samples. A pixel is above the limits if its difference exceeds the
+/// limit of samples (sample_limit), or if the angle between its normals exceeds `angle`. As in
+/// idiff, a given number or percentage of pixels may be above the limits, whichever is larger.
+struct DifferenceLimits {
+    std::optional<double> sample{};  // limit of the difference of a sample; see sample_limit
+    std::optional<double> angle{};   // degrees; only pictures of normals have angles
+    double allowed_percent = 0.0;    // of the pixels that may be above the limits
+    std::int64_t allowed_pixels = 0;
+    std::optional<double> hard{};  // no sample of any pixel may differ by more
+    std::optional<double> rms{};  // limit of the root mean square of the differences of all samples
+    std::vector<PercentileLimit> percentiles{};
+
+    /// Returns the limit of the difference of a sample. If `sample` is not given, it is
+    /// kDefaultSampleLimit, or infinity if `rms`, `percentiles` or an angle that applies is given:
+    /// otherwise these limits could allow nothing. `has_normals` is true if `angle` applies.
+    double sample_limit(bool has_normals) const;
+
+    /// Returns the number of pixels that may be above the limits, of `pixels` pixels.
+    std::size_t allowed_of(std::size_t pixels) const;
+};
+
+/// The limits above which two pictures differ enough for a warning, and for a failure.
+struct CompareLimits {
+    DifferenceLimits warn{};
+    DifferenceLimits fail{};
+};
+
+}  // namespace foam::texgen

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/image/comparison.h"
+#include "texgen/image/difference_limits.h"
+#include "texgen/verify/image_pairs.h"
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace foam::texgen {
+
+/// What to compare, and with which limits.
+struct CompareOptions {
+    /// Returns the limits of a map, whose name is empty if it is not known. Never null.
+    std::function<CompareLimits(std::string_view map)> limits_of = [](std::string_view) {
+        return CompareLimits{};
+    };
+    /// The map of all images; empty for the map that a layer, a manifest or an image names.
+    std::string map{};
+    /// The file for a picture of the differences (difference_picture); only for a single pair.
+    std::optional<std::filesystem::path> difference{};
+};
+
+/// The comparison of two images, or of one layer of two images.
+struct ComparedImage {
+    ImagePair pair;       // pair.map is not used
+    std::string map{};    // empty if it is not known
+    std::string layer{};  // empty if the images have no layers
+    /// Failure if one of the images is missing; Unreadable if one could not be read.
+    Verdict verdict = Verdict::Same;
+    Comparison found{};   // has its defaults if an image is missing or unreadable
+    std::string error{};  // why an image is unreadable, with its name
+};
+
+/// Compares the images of a pair, layer by layer. Throws OutputError if the picture of the
+/// differences cannot be written, and std::bad_alloc if memory is exhausted.
+std::vector<ComparedImage> compare_pair(const ImagePair& pair, const CompareOptions& options);
+
+/// Returns the worst of the verdicts, in the order of the enumeration; Same if there are none.
+Verdict worst_verdict(std::span<const ComparedImage> images);
+
+}  // namespace foam::texgen

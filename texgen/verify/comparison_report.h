@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/verify/compare_images.h"
+
+#include <span>
+#include <string>
+
+namespace foam::texgen {
+
+/// Returns the result of one comparison as a line for users, without a newline.
+std::string to_line(const ComparedImage& image);
+
+/// Returns a summary of several comparisons for users: one line per map with missing or extra
+/// frames, and a line with the number of images by verdict.
+std::string summary_of(std::span<const ComparedImage> images);
+
+/// Returns all results as one JSON object for programs, with a newline at the end. README.md
+/// describes its members.
+std::string to_json(std::span<const ComparedImage> images);
+
+}  // namespace foam::texgen

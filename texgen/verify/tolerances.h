@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/image/difference_limits.h"
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace foam::texgen {
+
+/// The limits of a comparison by map.
+class Tolerances {
+  public:
+    /// The limits of all maps are the defaults of CompareLimits.
+    Tolerances() = default;
+
+    /// `tables` maps the name of a map, or "default", to limits.
+    explicit Tolerances(std::map<std::string, CompareLimits, std::less<>> tables)
+        : tables_(std::move(tables)) {}
+
+    /// Returns the limits of the table of a map; those of the table "default" if the map has no
+    /// table; and the defaults of CompareLimits if that table does not exist either. `map` may be
+    /// empty, if it is not known.
+    CompareLimits limits_of(std::string_view map) const;
+
+  private:
+    std::map<std::string, CompareLimits, std::less<>> tables_;
+};
+
+/// Parses a TOML document with a table per map, and perhaps a table [default]. The keys of a table
+/// are limit_keys. A table without a limit of warnings gives no warnings. Throws PresetError
+/// (preset/assignment.h), whose message is one line that gives the place, the key and the allowed
+/// values. `source` is the name of the document for messages.
+Tolerances parse_tolerances(std::string_view toml, const std::string& source);
+
+/// Reads a file of tolerances. Throws PresetError if it is unreadable or invalid.
+Tolerances read_tolerances(const std::filesystem::path& path);
+
+}  // namespace foam::texgen
