@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <optional>
@@ -91,8 +92,9 @@ std::optional<ClosedBoil> close_boil(int bubbles, std::uint64_t seed) {
 template <class Property>
 std::string median_and_largest(std::vector<ClosedBoil> boils, const char* unit, Property property) {
     std::ranges::sort(boils, {}, property);
+    const std::size_t middle = boils.size() / 2;
     return fmt::format("{:.3g} / {:.3g}{}",
-                       static_cast<double>(boils[boils.size() / 2].*property),
+                       static_cast<double>(boils[middle].*property),
                        static_cast<double>(boils.back().*property),
                        unit);
 }

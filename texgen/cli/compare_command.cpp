@@ -2,6 +2,7 @@
 
 #include "texgen/cli/command.h"
 #include "texgen/cli/options.h"
+#include "texgen/cli/standard_error.h"
 #include "texgen/image/file_io.h"
 #include "texgen/image/format.h"
 #include "texgen/maps/all_maps.h"
@@ -129,10 +130,10 @@ void note_unused_angle(std::span<const GivenLimit> limits, std::span<const Compa
     if (angle != limits.end() && std::ranges::none_of(images, [](const ComparedImage& image) {
             return image.found.angle.has_value();
         })) {
-        fmt::print(stderr,
-                   "foamtex: note: {} applies to none of the images, because none is known to be a "
-                   "normal map; --map normal tells so\n",
-                   option_name(*angle->key));
+        print_stderr(
+            "foamtex: note: {} applies to none of the images, because none is known to be a "
+            "normal map; --map normal tells so\n",
+            option_name(*angle->key));
     }
 }
 

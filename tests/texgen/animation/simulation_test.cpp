@@ -297,8 +297,10 @@ double largest_change_of_area(const Frame& from, const Frame& to) {
     double largest = areas.size() == to.bubbles.size() ? 0.0 : kInfinity;
     for (const FrameBubble& bubble : to.bubbles) {
         const auto found = areas.find(bubble.identity);
-        const bool known = found != areas.end();
-        largest = std::max(largest, known ? std::abs(bubble.area - found->second) : kInfinity);
+        if (found == areas.end()) {
+            return kInfinity;
+        }
+        largest = std::max(largest, std::abs(bubble.area - found->second));
     }
     return largest;
 }
