@@ -79,26 +79,31 @@ PixelRange range_near(double position, double extent, PixelRange range) {
             static_cast<int>(std::min(last + 1.0, static_cast<double>(range.end)))};
 }
 
+// Replaces the distance of a pixel, and its gradient if there are gradients, if `nearest` is
+// nearer.
+void lower_to(const NearestOnArc& nearest, int x, int y, ArcDistances& distances) {
+    float& distance = distances.distance.pixel(x, y)[0];
+    if (static_cast<float>(nearest.distance) >= distance) {
+        return;
+    }
+    distance = static_cast<float>(nearest.distance);
+    if (!distances.gradient.samples().empty()) {
+        const Vec2 gradient = nearest.direction.stableNormalized();
+        const auto pixel = distances.gradient.pixel(x, y);
+        pixel[0] = static_cast<float>(gradient.x());
+        pixel[1] = static_cast<float>(gradient.y());
+    }
+}
+
 // Replaces the distances of pixels in some rows where one copy of an arc is nearer.
 void add_arc(const ArcCopy& copy, PixelRange rows, ArcDistances& distances) {
     const PixelRange columns =
         range_near(copy.center.x(), copy.extent, {0, distances.distance.width()});
     const PixelRange own_rows = range_near(copy.center.y(), copy.extent, rows);
-    const bool has_gradient = !distances.gradient.samples().empty();
     for (int y = own_rows.begin; y < own_rows.end; ++y) {
         for (int x = columns.begin; x < columns.end; ++x) {
-            const NearestOnArc nearest =
-                nearest_on_arc(*copy.arc, Vec2(x + 0.5, y + 0.5) - copy.tail);
-            float& distance = distances.distance.pixel(x, y)[0];
-            if (static_cast<float>(nearest.distance) < distance) {
-                distance = static_cast<float>(nearest.distance);
-                if (has_gradient) {
-                    const Vec2 gradient = nearest.direction.stableNormalized();
-                    const auto pixel = distances.gradient.pixel(x, y);
-                    pixel[0] = static_cast<float>(gradient.x());
-                    pixel[1] = static_cast<float>(gradient.y());
-                }
-            }
+            const Vec2 point = Vec2(x + 0.5, y + 0.5) - copy.tail;
+            lower_to(nearest_on_arc(*copy.arc, point), x, y, distances);
         }
     }
 }

@@ -7,8 +7,8 @@
 #include "texgen/raster/arcs/pixel_arc.h"
 #include "texgen/raster/coords/raster_grid.h"
 
-#include <compare>
 #include <span>
+#include <tuple>
 
 namespace foam::texgen {
 
@@ -35,7 +35,9 @@ struct ArcDistanceNeeds {
     double reach = 0.0;     // in pixels; distances above it are infinite
     bool gradient = false;  // true if the gradient of the distance is needed, too
 
-    auto operator<=>(const ArcDistanceNeeds&) const = default;
+    friend bool operator<(const ArcDistanceNeeds& a, const ArcDistanceNeeds& b) {
+        return std::tie(a.reach, a.gradient) < std::tie(b.reach, b.gradient);
+    }
 };
 
 /// Distances from the centers of pixels to the nearest of several arcs.

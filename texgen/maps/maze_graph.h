@@ -4,8 +4,8 @@
 
 #include "core/foam/frame.h"
 
-#include <compare>
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
 namespace foam::texgen {
@@ -20,7 +20,10 @@ struct MazeRule {
                           // bubble beside it has a smaller area than a circle of this diameter.
                           // Narrow films are opened only after all other films.
 
-    auto operator<=>(const MazeRule&) const = default;
+    friend bool operator<(const MazeRule& a, const MazeRule& b) {
+        return std::tie(a.chance, a.seed, a.loops, a.narrow) <
+               std::tie(b.chance, b.seed, b.loops, b.narrow);
+    }
 };
 
 /// A maze whose rooms are the bubbles of a foam and whose walls are its films, some of which are

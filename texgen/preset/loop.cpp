@@ -10,9 +10,10 @@
 
 namespace foam::texgen {
 
-Keys<LoopOptions> loop_keys() {
-    using Options = LoopOptions;
-    constexpr int kMaxPeriods = 100;
+namespace {
+
+// Returns the key that selects the kind of loop.
+Key<LoopOptions> kind_key() {
     constexpr Choices<LoopKind, 7> kKinds = {{{{"none", LoopKind::None},
                                                {"breathe", LoopKind::Breathe},
                                                {"shear", LoopKind::Shear},
@@ -20,56 +21,62 @@ Keys<LoopOptions> loop_keys() {
                                                {"drift", LoopKind::Drift},
                                                {"flow", LoopKind::Flow},
                                                {"pingpong", LoopKind::PingPong}}}};
+    return key("kind",
+               kKinds,
+               "how the animation loops after frames.count frames: bubbles grow and shrink "
+               "(breathe), the foam is sheared to and fro (shear), some bubbles vanish and are "
+               "born again (boil), the foam moves by a whole number of image widths and heights "
+               "(drift), renews its bubbles and fades into the beginning (flow), or the frames "
+               "are shown backwards (pingpong)",
+               &LoopOptions::kind);
+}
+
+}  // namespace
+
+Keys<LoopOptions> loop_keys() {
+    constexpr int kMaxPeriods = 100;
     // A key stores its meaning as a string_view, so the text must be static.
     static const std::string amplitude_meaning = fmt::format(
         "for \"breathe\": relative amplitude of every bubble's area; for \"boil\": the same, for "
         "the bubbles that do not vanish; for \"shear\": amplitude of the strain, at most {}",
         kLargestShearAmplitude);
     return {
-        key("kind",
-            kKinds,
-            "how the animation loops after frames.count frames: bubbles grow and shrink "
-            "(breathe), the foam is sheared to and fro (shear), some bubbles vanish and are "
-            "born again (boil), the foam moves by a whole number of image widths and heights "
-            "(drift), "
-            "renews its bubbles and fades into the beginning (flow), or the frames are shown "
-            "backwards (pingpong)",
-            &Options::kind),
-        key("amplitude", Reals{0.0, 0.9}, amplitude_meaning, &Options::amplitude)
+        kind_key(),
+        key("amplitude", Reals{0.0, 0.9}, amplitude_meaning, &LoopOptions::amplitude)
             .in("fraction of the area, or strain, selected by loop.kind"),
         key("boiling",
             Reals{0.001, 0.5},
             "for \"boil\": fraction of the bubbles that vanish and are born again, each once in "
             "a loop",
-            &Options::boiling)
+            &LoopOptions::boiling)
             .in("fraction of the bubbles"),
         key("drift",
             IntegerPairs{{-kMaxPeriods, kMaxPeriods}},
             "number of whole images that the foam moves in a loop, to the right and up",
-            &Options::drift)
+            &LoopOptions::drift)
             .in("image widths and heights")
             .only_for("foam.domain", {"torus"}),
         key("cycles",
             Integers{1, 1000},
             "largest number of cycles that are simulated before frame 1 so that the loop "
             "closes",
-            &Options::cycles)
+            &LoopOptions::cycles)
             .in("cycles"),
         key("fade",
             Reals{0.01, 1.0},
             "for \"flow\": fraction of the frames, at the end, that fade into the beginning",
-            &Options::fade)
+            &LoopOptions::fade)
             .in("fraction of the frames"),
         key("fade_spread",
             Reals{0.0, 0.95},
             "for \"flow\": fraction of the fade after which the last region of the image "
             "begins to fade; 0 fades the whole image at the same time",
-            &Options::fade_spread)
+            &LoopOptions::fade_spread)
             .in("fraction of the fade"),
         key("growth",
             Integers{1, 1000},
             "for \"flow\": number of frames in which a new bubble grows to the mean area",
-            &Options::growth)
+            &LoopOptions::growth)
             .in("frames")};
 }
 

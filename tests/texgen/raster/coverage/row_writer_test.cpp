@@ -108,6 +108,7 @@ TEST(PixelMeans, PackSamplesInTheOrderOfMemory) {
 TEST(PixelMeans, AreRounded) {
     at_every_simd_level([] {
         std::vector<PixelSums<3>> sums;
+        sums.reserve(37);
         for (int k = 0; k < 37; ++k) {
             sums.push_back({750.25 * kPixelArea * k, 0.5 * kPixelArea, 65535 * kPixelArea, 0.0});
         }
