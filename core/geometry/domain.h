@@ -50,13 +50,13 @@ struct Domain {
 
     /// Returns the lattice offset of the cell that contains the point. The point minus the
     /// translation by this offset is in the fundamental cell, up to rounding. Exception: a
-    /// component that would not fit into 32 bits, or that belongs to a NaN, is 0. In the plane,
-    /// returns the zero offset.
+    /// component of the offset is 0 if it would not fit into 32 bits, or if the coordinate from
+    /// which it is computed is NaN. In the plane, returns the zero offset.
     LatticeOffset cell_of(const Vec2& point) const;
 
-    /// Returns the offsets whose translations differ from the point by at most `reach` in x and in
-    /// y, and some offsets that are up to one period farther away. The offsets are ordered by j and
-    /// then by i. In the plane, returns only the zero offset.
+    /// Returns all offsets whose translations differ from the point by at most `reach` in x and in
+    /// y. The result may also contain offsets whose translations are up to one period farther away.
+    /// The offsets are ordered by j and then by i. In the plane, returns only the zero offset.
     std::vector<LatticeOffset> offsets_near(const Vec2& point, double reach) const;
 
     /// Returns the shortest vector that differs from the given vector by whole periods. In the

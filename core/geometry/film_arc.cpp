@@ -103,9 +103,9 @@ double segment_shape_derivative(double s) {
     return 2.0 / std::sqrt((1.0 - s) * (1.0 + s)) - 2.0 * segment_shape(s) / s;
 }
 
-// Near a straight film, the terms of the closed forms of w and w' nearly cancel. There w and w' are
-// computed from series in s = sin alpha. Since h = segment_shape(s), w follows from
-// 2 w = h' = cos alpha segment_shape_derivative(s), and w' from the derivative of this equation.
+// Near a straight film, the series of w follows from 2 w = h' and h = segment_shape(s), with s =
+// sin alpha: w = cos alpha segment_shape_derivative(s) / 2. w' is the derivative of this expression
+// with respect to alpha.
 ArcShape arc_shape(double half_angle) {
     const double s = std::sin(half_angle);
     const double c = std::cos(half_angle);

@@ -18,7 +18,7 @@ BubbleId insert_triangle(Network& network, JunctionId junction);
 /// Inserts a two-sided bubble, a lens, into the film of h and returns the bubble. This is the
 /// inverse of the T2 of that bubble (E10). Afterwards h starts at the lens and has the same head as
 /// before. A new film leads from the old tail of h to the lens. Each bubble beside the film gains
-/// two sides. `vanish` and `compact` restore a compact network with the same exception.
+/// two sides. `vanish` and `compact` restore a compact network as described for insert_triangle.
 /// Three properties make this possible: new films have a lattice offset of zero, new elements have
 /// the highest ids, and the first half-edge of the new bubble leaves the new tail of h.
 BubbleId insert_lens(Network& network, HalfEdgeId h);

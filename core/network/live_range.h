@@ -9,8 +9,8 @@
 
 namespace foam {
 
-/// The ids whose flag is true, in increasing order, for a range-based for loop. The flags have one
-/// element per slot, which is true if the element in this slot is live. Precondition: the flags
+/// The ids whose flag is true, in increasing order, for a range-based for loop. There is one flag
+/// per slot. It is true if the element of the network in this slot is live. Precondition: the flags
 /// outlive the range.
 template <class Id>
 class LiveRange {

@@ -108,10 +108,10 @@ class Network {
     void remove(FilmId film);
     void remove(BubbleId bubble);  // precondition: the bubble is not the ghost
 
-    /// Moves the junction by whole periods: the copy of the junction at the offset -by becomes the
-    /// junction itself. This function changes only the lattice offsets of the films of the
-    /// junction. Chords stay the same if the caller also moves the position of the junction by the
-    /// translation of -by.
+    /// Moves the junction by whole periods: the network then represents the junction by its lattice
+    /// copy at the offset -by. This function changes only the lattice offsets of the films of the
+    /// junction. The caller must also move the position of the junction by the translation of -by;
+    /// the chords of the films are then unchanged.
     void rebase(JunctionId junction, LatticeOffset by);
 
     /// For each new id after compact(), the old id of the element. The elements of each kind keep

@@ -65,8 +65,8 @@ class ForcedSimdLevel {
 
 namespace detail {
 
-// Calls kernel(Level) if the kernel (at_simd_level) accepts a level, otherwise kernel(). Returns
-// the result.
+// Calls kernel(Level) if the kernel accepts a level as an argument (see at_simd_level), otherwise
+// kernel(). Returns the result.
 template <SimdLevel Level, class Kernel>
 [[gnu::always_inline]] inline auto call_kernel(Kernel& kernel) {
     if constexpr (std::is_invocable_v<Kernel&, std::integral_constant<SimdLevel, Level>>) {
