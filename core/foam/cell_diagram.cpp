@@ -32,8 +32,8 @@ std::size_t matching_corner(const CellDiagram& cells, std::size_t cell, const Ce
     throw std::runtime_error("cell diagram: an edge of a cell is missing in the neighboring cell");
 }
 
-// Adds one film for the two sides, in neighboring cells, of each edge of the tiling. Returns the
-// half-edges of all cells.
+// Adds one film for each edge of the tiling. Its two half-edges belong to the two cells beside the
+// edge. Returns the half-edges of all cells.
 HalfEdgeTable add_films(const CellDiagram& cells, Network& network) {
     HalfEdgeTable table(cells.size());
     for (std::size_t cell = 0; cell < cells.size(); ++cell) {

@@ -63,8 +63,8 @@ NeighborPull neighbor_pull(const Foam& foam, FilmId film) {
 }
 
 // Moves the junctions of the film so that its chord has the midpoint `middle` and is the vector
-// `tail_to_head`. On a torus, `middle` may be outside of the fundamental cell, as the result of
-// middle_of may be; place_junction then wraps both junctions into the cell.
+// `tail_to_head`. On a torus, `middle` may be outside of the fundamental cell; place_junction wraps
+// both junctions into the cell.
 void place_film(Foam& foam, FilmId film, const Vec2& middle, const Vec2& tail_to_head) {
     const HalfEdgeId h = forward_side(film);
     const Vec2 head_translation = foam.domain.translation(foam.network.offset(h));

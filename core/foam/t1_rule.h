@@ -16,8 +16,9 @@ namespace foam {
 /// is decisive:
 /// - A film that can tear (can_tear) tears if it is shorter than its T1 distance (t1_distance_at)
 ///   and would stay open afterwards (flipped_pulls_apart), or if it has collapsed
-///   (collapsed_length) and the neighboring films pull harder across it than along it. Such a film
-///   never flips, because the flipped film would have the ghost on both sides.
+///   (collapsed_length) and the pull of its neighboring films across it exceeds their pull along it
+///   minus the tension of the film. Such a film never flips, because the flipped film would have
+///   the ghost on both sides.
 /// - If an outer film is at a small hole (is_small_hole with the T1 distance of the thresholds),
 ///   the hole closes, if it can.
 /// - If an outer film of any length is at a hole in which bubbles overlap (is_overlapping_hole),
@@ -47,16 +48,15 @@ double t1_distance_at(const Foam& foam, FilmId film, const TopologyThresholds& t
 /// meet: 5 % of the T1 distance that the film has when it is armed.
 double collapsed_length(const Foam& foam, FilmId film, const TopologyThresholds& thresholds);
 
-/// Returns true if the film would stay open after a flip, that is, if the two films at each
-/// end together pull outward, along the flipped film, with more than the tension of the flipped
-/// film, in the mean of both ends. If the film
-/// can tear, the threshold is 0, because after tearing no film pulls the two sides together.
+/// Returns true if the film would stay open after a flip. At each end of the flipped film, two
+/// neighboring films pull outward. The film stays open if the mean of the pulls at both ends, along
+/// the flipped film, exceeds the tension of the flipped film. If the film can tear, the threshold
+/// is 0 instead, because after tearing no film pulls the two sides together.
 bool flipped_pulls_apart(const Foam& foam, FilmId film);
 
 /// Flips the film (t1.h), records a T1 and disarms the film (Foam::t1_armed). The chord of the
 /// flipped film is the old chord, rotated clockwise by 90 degrees around its midpoint (paper
-/// section 3).
-/// Precondition: can_flip.
+/// section 3). Precondition: can_flip.
 void flip_film(Foam& foam, FilmId film);
 
 /// Opens a film that has collapsed to a point where four films meet. Flips the film if it can flip

@@ -10,7 +10,8 @@
 
 namespace foam {
 
-/// A number that identifies a bubble. Only the lives of a boiling bubble have the same number.
+/// A number that identifies a bubble. Two bubbles never have the same number, with one exception: a
+/// boiling bubble (core/dynamics/boiling.h) that is born again has the same number as before.
 using BubbleIdentity = std::uint32_t;
 
 /// The kinds of topology changes.
