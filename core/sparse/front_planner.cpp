@@ -143,7 +143,7 @@ class FrontBuilder {
     const Dissection& dissection_;
     FrontPlan plan_;
     Indices position_of_node_;
-    std::vector<std::size_t> first_rows_;  // first row of each position, and the end of the last
+    std::vector<std::size_t> first_rows_;  // first row of each position; then the row count
     Indices border_positions_;             // the borders of all fronts, as positions of nodes
     std::vector<std::size_t> border_begins_{0};
     Indices last_front_of_;  // for each position, the last front to whose border it was added
