@@ -16,7 +16,7 @@
 // surrounded by the same bubbles: its birth is the inverse of its T2. Larger bubbles touch more
 // neighbors while they live, by T1s, some of which are not undone when the bubble shrinks.
 // Therefore boiling bubbles are chosen far from each other, and Cycle::calm reduces the peak areas
-// of those whose surroundings do not return to the same state.
+// of boiling bubbles near which neighbors keep changing from cycle to cycle.
 
 namespace foam {
 
@@ -31,7 +31,7 @@ int life(int steps) {
     return static_cast<int>(std::lround(kLifeFraction * steps));
 }
 
-// Lowers each distance to the distance between the bubble's center and the given center.
+// Lowers distances[k] to the distance between centers[k] and `center` if this distance is smaller.
 void lower_distances(const Domain& domain,
                      const std::vector<Vec2>& centers,
                      const Vec2& center,
@@ -78,14 +78,14 @@ std::set<BubbleIdentity> bubbles_at(const Foam& foam, JunctionId junction) {
     return bubbles;
 }
 
-// Returns the junction between the neighbors of the bubble that is nearest to its place; or nothing
-// if these bubbles meet nowhere.
+// Returns the junction at which the bubbles of BoilingBubble::neighbors meet. If there are several
+// such junctions, returns the one nearest to last_position; if there is none, returns nothing.
 std::optional<JunctionId> junction_between_neighbors(const Foam& foam,
                                                      const BoilingBubble& bubble) {
     std::optional<JunctionId> nearest;
     double smallest = std::numeric_limits<double>::infinity();
     for (const JunctionId junction : foam.network.junctions()) {
-        const Vec2 away = foam.positions[junction] - bubble.place;
+        const Vec2 away = foam.positions[junction] - bubble.last_position;
         const double distance = foam.domain.nearest_copy(away).norm();
         if (distance < smallest && bubbles_at(foam, junction) == bubble.neighbors) {
             smallest = distance;
@@ -119,8 +119,8 @@ std::vector<BoilingBubble> choose_boiling_bubbles(const Foam& foam,
         boiling.push_back({.identity = foam.identities[bubbles[k]],
                            .birth = static_cast<int>(turn * steps),
                            .peak_area = kPeakFraction * area,
-                           .floor = kFloorFraction * area,
-                           .place = centers[k]});
+                           .min_peak_area = kFloorFraction * area,
+                           .last_position = centers[k]});
     }
     return boiling;
 }
@@ -139,15 +139,15 @@ std::optional<double> area_at(const BoilingBubble& bubble,
 
 bool give_birth(Foam& foam, const BoilingBubble& bubble, double area) {
     const std::optional<JunctionId> known = junction_between_neighbors(foam, bubble);
-    const JunctionId junction = known ? *known : nearest_junction(foam, bubble.place);
+    const JunctionId junction = known ? *known : nearest_junction(foam, bubble.last_position);
     return nucleate_at_junction(foam, junction, area, bubble.identity).has_value();
 }
 
 void record_end(BoilingBubble& bubble, const TopologyEvent& event, const Vec2& translation) {
     const std::set<BubbleIdentity> neighbors(event.bubbles.begin() + 1, event.bubbles.end());
-    bubble.moved = neighbors != bubble.neighbors;
+    bubble.neighbors_changed = neighbors != bubble.neighbors;
     bubble.neighbors = neighbors;
-    bubble.place = event.position + translation;
+    bubble.last_position = event.position + translation;
 }
 
 }  // namespace foam

@@ -23,11 +23,11 @@
 // Drift is removed after each step, because equilibrium does not determine the position of the
 // foam.
 //
-// Boiling bubbles have the target areas of boiling.h instead. A foam that is driven periodically
-// and without friction either finds a periodic state or keeps changing; for sheared suspensions and
-// foams, the amplitude of the drive decides which (L. Corte, P. M. Chaikin, J. P. Gollub and D. J.
-// Pine, "Random organization in periodically driven systems", Nature Physics 4, 2008). `calm`
-// lowers the amplitudes where the foam keeps changing, until it is periodic everywhere.
+// Boiling bubbles have the target areas of boiling.h instead. A system that is driven periodically
+// either reaches a periodic state or keeps changing. In a sheared suspension, the amplitude of the
+// drive decides which of the two happens (L. Corte, P. M. Chaikin, J. P. Gollub and D. J. Pine,
+// "Random organization in periodically driven systems", Nature Physics 4, 2008). `calm` lowers the
+// amplitudes where the foam keeps changing, until it is periodic everywhere.
 
 namespace foam {
 
@@ -115,8 +115,9 @@ StepSummary Cycle::step_to(int position, Foam& foam, double time, const StepOpti
 }
 
 bool Cycle::repeats() const {
-    return std::none_of(
-        boiling_.begin(), boiling_.end(), [](const BoilingBubble& bubble) { return bubble.moved; });
+    return std::none_of(boiling_.begin(), boiling_.end(), [](const BoilingBubble& bubble) {
+        return bubble.neighbors_changed;
+    });
 }
 
 void Cycle::calm(const Foam& foam) {
@@ -146,11 +147,11 @@ double Cycle::sine_at(int position, double phase) const {
     return std::sin(2.0 * std::numbers::pi * (turns + phase));
 }
 
-// Returns the strain that leads a torus from the preceding position to the given one. The shear of
-// a torus is determined only up to multiples of its width, so the strain is corrected by the number
-// of widths that brings it closest to the difference of both positions. Without this correction, a
-// tall torus would be sheared by a whole width in each step in which its shear is above half of
-// its width.
+// Returns the strain that leads a torus from the preceding position to the given one. Domain::shear
+// is determined only up to multiples of the width. Of the possible strains, the function therefore
+// returns the one nearest to the difference between the strains of the two positions. Without this
+// choice, a tall torus would be sheared by a whole width in each step in which its shear is above
+// half of its width.
 double Cycle::strain_to(int position, const Domain& domain) const {
     const double target = options_.strain * sine_at(position, 0.0);
     const double before = position > 0 ? options_.strain * sine_at(position - 1, 0.0) : 0.0;
@@ -192,9 +193,9 @@ StateChange Cycle::change_to(int position,
     return change;
 }
 
-// Moves the foam back to where it was at the start: on a torus as a whole, by the mean displacement
-// of the bubbles that do not boil; in a patch each raft by itself. Returns the translation of a
-// torus.
+// Moves the foam back to where it was at the start. A torus is moved as a whole, by minus the mean
+// displacement of the bubbles that do not boil; in a patch, each raft is moved by itself. Returns
+// the translation of a torus, or zero for a patch.
 Vec2 Cycle::restore_positions(Foam& foam) const {
     if (foam.domain.is_plane()) {
         restore_rafts(foam, centers_);
@@ -234,7 +235,8 @@ void Cycle::record_ends(const Foam& foam, std::size_t first_event, const Vec2& t
 }
 
 // Returns the boiling bubble nearest to a point among those whose peak area can still be reduced,
-// or nullptr if there is none. A bubble that is absent is where it vanished.
+// or nullptr if there is none. The position of an absent bubble is the position where it vanished
+// last.
 BoilingBubble* Cycle::nearest_reducible(const Domain& domain,
                                         const std::map<BubbleIdentity, Vec2>& centers,
                                         const Vec2& point) {
@@ -242,9 +244,9 @@ BoilingBubble* Cycle::nearest_reducible(const Domain& domain,
     double smallest = std::numeric_limits<double>::infinity();
     for (BoilingBubble& bubble : boiling_) {
         const auto present = centers.find(bubble.identity);
-        const Vec2& place = present != centers.end() ? present->second : bubble.place;
-        const double distance = domain.nearest_copy(place - point).norm();
-        if (bubble.peak_area * kCalming > bubble.floor && distance < smallest) {
+        const Vec2& position = present != centers.end() ? present->second : bubble.last_position;
+        const double distance = domain.nearest_copy(position - point).norm();
+        if (bubble.peak_area * kCalming > bubble.min_peak_area && distance < smallest) {
             smallest = distance;
             nearest = &bubble;
         }

@@ -25,9 +25,9 @@ struct CycleOptions {
 /// A periodic sequence of foams, for looping animations. The equilibrium of a foam follows from its
 /// topology, its target areas and its domain. If the target areas and the domain change
 /// periodically, the foam returns to the same state after each cycle, once the T1s and T2s of the
-/// first cycles have happened. Where it does not, `calm` weakens the change. No gas diffuses. After
-/// each step, a torus as a whole, or each raft of a patch, is moved back to its position at the
-/// start.
+/// first cycles have happened. In regions where the foam does not return, `calm` weakens the
+/// change. No gas diffuses. After each step, a torus as a whole, or each raft of a patch, is moved
+/// back to its position at the start.
 class Cycle {
   public:
     /// Stores the present target areas of the foam, around which they will oscillate, and its
@@ -40,10 +40,11 @@ class Cycle {
     /// If the summary is not converged, the foam is left between the two positions.
     StepSummary step_to(int position, Foam& foam, double time, const StepOptions& options);
 
-    /// Returns true if every boiling bubble vanished between the same bubbles in its last two ends,
-    /// so that it will be born between the same bubbles again. A boil has closed if this holds and
-    /// closing_error is small after two cycles in a row: films that have just flipped (t1_armed)
-    /// may make the next cycle differ although the foam is the same.
+    /// Returns true if every boiling bubble vanished between the same bubbles the last two times,
+    /// so that it will be born between them again. A boil has closed if, after each of two cycles
+    /// in a row, this function returns true and closing_error is small. One cycle is not enough:
+    /// closing_error does not compare the flags of films that have flipped (Foam::t1_armed), and
+    /// these flags may make the next cycle differ.
     bool repeats() const;
 
     /// Weakens the change where it keeps the foam from returning to its first state. Bubbles whose
@@ -76,7 +77,7 @@ class Cycle {
     double shear_;  // shear of the domain at the start
     std::vector<BoilingBubble> boiling_;
     std::vector<Oscillation> oscillations_;   // of all bubbles that do not boil
-    std::map<BubbleIdentity, Vec2> centers_;  // centers of these bubbles at the start
+    std::map<BubbleIdentity, Vec2> centers_;  // centers of bubbles that do not boil, at the start
     Unrest unrest_;
 };
 

@@ -15,8 +15,8 @@ namespace foam {
 /// proportion to their target areas; at the surface of a patch, all of it comes from the ghost.
 /// Returns nothing and changes nothing if the target areas of the surrounding bubbles add up to
 /// less than twice the given area. Leaves the foam near equilibrium. The bubble gets a new identity
-/// unless `identity` is given. Preconditions: the area is positive; no bubble of the foam has the
-/// given identity, and it is less than Foam::next_identity.
+/// unless `identity` is given. Preconditions: the area is positive; the given identity is less than
+/// Foam::next_identity, and no bubble of the foam has it.
 std::optional<BubbleId> nucleate_at_junction(Foam& foam,
                                              JunctionId junction,
                                              double area,

@@ -117,8 +117,8 @@ double max_fraction_of_change(const Foam& foam,
 TopologyCounts collapse_forced(Foam& foam, const StateChange& change) {
     TopologyCounts counts;
     for (const LiveDrivenBubble& live : live_driven_bubbles(foam, change)) {
-        // The first of two bubbles of a raft to vanish leaves the other one alone; collapse_lone
-        // removes it.
+        // If both bubbles of a raft of two are to vanish, the removal of the first makes the second
+        // a lone bubble, which collapse_lone removes below.
         if (live.driven.vanishes && foam.network.is_live(live.bubble)) {
             collapse(foam, live.bubble, counts);
         }

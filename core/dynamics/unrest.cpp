@@ -4,18 +4,18 @@
 
 #include <algorithm>
 
-// A T1 that is not undone within a cycle disturbs its surroundings once and is over; a place where
-// neighbors change again and again is where the foam fails to find a periodic state, or finds one
-// of several cycles. With the constants below, a bubble is restless if its neighbors changed twice
-// at most four cycles apart, or change in every fifth cycle.
+// A T1 that is not undone within a cycle usually changes the foam only once. Where neighbors change
+// again and again, the foam does not reach a periodic state, or its period is several cycles. With
+// the constants below, a bubble is restless if its neighbors changed twice at most four cycles
+// apart, or change in every fifth cycle.
 
 namespace foam {
 
 namespace {
 
-constexpr int kTransientCycles = 2;      // cycles of which the changes do not count
+constexpr int kTransientCycles = 2;      // changes in these first cycles do not count
 constexpr double kMemory = 0.8;          // fraction of the unrest that is left after a cycle
-constexpr double kRestlessUnrest = 1.4;  // from this unrest on a bubble is restless
+constexpr double kRestlessUnrest = 1.4;  // a bubble with at least this unrest is restless
 
 }  // namespace
 

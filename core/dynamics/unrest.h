@@ -9,16 +9,17 @@
 
 namespace foam {
 
-/// Finds the bubbles that prevent a periodically driven foam from returning to its first state:
-/// those whose neighbors keep changing from cycle to cycle.
+/// Finds the restless bubbles of a periodically driven foam: the bubbles whose neighbors keep
+/// changing from cycle to cycle. They prevent the foam from returning to its first state.
 class Unrest {
   public:
     /// Starts with a foam at the beginning of a cycle.
     explicit Unrest(const Foam& start);
 
-    /// Takes the foam at the end of the next cycle. Returns the bubbles that have other neighbors
-    /// than at its beginning, and had other neighbors in earlier cycles as well. Returns nothing
-    /// after the first cycles, in which the foam changes in any case.
+    /// Compares the foam at the end of a cycle with the foam at the end of the cycle before.
+    /// Returns the restless bubbles, by increasing identity: their neighbors changed in this cycle
+    /// and also in earlier cycles. Changes in the first two cycles do not count, because every foam
+    /// changes at first.
     std::vector<BubbleIdentity> restless_bubbles(const Foam& end);
 
   private:
@@ -27,7 +28,8 @@ class Unrest {
     static Neighbors neighbors_of(const Foam& foam);
 
     Neighbors neighbors_;  // sorted; at the end of the last cycle
-    // For each bubble: 1 for each cycle in which its neighbors changed, less the older the cycle.
+    // For each bubble, the sum of the weights of the cycles in which its neighbors changed. The
+    // weight of the last cycle is 1; the weight of an older cycle decreases with its age.
     std::map<BubbleIdentity, double> unrest_;
     int cycles_ = 0;
 };

@@ -26,8 +26,9 @@ TEST(Boiling, BubblesAreFarApartAndTheirBirthsSpreadOverTheCycle) {
     for (const BoilingBubble& one : boiling) {
         for (const BoilingBubble& other : boiling) {
             if (one.identity != other.identity) {
-                nearest =
-                    std::min(nearest, foam.domain.nearest_copy(one.place - other.place).norm());
+                nearest = std::min(
+                    nearest,
+                    foam.domain.nearest_copy(one.last_position - other.last_position).norm());
             }
         }
     }
@@ -65,7 +66,7 @@ TEST(Boiling, TheAreaRisesAndFallsAndTheBubbleIsAbsentForATenth) {
     EXPECT_EQ(area_at(bubble, 41 + 3 * kSteps, kSteps, 0.02), area_at(bubble, 41, kSteps, 0.02));
 }
 
-// The birth undoes the T2, although another junction is nearer to the recorded place.
+// The birth undoes the T2, although another junction is nearer to the recorded position.
 TEST(Boiling, IsBornWhereTheSameBubblesMeet) {
     Foam foam = test::equilibrated_foam(40, 1);
     TopologyCounts counts;
@@ -73,28 +74,28 @@ TEST(Boiling, IsBornWhereTheSameBubblesMeet) {
     compact(foam);
     BoilingBubble bubble{.identity = 7};
     record_end(bubble, foam.events.back(), {0.1, -0.2});
-    EXPECT_EQ(bubble.place, Vec2(foam.events.back().position + Vec2(0.1, -0.2)));
+    EXPECT_EQ(bubble.last_position, Vec2(foam.events.back().position + Vec2(0.1, -0.2)));
     EXPECT_EQ(bubble.neighbors.size(), 3U);
-    EXPECT_TRUE(bubble.moved);
-    bubble.place += Vec2(2.0, 2.0);
+    EXPECT_TRUE(bubble.neighbors_changed);
+    bubble.last_position += Vec2(2.0, 2.0);
     ASSERT_TRUE(give_birth(foam, bubble, 0.02));
     const TopologyEvent& birth = foam.events.back();
     EXPECT_EQ(std::set<BubbleIdentity>(birth.bubbles.begin() + 1, birth.bubbles.end()),
               bubble.neighbors);
     record_end(bubble, foam.events[foam.events.size() - 2], {0.0, 0.0});
-    EXPECT_FALSE(bubble.moved);
+    EXPECT_FALSE(bubble.neighbors_changed);
 }
 
 TEST(Boiling, IsBornAtTheNearestJunctionIfItsNeighborsHaveParted) {
     Foam foam = test::equilibrated_foam(40, 1);
     const JunctionId junction{11};
     const BoilingBubble bubble{.identity = foam.next_identity++,
-                               .place = foam.positions[junction] + Vec2(0.01, 0.0),
+                               .last_position = foam.positions[junction] + Vec2(0.01, 0.0),
                                .neighbors = {0, 1, 39}};
     ASSERT_TRUE(give_birth(foam, bubble, 0.02));
     const std::optional<BubbleId> born = find_bubble(foam, bubble.identity);
     ASSERT_TRUE(born);
-    const Vec2 away = mean_corner(foam, *born) - bubble.place;
+    const Vec2 away = mean_corner(foam, *born) - bubble.last_position;
     EXPECT_LT(foam.domain.nearest_copy(away).norm(), 0.1);
 }
 
