@@ -31,10 +31,10 @@ struct EquilibriumSummary {
 };
 
 /// Brings the foam to mechanical equilibrium (E2) at its target areas by relaxation (E4) and
-/// Newton's method (E3). Makes a T1 (E7) where a film collapses and where a film is shorter than
-/// its T1 distance in equilibrium. On a torus, the mean of the resulting pressures, weighted by
-/// target area, is 0. Preconditions: the network is valid; target areas are positive, and on a
-/// torus they add up to its area.
+/// Newton's method (E3). Makes a T1 (E7) where a film collapses meanwhile, and where a film is
+/// still shorter than its T1 distance when equilibrium is reached. On a torus, the mean of the
+/// resulting pressures, weighted by target area, is 0. Preconditions: the network is valid; target
+/// areas are positive, and on a torus they add up to its area.
 EquilibriumSummary equilibrate(Foam& foam, const EquilibriumOptions& options);
 
 /// Performs the last steps of an equilibration, which are the same for all solvers. Undoes the

@@ -12,10 +12,10 @@ namespace foam {
 
 using FourBubbles = std::array<BubbleId, 4>;
 
-/// Called after the T1 rule has been applied to a film. The arguments are the film, the four
-/// bubbles that were around it, some of which may be the ghost, and whether the network changed. If
-/// it changed, the film and any of the bubbles may be dead. If not, the film may still have been
-/// reopened (reopen_film).
+/// A function that flip_short_films calls after it has applied the T1 rule to a film. The arguments
+/// are the film, the four bubbles that were around it, some of which may be the ghost, and whether
+/// the network changed. If it changed, the film and any of the bubbles may be dead. If not, the
+/// film may still have been reopened (reopen_film).
 using OnT1Rule = std::function<void(FilmId, const FourBubbles&, bool)>;
 
 /// Applies the T1 rule (core/foam/t1_rule.h) to each film of a part of the foam that has both ends

@@ -53,9 +53,9 @@ class SoftFoam {
         return is_forward(h) ? segment : -segment;
     }
     /// Sets the half angle of a film along its forward side; for an outer film also in the foam.
-    /// Updates the areas of the bubbles on both sides for the change of the film's segment. This
-    /// change includes the change of the squared chord length from `squared_before` to
-    /// `squared_after`.
+    /// Also updates the areas of the two bubbles beside the film. The area of the film's segment
+    /// changes because of the new half angle, and because the squared chord length has changed from
+    /// `squared_before` to `squared_after`.
     void set_arc(FilmId film, double half_angle, double squared_before, double squared_after);
 
     /// Loads the arc of a film from the foam. The half angle of an inner film follows from the

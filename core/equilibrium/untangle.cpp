@@ -18,9 +18,9 @@ namespace {
 constexpr int kReach = 2;
 constexpr int kSweeps = 20;         // enough for all of a thousand tested states
 constexpr double kNoLength = 1e-9;  // a shorter chord counts as zero, foam units
-// Negative angles down to minus this value, in radians, are rounding errors of the angle 0, and not
-// almost a full turn. They occur because the two chords of a two-sided bubble have the same
-// direction.
+// A negative angle of at most this magnitude, in radians, is a rounding error of the angle 0 and
+// does not stand for almost a full turn. Such angles occur because the two chords of a two-sided
+// bubble have the same direction.
 constexpr double kSameAngle = 1e-9;
 
 // Returns the clockwise angle from a to b, in [0, 2 pi) except for rounding errors.

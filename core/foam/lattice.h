@@ -6,9 +6,9 @@
 
 namespace foam {
 
-/// Adds a whole multiple of the width to Domain::shear (how far the cell above is shifted to the
-/// right), so that its magnitude is at most half of the width. The changed periods describe the
-/// same lattice: no junction moves, only lattice offsets change.
+/// Adds a whole multiple of the width to Domain::shear, so that the magnitude of the shear is at
+/// most half of the width. The changed periods describe the same lattice: no junction moves, only
+/// lattice offsets change.
 void reduce_lattice(Foam& foam);
 
 }  // namespace foam

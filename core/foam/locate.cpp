@@ -64,7 +64,8 @@ BubbleOutline outline_of(const Foam& foam, BubbleId bubble) {
     return outline;
 }
 
-// Returns the winding number of the outline around a point, which is relative to the first corner.
+// Returns the winding number of the outline around a point. The coordinates of the point are
+// relative to the first corner of the outline.
 int winding_around(const BubbleOutline& outline, const Vec2& point) {
     int winding = 0;
     for (std::size_t k = 0; k < outline.arcs.size(); ++k) {

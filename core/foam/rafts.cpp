@@ -125,8 +125,8 @@ double enclosed_area(const Foam& foam, const std::vector<HalfEdgeId>& boundary) 
 
 // Returns true if the boundary is a hole, and false if it is the outer boundary of a raft.
 // `enclosed` is its enclosed_area. The outer boundary runs clockwise and encloses at least all
-// bubbles along it. The bubbles around a hole may overlap, but it is assumed that they do so by
-// less than half of their total area.
+// bubbles along it. The bubbles around a hole may overlap; this function assumes that they overlap
+// by less than half of their total area.
 bool is_around_hole(const Foam& foam, const std::vector<HalfEdgeId>& boundary, double enclosed) {
     return enclosed > -kRaftAreaFraction * area_along(foam, boundary);
 }

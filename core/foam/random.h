@@ -8,8 +8,8 @@
 namespace foam {
 
 /// A generator of random numbers that are the same on every platform. The C++ standard specifies
-/// the output of the engine. Its mapping to real numbers is implemented here, because the results
-/// of the standard distributions differ between libraries.
+/// the output of the engine. The mapping of this output to real numbers is implemented here,
+/// because the results of the standard distributions differ between libraries.
 class Random {
   public:
     explicit Random(std::uint64_t seed) : engine_(seed) {}

@@ -30,8 +30,8 @@ struct Vanished {
 /// junctions, and the films at its two corners become one film. Precondition: can_vanish.
 Vanished vanish(Network& network, BubbleId bubble);
 
-/// Returns true if a hole can close. The conditions are the conditions of can_vanish for a bubble
-/// in place of the hole. `boundary` contains the half-edges of the ghost around the hole, in order.
+/// Returns true if a hole can close, that is, if a bubble in its place could vanish (can_vanish).
+/// `boundary` contains the half-edges of the ghost around the hole, in order.
 bool can_close_hole(const Network& network, const std::vector<HalfEdgeId>& boundary);
 /// Removes a hole as `vanish` removes a bubble; boundary.front() takes the role of first(bubble).
 /// Precondition: can_close_hole.

@@ -7,9 +7,9 @@
 #include <sstream>
 #include <vector>
 
-// The order of the checks is: each half-edge, each junction, each bubble, the counts, in the plane
-// the boundaries of the ghost and the lattice offsets, and Euler's relation. Later checks rely on
-// the earlier ones, for example when they follow successors.
+// The order of the checks is: each half-edge, each junction, each bubble, the counts, and Euler's
+// relation. In the plane, the boundaries of the ghost and the lattice offsets are checked before
+// Euler's relation. Later checks rely on the earlier ones, for example when they follow successors.
 
 namespace foam {
 

@@ -14,8 +14,8 @@ namespace foam {
 /// - exactly three half-edges of live films leave each junction;
 /// - next, left, tail, first and outgoing half-edges are consistent (first is not checked for the
 ///   ghost);
-/// - the loop around a bubble closes after `sides` half-edges, at least two, with no net lattice
-///   offset, so that every bubble is a disc;
+/// - the loop around a bubble closes after `sides` half-edges, at least two, and their lattice
+///   offsets add up to zero, so that every bubble is a disc;
 /// - no film has the same copy of a bubble on both sides;
 /// - all numbers of sides add up to 2 E, and 3 V = 2 E;
 /// - Euler's relation holds: on a torus V - E + F = 0;

@@ -21,7 +21,8 @@ namespace {
 
 constexpr std::uint32_t kCoarsestNodes = 100;
 
-// Coarsening ends when the coarser graph would have more than this fraction of the nodes.
+// Coarsening ends when the coarser graph would have more than this fraction of the nodes of the
+// finer graph.
 constexpr double kMaxSizeRatio = 0.9;
 
 // The largest number of breadth-first searches. They start at nodes of the coarsest graph with
