@@ -22,11 +22,12 @@ namespace foam {
 
 namespace {
 
-constexpr double kLifeFraction = 0.9;    // part of the cycle in which a boiling bubble is present
-constexpr double kPeakFraction = 2.5;    // peak area before calming, in initial target areas
-constexpr double kFloorFraction = 0.12;  // smallest peak area, in initial target areas
+constexpr double kLifeFraction = 0.9;      // part of the cycle in which a boiling bubble is present
+constexpr double kPeakFraction = 2.5;      // peak area before calming, in initial target areas
+constexpr double kMinPeakFraction = 0.12;  // smallest peak area, in initial target areas
 
-// Returns the number of positions from the birth to the end of a bubble.
+// Returns the age at which a bubble vanishes: a number of positions, counted from
+// BoilingBubble::birth.
 int life(int steps) {
     return static_cast<int>(std::lround(kLifeFraction * steps));
 }
@@ -119,7 +120,7 @@ std::vector<BoilingBubble> choose_boiling_bubbles(const Foam& foam,
         boiling.push_back({.identity = foam.identities[bubbles[k]],
                            .birth = static_cast<int>(turn * steps),
                            .peak_area = kPeakFraction * area,
-                           .min_peak_area = kFloorFraction * area,
+                           .min_peak_area = kMinPeakFraction * area,
                            .last_position = centers[k]});
     }
     return boiling;

@@ -33,7 +33,8 @@ namespace foam {
 
 namespace {
 
-// Factor of the peak areas and amplitudes of restless bubbles after each cycle (Cycle::calm).
+// The factor by which Cycle::calm multiplies the amplitudes of restless bubbles, and the peak areas
+// of the boiling bubbles nearest to them.
 constexpr double kCalming = 0.8;
 
 // Returns the center of each bubble. On a torus it is the mean of its junctions (mean_corner).

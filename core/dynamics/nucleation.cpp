@@ -68,9 +68,9 @@ double mean_pressure(const Foam& foam, const std::set<BubbleId>& bubbles) {
     return sum / static_cast<double>(bubbles.size());
 }
 
-// The network has new junctions, new films and a new bubble. Appends their elements to the vectors
-// of the foam, such as positions and pressures. The new junctions are at the origin until the
-// caller places them.
+// Appends values for the new junctions, films and bubble of the network to the vectors of the foam,
+// such as positions and pressures. The new junctions are at the origin until the caller places
+// them.
 void complete(Foam& foam, double area, double pressure, BubbleIdentity identity) {
     foam.positions.resize(foam.network.junction_slots(), Vec2(0.0, 0.0));
     foam.t1_armed.resize(foam.network.film_slots(), 1);

@@ -90,7 +90,7 @@ struct SubstepExtent {
     double time = 0.0;
     double done = 0.0;              // fraction of the whole change before the substep
     double fraction = 1.0;          // fraction of the whole change in the substep
-    double fraction_of_rest = 1.0;  // the same as a fraction of the remaining change
+    double fraction_of_rest = 1.0;  // fraction of the remaining change in the substep
 };
 
 // Applies the substep's fraction of every push. The center starts where the earlier substeps have

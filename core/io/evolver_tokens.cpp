@@ -30,7 +30,8 @@ bool is_space(char c) {
 }
 
 // Returns the value of a number. A number that is too small for a double becomes 0; such numbers
-// occur in dumps of Evolver. A number that is too large becomes infinity, which the callers reject.
+// occur in dumps of Evolver. A number that is too large becomes infinity; a value that is not
+// finite is rejected (take_expression, take_integer).
 double parse_real(std::string_view text) {
     double value = 0.0;
     const std::from_chars_result result =

@@ -11,7 +11,7 @@ namespace foam {
 /// and constraints are dimensionless (JunctionBlock).
 struct DifferenceOptions {
     double first_step = 1e-3;
-    double threshold = 1e-6;  // converged if a halving changes no derivative by this or more
+    double threshold = 1e-6;  // converged if a halving changes every derivative by less than this
     // Largest number of halvings. It is reached where the derivatives jump, because a half angle is
     // at its limit.
     int max_halvings = 10;

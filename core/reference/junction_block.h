@@ -27,12 +27,12 @@ using BlockMatrix = Eigen::MatrixXd;
 /// has one pressure and one area fewer.
 ///
 /// In a patch the ghost's pressure and area are left out of the block (paper eq. 15). Each outer
-/// film of the block's bubbles adds one unknown and one constraint. The unknown is the change of
-/// the film's half angle. These unknowns follow the pressures. The constraint is Laplace-Young's
-/// law (E1) at the film. These constraints follow the areas. Below 90 degrees, where the law
-/// determines the half angle, the Newton step is the same as without these unknowns and
-/// constraints. At 90 degrees, where the half angle has no finite derivative with respect to the
-/// pressures, the step is still well defined.
+/// film of the block's bubbles adds one unknown, the change of the film's half angle, and one
+/// constraint, Laplace-Young's law (E1) at the film. The half angles follow the pressures in the
+/// order of the unknowns; these constraints follow the areas in the order of the constraints. Below
+/// 90 degrees, where the law determines the half angle, the Newton step is the same as without
+/// these unknowns and constraints. At 90 degrees, where the half angle has no finite derivative
+/// with respect to the pressures, the step is still well defined.
 ///
 /// All quantities are dimensionless and of order one for bubbles of any size. The unit of a
 /// pressure is the film tension divided by the square root of the bubble's target area. The unit of
