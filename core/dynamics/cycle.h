@@ -82,9 +82,9 @@ class Cycle {
 };
 
 /// Returns the distance between two states of a foam: the largest distance from a junction of a
-/// bubble to the nearest junction of the same bubble in the other state, in diameters of a circle
-/// of the mean target area. Returns infinity if a bubble is missing in one state, or if the number
-/// of sides of a bubble differs between the states. Lone bubbles do not count.
+/// bubble to the nearest junction of the same bubble in the other state. The unit is the diameter
+/// of a circle of the mean target area. Returns infinity if a bubble is missing in one state, or if
+/// the number of sides of a bubble differs between the states. Lone bubbles do not count.
 double closing_error(const Foam& one, const Foam& other);
 
 }  // namespace foam

@@ -18,9 +18,10 @@ struct Displacement {
 };
 
 /// Moves the junctions in steps so small that a step does not fold the plane. After each step, the
-/// T1 rule (E7) is applied to short films that have lost more than half of the length that they had
-/// at the start or, if they have flipped, after their last flip. The T1 distance for this rule is
-/// at least 0.25. Leaves the foam far from equilibrium. Returns the number of T1s.
+/// T1 rule (E7) is applied to short films that have lost more than half of their length. The length
+/// of a film is compared with its length at the start or, if the film has flipped, after its last
+/// flip. The T1 distance for this rule is at least 0.25. Leaves the foam far from equilibrium.
+/// Returns the number of T1s.
 int displace(Foam& foam, const Displacement& displacement, const TopologyThresholds& thresholds);
 
 }  // namespace foam

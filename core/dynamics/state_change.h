@@ -28,7 +28,7 @@ struct StateChange {
 };
 
 /// Returns the entry of StateChange::driven that makes a bubble collapse on command (paper Figure
-/// 7): the bubble shrinks to the T2 area, meanwhile loses sides by T1s, and vanishes at the end,
+/// 7). The bubble shrinks to the T2 area and loses sides by T1s meanwhile. At the end it vanishes,
 /// whatever its number of sides.
 DrivenBubble forced_collapse(BubbleIdentity bubble, const TopologyThresholds& thresholds);
 

@@ -50,18 +50,21 @@ bool limit_moves(const Foam& foam, const Unknowns& unknowns, double largest, Eig
 
 /// Returns the films that need a T1 before the step is made, in increasing order. These are all
 /// films that have collapsed (collapsed_length), and every other film that meets three conditions:
-/// it is below its T1 distance and the step would shorten it by more than half; it can flip or
-/// tear; and, judged by the forces before the step, it would stay open after the flip or tear.
+/// - it is shorter than its T1 distance, and the step would shorten it by more than half;
+/// - it can flip or tear;
+/// - it would stay open after the flip or tear, judged by the forces before the step.
 std::vector<FilmId> collapsing_films(const Foam& foam,
                                      const Unknowns& unknowns,
                                      const Eigen::VectorXd& step,
                                      const TopologyThresholds& thresholds);
 
 /// Returns the films that need a T1 before a step near equilibrium is made, in increasing order.
-/// These are all films that have collapsed, and every other film that meets three conditions: it is
-/// below its T1 distance now, and would still be below it after the step; it can flip or tear; and,
-/// judged by the forces before the step, it would stay open after the flip or tear. The length
-/// after the step decides because such a step predicts the length in equilibrium well.
+/// These are all films that have collapsed, and every other film that meets three conditions:
+/// - it is shorter than its T1 distance now, and would still be shorter after the step;
+/// - it can flip or tear;
+/// - it would stay open after the flip or tear, judged by the forces before the step.
+///
+/// The length after the step decides because such a step predicts the length in equilibrium well.
 std::vector<FilmId> closing_films(const Foam& foam,
                                   const Unknowns& unknowns,
                                   const Eigen::VectorXd& step,

@@ -94,9 +94,9 @@ class Relaxation {
         }
     }
 
-    // Returns an estimate of the pressures: the common pressure p for which T Σ l = 2 p Σ A, the
-    // relation that holds for a patch in equilibrium (E3), with chord lengths as l and target areas
-    // as A.
+    // Returns an estimate of the pressures: the common pressure p for which T Σ l = 2 p Σ A, where
+    // l are chord lengths and A target areas. With arc lengths and areas, this relation holds for a
+    // patch in equilibrium (E3).
     double mean_pressure() const {
         double length = 0.0;
         for (const FilmId film : part_.films) {

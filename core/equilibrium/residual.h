@@ -12,8 +12,8 @@ namespace foam {
 double lagrangian(const Foam& foam);
 
 /// Returns the gradient of the function L of E3 with respect to the unknowns, which is zero in
-/// equilibrium (E2). The two rows of a junction are minus the force of films and pressures on it,
-/// the row of a bubble is its target area minus its area, and the row of an outer film is the
+/// equilibrium (E2). The two rows of a junction are minus the force of films and pressures on it.
+/// The row of a bubble is its target area minus its area. The row of an outer film is the
 /// derivative with respect to its half angle (bulge_energy.h). `threads` has the same meaning as in
 /// parallel_for; the result has the same bits for any number of threads.
 Eigen::VectorXd residual(const Foam& foam, const Unknowns& unknowns, int threads = 1);

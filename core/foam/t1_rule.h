@@ -14,10 +14,10 @@ namespace foam {
 /// or whether the hole beside the film closes, and performs the change. The functions that change
 /// the network are in core/network (t1.h, split.h, t2.h) and rafts.h. The first case that applies
 /// is decisive:
-/// - A film that can tear (can_tear) tears if it is shorter than its T1 distance (t1_distance_at)
-///   and would stay open afterwards (flipped_pulls_apart), or if it has collapsed
-///   (collapsed_length) and the pull of its neighboring films across it exceeds their pull along it
-///   minus the tension of the film. Such a film never flips, because the flipped film would have
+/// - A film that can tear (can_tear) tears in two cases. Either it is shorter than its T1 distance
+///   (t1_distance_at) and would stay open afterwards (flipped_pulls_apart). Or it has collapsed
+///   (collapsed_length), and the pull of its neighboring films across it exceeds their pull along
+///   it minus the tension of the film. Such a film never flips, because the flipped film would have
 ///   the ghost on both sides.
 /// - If an outer film is at a small hole (is_small_hole with the T1 distance of the thresholds),
 ///   the hole closes, if it can.

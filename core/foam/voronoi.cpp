@@ -101,9 +101,9 @@ Copies copies_within(const std::vector<GridPoint>& sites, const Grid& grid, doub
     return all;
 }
 
-// Returns the corners of one cell. Returns nothing if the cell is unbounded, or if a circle around
-// a corner, through the sites nearest to the corner, may reach beyond the margin: copies farther
-// away might then cut off a part of the cell.
+// Returns the corners of one cell. Returns nothing if the cell is unbounded. Also returns nothing
+// if a circle around a corner, through the sites nearest to the corner, may reach beyond the
+// margin, because copies farther away might then cut off a part of the cell.
 std::optional<std::vector<CellCorner>> corners_of(const Diagram::cell_type& cell,
                                                   const Copies& all,
                                                   const Grid& grid,

@@ -27,10 +27,13 @@ struct FilmLoop {
 /// Returns the faces of a mesh on a torus or in the plane, in the same order, as loops of films. If
 /// no edge of the file has a wrap, each edge ends at the copy of its head that is nearest to its
 /// tail; on a sheared torus, the nearest row of copies is chosen first. Throws FormatError, with
-/// `file` as the name in its message, if the faces do not cover the torus once, if an edge has no
-/// face on one side (in the plane, on both sides) or two faces on the same side, if a vertex joins
-/// one edge or more than three, if a face is not a closed loop or has no vertex of three edges, or
-/// if a vertex is more than a million periods from the origin of a torus.
+/// `file` as the name in its message, in these cases:
+/// - the faces do not cover the torus once;
+/// - an edge has two faces on the same side, or a side without a face; in the plane, one of its
+///   sides may have none;
+/// - a vertex joins one edge or more than three;
+/// - a face is not a closed loop, or has no vertex of three edges;
+/// - a vertex is more than a million periods from the origin of a torus.
 std::vector<FilmLoop> film_loops(const Mesh& mesh, const Domain& domain, const std::string& file);
 
 }  // namespace foam::evolver

@@ -27,9 +27,10 @@ void SeparatorSearch::separate(std::span<const std::uint32_t> part) {
     }
 }
 
-// Adds layers of a zone to the band, beginning with the nodes that touch the other zone, until the
-// band has enough layers, the next layer would make the band too large (SeparatorOptions), or the
-// next layer is empty. Returns the index in the band at which the last layer, the rim, begins.
+// Adds layers of a zone to the band, beginning with the nodes that touch the other zone. Stops when
+// the band has enough layers, when the next layer would make it too large (SeparatorOptions), or
+// when the next layer is empty. Returns the index in the band at which the last layer, the rim,
+// begins.
 std::size_t SeparatorSearch::grow_band(std::span<const std::uint32_t> part, Zone zone) {
     const std::size_t begin = band_.size();
     add_border(part, zone);

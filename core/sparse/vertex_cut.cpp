@@ -7,10 +7,11 @@
 
 namespace foam {
 
-// Dinic's maximum flow algorithm alternates two steps: it finds the levels of the vertices, up
-// to the level of the sink, by breadth-first search, and pushes a blocking flow along arcs from
-// each level to the next. When the sink is unreachable, the cut consists of the nodes whose entry
-// vertex can be reached and whose exit vertex cannot be reached (max-flow min-cut theorem).
+// Dinic's maximum flow algorithm alternates two steps. The first finds the levels of the vertices,
+// up to the level of the sink, by breadth-first search. The second pushes a blocking flow along
+// arcs from each level to the next. When the sink is unreachable, the cut consists of the nodes
+// whose entry vertex can be reached and whose exit vertex cannot be reached (max-flow min-cut
+// theorem).
 
 namespace {
 

@@ -39,10 +39,10 @@ struct CoarseGraph {
 };
 
 /// Returns a coarser graph by merging pairs of neighbors. The nodes are visited in their order. A
-/// node that is not merged yet is merged with an unmerged neighbor, if there is one such that the
-/// weights of both nodes add up to at most `max_weight`; among several, with the one to which it
-/// has the heaviest edge ("heavy-edge matching", Karypis and Kumar 1998). The weights of merged
-/// nodes are added up, and so are the weights of parallel edges.
+/// node that is not merged yet is merged with an unmerged neighbor if the weights of both nodes add
+/// up to at most `max_weight`. Of several such neighbors, the one with the heaviest edge to the
+/// node is taken ("heavy-edge matching", Karypis and Kumar 1998). The weights of merged nodes are
+/// added up, and so are the weights of parallel edges.
 CoarseGraph coarsen(const WeightedGraph& fine, int max_weight);
 
 }  // namespace foam
