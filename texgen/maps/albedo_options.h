@@ -15,7 +15,9 @@ namespace foam::texgen {
 /// The property of a bubble that determines its position on the scale of colors.
 enum class ColorBy {
     Pressure,  // the scale goes from pressure_low to pressure_high
-    Area,    // the position is a / (a + m) for the area a; m, the frame's mean area, is the middle
+    // The position is a / (a + m), where a is the area of the bubble and m is the mean area of the
+    // frame. A bubble of the mean area is in the middle of the scale.
+    Area,
     Sides,   // the scale goes from three sides to nine sides
     Random,  // a pseudo-random position on the scale, which a bubble keeps for life
 };

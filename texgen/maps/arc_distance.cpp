@@ -19,10 +19,10 @@ namespace {
 
 constexpr int kBandRows = 32;  // rows that one thread computes at a time
 
-// Returns the distance to the circle of an arc. With q = |p|² sin a - p.c sin a - (c x p) cos a,
-// for the point p, the chord c and the half angle a, the distance is |q| / (|c| / 2 + sqrt(|c|² / 4
-// + q sin a)). This holds for a straight line, too, where a = 0. The gradient of |q| points away
-// from the nearest point of the circle.
+// Returns the distance from a point to the circle that contains an arc, and its direction. For the
+// point p, the chord c, the half angle a, and q = |p|² sin a - p.c sin a - (c x p) cos a, the
+// distance is |q| / (|c| / 2 + sqrt(|c|² / 4 + q sin a)). This formula also holds for a straight
+// line, where a = 0. The gradient of |q| points away from the nearest point of the circle.
 NearestOnArc nearest_on_circle(const PixelArc& arc, const Vec2& point) {
     const double q = arc.sine * point.dot(point - arc.chord) - arc.cosine * cross(arc.chord, point);
     const double half_chord = 0.5 * arc.chord.norm();
@@ -79,8 +79,8 @@ PixelRange range_near(double position, double extent, PixelRange range) {
             static_cast<int>(std::min(last + 1.0, static_cast<double>(range.end)))};
 }
 
-// Replaces the distance of a pixel, and its gradient if there are gradients, if `nearest` is
-// nearer.
+// Stores the distance of `nearest` at a pixel if it is smaller than the distance stored there. Also
+// stores its gradient, if gradients are computed.
 void lower_to(const NearestOnArc& nearest, int x, int y, ArcDistances& distances) {
     float& distance = distances.distance.pixel(x, y)[0];
     if (static_cast<float>(nearest.distance) >= distance) {
@@ -95,7 +95,8 @@ void lower_to(const NearestOnArc& nearest, int x, int y, ArcDistances& distances
     }
 }
 
-// Replaces the distances of pixels in some rows where one copy of an arc is nearer.
+// Lowers the distances of the pixels of some rows to the distance from one copy of an arc, where
+// that copy is nearer.
 void add_arc(const ArcCopy& copy, PixelRange rows, ArcDistances& distances) {
     const PixelRange columns =
         range_near(copy.center.x(), copy.extent, {0, distances.distance.width()});
@@ -126,8 +127,9 @@ void limit(ArcDistances& distances, double reach) {
 }  // namespace
 
 NearestOnArc nearest_on_arc(const PixelArc& arc, const Vec2& point) {
-    // A point between the normals at both ends is nearest to an inner point of the arc. Two
-    // half-planes decide this, but only if the arc does not turn far (ArcLanes::kMinCosine).
+    // The nearest point is an inner point of the arc if the given point is between the normals at
+    // both ends. This test is a test of two half-planes. It holds only for arcs that turn by a
+    // small angle (ArcLanes::kMinCosine), so other arcs are halved first.
     if (arc.cosine < ArcLanes::kMinCosine) {
         const auto [first, second] = halves(arc);
         const NearestOnArc on_first = nearest_on_arc(first, point);

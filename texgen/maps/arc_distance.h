@@ -30,7 +30,7 @@ struct NearestOnArc {
 /// arc.
 NearestOnArc nearest_on_arc(const PixelArc& arc, const Vec2& point);
 
-/// The distances to arcs that are needed.
+/// Selects what distances_to_arcs computes.
 struct ArcDistanceNeeds {
     double reach = 0.0;     // in pixels; distances above it are infinite
     bool gradient = false;  // true if the gradient of the distance is needed, too
@@ -58,7 +58,8 @@ ArcDistances distances_to_arcs(std::span<const PlacedArc> arcs,
                                const ArcDistanceNeeds& needs,
                                int threads);
 
-/// Returns the distances that stroke_coverage needs for strokes of a width in pixels.
+/// Returns the arguments with which distances_to_arcs computes the distances that stroke_coverage
+/// needs. `width` is the width of the strokes in pixels.
 ArcDistanceNeeds stroke_needs(double width);
 
 /// Returns the fraction of every pixel that strokes with round ends cover, in one channel.

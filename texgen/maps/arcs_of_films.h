@@ -10,9 +10,9 @@
 
 namespace foam::texgen {
 
-/// Returns the arcs of the films for which is_chosen(film) is true, and always the circles of lone
-/// bubbles, two arcs each. Computed by `threads` threads. Throws std::invalid_argument if
-/// pixels_per_unit throws it.
+/// Returns the arcs of the films for which is_chosen(film) is true. Also returns the circles of all
+/// lone bubbles, each as two arcs. `threads` is the number of threads. Throws std::invalid_argument
+/// if pixels_per_unit throws it.
 std::vector<PlacedArc> arcs_of_films(const Frame& frame,
                                      const RasterGrid& grid,
                                      int threads,

@@ -14,7 +14,7 @@ struct FoamValues {
     double mean_area = 1.0;  // square foam units; 1 if there are no bubbles
 };
 
-/// Returns the values that the bubbles of a frame have.
+/// Returns the values of the bubbles in this frame alone, not averaged over recent frames.
 FoamValues present_values(const Frame& frame);
 
 /// Returns the values that maps show: the averages over recent frames if the record has averages,

@@ -100,7 +100,8 @@ Floor light_floor(FrameLayers& layers, const ReliefSource& source, double depth,
                                static_cast<std::size_t>(x);
             const Vec2 motion =
                 (reach * relief.slope(index)).cwiseMin(farthest).cwiseMax(-farthest);
-            // The ray's middle is at (x + 1/2) / samples; the square begins half a pixel before it.
+            // The middle of the square is at (x + 1/2) / samples, its lower left corner half a
+            // pixel to the left of the middle and below it.
             const auto start = [samples](std::int64_t at) {
                 return (2 * at + 1 - samples) * (kUnit / (std::int64_t{2} * samples));
             };

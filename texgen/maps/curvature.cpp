@@ -11,8 +11,9 @@ namespace foam::texgen {
 
 namespace {
 
-// Returns the curvature of a section at a smooth distance from the film, by the formula in
-// curvature.h without the factor of the diameter. All lengths are in the section's unit.
+// Returns the curvature of a section at a point whose smooth distance from the film is `smooth`, by
+// the formula in curvature.h without the factor of the diameter. All lengths are in the unit of the
+// section.
 double curvature_at(const ReliefSection& section, double smooth, double radius) {
     const double distance = section.distance(smooth);
     const double outside =

@@ -17,8 +17,8 @@ Keys<DistanceOptions> distance_keys() {
         {{{"foam", DistanceUnit::Foam}, {"px", DistanceUnit::Pixels}}}};
     return {key("kind",
                 kKinds,
-                "plain: from the center line of films; signed: from their edges, negative inside "
-                "films and around a patch",
+                "plain: distance from the center line of the nearest film; signed: distance from "
+                "its edge, negative inside films and around a patch",
                 &DistanceOptions::kind),
             key("unit", kUnits, "foam units or pixels", &DistanceOptions::unit),
             key("full",

@@ -23,7 +23,7 @@ namespace {
 // lasts for the fraction 1 - `spread` of the cross-fade.
 
 constexpr int kWaves = 24;
-constexpr double kBubblesInWave = 4.0;  // typical wavelength, in mean bubble widths
+constexpr double kBubblesInWave = 4.0;  // typical wavelength, in square roots of the mean area
 
 // A plane wave with whole numbers of periods across the tile in x and y.
 struct Wave {

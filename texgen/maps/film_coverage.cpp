@@ -15,9 +15,9 @@ namespace foam::texgen {
 
 namespace {
 
-// The lower limit to which the slope of the smooth distance is clamped before a division by it.
-// Smaller slopes occur only near the middle of bubbles, where only a film that nearly fills its
-// bubbles can end.
+// The slope of the smooth distance is raised to at least this value before a distance is divided by
+// it. Smaller slopes occur only near the middle of bubbles. The edge of a film can be there only if
+// the film nearly fills its bubbles.
 constexpr double kFlattest = 0.05;
 
 // Returns the fraction of every pixel that wet films cover. A wet film covers the points whose

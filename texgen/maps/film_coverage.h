@@ -32,7 +32,7 @@ Image<float> foam_coverage(FrameLayers& layers,
 /// lack the smooth distance.
 Image<float> film_shade(FrameLayers& layers, const AlbedoOptions& options);
 
-/// Returns the images of the distance field that the functions of this file need.
+/// Returns which images of the distance field the functions of this file need.
 DistanceNeeds film_distance_needs(const AlbedoOptions& options);
 
 /// Returns an image of films over bubbles. `color_at` returns the color of the bubbles at a pixel;

@@ -45,7 +45,7 @@ ColorPixels paint_layers(FrameLayers& layers,
         double opacity = layers.is_patch() ? static_cast<double>(foam.samples()[k]) : 1.0;
         for (std::size_t layer = 0; layer < over.size(); ++layer) {
             const auto part = static_cast<double>(over[layer].coverage.samples()[k]);
-            // Where the ground is missing, the layer alone is seen.
+            // Where the ground is transparent, only the color of the layer is visible.
             opacity = std::max(opacity, part);
             color = mixed(color, colors[layer], opacity > 0.0 ? part / opacity : 0.0);
         }

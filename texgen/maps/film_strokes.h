@@ -24,8 +24,8 @@ struct PaintLayer {
     Image<float> coverage;  // the fraction of every pixel that the layer covers, in one channel
 };
 
-/// Returns an image of layers over a ground of one sRGB color; a later layer covers the earlier
-/// ones. Around a patch pixels are transparent where no layer covers them.
+/// Returns an image of layers over a ground of one sRGB color. A later layer covers earlier layers.
+/// Around a patch, pixels that no layer covers are transparent.
 ColorPixels paint_layers(FrameLayers& layers,
                          const std::string& ground,
                          std::span<const PaintLayer> over);

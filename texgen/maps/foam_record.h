@@ -27,12 +27,12 @@ struct BubbleValues {
 };
 
 /// Averages over recent frames. In each frame, an average moves towards the present value by the
-/// fraction 1 / (1 + FramesOptions::smoothing) of the difference. A bubble starts with its first
-/// values.
+/// fraction 1 / (1 + FramesOptions::smoothing) of the difference. The first averages of a bubble
+/// are its first values.
 ///
-/// The pressure of a bubble that vanishes grows without limit. Therefore not the pressure is
-/// averaged, but p / (1 + |p|), where p is the pressure in units of PressureUnit::Current. An
-/// average in this scale changes by at most 2 / (1 + smoothing) per frame.
+/// The pressure of a bubble that vanishes grows without limit. Therefore p / (1 + |p|) is averaged
+/// instead of the pressure p, which is in units of PressureUnit::Current. This average changes by
+/// at most 2 / (1 + smoothing) per frame.
 struct RecentAverages {
     std::vector<BubbleValues> bubbles{};  // indexed by the bubble's identity;
                                           // BubbleValues::pressure is the average of p / (1 + |p|)
@@ -57,19 +57,20 @@ struct FoamRecord {
     std::vector<double> first_pressures{};
     /// The foam time of the birth of each bubble, indexed by the bubble's identity. A bubble born
     /// between two frames has the time of the earlier frame. Seeded bubbles, and bubbles born
-    /// during the warm-up, have 0. In the loops `breathe` and `shear`, a time that is more than one
-    /// period before the frame is replaced by the time one period before the frame.
+    /// during the warm-up, have 0. In the loops `breathe`, `shear` and `boil`, a time that is more
+    /// than one period before the frame is replaced by the time one period before the frame.
     std::vector<double> births{};
     /// The foam time of the last change of each bubble's neighbors, indexed by the bubble's
-    /// identity. If the neighbors have never changed, this is the time of the birth. Limited to one
-    /// period like `births`.
+    /// identity. If the neighbors have never changed, this is the time of the birth. In loops,
+    /// these times are limited to one period in the same way as `births`.
     std::vector<double> changes{};
     /// The events of the last kRecordedFrames frames, in the order in which they happened. Events
-    /// before frame 1 are kept only in the loops `breathe` and `shear`, which repeat a cycle:
-    /// events of the cycles before frame 1 have frame numbers of at most 1.
+    /// before frame 1 are kept only in the loops `breathe`, `shear` and `boil`, which repeat a
+    /// cycle. The frame numbers of these events are at most 1.
     std::vector<RecordedEvent> events{};
-    /// Averages of values over recent frames; without bubbles if nothing is averaged. In the loops
-    /// `breathe` and `shear` they are the averages after infinitely many cycles.
+    /// Averages of values over recent frames; RecentAverages::bubbles is empty if nothing is
+    /// averaged. In the loops `breathe`, `shear` and `boil` they are the averages after infinitely
+    /// many cycles.
     RecentAverages averages{};
 };
 

@@ -39,8 +39,9 @@ struct MapTraits {
     SmoothDistance smooth_distance = SmoothDistance::Unused;
     Mixing mixing = Mixing::Values;
     bool shows_relief = false;  // true if the map depends on the relief
-    // The key of the largest number that a file of codes can store. Numbers beyond it are clipped,
-    // and users are told. Empty for maps whose numbers fit, or are clipped on purpose.
+    // The name of the key that sets the largest number that a file of codes, such as a PNG, can
+    // store. Larger numbers are clipped, and the program reports them. The name is empty for maps
+    // whose numbers always fit or are clipped on purpose.
     std::string_view full_key{};
 };
 

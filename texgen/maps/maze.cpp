@@ -20,8 +20,8 @@ Keys<MazeOptions> maze_keys() {
     return {
         key("chance",
             kFractions,
-            "share of chance in the choice of the films that are open: 0 leads passages along "
-            "bubbles of similar pressure, 1 anywhere",
+            "weight of chance in the choice of the films that are opened: with 0, passages follow "
+            "bubbles of similar pressure; with 1, they are random",
             &Options::chance),
         key("seed",
             Integers{0, std::numeric_limits<std::int64_t>::max()},
@@ -29,15 +29,14 @@ Keys<MazeOptions> maze_keys() {
             &Options::seed),
         key("loops",
             kFractions,
-            "fraction of the walls that are opened in addition; 0 leaves exactly one way between "
+            "fraction of the walls that are opened in addition; with 0, exactly one path connects "
             "any two bubbles",
             &Options::loops)
             .in("fraction of the walls"),
         key("wall_width",
             Reals{0.0, 10.0},
             "full width of walls, in diameters of a mean bubble of the seeded foam; films that "
-            "walls "
-            "of this width would nearly fill are opened last",
+            "would leave almost no gap between walls of this width are opened last",
             &Options::wall_width)
             .in("mean bubble diameters of the seeded foam"),
         key("wall_color", Colors{}, "sRGB color of walls", &Options::wall_color),

@@ -18,16 +18,15 @@ inline constexpr MapTraits kMazeMap = {
     .channels = "R G B",
     .png_filter = PngFilter::Up};
 
-inline constexpr MapTraits kMazeSolutionMap = {
-    .name = "maze_solution",
-    .meaning = "maze, and its shortest way as a smooth line",
-    .unit = "light",
-    .channels = "R G B",
-    .png_filter = PngFilter::Up};
+inline constexpr MapTraits kMazeSolutionMap = {.name = "maze_solution",
+                                               .meaning = "maze, and its solution as a smooth line",
+                                               .unit = "light",
+                                               .channels = "R G B",
+                                               .png_filter = PngFilter::Up};
 
 struct MazeOptions {
-    double chance = 0.4;       // share of chance in the choice of openings; the rest is pressure
-    std::int64_t seed = 1;     // of the random choices
+    double chance = 0.4;       // weight of chance in the choice of openings; the rest is pressure
+    std::int64_t seed = 1;     // seed of the random choices
     double loops = 0.0;        // fraction (0 to 1) of the walls that are opened in addition
     double wall_width = 0.22;  // full width of walls, in diameters of a seeded mean bubble
     std::string wall_color = "#16262f";  // colors are sRGB
@@ -38,8 +37,8 @@ struct MazeOptions {
 
 Keys<MazeOptions> maze_keys();
 
-/// Returns the rule by which the maps build their maze. Passages that walls of the given width
-/// would nearly fill count as narrow.
+/// Returns the rule by which the maps build their maze. A film counts as narrow (MazeRule::narrow)
+/// if opening it would leave almost no gap between walls of the width options.wall_width.
 MazeRule maze_rule(const MazeOptions& options);
 
 /// Returns the fraction of every pixel that walls cover, in one channel.
@@ -50,8 +49,8 @@ Image<float> maze_wall_coverage(FrameLayers& layers, const MazeOptions& options)
 ColorPixels draw_maze(FrameLayers& layers, const MazeOptions& options);
 
 /// Draws the maze and its solution: a smooth line through the middles of the films that the
-/// shortest way passes. On a torus the line begins and ends in the middle of a bubble. On a patch
-/// it begins and ends in the middles of two outer films, the entrance and the exit.
+/// solution passes. On a torus the line begins and ends in the middle of a bubble. On a patch it
+/// begins and ends in the middles of two outer films, the entrance and the exit.
 ColorPixels draw_maze_solution(FrameLayers& layers, const MazeOptions& options);
 
 }  // namespace foam::texgen

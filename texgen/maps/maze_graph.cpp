@@ -17,10 +17,10 @@ namespace foam::texgen {
 namespace {
 
 // The spanning tree is built by Kruskal's algorithm: films are visited in the order of their
-// weights, all narrow films last, and a film is opened if there is no way yet between the bubbles
-// on its sides. Groups of bubbles that are connected are kept in a disjoint-set forest. The longest
-// way in a tree is found by two breadth-first searches: the bubble farthest from an arbitrary
-// bubble is one end of the way, and the bubble farthest from this end is the other.
+// weights, all narrow films last. A film is opened if no path of open films connects the bubbles on
+// its sides yet. Groups of connected bubbles are kept in a disjoint-set forest. The longest path in
+// a tree is found by two breadth-first searches: the bubble farthest from an arbitrary bubble is
+// one end of the path, and the bubble farthest from this end is the other.
 
 // A disjoint-set forest with union by size and path halving (R. E. Tarjan and J. van Leeuwen,
 // "Worst-case analysis of set union algorithms", 1984).
@@ -137,7 +137,7 @@ struct SpanningTree {
                                                  // if all rafts have one bubble
 };
 
-// Opens films until exactly one way leads from any bubble to any other of its raft.
+// Opens films until exactly one path leads from any bubble to any other of its raft.
 SpanningTree spanning_tree(const Frame& frame, const MazeRule& rule) {
     std::vector<Wall> walls = walls_of(frame, rule);
     std::sort(walls.begin(), walls.end(), [](const Wall& a, const Wall& b) {
@@ -205,7 +205,7 @@ class Search {
     // Returns the bubbles that can be reached, nearest first.
     const std::vector<BubbleId>& order() const { return order_; }
 
-    // Returns the films on the way to a bubble that can be reached.
+    // Returns the films on the path to a bubble that can be reached.
     std::vector<HalfEdgeId> way_to(BubbleId bubble) const {
         std::vector<HalfEdgeId> way;
         for (; reached_by_[bubble] != kNone<HalfEdgeId>; bubble = network_.left(way.back())) {

@@ -12,8 +12,8 @@ namespace foam::texgen {
 
 /// The parameters with which a maze is built from a foam.
 struct MazeRule {
-    double chance = 0.4;    // share of chance in the choice of openings; the rest is pressure
-    std::int64_t seed = 1;  // of the random numbers
+    double chance = 0.4;    // weight of chance in the choice of openings; the rest is pressure
+    std::int64_t seed = 1;  // seed of the random numbers
     double loops =
         0.0;  // fraction (0 to 1) of the walls between bubbles that are opened in addition
     double narrow = 0.0;  // a length in foam units. A film is narrow if it is shorter, or if a
@@ -27,7 +27,7 @@ struct MazeRule {
 };
 
 /// A maze whose rooms are the bubbles of a foam and whose walls are its films, some of which are
-/// open. `solution` is the way through the fewest bubbles between two ends (find_maze).
+/// open. `solution` is the path through the fewest bubbles between two ends (find_maze).
 struct Maze {
     Indexed<FilmId, std::uint8_t> is_open;  // 1 for open films, 0 for walls
     /// The films that the solution passes, in order. The solution leaves the bubble on the left of
@@ -38,10 +38,10 @@ struct Maze {
 
 /// Builds a maze. The open films between bubbles form a minimum spanning tree (J. B. Kruskal, "On
 /// the shortest spanning subtree of a graph and the traveling salesman problem", 1956): exactly one
-/// way leads from any bubble to any other. The weight of a film is a mix of the difference of the
+/// path leads from any bubble to any other. The weight of a film is a mix of the difference of the
 /// pressures on its sides and of a random number that depends on the seed and on the identities of
-/// both bubbles, so that passages follow bubbles of similar pressure. rule.loops opens further
-/// films, which makes several ways.
+/// both bubbles, so that passages follow bubbles of similar pressure. If rule.loops is above 0,
+/// further films are opened, and several paths may connect two bubbles.
 ///
 /// The ends of the solution are two bubbles that are as far apart in the tree as possible. On a
 /// torus any bubble can be an end. On a patch the ends are at the rim or beside a hole, and the

@@ -9,7 +9,7 @@ namespace foam::texgen {
 /// The numbers of an image, and how many of them a file of codes cannot store.
 struct NumberExtent {
     double smallest = 0.0;  // of the finite numbers, in the unit of the map; 0 if there is none
-    double largest = 0.0;   // likewise
+    double largest = 0.0;   // of the finite numbers, in the unit of the map; 0 if there is none
     // The fraction of the samples that are clipped: finite numbers that are outside of the range
     // from NumberPixels::low to NumberPixels::high by more than half a step of a 16-bit code.
     double clipped = 0.0;

@@ -152,8 +152,9 @@ Keys<PressureOptions> pressure_keys() {
         key("scaling",
             kScalings,
             "how pressures become tones: by the fixed range low to high; by percentiles or by rank "
-            "among the pressures at the end of the warm-up, or in this frame if it is smoothed or "
-            "flattened; or by the share of the frame's area in which the pressure is lower",
+            "among the pressures at the end of the warm-up (if pressures are smoothed or "
+            "flattened, among those of the frame); or by the share of the frame's area in which "
+            "the pressure is lower",
             &Options::scaling),
         key("percentile",
             Reals{0.0, 49.0},
@@ -178,8 +179,7 @@ Keys<PressureOptions> pressure_keys() {
         key("flattening",
             Integers{0, 1000},
             "rounds of a wider average that is subtracted, so that the corridors of a labyrinth "
-            "are "
-            "about equally wide; 0 subtracts nothing",
+            "are about equally wide; 0 subtracts nothing",
             &Options::flattening)
             .in("rounds"),
         key("exaggeration",
@@ -188,7 +188,7 @@ Keys<PressureOptions> pressure_keys() {
             &Options::exaggeration),
         key("colormap",
             Words{colormaps_and_none()},
-            "colors of the tones; none writes gray numbers",
+            "color map of the tones; none draws the tones as gray numbers",
             &Options::colormap)};
 }
 

@@ -53,10 +53,9 @@ Keys<PressureOptions> pressure_keys();
 PerBubble<double> pressure_tones(const FrameLayers& layers, const PressureOptions& options);
 
 /// Draws every bubble in its tone, as a number or as a color of a color map. Films are not drawn.
-/// Numbers may be
-/// outside the range from 0 to 1; colors are clamped to the ends of the color map. Numbers have one
-/// channel and are 0 around a patch; colors are transparent there. Throws as pressure_tones does,
-/// and std::invalid_argument for an unknown color map.
+/// Numbers may be outside the range from 0 to 1; colors are clamped to the ends of the color map.
+/// Numbers have one channel and are 0 around a patch; colors are transparent there. Throws as
+/// pressure_tones does, and std::invalid_argument for an unknown color map.
 MapImage draw_pressure(FrameLayers& layers, const PressureOptions& options);
 
 }  // namespace foam::texgen

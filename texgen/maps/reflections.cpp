@@ -19,7 +19,7 @@ constexpr double kSharpest = 0.01;     // softness of an edge that looks sharp
 constexpr double kSecondWindow = 0.4;  // brightness of a window relative to the one before it
 // Half the width of the transition from the sky to the ground, as the sine of an elevation.
 constexpr double kHaze = 0.12;
-constexpr int kSkyPower = 4;  // how fast the sky darkens above the horizon
+constexpr int kSkyPower = 4;  // exponent by which the sky darkens from the horizon to the zenith
 
 // Returns 1 up to 1 - softness, 0 from 1 + softness on, and a smooth transition between them.
 double soft_edge(double x, double softness) {
@@ -53,8 +53,8 @@ Keys<ReflectionOptions> reflection_keys() {
             &Options::window_brightness),
         key("horizon",
             Reals{0.0, 1000.0},
-            "brightness of the reflection of the sky at the horizon, a ring in every dome that is "
-            "steep enough",
+            "brightness of the reflected sky at the horizon, which appears as a ring in every dome "
+            "that is steep enough",
             &Options::horizon)};
 }
 

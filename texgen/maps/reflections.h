@@ -30,7 +30,7 @@ using Direction = Eigen::Vector3d;
 /// Returns the direction with the given azimuth and elevation in degrees (maps/lit.h).
 Direction direction_of(double azimuth, double elevation);
 
-/// A square window around the surface.
+/// A bright square window that the surface reflects, in a given direction.
 class Window {
   public:
     /// `degrees` is the width of the window, `softness` is ReflectionOptions::window_softness.
@@ -43,7 +43,7 @@ class Window {
     Direction middle_;
     Direction across_;
     Direction upward_;
-    double half_size_;  // of the window at distance 1
+    double half_size_;  // half the width of the window, if it is at distance 1
     double softness_;
 };
 

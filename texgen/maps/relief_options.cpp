@@ -16,9 +16,8 @@ Keys<ReliefOptions> relief_keys() {
     return {
         key("profile",
             kProfiles,
-            "shape of the surface of height, normal, occlusion, curvature, lit and caustics: "
-            "domes, rounded "
-            "ridges on films, or wet films with Plateau borders",
+            "shape of the surface that height, normal, occlusion, curvature, lit and caustics "
+            "show: domes, rounded ridges on films, or wet films with Plateau borders",
             &Options::profile),
         key("films",
             kFilms,

@@ -16,7 +16,8 @@ enum class ReliefFilms {
     Walls,  // the walls of the maze (MazeOptions); not for domes
 };
 
-/// The options of the relief that the maps height, normal, occlusion, curvature and lit show.
+/// The options of the relief that the maps height, normal, occlusion, curvature, lit and caustics
+/// show.
 struct ReliefOptions {
     ReliefProfile profile = ReliefProfile::Dome;
     ReliefFilms films = ReliefFilms::All;

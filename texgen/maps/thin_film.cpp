@@ -26,11 +26,11 @@ namespace {
 // XYZ color matching functions", 2013). The result is converted to linear sRGB and divided by the
 // color of a perfect mirror. A table contains the color for every nanometer of thickness.
 //
-// The thickness of the soap film that spans a bubble depends on the place in the bubble: liquid
-// gathers at the rim and at the bottom, and swirls. The place is a vector that is zero in the
-// middle of the bubble and has length 1 at its rim: the negative gradient of the smooth distance
-// (raster/distance/distance_field.h). In a circle of radius R, this is the position relative to the
-// center, divided by R.
+// The thickness of the soap film that spans a bubble depends on the position in the bubble: liquid
+// gathers at the rim and at the bottom, and swirls. In this file, the place of a point is its
+// position in the bubble, as a vector that is zero in the middle of the bubble and has length 1 at
+// its rim: the negative gradient of the smooth distance (raster/distance/distance_field.h). In a
+// circle of radius R, this is the position relative to the center, divided by R.
 
 constexpr double kIndex = 1.33;             // refractive index of soapy water
 constexpr double kFirstWavelength = 380.0;  // shortest wavelength, nanometers
