@@ -55,8 +55,8 @@ Box box_of(const Frame& frame) {
     return box;
 }
 
-// Returns the view in which the box is centered and as large as possible within the margin, a
-// fraction of the shorter side of the image. `pixels` is the size of the image.
+// Returns the view in which the box is centered and as large as possible inside a margin on each
+// side. `margin` is a fraction of the shorter side of the image. `pixels` is the size of the image.
 View fitted_view(const Box& box, const Vec2& pixels, double margin) {
     if (box.is_empty()) {
         return {};

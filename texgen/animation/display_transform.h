@@ -7,8 +7,8 @@
 
 namespace foam::texgen {
 
-/// Returns true if images of the loop show the foam displaced or without its shear, so that
-/// `transformed_for_display` has an effect.
+/// Returns true if `transformed_for_display` changes the foam: if the loop has a drift, or is a
+/// shear loop.
 bool has_display_transform(const LoopOptions& loop);
 
 /// Returns the foam as images show it after the fraction `progress` of the loop, from 0 to 1. The

@@ -115,9 +115,9 @@ void FrameAssembly::release(const Request& request) {
     }
 }
 
-// Returns the part of `total`, the effort from the seed to a state, that emitted frames have not
-// reported. This part is 0 if the state was shown by an earlier frame. The errors in the result are
-// the errors of the state.
+// Returns the part of an effort that frames emitted earlier have not reported. `total` is the
+// effort from the seed to a state. The part is 0 if an emitted frame has shown this state or a
+// later one. The errors in the result are the errors of the state.
 FrameEffort FrameAssembly::effort_since_last(const FrameEffort& total) {
     FrameEffort effort = total;
     if (total.seconds < reported_.seconds) {

@@ -74,8 +74,9 @@ void History::record_pressures(const Foam& foam) {
     std::sort(record_.first_pressures.begin(), record_.first_pressures.end());
 }
 
-// The averages of a bubble begin with its values in the first frame after its birth. New identities
-// are not below the number of identities at the last call; a boiling bubble has its old identity.
+// The averages of a bubble begin with its values in the first frame after its birth. A bubble is
+// new if its identity did not exist at the last call, or if it is in newborn_: a boiling bubble
+// that is born again has its old identity.
 void History::average_values(const Foam& foam) {
     if (smoothing_ == 0.0) {
         return;
@@ -106,7 +107,8 @@ void History::average_values(const Foam& foam) {
 
 // A cycle of n frames changes an average from v to c + k v, where k = (1 - weight)^n and c depends
 // only on the values in the cycle. After infinitely many cycles, v = c / (1 - k). The averages of a
-// bubble that was born in the cycle depend only on the values since its birth, and stay.
+// bubble that was born in the cycle depend only on the values since its birth. They are not
+// changed.
 void History::close_averages(const FoamRecord& start, int frames) {
     if (smoothing_ == 0.0) {
         return;

@@ -18,8 +18,8 @@ std::uint64_t seed_of(const Preset& preset, std::size_t event) {
     return (preset.seeding.seed ^ 0x9e3779b97f4a7c15U) + 0xd1b54a32d192ed03U * (event + 1);
 }
 
-// Returns the target area of a driven bubble at a frame, and whether the bubble vanishes at this
-// frame.
+// Returns the target area of a driven bubble at a frame, and whether the bubble must vanish at the
+// end of the step to this frame.
 DrivenBubble driven_at(int frame, BubbleIdentity bubble, const DrivenSchedule& driven) {
     const double passed = static_cast<double>(frame - driven.frames.first + 1) /
                           static_cast<double>(driven.frames.length());
