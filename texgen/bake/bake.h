@@ -20,13 +20,13 @@ struct BakeOptions {
     std::vector<int> frames;  // numbers from 1, in any order, each once
     int threads = 0;          // 0: one per hardware thread
     FrameSource source = {};  // source of the frames; if empty, the preset is simulated
-    // The frames to which bake_recorded fits automatic ranges of maps; if empty, the frames from 1
-    // to frames.count.
+    // The frames to which bake_recorded (manifest/recorded_bake.h) fits automatic ranges of maps;
+    // if empty, the frames from 1 to frames.count.
     std::vector<int> sequence = {};
     std::set<int> existing_frames = {};  // subset of `frames`, whose existing files are kept
 };
 
-/// The numbers of all files of a map that were written.
+/// Describes the numbers in all files of a map that were written.
 struct WrittenNumbers {
     const Map* map = nullptr;
     std::array<double, 2> range{};  // the numbers that the smallest and the largest code represent

@@ -43,14 +43,15 @@ constexpr std::array<MeasuredSize, 12> kVaried{{{"albedo", 1.0, 2.3},
                                                 {"motion", 2.6, 7.7},
                                                 {"caustics", 1.1, 2.9}}};
 
-// All other maps have one value per bubble or per film. The largest of them, in the same
-// measurement, had 0.26 and 0.68 bytes per pixel (maze); the mean was 0.1 and 0.3.
+// All other maps have one value per bubble or per film. In the same measurement, the files of these
+// maps had on average 0.1 (PNG) and 0.3 (EXR) bytes per pixel, the largest, maze, 0.26 and 0.68.
 constexpr MeasuredSize kFlat{"", 0.15, 0.35};
 
 // A mip map has a third more pixels than its image.
 constexpr double kMipLevels = 4.0 / 3.0;
 
-// Returns the size without compression. Each channel of an EXR counts as a float.
+// Returns the size without compression, in bytes per pixel. Each channel of an EXR counts as a
+// float of 4 bytes.
 double raw_bytes_per_pixel(const Map& map, bool stores_codes) {
     const auto channels = static_cast<double>(std::ranges::count(map.channels, ' ') + 1);
     return channels * (stores_codes ? map.png_bits / 8.0 : 4.0);

@@ -21,8 +21,8 @@ std::filesystem::path file_of_frame(const FilePattern& pattern, int frame) {
     return pattern.path({}, {}, frame);
 }
 
-/// Returns the frame whose file has the given path: the only number in the path that gives the path
-/// when it is filled into the pattern. Returns nullopt if the pattern does not match.
+/// Returns the number of the frame whose file has the given path: of all numbers in the text of the
+/// path, the one for which the pattern gives this path. Returns nullopt if there is none.
 std::optional<int> frame_of(const FilePattern& pattern, const std::filesystem::path& path) {
     const std::string text = path.string();
     for (auto begin = text.begin(); begin != text.end(); ++begin) {

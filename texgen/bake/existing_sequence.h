@@ -11,9 +11,9 @@ namespace foam::texgen {
 /// Returns true if the pattern contains {preset} or {map}.
 bool names_presets_or_maps(const FilePattern& pattern);
 
-/// Returns the existing files of a pattern by frame number. Empty if the folder of the pattern does
-/// not exist. Precondition: the pattern has a frame number, and neither
-/// {preset} nor {map}.
+/// Returns the existing files of a pattern by frame number. Returns no files if the folder of the
+/// pattern does not exist. Precondition: the pattern contains a frame number, but neither {preset}
+/// nor {map}.
 std::map<int, std::filesystem::path> existing_sequence(const FilePattern& pattern);
 
 }  // namespace foam::texgen

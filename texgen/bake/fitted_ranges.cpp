@@ -28,7 +28,7 @@ constexpr double kMargin = 1.01;    // for peaks between the pixels of the small
 // A map with an automatic range, and the numbers that were found in it.
 struct MeasuredMap {
     const Map* map = nullptr;
-    double largest = 0.0;  // magnitude, as a multiple of the present range
+    double largest = 0.0;  // largest magnitude of its numbers, as a multiple of its present range
 };
 
 std::vector<MeasuredMap> maps_to_measure(const Preset& preset) {
@@ -113,7 +113,7 @@ class RangeMeter {
     std::vector<std::string> names_;
     int width_;  // of the reduced image, pixels
     int height_;
-    double reduction_ = 1.0;  // of the lengths of the image
+    double reduction_ = 1.0;  // width of the full image divided by width of the reduced image
 };
 
 }  // namespace

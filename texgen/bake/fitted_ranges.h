@@ -15,11 +15,11 @@ bool has_automatic_ranges(const Preset& preset);
 
 /// Fits the automatic ranges of all maps of a preset to the numbers that occur in the given frames,
 /// usually all frames of the animation, so that the ranges do not depend on the frames that are
-/// baked. The maps are
-/// drawn at a reduced size (512 pixels or less, if width and
-/// height have a common divisor); 1 % is added, and the result is rounded up to a
-/// preferred number of the series R10 of ISO 3 (1, 1.25, 1.6, 2, 2.5, 3.15, 4, 5, 6.3, 8, 10). A
-/// range thus has at most 30 % to spare. A map whose numbers are all 0 keeps its range.
+/// baked. The maps are drawn at a reduced size of exactly the same aspect ratio: the longer side
+/// has at most 512 pixels if the width and the height have a large enough common divisor. The
+/// largest number, plus 1 %, is rounded up to a preferred number of the series R10 of ISO 3 (1,
+/// 1.25, 1.6, 2, 2.5, 3.15, 4, 5, 6.3, 8, 10). A range thus exceeds the largest number by at most
+/// 30 %. A map whose numbers are all 0 keeps its range.
 ///
 /// `source` gives the frames. `on_progress` receives the phases of the source, and then the phase
 /// Ranges. If the source fails, its outcome is returned, and the preset is unchanged.
@@ -29,7 +29,7 @@ RunOutcome fit_automatic_ranges(Preset& preset,
                                 int threads,
                                 const ProgressCallback& on_progress = {});
 
-/// Returns the smallest preferred number that is not below a positive number.
+/// Returns the smallest preferred number, times a power of 10, that is not below a positive number.
 double rounded_up(double number);
 
 }  // namespace foam::texgen

@@ -15,8 +15,7 @@
 
 namespace foam::texgen {
 
-/// Returns true if images of the domain tile. They tile only if the domain is a torus without
-/// shear.
+/// Returns true if images of the domain tile: if it is a torus without shear.
 bool tiles(const Domain& domain);
 
 /// Writes the image files of a bake. Thread-safe: all functions may be called from several threads
@@ -35,7 +34,7 @@ class FrameFiles {
     /// written.
     std::vector<WrittenFile> write(ShownLayers& shown) const;
 
-    /// Returns the images of the distance field that the maps need.
+    /// Returns which images of the distance field the maps need.
     DistanceNeeds distance() const;
 
     /// Returns true if drawing the maps of a frame also needs the frame after it.

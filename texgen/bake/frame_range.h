@@ -25,8 +25,7 @@ std::vector<int> parse_frame_range(std::string_view text);
 
 /// Returns a short text that parse_frame_range parses to these frames. Three or more frames from A
 /// to B in arithmetic progression become `A-BxS`, with the step S. Two or more frames with the step
-/// 1 become `A-B`. Precondition: each frame is
-/// given once.
+/// 1 become `A-B`. Precondition: each frame is given once.
 std::string format_frame_range(std::span<const int> frames);
 
 /// Returns true if the frames, played repeatedly in increasing order, advance evenly through a loop
