@@ -20,9 +20,11 @@ constexpr const char* kBakeExamples = R"(Examples:
   foamtex bake sea_foam --maps albedo,film --out 'out/layers.####.exr'
   foamtex bake coarsening --progress json 2> progress.jsonl
 A preset with a loop closes after frames.count frames; --set frames.count=N makes the loop shorter.
-Members of --progress json, null if unknown: phase; done, total: units of the phase (steps, frames);
-seconds: since the start; seconds_left: until the phase ends; frame: the last one done; bubbles;
-cycle, measure: of a loop that is being closed, and its closing error in mean bubble diameters.
+--progress json prints JSON objects, one per line, with these members: phase; done and total, in
+units of the phase (such as steps or frames); seconds since the start; seconds_left until the phase
+ends; frame, the number of the last frame that is done; bubbles; and, while cycles of a loop are
+simulated until it closes, cycle and measure (the closing error in mean bubble diameters). Unknown
+values are null.
 Keys for --set: foamtex presets keys)";
 
 struct BakeArguments {

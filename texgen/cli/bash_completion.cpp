@@ -31,7 +31,7 @@ _{0}_words() {{
     mapfile -t COMPREPLY < <(compgen -W "$1" -- "$current")
 }}
 
-# The last of several words with commas.
+# Completes the last of several words that are separated by commas.
 _{0}_list() {{
     local done=
     [[ $current == *,* ]] && done=${{current%,*}},
@@ -39,7 +39,7 @@ _{0}_list() {{
     compopt -o nospace 2>/dev/null
 }}
 
-# The values of a key: _{0}_values KEY PREFIX WORD.
+# Completes the value of a key: _{0}_values KEY PREFIX WORD.
 _{0}_values() {{
     local words=
     case $1 in

@@ -112,9 +112,10 @@ void add_layout(CLI::App& command, FlipbookArguments& arguments) {
                                ->option_text("N");
     CLI::Option* gutter =
         command
-            .add_option("--gutter",
-                        arguments.options.gutter,
-                        "Pixels around each frame, which continue its tile (default: 0)")
+            .add_option(
+                "--gutter",
+                arguments.options.gutter,
+                "Width of the border of each frame in pixels; it continues the tile (default: 0)")
             ->check(CLI::Range(0, kLargestGutter))
             ->option_text("PX");
     command.add_flag("--strip", arguments.options.strip, "Use one column, for texture arrays")

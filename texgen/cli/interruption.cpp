@@ -21,7 +21,7 @@ void take_signal(int signal) {
     constexpr std::string_view kNote =
         "\nfoamtex: stopping after the current step; a second signal stops at once\n";
     stop_signal = signal;
-    // If stderr is a pipe without a reader, the run still has to end in an orderly way.
+    // If stderr is a pipe without a reader, the write must fail instead of ending the process.
     struct sigaction ignore {};
     struct sigaction before {};
     ignore.sa_handler = SIG_IGN;

@@ -19,8 +19,8 @@ namespace {
 
 constexpr double kBarInterval = 0.1;   // seconds between two drawings of the bar
 constexpr double kLineInterval = 1.0;  // seconds between two lines
-// A run is long from here on. Its user is told once the speed of a phase was measured for
-// kMeasured.
+// A run that takes at least kLongRun is long. A note tells so once the speed of a phase has been
+// measured for kMeasured.
 constexpr double kLongRun = 60.0;  // seconds
 constexpr double kMeasured = 2.0;  // seconds
 
@@ -121,9 +121,9 @@ void ProgressReporter::print() {
     is_pending_ = false;
 }
 
-// The steps that prepare frame 1 take about as long as the steps of the frames. Their speed
-// therefore bounds the duration of the run from below: drawing, and further cycles of a loop, come
-// on top.
+// The steps that prepare frame 1 take about as long as the steps of the frames. An estimate from
+// their speed is a lower bound, because drawing, and further cycles of a loop, take additional
+// time.
 void ProgressReporter::note_long_run() {
     const std::optional<double> per_unit = clock_.seconds_per_unit();
     const bool is_told = options_.verbosity == Verbosity::Normal && !options_.json;

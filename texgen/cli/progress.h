@@ -28,12 +28,11 @@ struct ProgressOptions {
 /// - lines: one per frame; for every other phase its first report, each cycle of a loop, the end,
 ///   and otherwise at most one line per second.
 /// - JSON lines (progress_json): the first and the last report of the run, and otherwise at most
-/// one
-///   line per second.
+///   one line per second.
 /// - nothing.
 ///
-/// With Verbosity::Normal and without JSON, one line tells the user if the run takes a minute or
-/// more, as soon as its first units allow an estimate.
+/// With Verbosity::Normal and without JSON, a line tells the user that the run takes a minute or
+/// more, as soon as this can be estimated from its first units.
 class ProgressReporter {
   public:
     /// Begins the run. Calls handle_stop_signals.

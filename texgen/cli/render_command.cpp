@@ -18,8 +18,9 @@ namespace {
 constexpr const char* kRenderExamples = R"(Examples:
   foamtex render foam --frames 1-100x2
   foamtex render foam --size 4096 --maps albedo,height,normal --out 'out/{map}.####.exr'
-The images are identical to the images of a bake, if the cache has the whole animation. Keys of the images, the output and the maps can
-be set, and for a patch also keys of the camera. The aspect ratio of a torus cannot be changed.)";
+If the cache contains all frames of the animation, the images are identical to those of a bake. Keys
+of the images, the output and the maps can be set, and for a patch also keys of the camera. The
+aspect ratio of a torus cannot be changed.)";
 
 struct RenderArguments {
     RunArguments run;

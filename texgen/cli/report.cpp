@@ -112,7 +112,7 @@ ExitCode report_failure(const RunOutcome& outcome) {
         const double error = *outcome.closing_error;
         const std::string apart =
             std::isfinite(error)
-                ? fmt::format("are {:.2g} mean diameters away from those at its start", error)
+                ? fmt::format("are {:.2g} mean bubble diameters away from their start", error)
                 : "have different neighbors than at its start";
         print_stderr(
             "foamtex: the loop does not close: bubbles at the end of its last cycle {}; "

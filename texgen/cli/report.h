@@ -20,8 +20,8 @@ void print_files(std::span<const std::filesystem::path> files);
 /// If no charts were drawn, prints on stderr why, and the command that draws them.
 void note_missing_charts(const StatisticsFiles& statistics);
 
-/// Prints a note on stderr if another version of foamtex simulated the states of a cache. `folder`
-/// is the folder of the cache.
+/// Prints a note on stderr if the states of a cache were simulated by another version of foamtex.
+/// `folder` is the folder of the cache.
 void note_other_version(const CacheInfo& cache, const std::filesystem::path& folder);
 
 /// Prints a note on stderr if the preset has a loop, but the frames that were baked do not close it

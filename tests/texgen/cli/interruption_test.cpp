@@ -37,7 +37,7 @@ TEST(Interruption, ABakeRecordsItsFramesAndSaysHowToGoOn) {
     EXPECT_EQ(outcome.code, 130);
     EXPECT_EQ(outcome.err,
               "\nfoamtex: stopping after the current step; a second signal stops at once\n"
-              "foamtex: the same command with --resume goes on\n"
+              "foamtex: to continue, run the same command with --resume\n"
               "foamtex: interrupted\n");
     const BakedSet set = choose_set(read_manifest(folder.path()), "", folder.path());
     EXPECT_EQ(set.failure, "interrupted");
