@@ -16,8 +16,8 @@ Keys<FramesOptions> frames_keys() {
             .in("frames"),
         key("first",
             kFirstFrames,
-            "what frame 1 shows: the foam in equilibrium, or the diagram of straight films that it "
-            "starts from",
+            "what frame 1 shows: the foam in equilibrium, or the diagram of straight films from "
+            "which the foam is brought to equilibrium",
             &Options::first),
         key("time_step",
             kTimes,
@@ -32,15 +32,15 @@ Keys<FramesOptions> frames_keys() {
             &Options::step_growth),
         key("warm_up",
             kTimes,
-            "foam time of the warm-up, before frame 1; with frames.first = \"diagram\", between "
-            "frames 1 and 2",
+            "foam time that is simulated before frame 1 (the warm-up); with frames.first = "
+            "\"diagram\", between frames 1 and 2",
             &Options::warm_up)
             .in("foam time"),
         key("smoothing",
             Reals{0.0, 1000.0},
-            "number of frames by which the pressures, areas and numbers of sides that colors and "
-            "tones show lag behind the foam, so that colors do not jump where bubbles vanish; 0 "
-            "shows present values",
+            "number of frames by which colors and tones lag behind the foam: they show averages of "
+            "pressures, areas and numbers of sides over about this many frames, so that colors do "
+            "not jump where bubbles vanish; 0 shows present values",
             &Options::smoothing)
             .in("frames")};
 }

@@ -44,7 +44,7 @@ Keys<ImageOptions> image_keys() {
                 .in("pixels"),
             key("maps",
                 WordLists{map_names()},
-                "maps that are drawn of every frame",
+                "maps that are drawn for every frame",
                 &ImageOptions::maps)};
 }
 

@@ -30,7 +30,8 @@ Keys<OutputOptions> file_keys() {
                 .in("frames per second"),
             key("png_compression",
                 kCompressions,
-                "compression of PNG files; small takes ten times as long and saves a tenth",
+                "compression of PNG files; small takes ten times as long and makes files a tenth "
+                "smaller",
                 &OutputOptions::png_compression)};
 }
 
@@ -54,7 +55,8 @@ Keys<OutputOptions> exr_keys() {
                 &OutputOptions::exr_level),
             key("exr_numbers",
                 kNumbers,
-                "type of numbers in EXR files; half has 11 bits of precision, up to 65504",
+                "type of numbers in EXR files; half has 11 bits of precision and a largest number "
+                "of 65504",
                 &OutputOptions::exr_numbers),
             key("exr_layout",
                 kLayouts,

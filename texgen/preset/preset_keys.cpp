@@ -29,7 +29,8 @@ Keys<SeedingOptions> seeding_keys() {
             &Options::seed),
         key("lloyd",
             Integers{0, 1000},
-            "rounds of Lloyd relaxation: 0 is irregular, 10 and more is nearly regular",
+            "rounds of Lloyd relaxation of the random diagram: 0 gives an irregular foam, 10 or "
+            "more a nearly regular one",
             &Options::lloyd_iterations)
             .in("rounds"),
         key("area_ratio",
@@ -39,7 +40,7 @@ Keys<SeedingOptions> seeding_keys() {
             &Options::area_ratio),
         key("surface_tension",
             Reals{1e-6, 1e3},
-            "surface tension gamma; the tension of a film is twice this",
+            "surface tension gamma; the tension of a film is twice this value",
             &Options::surface_tension)};
 }
 
@@ -72,13 +73,13 @@ Keys<CoarseningOptions> coarsening_keys() {
 Keys<TopologyThresholds> threshold_keys() {
     return {key("t1_distance",
                 Reals{0.001, 0.25},
-                "length below which a film may swap neighbors, in foam units",
+                "length of a film, in foam units, below which its bubbles may swap neighbors (T1)",
                 &TopologyThresholds::t1_distance)
                 .in("foam units"),
             key("t2_area",
                 Reals{0.0001, 0.25},
-                "area at or below which a bubble of two or three sides vanishes, in square foam "
-                "units",
+                "target area, in square foam units, at or below which a bubble of two or three "
+                "sides vanishes (T2)",
                 &TopologyThresholds::t2_area)
                 .in("square foam units")};
 }

@@ -67,7 +67,8 @@ void reject_last(std::span<const Assignment> assignments,
 void reject_value(const Assignment& assignment, const KeyInfo& key) {
     const std::string fault = key.fault ? key.fault(assignment.value) : "";
     const std::string suggestion = suggested_word(assignment.value, key);
-    // A misspelled word is no bad polygon.
+    // If a word was misspelled, the reason why the text is not another kind of value (such as a
+    // polygon) would mislead.
     const bool shows_fault = !fault.empty() && suggestion.empty();
     reject(assignment,
            fmt::format("must be {}{}{}{}",
