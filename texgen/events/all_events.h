@@ -18,8 +18,8 @@
 
 namespace foam::texgen {
 
-/// One [[event]] of a preset: the shared properties and the options of every kind. Only the options
-/// of the event's own kind are used.
+/// One [[event]] of a preset: the shared properties, and the options of every kind of event. Only
+/// the options of the event's own kind are used.
 struct Event : EventBase {
     CollapseOptions collapse;
     NucleateOptions nucleate;

@@ -174,9 +174,9 @@ Keys<EventBase> choice_keys(const std::vector<EventTraits>& kinds) {
                  &Traits::takes_bubbles,
                  key("sides",
                      IntegerLists{{2, 100}},
-                     "numbers of sides: chooses the smallest bubbles with these numbers of "
-                     "sides, one bubble for each number in turn; a collapse in turn chooses each "
-                     "bubble when its turn begins, all other events when they begin",
+                     "numbers of sides: chooses the smallest bubbles with these numbers of sides, "
+                     "one bubble for each number in turn; an in-turn collapse chooses each bubble "
+                     "when its turn begins, any other event chooses all bubbles when it begins",
                      &EventBase::sides)
                      .in("sides")),
         taken_by(kinds,

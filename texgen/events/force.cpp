@@ -9,19 +9,18 @@
 namespace foam::texgen {
 
 Keys<ForceOptions> force_keys() {
-    return {
-        key("radius",
-            Reals{0.1, 500.0},
-            "radius of the region that is pushed, in foam units; at most half of the shorter "
-            "side of a torus",
-            &ForceOptions::radius)
-            .in("foam units"),
-        key("push",
-            Points{{-100.0, 100.0}},
-            "total displacement of the center of the region, in foam units; afterwards the foam "
-            "relaxes, and only swaps of neighbors remain",
-            &ForceOptions::push)
-            .in("foam units")};
+    return {key("radius",
+                Reals{0.1, 500.0},
+                "radius of the region that is pushed, in foam units; at most half of the shorter "
+                "side of a torus",
+                &ForceOptions::radius)
+                .in("foam units"),
+            key("push",
+                Points{{-100.0, 100.0}},
+                "total displacement of the center of the region, in foam units; then the foam "
+                "relaxes, so that only swaps of neighbors remain",
+                &ForceOptions::push)
+                .in("foam units")};
 }
 
 void check_force(const EventCheck& check, const ForceOptions& options) {

@@ -11,8 +11,9 @@ namespace foam::texgen {
 
 inline constexpr EventTraits kForceEvent = {.name = "force",
                                             .meaning =
-                                                "junctions around a position are pushed; the foam "
-                                                "relaxes, and only swaps of neighbors remain",
+                                                "junctions around a position are pushed; then the "
+                                                "foam relaxes, so that only swaps of neighbors "
+                                                "remain",
                                             .takes_position = true};
 
 struct ForceOptions {

@@ -10,8 +10,8 @@ namespace foam::texgen {
 inline constexpr EventTraits kShearEvent = {
     .name = "shear",
     .meaning =
-        "the whole foam is sheared along x by a `strain`; its images tile again when the shift is "
-        "a whole width"};
+        "the whole foam is sheared along x by a `strain`; its images tile again when the upper "
+        "border has moved by a whole width"};
 
 struct ShearOptions {
     double strain = 1.0;  // total shear strain over all frames
