@@ -17,7 +17,7 @@ namespace foam::texgen {
 enum class Compression {
     None,   // no compression: stored blocks
     Fast,   // as small as the output of zlib at level 1, in a fraction of its time
-    Small,  // as small as the output of zlib at level 9, at least as fast as its level 6
+    Small,  // as small as the output of zlib at level 9, at least as fast as zlib at level 6
 };
 
 /// Compresses data to the deflate format (RFC 1951). Its buffers are reused between calls.

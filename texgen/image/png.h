@@ -19,7 +19,8 @@ enum class PngFilter : std::uint8_t { None, Sub, Up, Average, Paeth };
 
 /// Options of filtering and compression. The pixels do not depend on them.
 struct PngEncoding {
-    PngFilter filter = PngFilter::None;  // best for cells of one color; Up and Sub suit smooth maps
+    // None gives the smallest files for cells of one color, Up and Sub for smooth maps.
+    PngFilter filter = PngFilter::None;
     Compression compression = Compression::Fast;
     /// The number of threads that compress a picture with Compression::Fast; 0 or less means as
     /// many as the hardware runs at once. The other kinds use one thread. The bytes do not depend
