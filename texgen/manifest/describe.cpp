@@ -31,8 +31,7 @@ const char* description_of(LoopKind kind) {
                    "states that lead to the first frame";
         case LoopKind::PingPong:
             return "the states of the foam forwards, then backwards; the first and the last state "
-                   "are shown "
-                   "once";
+                   "are shown once";
         case LoopKind::None:
             break;
     }

@@ -51,7 +51,7 @@ void merge_into(BakedSet& into, const BakedSet& more) {
     const std::optional<double> closing_error = into.loop.closing_error;
     into.loop = more.loop;
     into.loop.closing_error = more.loop.closing_error ? more.loop.closing_error : closing_error;
-    // The multiplier is known only to bakes of motion, to which its range was fitted.
+    // An automatic motion multiplier is fitted only in a bake of the map motion.
     if (more.find_map(kMotionMap.name) != nullptr) {
         into.conventions = more.conventions;
     }

@@ -71,9 +71,9 @@ struct ManifestLoop {
     std::string description;  // description of the kind, for users
     int period = 0;           // frames; 0 without a loop
     bool cross_faded = false;
-    // Breathe and shear loops: the distance (closing_error in core/dynamics/cycle.h) between the
-    // foam at the start and at the end of the last simulated cycle, in diameters of a mean bubble;
-    // nullopt if no cycle was simulated.
+    // Loops of the kinds breathe, shear and boil: the distance (closing_error in
+    // core/dynamics/cycle.h) between the foam at the start and at the end of the last simulated
+    // cycle, in diameters of a mean bubble; nullopt if no cycle was simulated.
     std::optional<double> closing_error;
 
     friend bool operator==(const ManifestLoop&, const ManifestLoop&) = default;

@@ -112,7 +112,7 @@ std::string open_loop_failure(const std::optional<double>& closing_error) {
     }
     return fmt::format(
         "the loop does not close: the foam at the end of the cycle differs from the foam at its "
-        "start by {:.2g} mean diameters",
+        "start by {:.2g} mean bubble diameters",
         *closing_error);
 }
 
@@ -193,12 +193,12 @@ RunOutcome fit_ranges(Preset& preset,
     } catch (const InputError& error) {
         throw InputError(
             fmt::format("{}; ranges that are \"auto\", such as height.full, need all "
-                        "frames of the cache: wait for the simulation, or set a number",
+                        "frames of the cache: wait until the simulation ends, or set a number",
                         error.what()));
     }
 }
 
-// Makes the automatic ranges of the maps of a preset numbers.
+// Changes the automatic ranges of the maps of a preset to fixed numbers.
 void make_ranges_fixed(Preset& preset) {
     for (const std::string& name : preset.image.maps) {
         if (AutoReal* const full = full_of(find_map(name), preset.maps)) {
