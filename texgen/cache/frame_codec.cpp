@@ -12,8 +12,8 @@
 // The topology is rebuilt from the half-edges that leave each junction, in clockwise order. Let a
 // and b be two consecutive half-edges of a junction: then b is the `next` of the twin of a. This
 // determines all `next` links. One stored half-edge per bubble then determines all of its sides.
-// Half-edges that belong to no bubble belong to the ghost bubble. A foam without a ghost bubble has
-// no such half-edges.
+// Half-edges that belong to none of the stored bubbles belong to the ghost bubble. A foam without a
+// ghost bubble has no such half-edges.
 //
 // The function `snapshot` computes the geometry from the stored values. The same function made the
 // original frame, so both frames are equal to the last bit. Every index is checked, and find_fault
