@@ -4,7 +4,7 @@
 #
 #     gnuplot charts.gp
 #
-# gnuplot 5.4 or newer; `film_tension` is set above by foamtex.
+# This script requires gnuplot 5.4 or newer. foamtex inserts a line above that sets `film_tension`.
 
 set encoding utf8
 set datafile separator ","
@@ -34,7 +34,7 @@ kinds = "sides.csv"  # a row per frame and number of sides
 froth = 1.4          # second moment of soap froths in their scaling state ...
 froth_error = 0.1    # ... and its error
 few_bubbles = 100    # means over fewer bubbles have little meaning
-common_share = 0.01  # pressures are shown of kinds of bubbles with at least this share
+common_share = 0.01  # pressures are shown for numbers of sides that at least this share of the bubbles has
 
 # The run: its first number of bubbles, and arrays by frame number. Rows without numbers are skipped.
 rows = 0
@@ -54,7 +54,7 @@ measurable(count) = count >= least
 # The scaling state: at most a quarter of the first bubbles are left.
 scaling(count) = measurable(count) && count <= 0.25 * first_bubbles
 
-# Sums over the scaling state, its first and last time, and over all measurable frames the extremes.
+# Sums over the scaling state, and its first and last time; extremes over all measurable frames.
 scaling_rows = 0
 scaling_begin = scaling_end = 0
 moment_sum = moment_weight = 0
@@ -91,7 +91,7 @@ if (has_line) {
         with points pointtype 7 pointsize 0.4 linecolor rgb blue
 }
 
-# Charts over the logarithm of time begin at the second frame, since the first is at time 0. --------
+# Charts over the logarithm of time omit frames at time 0. ------------------------------------------
 if (last_time > first_time) {
     set logscale x
     set xrange [first_time:last_time]
@@ -112,7 +112,7 @@ if (last_time > first_time) {
             with lines linewidth 2 dashtype 2 linecolor rgb vermilion
     unset object 1
 
-    # How many rows of each number of sides the next two charts show.
+    # Count the rows of each number of sides that the next two charts show.
     array side_rows[10]
     array pressure_rows[10]
     do for [n = 1:10] { side_rows[n] = pressure_rows[n] = 0 }
@@ -181,7 +181,8 @@ plot law using 1:(law[$1]) title "(2π/3) γ κ (n − 6)" with lines linewidth 
         with points pointtype 12 pointsize 1.2 linewidth 1.5 linecolor rgb vermilion
 set xtics autofreq
 
-# Time of a frame: the first comes from the seed; a later row covers the frames since the row before.
+# Time per frame. The first row covers the simulation from its seed to the first frame, and each later
+# row covers the frames since the preceding row.
 previous = NaN
 set output "seconds.svg"
 set title "Time of a frame over the evolution"
