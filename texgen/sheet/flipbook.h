@@ -19,7 +19,7 @@ struct FlipbookOptions {
     std::vector<std::string> maps = {};  // empty for all maps of the set
     std::vector<int> frames = {};        // numbers, in order; empty for all frames of the set
     int columns = 0;                     // 0: the result of near_square_columns
-    int gutter = 0;                      // pixels around each frame
+    int gutter = 0;                      // width of the border around each frame, pixels
     /// True for a strip: one column without gutters. Programs that import texture arrays or volumes
     /// expect a strip. No gutter is needed, because each frame becomes a separate layer of the
     /// texture.
