@@ -68,8 +68,8 @@ std::string clipped_lines(const VerifiedSet& found) {
     for (const VerifiedMap& map : found.maps) {
         if (map.numbers && map.numbers->clipped > 0.0) {
             lines += fmt::format(
-                "  clipped  {}: up to {:.3g} % of the samples of a file; numbers go from {:.3g} to "
-                "{:.3g}\n",
+                "  clipped  {}: up to {:.3g} % of the samples of a file; the numbers are from "
+                "{:.3g} to {:.3g}\n",
                 map.name,
                 100.0 * map.numbers->clipped,
                 map.numbers->smallest,

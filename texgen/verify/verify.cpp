@@ -135,7 +135,7 @@ File read_baked(const ManifestFile& file,
         }
         problems.push_back(
             fmt::format("{}: the pixels are not those that were baked (their hash differs from the "
-                        "manifest)",
+                        "hash in the manifest)",
                         file.path));
     } catch (const InputError& error) {
         problems.emplace_back(error.what());

@@ -108,7 +108,7 @@ TEST(Verify, ReportsMissingDamagedAndChangedFiles) {
     EXPECT_NE(found.problems[1].find("id.0002.png': malformed PNG"), std::string::npos);
     EXPECT_EQ(found.problems[2],
               "albedo.0003.png: the pixels are not those that were baked (their hash differs from "
-              "the manifest)");
+              "the hash in the manifest)");
 }
 
 // A PNG with another compression and other texts has the same pixels.
