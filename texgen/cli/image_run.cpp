@@ -52,7 +52,7 @@ void note_clipped(const BakeSummary& summary, const Preset& preset) {
         if (numbers.extent.clipped > 0.0) {
             print_stderr(
                 "foamtex: {}: up to {:.3g} % of the samples of a file are outside of {:g} "
-                "to {:g} and were clipped; the numbers are from {:.3g} to {:.3g}: {} {}\n",
+                "to {:g} and were clipped; the numbers are from {:.3g} to {:.3g}; {} {}\n",
                 numbers.map->name,
                 100.0 * numbers.extent.clipped,
                 numbers.range[0],

@@ -16,7 +16,7 @@ class PhaseClock {
   public:
     using Clock = std::chrono::steady_clock;
 
-    /// What a report changes.
+    /// The news that a report brings: nothing new, new units of the phase, or a new phase.
     enum class News { Nothing, Units, NewPhase };
 
     /// Takes a report that was made at the given time. Precondition: times do not decrease.

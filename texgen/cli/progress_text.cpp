@@ -21,7 +21,7 @@ struct PhaseWords {
     std::string_view text;  // for users; the numbers of units follow
 };
 
-// In the order of Phase.
+// The words for all phases, in the order of Phase.
 constexpr std::array<PhaseWords, 10> kPhaseWords{{
     {"seeding", "placing the bubbles"},
     {"equilibrium", "finding the first equilibrium"},

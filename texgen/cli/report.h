@@ -17,7 +17,7 @@ namespace foam::texgen {
 /// Prints the paths of files on stdout, one per line.
 void print_files(std::span<const std::filesystem::path> files);
 
-/// If no charts were drawn, prints on stderr why, and the command that draws them.
+/// If no charts were drawn, prints on stderr the reason and the command that draws them.
 void note_missing_charts(const StatisticsFiles& statistics);
 
 /// Prints a note on stderr if the states of a cache were simulated by another version of foamtex.

@@ -19,16 +19,17 @@ enum class Resume { No, Yes };
 /// frame has been simulated, repeatedly while files are written, and at the end of the bake. It is
 /// also written if the bake fails, unless the bake throws an exception before the first frame has
 /// been simulated. Of the files of this bake, the manifest lists only those that have been written
-/// or kept. With Resume::Yes, the files of the frames that existing_frames_of returns are kept. The
-/// frames of these files are simulated nevertheless, unless all requested frames exist and
-/// `callbacks.on_frame` is empty. Returns the summary of the bake, including the files that were
-/// kept.
+/// or kept. With Resume::Yes, the files of the frames that existing_frames_of returns are kept.
+/// These frames are still requested from their source, usually the simulation, unless all requested
+/// frames exist and `callbacks.on_frame` is empty. Returns the summary of the bake, including the
+/// files that were kept.
 ///
-/// Before the bake, automatic ranges of maps are fitted to BakeOptions::sequence, unless all files
-/// exist. If this sequence is not the whole animation, as in a cache of some of its frames, the
-/// ranges are recorded as numbers, so that the images belong to a set of their own.
+/// Before the bake, automatic ranges of maps are fitted to BakeOptions::sequence. If this sequence
+/// is the whole animation and all files exist, nothing is fitted. If it is not the whole animation,
+/// as in a cache of some frames, the ranges are recorded as numbers, so that the images belong to a
+/// set of their own.
 ///
-/// Throws the exceptions of check_bake before anything is simulated, those of bake and
+/// Throws the exceptions of check_bake before anything is simulated, the exceptions of bake and
 /// update_manifest, OutputError if the manifest cannot be written into its folder, and InputError
 /// if a frame of the sequence is missing in a cache.
 BakeSummary bake_recorded(const Preset& given,

@@ -21,8 +21,8 @@ inline constexpr MapTraits kNormalMap = {
     .mixing = Mixing::Slopes,
     .shows_relief = true};
 
-/// Returns the traits of a map like normal whose y has a fixed direction, so that one bake can have
-/// both directions.
+/// Returns the traits of a map that differs from the map normal in one respect: its y has a fixed
+/// direction. One bake can draw both of these maps and thus have normals of both directions.
 constexpr MapTraits fixed_normal_traits(std::string_view name, std::string_view meaning) {
     MapTraits traits = kNormalMap;
     traits.name = name;

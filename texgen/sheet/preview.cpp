@@ -100,9 +100,9 @@ Bytes animation(const std::vector<Codes>& frames,
     return muxer.finish();
 }
 
-// Returns the first baked map of colors. If there is none, returns the first map of numbers. If
-// there is none of these either, returns the first map of kind "id", which the class Previews
-// rejects.
+// Returns the first baked map of colors. If there is none, returns the first baked map of numbers.
+// If there is no map of numbers either, returns the first baked map of kind "id", which the class
+// Previews rejects.
 std::string default_map(const BakedSet& set) {
     for (const std::string_view kind : {"color", "number", "id"}) {
         for (const ManifestMap& map : set.maps) {
