@@ -41,16 +41,17 @@ Keys<AlbedoOptions> bubble_keys() {
         key("color_by",
             kColorBys,
             "what determines the color of a bubble: its pressure, its area (the mean area has the "
-            "middle color), its number of sides (3 to 9), or a random value that it keeps",
+            "middle color), its number of sides (3 to 9), or a random value that it keeps for life",
             &Options::color_by),
         colormap_key(),
         key("colors",
             ColorLists{},
-            "custom colors from first to last; replace an albedo.colormap that was set before",
+            "list of colors from the start to the end of the scale; replaces an albedo.colormap "
+            "that was set before",
             &Options::colors),
         key("color_mix",
             kColorMixes,
-            "blend interpolates between custom colors, pick uses only the colors themselves",
+            "blend interpolates between albedo.colors; pick uses only these colors themselves",
             &Options::color_mix),
         key("variation",
             kFractions,
@@ -67,8 +68,8 @@ Keys<AlbedoOptions> bubble_keys() {
             .in("film tension / sqrt(mean area), selected by albedo.pressure_unit"),
         key("pressure_unit",
             kPressureUnits,
-            "unit of pressures, film tension / sqrt(mean area), with the mean area of the seeded "
-            "foam or of this frame",
+            "unit of both pressures: film tension / sqrt(mean area), with the mean area of the "
+            "seeded foam (seed) or of the drawn frame (current)",
             &Options::pressure_unit),
         key("shade_color", Colors{}, "sRGB color of the shade beside films", &Options::shade_color),
         key("shade_width",
@@ -101,8 +102,8 @@ Keys<AlbedoOptions> film_keys() {
             &Options::film_unit),
         key("film_profile",
             kFilmProfiles,
-            "films of constant width, or wider where they meet, which gives bubbles rounded "
-            "corners",
+            "even: films of constant width; wet: films that are wider where they meet, which gives "
+            "bubbles rounded corners",
             &Options::film_profile)};
 }
 

@@ -53,7 +53,7 @@ struct AlbedoOptions {
     double pressure_high = 0.5;  // pressure at the end of the scale, the same in all frames
     PressureUnit pressure_unit = PressureUnit::Current;  // unit of both pressures
     std::string film_color = "#ffffff";                  // sRGB
-    double film_width = 2.0;  // full width of a film, centered on its arc; 0 draws no even films
+    double film_width = 2.0;  // full width of a film, centered on its arc; 0 draws no films
     WidthUnit film_unit = WidthUnit::Pixels;
     FilmProfile film_profile = FilmProfile::Even;
     std::string shade_color = "#000000";  // sRGB; mixed into bubbles beside films

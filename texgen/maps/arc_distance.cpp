@@ -128,7 +128,7 @@ void limit(ArcDistances& distances, double reach) {
 
 NearestOnArc nearest_on_arc(const PixelArc& arc, const Vec2& point) {
     // The nearest point is an inner point of the arc if the given point is between the normals at
-    // both ends. This test is a test of two half-planes. It holds only for arcs that turn by a
+    // both ends, which is a test of two half-planes. The test is valid only for arcs that turn by a
     // small angle (ArcLanes::kMinCosine), so other arcs are halved first.
     if (arc.cosine < ArcLanes::kMinCosine) {
         const auto [first, second] = halves(arc);

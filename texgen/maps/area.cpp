@@ -7,16 +7,17 @@
 namespace foam::texgen {
 
 Keys<AreaOptions> area_keys() {
-    return {key("unit",
-                kMeanBubbles,
-                "unit of areas: mean area of the seeded foam or of this frame",
-                &AreaOptions::unit),
-            key("full",
-                RealsOrAuto{1e-3, 1e6},
-                "area that a PNG stores as its largest code, in the unit area.unit; \"auto\" fits "
-                "the whole animation",
-                &AreaOptions::full)
-                .in("mean bubble areas, selected by area.unit")};
+    return {
+        key("unit",
+            kMeanBubbles,
+            "unit of areas: mean area of the seeded foam (seed) or of the drawn frame (current)",
+            &AreaOptions::unit),
+        key("full",
+            RealsOrAuto{1e-3, 1e6},
+            "area that a PNG stores as its largest code, in the unit area.unit; \"auto\" fits the "
+            "whole animation",
+            &AreaOptions::full)
+            .in("mean bubble areas, selected by area.unit")};
 }
 
 NumberPixels draw_area(FrameLayers& layers, const AreaOptions& options) {

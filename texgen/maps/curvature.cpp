@@ -31,7 +31,7 @@ Keys<CurvatureOptions> curvature_keys() {
                 .in(kReliefDiameters),
             key("full",
                 RealsOrAuto{1e-6, 1e6},
-                "curvature that a PNG stores as its largest code; the negative of it is code 0; "
+                "curvature that a PNG stores as its largest code; code 0 stands for its negative; "
                 "\"auto\" fits the whole animation",
                 &CurvatureOptions::full)
                 .in("per mean bubble diameter, selected by relief.mean_bubble")};

@@ -19,7 +19,7 @@ struct RecordedEvent {
 
 /// The values of a bubble by which maps choose its color or tone.
 struct BubbleValues {
-    double pressure = 0.0;  // divided by the film tension, per foam unit
+    double pressure = 0.0;  // pressure / film tension, in 1 / foam unit
     double area = 0.0;      // within the arcs of the bubble, square foam units
     double sides = 0.0;     // number of films around the bubble
 
@@ -49,11 +49,12 @@ inline constexpr int kRecordedFrames = 100;
 struct FoamRecord {
     /// The number of the frame to which the record belongs; the first frame is 1.
     int frame = 1;
-    /// The pressures of all bubbles in the equilibrium at the end of the warm-up, in increasing
-    /// order and in units of PressureUnit::Current: divided by the film tension and multiplied by
-    /// the square root of the mean area. The map `pressure` takes percentiles and ranks from this
-    /// list for all frames, which prevents flicker. The list is empty before this equilibrium, for
-    /// example in a frame 1 that shows the raw diagram.
+    /// The pressures of all bubbles in the equilibrium at the end of the warm-up (the time that is
+    /// simulated before frame 1, FramesOptions::warm_up), in increasing order and in units of
+    /// PressureUnit::Current: divided by the film tension and multiplied by the square root of the
+    /// mean area. The map `pressure` takes percentiles and ranks from this list for all frames,
+    /// which prevents flicker. The list is empty before this equilibrium, for example in a frame 1
+    /// that shows the raw diagram.
     std::vector<double> first_pressures{};
     /// The foam time of the birth of each bubble, indexed by the bubble's identity. A bubble born
     /// between two frames has the time of the earlier frame. Seeded bubbles, and bubbles born

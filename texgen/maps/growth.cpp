@@ -28,8 +28,8 @@ std::unordered_map<BubbleIdentity, double> areas_of(const Frame& frame) {
 Keys<GrowthOptions> growth_keys() {
     return {key("full",
                 RealsOrAuto{1e-9, 1e6},
-                "growth that a PNG stores as its largest code, in area per foam time; the negative "
-                "of it is code 0; \"auto\" fits the whole animation",
+                "growth rate that a PNG stores as its largest code, in square foam units per foam "
+                "time; code 0 stands for its negative; \"auto\" fits the whole animation",
                 &GrowthOptions::full)
                 .in("square foam units per foam time")};
 }

@@ -25,7 +25,7 @@ inline constexpr MapTraits kMazeSolutionMap = {.name = "maze_solution",
                                                .png_filter = PngFilter::Up};
 
 struct MazeOptions {
-    double chance = 0.4;       // weight of chance in the choice of openings; the rest is pressure
+    double chance = 0.4;       // weight of chance in the choice of openings; pressure has the rest
     std::int64_t seed = 1;     // seed of the random choices
     double loops = 0.0;        // fraction (0 to 1) of the walls that are opened in addition
     double wall_width = 0.22;  // full width of walls, in diameters of a seeded mean bubble

@@ -12,13 +12,14 @@ namespace foam::texgen {
 
 /// The parameters with which a maze is built from a foam.
 struct MazeRule {
-    double chance = 0.4;    // weight of chance in the choice of openings; the rest is pressure
+    double chance = 0.4;    // weight of chance in the choice of openings; pressure has the rest
     std::int64_t seed = 1;  // seed of the random numbers
     double loops =
         0.0;  // fraction (0 to 1) of the walls between bubbles that are opened in addition
-    double narrow = 0.0;  // a length in foam units. A film is narrow if it is shorter, or if a
-                          // bubble beside it has a smaller area than a circle of this diameter.
-                          // Narrow films are opened only after all other films.
+    // A length in foam units. A film is narrow if it is shorter than this length, or if a bubble
+    // beside it has a smaller area than a circle with this diameter. Narrow films are opened only
+    // after all other films.
+    double narrow = 0.0;
 
     friend bool operator<(const MazeRule& a, const MazeRule& b) {
         return std::tie(a.chance, a.seed, a.loops, a.narrow) <

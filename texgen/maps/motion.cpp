@@ -197,7 +197,7 @@ Keys<MotionOptions> motion_keys() {
             key("multiplier",
                 RealsOrAuto{1e-6, 10.0},
                 "motion that a PNG stores as its largest code, as a fraction of the image width; "
-                "the negative of it is code 0; \"auto\" fits the whole animation",
+                "code 0 stands for its negative; \"auto\" fits the whole animation",
                 &MotionOptions::multiplier)
                 .in("fraction of the image width")};
 }

@@ -152,9 +152,9 @@ Keys<PressureOptions> pressure_keys() {
         key("scaling",
             kScalings,
             "how pressures become tones: by the fixed range low to high; by percentiles or by rank "
-            "among the pressures at the end of the warm-up (if pressures are smoothed or "
-            "flattened, among those of the frame); or by the share of the frame's area in which "
-            "the pressure is lower",
+            "among the pressures at the end of the warm-up (frames.warm_up) or, if pressures are "
+            "smoothed or flattened, among the pressures of the frame; or by the share of the "
+            "frame's area in which the pressure is lower",
             &Options::scaling),
         key("percentile",
             Reals{0.0, 49.0},

@@ -15,13 +15,14 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr double kSharpest = 0.01;     // softness of an edge that looks sharp
+constexpr double kSharpest = 0.01;     // smallest softness of an edge; it looks sharp
 constexpr double kSecondWindow = 0.4;  // brightness of a window relative to the one before it
 // Half the width of the transition from the sky to the ground, as the sine of an elevation.
 constexpr double kHaze = 0.12;
 constexpr int kSkyPower = 4;  // exponent by which the sky darkens from the horizon to the zenith
 
-// Returns 1 up to 1 - softness, 0 from 1 + softness on, and a smooth transition between them.
+// Returns 1 if x is at most 1 - softness, 0 if x is at least 1 + softness, and a smooth transition
+// in between.
 double soft_edge(double x, double softness) {
     return smooth_step(std::clamp((1.0 + softness - x) / (2.0 * softness), 0.0, 1.0));
 }

@@ -24,7 +24,7 @@ struct ReflectionOptions {
 
 Keys<ReflectionOptions> reflection_keys();
 
-/// A direction of length 1: right, up, towards the viewer.
+/// A direction: a vector of length 1 with the components right, up, and towards the viewer.
 using Direction = Eigen::Vector3d;
 
 /// Returns the direction with the given azimuth and elevation in degrees (maps/lit.h).

@@ -31,8 +31,8 @@ class Relief {
     /// `reach` is in units of the section (ReliefSection). Distances above it from the walls of a
     /// maze are infinite. It has no effect on other reliefs.
     Relief(FrameLayers& layers, const ReliefSource& source, double reach);
-    /// The reach of a relief of which only heights and slopes are used: beyond the foot of ridges
-    /// and of Plateau borders, the relief is flat.
+    /// The `reach` that suffices if only heights and slopes are used, because the relief is flat
+    /// beyond the foot of ridges and of Plateau borders.
     static constexpr double kFoot = 1.0;
 
     Relief(const Relief&) = delete;

@@ -22,8 +22,8 @@ Keys<RoughnessOptions> roughness_keys() {
                 &RoughnessOptions::film),
             key("variation",
                 kFractions,
-                "every bubble has a roughness of its own, in a range of this width around "
-                "roughness.cell",
+                "width of the range around roughness.cell in which every bubble has a roughness of "
+                "its own",
                 &RoughnessOptions::variation)};
 }
 

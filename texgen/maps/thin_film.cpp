@@ -218,7 +218,7 @@ Keys<ThinFilmOptions> thin_film_keys() {
                 .in("nanometers"),
             key("variation",
                 Reals{0.0, 2.0},
-                "range of the thickness among bubbles, as a fraction of the thickness",
+                "width of the range of thicknesses among bubbles, as a fraction of the thickness",
                 &ThinFilmOptions::variation)
                 .in("fraction of the thickness"),
             key("drainage",
