@@ -24,8 +24,8 @@ class History {
     /// Removes all events from the record.
     void forget_events() { record_.events.clear(); }
 
-    /// Adds `frames` to the frame numbers of all recorded events. Used between the cycles of a
-    /// loop, because frame numbers start again in each cycle.
+    /// Adds `frames` to the frame numbers of all recorded events. This is needed between the cycles
+    /// of a loop, because frame numbers start again in each cycle.
     void renumber(int frames);
 
     /// Records the foam's pressures, which define the pressure scale of all frames
@@ -36,9 +36,10 @@ class History {
     /// frame. Does nothing if `smoothing` is 0.
     void average_values(const Foam& foam);
 
-    /// Replaces the averages by those after infinitely many cycles of a loop, which do not depend
-    /// on what happened before. `start` is the record before the last cycle, which had the given
-    /// number of frames. Precondition: the bubbles are the same at the start and at the end.
+    /// Replaces the averages by the averages after infinitely many cycles of a loop, which do not
+    /// depend on what happened before the loop. `start` is the record before the last cycle, which
+    /// had the given number of frames. Precondition: the foam has the same bubbles at the start and
+    /// at the end of this cycle.
     void close_averages(const FoamRecord& start, int frames);
 
     const FoamRecord& record() const { return record_; }

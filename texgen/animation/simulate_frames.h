@@ -42,8 +42,8 @@ FrameSource simulation_of(const Preset& preset, int threads);
 
 /// Simulates a preset from its seed to the last of the given states and calls `on_state` for each
 /// of them. The FrameEffort of a state covers the steps since the previous given state, or since
-/// the seed. `on_progress` is called as by a FrameSource. Precondition: `states` is in increasing
-/// order.
+/// the seed. `on_progress` receives the same reports as from a FrameSource. Precondition: `states`
+/// is in increasing order.
 RunOutcome simulate_states(const Preset& preset,
                            int threads,
                            const std::vector<int>& states,
@@ -52,7 +52,7 @@ RunOutcome simulate_states(const Preset& preset,
 
 /// Simulates a preset from its seed until all states that the frames with the given numbers need
 /// are computed. Calls `on_frame` for each frame as soon as the states that it needs exist
-/// (FrameAssembly). `on_progress` is called as by a FrameSource.
+/// (FrameAssembly). `on_progress` receives the same reports as from a FrameSource.
 RunOutcome simulate_frames(const Preset& preset,
                            int threads,
                            const std::vector<int>& numbers,

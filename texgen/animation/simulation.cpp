@@ -12,10 +12,10 @@
 #include <utility>
 #include <vector>
 
-// Before frame 1 the foam is seeded, equilibrated and warmed up (with FirstFrame::Diagram,
-// equilibrated and warmed up before frame 2). Every further frame is one step
-// (core/dynamics/step.h): gas diffuses while the changes of the timeline are imposed. Loops differ
-// from this sequence as follows:
+// Before frame 1 the foam is seeded, equilibrated and warmed up, that is, simulated for the time
+// FramesOptions::warm_up. (With FirstFrame::Diagram it is equilibrated and warmed up before frame
+// 2.) Every further frame is one step (core/dynamics/step.h): gas diffuses while the changes of the
+// timeline are imposed. Loops differ from this sequence as follows:
 // - breathe, shear, boil: a periodic change without diffusion (core/dynamics/cycle.h). Cycles run
 //   before frame 1 until the closing error of one cycle (of two cycles in a row in a boil) is below
 //   kClosed; the frames are the steps of the next cycle.

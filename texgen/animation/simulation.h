@@ -24,14 +24,14 @@ class Simulation {
     /// 1: Equilibrium, WarmUp and LoopClosing. Throws the exceptions of seeded_foam.
     explicit Simulation(const Preset& preset, int threads = 0, ProgressCallback on_progress = {});
 
-    /// Advances to the next frame. Before frame 1, the foam is equilibrated and warmed up; if frame
-    /// 1 shows the raw diagram (FirstFrame::Diagram), this happens before frame 2. Before frame 1
-    /// of a breathe, shear or boil loop, cycles are run until the loop closes. Each later frame
-    /// takes one time step with the events of the preset. In a breathe, shear or boil loop it takes
-    /// one step of the cycle instead, and in a drift loop no step. In a flow, new bubbles replace
-    /// bubbles that have vanished, also in the warm-up. Returns false if no equilibrium is found or
-    /// the loop does not close; the foam must not be used after that. Rethrows the exceptions of
-    /// the callback.
+    /// Advances to the next frame. Before frame 1, the foam is equilibrated and warmed up, that is,
+    /// simulated for the time FramesOptions::warm_up; if frame 1 shows the raw diagram
+    /// (FirstFrame::Diagram), this happens before frame 2. Before frame 1 of a breathe, shear or
+    /// boil loop, cycles are run until the loop closes. Each later frame takes one time step with
+    /// the events of the preset. In a breathe, shear or boil loop it takes one step of the cycle
+    /// instead, and in a drift loop no step. In a flow, new bubbles replace bubbles that have
+    /// vanished, also in the warm-up. Returns false if no equilibrium is found or the loop does not
+    /// close; the foam must not be used after that. Rethrows the exceptions of the callback.
     bool advance();
 
     /// Returns the frame that was reached, as images show it (display_transform.h).

@@ -53,8 +53,8 @@ struct BakedFrame {
 /// Callbacks of a running bake; each may be empty. `on_frame` is called for each frame before it is
 /// drawn or kept, in the order of simulate_frames. `on_baked` is called after a frame has been
 /// written, in any order of frames, by one thread at a time. `on_progress` receives all phases up
-/// to Frames, which counts written frames. Both may be called while `on_frame` runs, from another
-/// thread.
+/// to Frames, which counts written frames. `on_baked` and `on_progress` may be called from another
+/// thread while `on_frame` runs.
 struct BakeCallbacks {
     ProgressCallback on_progress = {};
     FrameVisitor on_frame = {};

@@ -51,7 +51,7 @@ std::map<int, std::filesystem::path> existing_sequence(const FilePattern& patter
     namespace fs = std::filesystem;
     std::map<int, fs::path> files;
     const fs::path folder = pattern.folder({});
-    // If a folder has the frame number in its name, the files are below `folder`.
+    // If the name of a folder contains the frame number, the files are in subfolders of `folder`.
     const bool is_flat = file_of_frame(pattern, 1).parent_path() == folder;
     std::error_code missing;
     fs::recursive_directory_iterator entry(folder.empty() ? "." : folder, missing);

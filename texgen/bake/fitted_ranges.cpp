@@ -84,7 +84,7 @@ class RangeMeter {
   private:
     void measure_state(const DrawnState& state, std::optional<View> view) {
         if (state.frame->bubbles.size() == 0 && state.frame->lone_bubbles.empty()) {
-            return;  // no number belongs to the foam
+            return;  // without bubbles there is nothing to measure
         }
         if (view) {
             view->pixels_per_unit /= reduction_;

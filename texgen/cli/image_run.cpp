@@ -46,7 +46,7 @@ void print_images(const Preset& preset,
     }
 }
 
-/// Prints a note for each map of which samples were clipped.
+/// Prints a note for each map that has clipped samples.
 void note_clipped(const BakeSummary& summary, const Preset& preset) {
     for (const WrittenNumbers& numbers : summary.numbers) {
         if (numbers.extent.clipped > 0.0) {

@@ -27,8 +27,9 @@ std::vector<ChosenBubble> choose_bubbles(const EventBase& event,
                                          std::size_t count);
 
 /// Rejects an event that has more than one of the keys bubble, at and sides, which choose bubbles.
-/// Also rejects an event that has none of them, unless `may_choose_all` is true, an event that has
-/// the key count without the key sides, and an event with an identity that no bubble can have.
+/// Unless `may_choose_all` is true, also rejects an event that has none of these keys. Also rejects
+/// an event that has the key count without the key sides, and an event with an identity that no
+/// bubble can have.
 void check_choice(const EventCheck& check, bool may_choose_all);
 
 }  // namespace foam::texgen

@@ -13,8 +13,8 @@ enum class NucleationSite { Junction, Film };
 
 /// Creates a bubble with the given target area on the junction or film nearest to a point. Returns
 /// nullopt, and leaves the foam unchanged, if the point is in no bubble of the network, or if the
-/// bubbles around the junction or film have too little gas (nucleation.h). Precondition: the target
-/// area is positive.
+/// bubbles around the junction or film have too little gas (core/dynamics/nucleation.h).
+/// Precondition: the target area is positive.
 std::optional<BubbleId> nucleate_near(NucleationSite on,
                                       const Vec2& point,
                                       double area,

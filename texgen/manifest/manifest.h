@@ -108,7 +108,8 @@ struct BakedSet {
     std::vector<ManifestMap> maps;
     std::vector<ManifestFile> files;                // sorted by frame, then in the order of `maps`
     std::vector<FrameStatistics> frame_statistics;  // sorted by frame
-    std::string failure;  // why the last bake ended early; empty if it did not or if complete()
+    // Why the last bake ended early; empty if it did not end early, or if complete().
+    std::string failure;
 
     /// Returns true if every map has a file of each of its requested frames.
     bool complete() const;

@@ -20,7 +20,7 @@ struct FramesOptions {
     FirstFrame first = FirstFrame::Equilibrium;
     double time_step = 1.0;    // foam time of the step to frame 2
     double step_growth = 1.0;  // quotient of each time step and the preceding time step
-    double warm_up = 0.0;      // foam time of the warm-up, which precedes the first time step
+    double warm_up = 0.0;      // foam time that is simulated before the first time step (warm-up)
     // The number of frames by which colors lag behind the foam: they show averages of pressures,
     // areas and numbers of sides over about this many frames (RecentAverages). With 0, they show
     // present values.

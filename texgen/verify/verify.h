@@ -32,7 +32,8 @@ struct VerifiedMap {
     int tile_frame = 0;  // the frame with the largest step across this seam; 0 without `tile`
     std::optional<Seam> loop;
     // The numbers in the files of the map, and the largest fraction of a file that is clipped, as
-    // the manifest records them; nullopt if it does not. Clipped samples are no problem.
+    // the manifest records them; nullopt if the manifest does not record them. Clipped samples do
+    // not count as a problem.
     std::optional<NumberExtent> numbers{};
 
     /// Returns true if the ratio of `tile` is at most kLargestTileRatio and the ratio of `loop` is

@@ -31,7 +31,8 @@ TEST(SimulateCommand, ReplacesTheCacheOfAnotherFoamOnlyIfForced) {
     EXPECT_EQ(run_program(kSmall + cache + "--set albedo.film_width=2").code, 0);
     const Outcome other = run_program(kSmall + cache + "--seed 5");
     EXPECT_EQ(other.code, 2);
-    EXPECT_NE(other.err.find("has another foam of the preset sea_foam: "), std::string::npos);
+    EXPECT_NE(other.err.find("contains a different foam of the preset sea_foam: "),
+              std::string::npos);
     EXPECT_NE(other.err.find("foam.seed"), std::string::npos) << other.err;
     EXPECT_EQ(run_program(kSmall + cache + "--seed 5 --force").code, 0);
 }
