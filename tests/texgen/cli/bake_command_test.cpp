@@ -88,7 +88,7 @@ TEST(BakeCommand, NotesClippedSamples) {
     const Outcome clipped = run_program(loud + "0.001");
     EXPECT_EQ(clipped.code, 0);
     EXPECT_TRUE(clipped.err.starts_with("foamtex: height: up to ")) << clipped.err;
-    EXPECT_TRUE(clipped.err.ends_with(": raise height.full\n")) << clipped.err;
+    EXPECT_TRUE(clipped.err.ends_with("; raise height.full\n")) << clipped.err;
 }
 
 TEST(BakeCommand, NotesEventsThatNeverHappen) {
