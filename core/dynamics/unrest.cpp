@@ -4,10 +4,11 @@
 
 #include <algorithm>
 
-// A T1 that is not undone within a cycle usually changes the foam only once. Where neighbors change
+// A T1 that is not undone by the end of its cycle is usually a single lasting change: in the
+// following cycles, the neighbors are the same at the end of each cycle. Where neighbors change
 // again and again, the foam does not reach a periodic state, or its period is several cycles. With
-// the constants below, a bubble is restless if its neighbors changed twice at most four cycles
-// apart, or change in every fifth cycle.
+// the constants below, a bubble is restless if two changes of its neighbors are not more than four
+// cycles apart, or if its neighbors change in every fifth cycle.
 
 namespace foam {
 

@@ -69,9 +69,10 @@ OuterFilmMatrix outer_film_matrix(const Vec2& d, double delta, const BulgeEnergy
 
 // Adds one block of a film's matrix to `values`. The block has the rows of the first node of the
 // pair and the columns of the second node. `values` points to the first value of the block in the
-// Hessian. `stride` is FilmSlots::strides[b] for the second node b. `is_own` is true if both
-// nodes of the film are the same node of the Hessian: if a = b, or if a film begins and ends at the
-// same junction of a torus. Only the lower triangle of the block is then added.
+// Hessian. `stride` is FilmSlots::strides[b] for the second node b. `is_own` is true if the two
+// nodes of the pair are the same node of the Hessian: if a = b, or if they are the tail and the
+// head of a film that begins and ends at the same junction of a torus. The block is then on the
+// diagonal of the Hessian, and only its lower triangle is added.
 template <class Matrix>
 void add_block(
     double* values, int stride, const Matrix& film, std::array<std::size_t, 2> pair, bool is_own) {
@@ -211,7 +212,8 @@ Hessian::FilmSlots Hessian::slots_of(const NodePattern& pattern, const FilmNodes
             continue;
         }
         const int* column = matrix_.outerIndexPtr() + first_row_of(nodes[b]);
-        slots.strides[b] = column[1] - column[0] - 1;  // column 2 begins one row lower
+        // The second column of a node of two rows begins one row lower than the first column.
+        slots.strides[b] = column[1] - column[0] - 1;
         for (std::size_t a = 0; a < kMaxNodes; ++a) {
             if (nodes[a] >= nodes[b]) {
                 slots.blocks[kMaxNodes * b + a] =

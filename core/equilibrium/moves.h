@@ -32,12 +32,14 @@ void set_state(Foam& foam,
 /// Moves the free junctions back into the fundamental cell of the torus.
 void wrap(Foam& foam, const Unknowns& unknowns);
 
-/// Returns the largest fraction, up to 1, of a change of a film's chord that may be made. This part
-/// of the change must stay within two limits. Along the chord, it may shorten the chord by at most
-/// `largest` times the chord length; lengthening is not limited. Across the chord, it may move the
-/// two ends relative to each other by at most `largest` times a reference length: the chord length
-/// or, if the whole change lengthens the chord, the chord length plus the component of the whole
-/// change along the chord. Returns 1 for a chord of no length.
+/// Returns the largest fraction, up to 1, of a change of a film's chord for which the vector
+/// fraction * change meets two limits:
+/// - Its component along the chord shortens the chord by at most `largest` times the chord length.
+///   Lengthening is not limited.
+/// - Its component across the chord is at most `largest` times a reference length.
+///
+/// The reference length is the chord length. If the change lengthens the chord, the component of
+/// `change` along the chord is added to the reference length. Returns 1 for a chord of length 0.
 double allowed_fraction(const Vec2& chord, const Vec2& change, double largest);
 
 /// Limits the relative motion of the two ends of each film to its allowed fraction

@@ -30,7 +30,7 @@ class PhaseClock {
     /// units since the first report, and over all units since the second one. The first mean is too
     /// small if a unit began before the first report, as the first frame of a simulation does. The
     /// second mean is too small if several threads finish their first units at the same time.
-    /// Returns nullopt before the third report of new units.
+    /// Returns nullopt until two reports of new units have followed the first report.
     std::optional<double> seconds_per_unit() const;
 
     /// Returns the estimated time until the phase ends, in seconds. Returns nullopt before

@@ -30,9 +30,9 @@ using DrivenSchedules = std::map<BubbleIdentity, DrivenSchedule>;
 /// lower left corner of the image.
 Vec2 point_in_view(const View& view, const Vec2& size, const std::array<double, 2>& position);
 
-/// The arguments of the effect of an event on the step that leads to a frame. The foam is in
-/// equilibrium, and the step has not begun. The event adds changes to impose during this step and
-/// later ones. It may also change the foam directly.
+/// The data that an event receives before each step that leads to one of its frames
+/// (EventKind::advance). The foam is in equilibrium, and the step has not begun. The event adds
+/// changes to impose during this step and later ones. It may also change the foam directly.
 struct EventContext {
     int frame = 0;  // the frame at the end of the step
     Foam& foam;

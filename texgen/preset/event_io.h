@@ -15,9 +15,10 @@ namespace foam::texgen {
 /// malformed keys of events, such as "event" or event.kind.
 bool is_event_key(std::string_view key);
 
-/// Stores the value of a key of an event in the preset. An assignment of the table event[n] adds
-/// the n-th event. Throws PresetError if the key is malformed or unknown, if the event does not
-/// exist, or if the value is not allowed.
+/// Stores the value of a key of an event in the preset. If the assignment stands for the n-th table
+/// [[event]] itself (its key is event[n], its value a Value::Table), adds the n-th event. Throws
+/// PresetError if the key is malformed or unknown, if the event does not exist, or if the value is
+/// not allowed.
 void assign_event(Preset& preset, const Assignment& assignment);
 
 /// Checks that each event of a preset has a kind, has frames or a time, has only keys of its kind,
