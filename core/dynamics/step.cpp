@@ -24,9 +24,9 @@ namespace {
 
 // A bubble whose target area is at most this many T2 areas may lose all its area in one substep.
 constexpr double kVanishingAreas = 4.0;
-// Smallest fraction of a step to which the imposed change of areas may limit a substep. This
-// constant bounds the number of substeps if the change is impossible, for example if every bubble
-// is to shrink.
+// The imposed change of areas never limits a substep to less than this fraction of the step. This
+// bounds the number of substeps if the change is impossible, for example if every bubble is to
+// shrink.
 constexpr double kMinSubstepFraction = 0.01;
 constexpr double kLargestStrain = 0.05;  // largest strain of one substep
 

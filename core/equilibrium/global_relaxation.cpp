@@ -19,9 +19,9 @@ constexpr int kMaxFurtherPasses = 10;  // largest number of passes after the fir
 // Returns true if the foam is a patch with a large error for which find_defect_regions returns no
 // region. Either the regions would contain more than DefectOptions::largest_fraction of the
 // bubbles, or there is no defect, because the large error is an error of Laplace-Young's law at an
-// outer film, which is not a defect. Returns false for a torus. If the result were true,
-// relax_globally would reset the pressures of the torus, and several resets in one equilibration
-// would collapse its two-sided bubbles.
+// outer film, which is not a defect. Always returns false for a torus, so that relax_globally does
+// not reset the pressures for this reason: several resets in one equilibration would collapse the
+// two-sided bubbles of the torus.
 bool is_patch_far_from_equilibrium(const Foam& foam, int threads) {
     if (!foam.domain.is_plane()) {
         return false;

@@ -17,10 +17,10 @@ namespace foam {
 
 // Blocked nonlinear Gauss-Seidel (paper section 4.1): the blocks of all junctions are solved one
 // after another. Each block starts from the state after the block before it. In colored order,
-// junctions of one color share no bubble. The blocks of one color are solved in parallel, and their
-// changes are then applied in the order of the junctions. The paper mentions colored order as
-// future work, with the colors red and black. The limit on the size of a step (largest_change) is
-// not in the paper.
+// junctions of one color share no bubble except the ghost. The blocks of one color are solved in
+// parallel, and their changes are then applied in the order of the junctions. The paper mentions
+// colored order as future work, with the colors red and black. The limit on the size of a step
+// (largest_change) is not in the paper.
 
 namespace {
 

@@ -20,7 +20,7 @@ enum class Phase {
     Frames,       // simulates, draws or measures the frames of the run; counts frames
     Files,        // verifies files; counts files
     Sheets,       // joins frames into sheets; counts frames, once for each map
-    Previews,     // makes previews; counts pictures that are reduced or encoded
+    Previews,     // makes previews; counts pictures that are reduced or encoded, and files
 };
 
 /// The progress of a run in its present phase.

@@ -16,7 +16,8 @@ class PhaseClock {
   public:
     using Clock = std::chrono::steady_clock;
 
-    /// The news that a report brings: nothing new, new units of the phase, or a new phase.
+    /// The news that a report brings: nothing new, new units (or a new cycle) of the phase, or a
+    /// new phase.
     enum class News { Nothing, Units, NewPhase };
 
     /// Takes a report that was made at the given time. Precondition: times do not decrease.
@@ -27,10 +28,11 @@ class PhaseClock {
     double seconds_in_phase() const;
 
     /// Returns the seconds per unit of the present phase. It is the larger of two means: over all
-    /// units since the first report, and over all units since the second one. The first mean is too
-    /// small if a unit began before the first report, as the first frame of a simulation does. The
-    /// second mean is too small if several threads finish their first units at the same time.
-    /// Returns nullopt until two reports of new units have followed the first report.
+    /// units since the first report of the phase, and over all units since the next report of new
+    /// units. The first mean is too small if a unit began before the first report, as the first
+    /// frame of a simulation does. The second mean is too small if several threads finish their
+    /// first units at the same time. Returns nullopt until two reports of new units have followed
+    /// the first report.
     std::optional<double> seconds_per_unit() const;
 
     /// Returns the estimated time until the phase ends, in seconds. Returns nullopt before
@@ -46,7 +48,8 @@ class PhaseClock {
 
     std::optional<RunProgress> latest_;
     Clock::time_point now_{};
-    std::vector<Mark> marks_;  // the first two reports and the last report with new units
+    // The first report of the phase, the next report of new units, and the last one.
+    std::vector<Mark> marks_;
 };
 
 /// Returns true for the phases before Ranges, which prepare the first frame.

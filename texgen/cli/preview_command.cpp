@@ -156,11 +156,15 @@ ExitCode run_preview(const PreviewArguments& arguments) {
 void add_choices(CLI::App& command, PreviewArguments& arguments) {
     command.get_option("PRESET")->description(
         "Name of a shipped preset, a .toml file, or a folder with baked images");
-    add_maps_option(command, arguments.maps, "Maps, separated by commas (default: the first one)");
+    add_maps_option(command,
+                    arguments.maps,
+                    "Maps, separated by commas (default for a preset: its first map; for a folder: "
+                    "its first map of colors or, without one, of numbers)");
     command
         .add_option("--as",
                     arguments.kinds,
-                    "Kinds of previews, separated by commas (default: contact,tiling,loop)")
+                    "Kinds of previews, separated by commas (default: contact,loop, and tiling if "
+                    "the first frame tiles)")
         ->delimiter(',')
         ->allow_extra_args(false)
         ->check(CLI::IsMember(std::vector<std::string>(kPreviewNames.begin(), kPreviewNames.end())))
@@ -168,7 +172,7 @@ void add_choices(CLI::App& command, PreviewArguments& arguments) {
     command
         .add_option("--width",
                     arguments.animation_size,
-                    "Longer side of animations in pixels (default: 384)")
+                    "Largest width and height of animations in pixels (default: 384)")
         ->check(CLI::Range(1, kMaxAnimationSize))
         ->option_text("PX");
     add_preset_name_option(command, arguments.shown_preset);

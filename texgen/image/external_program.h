@@ -27,7 +27,8 @@ struct ExternalOptions {
 /// argument has a special meaning. Standard input is empty and standard output is discarded.
 /// Returns the exit code, -1 if a signal ended the program, or nullopt if the program does not
 /// exist. Throws OutputError if the working directory does not exist, or if the program cannot be
-/// started for another reason.
+/// started for another reason. Precondition: the folder of `options.error_file` exists; otherwise
+/// the result is nullopt, too.
 std::optional<int> run_external(std::vector<std::string> arguments,
                                 const ExternalOptions& options = {});
 

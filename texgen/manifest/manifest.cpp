@@ -51,7 +51,8 @@ void merge_into(BakedSet& into, const BakedSet& more) {
     const std::optional<double> closing_error = into.loop.closing_error;
     into.loop = more.loop;
     into.loop.closing_error = more.loop.closing_error ? more.loop.closing_error : closing_error;
-    // An automatic motion multiplier is fitted only in a bake of the map motion.
+    // The conventions contain the motion multiplier. If it is automatic, only a bake of the map
+    // motion fits it, so the conventions of other bakes are not used.
     if (more.find_map(kMotionMap.name) != nullptr) {
         into.conventions = more.conventions;
     }

@@ -12,8 +12,9 @@
 
 namespace foam::texgen {
 
-/// Returns the fraction of every pixel that strokes with round ends along arcs cover
-/// (stroke_coverage). `width` is their full width in diameters of a mean bubble of the seeded foam.
+/// Draws strokes with round ends along arcs. Returns the fraction of every pixel that the strokes
+/// cover (stroke_coverage). `width` is the full width of a stroke in diameters of a mean bubble of
+/// the seeded foam.
 Image<float> strokes_along(const FrameLayers& layers,
                            std::span<const PlacedArc> arcs,
                            double width);

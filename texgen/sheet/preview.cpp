@@ -42,8 +42,7 @@ Codes codes_within(const DisplayFrame& frame, int size) {
     return codes_of(reduced(frame, scaled(width), scaled(height)));
 }
 
-// Returns the 8-bit codes of all frames of a sequence, each reduced as by codes_within and counted
-// by `progress`.
+// Returns the 8-bit codes of all frames of a sequence (codes_within). `progress` counts each frame.
 std::vector<Codes> frames_within(const MapSequence& sequence,
                                  int size,
                                  int threads,
@@ -149,9 +148,9 @@ class Previews {
         return kinds;
     }
 
-    /// Returns the number of units that `write` counts for all kinds: frames that are reduced for
-    /// the contact sheet, frames that are reduced and frames that are encoded for the animation,
-    /// and files.
+    /// Returns the number of units of progress that `write` counts for all kinds together: one per
+    /// thumbnail of the contact sheet, two per frame of the animation (reducing it and encoding
+    /// it), and one per file.
     int units() const {
         const std::vector<PreviewKind> all = kinds();
         const std::size_t frames = sequence_.files.size();

@@ -106,7 +106,7 @@ Json object_of(const ComparedImage& image) {
     return json;
 }
 
-// Returns a line for each map with frames that exist on one side only.
+// Returns the frames that exist on one side only: one line per map and side.
 std::string lines_of_absent_frames(std::span<const ComparedImage> images) {
     std::map<std::pair<std::string, Presence>, std::vector<int>> frames;
     for (const ComparedImage& image : images) {
@@ -150,10 +150,17 @@ std::string to_line(const ComparedImage& image) {
 
 std::string summary_of(std::span<const ComparedImage> images) {
     constexpr std::array<std::string_view, 7> kResults = {
-        "same", "warning", "failure", "other size or channels", "missing", "extra", "unreadable"};
+        "same",
+        "warning",
+        "failure",
+        "different size or channels",
+        "missing",
+        "extra",
+        "unreadable",
+    };
     std::map<std::string_view, int> counts;
     for (const ComparedImage& image : images) {
-        ++counts[json_value_of(image)];
+        ++counts[text_of(image)];
     }
     std::string list;
     for (const std::string_view result : kResults) {

@@ -12,8 +12,8 @@ namespace foam::texgen {
 /// Returns the result of one comparison as a line for users, without a newline.
 std::string to_line(const ComparedImage& image);
 
-/// Returns a summary of several comparisons for users: one line per map with missing or extra
-/// frames, and a line with the number of images by verdict.
+/// Returns a summary of several comparisons for users. The frames that exist on one side only are
+/// listed in one line per map and side. The last line is the number of images by verdict.
 std::string summary_of(std::span<const ComparedImage> images);
 
 /// Returns all results as one JSON object for programs, with a newline at the end. README.md

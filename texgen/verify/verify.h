@@ -31,8 +31,8 @@ struct VerifiedMap {
     std::optional<Seam> tile;
     int tile_frame = 0;  // the frame with the largest step across this seam; 0 without `tile`
     std::optional<Seam> loop;
-    // The numbers in the files of the map, and the largest fraction of a file that is clipped, as
-    // the manifest records them; nullopt if the manifest does not record them. Clipped samples do
+    // The smallest and the largest number in all files of the map, and the largest fraction of
+    // clipped samples in one file; nullopt if the manifest does not record them. Clipped samples do
     // not count as a problem.
     std::optional<NumberExtent> numbers{};
 
@@ -45,8 +45,8 @@ struct VerifiedMap {
 struct VerifiedSet {
     BakedSet set;
     int files_same = 0;  // number of files whose pixels have the hash in the manifest
-    // One line for each bad file, for each set of missing frames (naming all maps that lack them),
-    // and for each seam whose ratio is above its limit.
+    // One line for each bad file, one for all maps that lack the same frames, and one for each seam
+    // whose ratio is above its limit.
     std::vector<std::string> problems;
     std::vector<VerifiedMap> maps;  // maps of which at least one file has the recorded pixels
 

@@ -21,13 +21,15 @@ namespace {
 
 constexpr std::size_t kRegionsPerTask = 256;
 
-// The inner points are moved outwards, away from the center of the circle, to compensate for the
-// area that the edges cut off. Within a pixel that contains whole edges, the area that is cut off
-// and the area that is added cancel, so short edges may have a larger sagitta (the largest distance
-// of an arc from its chord). Longer edges must be accurate on their own. The ends of the arc cannot
-// be moved outwards. n edges have only n - 1 inner points that can compensate, and a single edge
-// has no inner point. An arc whose sagitta is above kSagitta therefore gets one edge more than the
-// limits below require. A flatter arc is replaced by its chord. All lengths are in pixels.
+// Limits for the edges of a chain (append_chain_points). The sagitta of an edge is the largest
+// distance of the edge from the part of the arc that it replaces. Edges between points of the arc
+// cut off area, so the inner points are moved outwards, away from the center of the circle, to add
+// the same area. Within a pixel that contains whole edges, the two areas cancel, so short edges may
+// have a larger sagitta. Longer edges must be accurate on their own.
+//
+// An arc whose sagitta is at most kSagitta is replaced by its chord. Any other arc gets one edge
+// more than the limits require, because its ends cannot be moved: only n - 1 inner points
+// compensate for n edges, and a single edge has no inner point. All lengths are in pixels.
 constexpr double kSagittaOfShortEdges = 1.0 / 256;  // largest sagitta of short edges
 constexpr double kShortEdge = std::numbers::sqrt2;  // largest length of short edges
 constexpr double kSagitta = 1.0 / 1024;             // largest sagitta of longer edges
@@ -145,10 +147,9 @@ Region surroundings(const PixelPatch& pixels) {
 
 // The n edges, each of length e, cut off n circular segments, each with an area of about
 // 2/3 sagitta * e. Moving an inner point outwards by a distance adds an area of about distance * e,
-// and there are n - 1 inner points. The total areas that are cut off and
-// added are equal for distance = 2/3 sagitta * n / (n - 1). The outward direction is normal to the
-// sum of the two edge vectors at the point. The length of this sum is 2 cos(half_step) times the
-// length of an edge.
+// and there are n - 1 inner points. The total areas that are cut off and added are equal for
+// distance = 2/3 sagitta * n / (n - 1). The outward direction is normal to the sum of the two edge
+// vectors at the point. The length of this sum is 2 cos(half_step) times the length of an edge.
 void append_chain_points(const FilmArc& arc, const Vec2& tail, std::vector<Vec2>& points) {
     const Rotation half_turn(arc.half_angle);
     const int edges = edge_count(arc, half_turn.s);
