@@ -11,7 +11,7 @@ foam_build_packages=(
     nlohmann-json3-dev
 )
 foam_test_packages=(
-    libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev evolver gnuplot-nox
+    libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev libmpfr-dev evolver gnuplot-nox
     pngcheck apngdis ffmpeg imagemagick openexr openimageio-tools python3 python3-jsonschema
 )
 foam_check_packages=(clang libclang-rt-14-dev clang-format clang-tidy ccache python3 reuse)

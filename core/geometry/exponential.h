@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "core/geometry/elementary_arithmetic.h"
+
+#include <limits>
+
+// Exponential functions and logarithms whose results are the same on every machine (see
+// elementary.h). The polynomials are minimax approximations; minimax.py computes their
+// coefficients.
+
+namespace foam::ieee {
+
+namespace detail {
+
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
+inline constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+
+// log 2 is the sum of a number of 42 bits, whose products with exponents are exact, and a rest.
+inline constexpr TwoDoubles kLog2 = {0x1.62e42fefa38p-1, 0x1.ef35793c7673p-45};
+
+// Returns exp x: 2^k exp r with |r| <= log(2) / 2 and exp r = 1 + r + r² E(r). Numbers that are too
+// large or too small for a double give infinity or 0.
+[[gnu::always_inline]] inline double exponential(const TwoDoubles& x) {
+    constexpr std::array kExponential = {0x1p-1,
+                                         0x1.5555555555557p-3,
+                                         0x1.5555555555558p-5,
+                                         0x1.11111111100dbp-7,
+                                         0x1.6c16c16c151fap-10,
+                                         0x1.a01a01abe8204p-13,
+                                         0x1.a01a01acfb1c1p-16,
+                                         0x1.71de02313782fp-19,
+                                         0x1.27e4cccdb79e9p-22,
+                                         0x1.af4dea2b1bc57p-26,
+                                         0x1.1f8b4c1725b48p-29};
+    const double above = x.high < -746.0 ? -746.0 : x.high;
+    const double high = above > 710.0 ? 710.0 : above;
+    const double k = (high * 0x1.71547652b82fep+0 + kRounder) - kRounder;
+    const double low = high == x.high ? x.low : 0.0;
+    const TwoDoubles r = ordered_sum(high - k * kLog2.high, low - k * kLog2.low);
+    const double bend = r.high * r.high * polynomial(kExponential, r.high);
+    const double power = 1.0 + (r.high + (bend + (r.low + r.low * r.high)));
+    const double half = (0.5 * k + kRounder) - kRounder;
+    return power * power_of_two(half) * power_of_two(k - half);
+}
+
+// Returns log x, with a relative error of about 2^-65, for a positive finite number x. x is 2^k m
+// with m in [sqrt(1/2), sqrt 2), and log m = 2 s (1 + z / 3 + z² L(z)) with s = (m - 1) / (m + 1)
+// and z = s².
+[[gnu::always_inline]] inline TwoDoubles logarithm(double x) {
+    constexpr std::array kLogarithm = {0x1.9999999999996p-3,
+                                       0x1.2492492493038p-3,
+                                       0x1.c71c71c580066p-4,
+                                       0x1.745d183281b9ep-4,
+                                       0x1.3b1362a988b7dp-4,
+                                       0x1.1120b78218cbcp-4,
+                                       0x1.de3324927676bp-5,
+                                       0x1.eb139a668bc9dp-5};
+    constexpr TwoDoubles kThird = {0x1.5555555555555p-2, 0x1.5555555555555p-56};
+    constexpr std::uint64_t kRootOfHalf = 0x3fe6a09e667f3bcd;
+    constexpr std::uint64_t kOne = 0x3ff0000000000000;
+    constexpr std::uint64_t kMantissa = 0x000fffffffffffff;
+    constexpr double kSmallest = std::numeric_limits<double>::min();
+    const double normal = x < kSmallest ? x * 0x1p54 : x;
+    const std::uint64_t shifted = bits_of(normal) + (kOne - kRootOfHalf);
+    const double m = of_bits((shifted & kMantissa) + kRootOfHalf);
+    const double biased = of_bits((shifted >> 52) | bits_of(0x1p52)) - 0x1p52;
+    const double k = biased - (x < kSmallest ? 1023.0 + 54.0 : 1023.0);
+
+    const TwoDoubles s = quotient({m - 1.0, 0.0}, exact_sum(1.0, m));
+    const TwoDoubles z = product(s, s);
+    const double bend = z.high * polynomial(kLogarithm, z.high);
+    const TwoDoubles third = ordered_sum(kThird.high, kThird.low + bend);
+    const TwoDoubles rest = product(s, product(z, third));
+    const TwoDoubles half = ordered_sum(s.high, rest.high);
+    const TwoDoubles whole = exact_sum(k * kLog2.high, 2.0 * half.high);
+    const double low = 2.0 * (half.low + (s.low + rest.low)) + k * kLog2.low;
+    return ordered_sum(whole.high, whole.low + low);
+}
+
+// Returns log x times a factor. For x = 0, infinity, NaN or x < 0 the result is that of IEEE 754.
+[[gnu::always_inline]] inline double scaled_logarithm(double x, const TwoDoubles& factor) {
+    const TwoDoubles scaled = product(logarithm(x), factor);
+    const double finite = x > 0.0 ? scaled.high + scaled.low : (x == 0.0 ? -kInfinity : kNoNumber);
+    return x == kInfinity ? kInfinity : finite;
+}
+
+}  // namespace detail
+
+/// Returns exp x with an error below 0.85 ulp (below 1 ulp if the result is subnormal).
+[[gnu::always_inline]] inline double exp(double x) {
+    return detail::exponential({x, 0.0});
+}
+
+/// Return the natural logarithm and the logarithms of base 2 and 10, with an error below 0.6 ulp.
+/// Logarithms that are whole numbers are exact.
+inline double log(double x) {
+    return detail::scaled_logarithm(x, {1.0, 0.0});
+}
+inline double log2(double x) {
+    return detail::scaled_logarithm(x, {0x1.71547652b82fep+0, 0x1.777d0ffda0d24p-56});
+}
+inline double log10(double x) {
+    return detail::scaled_logarithm(x, {0x1.bcb7b1526e50ep-2, 0x1.95355baaafad3p-57});
+}
+
+/// Returns x^y for x >= 0, with an error below 1 ulp. Results that doubles represent are exact, for
+/// example powers of 10. Loops over this function can be vectorized.
+[[gnu::always_inline]] inline double pow_of_positive(double x, double y) {
+    // Of y beyond these limits, the results are 0, 1 or infinity. The limits prevent an overflow.
+    const double above = y < -0x1p100 ? -0x1p100 : y;
+    const double exponent = above > 0x1p100 ? 0x1p100 : above;
+    const double power = detail::exponential(product(detail::logarithm(x), {exponent, 0.0}));
+    const double of_zero = y > 0.0 ? 0.0 : detail::kInfinity;
+    const double of_infinity = y > 0.0 ? detail::kInfinity : 0.0;
+    const double of_x = x == 0.0 ? of_zero : (x == detail::kInfinity ? of_infinity : power);
+    const double of_number = x != x || y != y ? x + y : of_x;
+    return y == 0.0 || x == 1.0 ? 1.0 : of_number;
+}
+
+/// Returns x^y. For x < 0, the result is NaN unless y is a whole number. Otherwise as
+/// pow_of_positive. Zeros, infinities and NaN give the results of the C standard.
+double pow(double x, double y);
+
+}  // namespace foam::ieee
