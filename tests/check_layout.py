@@ -5,8 +5,9 @@
 Usage: tests/check_layout.py [--functions]
 
 Fails if modules include each other in a cycle, if a source has more than 300 lines, if fewer than 85 % of the
-sources have a test file of the same name, or if a source or script does not name its license. A module is a header
-together with the source of the same name. --functions also prints the median, the 90th percentile and the maximum of
+sources have a test file of the same name, if a source or script does not name its license, or if a source calls a
+function of the standard library whose results differ between machines or libraries. A module is a header together with
+the source of the same name. --functions also prints the median, the 90th percentile and the maximum of
 the lengths of functions; it needs Universal Ctags (Debian: universal-ctags).
 """
 import collections
@@ -20,6 +21,12 @@ LARGEST_FILE = 300  # lines
 TESTED_SHARE = 0.85  # fraction of the sources
 LICENSE_LINE = "SPDX-License-" "Identifier: Apache-2.0"  # in two parts, so that reuse does not read it as a license
 LICENSED = (".h", ".cpp", ".in", ".py", ".sh", ".gp", ".slurm", "CMakeLists.txt", ".ci/run")
+# Calls of functions and uses of types whose results IEEE 754 and the C++ standard do not define to the last bit.
+UNDEFINED = re.compile(
+    r"(?<![\w:])(?:std::|::)?(?:a?(?:sin|cos|tan)h?|atan2|sincos|exp(?:2|m1)?|log(?:2|10|1p|b)?|pow|cbrt|hypot|fma|erfc?|"
+    r"[tl]gamma|polar|arg)[fl]?\(|std::(?:\w+_distribution|complex|shuffle|sample|reduce|transform_reduce)\b|"
+    r"\blong double\b|\.(?:sin|cos|tan|exp|log|pow)\(")
+ELEMENTARY = re.compile(r"core/geometry/(?:trigonometric|exponential)\.(?:h|cpp)")  # implements these functions
 INCLUDE = re.compile(r'^#include "((?:core|texgen)/[^"]+)"', re.M)
 
 
@@ -80,6 +87,20 @@ def cycles(graph):
     return found
 
 
+def undefined_calls(files):
+    """Returns (file, line number, text) of every use of a function or a type that UNDEFINED matches."""
+    found = []
+    for name in files:
+        if ELEMENTARY.fullmatch(name):
+            continue
+        for number, line in enumerate(text_of(name).splitlines(), 1):
+            code = re.sub(r'"(?:\\.|[^"\\])*"', '""', line).split("//")[0]
+            match = UNDEFINED.search(code)
+            if match:
+                found.append((name, number, match.group(0)))
+    return found
+
+
 def rooms_table(files):
     """Prints the number of files and lines of each folder."""
     counts = collections.defaultdict(lambda: [0, 0])
@@ -130,6 +151,10 @@ def main():
     if share < TESTED_SHARE:
         faults.append(f"fewer than {TESTED_SHARE:.0%} of the sources have a test file of the same name; without one: "
                       + ", ".join(untested))
+
+    for name, number, text in undefined_calls(files):
+        faults.append(f"{name}:{number}: '{text}' may give other results with another compiler, library or processor; "
+                      "use the functions of core/geometry/elementary.h")
 
     for name in unlicensed_files():
         faults.append(f"{name} does not begin with the line {LICENSE_LINE}")

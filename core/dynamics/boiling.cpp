@@ -5,6 +5,7 @@
 #include "core/dynamics/nucleation.h"
 #include "core/foam/corners.h"
 #include "core/foam/locate.h"
+#include "core/geometry/elementary.h"
 
 #include <algorithm>
 #include <cmath>
@@ -134,7 +135,7 @@ std::optional<double> area_at(const BoilingBubble& bubble,
     if (age == 0 || age >= life(steps)) {
         return std::nullopt;
     }
-    const double wave = std::sin(std::numbers::pi * age / life(steps));
+    const double wave = ieee::sin(std::numbers::pi * age / life(steps));
     return first_area + bubble.peak_area * wave * wave;
 }
 

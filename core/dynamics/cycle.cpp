@@ -6,6 +6,7 @@
 #include "core/foam/corners.h"
 #include "core/foam/locate.h"
 #include "core/foam/random.h"
+#include "core/geometry/elementary.h"
 
 #include <algorithm>
 #include <cmath>
@@ -145,7 +146,7 @@ void Cycle::calm(const Foam& foam) {
 // Returns the sine of an oscillation with the given phase, in turns.
 double Cycle::sine_at(int position, double phase) const {
     const double turns = static_cast<double>(position % options_.steps) / options_.steps;
-    return std::sin(2.0 * std::numbers::pi * (turns + phase));
+    return ieee::sin(2.0 * std::numbers::pi * (turns + phase));
 }
 
 // Returns the strain that leads a torus from the preceding position to the given one. Domain::shear

@@ -2,6 +2,8 @@
 
 #include "core/dynamics/restore_rafts.h"
 
+#include "core/geometry/elementary.h"
+
 #include <cmath>
 #include <vector>
 
@@ -24,7 +26,7 @@ namespace {
 double bulge(double half_angle) {
     constexpr double kSmall = 1e-3;  // below this, the next term of the series is under 3e-11
     return std::abs(half_angle) < kSmall ? half_angle / 3.0
-                                         : 1.0 / half_angle - 1.0 / std::tan(half_angle);
+                                         : 1.0 / half_angle - 1.0 / ieee::tan(half_angle);
 }
 
 // Returns the mean of all points of the arc, relative to its tail.
@@ -110,9 +112,10 @@ RigidMotion motion_back(const Foam& patch,
         dot_sum += now.weight * (now.at - motion.from).dot(earlier - motion.to);
         cross_sum += now.weight * cross(now.at - motion.from, earlier - motion.to);
     }
-    const double angle = std::atan2(cross_sum, dot_sum);
-    motion.cosine = std::cos(angle);
-    motion.sine = std::sin(angle);
+    const double angle = ieee::atan2(cross_sum, dot_sum);
+    const auto [sine, cosine] = ieee::sincos(angle);
+    motion.cosine = cosine;
+    motion.sine = sine;
     return motion;
 }
 

@@ -2,7 +2,8 @@
 
 #include "core/dynamics/target_area_schedule.h"
 
-#include <cmath>
+#include "core/geometry/elementary.h"
+
 #include <numbers>
 
 namespace foam {
@@ -10,7 +11,7 @@ namespace foam {
 double target_at(const TargetAreaSchedule& schedule, double passed) {
     const double ramp = schedule.from + (schedule.to - schedule.from) * passed;
     const double turns = schedule.oscillations * passed + schedule.phase;
-    return ramp * (1.0 + schedule.amplitude * std::sin(2.0 * std::numbers::pi * turns));
+    return ramp * (1.0 + schedule.amplitude * ieee::sin(2.0 * std::numbers::pi * turns));
 }
 
 }  // namespace foam

@@ -4,6 +4,7 @@
 
 #include "core/equilibrium/moves.h"
 #include "core/equilibrium/residual.h"
+#include "core/geometry/elementary.h"
 #include "core/geometry/max_or_nan.h"
 
 #include <algorithm>
@@ -132,9 +133,9 @@ bool is_worth_keeping(const Advance& advance,
     if (!is_chord_step) {
         return advance.ratio < kNewFactorRatio;
     }
-    const double log_reduction = std::log(
+    const double log_reduction = ieee::log(
         std::max(norms.force / options.force_tolerance, norms.area / options.area_tolerance));
-    return log_reduction < -kStepsPerFactor * std::log(advance.ratio);
+    return log_reduction < -kStepsPerFactor * ieee::log(advance.ratio);
 }
 
 }  // namespace

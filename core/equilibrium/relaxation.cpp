@@ -6,6 +6,7 @@
 #include "core/equilibrium/moves.h"
 #include "core/foam/measure.h"
 #include "core/foam/t1_rule.h"
+#include "core/geometry/elementary.h"
 #include "core/geometry/film_energy.h"
 
 #include <Eigen/LU>
@@ -200,7 +201,7 @@ class Relaxation {
     }
 
     double clamped(FilmId film, double angle) const {
-        static const double largest = std::asin(kLargestSine);
+        static const double largest = ieee::asin(kLargestSine);
         return foam_.network.is_outer(film) ? angle : std::clamp(angle, -largest, largest);
     }
 

@@ -3,6 +3,7 @@
 #include "core/equilibrium/soft_foam.h"
 
 #include "core/foam/measure.h"
+#include "core/geometry/elementary.h"
 
 #include <cmath>
 
@@ -14,7 +15,8 @@ namespace {
 constexpr double kEmptyFraction = 0.5;
 
 SoftFoam::Arc arc_of(double half_angle) {
-    return {half_angle, std::sin(half_angle), std::cos(half_angle), arc_shape(half_angle)};
+    const auto [sine, cosine] = ieee::sincos(half_angle);
+    return {half_angle, sine, cosine, arc_shape(half_angle)};
 }
 
 }  // namespace

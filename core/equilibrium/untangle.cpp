@@ -2,9 +2,10 @@
 
 #include "core/equilibrium/untangle.h"
 
+#include "core/geometry/elementary.h"
+
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
@@ -25,7 +26,7 @@ constexpr double kSameAngle = 1e-9;
 
 // Returns the clockwise angle from a to b, in [0, 2 pi) except for rounding errors.
 double clockwise_angle(const Vec2& a, const Vec2& b) {
-    const double angle = std::atan2(cross(b, a), a.dot(b));
+    const double angle = ieee::atan2(cross(b, a), a.dot(b));
     return angle < -kSameAngle ? angle + 2.0 * std::numbers::pi : angle;
 }
 

@@ -3,6 +3,7 @@
 #include "core/foam/honeycomb.h"
 
 #include "core/foam/cell_diagram.h"
+#include "core/geometry/elementary.h"
 
 #include <array>
 #include <cmath>
@@ -39,9 +40,8 @@ std::vector<CellCorner> hexagon(int column, int row, int columns, int rows, doub
         const int r = row + steps[k][1];
         const LatticeOffset offset{floor_div(c, columns), floor_div(r, rows)};
         const int across = (r - offset.j * rows) * columns + (c - offset.i * columns);
-        corners.push_back({center + side * Vec2(std::cos(angle), std::sin(angle)),
-                           static_cast<std::size_t>(across),
-                           offset});
+        corners.push_back(
+            {center + side * unit_vector(angle), static_cast<std::size_t>(across), offset});
     }
     return corners;
 }

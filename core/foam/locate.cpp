@@ -3,6 +3,7 @@
 #include "core/foam/locate.h"
 
 #include "core/foam/measure.h"
+#include "core/geometry/elementary.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +42,7 @@ int ray_crossings(const Vec2& from, const Vec2& to) {
 bool is_in_segment(const Vec2& from, const FilmArc& arc) {
     const Vec2 to = from + arc.chord;
     const double side = cross(from, to);  // positive if the origin is on the left
-    const double angle = std::atan2(std::abs(side), -from.dot(to));
+    const double angle = ieee::atan2(std::abs(side), -from.dot(to));
     return angle < std::abs(arc.half_angle) && (arc.half_angle > 0.0) == (side < 0.0);
 }
 
@@ -155,7 +156,7 @@ int winding_number(const Foam& foam, BubbleId bubble, const Vec2& point) {
 std::optional<BubbleId> bubble_at(const Foam& foam, const Vec2& point) {
     const double nudge = kNudge * std::sqrt(mean_target_area(foam));
     for (int k = 0; k < 8; ++k) {
-        const Vec2 direction(std::cos(k), std::sin(k));
+        const Vec2 direction = unit_vector(k);
         if (const auto bubble = bubble_around(foam, point + k * nudge * direction)) {
             return bubble;
         }

@@ -3,6 +3,7 @@
 #include "core/foam/measure.h"
 
 #include "core/geometry/bulge_energy.h"
+#include "core/geometry/elementary.h"
 #include "core/geometry/film_energy.h"
 #include "core/geometry/max_or_nan.h"
 
@@ -31,7 +32,7 @@ double largest_angle_error(const Foam& foam, JunctionId junction) {
         // The clockwise angle from a to b, in (-pi, pi]. It is negative in an inverted foam.
         const Vec2& a = tangents[k];
         const Vec2& b = tangents[(k + 1) % 3];
-        const double angle = std::atan2(cross(b, a), a.dot(b));
+        const double angle = ieee::atan2(cross(b, a), a.dot(b));
         largest = max_or_nan(largest, std::abs(angle - 2.0 * std::numbers::pi / 3.0));
     }
     return largest;

@@ -2,11 +2,12 @@
 
 #include "core/foam/outline.h"
 
+#include "core/geometry/elementary.h"
+
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/geometries/polygon.hpp>
 
-#include <cmath>
 #include <numbers>
 #include <stdexcept>
 
@@ -102,7 +103,7 @@ Outline disc_outline() {
     Outline outline;
     for (int k = 0; k < kCornersOfDisc; ++k) {
         const double angle = 2.0 * std::numbers::pi * k / kCornersOfDisc;
-        outline.outer.emplace_back(std::cos(angle), std::sin(angle));
+        outline.outer.push_back(unit_vector(angle));
     }
     return outline;
 }

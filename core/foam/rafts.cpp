@@ -4,13 +4,13 @@
 
 #include "core/foam/measure.h"
 #include "core/foam/record_event.h"
+#include "core/geometry/elementary.h"
 #include "core/network/split.h"
 #include "core/network/t1.h"
 #include "core/network/t2.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <numeric>
 #include <vector>
 
@@ -62,7 +62,7 @@ JoinedFilm joined_film(const Foam& foam, HalfEdgeId before, HalfEdgeId after) {
 
 // Returns the counter-clockwise angle from a to b, in radians, from -pi to pi.
 double angle_between(const Vec2& a, const Vec2& b) {
-    return std::atan2(cross(a, b), a.dot(b));
+    return ieee::atan2(cross(a, b), a.dot(b));
 }
 
 // Sets the half angle of the joined film to the mean of the two half angles that its tangents at

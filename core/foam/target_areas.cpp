@@ -2,8 +2,9 @@
 
 #include "core/foam/target_areas.h"
 
+#include "core/geometry/elementary.h"
+
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <vector>
 
@@ -17,7 +18,7 @@ void spread_areas(std::span<double> areas, double ratio) {
     });
     const double last = std::max<double>(1.0, static_cast<double>(rank.size()) - 1.0);
     for (std::size_t k = 0; k < rank.size(); ++k) {
-        areas[rank[k]] = std::pow(ratio, static_cast<double>(k) / last);
+        areas[rank[k]] = ieee::pow(ratio, static_cast<double>(k) / last);
     }
 }
 

@@ -2,7 +2,7 @@
 
 #include "core/geometry/bulge_energy.h"
 
-#include <cmath>
+#include "core/geometry/elementary.h"
 
 // The energy is T c q(alpha) - delta c² h(alpha) / 4, with the symbols of bulge_energy.h and of
 // ArcShape. Its derivatives with respect to the chord, the pressure difference and the half angle
@@ -48,7 +48,7 @@ BulgeEnergyHessian bulge_energy_hessian(const FilmArc& arc,
     const ArcShape shape = arc_shape(arc.half_angle);
     const Vec2 u = arc.chord / c;
     const Vec2 n = turned_left(u);
-    const double sine = std::sin(arc.half_angle);
+    const auto [sine, cosine] = ieee::sincos(arc.half_angle);
     const double error = sine - 0.5 * pressure_difference * c / tension;
     BulgeEnergyHessian hessian;
     hessian.chord_chord =
@@ -57,13 +57,12 @@ BulgeEnergyHessian bulge_energy_hessian(const FilmArc& arc,
     hessian.chord_pressure = -0.5 * c * shape.segment * u;
     hessian.chord_angle = shape.bulging * (tension * sine - pressure_difference * c) * u;
     hessian.pressure_angle = -0.5 * c * c * shape.bulging;
-    hessian.angle_angle =
-        tension * c * (shape.bulging_derivative * error + shape.bulging * std::cos(arc.half_angle));
+    hessian.angle_angle = tension * c * (shape.bulging_derivative * error + shape.bulging * cosine);
     return hessian;
 }
 
 double laplace_young_error(const FilmArc& arc, double pressure_difference, double tension) {
-    return std::sin(arc.half_angle) - 0.5 * pressure_difference * arc.chord.norm() / tension;
+    return ieee::sin(arc.half_angle) - 0.5 * pressure_difference * arc.chord.norm() / tension;
 }
 
 }  // namespace foam

@@ -2,6 +2,8 @@
 
 #include "core/geometry/film_arc.h"
 
+#include "core/geometry/elementary.h"
+
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -66,19 +68,17 @@ double sum_of(const Series& series, double s) {
 }
 
 Vec2 rotated(const Vec2& v, double angle) {
-    const double c = std::cos(angle);
-    const double s = std::sin(angle);
+    const auto [s, c] = ieee::sincos(angle);
     return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};
 }
 
 double angle_over_sine(double angle) {
-    return angle == 0.0 ? 1.0 : angle / std::sin(angle);
+    return angle == 0.0 ? 1.0 : angle / ieee::sin(angle);
 }
 
 // Returns (alpha - sin alpha cos alpha) / sin² alpha, for alpha = `half_angle` in (-pi, pi).
 double segment_shape_of_angle(double half_angle) {
-    const double s = std::sin(half_angle);
-    const double c = std::cos(half_angle);
+    const auto [s, c] = ieee::sincos(half_angle);
     if (c > 0.0 && std::abs(s) < kSeriesLimit) {
         return segment_shape(s);
     }
@@ -93,7 +93,7 @@ double segment_shape(double s) {
     if (std::abs(s) < kSeriesLimit) {
         return s * sum_of(kShape, s);
     }
-    return (std::asin(s) - s * std::sqrt((1.0 - s) * (1.0 + s))) / (s * s);
+    return (ieee::asin(s) - s * std::sqrt((1.0 - s) * (1.0 + s))) / (s * s);
 }
 
 double segment_shape_derivative(double s) {
@@ -107,9 +107,9 @@ double segment_shape_derivative(double s) {
 // sin alpha: w = cos alpha segment_shape_derivative(s) / 2. w' is the derivative of this expression
 // with respect to alpha.
 ArcShape arc_shape(double half_angle) {
-    const double s = std::sin(half_angle);
-    const double c = std::cos(half_angle);
-    ArcShape shape{angle_over_sine(half_angle), segment_shape_of_angle(half_angle), 1.0 / 3.0, 0.0};
+    const auto [s, c] = ieee::sincos(half_angle);
+    ArcShape shape{
+        s == 0.0 ? 1.0 : half_angle / s, segment_shape_of_angle(half_angle), 1.0 / 3.0, 0.0};
     if (c > 0.0 && std::abs(s) < kSeriesLimit) {
         const double derivative = sum_of(kShapeDerivative, s);
         shape.bulging = 0.5 * c * derivative;
@@ -151,7 +151,7 @@ double segment_area(const FilmArc& arc) {
 
 double curvature(const FilmArc& arc) {
     const double c = arc.chord.norm();
-    return c == 0.0 ? 0.0 : 2.0 * std::sin(arc.half_angle) / c;
+    return c == 0.0 ? 0.0 : 2.0 * ieee::sin(arc.half_angle) / c;
 }
 
 Vec2 tangent_at_tail(const FilmArc& arc) {

@@ -2,6 +2,8 @@
 
 #include "core/geometry/film_energy.h"
 
+#include "core/geometry/elementary.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -32,14 +34,14 @@ double radial_force(const FilmState& state, double pressure_difference, double t
     if (!state.at_limit) {
         return tension * std::sqrt((1.0 - state.s) * (1.0 + state.s));
     }
-    return tension * std::asin(state.s) / state.s -
+    return tension * ieee::asin(state.s) / state.s -
            0.5 * pressure_difference * state.chord_length * segment_shape(state.s);
 }
 
 }  // namespace
 
 double laplace_young_half_angle(double chord_length, double pressure_difference, double tension) {
-    return std::asin(film_state(chord_length, pressure_difference, tension).s);
+    return ieee::asin(film_state(chord_length, pressure_difference, tension).s);
 }
 
 FilmEnergy film_energy(const Vec2& chord, double pressure_difference, double tension) {
@@ -49,7 +51,7 @@ FilmEnergy film_energy(const Vec2& chord, double pressure_difference, double ten
     }
     const FilmState state = film_state(c, pressure_difference, tension);
     FilmEnergy energy;
-    energy.half_angle = std::asin(state.s);
+    energy.half_angle = ieee::asin(state.s);
     energy.segment_area = 0.25 * c * c * segment_shape(state.s);
     const double length = state.s == 0.0 ? c : c * energy.half_angle / state.s;
     energy.value = tension * length - pressure_difference * energy.segment_area;

@@ -2,6 +2,8 @@
 
 #pragma once
 
+#include "core/geometry/trigonometric.h"
+
 #include <Eigen/Core>
 
 namespace foam {
@@ -15,6 +17,12 @@ using Mat2 = Eigen::Matrix2d;
 /// Returns the z component of a × b, which is positive if b is to the left of a.
 inline double cross(const Vec2& a, const Vec2& b) {
     return a.x() * b.y() - a.y() * b.x();
+}
+
+/// Returns the vector of length 1 at an angle from the x axis, counter-clockwise.
+inline Vec2 unit_vector(double angle) {
+    const auto [sine, cosine] = ieee::sincos(angle);
+    return {cosine, sine};
 }
 
 /// Returns v rotated by 90 degrees counter-clockwise.

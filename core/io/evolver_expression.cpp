@@ -2,6 +2,8 @@
 
 #include "core/io/evolver_expression.h"
 
+#include "core/geometry/elementary.h"
+
 #include <fmt/core.h>
 
 #include <cmath>
@@ -20,14 +22,14 @@ Function find_function(const std::string& name) {
         {"sqrt", [](double x) { return std::sqrt(x); }},
         {"sqr", [](double x) { return x * x; }},
         {"abs", [](double x) { return std::abs(x); }},
-        {"exp", [](double x) { return std::exp(x); }},
-        {"log", [](double x) { return std::log(x); }},
-        {"sin", [](double x) { return std::sin(x); }},
-        {"cos", [](double x) { return std::cos(x); }},
-        {"tan", [](double x) { return std::tan(x); }},
-        {"asin", [](double x) { return std::asin(x); }},
-        {"acos", [](double x) { return std::acos(x); }},
-        {"atan", [](double x) { return std::atan(x); }},
+        {"exp", [](double x) { return ieee::exp(x); }},
+        {"log", [](double x) { return ieee::log(x); }},
+        {"sin", [](double x) { return ieee::sin(x); }},
+        {"cos", [](double x) { return ieee::cos(x); }},
+        {"tan", [](double x) { return ieee::tan(x); }},
+        {"asin", [](double x) { return ieee::asin(x); }},
+        {"acos", [](double x) { return ieee::acos(x); }},
+        {"atan", [](double x) { return ieee::atan(x); }},
     };
     const auto found = functions.find(name);
     return found == functions.end() ? nullptr : found->second;
@@ -83,7 +85,7 @@ class Parser {
             return base;
         }
         tokens_.take();
-        return std::pow(base, nested([this] { return power(); }));
+        return ieee::pow(base, nested([this] { return power(); }));
     }
 
     double primary() {

@@ -3,6 +3,7 @@
 #include "core/reference/junction_block.h"
 
 #include "core/geometry/bulge_energy.h"
+#include "core/geometry/elementary.h"
 #include "core/geometry/film_energy.h"
 
 #include <algorithm>
@@ -92,7 +93,7 @@ FilmArc JunctionBlock::arc_of(const Side& side) {
 }
 
 double JunctionBlock::direction_at_tail(const Side& side) {
-    return std::atan2(side.chord.y(), side.chord.x()) - arc_of(side).half_angle;
+    return ieee::atan2(side.chord.y(), side.chord.x()) - arc_of(side).half_angle;
 }
 
 double JunctionBlock::segment_of(const Side& side) {

@@ -3,10 +3,10 @@
 #include "texgen/animation/camera.h"
 
 #include "core/foam/measure.h"
+#include "core/geometry/elementary.h"
 #include "texgen/events/event_context.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numbers>
 
@@ -30,7 +30,7 @@ struct Box {
 // At these extreme points the tangent is parallel to an axis.
 void include_arc(const FilmArc& arc, const Vec2& tail, Box& box) {
     constexpr double kQuarter = 0.5 * std::numbers::pi;
-    const double first = std::atan2(arc.chord.y(), arc.chord.x()) - arc.half_angle;
+    const double first = ieee::atan2(arc.chord.y(), arc.chord.x()) - arc.half_angle;
     box.include(tail);
     box.include(tail + arc.chord);
     for (int k = -4; k <= 4; ++k) {  // tangent angles are between -2 pi and 2 pi

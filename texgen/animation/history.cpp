@@ -3,10 +3,10 @@
 #include "texgen/animation/history.h"
 
 #include "core/foam/frame.h"
+#include "core/geometry/elementary.h"
 #include "texgen/maps/bubble_pressure.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 namespace foam::texgen {
@@ -113,7 +113,7 @@ void History::close_averages(const FoamRecord& start, int frames) {
     if (smoothing_ == 0.0) {
         return;
     }
-    const double kept = std::pow(smoothing_ / (1.0 + smoothing_), frames);
+    const double kept = ieee::pow(smoothing_ / (1.0 + smoothing_), frames);
     const auto close = [kept](double& average, double before) {
         average = (average - kept * before) / (1.0 - kept);
     };

@@ -2,6 +2,7 @@
 
 #include "texgen/bake/fitted_ranges.h"
 
+#include "core/geometry/elementary.h"
 #include "core/parallel/parallel_for.h"
 #include "texgen/animation/progress_meter.h"
 #include "texgen/bake/file_pattern.h"
@@ -150,12 +151,12 @@ RunOutcome fit_automatic_ranges(Preset& preset,
 
 double rounded_up(double number) {
     constexpr std::array kPreferred = {1.0, 1.25, 1.6, 2.0, 2.5, 3.15, 4.0, 5.0, 6.3, 8.0, 10.0};
-    const int exponent = static_cast<int>(std::floor(std::log10(number)));
+    const int exponent = static_cast<int>(std::floor(ieee::log10(number)));
     for (int power = exponent - 1; power <= exponent + 1; ++power) {
-        const double unit = power < 0 ? 1.0 / std::pow(10.0, -power) : std::pow(10.0, power);
+        const double unit = power < 0 ? 1.0 / ieee::pow(10.0, -power) : ieee::pow(10.0, power);
         for (const double preferred : kPreferred) {
             const double rounded =
-                power < 0 ? preferred / std::pow(10.0, -power) : preferred * unit;
+                power < 0 ? preferred / ieee::pow(10.0, -power) : preferred * unit;
             if (rounded >= number) {
                 return rounded;
             }

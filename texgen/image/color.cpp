@@ -2,6 +2,8 @@
 
 #include "texgen/image/color.h"
 
+#include "core/geometry/elementary.h"
+
 #include <fmt/core.h>
 
 #include <charconv>
@@ -35,11 +37,11 @@ bool parse_hex(std::string_view digits, std::uint32_t& value) {
 }  // namespace
 
 double srgb_to_linear(double encoded) {
-    return encoded <= kToeEncoded ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+    return encoded <= kToeEncoded ? encoded / 12.92 : ieee::pow((encoded + 0.055) / 1.055, 2.4);
 }
 
 double linear_to_srgb(double linear) {
-    return linear <= kToeLinear ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
+    return linear <= kToeLinear ? 12.92 * linear : 1.055 * ieee::pow(linear, 1.0 / 2.4) - 0.055;
 }
 
 LinearRgb to_linear(Srgb8 color) {

@@ -2,6 +2,8 @@
 
 #include "texgen/image/normal_angles.h"
 
+#include "core/geometry/elementary.h"
+
 #include <array>
 #include <cassert>
 #include <cmath>
@@ -74,7 +76,7 @@ double angle_between(const Normal& a, const Normal& b) {
         return 0.0;
     }
     return has_direction(a) && has_direction(b)
-               ? kDegrees * std::atan2(length_of_cross(a, b), dot(a, b))
+               ? kDegrees * ieee::atan2(length_of_cross(a, b), dot(a, b))
                : kOpposite;
 }
 

@@ -45,7 +45,8 @@ bool is_keyword(const std::string& key) {
 /// Returns libpng's constant for the kind of chunk that stores a text. ASCII texts are stored as
 /// tEXt (Latin-1), which every program can read. All other texts are stored as iTXt (UTF-8).
 int text_kind(const std::string& text) {
-    const bool ascii = std::all_of(text.begin(), text.end(), [](char c) { return c > 0; });
+    const bool ascii =
+        std::all_of(text.begin(), text.end(), [](unsigned char c) { return c > 0 && c < 0x80; });
     return ascii ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
 }
 

@@ -2,6 +2,7 @@
 
 #include "texgen/maps/caustics.h"
 
+#include "core/geometry/elementary.h"
 #include "texgen/image/bleed.h"
 #include "texgen/keys/value_kinds.h"
 #include "texgen/maps/cell_fill.h"
@@ -149,7 +150,7 @@ ColorPixels draw_caustics(FrameLayers& layers,
     const auto channels = static_cast<std::size_t>(image.channels());
     for (std::size_t k = 0; k < light.size(); ++k) {
         const double brightness =
-            1.0 - std::exp(-options.exposure * static_cast<double>(light[k]) / unit);
+            1.0 - ieee::exp(-options.exposure * static_cast<double>(light[k]) / unit);
         write_pixel(blended(colors, brightness),
                     is_patch ? static_cast<double>(opacity.samples()[k]) : 1.0,
                     image.samples().subspan(channels * k, channels));

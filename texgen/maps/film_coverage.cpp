@@ -34,7 +34,7 @@ Image<float> wet_films(FrameLayers& layers, double width) {
     for (std::size_t k = 0; k < films.samples().size(); ++k) {
         const auto slope = field.smooth_gradient.samples().subspan(2 * k, 2);
         const double steepness =
-            std::hypot(static_cast<double>(slope[0]), static_cast<double>(slope[1]));
+            Vec2(static_cast<double>(slope[0]), static_cast<double>(slope[1])).norm();
         const double inside = 0.5 * width - static_cast<double>(field.smooth.samples()[k]);
         const double part = 0.5 + inside / std::max(steepness, kFlattest);
         films.samples()[k] = static_cast<float>(std::clamp(part, 0.0, 1.0));

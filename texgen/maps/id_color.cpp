@@ -2,6 +2,7 @@
 
 #include "texgen/maps/id_color.h"
 
+#include "core/geometry/elementary.h"
 #include "texgen/maps/cell_fill.h"
 #include "texgen/maps/identity_number.h"
 
@@ -38,7 +39,8 @@ LinearRgb identity_color(BubbleIdentity identity) {
     const double hue = 2.0 * std::numbers::pi * identity_number(identity, IdentityStream::First);
     const double lightness =
         std::lerp(kDarkest, kLightest, identity_number(identity, IdentityStream::Second));
-    return oklab_to_linear(lightness, kChroma * std::cos(hue), kChroma * std::sin(hue));
+    const auto [sine, cosine] = ieee::sincos(hue);
+    return oklab_to_linear(lightness, kChroma * cosine, kChroma * sine);
 }
 
 ColorPixels draw_id_color(FrameLayers& layers) {

@@ -2,6 +2,7 @@
 
 #include "texgen/maps/lit.h"
 
+#include "core/geometry/elementary.h"
 #include "texgen/image/bleed.h"
 #include "texgen/keys/value_kinds.h"
 #include "texgen/maps/albedo.h"
@@ -33,8 +34,6 @@ namespace {
 // fraction of the color of films, and of the shade beside them, is not shaded. The picture is drawn
 // on a finer grid, whose pixels are called samples, and squares of samples are averaged.
 
-constexpr int kRimPower = 3;  // exponent of the rim light
-
 // Returns the options for the finer grid: if the film width is in pixels, it is multiplied by
 // `samples`.
 AlbedoOptions finer(AlbedoOptions options, int samples) {
@@ -51,7 +50,7 @@ class Lighting {
         : options_(options),
           light_(direction_of(options.azimuth, options.elevation)),
           halfway_((light_ + Direction::UnitZ()).normalized()),
-          flat_highlight_(highlight(Direction::UnitZ())),
+          flat_highlight_(ieee::pow(halfway_.z(), options.shininess)),
           reflections_(options.reflections, options.azimuth, options.elevation) {}
 
     // Returns the shaded color of a point. `slope` is the gradient of the height at the point.
@@ -61,8 +60,8 @@ class Lighting {
         const Direction normal = Direction(-slope.x(), -slope.y(), 1.0).normalized();
         const double direct = std::max(normal.dot(light_), 0.0) / light_.z();
         const double diffuse = std::lerp(direct, sky, options_.ambient);
-        double shine = options_.gloss * std::max(highlight(normal) - flat_highlight_, 0.0) +
-                       options_.rim * std::pow(1.0 - normal.z(), kRimPower);
+        const double steep = 1.0 - normal.z();
+        double shine = options_.gloss * highlight(normal) + options_.rim * steep * steep * steep;
         if (!reflections_.are_none()) {
             shine += reflections_.brightness(normal);
         }
@@ -73,8 +72,12 @@ class Lighting {
     }
 
   private:
+    // Returns the highlight minus that of flat ground, or 0 if it is not brighter.
     double highlight(const Direction& normal) const {
-        return std::pow(std::max(normal.dot(halfway_), 0.0), options_.shininess);
+        const double cosine = normal.dot(halfway_);
+        return cosine > halfway_.z()
+                   ? std::max(ieee::pow(cosine, options_.shininess) - flat_highlight_, 0.0)
+                   : 0.0;
     }
 
     const LitOptions& options_;

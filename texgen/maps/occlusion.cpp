@@ -2,6 +2,8 @@
 
 #include "texgen/maps/occlusion.h"
 
+#include "core/geometry/elementary.h"
+#include "core/parallel/simd_level.h"
 #include "texgen/keys/value_kinds.h"
 #include "texgen/maps/relief.h"
 
@@ -82,10 +84,10 @@ class VisibleSky {
             return steepness;
         };
         constexpr double kRight = 0.5 * std::numbers::pi;
-        const double tilt = std::atan(slope);  // tilt of the normal to the left
-        const double left = kRight - std::atan(steepest(-1)) - tilt;
-        const double right = kRight - std::atan(steepest(1)) + tilt;
-        return 0.5 * (std::sin(left) + std::sin(right));
+        const double tilt = ieee::atan(slope);  // tilt of the normal to the left
+        const double left = kRight - ieee::atan(steepest(-1)) - tilt;
+        const double right = kRight - ieee::atan(steepest(1)) + tilt;
+        return 0.5 * (ieee::sin(left) + ieee::sin(right));
     }
 
     std::vector<double> sky_;
@@ -109,8 +111,17 @@ Image<float> occlusion_of(const Relief& relief,
         const double distance =
             relief.unit(k) > 0.0 ? relief.section().distance(relief.smooth(k)) : kFar;
         const double visible = distance < kFar ? sky.at(distance) : 1.0;
-        image.samples()[k] = static_cast<float>(std::pow(visible, options.strength));
+        image.samples()[k] = static_cast<float>(visible);
     }
+    if (options.strength == 1.0) {
+        return image;
+    }
+    const std::span<float> samples = image.samples();
+    at_simd_level([samples, strength = options.strength] {
+        for (std::size_t k = 0; k < samples.size(); ++k) {
+            samples[k] = static_cast<float>(ieee::pow_of_positive(samples[k], strength));
+        }
+    });
     return image;
 }
 

@@ -2,6 +2,7 @@
 
 #include "texgen/maps/reflections.h"
 
+#include "core/geometry/elementary.h"
 #include "texgen/keys/value_kinds.h"
 #include "texgen/maps/degree.h"
 #include "texgen/maps/smooth_step.h"
@@ -19,7 +20,6 @@ constexpr double kSharpest = 0.01;     // smallest softness of an edge; it looks
 constexpr double kSecondWindow = 0.4;  // brightness of a window relative to the one before it
 // Half the width of the transition from the sky to the ground, as the sine of an elevation.
 constexpr double kHaze = 0.12;
-constexpr int kSkyPower = 4;  // exponent by which the sky darkens from the horizon to the zenith
 
 // Returns 1 if x is at most 1 - softness, 0 if x is at least 1 + softness, and a smooth transition
 // in between.
@@ -60,16 +60,16 @@ Keys<ReflectionOptions> reflection_keys() {
 }
 
 Direction direction_of(double azimuth, double elevation) {
-    return {std::cos(elevation * kDegree) * std::cos(azimuth * kDegree),
-            std::cos(elevation * kDegree) * std::sin(azimuth * kDegree),
-            std::sin(elevation * kDegree)};
+    return {ieee::cos(elevation * kDegree) * ieee::cos(azimuth * kDegree),
+            ieee::cos(elevation * kDegree) * ieee::sin(azimuth * kDegree),
+            ieee::sin(elevation * kDegree)};
 }
 
 Window::Window(double azimuth, double elevation, double degrees, double softness)
     : middle_(direction_of(azimuth, elevation)),
       across_(direction_of(azimuth + 90.0, 0.0)),
       upward_(middle_.cross(across_)),
-      half_size_(std::tan(0.5 * degrees * kDegree)),
+      half_size_(ieee::tan(0.5 * degrees * kDegree)),
       softness_(std::max(softness, kSharpest)) {}
 
 // The direction is projected from the surface to the plane of the window.
@@ -106,8 +106,9 @@ double Reflections::around(const Direction& direction) const {
         window_brightness *= kSecondWindow;
     }
     const double above = std::clamp(direction.z(), 0.0, 1.0);
+    const double steep = 1.0 - above;  // the sky darkens with its fourth power
     const double sky = smooth_step(std::clamp(0.5 + 0.5 * direction.z() / kHaze, 0.0, 1.0));
-    return sum + options_.horizon * sky * std::pow(1.0 - above, kSkyPower);
+    return sum + options_.horizon * sky * (steep * steep) * (steep * steep);
 }
 
 }  // namespace foam::texgen

@@ -2,6 +2,8 @@
 
 #include "texgen/maps/relief_section.h"
 
+#include "core/geometry/elementary.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -27,7 +29,7 @@ double fillet_slope(double x) {
 }  // namespace
 
 ReliefSection::ReliefSection(ReliefProfile profile, double angle)
-    : profile_(profile), cotangent_(1.0 / std::tan(angle)) {}
+    : profile_(profile), cotangent_(1.0 / ieee::tan(angle)) {}
 
 // A spherical cap over a circle of radius 1 that meets the ground at an angle a has the height
 // sqrt(1/sin² a - r²) - cot a at the distance r from the center of the circle. The smooth distance

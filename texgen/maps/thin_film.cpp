@@ -3,6 +3,7 @@
 #include "texgen/maps/thin_film.h"
 
 #include "core/foam/measure.h"
+#include "core/geometry/elementary.h"
 #include "texgen/keys/value_kinds.h"
 #include "texgen/maps/cell_fill.h"
 #include "texgen/maps/film_coverage.h"
@@ -49,7 +50,7 @@ struct Xyz {
 // longer ones. Wavelengths are in nanometers.
 double lobe(double wavelength, double height, double middle, double below, double above) {
     const double t = (wavelength - middle) / (wavelength < middle ? below : above);
-    return height * std::exp(-0.5 * t * t);
+    return height * ieee::exp(-0.5 * t * t);
 }
 
 // Returns the CIE 1931 color matching functions at a wavelength in nanometers, by Wyman, Sloan and
@@ -75,7 +76,8 @@ double reflectance(double thickness, double wavelength) {
     const double at_surface = (kIndex - 1.0) / (kIndex + 1.0);
     const double once = at_surface * at_surface;
     const double half_phase = 2.0 * std::numbers::pi * kIndex * thickness / wavelength;
-    const double interference = 4.0 * once * std::sin(half_phase) * std::sin(half_phase);
+    const double sine = ieee::sin(half_phase);
+    const double interference = 4.0 * once * sine * sine;
     return interference / ((1.0 - once) * (1.0 - once) + interference);
 }
 
@@ -161,10 +163,10 @@ std::vector<Film> films_of(FrameLayers& layers, const ThinFilmOptions& options) 
 double swirl_at(const Vec2& place, double phase) {
     constexpr double kTwist = 2.2;  // angle between the middle and the rim, radians
     const double angle = phase + kTwist * place.squaredNorm();
-    const Vec2 at(std::cos(angle) * place.x() - std::sin(angle) * place.y(),
-                  std::sin(angle) * place.x() + std::cos(angle) * place.y());
-    const double across = std::sin(2.5 * at.y() + 3.0 * phase);
-    return 0.65 * std::sin(4.0 * at.x() + 1.5 * across + phase) + 0.35 * across;
+    const auto [sine, cosine] = ieee::sincos(angle);
+    const Vec2 at(cosine * place.x() - sine * place.y(), sine * place.x() + cosine * place.y());
+    const double across = ieee::sin(2.5 * at.y() + 3.0 * phase);
+    return 0.65 * ieee::sin(4.0 * at.x() + 1.5 * across + phase) + 0.35 * across;
 }
 
 // Returns the thickness in nanometers at a place (see the top of this file) with the given smooth

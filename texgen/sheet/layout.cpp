@@ -2,6 +2,8 @@
 
 #include "texgen/sheet/layout.h"
 
+#include "core/geometry/elementary.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -17,7 +19,7 @@ namespace {
 // of its aspect ratio, which is 0 for a square.
 double distance_from_square(int frames, int columns, double cell_width, double cell_height) {
     const double rows = std::ceil(static_cast<double>(frames) / columns);
-    return std::abs(std::log2(columns * cell_width / (rows * cell_height)));
+    return std::abs(ieee::log2(columns * cell_width / (rows * cell_height)));
 }
 
 }  // namespace

@@ -2,10 +2,10 @@
 
 #pragma once
 
+#include "core/geometry/elementary.h"
 #include "core/geometry/film_arc.h"
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -22,10 +22,11 @@ struct PixelArc {
 
 /// Convert an arc to the other type. The unit of length does not change.
 inline PixelArc pixel_arc(const FilmArc& arc) {
-    return {arc.chord, std::cos(arc.half_angle), std::sin(arc.half_angle)};
+    const auto [sine, cosine] = ieee::sincos(arc.half_angle);
+    return {arc.chord, cosine, sine};
 }
 inline FilmArc film_arc(const PixelArc& arc) {
-    return {arc.chord, std::atan2(arc.sine, arc.cosine)};
+    return {arc.chord, ieee::atan2(arc.sine, arc.cosine)};
 }
 
 /// Returns the same arc in the direction from head to tail.

@@ -2,6 +2,7 @@
 
 #include "texgen/raster/distance/patch_regions.h"
 
+#include "core/geometry/elementary.h"
 #include "core/parallel/parallel_map.h"
 #include "texgen/raster/arcs/patch_boundaries.h"
 
@@ -40,7 +41,9 @@ struct Rotation {
     double s;
 
     Rotation(double cosine, double sine) : c(cosine), s(sine) {}
-    explicit Rotation(double angle) : Rotation(std::cos(angle), std::sin(angle)) {}
+    explicit Rotation(double angle) : Rotation(ieee::sincos(angle)) {}
+
+    explicit Rotation(const ieee::SineAndCosine& angle) : Rotation(angle.cosine, angle.sine) {}
 
     // Returns the rotation by twice the angle.
     Rotation twice() const { return {c * c - s * s, 2.0 * c * s}; }
