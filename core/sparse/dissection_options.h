@@ -2,27 +2,22 @@
 
 #pragma once
 
-#include "core/sparse/separator.h"
-
 namespace foam {
 
 /// The parameters of nested dissection (dissect).
 struct DissectionOptions {
     int leaf_rows = 16;  // a part with at most this many rows is not divided
-    SeparatorOptions separator{};
 
     // Separators that were found from positions are refined along the edges of the graph
-    // (SeparatorRefinement) if the matrix has at least this many rows and the part has at least
-    // 2,000 rows (part_divider.cpp).
-    int min_refined_rows = 60000;
+    // (SeparatorRefinement) if the part that they divide has at least this many rows.
+    int min_refined_rows = 100;
 
     // A separator that was found from positions is rejected if its number of rows, divided by the
     // square root of the number of rows of the part that it divides, exceeds a limit. The limit is
     // `heaviest_separator`, or `heaviest_refined` if the separator has been refined. After a
     // rejection, this part and all parts into which it is divided are divided by the edges of the
-    // graph alone. In ordinary foams, this quotient is at most 2.9, and at most 2.25 for refined
-    // separators.
-    double heaviest_separator = 4.0;
+    // graph alone.
+    double heaviest_separator = 5.0;
     double heaviest_refined = 2.5;
 };
 

@@ -14,34 +14,21 @@
 
 namespace foam {
 
-// A part is halved at the median coordinate along the longer axis of its box. The lightest
-// separator in a band along the border of the halves is a minimum vertex cut (SeparatorSearch). In
-// large parts of large graphs, the separator is then refined by moving it through the nodes near it
-// (SeparatorRefinement). If the result has more rows than a multiple of the square root of the
-// part's number of rows, the part is divided by multilevel bisection instead.
+// A part is halved at the median coordinate along the longer axis of its box. The nodes of one half
+// that have neighbors in the other half are a separator, which is then refined by moving it through
+// the nodes near it (SeparatorRefinement). If it has more rows than a multiple of the square root
+// of the part's number of rows, the part is divided by multilevel bisection instead.
 
 namespace {
 
-// Smallest number of rows of a part whose separator is refined. In a smaller part, refinement would
-// take more time than it saves in the factorization.
-constexpr int kMinRefinedPart = 2000;
-
 // Refinement may move a separator through this many layers of nodes on each side of it.
-constexpr int kRefinedLayers = 4;
+constexpr int kRefinedLayers = 6;
 
 // Returns the periods of the torus. For the plane, returns periods so large that no coordinate is
 // ever wrapped.
 Vec2 periods_of(const Domain& domain) {
     return domain.is_plane() ? Vec2(Vec2::Constant(std::numeric_limits<double>::max()))
                              : Vec2(domain.width, domain.height);
-}
-
-int total_rows(std::span<const SolverNode> nodes) {
-    int rows = 0;
-    for (const SolverNode& node : nodes) {
-        rows += node.rows;
-    }
-    return rows;
 }
 
 }  // namespace
@@ -56,9 +43,7 @@ PartDivider::PartDivider(const NodeGraph& graph,
       domain_(domain),
       periods_(periods_of(domain)),
       options_(options),
-      refines_(total_rows(nodes) >= options.min_refined_rows),
-      memory_(memory),
-      separator_(graph, nodes, options.separator, memory.zones, memory.band_indices) {}
+      memory_(memory) {}
 
 PartBox PartDivider::box_of_all() const {
     if (!domain_.is_plane()) {
@@ -74,12 +59,9 @@ PartBox PartDivider::box_of_all() const {
 
 ZoneBoxes PartDivider::divide(Nodes part, int rows, const std::optional<PartBox>& box) {
     if (box) {
-        ZoneBoxes boxes = divide_by_position(part, *box);
-        const bool is_refined = refines_ && rows >= kMinRefinedPart;
-        if (is_refined) {
-            refine(part, rows);
-        }
-        const double limit = is_refined ? options_.heaviest_refined : options_.heaviest_separator;
+        const ZoneBoxes boxes = divide_by_position(part, rows, *box);
+        const double limit = rows >= options_.min_refined_rows ? options_.heaviest_refined
+                                                               : options_.heaviest_separator;
         if (rows_of(part, Zone::Outside) <= limit * std::sqrt(rows)) {
             return boxes;
         }
@@ -88,14 +70,38 @@ ZoneBoxes PartDivider::divide(Nodes part, int rows, const std::optional<PartBox>
     return {};
 }
 
-ZoneBoxes PartDivider::divide_by_position(Nodes part, const PartBox& box) {
+ZoneBoxes PartDivider::divide_by_position(Nodes part, int rows, const PartBox& box) {
     const Eigen::Index axis = box.high.x() - box.low.x() < box.high.y() - box.low.y() ? 1 : 0;
     const double cut = split_at_median(part, box, axis);
-    separator_.separate(part);
+    separate_halves(part);
+    if (rows >= options_.min_refined_rows) {
+        refine(part, rows);
+    }
     PartBox low_box = box;
     PartBox high_box = box;
     low_box.high[axis] = high_box.low[axis] = cut;
     return {low_box, high_box};
+}
+
+// Moves the nodes of one half that have neighbors in the other half to the separator. Of the two
+// halves, uses the one in which these nodes have fewer rows.
+void PartDivider::separate_halves(Nodes part) {
+    std::array<std::vector<std::uint32_t>, 2> rims;
+    std::array<int, 2> weights{};
+    for (const std::uint32_t node : part) {
+        const Zone zone = memory_.zones[node];
+        const auto neighbors = graph_.neighbors_of(node);
+        if (std::any_of(neighbors.begin(), neighbors.end(), [&](std::uint32_t neighbor) {
+                return memory_.zones[neighbor] == opposite(zone);
+            })) {
+            const std::size_t half = zone == Zone::High ? 1 : 0;
+            rims[half].push_back(node);
+            weights[half] += nodes_[node].rows;
+        }
+    }
+    for (const std::uint32_t node : rims[weights[1] < weights[0] ? 1 : 0]) {
+        memory_.zones[node] = Zone::Outside;
+    }
 }
 
 // Assigns the half of the part with the lower coordinates to Low and the other half to High.

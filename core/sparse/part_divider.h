@@ -5,7 +5,6 @@
 #include "core/geometry/domain.h"
 #include "core/sparse/dissection_options.h"
 #include "core/sparse/node_graph.h"
-#include "core/sparse/separator.h"
 #include "core/sparse/weighted_graph.h"
 #include "core/sparse/zone.h"
 
@@ -42,21 +41,17 @@ struct DivisionMemory {
     std::vector<Zone> zones;                  // all Outside between divisions
     std::vector<double> keys;                 // coordinate along the divided axis, from the
                                               // middle of the box
-    std::vector<std::uint32_t> band_indices;  // see SeparatorSearch
     std::vector<std::uint32_t> part_indices;  // index in the graph that is divided or refined, or
                                               // kNotInPart
 
     explicit DivisionMemory(std::size_t nodes)
-        : zones(nodes, Zone::Outside),
-          keys(nodes),
-          band_indices(nodes, SeparatorSearch::kNotInBand),
-          part_indices(nodes, kNotInPart) {}
+        : zones(nodes, Zone::Outside), keys(nodes), part_indices(nodes, kNotInPart) {}
 };
 
 /// Divides parts of a graph by light separators. First divides a part by position: into two halves
-/// at the median coordinate, separated by the lightest separator near their border. If this
-/// separator is heavy (DissectionOptions), for example because the positions of neighbors in the
-/// graph are far apart, divides the part by its edges alone.
+/// at the median coordinate, with a separator near their border. If this separator is heavy
+/// (DissectionOptions), for example because the positions of neighbors in the graph are far apart,
+/// divides the part by its edges alone.
 class PartDivider {
   public:
     PartDivider(const NodeGraph& graph,
@@ -77,8 +72,9 @@ class PartDivider {
   private:
     using Nodes = std::span<std::uint32_t>;
 
-    ZoneBoxes divide_by_position(Nodes part, const PartBox& box);
+    ZoneBoxes divide_by_position(Nodes part, int rows, const PartBox& box);
     double split_at_median(Nodes part, const PartBox& box, Eigen::Index axis);
+    void separate_halves(Nodes part);
     void refine(Nodes part, int rows);
     std::vector<std::uint32_t> nodes_near_separator(Nodes part);
     void add_unnumbered_neighbors(std::uint32_t node, std::vector<std::uint32_t>& nodes);
@@ -96,9 +92,7 @@ class PartDivider {
     const Domain& domain_;
     Vec2 periods_;
     const DissectionOptions& options_;
-    bool refines_;  // true if the matrix has at least min_refined_rows rows
     DivisionMemory& memory_;
-    SeparatorSearch separator_;
 };
 
 }  // namespace foam

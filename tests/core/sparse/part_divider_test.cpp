@@ -63,7 +63,7 @@ TEST(PartDivider, DividesByTheGraphIfThereIsNoBox) {
 
 // In every other group of four rows, points are shifted to the right, so that the cut at the median
 // is toothed.
-TEST(PartDivider, RefinesTheSeparatorsOfLargeGraphs) {
+TEST(PartDivider, RefinesSeparators) {
     test::PointSystem system = test::plane_grid(50);
     for (SolverNode& node : system.nodes) {
         const bool is_shifted = static_cast<int>(node.position.y()) % 8 < 4;
