@@ -17,7 +17,7 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr std::string_view kMapKeyword = "Map";  // of the text that names the map of a PNG
+constexpr std::string_view kMapKeyword = "Map";  // keyword of the PNG text that names the map
 
 // Returns the map that the texts of a picture name; empty if they name none.
 std::string map_in_texts(const Picture& picture) {

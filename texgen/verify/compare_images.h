@@ -30,7 +30,7 @@ struct CompareOptions {
 
 /// The comparison of two images, or of one layer of two images.
 struct ComparedImage {
-    ImagePair pair;       // pair.map is not used
+    ImagePair pair;       // `map` below is used instead of pair.map
     std::string map{};    // empty if it is not known
     std::string layer{};  // empty if the images have no layers
     /// Failure if one of the images is missing; Unreadable if one could not be read.

@@ -13,7 +13,8 @@ namespace foam::texgen {
 std::string to_line(const ComparedImage& image);
 
 /// Returns a summary of several comparisons for users. The frames that exist on one side only are
-/// listed in one line per map and side. The last line is the number of images by verdict.
+/// listed in one line per map and side. The last line gives the number of images for each
+/// verdict.
 std::string summary_of(std::span<const ComparedImage> images);
 
 /// Returns all results as one JSON object for programs, with a newline at the end. README.md

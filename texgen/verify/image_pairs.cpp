@@ -66,7 +66,7 @@ void check_exists(const std::string& name, const std::string& a, const std::stri
     }
 }
 
-// Returns the kind of A and B.
+// Returns the common kind of A and B. Throws if their kinds differ.
 Kind common_kind(const std::string& a, const std::string& b) {
     const Kind kind = kind_of(a);
     const Kind other = kind_of(b);

@@ -26,19 +26,21 @@ struct ImagePair {
 /// Returns the pairs of images to compare. `a` and `b` are of the same kind:
 ///
 ///     image files      one pair
-///     file patterns    one pair per frame number (FilePattern, without {preset} and {map}); a name
-///                      of an existing file is not a pattern
+///     file patterns    one pair per frame number (FilePattern, without {preset} and {map}); the
+///                      name of an existing file is not a pattern
 ///     folders          one pair per path of an image relative to the folder, in all subfolders;
-///                      maps and frames are those of the manifests of the folders, if they have one
+///                      if a folder has a manifest, it determines the map and frame of an image
 ///     manifests        one pair per file that at least one of the manifests lists, by path
 ///
-/// With `frames`, `a` and `b` are names or patterns, and the pairs are those of these frames,
-/// whether files exist or not. Otherwise pairs are in the order of frame numbers or paths, and
-/// contain every image that exists (or is listed) on at least one side.
+/// With `frames`, `a` and `b` are patterns, even if files have these names. The result then has a
+/// pair for each of these frames, whether its files exist or not. Without `frames`, pairs are in
+/// the order of frame numbers or paths, and contain every image that exists (or is listed) on at
+/// least one side.
 ///
-/// Throws std::invalid_argument if `a` and `b` are of different kinds or a pattern is malformed,
-/// and InputError if a name of another kind does not exist, a manifest is unreadable or there is no
-/// image on either side.
+/// Throws std::invalid_argument if a pattern is malformed, or if `a` and `b` are of different kinds
+/// although both exist. Throws InputError if they are of different kinds because a name that is not
+/// a pattern does not exist, if a manifest is unreadable, or if there is no image on either side.
+/// An image file that does not exist is not an error here.
 std::vector<ImagePair> image_pairs(const std::string& a,
                                    const std::string& b,
                                    const std::optional<std::string>& frames);

@@ -38,7 +38,8 @@ std::optional<PercentileLimit> percentile_limit(std::string_view text) {
     return allowed ? std::optional(PercentileLimit{*percent, *difference}) : std::nullopt;
 }
 
-// Returns the keys of the limits of one severity. "{}" in a path stands for the severity.
+// Returns the keys of the limits of one severity, "fail" or "warn". "{}" in a path stands for the
+// severity.
 Keys<DifferenceLimits> severity_keys() {
     using L = DifferenceLimits;
     return {
@@ -49,11 +50,11 @@ Keys<DifferenceLimits> severity_keys() {
             &L::sample),
         key("{}_percent",
             Reals{0.0, 100.0},
-            "percentage of pixels that may differ or turn by more (default 0)",
+            "percentage of pixels that may exceed the limits of differences and angles (default 0)",
             &L::allowed_percent),
         key("{}_pixels",
             Integers{0, kMostPixels},
-            "number of pixels that may differ or turn by more (default 0)",
+            "number of pixels that may exceed the limits of differences and angles (default 0)",
             &L::allowed_pixels),
         key("hard_{}",
             Maybe<Reals>{kDifferences},
@@ -65,7 +66,8 @@ Keys<DifferenceLimits> severity_keys() {
             &L::rms),
         key("{}_percentile",
             PercentileLimits{},
-            "P percent of the pixels may differ by at most T; or several, separated by commas",
+            "at least P percent of the pixels must differ by at most T; several limits are "
+            "separated by commas",
             &L::percentiles),
         key("{}_angle",
             Maybe<Reals>{{0.0, kLargestAngle}},

@@ -20,8 +20,8 @@ struct PercentileLimits {
 };
 
 /// Returns the keys of all limits: fail, fail_percent, ..., warn, warn_percent, ... The options of
-/// `compare` and the keys of a file of tolerances are derived from this list. KeyInfo::meaning says
-/// in which case the limit is exceeded.
+/// `compare` and the keys of a file of tolerances are derived from this list. KeyInfo::meaning
+/// describes the limit.
 const Keys<CompareLimits>& limit_keys();
 
 /// Returns true if the key is a limit of warnings, not of failures.
@@ -33,8 +33,8 @@ bool is_angle_key(const KeyInfo& key);
 /// Returns the option of the command line for a key: "--fail-rms" for fail_rms.
 std::string option_name(const KeyInfo& key);
 
-/// Returns an argument of the command line as a value: an integer or a number if the whole text is
-/// one, else the text.
+/// Returns an argument of the command line as a value: an integer if the whole text is an integer,
+/// a number if the whole text is a number, else a string.
 Value value_of_argument(const std::string& text);
 
 }  // namespace foam::texgen

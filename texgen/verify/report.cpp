@@ -30,7 +30,8 @@ std::string tile_line(const VerifiedSet& found) {
     const std::string list = ratios(found, &VerifiedMap::tile);
     if (list.empty()) {
         return fmt::format(
-            "not checked: the frames do not tile, or are narrower or lower than {} pixels",
+            "not checked: needs a frame that tiles, has at least {0} x {0} pixels and is unchanged "
+            "since the bake",
             kSmallestTile);
     }
     return fmt::format(
@@ -45,7 +46,9 @@ std::string loop_line(const VerifiedSet& found) {
     const std::string list = ratios(found, &VerifiedMap::loop);
     const std::string measured =
         list.empty()
-            ? fmt::format("not checked: needs frames 1 to {}", loop.period)
+            ? fmt::format(
+                  "not checked: needs frames 1 to {} (at least two), unchanged since the bake",
+                  loop.period)
             : fmt::format(
                   "{}  (step from last to first frame / largest step between frames, at most {})",
                   list,

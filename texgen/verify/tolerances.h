@@ -23,9 +23,9 @@ class Tolerances {
     explicit Tolerances(std::map<std::string, CompareLimits, std::less<>> tables)
         : tables_(std::move(tables)) {}
 
-    /// Returns the limits of the table of a map; those of the table "default" if the map has no
-    /// table; and the defaults of CompareLimits if that table does not exist either. `map` may be
-    /// empty, if it is not known.
+    /// Returns the limits in the table of a map. If the map has no table, returns the limits in the
+    /// table "default". If this table does not exist either, returns the defaults of CompareLimits.
+    /// `map` is empty if the map is not known.
     CompareLimits limits_of(std::string_view map) const;
 
   private:
@@ -33,9 +33,9 @@ class Tolerances {
 };
 
 /// Parses a TOML document with a table per map, and perhaps a table [default]. The keys of a table
-/// are limit_keys. A table without a limit of warnings gives no warnings. Throws PresetError
-/// (preset/assignment.h), whose message is one line that gives the place, the key and the allowed
-/// values. `source` is the name of the document for messages.
+/// are the keys in limit_keys. A table without a limit of warnings gives no warnings. Throws
+/// PresetError (preset/assignment.h), whose message is one line that gives the location, the key
+/// and the allowed values. `source` is the name of the document for messages.
 Tolerances parse_tolerances(std::string_view toml, const std::string& source);
 
 /// Reads a file of tolerances. Throws PresetError if it is unreadable or invalid.

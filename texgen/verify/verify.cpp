@@ -133,10 +133,10 @@ File read_baked(const ManifestFile& file,
         if (pixel_hash(*read) == file.pixels) {
             return read;
         }
-        problems.push_back(
-            fmt::format("{}: the pixels are not those that were baked (their hash differs from the "
-                        "hash in the manifest)",
-                        file.path));
+        problems.push_back(fmt::format(
+            "{}: the pixels differ from the baked pixels (their hash differs from the hash "
+            "in the manifest)",
+            file.path));
     } catch (const InputError& error) {
         problems.emplace_back(error.what());
     }

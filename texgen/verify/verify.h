@@ -31,9 +31,9 @@ struct VerifiedMap {
     std::optional<Seam> tile;
     int tile_frame = 0;  // the frame with the largest step across this seam; 0 without `tile`
     std::optional<Seam> loop;
-    // The smallest and the largest number in all files of the map, and the largest fraction of
-    // clipped samples in one file; nullopt if the manifest does not record them. Clipped samples do
-    // not count as a problem.
+    // The smallest and the largest number in all files of the map, and the largest fraction of the
+    // samples of a file that are clipped, that is, outside of the range of the map. Clipped samples
+    // do not count as a problem. nullopt if the manifest does not record these numbers.
     std::optional<NumberExtent> numbers{};
 
     /// Returns true if the ratio of `tile` is at most kLargestTileRatio and the ratio of `loop` is
@@ -66,9 +66,9 @@ struct Verification {
 /// Checks the images of a folder against its manifest. Every file must exist, and its pixels must
 /// have the hash in the manifest. The ratios of the seams (Seam::ratio) of frames that tile and of
 /// loops must not exceed their limits. A loop is checked only if its period is at least 2 frames
-/// and all frames from 1 to its period exist; later frames are ignored. `path` is the folder or the
-/// manifest in it. Throws InputError if the manifest cannot be read; all other problems are part of
-/// the result. `on_progress` receives the phase Files.
+/// and all frames from 1 to its period have the recorded pixels; later frames are ignored. `path`
+/// is the folder or the manifest in it. Throws InputError if the manifest cannot be read; all other
+/// problems are part of the result. `on_progress` receives the phase Files.
 Verification verify(const std::filesystem::path& path, const ProgressCallback& on_progress = {});
 
 /// Returns the result as text for users, with a few lines per set.

@@ -107,7 +107,7 @@ TEST(Verify, ReportsMissingDamagedAndChangedFiles) {
     EXPECT_NE(found.problems[0].find("id.0001.png': No such file"), std::string::npos);
     EXPECT_NE(found.problems[1].find("id.0002.png': malformed PNG"), std::string::npos);
     EXPECT_EQ(found.problems[2],
-              "albedo.0003.png: the pixels are not those that were baked (their hash differs from "
+              "albedo.0003.png: the pixels differ from the baked pixels (their hash differs from "
               "the hash in the manifest)");
 }
 
