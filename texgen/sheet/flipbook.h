@@ -17,7 +17,7 @@ namespace foam::texgen {
 /// option changes the value of a sample.
 struct FlipbookOptions {
     std::vector<std::string> maps = {};  // empty for all maps of the set
-    std::vector<int> frames = {};        // numbers, in order; empty for all frames of the set
+    std::vector<int> frames = {};        // frame numbers, in this order; empty for all of the set
     int columns = 0;                     // 0: the result of near_square_columns
     int gutter = 0;                      // width of the border around each frame, pixels
     /// True for a strip: one column without gutters. Programs that import texture arrays or volumes

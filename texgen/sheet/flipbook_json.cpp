@@ -15,7 +15,7 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr double kSameDisplacement = 1e-9;  // largest relative difference that does not count
+constexpr double kSameDisplacement = 1e-9;  // largest relative difference of equal displacements
 
 // Returns true if the frames form a closed loop: if they have a common step, and the number of
 // frames times the absolute value of this step is the period of the loop. The step of a single
@@ -64,8 +64,8 @@ Json layout_value(const SheetLayout& layout, bool tiles) {
             {"uv", uv_value(layout)}};
 }
 
-// Returns the displacement of the largest code in all frames of a map; null if it differs between
-// frames, or if the map has none.
+// Returns the displacement of a map (ManifestFile::displacement), if it is the same in all frames;
+// null if it differs between frames or is not recorded.
 Json displacement_value(const BakedSet& set, std::span<const int> frames, const std::string& map) {
     std::optional<double> common;
     for (const int frame : frames) {

@@ -29,7 +29,7 @@ const ManifestMap& baked_map(const BakedSet& set, std::string_view name) {
         }
     }
     throw std::invalid_argument(fmt::format(
-        "map '{}' was not baked; must be one of: {}", name, existing.empty() ? "none" : existing));
+        "map '{}' was not baked; baked maps: {}", name, existing.empty() ? "none" : existing));
 }
 
 MapFile file_of(const BakedSet& set,

@@ -58,7 +58,7 @@ TEST(FlipbookCommand, ABadRequestIsOneLine) {
     bake(folder);
     const Outcome map = run_program("flipbook out --maps normal", folder);
     EXPECT_EQ(map.code, static_cast<int>(ExitCode::BadRequest));
-    EXPECT_EQ(map.err, "foamtex: map 'normal' was not baked; must be one of: lit\n");
+    EXPECT_EQ(map.err, "foamtex: map 'normal' was not baked; baked maps: lit\n");
     const Outcome frame = run_program("flipbook out --frames 3-4", folder);
     EXPECT_EQ(frame.code, static_cast<int>(ExitCode::BadInput));
     EXPECT_EQ(frame.err,

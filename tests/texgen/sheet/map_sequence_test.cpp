@@ -32,7 +32,7 @@ TEST(MapSequence, RejectsAMapWithoutFilesAndNamesTheOthers) {
         map_sequence(set, "out", "film", std::vector{7});
         FAIL();
     } catch (const std::invalid_argument& error) {
-        EXPECT_STREQ(error.what(), "map 'film' was not baked; must be one of: height");
+        EXPECT_STREQ(error.what(), "map 'film' was not baked; baked maps: height");
     }
 }
 
