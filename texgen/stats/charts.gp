@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 
-# Draws six charts of the tables stats.csv and sides.csv into the folder that holds them:
+# Draws six charts of the tables stats.csv and sides.csv into the folder of the tables:
 #
 #     gnuplot charts.gp
 #
@@ -34,9 +34,10 @@ kinds = "sides.csv"  # a row per frame and number of sides
 froth = 1.4          # second moment of soap froths in their scaling state ...
 froth_error = 0.1    # ... and its error
 few_bubbles = 100    # means over fewer bubbles have little meaning
-common_share = 0.01  # pressures are shown for numbers of sides that at least this share of the bubbles has
+common_share = 0.01  # a pressure is shown only if at least this share of the bubbles has the number of sides
 
-# The run: its first number of bubbles, and arrays by frame number. Rows without numbers are skipped.
+# The number of bubbles in the first frame, and arrays of the numbers of bubbles and of the mean areas by
+# frame number.
 rows = 0
 first_bubbles = 0
 last_frame = 0

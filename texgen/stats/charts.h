@@ -23,9 +23,9 @@ enum class ChartStatus { Drawn, NoGnuplot, GnuplotFailed };
 ///                    the scaling state, and the value measured in soap froths
 ///     sides          for each number of sides from 3 to 10, the fraction of bubbles that have this
 ///                    number, over log time
-///     pressures      for each of these numbers, the mean pressure of these bubbles over log time,
-///                    in units of film tension / sqrt(mean area), where they are at least 1 % of
-///                    all bubbles
+///     pressures      for each number of sides from 3 to 10, the mean pressure of the bubbles that
+///                    have this number, over log time, in units of film tension / sqrt(mean
+///                    area); frames in which they are less than 1 % of all bubbles are omitted
 ///     growth_rates   mean dA/dt against the number of sides, measured from areas and from
 ///                    pressures, and von Neumann's law
 ///     seconds        wall time per frame against the number of bubbles, and the times in Figure 5

@@ -21,9 +21,10 @@ struct StatisticsFiles {
 
 /// Writes the tables (csv.h) and the script of the charts (charts.h) into a folder, and draws the
 /// charts if gnuplot is installed. The folder is created if needed. Charts of an earlier run are
-/// removed before new ones are drawn. Tables and script are written atomically. Throws OutputError
-/// if a table or the script cannot be written, or if an earlier chart cannot be removed. Also
-/// throws the exceptions of draw_charts.
+/// removed before new ones are drawn, and its maze.csv is removed if this run has no maze. Tables
+/// and script are written atomically. Throws OutputError if a table or the script cannot be
+/// written, or if a file of an earlier run cannot be removed. Also throws the exceptions of
+/// draw_charts.
 StatisticsFiles write_statistics(const RunRecord& run, const std::filesystem::path& folder);
 
 }  // namespace foam::texgen
