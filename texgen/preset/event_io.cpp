@@ -164,8 +164,10 @@ void check_event(EventCheck check, const Event& event, const Preset& preset) {
     check.require(
         frames.has_value(),
         "time",
-        fmt::format("must be at most frame {}; frames.time_step decides which frame shows a time",
-                    kLastEventFrame));
+        fmt::format(
+            "must be a time of frame {} or earlier; frames.time_step, frames.step_growth and "
+            "frames.warm_up determine the times of frames",
+            kLastEventFrame));
     check.frames = *frames;
     find_event_kind(event.kind).check(check, event);
 }

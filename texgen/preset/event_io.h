@@ -22,7 +22,7 @@ bool is_event_key(std::string_view key);
 void assign_event(Preset& preset, const Assignment& assignment);
 
 /// Checks that each event of a preset has a kind, has frames or a time, has only keys of its kind,
-/// and is possible with the foam. Throws PresetError otherwise; the message names the last
+/// and is possible with the foam. Throws PresetError otherwise; the message names an
 /// assignment that may be the cause.
 void check_events(const Preset& preset, std::span<const Assignment> assignments);
 

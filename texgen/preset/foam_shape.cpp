@@ -30,7 +30,7 @@ foam::Outline unstretched_outline(const std::string& text) {
     return outline_from_wkt(text);
 }
 
-// Returns why a text describes no outline; empty if it describes one.
+// Returns the reason why a text describes no outline; empty if it describes an outline.
 std::string fault_of(const std::string& text) {
     try {
         outline_of({.outline = text});

@@ -19,7 +19,7 @@ struct FramesOptions {
     int count = 48;  // number of frames
     FirstFrame first = FirstFrame::Equilibrium;
     double time_step = 1.0;    // foam time of the step to frame 2
-    double step_growth = 1.0;  // quotient of each time step and the preceding time step
+    double step_growth = 1.0;  // factor from each time step to the next
     double warm_up = 0.0;      // foam time that is simulated before the first time step (warm-up)
     // The number of frames by which colors lag behind the foam: they show averages of pressures,
     // areas and numbers of sides over about this many frames (RecentAverages). With 0, they show

@@ -108,7 +108,7 @@ class Loader {
         }
     }
 
-    std::vector<std::string> sources_;  // documents so far, each of which extends the next one
+    std::vector<std::string> sources_;  // the documents loaded so far; each extends the next one
 };
 
 }  // namespace

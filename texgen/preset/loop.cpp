@@ -37,8 +37,9 @@ Keys<LoopOptions> loop_keys() {
     constexpr int kMaxPeriods = 100;
     // A key stores its meaning as a string_view, so the text must be static.
     static const std::string amplitude_meaning = fmt::format(
-        "for \"breathe\": relative amplitude of every bubble's area; for \"boil\": the same, for "
-        "the bubbles that do not vanish; for \"shear\": amplitude of the strain, at most {}",
+        "for \"breathe\": relative amplitude of every bubble's area; for \"boil\": relative "
+        "amplitude of the areas of the bubbles that do not vanish; for \"shear\": amplitude of the "
+        "strain, at most {}",
         kLargestShearAmplitude);
     return {
         kind_key(),

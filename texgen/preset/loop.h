@@ -26,8 +26,8 @@ inline constexpr double kLargestShearAmplitude = 0.4;
 /// Boil and Drift the foam itself returns to its first state, and no gas diffuses in the loop.
 struct LoopOptions {
     LoopKind kind = LoopKind::None;
-    // Breathe: relative amplitude of areas; Boil: the same, of the bubbles that do not vanish;
-    // Shear: amplitude of the strain.
+    // Breathe: relative amplitude of the areas of all bubbles. Boil: relative amplitude of the
+    // areas of the bubbles that do not vanish. Shear: amplitude of the strain.
     double amplitude = 0.15;
     double boiling = 0.15;  // Boil: fraction of the bubbles that vanish and are born again
     std::array<int, 2> drift = {0, 0};  // motion per loop, in image widths and heights; y is up

@@ -73,7 +73,7 @@ Keys<CoarseningOptions> coarsening_keys() {
 Keys<TopologyThresholds> threshold_keys() {
     return {key("t1_distance",
                 Reals{0.001, 0.25},
-                "length of a film, in foam units, below which its bubbles may swap neighbors (T1)",
+                "chord length, in foam units, below which a film may flip (T1: neighbors swap)",
                 &TopologyThresholds::t1_distance)
                 .in("foam units"),
             key("t2_area",

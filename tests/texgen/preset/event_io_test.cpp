@@ -134,8 +134,9 @@ TEST(EventIo, ATimeReplacesFrames) {
         "a.toml:3: key 'event[1].time' = 3: exactly one of the keys frame, frames and time must "
         "be given");
     EXPECT_EQ(failure(toml + "1e9\n"),
-              "a.toml:3: key 'event[1].time' = 1000000000.0: must be at most frame 100000; "
-              "frames.time_step decides which frame shows a time");
+              "a.toml:3: key 'event[1].time' = 1000000000.0: must be a time of frame 100000 or "
+              "earlier; frames.time_step, frames.step_growth and frames.warm_up determine the "
+              "times of frames");
 }
 
 // The last assignment takes effect, as for every other key.
