@@ -62,8 +62,8 @@ struct EventTraits {
 /// Returns the keys that determine when an event happens: frame, frames and time.
 Keys<EventBase> time_keys();
 
-/// Returns the keys that choose bubbles or a position: bubble, at, sides and count. Each key is
-/// restricted to those of the given kinds that accept it.
+/// Returns the keys that choose bubbles or a position: bubble, at, sides and count. `kinds` lists
+/// all kinds of events. Each key is restricted to the kinds that accept it.
 Keys<EventBase> choice_keys(const std::vector<EventTraits>& kinds);
 
 }  // namespace foam::texgen

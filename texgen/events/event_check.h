@@ -21,10 +21,10 @@ struct EventSetting {
     std::int64_t identities = std::numeric_limits<std::int64_t>::max();
 };
 
-/// The arguments of the check of one event of a preset. The check covers conditions that involve
-/// several keys of the event, or a key of the event and a property of the foam. It runs after a
-/// file or a command line has assigned keys of the preset. Here a key counts as assigned only if
-/// this file or command line assigns it.
+/// The argument of EventKind::check, which checks one event of a preset. The check covers
+/// conditions that involve several keys of the event, or a key of the event and a property of the
+/// foam. The check runs after a file or a command line has assigned keys of the preset. In this
+/// struct, a key counts as assigned only if this file or command line assigns it.
 struct EventCheck {
     const EventBase& event;
     FrameSpan frames;  // frames of the event; computed from its time if it has one

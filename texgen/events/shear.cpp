@@ -11,7 +11,7 @@ Keys<ShearOptions> shear_keys() {
                 Reals{-100.0, 100.0},
                 "shear strain: how far the upper border moves to the right, divided by the height; "
                 "applied evenly over the frames. Images of a sheared foam tile if each row of "
-                "images is moved to the right of the row below by the same distance",
+                "images is displaced to the right by this distance, relative to the row below it",
                 &ShearOptions::strain)};
 }
 
