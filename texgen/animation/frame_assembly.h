@@ -11,9 +11,9 @@
 
 namespace foam::texgen {
 
-/// Selects whether the visitor receives each frame together with the frame after it. For Included,
-/// the simulation computes one more state after the last frame if that state is not among the
-/// states computed before.
+/// Selects whether the visitor receives each frame together with the frame after it. With Included,
+/// the simulation also computes the state that follows the last frame, unless it has already
+/// computed this state.
 enum class NextFrames { Omitted, Included };
 
 /// Assembles the frames of an animation from the states of a simulation. Emits each frame, that is,

@@ -8,8 +8,8 @@
 namespace foam::texgen {
 
 /// The phases of a long run, in the order in which they occur. Each phase counts its progress in a
-/// unit of its own. The phases before Ranges prepare the first frame; they occur once for Ranges
-/// and again for Frames.
+/// unit of its own. The phases before Ranges prepare the first frame. If a run has the phase
+/// Ranges, they occur once before Ranges and once more before Frames.
 enum class Phase {
     Seeding,      // places the bubbles of the first foam; counts nothing
     Equilibrium,  // brings the first foam to equilibrium; counts nothing
@@ -42,8 +42,8 @@ struct RunProgress {
 };
 
 /// Receives the progress of a run: at the beginning of each phase and after each of its units. It
-/// is called by one thread at a time, but not always by the same one. It may throw to stop the run.
-/// An empty callback is allowed wherever a callback is an argument.
+/// is called by one thread at a time, but not always by the same thread. It may throw to stop the
+/// run. An empty callback is allowed wherever a callback is an argument.
 using ProgressCallback = std::function<void(const RunProgress&)>;
 
 }  // namespace foam::texgen

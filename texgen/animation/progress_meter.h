@@ -25,10 +25,10 @@ class ProgressMeter {
     /// Counts a frame and reports it with the number of its bubbles and its errors.
     void add(const SimulatedFrame& shown);
 
-    /// Returns the callback for the source of the frames that this meter counts. Until this phase
-    /// begins, it passes the reports of the source on. Afterwards it repeats the last report of
-    /// this phase instead, so that a callback that throws also stops the run between two frames.
-    /// The meter must outlive the returned callback.
+    /// Returns a callback for the source of the frames that this meter counts. Until the phase of
+    /// the meter begins, the returned callback passes the reports of the source on. Afterwards it
+    /// repeats the last report of the meter instead, so that the callback of the meter can stop
+    /// the run between two frames, too, by throwing. The meter must outlive the returned callback.
     ProgressCallback for_source();
 
   private:

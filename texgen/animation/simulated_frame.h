@@ -42,8 +42,8 @@ struct SimulatedFrame : DrawnState {
     FrameEffort effort;
     std::optional<View> view = {};             // view of a patch, the same in all frames
     std::optional<double> closing_error = {};  // Simulation::closing_error
-    DrawnState fading_in = {};                 // state that fades in; all null without a cross-fade
-    double fade_progress = 0.0;                // fraction of the fade that has passed, 0 to 1
+    DrawnState fading_in = {};   // state that fades in; null pointers if there is none
+    double fade_progress = 0.0;  // fraction of the fade that has passed, 0 to 1
 };
 
 /// Receives each frame of a run, one at a time.

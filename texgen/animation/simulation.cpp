@@ -17,8 +17,8 @@
 // 2.) Every further frame is one step (core/dynamics/step.h): gas diffuses while the changes of the
 // timeline are imposed. Loops differ from this sequence as follows:
 // - breathe, shear, boil: a periodic change without diffusion (core/dynamics/cycle.h). Cycles run
-//   before frame 1 until the closing error of one cycle (of two cycles in a row in a boil) is below
-//   kClosed; the frames are the steps of the next cycle.
+//   before frame 1 until one cycle closes (in a boil, two cycles in a row); the frames are the
+//   steps of the next cycle.
 // - drift: no steps; each frame shows the same foam at another position (display_transform.h).
 // - flow: steps as without a loop, while the timeline creates new bubbles; a cross-fade of two
 //   states closes the loop (shown_states.h).
@@ -145,9 +145,10 @@ double Simulation::loop_progress() const {
     return static_cast<double>((number - 1) % frames_.count) / frames_.count;
 }
 
-// Runs cycles, at most loop_.cycles, until the closing error of a cycle is below kClosed. In a
-// boil, two cycles in a row must close: the closing error does not measure which films may flip
-// (Foam::t1_armed), so the T1s of the next cycle may still differ after one cycle has closed.
+// Runs cycles, at most loop_.cycles, until a cycle closes: its closing error is below kClosed, and
+// Cycle::repeats returns true. In a boil, two cycles in a row must close: the closing error does
+// not compare the flags of films that have flipped (Foam::t1_armed), so the T1s of the next cycle
+// may still differ after one cycle has closed.
 // Returns false if the loop does not close or if a step finds no equilibrium. The cycles before the
 // last one are transients: some of their T1s and T2s do not recur. The last step of each cycle is
 // recorded as the step to frame 1, and the other steps as steps to the frames before frame 1. The
