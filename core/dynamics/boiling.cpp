@@ -43,8 +43,8 @@ void lower_distances(const Domain& domain,
     }
 }
 
-// Returns the indices of `count` centers: the first is random, and each further one has the largest
-// distance to those before it (farthest-point sampling).
+// Returns the indices of `count` centers: the first is random, and each further one is the
+// center that is farthest from the nearest center chosen before it (farthest-point sampling).
 std::vector<std::size_t> spread_out(const Domain& domain,
                                     const std::vector<Vec2>& centers,
                                     std::size_t count,
@@ -81,7 +81,7 @@ std::set<BubbleIdentity> bubbles_at(const Foam& foam, JunctionId junction) {
 }
 
 // Returns the junction at which the bubbles of BoilingBubble::neighbors meet. If there are several
-// such junctions, returns the one nearest to last_position; if there is none, returns nothing.
+// such junctions, returns the junction nearest to last_position; if there is none, returns nothing.
 std::optional<JunctionId> junction_between_neighbors(const Foam& foam,
                                                      const BoilingBubble& bubble) {
     std::optional<JunctionId> nearest;

@@ -15,9 +15,10 @@ namespace foam {
 /// same identity.
 struct BoilingBubble {
     BubbleIdentity identity = 0;
-    // Position in the cycle, 0 to steps - 1, of the last step without the bubble before its birth.
+    // The last position in the cycle, from 0 to steps - 1, at which the bubble is absent. It is
+    // present from the next position on.
     int birth = 0;
-    double peak_area = 0.0;      // the target area rises by this much in a life (area_at)
+    double peak_area = 0.0;  // largest rise of the target area above the area at birth (area_at)
     double min_peak_area = 0.0;  // Cycle::calm does not reduce peak_area below this area
     // Where the bubble vanished last; before it has vanished for the first time, its center.
     Vec2 last_position{0.0, 0.0};
@@ -43,8 +44,9 @@ std::optional<double> area_at(const BoilingBubble& bubble,
                               double first_area);
 
 /// Adds the bubble to the foam with the given target area. It is born at the junction at which the
-/// bubbles of BoilingBubble::neighbors meet. If there are several such junctions, the one nearest
-/// to BoilingBubble::last_position is taken; if there is none, the nearest of all junctions.
+/// bubbles of BoilingBubble::neighbors meet. If there are several such junctions, the junction
+/// nearest to BoilingBubble::last_position is taken. If there is none, the nearest of all junctions
+/// is taken.
 /// Returns false and changes nothing if the surrounding bubbles have too little gas
 /// (nucleate_at_junction).
 bool give_birth(Foam& foam, const BoilingBubble& bubble, double area);

@@ -15,8 +15,8 @@
 // and suggests T1s for bubbles with more sides. Here, of the films of the bubble that can flip, the
 // shortest is flipped; this is repeated until the bubble can vanish. Unlike the T1 rule
 // (core/foam/t1_rule.h), these flips do not depend on forces. The number of flips is limited to
-// twice the number of sides of the bubble. A T2 in a raft of two would leave no junction. Such a
-// bubble is therefore removed by tearing the film between the two bubbles.
+// twice the number of sides of the bubble. A T2 in a raft of two bubbles would leave no junction. A
+// bubble of such a raft is therefore removed by tearing the film between the two bubbles.
 
 namespace foam {
 

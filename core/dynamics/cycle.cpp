@@ -21,8 +21,8 @@
 // bubble is random. The shear strain of the torus is strain * sin 2 pi t, relative to the shear
 // when the Cycle was constructed. Here t is the position divided by the number of steps. A step
 // drives the foam from its present state to these target areas and this shear (state_change.h).
-// Drift is removed after each step, because equilibrium does not determine the position of the
-// foam.
+// After each step, the foam is moved back to its position at the start, because equilibrium does
+// not determine the position.
 //
 // Boiling bubbles have the target areas of boiling.h instead. A system that is driven periodically
 // either reaches a periodic state or keeps changing. In a sheared suspension, the amplitude of the
@@ -151,9 +151,9 @@ double Cycle::sine_at(int position, double phase) const {
 
 // Returns the strain that leads a torus from the preceding position to the given one. Domain::shear
 // is determined only up to multiples of the width. Of the possible strains, the function therefore
-// returns the one nearest to the difference between the strains of the two positions. Without this
-// choice, a tall torus would be sheared by a whole width in each step in which its shear is above
-// half of its width.
+// returns the strain nearest to the difference between the strains of the two positions. Without
+// this choice, a tall torus would be sheared by a whole width in each step in which its shear is
+// above half of its width.
 double Cycle::strain_to(int position, const Domain& domain) const {
     const double target = options_.strain * sine_at(position, 0.0);
     const double before = position > 0 ? options_.strain * sine_at(position - 1, 0.0) : 0.0;

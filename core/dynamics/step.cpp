@@ -85,12 +85,12 @@ EquilibriumSummary equilibrate_in_place(Foam& foam, const StepOptions& step_opti
     return summary;
 }
 
-// The extent of a substep.
+// The time that a substep covers, and the part of a StateChange that it imposes.
 struct SubstepExtent {
     double time = 0.0;
-    double done = 0.0;              // fraction of the whole change before the substep
-    double fraction = 1.0;          // fraction of the whole change in the substep
-    double fraction_of_rest = 1.0;  // fraction of the remaining change in the substep
+    double done = 0.0;              // fraction of the step's StateChange imposed before the substep
+    double fraction = 1.0;          // fraction of the step's StateChange imposed in the substep
+    double fraction_of_rest = 1.0;  // fraction / (1 - done)
 };
 
 // Applies the substep's fraction of every push. The center starts where the earlier substeps have
@@ -135,8 +135,8 @@ EquilibriumSummary substep(Foam& foam,
     return summary;
 }
 
-// Adds the counts of a substep to the sum. The status, the errors and the energy of the sum become
-// those of this substep.
+// Adds the counts of a substep to the sum. The sum takes its status, errors and energy from this
+// substep.
 void add(StepSummary& sum, const EquilibriumSummary& substep_summary) {
     EquilibriumSummary total = substep_summary;
     total.sweeps += sum.equilibrium.sweeps;
