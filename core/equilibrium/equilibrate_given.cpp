@@ -20,7 +20,7 @@ namespace {
 
 constexpr TopologyThresholds kKeepTopology{.t1_distance = 0.0, .t2_area = 0.0};
 
-// A unit of length that differs from 1 by less than this counts as 1, so that the foam is not
+// A unit of length that differs from 1 by less than this counts as 1, so that lengths are not
 // scaled.
 constexpr double kRounding = 1e-9;
 
@@ -128,10 +128,10 @@ EquilibriumSummary equilibrate_given(Foam& foam, int threads) {
         summary = attempt;
         if (summary.converged()) {
             if (options.thresholds.t1_distance == 0.0) {
-                // A film is armed when it is longer than twice its T1 distance (rearm_grown_films).
-                // With the distance 0 the solver has therefore armed all films (Foam::t1_armed).
-                // Restore the given flags, and arm only those disarmed films that are longer than
-                // twice their default T1 distance.
+                // A film that has flipped is disarmed (Foam::t1_armed) until it is longer than
+                // twice its T1 distance (rearm_grown_films). With the distance 0 the solver has
+                // therefore armed all films. Restore the given flags, and arm only the disarmed
+                // films that are longer than twice their default T1 distance.
                 trial.t1_armed = given.t1_armed;
                 rearm_grown_films(trial, TopologyThresholds{});
             }

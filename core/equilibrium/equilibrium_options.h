@@ -20,8 +20,8 @@ struct EquilibriumOptions {
     // (next_sweeps in equilibrate.cpp).
     int relaxation_sweeps = 60;
     int threads = 0;  // as in parallel_for; the result has the same bits for any number
-    // Largest number of rounds. A round is a run of the solver with the T1s or the relaxation that
-    // follow the run.
+    // Largest number of rounds. A round is a run of the solver and the response to its result: T1s,
+    // relaxation, or solving the defect regions.
     int max_rounds = 100;
 };
 

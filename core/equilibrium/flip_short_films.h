@@ -21,7 +21,8 @@ using OnT1Rule = std::function<void(FilmId, const FourBubbles&, bool)>;
 /// Applies the T1 rule (core/foam/t1_rule.h) to each film of a part of the foam that has both ends
 /// in the part and a chord shorter than the T1 distance of the thresholds. Calls `on_t1_rule` after
 /// each application. Erases dead ids from the junctions, films and bubbles of the part, but updates
-/// neither its ranks nor its `outer_films`. Returns the number of changes of the network.
+/// neither the rank tables nor the `outer_films` of the part. Returns the number of changes of the
+/// network.
 int flip_short_films(Foam& foam,
                      Unknowns& part,
                      const TopologyThresholds& thresholds,

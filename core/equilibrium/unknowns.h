@@ -18,7 +18,7 @@ struct Unknowns {
     std::vector<JunctionId> junctions;
     std::vector<BubbleId> bubbles;
     std::vector<FilmId> films;            // films with a free end, by increasing id
-    std::vector<FilmId> outer_films;      // the outer films among them
+    std::vector<FilmId> outer_films;      // the outer films in `films`
     RankTable<JunctionId> junction_rank;  // index in `junctions`, negative if held
     RankTable<BubbleId> bubble_rank;      // index in `bubbles`, negative if held
     RankTable<FilmId> outer_rank;  // index in `outer_films`, negative if held; empty on a torus
@@ -34,8 +34,8 @@ struct Unknowns {
     /// Returns the row of the half angle of the film. Precondition: the film is one of
     /// `outer_films`.
     int angle_row(FilmId film) const { return first_angle_row() + outer_rank[film]; }
-    /// Returns the row of the x coordinate of the junction; the row of y is the next one. Negative
-    /// if the junction is held.
+    /// Returns the row of the x coordinate of the junction; negative if the junction is held. The y
+    /// coordinate has the next row.
     int position_row(JunctionId junction) const { return 2 * junction_rank[junction]; }
 };
 
