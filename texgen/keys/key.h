@@ -32,9 +32,9 @@ struct KeyInfo {
     /// The words that are allowed as a value, or as items of a list. Other texts may be allowed,
     /// too. The list is empty if the values are not words.
     std::vector<std::string_view> words{};
-    /// Returns the specific reason why the given value is not allowed, which an error message
-    /// appends to `allowed`; empty if there is none. The function is null if the kind of values has
-    /// no such function.
+    /// Returns the specific reason why a value is not allowed; empty if there is none. An error
+    /// message appends the reason to `allowed`, unless it suggests a word. This member is null if
+    /// the kind of values has no function fault().
     std::function<std::string(const Value&)> fault{};
     std::string_view meaning;              // the meaning in one sentence
     std::string_view unit{};               // the unit, such as "pixels"; empty if there is none
