@@ -20,13 +20,11 @@ ArcBands::ArcBands(const CellArcs& cells, int rows_per_band, int threads)
       row_bits_(static_cast<int>(std::bit_width(static_cast<unsigned>(rows_per_band - 1)))),
       tiles_(static_cast<std::size_t>((grid_.width - 1) >> kTileBits) + 1) {
     const std::size_t all = cells.batches.size();
-    const std::size_t parts =
-        std::clamp(static_cast<std::size_t>(threads > 1 ? kPartsPerThread * threads : 1),
-                   std::size_t{1},
-                   std::max(all, std::size_t{1}));
+    const auto wanted = static_cast<std::size_t>(threads > 1 ? kPartsPerThread * threads : 1);
+    const std::size_t parts = std::max(std::min(wanted, all), std::size_t{1});
     const auto batches_of = [&](std::size_t part) {
         const std::size_t begin = all * part / parts;
-        return Batches(cells.batches).subspan(begin, all * (part + 1) / parts - begin);
+        return std::span(cells.batches).subspan(begin, all * (part + 1) / parts - begin);
     };
     entries_ = counting_sort<Entry>(
         static_cast<std::size_t>(count()) * tiles_,
@@ -42,11 +40,11 @@ int ArcBands::row_count(int band) const {
     return std::min(1 << row_bits_, grid_.height - first_row(band));
 }
 
-// Returns the tile, within its band, that contains the column of the lower end of an arc. On a
-// torus the column is wrapped, because arcs of unwrapped outlines may be several periods to the
-// left or right of the image. In the plane it is clamped.
-std::size_t ArcBands::tile_of(const Entry& entry) const {
-    int column = pixel_of(entry.arc->low.x + entry.translation.x);
+// Returns the tile, within its band, that contains the x of the lower end of an arc. On a torus the
+// column is wrapped, because arcs of unwrapped outlines may be several periods to the left or right
+// of the image. In the plane it is clamped.
+std::size_t ArcBands::tile_of(std::int32_t x) const {
+    int column = pixel_of(x);
     if (grid_.view) {
         column = std::clamp(column, 0, grid_.width - 1);
     } else if (column < 0 || column >= grid_.width) {
@@ -56,37 +54,30 @@ std::size_t ArcBands::tile_of(const Entry& entry) const {
 }
 
 template <class Visit>
-void ArcBands::visit_tiles(Batches batches, const Visit& visit) const {
-    visit_copies(batches, [&](const Entry& entry, std::size_t band) {
-        visit(entry, band * tiles_ + tile_of(entry));
-    });
-}
-
-template <class Visit>
-void ArcBands::visit_copies(Batches batches, const Visit& visit) const {
+void ArcBands::visit_tiles(std::span<const std::vector<MonotoneArc>> batches,
+                           const Visit& visit) const {
+    const auto visit_copy = [&](const MonotoneArc& arc, SubpixelPoint translation) {
+        const int bits = kSubpixelBits + row_bits_;
+        const int low = std::max((arc.low.y + translation.y) >> bits, 0);
+        const int high = std::min((arc.high.y + translation.y - 1) >> bits, count() - 1);
+        const std::size_t tile = tile_of(arc.low.x + translation.x);
+        for (int band = low; band <= high; ++band) {
+            visit(Entry{&arc, translation}, static_cast<std::size_t>(band) * tiles_ + tile);
+        }
+    };
     const SubpixelPoint shift = shift_of(grid_);
     const std::int32_t period = grid_.height * kSubpixel;
     for (const std::vector<MonotoneArc>& batch : batches) {
         for (const MonotoneArc& arc : batch) {
             if (grid_.view) {
-                visit_bands({&arc, {}}, visit);
+                visit_copy(arc, {});
                 continue;
             }
             const std::int32_t high = arc.high.y + shift.y;
             for (int k = floor_div(arc.low.y + shift.y, period); k * period < high; ++k) {
-                visit_bands({&arc, {shift.x - k * shear_, shift.y - k * period}}, visit);
+                visit_copy(arc, {shift.x - k * shear_, shift.y - k * period});
             }
         }
-    }
-}
-
-template <class Visit>
-void ArcBands::visit_bands(const Entry& entry, const Visit& visit) const {
-    const int bits = kSubpixelBits + row_bits_;
-    const int low = std::max((entry.arc->low.y + entry.translation.y) >> bits, 0);
-    const int high = std::min((entry.arc->high.y + entry.translation.y - 1) >> bits, count() - 1);
-    for (int band = low; band <= high; ++band) {
-        visit(entry, static_cast<std::size_t>(band));
     }
 }
 

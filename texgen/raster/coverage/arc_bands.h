@@ -5,7 +5,6 @@
 #include "core/parallel/counting_sort.h"
 #include "texgen/raster/arcs/monotone_arc.h"
 
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -13,10 +12,9 @@
 namespace foam::texgen {
 
 /// The rows of an image, divided into bands, and for each band a list of the arcs that overlap it.
-/// Arcs are moved by the shift of the grid; on a torus, they are wrapped in y. A tile is a range of
-/// columns of a band, and an arc belongs to the tile of its lower end. The arcs of a band are
-/// sorted by tile from left to right, so that most sums to which an arc adds are already in the
-/// cache.
+/// Arcs are moved by the shift of the grid; on a torus, they are wrapped in y. The arcs of a band
+/// are sorted by tile, a range of columns that contains their lower end, so that most sums to which
+/// an arc adds are already in the cache.
 class ArcBands {
   public:
     /// A copy of an arc, moved by a translation to its position in the image. On a torus, the
@@ -43,19 +41,11 @@ class ArcBands {
     }
 
   private:
-    using Batches = std::span<const std::vector<MonotoneArc>>;
-
     // Calls visit(entry, tile) for each copy of an arc and each band that the copy overlaps. `tile`
     // numbers the tiles of all bands: from left to right within a band, and from band to band.
     template <class Visit>
-    void visit_tiles(Batches batches, const Visit& visit) const;
-    // Call visit(entry, band) for each band that a copy of an arc overlaps: visit_copies for all
-    // copies of all arcs, visit_bands for one copy.
-    template <class Visit>
-    void visit_copies(Batches batches, const Visit& visit) const;
-    template <class Visit>
-    void visit_bands(const Entry& entry, const Visit& visit) const;
-    std::size_t tile_of(const Entry& entry) const;
+    void visit_tiles(std::span<const std::vector<MonotoneArc>> batches, const Visit& visit) const;
+    std::size_t tile_of(std::int32_t x) const;
 
     RasterGrid grid_;
     std::int32_t shear_;

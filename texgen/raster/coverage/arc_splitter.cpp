@@ -14,14 +14,11 @@ namespace foam::texgen {
 
 namespace {
 
-// An arc is split in stages. First its crossings with borders between rows are computed, then its
-// crossings with borders between columns. The two sequences are then merged: the index of a
-// crossing in the merged sequence is its own index plus the number of crossings of the other kind
-// before it. For a crossing with a border between rows, this number follows from the column of the
-// crossing; for a crossing with a border between columns, from a counter of rows. No two crossings
-// are compared, so the merge has no unpredictable branches. Finally the area to the left of each
-// part is computed: the area to the left of the chord of the part, plus the area between the chord
-// and the arc.
+// First the crossings of an arc with borders between rows are computed, then those with borders
+// between columns. The two sequences are merged: the index of a crossing in the merged sequence is
+// its own index plus the number of crossings of the other kind before it. For a border between
+// rows, this number follows from the column of the crossing; for a border between columns, from a
+// counter of rows. No two crossings are compared, so the merge has no unpredictable branches.
 
 constexpr std::size_t kLanes = 16;  // number of parts whose areas are computed at once
 
@@ -103,10 +100,9 @@ void ArcSplitter::find_columns(std::size_t k) {
     arc.first_part = k == 0 ? 0 : arcs_[k - 1].first_part + arcs_[k - 1].parts + 1;
 }
 
-// Stores the points at which an arc crosses from row to row. Array elements are left free for the
-// crossings with borders between columns that come before each point, so that no branch depends on
-// the order of crossings. The minimum and the maximum ensure that x never decreases, in spite of
-// rounding.
+// Stores the points at which an arc crosses from row to row, and leaves array elements free for the
+// crossings with borders between columns. The minimum and the maximum ensure that x never
+// decreases, in spite of rounding.
 void ArcSplitter::store_row_crossings(std::size_t k) {
     const Arc arc = arcs_[k];  // a copy, which the stores below cannot change
     const ArcCrossings& rows = row_crossings_[k];
@@ -132,9 +128,8 @@ void ArcSplitter::store_row_crossings(std::size_t k) {
     }
 }
 
-// Stores the crossings of an arc with borders between columns in the elements that
-// store_row_crossings has left free. The y of each crossing is clamped to the row in which the arc
-// crosses the border.
+// Stores the crossings of an arc with borders between columns in the elements left free. The y of
+// each crossing is clamped to the row in which the arc crosses the border.
 void ArcSplitter::store_column_crossings(std::size_t k) {
     const Arc& arc = arcs_[k];
     const ArcCrossings& columns = column_crossings_[k];
@@ -155,54 +150,45 @@ void ArcSplitter::store_column_crossings(std::size_t k) {
     rows_crossed[count] = 0;
 }
 
-// Computes the parts of all arcs. Twice the area to the left of a part's chord is an integer that a
-// float represents exactly. Twice the area between the chord and the arc is added to it. The middle
-// of a part determines its pixel. A part without height may be assigned to a neighboring pixel, but
-// adds nothing to it. kLanes parts are computed at once; the lanes after the last part of an arc
-// get parts without height.
+// Computes the parts of all arcs, kLanes at once. Twice the area to the left of a part's chord is
+// an integer that a float represents exactly. Twice the area between the chord and the arc is added
+// to it. The middle of a part determines its pixel. The lanes after the last part get no height.
 void ArcSplitter::measure_parts() {
     at_simd_level([arcs = std::span(arcs_).first(size_),
                    last_row = rows_ - 1,
-                   xs = point_x_.data(),
-                   ys = point_y_.data(),
-                   parts = parts_.data()] {
+                   all_x = point_x_.data(),
+                   all_y = point_y_.data(),
+                   all_parts = parts_.data()] {
+        constexpr float kHalf = 0.5F;  // added before truncation, which rounds to the nearest
         for (const Arc& arc : arcs) {
-            measure_arc(arc, last_row, xs, ys, parts);
+            const std::int32_t sign = arc.sign;
+            const float half_curvature = arc.half_curvature;
+            const std::size_t end = arc.first_part + arc.parts;
+            for (std::size_t from = arc.first_part; from < end; from += kLanes) {
+                const std::int32_t* __restrict x = all_x + from;
+                const std::int32_t* __restrict y = all_y + from;
+                Part* __restrict parts = all_parts + from;
+                const auto parts_left = static_cast<std::int32_t>(end - from);
+                for (std::size_t k = 0; k < kLanes; ++k) {
+                    const std::int32_t is_part = static_cast<std::int32_t>(k) < parts_left ? -1 : 0;
+                    const std::int32_t height = (y[k + 1] - y[k]) & is_part;
+                    const std::int32_t row = (y[k] + y[k + 1]) >> (kSubpixelBits + 1);
+                    const std::int32_t twice_x = sign * (x[k] + x[k + 1]);
+                    const std::int32_t column = twice_x >> (kSubpixelBits + 1);
+                    const auto dx = static_cast<float>((x[k + 1] - x[k]) & is_part);
+                    const auto dy = static_cast<float>(height);
+                    const auto from_left = static_cast<float>(twice_x - 2 * kSubpixel * column);
+                    const float squared = dx * dx + dy * dy;
+                    const float bulge = twice_segment(squared, half_curvature * std::sqrt(squared));
+                    const auto area = static_cast<std::int32_t>(dy * from_left + bulge + kHalf);
+                    parts[k] = {row < last_row ? row : last_row,
+                                column,
+                                height * (2 * kSubpixel),
+                                height > 0 ? area : 0};
+                }
+            }
         }
     });
-}
-
-inline void ArcSplitter::measure_arc(const Arc& arc,
-                                     std::int32_t last_row,
-                                     const std::int32_t* __restrict xs,
-                                     const std::int32_t* __restrict ys,
-                                     Part* __restrict parts) {
-    constexpr float kHalf = 0.5F;  // added before truncation, which rounds to the nearest
-    const std::int32_t sign = arc.sign;
-    const float half_curvature = arc.half_curvature;
-    const std::size_t end = arc.first_part + arc.parts;
-    for (std::size_t from = arc.first_part; from < end; from += kLanes) {
-        const std::int32_t* x = xs + from;
-        const std::int32_t* y = ys + from;
-        const auto parts_left = static_cast<std::int32_t>(end - from);
-        for (std::size_t k = 0; k < kLanes; ++k) {
-            const std::int32_t is_part = static_cast<std::int32_t>(k) < parts_left ? -1 : 0;
-            const std::int32_t height = (y[k + 1] - y[k]) & is_part;
-            const std::int32_t row = (y[k] + y[k + 1]) >> (kSubpixelBits + 1);
-            const std::int32_t twice_x = sign * (x[k] + x[k + 1]);
-            const std::int32_t column = twice_x >> (kSubpixelBits + 1);
-            const auto dx = static_cast<float>((x[k + 1] - x[k]) & is_part);
-            const auto dy = static_cast<float>(height);
-            const auto from_left = static_cast<float>(twice_x - 2 * kSubpixel * column);
-            const float squared = dx * dx + dy * dy;
-            const float bulge = twice_segment(squared, half_curvature * std::sqrt(squared));
-            const auto area = static_cast<std::int32_t>(dy * from_left + bulge + kHalf);
-            parts[from + k] = {row < last_row ? row : last_row,
-                               column,
-                               height * (2 * kSubpixel),
-                               height > 0 ? area : 0};
-        }
-    }
 }
 
 }  // namespace foam::texgen

@@ -6,7 +6,6 @@
 #include "texgen/raster/arcs/monotone_arc.h"
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -14,14 +13,9 @@
 namespace foam::texgen {
 
 /// Splits arcs into one part per pixel, in the rows [0, rows). Up to kMaxArcs arcs are split in
-/// lockstep, because a single arc would stall on the latency of its square roots.
-///
-/// `Coverage` needs, for each pixel in the row of a part, the area to the right of the part. With a
-/// pixel width of 1, this area is the height of the part in each pixel further right. In the pixel
-/// of the part, it is the height minus the area on the left of the part. Heights are exact, so that
-/// the signed heights of a closed chain cancel in every row. The points at which an arc is split
-/// depend on the arc alone, so that a shift by whole pixels gives the same parts. Buffers are
-/// reused between batches of arcs.
+/// lockstep, because a single arc would stall on the latency of its square roots. Heights of parts
+/// are exact, so that the signed heights of a closed chain cancel in every row. The points at which
+/// an arc is split depend on the arc alone. Buffers are reused between batches of arcs.
 class ArcSplitter {
   public:
     static constexpr std::size_t kMaxArcs = 16;  // largest number of arcs in a batch
@@ -55,13 +49,12 @@ class ArcSplitter {
         /// of the arc, rounded.
         std::int32_t twice_area_on_left;
     };
-    /// Returns the parts of an arc, starting at its lower end. Arcs are numbered from 0 in the
-    /// order in which they were added. Precondition: split() was called.
+    /// Returns the parts of an arc, starting at its lower end. Arcs are numbered in the order in
+    /// which they were added. Precondition: split() was called.
     std::span<const Part> parts(std::size_t arc) const {
         return std::span(parts_).subspan(arcs_[arc].first_part, arcs_[arc].parts);
     }
-    /// Return a lower and an upper bound of the columns of the parts of an arc. Precondition:
-    /// split() was called.
+    /// Return a lower and an upper bound of the columns of the parts of an arc.
     std::int32_t leftmost(std::size_t arc) const { return arcs_[arc].leftmost; }
     std::int32_t rightmost(std::size_t arc) const { return arcs_[arc].rightmost; }
 
@@ -83,17 +76,10 @@ class ArcSplitter {
         std::size_t parts = 0;
     };
 
-    // Returns the column of pixels that contains an x of an arc. If the arc is mirrored, `x` is
-    // mirrored, too, and the result is minus the column. A point on a border between columns
-    // belongs to the column on the right of the border. For this purpose, the bias of a mirrored
-    // arc makes pixel_of round up instead of down.
+    // Returns the column of pixels that contains an x of an arc, or minus the column if the arc and
+    // x are mirrored. A point on a border between columns belongs to the column on its right, for
+    // which the bias of a mirrored arc makes pixel_of round up.
     static std::int32_t column_of(const Arc& arc, std::int32_t x) { return pixel_of(x + arc.bias); }
-    static void measure_arc(const Arc& arc,
-                            std::int32_t last_row,
-                            const std::int32_t* xs,
-                            const std::int32_t* ys,
-                            Part* parts);
-
     void measure_parts();
     void find_columns(std::size_t k);
     void store_row_crossings(std::size_t k);
@@ -106,11 +92,9 @@ class ArcSplitter {
     std::array<ArcCrossings, kMaxArcs> column_crossings_;  // crossings with borders between columns
     std::vector<std::int32_t> xs_;                         // results of row_crossings_
     std::vector<std::int32_t> ys_;                         // results of column_crossings_
-    // Scratch array for the arc that is being processed; otherwise all elements are 0. Element k
-    // belongs to border k between columns, where borders are counted from 0 in the order in which
-    // the arc crosses them. The element is the number of borders between rows that the arc crosses
-    // before this border. The element may also be 0 if the arc crosses no border between rows
-    // between border k - 1 and border k.
+    // Scratch array for the arc that is being processed; otherwise all elements are 0. Element k is
+    // the number of borders between rows that the arc crosses before it crosses its border k
+    // between columns, or 0 if the arc crosses none after border k - 1.
     std::vector<std::int32_t> rows_crossed_;
     // The start of each part of each arc, and the end of the last part of each arc. The x of a
     // mirrored arc are mirrored.

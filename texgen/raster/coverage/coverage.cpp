@@ -20,9 +20,8 @@ static_assert(kLargestSide <= std::numeric_limits<std::uint16_t>::max(),
 
 constexpr std::size_t kFlagsPerWord = 64;
 
-// Returns the distance between the starts of successive rows, in pixels. An arc adds to pixels of
-// many rows. If the distance were a power of two, these pixels would compete for few cache sets.
-// The distance is therefore an odd number of cache lines.
+// Returns the distance between the starts of successive rows, in pixels: an odd number of cache
+// lines, because the rows of an arc would compete for few cache sets if it were a power of two.
 std::size_t stride_of(int width, std::size_t sum_bytes) {
     constexpr std::size_t kLinesModulo8 = 5;  // cache lines per row, modulo 8; must be odd
     const std::size_t per_line = kLineBytes / sum_bytes;
@@ -47,9 +46,8 @@ void add_times(double factor, const Sums& values, Sums& to) {
 constexpr std::size_t kFlagsPerStep = 4;
 
 // Stores the positions of the flags that are set, in increasing order, and returns their number.
-// kFlagsPerStep positions are stored at a time, so that up to kFlagsPerStep - 1 elements after the
-// last position are overwritten. Most words have few flags, in unpredictable numbers; the end of a
-// loop over single flags would often be mispredicted.
+// Stores kFlagsPerStep positions at a time, and overwrites up to kFlagsPerStep - 1 elements after
+// the last position. The end of a loop over single flags would often be mispredicted.
 [[gnu::always_inline]] inline std::size_t find_flags(std::span<const std::uint64_t> flags,
                                                      std::uint16_t* positions) {
     std::size_t count = 0;
@@ -79,9 +77,8 @@ struct Coverage<Channels>::Band {
     std::size_t words;
 
     // Adds the areas beside a part, times the change of values across its arc, to the differences
-    // of two pixels: the area on the right of the part to the pixel of the part, and the area on
-    // its left to the next pixel. The sum of both areas is the height of the part, which the
-    // running sum adds to all pixels further right.
+    // of two pixels: the area on its right to the pixel of the part, and the area on its left to
+    // the next pixel, so that the running sum adds their sum to all pixels further right.
     void add(std::size_t row,
              std::size_t column,
              const ArcSplitter::Part& part,
@@ -134,7 +131,10 @@ void Coverage<Channels>::finish() {
             add_outside(splitter_.parts(k), steps_[k]);
         }
         if (steps_[k].wraps) [[unlikely]] {
-            add_period_correction(splitter_.parts(k), steps_[k]);
+            for (const ArcSplitter::Part& part : splitter_.parts(k)) {
+                Sums& start = starts_[static_cast<std::size_t>(part.row)];
+                add_times(-part.twice_area, steps_[k].period_correction, start);
+            }
         }
     }
     splitter_.clear();
@@ -143,8 +143,8 @@ void Coverage<Channels>::finish() {
 template <std::size_t Channels>
 void Coverage<Channels>::add_inside(Parts parts, const Step& step) {
     const Band band{differences_.data(), stride_, touched_.data(), words_};
-    // `across` is captured by reference. With a copy, compilers merge the two sums of a part into
-    // one wide store. The next load may overlap only half of this store and would then stall on it.
+    // With a copy of `across`, compilers merge the two sums of a part into one wide store, on which
+    // the next load would stall if it overlaps only half of it.
     at_simd_level([parts, &across = step.across, band] {
         for (const ArcSplitter::Part& part : parts) {
             band.add(static_cast<std::size_t>(part.row),
@@ -155,19 +155,8 @@ void Coverage<Channels>::add_inside(Parts parts, const Step& step) {
     });
 }
 
-// Accounts for the periods in ArcSides: in each row, subtracts the height of the arc times
-// Step::period_correction from the start of the row.
-template <std::size_t Channels>
-void Coverage<Channels>::add_period_correction(Parts parts, const Step& step) {
-    for (const ArcSplitter::Part& part : parts) {
-        add_times(
-            -part.twice_area, step.period_correction, starts_[static_cast<std::size_t>(part.row)]);
-    }
-}
-
-// Adds an arc that has parts to the left or to the right of the columns of the band. On a ring,
-// these parts are wrapped to the columns of the band. On a line, a part on the left changes the
-// start of its row, and a part on the right is ignored.
+// Adds an arc that has parts to the left or to the right of the columns of the band, and wraps them
+// around on a ring.
 template <std::size_t Channels>
 void Coverage<Channels>::add_outside(Parts parts, const Step& step) {
     const Band band{differences_.data(), stride_, touched_.data(), words_};
@@ -184,8 +173,7 @@ void Coverage<Channels>::add_outside(Parts parts, const Step& step) {
     }
 }
 
-// A span begins at each pixel with a flag. The pixel after the last one may have a flag, too, but
-// is not part of the result.
+// A span begins at each pixel with a flag. The pixel after the last one may have a flag, too.
 template <std::size_t Channels>
 void Coverage<Channels>::take_row(int row, const Sums& start, RowSums<Channels>& sums) {
     const auto index = static_cast<std::size_t>(row);

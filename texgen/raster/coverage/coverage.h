@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -43,8 +42,7 @@ inline std::uint16_t mean_of(double sum) {
 /// The topology of a row of pixels: a ring around a torus, or a line segment in the plane.
 enum class RowKind { Ring, Line };
 
-/// The sums along a row, as spans of pixels with equal sums. The arrays may have more elements than
-/// are used, because they never shrink.
+/// The sums along a row, as spans of pixels with equal sums. The arrays never shrink.
 template <std::size_t Channels>
 struct RowSums {
     std::size_t count = 0;              // number of spans
@@ -52,26 +50,21 @@ struct RowSums {
     std::vector<PixelSums<Channels>> sums;  // the sums of each pixel of a span
 };
 
-/// Computes sums of values times areas in a band of rows. Arcs are added one by one, each with the
-/// change of the values from its left to its right, per channel. The sum of a pixel is a start
-/// value plus the contributions of all arcs. mean_of converts the sum to the mean value of the
-/// pixel.
+/// Computes sums of values times areas in a band of rows. Each arc is added with the change of the
+/// values from its left to its right, per channel. The sum of a pixel is a start value plus the
+/// contributions of all arcs: sums of integers, which do not depend on the order of the arcs.
 ///
 /// In each row, an arc adds its change of values times the area on its right. In the pixel of a
 /// part of the arc (ArcSplitter::Part), this is the area between the part and the right border of
 /// the pixel. In each pixel further right, it is the height of the part times the width of a pixel.
-/// The band therefore stores differences from pixel to pixel. A running sum along a row converts
-/// the differences to sums of pixels.
+/// The band therefore stores differences from pixel to pixel, and a running sum along a row
+/// converts them to sums of pixels.
 ///
-/// On a torus a row is a ring, so that "further right" has no end. In every row, however, the
-/// signed heights of the closed outline of a bubble cancel. This is true only if all arcs of the
-/// outline are in the same period of the torus. Therefore an arc that is k periods to the right of
-/// the image subtracts, from the start of each of its rows, k times its height times its change of
-/// values (add_outside, Step::period_correction). In
-/// the plane, an arc to the left of a row adds its height times its change of values to all pixels
-/// of the row, and an arc to the right of a row adds nothing.
-///
-/// All sums are exact sums of integers, so that they do not depend on the order of the arcs.
+/// On a torus, where a row has no end, the signed heights of the closed outline of a bubble cancel
+/// in every row if all its arcs are in the same period. Therefore an arc that is k periods to the
+/// right of the image subtracts, from the start of each of its rows, k times its height times its
+/// change of values. In the plane, an arc to the left of a row adds its height times its change of
+/// values to all pixels of the row, and an arc to the right of a row adds nothing.
 template <std::size_t Channels>
 class Coverage {
   public:
@@ -86,8 +79,7 @@ class Coverage {
         bool wraps = false;  // if false, `period_correction` is 0
     };
 
-    /// Creates a band whose differences are all zero. `width` is the number of columns and `rows`
-    /// the number of rows of the band.
+    /// Creates a band of `rows` rows and `width` columns whose differences are all zero.
     Coverage(int width, int rows, RowKind kind = RowKind::Ring);
 
     /// Adds an arc, moved by a translation. After the translation, y is relative to the lower
@@ -98,8 +90,8 @@ class Coverage {
     /// Adds all pending arcs.
     void finish();
 
-    /// Stores in `sums` the sums of the pixels of a row: `start` plus the contributions of the
-    /// arcs. Then sets the differences of the row to zero. Precondition: no arc is pending.
+    /// Stores the sums of the pixels of a row, `start` plus the contributions of the arcs, and sets
+    /// the differences of the row to zero. Precondition: no arc is pending.
     void take_row(int row, const Sums& start, RowSums<Channels>& sums);
 
   private:
@@ -112,7 +104,6 @@ class Coverage {
     }
     void add_inside(Parts parts, const Step& step);
     void add_outside(Parts parts, const Step& step);
-    void add_period_correction(Parts parts, const Step& step);
 
     int width_;
     RowKind kind_;
@@ -127,10 +118,5 @@ class Coverage {
     std::array<Step, ArcSplitter::kMaxArcs> steps_;  // the steps of the pending arcs
     std::vector<Sums> starts_;                       // added to the start of each row's running sum
 };
-
-extern template class Coverage<1>;
-extern template class Coverage<2>;
-extern template class Coverage<3>;
-extern template class Coverage<4>;
 
 }  // namespace foam::texgen

@@ -19,20 +19,13 @@ namespace foam::texgen {
 
 namespace {
 
-// The image is filled in bands of rows, in parallel. For each band, the arcs that overlap it are
-// added to a Coverage, which accumulates signed areas. A running sum along each row gives the mean
-// of every pixel, in spans of equal pixels, which are converted and written span by span. All
-// bubbles and films are summed in one pass: at first all pixels have the value of films, or in a
-// patch the value of the ghost bubble, and each arc adds the difference of the values on its two
-// sides.
+// At first all pixels have the value of films, or in a patch the value of the ghost bubble, and
+// each arc adds the difference of the values on its two sides.
 
-// The intended number of bytes of the sums of a band. Arcs add to few of these sums, so that cache
-// misses cost less than splitting arcs at the borders of more bands (README.md). The actual number
-// may differ, because the number of rows of a band is limited to a range, and ArcBands rounds it up
-// to a power of two.
+// The intended number of bytes of the sums of a band (README.md).
 constexpr std::size_t kBandBytes = std::size_t{1} << 21;
-// The number of arcs by which prefetching is ahead of processing. Prefetching is needed because
-// arcs are sorted by tile, so that successive arcs are not contiguous in memory.
+// The number of arcs by which prefetching is ahead of processing: arcs that are sorted by tile are
+// not contiguous in memory.
 constexpr std::size_t kPrefetchDistance = 6;
 constexpr int kMinRows = 4;  // per band
 constexpr int kMaxRows = 64;
@@ -41,31 +34,6 @@ constexpr int kMaxRows = 64;
 int rows_per_band(int width, std::size_t sum_bytes) {
     const std::size_t row_bytes = static_cast<std::size_t>(width) * sum_bytes;
     return std::clamp(static_cast<int>(kBandBytes / row_bytes), kMinRows, kMaxRows);
-}
-
-// Throws std::invalid_argument if a bubble has no value; kFilmSide needs none. `values` is the
-// number of bubbles that have values.
-void check_bubble(std::size_t bubble, std::size_t values) {
-    if (bubble != kFilmSide && bubble >= values) {
-        throw std::invalid_argument(
-            fmt::format("there are values for {} bubbles, but the value of bubble {} is needed",
-                        values,
-                        bubble));
-    }
-}
-
-// Throws std::invalid_argument unless every bubble beside an arc, and the ghost bubble of a patch,
-// has a value. `values` is the number of bubbles that have values.
-void check_values(const CellArcs& cells, std::size_t values) {
-    if (cells.ghost) {
-        check_bubble(index_of(*cells.ghost), values);
-    }
-    for (const std::vector<MonotoneArc>& batch : cells.batches) {
-        for (const MonotoneArc& arc : batch) {
-            check_bubble(arc.sides.left, values);
-            check_bubble(arc.sides.right, values);
-        }
-    }
 }
 
 // Throws std::invalid_argument if the arguments of fill_cells do not match.
@@ -78,11 +46,39 @@ void check(const CellArcs& cells, const CellValues& values, ImageView<std::uint1
         throw std::invalid_argument(
             "the image must have as many channels as the values, from 1 to 4");
     }
-    check_values(cells, values.bubbles.size() / values.channels);
+    const auto check_side = [count = values.bubbles.size() / values.channels](std::size_t bubble) {
+        if (bubble != kFilmSide && bubble >= count) {
+            throw std::invalid_argument(
+                fmt::format("there are values for {} bubbles, but the value of bubble {} is needed",
+                            count,
+                            bubble));
+        }
+    };
+    if (cells.ghost) {
+        check_side(index_of(*cells.ghost));
+    }
+    for (const std::vector<MonotoneArc>& batch : cells.batches) {
+        for (const MonotoneArc& arc : batch) {
+            check_side(arc.sides.left);
+            check_side(arc.sides.right);
+        }
+    }
 }
 
-// Fills an image of `Channels` channels. ToPixels converts sums to pixels (row_writer.h).
-template <std::size_t Channels, class ToPixels>
+// Returns the value of each bubble minus the value of films, and then 0, for kFilmSide.
+template <std::size_t Channels>
+std::vector<PixelSums<Channels>> differences_from_film(const CellValues& values) {
+    std::vector<PixelSums<Channels>> differences(values.bubbles.size() / Channels + 1);
+    for (std::size_t k = 0; k + 1 < differences.size(); ++k) {
+        for (std::size_t c = 0; c < Channels; ++c) {
+            differences[k][c] = values.bubbles[k * Channels + c] - values.film[c];
+        }
+    }
+    return differences;
+}
+
+// Fills an image of `Channels` channels. ToPixel converts the sums of a pixel (row_writer.h).
+template <std::size_t Channels, class ToPixel>
 class Filler {
   public:
     using Sums = PixelSums<Channels>;
@@ -92,11 +88,16 @@ class Filler {
            const CellValues& values,
            int threads,
            ImageView<std::uint16_t> image)
-        : cells_(cells),
-          values_(values),
-          image_(image),
+        : image_(image),
           threads_(thread_count(threads)),
-          bands_(cells, rows_per_band(image.width(), sizeof(Sums)), threads_) {}
+          row_kind_(cells.grid.view ? RowKind::Line : RowKind::Ring),
+          bands_(cells, rows_per_band(image.width(), sizeof(Sums)), threads_),
+          differences_(differences_from_film<Channels>(values)) {
+        const Sums& base = difference(cells.ghost ? arc_side(*cells.ghost) : kFilmSide);
+        for (std::size_t c = 0; c < Channels; ++c) {
+            start_[c] = kPixelArea * (values.film[c] + base[c]);
+        }
+    }
 
     // Fills all bands in parallel. A worker allocates its buffers once and reuses them for all
     // bands that it fills.
@@ -114,13 +115,11 @@ class Filler {
   private:
     struct Worker {
         explicit Worker(const Filler& filler)
-            : coverage(filler.image_.width(),
-                       filler.bands_.row_count(0),
-                       filler.cells_.grid.view ? RowKind::Line : RowKind::Ring) {}
+            : coverage(filler.image_.width(), filler.bands_.row_count(0), filler.row_kind_) {}
 
         Coverage<Channels> coverage;
         RowSums<Channels> sums;
-        RowWriter<Channels, ToPixels> writer;
+        RowWriter<Channels, ToPixel> writer;
     };
 
     void fill_band(int band, Worker& worker) const {
@@ -136,7 +135,6 @@ class Filler {
             worker.coverage.add(arc, entries[k].translation - origin, step_across(arc));
         }
         worker.coverage.finish();
-        const Sums start = start_of_rows();
         const std::size_t row_samples = image_.row_samples();
         const std::span<std::uint16_t> rows(
             image_.row(first_row).data(),
@@ -145,50 +143,21 @@ class Filler {
             const std::span<std::uint16_t> output =
                 rows.subspan(row_samples * static_cast<std::size_t>(row));
             worker.writer.prefetch(output.first(row_samples));
-            worker.coverage.take_row(row, start, worker.sums);
+            worker.coverage.take_row(row, start_, worker.sums);
             worker.writer.write(worker.sums, static_cast<std::size_t>(image_.width()), output);
         }
     }
 
-    std::span<const std::uint16_t, Channels> value_of(BubbleId bubble) const {
-        return std::span<const std::uint16_t, Channels>(
-            &values_.bubbles[index_of(bubble) * Channels], Channels);
-    }
-
-    // Returns the value of pixels before any arc is added. On a torus this is the value of films.
-    // In a patch it is the value of the ghost bubble; within the foam, the outlines of the ghost
-    // change it to the value of films.
-    std::span<const std::uint16_t, Channels> base() const {
-        return cells_.ghost ? value_of(*cells_.ghost)
-                            : std::span(values_.film).template first<Channels>();
-    }
-
-    // Returns the sum of a pixel before any arc is added.
-    Sums start_of_rows() const {
-        Sums start{};
-        for (std::size_t c = 0; c < Channels; ++c) {
-            start[c] = kPixelArea * base()[c];
-        }
-        return start;
-    }
-
-    // Returns the value on a side of an arc minus the value of films. The result is 0 if there is a
-    // film on this side.
-    Sums difference_from_film(std::uint32_t side) const {
-        Sums value{};
-        if (side != kFilmSide) {
-            for (std::size_t c = 0; c < Channels; ++c) {
-                value[c] = values_.bubbles[side * Channels + c] - values_.film[c];
-            }
-        }
-        return value;
+    // Returns the value on a side of an arc minus the value of films.
+    const Sums& difference(std::uint32_t side) const {
+        return differences_[std::min<std::size_t>(side, differences_.size() - 1)];
     }
 
     Step step_across(const MonotoneArc& arc) const {
-        const Sums left = difference_from_film(arc.sides.left);
-        const Sums right = difference_from_film(arc.sides.right);
+        const Sums& left = difference(arc.sides.left);
+        const Sums& right = difference(arc.sides.right);
         Step step;
-        for (std::size_t c = 0; c < Channels; ++c) {
+        for (std::size_t c = 0; c < left.size(); ++c) {
             step.across[c] = right[c] - left[c];
         }
         step.wraps = arc.sides.left_periods != 0 || arc.sides.right_periods != 0;
@@ -201,15 +170,16 @@ class Filler {
         return step;
     }
 
-    const CellArcs& cells_;
-    const CellValues& values_;
     ImageView<std::uint16_t> image_;
     int threads_;
+    RowKind row_kind_;
     ArcBands bands_;
+    std::vector<Sums> differences_;
+    Sums start_{};  // the sum of a pixel before any arc is added
 };
 
-// Checks the arguments and fills the image. ToPixels<channels> converts sums to pixels.
-template <template <std::size_t> class ToPixels>
+// Checks the arguments and fills the image. ToPixel converts the sums of a pixel to its samples.
+template <class ToPixel>
 void fill(const CellArcs& cells,
           const CellValues& values,
           int threads,
@@ -217,13 +187,13 @@ void fill(const CellArcs& cells,
     check(cells, values, image);
     switch (values.channels) {
         case 1:
-            return Filler<1, ToPixels<1>>(cells, values, threads, image).fill();
+            return Filler<1, ToPixel>(cells, values, threads, image).fill();
         case 2:
-            return Filler<2, ToPixels<2>>(cells, values, threads, image).fill();
+            return Filler<2, ToPixel>(cells, values, threads, image).fill();
         case 3:
-            return Filler<3, ToPixels<3>>(cells, values, threads, image).fill();
+            return Filler<3, ToPixel>(cells, values, threads, image).fill();
         default:
-            return Filler<4, ToPixels<4>>(cells, values, threads, image).fill();
+            return Filler<4, ToPixel>(cells, values, threads, image).fill();
     }
 }
 

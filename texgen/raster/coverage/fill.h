@@ -6,7 +6,6 @@
 #include "texgen/raster/arcs/monotone_arc.h"
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -29,12 +28,10 @@ struct CellValues {
 /// texgen/raster/README.md lists. If films have a width of 0, the bubbles meet without gap or
 /// overlap, so that the value of films is not visible.
 ///
-/// The result has the same bits for any number of threads. If the grid is shifted, the
-/// image is shifted cyclically, and no bit of a sample changes (exception: a sheared torus, see
-/// RasterGrid). Throws std::invalid_argument if the
-/// image and the grid differ in size, if the image and the values differ in the number of channels,
-/// if this number is not from 1 to kMaxChannels, or if a bubble beside an arc, or the ghost bubble,
-/// has no value.
+/// The result has the same bits for any number of threads. If the grid is shifted, the image is
+/// shifted cyclically (RasterGrid). Throws std::invalid_argument if the image and the grid differ
+/// in size, if the image and the values differ in the number of channels, if this number is not
+/// from 1 to kMaxChannels, or if a bubble beside an arc, or the ghost bubble, has no value.
 void fill_cells(const CellArcs& cells,
                 const CellValues& values,
                 int threads,

@@ -83,7 +83,7 @@ TEST(PaintSpans, WritesEverySpan) {
 
 // Writes the samples of two spans, once with room for a block after the row and once without.
 TEST(RowWriter, WritesOnlyItsRow) {
-    RowWriter<1, RoundedMeans<1>> writer;
+    RowWriter<1, RoundedMeans> writer;
     RowSums<1> sums;
     sums.count = 2;
     sums.begins = {0, 3, 5};
@@ -99,24 +99,28 @@ TEST(RowWriter, WritesOnlyItsRow) {
 }
 
 TEST(PixelMeans, PackSamplesInTheOrderOfMemory) {
-    const std::uint64_t pixel = packed<3>({0x0201, 0x0403, 0x0605});
-    EXPECT_EQ(pixel,
-              std::endian::native == std::endian::little ? 0x060504030201U : 0x050603040102U);
+    const double unit = kPixelArea;
+    EXPECT_EQ(RoundedMeans::pixel<3>({0x0201 * unit, 0x0403 * unit, 0x0605 * unit}),
+              0x060504030201U);
 }
 
 // The 37 sums are several vectors and a remainder. The fourth sum of a pixel is unused.
 TEST(PixelMeans, AreRounded) {
     at_every_simd_level([] {
-        std::vector<PixelSums<3>> sums;
-        sums.reserve(37);
+        RowSums<3> sums;
+        sums.count = 37;
         for (int k = 0; k < 37; ++k) {
-            sums.push_back({750.25 * kPixelArea * k, 0.5 * kPixelArea, 65535 * kPixelArea, 0.0});
+            sums.begins.push_back(static_cast<std::uint16_t>(k));
+            sums.sums.push_back(
+                {750.25 * kPixelArea * k, 0.5 * kPixelArea, 65535 * kPixelArea, 0.0});
         }
-        std::vector<std::uint64_t> pixels(sums.size());
-        RoundedMeans<3>()(sums, pixels.data());
-        for (std::size_t k = 0; k < sums.size(); ++k) {
-            const auto mean = static_cast<std::uint16_t>(std::lround(750.25 * double(k)));
-            EXPECT_EQ(pixels[k], packed<3>({mean, 1, 65535}));
+        sums.begins.push_back(37);
+        std::vector<std::uint16_t> samples(std::size_t{3} * 37);
+        RowWriter<3, RoundedMeans>().write(sums, 37, samples);
+        for (std::size_t k = 0; k < 37; ++k) {
+            EXPECT_EQ(samples[3 * k], std::lround(750.25 * double(k)));
+            EXPECT_EQ(samples[3 * k + 1], 1);
+            EXPECT_EQ(samples[3 * k + 2], 65535);
         }
     });
 }
@@ -125,14 +129,11 @@ TEST(PixelMeans, AreRounded) {
 // All samples of a fully transparent pixel are 0. A color above its opacity is clamped.
 TEST(PixelMeans, DivideColorsByOpacity) {
     const auto pixel = [](double color, double opacity) {
-        const std::array<PixelSums<2>, 1> sums{{{color * kPixelArea, opacity * kPixelArea}}};
-        std::uint64_t packed_pixel = 0;
-        StraightMeans<2>()(sums, &packed_pixel);
-        return packed_pixel;
+        return StraightMeans::pixel<2>({color * kPixelArea, opacity * kPixelArea});
     };
-    EXPECT_EQ(pixel(20000, 32768), packed<2>({39999, 32768}));
+    EXPECT_EQ(pixel(20000, 32768), 39999U | 32768U << 16);
     EXPECT_EQ(pixel(5, 0), 0U);
-    EXPECT_EQ(pixel(200, 100), packed<2>({65535, 100}));
+    EXPECT_EQ(pixel(200, 100), 65535U | 100U << 16);
 }
 
 }  // namespace
